@@ -11,32 +11,61 @@
 
 namespace axiscert {
 
-std::vector<std::string> yardsticks_for(const Kernel& kernel) {
+namespace {
+
+std::vector<std::string> yardsticks_of(const TestDescription& test, std::size_t entry, const std::string& kernel) {
   std::vector<std::string> ids = {"published", "certified"};
-  if (kernel.test != &first_test()) ids = {default_kernel(*kernel.test, kernel.entry).id};
-  std::erase(ids, kernel.id);
-  std::erase_if(ids, [&](const std::string& id) { return find_kernel(id).entry != kernel.entry; });
+  if (&test != &first_test()) ids = {default_kernel(test, entry).id};
+  std::erase(ids, kernel);
+  std::erase_if(ids, [&](const std::string& id) { return find_kernel(id).entry != entry; });
   return ids;
 }
+
+// `kernels`: of this test and entry.
+RunOptions certified_options(const CertifiedRun& run, const TestDescription& test, std::size_t entry,
+                             const std::vector<std::string>& kernels, bool is_slow) {
+  RunOptions options;
+  options.kernels = kernels;
+  options.families = {"all"};
+  options.meshes = run.meshes;
+  const auto is_of_kernel = [&](const CorpusEntry& known) {
+    return known.stored.test == &test && known.stored.entry == entry;
+  };
+  if (std::ranges::any_of(read_corpus(default_corpus_folder()), is_of_kernel)) options.corpus = default_corpus_folder();
+  options.seed = run.seed;
+  options.effort = run.effort;
+  options.is_slow = is_slow;
+  options.threads = run.threads;
+  return options;
+}
+
+}  // namespace
 
 PlanFile certified_plan(const CertifiedRun& run) {
   const Kernel& kernel = find_kernel(run.kernel);
   require_loaded(kernel);
   parse_effort(run.effort);
-  RunOptions options;
-  options.kernels = {run.kernel};
-  for (const std::string& id : yardsticks_for(kernel)) options.kernels.push_back(id);
-  options.families = {"all"};
-  options.meshes = run.meshes;
-  const auto is_of_kernel = [&](const CorpusEntry& entry) {
-    return entry.stored.test == kernel.test && entry.stored.entry == kernel.entry;
-  };
-  if (std::ranges::any_of(read_corpus(default_corpus_folder()), is_of_kernel)) options.corpus = default_corpus_folder();
-  options.seed = run.seed;
-  options.effort = run.effort;
-  options.is_slow = !kernel.file.empty();
-  options.threads = run.threads;
-  return plan_file_of(options, std::nullopt);
+  std::vector<std::string> kernels = {run.kernel};
+  for (const std::string& id : yardsticks_of(*kernel.test, kernel.entry, kernel.id)) kernels.push_back(id);
+  return plan_file_of(certified_options(run, *kernel.test, kernel.entry, kernels, !kernel.file.empty()), std::nullopt);
+}
+
+Json certified_plan_of(const CertifiedRun& run, const AbsentKernel& kernel) {
+  const std::vector<std::string> yardsticks = yardsticks_of(*kernel.test, kernel.entry, run.kernel);
+  std::vector<std::string> run_here = yardsticks;
+  if (run_here.empty())
+    run_here = {default_kernel(*kernel.test, kernel.entry).id};  // in place of the one that is absent
+  Plan plan = plan_of(certified_options(run, *kernel.test, kernel.entry, run_here, kernel.is_slow));
+  plan.precisions.clear();
+  for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+    const bool has = std::ranges::find(kernel.precisions, precision) != kernel.precisions.end();
+    if (has || std::ranges::any_of(yardsticks, [&](const std::string& id) { return find_kernel(id).has(precision); }))
+      plan.precisions.push_back(precision);
+  }
+  Json json = plan_json(plan, planned(plan), {});
+  json["kernels"] = yardsticks;
+  json["kernels"].insert(json["kernels"].begin(), run.kernel);
+  return json;
 }
 
 }  // namespace axiscert

@@ -17,12 +17,19 @@ struct CertifiedRun {
   int threads = 0;
 };
 
-// The kernels that answer the same queries besides, first `published`, then `certified`, where they are of the kernel's
-// test; of another test its default kernel. The kernel itself is none of them.
-std::vector<std::string> yardsticks_for(const Kernel& kernel);
-
-// The kernel, then its yardsticks, on every family of its test, the corpus where there is one, and the meshes. Throws
-// Error for a kernel that could not be loaded.
+// The kernel, then those that answer the same queries besides (first `published`, then `certified`, where they are of
+// the kernel's test; of another test its default kernel), on every family of its test, the corpus where there is one,
+// and the meshes. Throws Error for a kernel that could not be loaded.
 PlanFile certified_plan(const CertifiedRun& run);
+
+// A kernel of which nothing is here but what a certificate says.
+struct AbsentKernel {
+  const TestDescription* test;
+  std::size_t entry;
+  std::vector<Precision> precisions;
+  bool is_slow;  // not built in
+};
+// The same plan as a record has it, without the kernel that run.kernel names.
+Json certified_plan_of(const CertifiedRun& run, const AbsentKernel& kernel);
 
 }  // namespace axiscert

@@ -1,7 +1,6 @@
 #include "cli/running/certify.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <map>
@@ -18,13 +17,18 @@
 #include "kernel/base/version.h"
 #include "kernel/registry/self_check.h"
 #include "reports/certificate/certificate.h"
+#include "reports/certificate/derived/counts.h"
+#include "reports/certificate/derived/derived.h"
+#include "reports/certificate/derived/margin_check.h"
+#include "reports/certificate/derived/reduced.h"
+#include "reports/certificate/findings/asked_words.h"
 #include "reports/certificate/findings/breaks.h"
 #include "reports/certificate/findings/levels.h"
 #include "reports/certificate/page.h"
+#include "reports/certificate/statement/canonical.h"
 #include "reports/certificate/statement/statement.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/reproduce.h"
-#include "reports/wording/summary.h"
 
 namespace axiscert {
 namespace {
@@ -48,135 +52,59 @@ struct Judged {
   const CertifyOptions& options;
   const Plan& plan;  // of which the kernel is the first
   const Stretches& stretches;
-  std::map<std::uint64_t, Json> digests;  // by stretch that was done, of each kernel's tally
+  std::map<std::uint64_t, Json> tallies;  // by stretch, as the certificate has it
   Json plan_json, subjects;
   std::string kind, effort, digest;  // of the kernel; the plan's digest
-  std::vector<std::string> yardsticks;
   bool is_slow;
 
   const Kernel& kernel() const { return *plan.kernels.front(); }
 };
 
-// The stretches in their order, each with the digest of every kernel's tally.
-Json tallies_json(const std::map<std::uint64_t, Json>& by_stretch, const Stretches& stretches) {
+Json materials_json(const Judged& judged, const Json& record) {
+  const Json portable = portable_plan(judged.plan_json);
   Json tallies = Json::array();
-  for (const auto& [stretch, digests] : by_stretch)
-    tallies.push_back({{"stretch", stretch}, {"of", stretches.text(stretch)}, {"sha256", digests}});
-  return tallies;
+  for (const auto& [stretch, tally] : judged.tallies) tallies.push_back(tally);
+  return {{"axiscert", {{"version", axiscert_version}, {"sources", source_digests().sources}}},
+          {"proofs", source_digests().proofs},
+          {"plan",
+           {{"digest", digest_of_json(portable)},
+            {"units_per_stretch", judged.stretches.units_each()},
+            {"plan", portable}}},
+          {"kernels", kernels_of_record(record)},
+          {"findings", findings_of_record(record)},
+          {"tallies", tallies}};
 }
 
-Json kernel_json(const Staged& staged, const std::string& kind) {
-  const Kernel& kernel = staged.kernel;
-  Json exposes = Json::array(), precisions = Json::array(), limits = nullptr;
-  for (const Exposure e : enumerators<Exposure>) {
-    if (e <= kernel.exposes) exposes.push_back(exposure_names[e]);
+// A kernel that answers the same queries otherwise has no safe margin, since what it missed it may find next time.
+void drop_margin_beside(const Json& record, Json& predicate) {
+  Json& margins = predicate["safe_margin"];
+  for (const Json& margin : margins["precisions"]) {
+    for (const Json& entry : record["kernels"]) {
+      if (entry["id"] != predicate["kernel"]["id"] || entry["precision"] != margin["precision"]) continue;
+      const std::string fault = margin_fault(margin, entry);
+      if (fault.empty()) continue;
+      margins = {{"reason", fmt::format("the kernel answered otherwise when it was asked the same again: in {}, {}",
+                                        entry["precision"].get<std::string>(), fault)},
+                 {"precisions", Json::array()}};
+      return;
+    }
   }
-  for (const Precision precision : staged.precisions()) precisions.push_back(name(precision));
-  for (const Json& entry : staged.record["kernels"]) {
-    if (entry["id"] == kernel.id && has_limits(entry)) limits = limits_text(entry);
-  }
-  return {{"id", kernel.id},
-          {"kind", kind},
-          {"test", kernel.test->id},
-          {"entry", kernel.test->entries[kernel.entry].name},
-          {"summary", kernel.summary},
-          {"exposes", exposes},
-          {"touching", name(kernel.touching)},
-          {"limits", limits},
-          {"precisions", precisions}};
 }
 
-// Every kernel of the run, on the same queries.
-Json comparison_json(const Json& record) {
-  Json rows = Json::array();
-  for (const Json& entry : record["kernels"]) {
-    const Json total = all_families(entry);
-    if (total.empty()) continue;
-    const Json& verdict = total["verdict"];
-    const Json radius = entry.value("critical_radius", Json::object());
-    const auto ulps = [&](const char* member) {
-      const Json figure = radius.is_object() ? radius.value(member, Json()) : Json();
-      return figure.is_number() ? Json(amount(figure.get<double>(), 3)) : figure;
-    };
-    rows.push_back({{"kernel", entry["id"]},
-                    {"precision", entry["precision"]},
-                    {"missed", verdict["false_separation"]},
-                    {"deepest_missed", amount(verdict["deepest_false_separation"].get<double>(), 3)},
-                    {"phantom", verdict["false_contact"]},
-                    {"deepest_phantom", amount(verdict["deepest_false_contact"].get<double>(), 3)},
-                    {"median_ulps", ulps("median_ulps")},
-                    {"largest_ulps", ulps("largest_ulps")}});
+// What follows from the counts, made of them as `verify` makes it. Throws HarnessFault where the run's record says
+// otherwise.
+void put_derived(const Json& record, const Json& run_record, Json& predicate) {
+  const Json members = derived_members(predicate, record);
+  predicate.update(members);
+  const std::string id = predicate["kernel"]["id"];
+  predicate["breaks_first"] = what_breaks_first(run_record, id);
+  const Json levels = levels_json(run_record, id, predicate["search"]["precisions"]);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const Json& derived = members["levels"][i];
+    if (levels[i]["state"] == derived["state"]) continue;
+    throw HarnessFault(fmt::format("{} of {} is {} by the record, and {} by its counts", levels[i]["level"].dump(), id,
+                                   levels[i]["state"].dump(), derived["state"].dump()));
   }
-  return rows;
-}
-
-// Sentences that say what the certificate leaves open.
-Json limits_of(const Staged& staged, const Json& predicate) {
-  Json limits = Json::array();
-  const Kernel& kernel = staged.kernel;
-  limits.push_back(
-      "What is met was observed on queries that these families make, but for what `proved` says there: no number of "
-      "queries "
-      "proves it for others, and the bounds are of rates in these families, not in a game.");
-  if (!predicate["asked"]["complete"].get<bool>()) {
-    limits.push_back(fmt::format("{} of the plan's {} stretches were not run: the time given was over.",
-                                 predicate["asked"]["stretches"].get<std::uint64_t>() -
-                                     predicate["asked"]["stretches_done"].get<std::uint64_t>(),
-                                 predicate["asked"]["stretches"].get<std::uint64_t>()));
-  }
-  if (kernel.exposes == Exposure::verdict)
-    limits.push_back("The kernel shows its verdict alone: why it is wrong was inferred from the input, and not seen.");
-  const Json& harness = predicate["harness"];
-  for (const auto& [precision, score] : harness["score"].items()) {
-    limits.push_back(
-        fmt::format("Of {} faults planted in a right kernel that shows as much, {} were not noticed in {}: a fault as "
-                    "small as those "
-                    "may be in this kernel too.",
-                    score["mutants"].get<std::uint64_t>(), score["survived"].get<std::uint64_t>(), precision));
-  }
-  if (!harness["reason"].is_null())
-    limits.push_back(
-        fmt::format("How many faults such a run notices was not asked: {}.", harness["reason"].get<std::string>()));
-  if (!predicate["search"]["reason"].is_null())
-    limits.push_back(fmt::format("No search was made: {}.", predicate["search"]["reason"].get<std::string>()));
-  else limits.push_back("A search gives lower bounds of the worst: it says nothing about what it did not find.");
-  if (predicate["safe_margin"]["reason"].is_null())
-    limits.push_back("The safe margin mends what was seen here; a contact that nothing here showed may need more.");
-  if (!predicate["kernel"]["limits"].is_null()) {
-    limits.push_back(fmt::format("The kernel promises to be right only there: {}; it was held to nothing else.",
-                                 predicate["kernel"]["limits"].get<std::string>()));
-  }
-  if (staged.options.is_of_replies) {
-    limits.push_back("The subject is replies: what gave them, and whether it gives them again, is not known.");
-  } else if (kernel.file.empty()) {
-    limits.push_back(
-        "The subject is the kernel as axiscert's sources have it, built without contraction: an engine's copy of it, "
-        "or "
-        "another compiler's, is another kernel.");
-  } else {
-    limits.push_back(
-        "The subject is these files as they were called here: the libraries that they load, and the machine, are not "
-        "part of it.");
-  }
-  return limits;
-}
-
-Json asked_json(const Judged& judged, const Json& tallies) {
-  const CertifyOptions& options = judged.options;
-  const Plan& plan = judged.plan;
-  const Stretches& stretches = judged.stretches;
-  std::uint64_t queries = 0;
-  for (const Json& tally : tallies) queries += stretches.at(tally["stretch"].get<std::uint64_t>()).queries;
-  Json families = Json::array();
-  for (const SourcePtr& source : plan.sources) families.push_back(source->name());
-  return {{"effort", judged.effort},
-          {"seed", plan.seed},
-          {"seconds", options.seconds ? Json(fmt::format("{}", *options.seconds)) : Json(nullptr)},
-          {"complete", tallies.size() == stretches.count()},
-          {"stretches", stretches.count()},
-          {"stretches_done", tallies.size()},
-          {"queries", queries},
-          {"families", families}};
 }
 
 // The second half, by rank 0, once the run's folder is written.
@@ -189,30 +117,34 @@ int write_certificate(const Judged& judged, const std::optional<SigningKey>& key
   const Staged staged{options, kernel, judged.plan, run.record, size};
   Stages stages(folder, options.out, judged.digest, options.resume);
 
-  const Json tallies = tallies_json(judged.digests, judged.stretches);
-  Json predicate = {{"schema", certificate_schema}, {"signed_at", nullptr}};
-  predicate["kernel"] = kernel_json(staged, judged.kind);
-  predicate["asked"] = asked_json(judged, tallies);
+  Json predicate = {{"schema", certificate_schema}, {"signed_at", nullptr}, {"signed_by", nullptr}};
+  predicate["kernel"] = {{"id", kernel.id},
+                         {"kind", judged.kind},
+                         {"test", kernel.test->id},
+                         {"entry", kernel.test->entries[kernel.entry].name}};
+  predicate["asked"]["effort"] = judged.effort;
+  predicate["materials"] = materials_json(judged, run.record);
   predicate["search"] = search_stage(staged, stages);
-  predicate["levels"] = levels_json(run.record, kernel, judged.yardsticks, predicate["search"]["precisions"]);
   predicate["safe_margin"] = margin_stage(staged, stages, predicate["search"]);
   predicate["diagnosis"] = diagnosis_stage(staged, stages);
   predicate["harness"] = harness_stage(staged, stages);
-  predicate["comparison"] = comparison_json(run.record);
-  predicate["breaks_first"] = what_breaks_first(run.record, kernel.id);
-  predicate["situations"] = where_it_is_wrong(run.record, kernel.id);
   predicate["witnesses"] = worst_of_certificate(run.record, kernel.id);
-  predicate["limits"] = limits_of(staged, predicate);
-  const Json portable = portable_plan(judged.plan_json);
-  predicate["materials"] = {{"axiscert", {{"version", axiscert_version}, {"sources", source_digests().sources}}},
-                            {"proofs", source_digests().proofs},
-                            {"plan",
-                             {{"digest", digest_of_json(portable)},
-                              {"units_per_stretch", judged.stretches.units_each()},
-                              {"yardsticks", judged.yardsticks},
-                              {"plan", portable}}},
-                            {"tallies", tallies}};
-  if (key) predicate["signed_at"] = iso_time(std::chrono::system_clock::now());
+  predicate = Json::parse(canonical_json(predicate));  // members in the order in which `verify` reads them
+  bool is_answered = false;
+  try {
+    const Json record = reduced_record(predicate, "the certificate");
+    drop_margin_beside(record, predicate);
+    put_derived(record, run.record, predicate);
+    require_derived(predicate, "the certificate");
+    is_answered = has_answers(record, kernel.id);
+  } catch (const NotValid& wrong) {
+    throw HarnessFault(
+        fmt::format("a certificate that does not hold to itself was about to be written: {}", wrong.what()));
+  }
+  if (key) {
+    predicate["signed_at"] = iso_time(std::chrono::system_clock::now());
+    predicate["signed_by"] = key->id();
+  }
   const Json statement = with_digest({{"_type", statement_schema},
                                       {"subject", judged.subjects},
                                       {"predicateType", certificate_type},
@@ -224,7 +156,18 @@ int write_certificate(const Judged& judged, const std::optional<SigningKey>& key
   folder.write_text("certificate.txt", words);
   folder.write_text("badge.svg", certificate_badge(statement));
   if (!options.quiet) fmt::print("{}\n{}/certificate.json\n", words, options.out);
-  return exit_done;
+  if (is_answered) return exit_done;
+  fmt::print(stderr, "axiscert: {}: {}\n", kernel.id, no_answers_sentence(predicate));
+  return exit_requirement_failed;
+}
+
+// --time is over before the plan is: there is nothing to sign yet.
+int unfinished_in(const CertifyOptions& options, std::uint64_t done, std::uint64_t stretches) {
+  fmt::print(stderr,
+             "axiscert: {} of the plan's {} stretches are done, and a certificate has all of them: none is written; "
+             "`certify` with --resume finishes it in {}\n",
+             done, stretches, options.out);
+  return exit_requirement_failed;
 }
 
 int interrupted_in(const CertifyOptions& options) {
@@ -269,11 +212,13 @@ int certify_kernel(const CertifyOptions& options, const std::optional<SigningKey
                   kind_of_kernel(kernel),
                   options.effort,
                   file.digest,
-                  yardsticks_for(kernel),
                   file.options.is_slow};
     read_journal(journal, file.digest, [&](std::string_view content) {
-      if (const auto entry = finished_in(content)) judged.digests[entry->stretch] = tally_digests(*entry);
+      if (const auto entry = finished_in(content))
+        judged.tallies[entry->stretch] = stretch_json(plan, stretches, *entry);
     });
+    if (judged.tallies.size() != stretches.count())
+      return unfinished_in(options, judged.tallies.size(), stretches.count());
     try {
       return write_certificate(judged, key);
     } catch (const StageInterrupted&) {
@@ -291,8 +236,8 @@ int certify_replies(const CertifyOptions& options, const std::optional<SigningKe
   for (const std::string& target : targets_of(plan)) require_uncontracted(target);
   const Stretches stretches(plan, Stretches::default_units_each(plan));
   Gathered gathered(plan, stretches);
-  Judged judged{options,   plan, stretches, {},  plan_json(plan, planned(plan), {}), Json::array(), "replies",
-                "replies", "",   {},        true};
+  Judged judged{options,       plan,      stretches, {}, plan_json(plan, planned(plan), {}),
+                Json::array(), "replies", "replies", "", true};
   for (const std::string& path : options.replies.replies) judged.subjects.push_back(file_subject(path, "replies"));
   judged.digest = digest_of_json(judged.subjects);
   const OutputFolder folder(run_folder_of(options));
@@ -301,7 +246,7 @@ int certify_replies(const CertifyOptions& options, const std::optional<SigningKe
   try {
     ProgressLine progress("certify: the replies are judged", options.quiet);
     run_stretches(plan, stretches, gathered.missing(), interrupted, progress.report(), [&](const Entry& entry) {
-      judged.digests[entry.stretch] = tally_digests(entry);
+      judged.tallies[entry.stretch] = stretch_json(plan, stretches, entry);
       gathered.add(entry);
     });
   } catch (const OracleDisagreement& disagreement) {

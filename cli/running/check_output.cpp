@@ -124,7 +124,34 @@ std::string measures_text(const TestDescription& test, const OracleExamination& 
   return fmt::format(" ({}; {})", fmt::join(given, ", "), fmt::join(wrong, ", "));
 }
 
+// Why the line says nothing about right and wrong.
+std::string_view standing_text(std::string_view standing) {
+  if (standing == "declined") return " (it declines)";
+  if (standing == "undeclared_decline") return " (a fault: it does not declare that it may decline)";
+  if (standing == "called_invalid") return " (a fault: the query is valid)";
+  if (standing == "unanswered") return " (a fault: the query is valid)";
+  if (standing == "outside_limits") return " (outside the limits that it declares)";
+  return "";
+}
+
 }  // namespace
+
+std::string_view standing_of(const Kernel& kernel, const Checked& found) {
+  if (found.truth.verdict == Verdict::invalid) return "no_query";
+  if (!found.within_limits) return "outside_limits";
+  switch (found.answer.verdict) {
+    case Verdict::contact:
+    case Verdict::separated:
+      return "decided";
+    case Verdict::undecided:
+      return kernel.may_decline ? "declined" : "undeclared_decline";
+    case Verdict::invalid:
+      return "called_invalid";
+    case Verdict::unanswered:
+      break;
+  }
+  return "unanswered";
+}
 
 Checked checked_of(const Examination& found) {
   Checked checked{found.truth,         found.squared_distance, {}, {}, found.answer, found.judgement, found.depth,
@@ -154,7 +181,7 @@ std::string check_text(const std::string& id, const Kernel& kernel, const Checke
   std::string line =
       fmt::format("{}: exact {}{}, {} {}{}", id, name(found.truth.verdict), remarks(found, kernel), kernel.id,
                   answered ? name(found.answer.verdict) : "gave no answer", found.measures_text);
-  if (!found.within_limits) line += " (outside the limits that it declares)";
+  line += standing_text(standing_of(kernel, found));
   if (found.depth) line += fmt::format(", wrong by {:.3g} of the scene", *found.depth);
   for (const Flip& flip : found.judgement.flips()) {
     line += fmt::format("; {} {}{} [{}]", name(*kernel.test, flip), flip_kind_names[flip.kind],
@@ -171,6 +198,7 @@ Json check_json(const std::string& id, const Kernel& kernel, const Checked& foun
   const TestDescription& test = *kernel.test;
   Json json = {{"id", id},
                {"kernel", kernel.id},
+               {"standing", standing_of(kernel, found)},
                {"exact", exact_json(test, found)},
                {"computed", computed_json(test, found.answer)},
                {"within_limits", found.within_limits},

@@ -29,10 +29,15 @@ struct Checked {
 Checked checked_of(const Examination& found);
 Checked checked_of(const TestDescription& test, const OracleExamination& found, std::vector<Detail> details);
 
+// What became of the query: "decided", "declined", "undeclared_decline", "called_invalid", "unanswered",
+// "outside_limits" or "no_query". Only the first shows whether the kernel is right; the three after `declined` are
+// faults.
+std::string_view standing_of(const Kernel& kernel, const Checked& found);
+
 // One line, without its line end.
 std::string check_text(const std::string& id, const Kernel& kernel, const Checked& found);
-// An object with "id", "kernel", "exact" (the details of the test among its members), "computed", "within_limits",
-// "findings" and "flips"; of another test than the first with "test".
+// An object with "id", "kernel", "standing", "exact" (the details of the test among its members), "computed",
+// "within_limits", "findings" and "flips"; of another test than the first with "test".
 Json check_json(const std::string& id, const Kernel& kernel, const Checked& found);
 
 // The errors of the computed sides: as text, one line for each comparison, to follow check_text's; as JSON, for

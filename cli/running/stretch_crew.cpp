@@ -25,10 +25,4 @@ void run_stretches(const Plan& plan, const Stretches& stretches, const std::vect
                    }});
 }
 
-std::vector<std::string> tally_digests(const Entry& entry) {
-  std::vector<std::string> digests;
-  for (const std::string& tally : entry.tallies) digests.push_back(sha256_hex(std::as_bytes(std::span(tally))));
-  return digests;
-}
-
 }  // namespace axiscert

@@ -17,7 +17,4 @@ void run_stretches(const Plan& plan, const Stretches& stretches, const std::vect
                    const std::atomic<bool>& interrupted, const ShowProgress& show,
                    const std::function<void(const Entry&)>& done);
 
-// The digests of a stretch's tallies, by kernel: SHA-256, 64 hex digits.
-std::vector<std::string> tally_digests(const Entry& entry);
-
 }  // namespace axiscert

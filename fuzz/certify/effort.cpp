@@ -21,6 +21,9 @@ constexpr EnumArray<Effort, EffortSize> effort_sizes = {EffortSize{two_to(8), tw
 
 // A query of a test without filters costs a hundred times as much; a kernel in another process some ten microseconds.
 constexpr std::uint64_t divisor_without_filters = 64, divisor_if_slow = 8, least_asked = 16;
+// Fewer than 59 right answers are no evidence about a family (reports/evidence/evidence.h). In the first test a third
+// of the queries of `nonfinite` are queries.
+constexpr std::uint64_t least_trials = two_to(6), least_trials_of_first = two_to(8);
 
 // A family whose queries take the oracles many times as long is asked less.
 constexpr int dear_cost = 10;
@@ -39,19 +42,24 @@ EffortSize size_of(Effort effort, const TestDescription& test, bool is_slow) {
   EffortSize size = effort_sizes[effort];
   const std::uint64_t divisor =
       (&test == &first_test() ? 1 : divisor_without_filters) * (is_slow ? divisor_if_slow : 1);
-  for (std::uint64_t* number : {&size.trials, &size.evaluations}) *number = std::max(least_asked, *number / divisor);
+  size.trials = std::max(&test == &first_test() ? least_trials_of_first : least_trials, size.trials / divisor);
+  size.evaluations = std::max(least_asked, size.evaluations / divisor);
   size.probes = std::max(least_asked, size.probes / (is_slow ? divisor_if_slow : 1));
   if (&test != &first_test()) size.mutant_trials = std::max(least_asked, size.mutant_trials / 8);
   return size;
 }
 
-std::uint64_t trials_of(Effort effort, const Source& source, bool is_slow) {
-  const std::uint64_t trials = size_of(effort, source.test(), is_slow).trials;
-  for (const Family* family : families_of(source.test())) {
-    if (family->name == source.name() && family->cost >= dear_cost)
-      return std::max(least_asked, trials / static_cast<std::uint64_t>(family->cost));
+std::uint64_t trials_of(Effort effort, const TestDescription& test, std::string_view source, bool is_slow) {
+  const std::uint64_t trials = size_of(effort, test, is_slow).trials;
+  for (const Family* family : families_of(test)) {
+    if (family->name == source && family->cost >= dear_cost)
+      return std::max(least_trials, trials / static_cast<std::uint64_t>(family->cost));
   }
   return trials;
+}
+
+std::uint64_t trials_of(Effort effort, const Source& source, bool is_slow) {
+  return trials_of(effort, source.test(), source.name(), is_slow);
 }
 
 }  // namespace axiscert

@@ -37,5 +37,7 @@ EffortSize size_of(Effort effort, const TestDescription& test, bool is_slow);
 
 // Queries of a source in a run of this effort, in either precision; of a file of queries all that it has.
 std::uint64_t trials_of(Effort effort, const Source& source, bool is_slow);
+// The same of a source by its name, "general" or "mesh/spider.obj".
+std::uint64_t trials_of(Effort effort, const TestDescription& test, std::string_view source, bool is_slow);
 
 }  // namespace axiscert

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "exact/trait/oracles.h"
+#include "fuzz/queries/entry_families.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 
@@ -14,13 +16,32 @@ TEST(Effort, AsksFewerWhereAQueryCostsMore) {
   for (const Effort effort : enumerators<Effort>) {
     EXPECT_EQ(parse_effort(effort_names[effort]), effort);
     const EffortSize first = size_of(effort, first_test(), false);
-    EXPECT_LT(size_of(effort, first_test(), true).trials, first.trials);
+    if (effort != Effort::smoke) {
+      EXPECT_LT(size_of(effort, first_test(), true).trials, first.trials);
+    }
     EXPECT_LT(size_of(effort, find_test("box-box"), false).trials, first.trials);
     EXPECT_LT(trials_of(effort, *family_source(find_family("bits")), false),
               trials_of(effort, *family_source(find_family("general")), false));
   }
   EXPECT_LT(size_of(Effort::quick, first_test(), false).trials, size_of(Effort::standard, first_test(), false).trials);
   EXPECT_THROW(parse_effort("quickly"), Error);
+}
+
+// Fewer right answers than that are no evidence: no level could be met.
+TEST(Effort, AsksEveryFamilyEnoughToBeEvidence) {
+  constexpr std::uint64_t enough = 59;
+  for (const TestDescription* test : tests()) {
+    for (const Family* family : families_of(*test, 0)) {
+      const std::uint64_t trials = trials_of(Effort::smoke, *family_source(*family), true);
+      const Oracles& oracles = oracles_of(*test);
+      std::uint64_t valid = 0;
+      for (std::uint64_t i = 0; i < trials; ++i) {
+        const Numbers<float> query = family_source(*family)->make<float>(1, i);
+        valid += oracles.truth(query).verdict != Verdict::invalid;
+      }
+      EXPECT_GE(valid, enough) << family->name;
+    }
+  }
 }
 
 TEST(Effort, HasTheNumbersOfItsDocument) {

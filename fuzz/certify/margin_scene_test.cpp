@@ -50,12 +50,16 @@ TEST(MarginScene, ADecadeIsThatOfTheShortestDecimal) {
   for (int e = -323; e <= 308; ++e) {
     const double power = std::strtod(fmt::format("1e{}", e).c_str(), nullptr);
     for (const double size : {std::nextafter(power, 0), power, std::nextafter(power, 1e308)})
-      if (size > 0) EXPECT_EQ(decade(size), decade_of_the_shortest_decimal(size)) << size;
+      if (size > 0) {
+        EXPECT_EQ(decade(size), decade_of_the_shortest_decimal(size)) << size;
+      }
     EXPECT_EQ(decade(power), e);
   }
   for (int i = 0; i < 10'000; ++i) {
     const double size = std::fabs(std::bit_cast<double>(random()));
-    if (std::isfinite(size)) EXPECT_EQ(decade(size), decade_of_the_shortest_decimal(size)) << size;
+    if (std::isfinite(size)) {
+      EXPECT_EQ(decade(size), decade_of_the_shortest_decimal(size)) << size;
+    }
   }
 }
 

@@ -26,6 +26,8 @@ void keep(std::optional<MissedContact>& kept, const std::optional<MissedContact>
 }
 
 void merge(MarginPart& all, const MarginPart& other) {
+  all.contacts += other.contacts;
+  all.without_verdict += other.without_verdict;
   all.queries += other.queries;
   all.missed += other.missed;
   all.hopeless += other.hopeless;
@@ -43,6 +45,8 @@ void merge(SafeMargin& all, const SafeMargin& later) {
   all.found += later.found;
   all.queries += later.queries;
   all.phantoms += later.phantoms;
+  all.of_run.merge(later.of_run);
+  all.of_others.merge(later.of_others);
   for (const auto& [scene, part] : later.parts) {
     MarginPart& into = all.parts[scene];
     merge(into, part);
@@ -74,7 +78,14 @@ class MarginFinder {
   std::size_t radius() const { return distance_.radius; }
   Real greatest() const { return range_.greatest; }
 
-  // A query that is a contact and that the kernel calls separated. `id` names it.
+  // Counts a query that is a contact, in the part of its scene. One that the kernel calls separated is for add_missed.
+  void count_contact(MarginPart& part, Verdict said, ContactAnswers& among) {
+    among.add(said);
+    ++part.contacts;
+    part.without_verdict += said != Verdict::contact && said != Verdict::separated;
+  }
+
+  // One that the kernel calls separated.
   void add_missed(const Numbers<Real>& query, const std::string& family, const std::string& id) {
     MarginPart& part = into_.parts[scene(query)];
     ++part.missed;
@@ -140,7 +151,9 @@ class MarginFinder {
     if (!right) return;
     ++asked;
     if (*right != Verdict::contact) return;
-    if (ask(kernel_, query).verdicts[0] == Verdict::separated) add_missed(query, family, id);
+    const Verdict said = ask(kernel_, query).verdicts[0];
+    count_contact(into_.parts[scene(query)], said, into_.of_others);
+    if (said == Verdict::separated) add_missed(query, family, id);
   }
 
  private:
@@ -191,10 +204,12 @@ SafeMargin find_in(const SafeMarginPlan& plan, const QueryBlock& block) {
                     const std::vector<std::optional<Verdict>>& right = finder.truths().of(batch);
                     for (std::size_t i = 0; i < batch.size(); ++i) {
                       if (right[i]) {
+                        MarginPart& part = found.parts[finder.scene(batch[i])];
                         ++found.queries;
-                        ++found.parts[finder.scene(batch[i])].queries;
+                        ++part.queries;
                         if (*right[i] == Verdict::separated) found.phantoms += verdicts[i] == Verdict::contact;
-                        else if (verdicts[i] == Verdict::separated)
+                        else finder.count_contact(part, verdicts[i], found.of_run);
+                        if (*right[i] == Verdict::contact && verdicts[i] == Verdict::separated)
                           finder.add_missed(batch[i], source.name(), margin_address(plan, source, first + i));
                       }
                       if (first + i < plan.probes)
@@ -299,6 +314,34 @@ SafeMargin margin_of(const SafeMarginPlan& plan, const std::atomic<bool>& interr
 }
 
 }  // namespace
+
+void ContactAnswers::add(Verdict said) {
+  ++asked;
+  switch (said) {
+    case Verdict::contact:
+      break;
+    case Verdict::separated:
+      ++missed;
+      break;
+    case Verdict::undecided:
+      ++declined;
+      break;
+    case Verdict::invalid:
+      ++invalid;
+      break;
+    case Verdict::unanswered:
+      ++unanswered;
+      break;
+  }
+}
+
+void ContactAnswers::merge(const ContactAnswers& other) {
+  asked += other.asked;
+  missed += other.missed;
+  declined += other.declined;
+  invalid += other.invalid;
+  unanswered += other.unanswered;
+}
 
 template <class Real>
 Real rounded_up_to(const Rational& value) {

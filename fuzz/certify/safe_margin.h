@@ -35,13 +35,24 @@ struct MissedContact {
   Decimal6 value;                // the factor critical / r, or the amount critical - r, rounded up
 };
 
+// Contacts that the kernel was asked about, by its answer: of one that it gave no verdict to nothing is known.
+struct ContactAnswers {
+  std::uint64_t asked = 0, missed = 0, declined = 0, invalid = 0, unanswered = 0;
+  std::uint64_t without_verdict() const { return declined + invalid + unanswered; }
+  void add(Verdict said);
+  void merge(const ContactAnswers& other);
+  bool operator==(const ContactAnswers&) const = default;
+};
+
 // The contacts of scenes of one size, with triangles of one kind.
 struct MarginPart {
-  std::uint64_t queries = 0;     // valid, and within what the kernel promises
-  std::uint64_t missed = 0;      // contacts called separated: of the run, probed and found
-  std::uint64_t hopeless = 0;    // of these, missed up to twice the scene's size: the sphere holds the triangle
-  std::uint64_t tiny = 0;        // of the rest, those whose r is tiny, or 0: these have an amount, and no factor
-  std::uint64_t unmeasured = 0;  // the kernel did not answer at some radius, or its radius is the query's own
+  std::uint64_t contacts = 0;         // asked about: of the run, probed and found
+  std::uint64_t without_verdict = 0;  // of these, called neither contact nor separated
+  std::uint64_t queries = 0;          // valid, and within what the kernel promises
+  std::uint64_t missed = 0;           // contacts called separated: of the run, probed and found
+  std::uint64_t hopeless = 0;         // of these, missed up to twice the scene's size: the sphere holds the triangle
+  std::uint64_t tiny = 0;             // of the rest, those whose r is tiny, or 0: these have an amount, and no factor
+  std::uint64_t unmeasured = 0;       // the kernel did not answer at some radius, or its radius is the query's own
   std::optional<MissedContact> factor = {}, amount = {};  // the greatest
   // The run's queries asked again, each grown by the factor, and by the amount, of its part.
   std::uint64_t phantoms_by_factor = 0, phantoms_by_amount = 0;          // new ones
@@ -51,6 +62,7 @@ struct MarginPart {
 struct SafeMargin {
   Precision precision = Precision::binary32;
   std::uint64_t queries = 0, probed = 0, found = 0;  // asked: of the run, at the least radius, of a search
+  ContactAnswers of_run = {}, of_others = {};        // others: at the least radius, and of a search
   std::map<MarginScene, MarginPart> parts = {};
   std::optional<MissedContact> factor = {}, amount = {}, hopeless = {};  // over all parts; of the hopeless the first
   std::uint64_t phantoms = 0;                                            // of the run's queries, before any growth

@@ -209,5 +209,31 @@ TEST(SafeMargin, ARadiusIsRoundedUp) {
   EXPECT_EQ(rounded_up_to<float>(exact(1e300)), std::numeric_limits<float>::max());
 }
 
+// Of a contact that got no verdict nothing is known: it is not one that was not missed.
+TEST(SafeMargin, CountsContactsByTheAnswerThatTheyGot) {
+  Kernel kernel = find_kernel("certified");
+  kernel.id = "mute";
+  const auto said = [](Verdict answer) {
+    return [answer](std::string_view) {
+      return Implementation<float>{
+          [answer](const QueryColumns<float>& batch, Verdict* out) { std::fill_n(out, batch.size, answer); }};
+    };
+  };
+  for (const Verdict answer : enumerators<Verdict>) {
+    kernel.binary32 = said(answer);
+    const SafeMargin margin = margin_for(kernel, Precision::binary32, 8);
+    const ContactAnswers& run = margin.of_run;
+    EXPECT_GT(run.asked, 1000u);
+    EXPECT_EQ(run.missed, answer == Verdict::separated ? run.asked : 0);
+    EXPECT_EQ(run.declined, answer == Verdict::undecided ? run.asked : 0);
+    EXPECT_EQ(run.invalid, answer == Verdict::invalid ? run.asked : 0);
+    EXPECT_EQ(run.unanswered, answer == Verdict::unanswered ? run.asked : 0);
+    const MarginPart all = margin.total();
+    EXPECT_EQ(all.contacts, run.asked + margin.of_others.asked);
+    EXPECT_EQ(all.without_verdict, run.without_verdict() + margin.of_others.without_verdict());
+    EXPECT_EQ(all.missed, run.missed + margin.of_others.missed);
+  }
+}
+
 }  // namespace
 }  // namespace axiscert

@@ -20,6 +20,7 @@ std::string written(const plugin::Manifest& m) {
                {"entry", m.entry},
                {"exposes", exposure_names[m.exposes]},
                {"touching", name(m.touching)},
+               {"may_decline", m.may_decline},
                {"summary", m.summary},
                {"source", m.source},
                {"conforms_to", m.conforms_to},

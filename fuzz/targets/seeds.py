@@ -93,7 +93,7 @@ def seeds(source):
 
     manifest = {"format": "axiscert-program/1", "name": "a/b", "command": ["node", "b.mjs"], "precisions": ["binary32", "binary64"]}
     result["manifest"] = [plan_text(one).encode() for one in (
-        manifest, dict(manifest, test="sphere-triangle", entry="vertices", touching="either", exposes="comparisons", summary="s",
+        manifest, dict(manifest, test="sphere-triangle", entry="vertices", touching="either", may_decline=True, exposes="comparisons", summary="s",
                        package="p", version="1.0", source="b.mjs:1", formulae="published", limits={"least_radius": 1e-3}),
         dict(manifest, conforms_to="published", precisions=["binary32"]), dict(manifest, format="axiscert-program/2"), {}, [])]
     result["manifest"] += [path.read_bytes() for path in sorted((source / "examples").rglob("*.json"))]
@@ -112,7 +112,7 @@ def seeds(source):
     result["plan"] = [plan_text(one).encode() for one in plans]
 
     stored = statement(source)
-    statements = [stored, statement(source, signed_at="2026-01-01T00:00:00Z"), dict(stored, predicateType="urn:axiscert:certificate:2"),
+    statements = [stored, statement(source, signed_at="2026-01-01T00:00:00Z"), dict(stored, predicateType="urn:axiscert:certificate:1"),
                   dict(stored, predicate={})]
     whole = [canonical(one) for one in statements]
     sealed = {"payload": base64.b64encode(whole[0]).decode(), "payloadType": "application/vnd.in-toto+json",
@@ -130,7 +130,6 @@ def seeds(source):
     result["plan"].append(deep)
     result["record"] = [
         (source / "reports/testdata/record.json").read_bytes(),
-        (source / "reports/testdata/record_1.json").read_bytes(),
         json.dumps(record).encode(),
         (source / "reports/testdata/run.json").read_bytes(),
         deep,

@@ -12,8 +12,8 @@
 namespace axiscert {
 
 inline constexpr const char* statement_schema = "https://in-toto.io/Statement/v1";
-inline constexpr const char* certificate_type = "urn:axiscert:certificate:1";
-inline constexpr const char* certificate_schema = "axiscert-certificate/1";
+inline constexpr const char* certificate_type = "urn:axiscert:certificate:2";
+inline constexpr const char* certificate_schema = "axiscert-certificate/2";
 inline constexpr std::size_t most_certificate_bytes = std::size_t{64} << 20;
 
 // A statement without its digest, with it: predicate.digest is the SHA-256 of the canonical JSON of all else. It tells

@@ -1,8 +1,10 @@
 // Fuzzes certificates: they are refused, by Error or NotValid, or read; and what was read is written to the same bytes,
-// and shown. The digest is corrected first, or nearly no input would pass it; every input is also read unchanged.
+// shown, and held to its counts. The digest is corrected first, or nearly no input would pass it; every input is also
+// read unchanged.
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
 #include "reports/certificate/certificate.h"
+#include "reports/certificate/derived/derived.h"
 #include "reports/certificate/page.h"
 #include "reports/certificate/statement/canonical.h"
 
@@ -23,6 +25,11 @@ void check(std::string_view text) {
     const std::string written = certificate_text(certificate.statement, nullptr);
     if (written != text && written != std::string(text) + "\n")
       fault("a certificate that was read is written otherwise");
+  }
+  try {
+    accepts([&] { require_derived(certificate.predicate(), "cert.json"); });
+  } catch (const NotValid& wrong) {
+    check_message(wrong.what());
   }
   const InstrumentReport report = certificate_report(certificate.statement, "axiscert certify");
   if (instrument_page(report).empty() || certificate_words(report).empty() ||

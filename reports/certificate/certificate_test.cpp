@@ -66,10 +66,12 @@ TEST(Certificate, AWordThatWasChangedIsToldFromAFileThatIsCutOff) {
 
 TEST(Certificate, AnotherVersionAndAnotherStatementAreNamed) {
   Json statement = stored_statement();
-  statement["predicateType"] = "urn:axiscert:certificate:2";
-  EXPECT_THAT(refusal_of(canonical_json(statement)),
-              HasSubstr("error: c.json: is a certificate of version urn:axiscert:"
-                        "certificate:2; axiscert"));
+  for (const char* other : {"urn:axiscert:certificate:1", "urn:axiscert:certificate:3"}) {
+    statement["predicateType"] = other;
+    const std::string refusal = refusal_of(canonical_json(statement));
+    EXPECT_THAT(refusal, HasSubstr(std::string("error: c.json: is a certificate of version ") + other + "; axiscert"));
+    EXPECT_THAT(refusal, HasSubstr("certify the kernel anew"));
+  }
   statement["predicateType"] = "https://slsa.dev/provenance/v1";
   EXPECT_THAT(refusal_of(canonical_json(statement)), HasSubstr("not a certificate of axiscert"));
   statement["_type"] = "https://in-toto.io/Statement/v0.1";
@@ -79,11 +81,11 @@ TEST(Certificate, AnotherVersionAndAnotherStatementAreNamed) {
 }
 
 TEST(Certificate, WhatConformsToNoSchemaIsRefusedThoughItsDigestIsRight) {
-  for (const char* member : {"levels", "kernel", "materials", "limits", "signed_at"}) {
+  for (const char* member : {"levels", "kernel", "materials", "limits", "signed_at", "signed_by"}) {
     Json statement = stored_statement();
     statement["predicate"].erase(member);
     EXPECT_THAT(refusal_of(canonical_json(with_digest(statement))),
-                HasSubstr("does not conform to axiscert-certificate/1"))
+                HasSubstr("does not conform to axiscert-certificate/2"))
         << member;
     EXPECT_THROW(certificate_text(with_digest(statement), nullptr), HarnessFault);
   }
@@ -119,24 +121,77 @@ TEST(CanonicalJson, HasEqualBytesForEqualValuesAndNoFraction) {
   EXPECT_EQ(canonical_json(without_fractions({{"a", 0.5}, {"b", {1e-7, 3}}})), R"({"a":"0.5","b":["1e-07",3]})");
 }
 
+// Beginning with how much was asked of what, by whom: the first five lines of both.
+TEST(CertificatePage, BeginsWithHowMuchWasLookedAt) {
+  const std::string words = certificate_words(certificate_report(stored_statement(), "axiscert certify published"));
+  const std::string first = words.substr(0, words.find("\nWhat breaks first"));
+  EXPECT_EQ(first,
+            "Certificate of published, sphere-triangle\n"
+            "Made by axiscert 0.1.0 with effort quick, seed 1; not signed.\n"
+            "Asked: 16 queries of 1 families and files, in binary32.\n"
+            "9 looked at; left out: 2 outside its limits, 1 called invalid, 3 without an answer; 1 are no query.\n"
+            "Met: exact. Not met: logic. NOT CHECKED: invariant=scale.");
+  Json statement = stored_statement();
+  statement["predicate"]["signed_by"] = std::string(64, 'a');
+  statement["predicate"]["comparison"][0]["looked_at"] = 0;
+  const std::string signed_words = certificate_words(certificate_report(statement, "axiscert certify published"));
+  EXPECT_THAT(signed_words,
+              testing::StartsWith("Certificate of published, sphere-triangle: it gave no answer that counts in "
+                                  "binary32\n"));
+  EXPECT_THAT(signed_words, HasSubstr("seed 1; signed by the key aaaaaaaaaaaaaaaa."));
+}
+
 TEST(CertificatePage, ShowsEveryLevelMarginAndLimit) {
   const InstrumentReport report = certificate_report(stored_statement(), "axiscert certify published");
   const std::string words = certificate_words(report), page = instrument_page(report);
   for (const char* part : {"Met: exact. Not met: logic.", "invariant=scale", "Safe margin in binary32", "1.00001",
-                           "some text", "What breaks first", "Levels that were not asked"}) {
+                           "some text", "What breaks first", "Levels that were NOT CHECKED", "no answer"}) {
     EXPECT_THAT(words, HasSubstr(part));
     EXPECT_THAT(page, HasSubstr(part));
   }
   EXPECT_THAT(page, HasSubstr("<h2>In short</h2>"));
 }
 
-TEST(CertificatePage, ABadgeSaysTheStrongestLevelThatIsMet) {
+TEST(CertificatePage, ABadgeSaysTheStrongestLevelThatIsMetAndHowMuchWasAsked) {
   Json statement = stored_statement();
-  EXPECT_THAT(certificate_badge(statement), HasSubstr("axiscert: exact met"));
+  EXPECT_THAT(certificate_badge(statement), HasSubstr(">exact met; quick, 16 queries<"));
+  EXPECT_THAT(certificate_badge(statement),
+              HasSubstr("<title>axiscert: exact met; quick, 16 queries; made by axiscert 0.1.0 "
+                        "with effort quick, seed 1; not signed; asked: 16 queries of 1 families and "
+                        "files, in binary32; 9 looked at; left out: 2 outside"));
   statement["predicate"]["levels"][0]["state"] = "not met";
-  EXPECT_THAT(certificate_badge(statement), HasSubstr("axiscert: no level met"));
+  EXPECT_THAT(certificate_badge(statement), HasSubstr(">no level met; quick"));
   statement["predicate"]["levels"][1]["state"] = "met";
-  EXPECT_THAT(certificate_badge(statement), HasSubstr("axiscert: logic met"));
+  EXPECT_THAT(certificate_badge(statement), HasSubstr(">logic met; quick"));
+}
+
+// Never a bare "met" where something was left out.
+TEST(CertificatePage, ABadgeSaysWhatALevelLeavesOut) {
+  Json statement = stored_statement();
+  Json& predicate = statement["predicate"];
+  predicate["levels"][0]["claim"] = "exact within its limits: 19 of 27 families";
+  EXPECT_THAT(certificate_badge(statement), HasSubstr(">exact within its limits: 19 of 27 families; quick"));
+  predicate["levels"][0]["claim"] = "exact";
+  predicate["asked"]["left_out"]["declined"] = 5;
+  EXPECT_THAT(certificate_badge(statement), HasSubstr(">exact of the 64 % that it decides; quick"));
+  predicate["asked"]["left_out"]["declined"] = 10000;
+  EXPECT_THAT(certificate_badge(statement), HasSubstr(">exact of the less than 1 % that it decides; quick"));
+  predicate["asked"]["left_out"]["declined"] = 0;
+  predicate["asked"]["left_out"]["touching"] = 4;
+  EXPECT_THAT(certificate_badge(statement), HasSubstr(">exact but for touching; quick"));
+  predicate["comparison"][0]["looked_at"] = 0;
+  EXPECT_THAT(certificate_badge(statement), HasSubstr(">it gave no answer that counts in binary32; quick"));
+}
+
+TEST(CertificatePage, ALevelThatIsNotCheckedInOnePrecisionIsNotMet) {
+  Json statement = stored_statement();
+  Json& levels = statement["predicate"]["levels"];
+  levels.push_back(levels[0]);
+  levels.back()["precision"] = "binary64";
+  levels.back()["state"] = "NOT CHECKED";
+  levels.back()["reason"] = "3 of 45 promised queries looked at";
+  EXPECT_THAT(certificate_badge(statement), HasSubstr("no level met"));
+  EXPECT_THAT(certificate_words(certificate_report(statement, "")), HasSubstr("NOT CHECKED: exact, invariant=scale."));
 }
 
 }  // namespace

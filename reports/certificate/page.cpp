@@ -4,9 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <vector>
 
-#include "fuzz/queries/address.h"
+#include "reports/certificate/findings/asked_words.h"
 #include "reports/certificate/findings/breaks_words.h"
 #include "reports/certificate/findings/margin_words.h"
 #include "reports/wording/summary.h"
@@ -23,21 +24,25 @@ class CertificatePage {
   InstrumentReport report(const std::string& command) const {
     InstrumentReport report;
     report.name = "certificate";
-    report.title = fmt::format("Certificate of {}, {}", kernel("id"), kernel("test"));
+    const std::string no_answers = no_answers_sentence(predicate_);
+    report.title = fmt::format("Certificate of {}, {}{}{}", kernel("id"), kernel("test"),
+                               no_answers.empty() ? "" : ": ", no_answers);
     report.command = command;
     report.notes_heading = "In short";
-    report.notes = {levels_note()};
+    report.notes = {sentence(made_sentence(predicate_) + "; " + signer_sentence(predicate_)),
+                    sentence("asked: " + asked_sentence(predicate_)), sentence(looked_sentence(predicate_)),
+                    levels_note()};
     report.notes.push_back(breaks_note(predicate_));
     if (std::string note = peculiarities_note(predicate_); !note.empty()) report.notes.push_back(std::move(note));
     for (const Json& margin : predicate_["safe_margin"]["precisions"])
       for (std::string& note : margin_notes(margin)) report.notes.push_back(std::move(note));
     if (predicate_["safe_margin"]["precisions"].empty())
       report.notes.push_back(
-          fmt::format("Safe margin: not asked: {}.", predicate_["safe_margin"]["reason"].get<std::string>()));
+          fmt::format("Safe margin: NOT CHECKED: {}.", predicate_["safe_margin"]["reason"].get<std::string>()));
     if (InstrumentTable table = situations_table(predicate_); !table.rows.empty())
       report.tables.push_back(std::move(table));
     report.tables.push_back(levels_table());
-    if (InstrumentTable table = not_asked_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
+    if (InstrumentTable table = unchecked_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
     if (InstrumentTable table = margin_table(predicate_["safe_margin"]); !table.rows.empty())
       report.tables.push_back(std::move(table));
     if (InstrumentTable table = witnesses_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
@@ -53,29 +58,18 @@ class CertificatePage {
  private:
   std::string kernel(const char* member) const { return predicate_["kernel"][member].get<std::string>(); }
 
-  std::vector<std::string> levels_with(const char* state) const {
-    std::vector<std::string> names;
-    for (const Json& level : predicate_["levels"]) {
-      const std::string name = level["level"];
-      if (state_of_level(statement_, name) == state && std::find(names.begin(), names.end(), name) == names.end())
-        names.push_back(name);
-    }
-    return names;
+  static std::string sentence(std::string text) {
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text + ".";
   }
 
   std::string levels_note() const {
-    const std::vector<std::string> met = levels_with("met"), not_met = levels_with("not met");
-    const Json& asked = predicate_["asked"];
-    return fmt::format(
-        "Met: {}. Not met: {}. Asked {}, seed {}: {} queries of {} families and files{}.",
-        met.empty() ? "nothing" : fmt::format("{}", fmt::join(met, ", ")),
-        not_met.empty() ? "nothing" : fmt::format("{}", fmt::join(not_met, ", ")),
-        asked["effort"] == "replies" ? "by a program's replies" : "with effort " + plain_text(asked["effort"]),
-        asked["seed"].dump(), cell_count(asked["queries"]), asked["families"].size(),
-        asked["complete"].get<bool>()
-            ? ""
-            : fmt::format("; {} of {} stretches of the plan were done", cell_count(asked["stretches_done"]),
-                          cell_count(asked["stretches"])));
+    const auto list = [&](const char* state) {
+      const std::vector<std::string> levels = levels_with(predicate_, state);
+      return levels.empty() ? "nothing" : fmt::format("{}", fmt::join(levels, ", "));
+    };
+    return fmt::format("Met{}: {}. Not met: {}. NOT CHECKED: {}.", decided_text(predicate_), list("met"),
+                       list("not met"), list("NOT CHECKED"));
   }
 
   // One row a level, a column a precision.
@@ -88,8 +82,7 @@ class CertificatePage {
     std::vector<std::string> done;
     for (const Json& level : predicate_["levels"]) {
       const std::string name = level["level"];
-      if (std::find(done.begin(), done.end(), name) != done.end() || state_of_level(statement_, name) == "not asked")
-        continue;
+      if (std::find(done.begin(), done.end(), name) != done.end() || is_unchecked(name)) continue;
       done.push_back(name);
       std::vector<std::string> row = {name};
       std::string why;
@@ -97,8 +90,8 @@ class CertificatePage {
         const Json* entry = find(name, precision);
         row.push_back(entry ? plain_text((*entry)["state"]) : "-");
         if (entry != nullptr && why.empty()) why = why_of(*entry);
-        else if (entry != nullptr && (*entry)["state"] == "not met" && level["state"] != "not met")
-          why = why_of(*entry);
+        else if (entry != nullptr && (*entry)["state"] != level["state"])
+          why += fmt::format(". In {}: {}", precision, why_of(*entry));
       }
       row.push_back(level["statement"]);
       row.push_back(why.empty() ? why_of(level) : why);
@@ -114,8 +107,16 @@ class CertificatePage {
     return nullptr;
   }
 
+  // In every precision.
+  bool is_unchecked(const std::string& name) const {
+    return std::all_of(predicate_["levels"].begin(), predicate_["levels"].end(),
+                       [&](const Json& level) { return level["level"] != name || level["state"] == "NOT CHECKED"; });
+  }
+
   static std::string why_of(const Json& level) {
     std::vector<std::string> parts;
+    if (level["looked_at"] != "") parts.push_back(level["looked_at"]);
+    if (!level["reason"].is_null()) parts.push_back("NOT CHECKED: " + level["reason"].get<std::string>());
     for (const Json& rest : level["rests_on"])
       parts.push_back(fmt::format("{}: {}", plain_text(rest["kind"]), plain_text(rest["text"])));
     for (const Json& failure : level["failures"]) parts.push_back(failure);
@@ -125,14 +126,12 @@ class CertificatePage {
     return fmt::format("{}", fmt::join(parts, ". "));
   }
 
-  InstrumentTable not_asked_table() const {
-    InstrumentTable table{"Levels that were not asked", {"level", "why"}, {}};
-    for (const std::string& name : levels_with("not asked")) {
-      for (const Json& level : predicate_["levels"]) {
-        if (level["level"] != name) continue;
-        table.rows.push_back({name, plain_text(level["reason"])});
-        break;
-      }
+  InstrumentTable unchecked_table() const {
+    InstrumentTable table{"Levels that were NOT CHECKED", {"level", "why"}, {}};
+    for (const Json& level : predicate_["levels"]) {
+      const auto is_there = [&](const auto& row) { return row[0] == level["level"]; };
+      if (!is_unchecked(level["level"]) || std::ranges::any_of(table.rows, is_there)) continue;
+      table.rows.push_back({plain_text(level["level"]), plain_text(level["reason"])});
     }
     return table;
   }
@@ -160,14 +159,16 @@ class CertificatePage {
   InstrumentTable comparison_table() const {
     const bool has_others = std::any_of(predicate_["comparison"].begin(), predicate_["comparison"].end(),
                                         [&](const Json& row) { return row["kernel"] != predicate_["kernel"]["id"]; });
-    InstrumentTable table{has_others ? "Beside other kernels, on the same queries" : "Wrong verdicts on all queries",
-                          {"kernel", "precision", "missed", "deepest", "phantom", "deepest ",
-                           "critical radius, median ulps", "greatest ulps"},
-                          {}};
+    InstrumentTable table{
+        has_others ? "Beside other kernels, on the same queries" : "Wrong verdicts on all queries",
+        {"kernel", "precision", "looked at", "missed", "deepest", "phantom", "deepest ", "declined or undecided",
+         "invalid", "no answer", "critical radius, median ulps", "greatest ulps"},
+        {}};
     for (const Json& row : predicate_["comparison"]) {
-      table.rows.push_back({plain_text(row["kernel"]), plain_text(row["precision"]), cell_count(row["missed"]),
-                            plain_text(row["deepest_missed"]), cell_count(row["phantom"]),
-                            plain_text(row["deepest_phantom"]), plain_text(row["median_ulps"]),
+      table.rows.push_back({plain_text(row["kernel"]), plain_text(row["precision"]), cell_count(row["looked_at"]),
+                            cell_count(row["missed"]), plain_text(row["deepest_missed"]), cell_count(row["phantom"]),
+                            plain_text(row["deepest_phantom"]), cell_count(row["undecided"]),
+                            cell_count(row["invalid"]), cell_count(row["unanswered"]), plain_text(row["median_ulps"]),
                             plain_text(row["largest_ulps"])});
     }
     return table;
@@ -221,6 +222,8 @@ class CertificatePage {
     table.rows.push_back({"proofs", "proofs/", plain_text(materials["proofs"])});
     table.rows.push_back({"plan", fmt::format("{} stretches", cell_count(predicate_["asked"]["stretches"])),
                           plain_text(materials["plan"]["digest"])});
+    if (!predicate_["signed_by"].is_null())
+      table.rows.push_back({"signer", "the key", plain_text(predicate_["signed_by"])});
     table.rows.push_back({"this certificate",
                           plain_text(predicate_["signed_at"].is_null() ? Json("not signed") : predicate_["signed_at"]),
                           plain_text(predicate_["digest"])});
@@ -233,38 +236,53 @@ class CertificatePage {
 
 }  // namespace
 
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    if (c == '&') safe += "&amp;";
+    else if (c == '<') safe += "&lt;";
+    else if (c == '>') safe += "&gt;";
+    else if (c == '"') safe += "&quot;";
+    else safe += c;
+  }
+  return safe;
+}
+
+}  // namespace
+
 InstrumentReport certificate_report(const Json& statement, const std::string& command) {
   return CertificatePage(statement).report(command);
 }
 
-std::string state_of_level(const Json& statement, const std::string& level) {
-  std::string state = "not asked";
-  for (const Json& entry : statement["predicate"]["levels"]) {
-    if (entry["level"] != level) continue;
-    if (entry["state"] == "not met") return "not met";
-    if (entry["state"] == "met") state = "met";
-  }
-  return state;
-}
-
 std::string certificate_badge(const Json& statement) {
+  const Json& predicate = statement["predicate"];
   std::string text = "no level met", colour = "#c0392b";
   for (const auto& [level, fill] : {std::pair("exact", "#2e7d32"), {"conservative", "#2e7d32"}, {"logic", "#b8860b"}}) {
-    if (state_of_level(statement, level) != "met") continue;
-    text = fmt::format("{} met", level);
+    if (state_of_level(predicate, level) != "met") continue;
+    const std::string claim = claim_of_level(predicate, level) + decided_text(predicate);
+    text = claim == level ? fmt::format("{} met", level) : claim;
     colour = fill;
     break;
   }
+  const std::string no_answers = no_answers_sentence(predicate);
+  if (!no_answers.empty()) text = no_answers;
+  text += fmt::format("; {}, {} queries", plain_text(predicate["asked"]["effort"]),
+                      cell_count(predicate["asked"]["queries"]));
+  const std::string all =
+      fmt::format("{}; {}; {}; asked: {}; {}", text, made_sentence(predicate), signer_sentence(predicate),
+                  asked_sentence(predicate), looked_sentence(predicate));
   const std::string label = "axiscert";
   // Seven units a letter are enough for every letter of the sans-serif at this size.
   const std::size_t left = 7 * label.size() + 12, right = 7 * text.size() + 12;
   return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"20\" role=\"img\" aria-label=\"{1}: {2}\">"
-      "<title>{1}: {2}</title><rect width=\"{3}\" height=\"20\" fill=\"#444\"/>"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"20\" role=\"img\" aria-label=\"{1}: {8}\">"
+      "<title>{1}: {8}</title><rect width=\"{3}\" height=\"20\" fill=\"#444\"/>"
       "<rect x=\"{3}\" width=\"{4}\" height=\"20\" fill=\"{5}\"/>"
       "<g fill=\"#fff\" font-family=\"Verdana,DejaVu Sans,sans-serif\" font-size=\"11\" text-anchor=\"middle\">"
       "<text x=\"{6}\" y=\"14\">{1}</text><text x=\"{7}\" y=\"14\">{2}</text></g></svg>\n",
-      left + right, label, text, left, right, colour, left / 2, left + right / 2);
+      left + right, label, text, left, right, colour, left / 2, left + right / 2, escaped(all));
 }
 
 }  // namespace axiscert

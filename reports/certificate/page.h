@@ -14,11 +14,8 @@ InstrumentReport certificate_report(const Json& statement, const std::string& co
 // The same for a terminal: sentences are wrapped at 110 columns.
 std::string certificate_words(const InstrumentReport& report);
 
-// The state of a level in all precisions together: "not met" where it is not met in one, "not asked" where it was asked
-// in none, else "met".
-std::string state_of_level(const Json& statement, const std::string& level);
-
-// An SVG: the strongest of exact, conservative and logic that is met, or that none is.
+// An SVG: the strongest of exact, conservative and logic that is met, or that none is, and how much was asked; its
+// title has the first lines of the page.
 std::string certificate_badge(const Json& statement);
 
 }  // namespace axiscert

@@ -69,7 +69,7 @@ std::string table_words(const InstrumentTable& table) {
 }  // namespace
 
 std::string certificate_words(const InstrumentReport& report) {
-  std::string text = report.title + "\n\n";
+  std::string text = wrapped(report.title, 0);
   for (const std::string& note : report.notes) text += wrapped(note, 0);
   for (const InstrumentTable& table : report.tables) {
     text += "\n" + table_words(table);

@@ -1,4 +1,5 @@
 """Parts that the tests of `certify` and `verify` share: certificates that are made once, keys, and files that were written by hand."""
+import hashlib
 import json
 import subprocess
 import tempfile
@@ -13,6 +14,29 @@ def openssl(*args, stdin=None):
 
 def canonical(value):
     return json.dumps(value, sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode()
+
+
+def sealed(statement):
+    """The statement's bytes, whole by its own digests: whoever forges one can make these too."""
+    predicate = statement["predicate"]
+    plan = predicate["materials"]["plan"]
+    plan["digest"] = hashlib.sha256(canonical(plan["plan"])).hexdigest()
+    predicate.pop("digest", None)
+    predicate["digest"] = hashlib.sha256(canonical(statement)).hexdigest()
+    return canonical(statement) + b"\n"
+
+
+def without_family(predicate, family="tangent"):
+    """Leaves a family out of the plan and of everything that is counted."""
+    materials = predicate["materials"]
+    kept = [tally for tally in materials["tallies"] if not tally["of"].startswith(family + " ")]
+    materials["tallies"] = [dict(tally, stretch=i) for i, tally in enumerate(kept)]
+    plan = materials["plan"]["plan"]
+    plan["families"].remove(family)
+    plan["generators"].pop(family)
+    plan["trials"].pop(family)
+    for entry in materials["kernels"]:
+        entry["families"].pop(family, None)
 
 
 class CertifyCase(Case):
@@ -53,6 +77,12 @@ class CertifyCase(Case):
         path = self.folder / name
         path.write_bytes(content)
         return path
+
+    def remade(self, change, kernel="published"):
+        """The certificate of a kernel with its predicate changed, whole by its own digests."""
+        statement = json.loads(self.certificate_of(kernel).read_text())
+        change(statement["predicate"])
+        return self.written(sealed(statement))
 
     def keys(self, name="key"):
         private, public = self.folder_of(name + ".pem"), self.folder_of(name + ".pub")

@@ -8,7 +8,7 @@ import unittest
 import jsonschema
 
 from certificates import canonical, CertifyCase
-from command import SCHEMAS, axiscert
+from command import BUILD, SCHEMAS, axiscert
 
 
 class Certify(CertifyCase):
@@ -32,7 +32,7 @@ class Certify(CertifyCase):
             self.assertEqual(state["exact", precision], "not met")
             self.assertEqual(state["logic", precision], "not met")  # strict sides are wrong on triangles without area
         for level in predicate["levels"]:
-            self.assertEqual(level["state"] == "not asked", level["reason"] is not None, level)
+            self.assertEqual(level["state"] == "NOT CHECKED", level["reason"] is not None, level)
             self.assertEqual(level["state"] == "met", bool(level["rests_on"]), level)
             self.assertEqual(level["state"] == "not met", bool(level["failures"]), level)
         self.assertEqual(len(predicate["witnesses"]), 3)
@@ -44,8 +44,11 @@ class Certify(CertifyCase):
         for part in ("Safe margin in binary32", "What breaks first", "What this does not say", "Diagnosis", "Beside other kernels"):
             self.assertIn(part, words)
             self.assertIn(part, page)
-        self.assertNotIn("not run", words)
-        self.assertIn("axiscert: no level met", (folder / "badge.svg").read_text())
+        first = " ".join(words.splitlines()[:5])
+        for part in ("made by axiscert", "effort smoke, seed 1; not signed", "queries of", "looked at; left out: nothing", "Met: "):
+            self.assertIn(part.lower(), first.lower())
+            self.assertIn(part.split(";")[0].lower(), page.lower())
+        self.assertIn(">no level met; smoke, ", (folder / "badge.svg").read_text())
         # A witness is one: its command shows that.
         command = predicate["witnesses"][0]["command"].split(" && ")[-1].split()
         query = axiscert("query", predicate["witnesses"][0]["address"]).stdout
@@ -55,7 +58,7 @@ class Certify(CertifyCase):
     def test_certified_meets_every_level_that_it_can_and_needs_no_margin(self):
         predicate = json.loads(self.certificate_of("certified").read_text())["predicate"]
         for level in predicate["levels"]:
-            self.assertIn(level["state"], ("met", "not asked"), level)
+            self.assertIn(level["state"], ("met", "NOT CHECKED"), level)
             if level["level"] == "exact":
                 self.assertEqual([rest["kind"] for rest in level["rests_on"]], ["proved", "observed", "searched"])
         for margin in predicate["safe_margin"]["precisions"]:
@@ -76,15 +79,42 @@ class Certify(CertifyCase):
             self.assertEqual(witness["query"]["test"], "box-box")
             self.assertLessEqual({"a.m", "a.s", "b.m", "b.s"}, set(witness["query"]))
 
-    def test_a_run_that_is_out_of_time_lists_what_was_done(self):
-        self.certify("published", "--time", "0.001", "--threads", 1)
-        cert = self.folder / "certificate/certificate.json"
-        predicate = json.loads(cert.read_text())["predicate"]
-        self.assertFalse(predicate["asked"]["complete"])
-        self.assertLess(predicate["asked"]["stretches_done"], predicate["asked"]["stretches"])
-        self.assertEqual(len(predicate["materials"]["tallies"]), predicate["asked"]["stretches_done"])
-        self.assertIn("the time given was over", json.dumps(predicate["limits"]))
-        self.verify(cert)
+    def test_a_run_that_is_out_of_time_has_no_certificate_until_it_is_resumed(self):
+        out = self.folder / "certificate"
+        done = self.certify("published", "--time", "0.001", "--threads", 1, code=1)
+        self.assertRegex(done.stderr, r"[0-9]+ of the plan's [0-9]+ stretches are done, and a certificate has all of them: none is written; "
+                                      "`certify` with --resume finishes it")
+        self.assertFalse((out / "certificate.json").exists())
+        self.certify("published", "--resume")
+        self.assertEqual((out / "certificate.json").read_bytes(), self.certificate_of("published").read_bytes())
+
+    def certified_promise(self, name, code=0):
+        """The predicate and the text of the certificate of one of kernel/plugin/promises."""
+        out = self.folder / name
+        self.certify(f"plugin:{BUILD}/promises/{name}.so", out=out, code=code)
+        self.verify(out / "certificate.json")
+        return json.loads((out / "certificate.json").read_text())["predicate"], (out / "certificate.txt").read_text(), (out / "badge.svg").read_text()
+
+    def test_a_kernel_that_answers_nothing_is_told_so_first(self):
+        predicate, words, badge = self.certified_promise("answers_77", code=1)
+        said = "it gave no answer that counts in binary32"
+        self.assertIn(said, " ".join(words.splitlines()[:2]))
+        self.assertIn(said, badge)
+        self.assertFalse([level for level in predicate["levels"] if level["state"] == "met"])
+        self.assertIn("not known: it answered none of", words)
+        self.assertNotIn("none is needed", words)
+
+    def test_what_a_kernel_leaves_out_is_said_first(self):
+        for name, left_out, said in (("declines_declared", "declined", "Met of the 9"), ("limited_to_far", "outside_limits", "outside its limits")):
+            predicate, words, badge = self.certified_promise(name)
+            count = predicate["asked"]["left_out"][left_out]
+            self.assertGreater(count, 100)
+            first = " ".join(words.splitlines()[:5])
+            self.assertIn(said, first)
+            self.assertIn(f"{count:,} ", first)
+            self.assertIn(f"{count:,} ", badge)
+            (margin,) = predicate["safe_margin"]["precisions"]
+            self.assertLessEqual(margin["contacts"]["of_run"]["declined"], predicate["asked"]["left_out"]["declined"])
 
     def test_it_is_resumed_and_comes_to_the_same(self):
         whole = self.certificate_of("published").parent

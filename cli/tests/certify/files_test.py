@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import unittest
 
-from certificates import canonical, CertifyCase
+from certificates import CertifyCase, sealed
 from command import BUILD, ROOT, axiscert
 
 
@@ -45,17 +45,16 @@ class CertifiedFiles(CertifyCase):
         subprocess.run(["cc", "-shared", "-fPIC", source, "-o", evil], check=True)
         # A certificate that is about it, whole by its own digest: looked at, not loaded.
         predicate = statement["predicate"]
-        predicate.pop("digest")
         predicate["kernel"].update(id=f"plugin:{evil}")
+        for row in predicate["comparison"]:
+            if row["kernel"] == f"plugin:{mine}":
+                row["kernel"] = f"plugin:{evil}"
         statement["subject"][0]["digest"]["sha256"] = hashlib.sha256(evil.read_bytes()).hexdigest()
-        predicate["digest"] = hashlib.sha256(canonical(statement)).hexdigest()
-        forged = self.written(canonical(statement) + b"\n")
+        forged = self.written(sealed(statement))
         self.verify(forged)
         self.verify(forged, "--kernel", evil, says=["is the one"])
-        predicate.pop("digest")
         predicate["kernel"]["kind"] = "built-in"
-        predicate["digest"] = hashlib.sha256(canonical(statement)).hexdigest()
-        self.verify(self.written(canonical(statement)), code=1, says=["this axiscert has no kernel plugin:"])
+        self.verify(self.written(sealed(statement)), code=1, says=["NOT VALID"])
         self.assertFalse(marker.exists(), "verify has loaded a file that it was not asked to run")
 
     def test_replies_are_judged_as_they_are_and_known_by_their_bytes(self):
@@ -78,7 +77,7 @@ class CertifiedFiles(CertifyCase):
         self.assertEqual(*made)
         predicate = json.loads(made[0])["predicate"]
         self.assertIn("cannot be asked again", predicate["search"]["reason"])
-        self.assertIn("Asked by a program's replies", (out / "certificate.txt").read_text())
+        self.assertIn("from a program's replies, seed 1; not signed", (out / "certificate.txt").read_text())
         cert = out / "certificate.json"
         self.verify(cert, says=["kernel: NOT CHECKED"])
         # Their claim is in the certificate.

@@ -5,31 +5,35 @@ import hashlib
 import json
 import unittest
 
-from certificates import canonical, CertifyCase, openssl
+from certificates import canonical, CertifyCase, openssl, sealed, without_family
 from command import ROOT
 
 
 class Verify(CertifyCase):
     def test_a_certificate_of_this_axiscert_holds(self):
         cert = self.certificate_of("published")
-        self.verify(cert, says=["signature: none", "kernel: published is the one", "axiscert: made by this version", "VALID"])
+        self.verify(cert, says=["signature: none", "kernel: published is the one", "axiscert: made by this version", "plan: that of its effort and seed",
+                                 "exact: not met", "\nVALID\n"])
+
+    def test_it_begins_with_how_much_was_asked_of_what_and_by_whom(self):
+        lines = self.verify(self.certificate_of("published")).stdout.splitlines()[:5]
+        self.assertRegex(lines[2], "^certificate: made by axiscert .* with effort smoke, seed 1$")
+        self.assertRegex(lines[3], "^asked: [0-9,]+ queries of 2[0-9] families and files, in binary32 and binary64$")
+        self.assertRegex(lines[4], "^answers: [0-9,]+ looked at; left out: nothing; [0-9,]+ are no query$")
 
     def test_a_recheck_says_what_it_runs_and_takes_the_sample_of_its_seed(self):
         cert = self.certificate_of("published")
-        done = self.verify(cert, "--recheck", "2%", "--recheck-seed", 7, says=["every tally the same (--recheck-seed 7)"])
+        done = self.verify(cert, "--recheck", "2%", "--recheck-seed", 7, says=["every tally the same", "(--recheck-seed 7)"])
         self.assertIn("recheck: will run published on", done.stdout.split("judged again")[0])
         self.refused("verify", cert, "--recheck", "0%", says=["--recheck 0%", "as in 1%"])
         self.refused("verify", cert, "--recheck-seed", "7", says=["--recheck"])
 
     def test_a_recheck_finds_a_tally_that_is_another(self):
-        statement = json.loads(self.certificate_of("published").read_text())
-        predicate = statement["predicate"]
-        predicate.pop("digest")
-        for tally in predicate["materials"]["tallies"]:
-            tally["sha256"][0] = "0" * 64
-        predicate["digest"] = hashlib.sha256(canonical(statement)).hexdigest()
-        cert = self.written(canonical(statement) + b"\n")
-        self.verify(cert)  # whoever forges it can make the digest too: that is what the signature and the recheck are for
+        def other(predicate):
+            for tally in predicate["materials"]["tallies"]:
+                tally["sha256"][0] = "0" * 64
+        cert = self.remade(other)
+        self.verify(cert)  # no count is another
         self.verify(cert, "--recheck", "1%", code=1, says=["NOT VALID", "the recheck comes out otherwise", "tally of published"])
 
     def test_another_built_in_kernel_is_told(self):
@@ -48,20 +52,15 @@ class Verify(CertifyCase):
 
     def test_a_version_that_is_not_read(self):
         statement = json.loads(self.certificate_of("published").read_text())
-        statement["predicateType"] = "urn:axiscert:certificate:0"
-        self.verify(self.written(canonical(statement)), code=2, says=["is a certificate of version urn:axiscert:certificate:0"])
+        statement["predicateType"] = "urn:axiscert:certificate:1"
+        self.verify(self.written(canonical(statement)), code=2, says=["is a certificate of version urn:axiscert:certificate:1"])
 
     def test_a_certificate_of_other_sources_is_not_rechecked_as_if_it_were_of_these(self):
-        statement = json.loads(self.certificate_of("published").read_text())
-        predicate = statement["predicate"]
-        predicate.pop("digest")
-        predicate["materials"]["axiscert"] = {"version": "0.0.9", "sources": "0" * 64}
-        plan = predicate["materials"]["plan"]
-        plan["plan"]["generators"]["tangent"]["version"] += 1
-        plan["digest"] = hashlib.sha256(canonical(plan["plan"])).hexdigest()
-        predicate["digest"] = hashlib.sha256(canonical(statement)).hexdigest()
-        cert = self.written(canonical(statement) + b"\n")
-        self.verify(cert, says=["made by 0.0.9"])
+        def of_another(predicate):
+            predicate["materials"]["axiscert"] = {"version": "0.0.9", "sources": "0" * 64}
+            predicate["materials"]["plan"]["plan"]["generators"]["tangent"]["version"] += 1
+        cert = self.remade(of_another)
+        self.verify(cert, says=["made by 0.0.9", "plan: NOT CHECKED", "VALID as far as it could be checked"])
         self.verify(cert, "--recheck", "1%", code=2, says=["cannot be rechecked here: it was made by axiscert 0.0.9", "tangent"])
 
 
@@ -87,7 +86,7 @@ class Signed(CertifyCase):
     def test_it_holds_with_its_key_and_with_no_other(self):
         cert, public = self.signed()
         self.verify(cert, "--key", public, says=["signature: by the key", "VALID"])
-        self.verify(cert, says=["signature: NOT CHECKED: give the public key with --key"])
+        self.verify(cert, says=["signature: NOT CHECKED: it is said to be signed by the key ", "give the public key with --key"])
         other = self.keys("other")[1]
         self.verify(cert, "--key", other, code=1, says=["NOT VALID", "it was not signed with this key"])
         self.verify(cert, "--key", self.keys()[0], code=2, says=["is no public key"])
@@ -97,11 +96,8 @@ class Signed(CertifyCase):
         cert, public = self.signed()
         envelope = json.loads(cert.read_text())
         statement = json.loads(base64.b64decode(envelope["payload"]))
-        predicate = statement["predicate"]
-        predicate.pop("digest")
-        predicate["levels"][0]["state"] = "met"
-        predicate["digest"] = hashlib.sha256(canonical(statement)).hexdigest()
-        forged = dict(envelope, payload=base64.b64encode(canonical(statement)).decode())
+        statement["predicate"]["levels"][0]["state"] = "met"
+        forged = dict(envelope, payload=base64.b64encode(sealed(statement)[:-1]).decode())
         self.verify(self.written(canonical(forged)), "--key", public, code=1, says=["NOT VALID", "changed after it was signed"])
         signature = bytearray(base64.b64decode(envelope["signatures"][0]["sig"]))
         signature[5] ^= 1
@@ -117,24 +113,21 @@ class Signed(CertifyCase):
 class BrokenCertificates(CertifyCase):
     """Each row of the table in docs/certify.md, tried on a certificate that something happened to."""
 
-    def remade(self, change):
-        """The certificate of published with its statement changed, whole by its own digest."""
-        statement = json.loads(self.certificate_of("published").read_text())
-        statement["predicate"].pop("digest")
-        change(statement)
-        statement["predicate"]["digest"] = hashlib.sha256(canonical(statement)).hexdigest()
-        return self.written(canonical(statement) + b"\n")
+    def of_another_axiscert(self, predicate):
+        predicate["materials"]["axiscert"]["sources"] = "0" * 64
+        predicate["materials"]["plan"]["plan"]["generators"]["tangent"]["version"] += 1
 
-    def of_another_axiscert(self, statement):
-        plan = statement["predicate"]["materials"]["plan"]
-        plan["plan"]["generators"]["tangent"]["version"] += 1
-        plan["digest"] = hashlib.sha256(canonical(plan["plan"])).hexdigest()
+    def of_a_file(self, predicate):
+        predicate["kernel"]["kind"] = "plugin"
+        predicate["limits"][-1] = ("The subject is these files as they were called here: the libraries that they load, and the machine, are not "
+                                   "part of it.")
 
-    def of_a_file(self, statement):
-        statement["predicate"]["kernel"]["kind"] = "plugin"
+    def all_met(self, predicate):
+        for level in predicate["levels"]:
+            level.update(state="met", failures=[], failure_count=0, reason=None)
 
-    def other_tallies(self, statement):
-        for tally in statement["predicate"]["materials"]["tallies"]:
+    def other_tallies(self, predicate):
+        for tally in predicate["materials"]["tallies"]:
             tally["sha256"][0] = "0" * 64
 
     def happened(self, what):
@@ -143,7 +136,7 @@ class BrokenCertificates(CertifyCase):
         plain = self.certificate_of("published")
         signed = self.certificate_of("published", "--key", private, name="signed")
         whole, envelope = plain.read_bytes(), json.loads(signed.read_text())
-        forged = base64.b64encode(canonical(json.loads(self.remade(lambda s: s["predicate"]["limits"].clear()).read_text()))).decode()
+        forged = base64.b64encode(canonical(json.loads(self.remade(lambda p: p["limits"].clear()).read_text()))).decode()
         return {
             "nothing": lambda: [signed, "--key", public, "--kernel", "published", "--recheck", "1%"],
             "a word changed": lambda: [self.written(whole.replace(b'"not met"', b'"met"', 1))],
@@ -151,9 +144,14 @@ class BrokenCertificates(CertifyCase):
             "another key": lambda: [signed, "--key", self.keys("other")[1]],
             "no signature where a key is given": lambda: [plain, "--key", public],
             "another kernel": lambda: [plain, "--kernel", "certified"],
+            "a level edited, and signed anew": lambda: [self.remade(self.all_met)],
+            "a stretch left out": lambda: [self.remade(lambda p: p["materials"]["tallies"].pop())],
+            "another effort than its plan's": lambda: [self.remade(lambda p: p["asked"].update(effort="deep"))],
+            "a family left out of the plan": lambda: [self.remade(without_family)],
             "a tally that comes out otherwise": lambda: [self.remade(self.other_tallies), "--recheck", "1%"],
             "cut off": lambda: [self.written(whole[:-200])],
-            "another version of the format": lambda: [self.remade(lambda s: s.update(predicateType="urn:axiscert:certificate:0"))],
+            "another version of the format": lambda: [self.written(whole.replace(b"certificate:2", b"certificate:1"))],
+            "made by another axiscert": lambda: [self.remade(self.of_another_axiscert)],
             "made by another axiscert, `--recheck`": lambda: [self.remade(self.of_another_axiscert), "--recheck", "1%"],
             "a kernel that is to be rechecked and was not given": lambda: [self.remade(self.of_a_file), "--recheck", "1%"],
         }[what]()
@@ -162,7 +160,7 @@ class BrokenCertificates(CertifyCase):
         page = (ROOT / "docs/certify.md").read_text()
         rows = [[cell.strip() for cell in line.strip("| \n").split(" | ")] for line in page.splitlines() if line.startswith("| ") and line.count("|") == 4]
         rows = [row for row in rows if row[1] in "012"]
-        self.assertEqual(len(rows), 11)
+        self.assertEqual(len(rows), 16)
         for what, code, said in rows:
             with self.subTest(what):
                 self.verify(*self.happened(what), code=int(code), says=[said.strip("`")])

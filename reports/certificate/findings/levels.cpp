@@ -28,16 +28,16 @@ struct ProvedLevel {
 constexpr ProvedLevel proved_levels[] = {
     {"certified", " logic range exact conservative conservative=0.001 depth=0.001 ",
      "where the numbers are multiples of one power of two by integers of at most 126 bits: that the verdict is right, "
-     "by Coq (certified_is_exact_within_126_bits), if the signs told by the steps before are, which Coq proves of the "
-     "coarse step (coarse_known_is_sound64) and, where nothing underflows, of the fine one (fine_is_near); of the deep "
-     "one it is argued on paper. Of wider "
-     "numbers it is argued on paper alone. docs/proofs.md#the-certified-predicate-step-by-step has what is trusted "
-     "besides"},
+     "by Coq (certified_is_exact_within_126_bits), of margins recorded from the code, if its integers are long enough "
+     "and the signs told by the steps before are right. Coq proves the latter of the coarse step "
+     "(coarse_known_is_sound64). Of the fine step it proves, where nothing underflows, that margins are within their "
+     "bounds (fine_is_near); the signs, and the deep step, are argued and tested, and so are wider numbers. "
+     "docs/proofs.md#the-certified-predicate-step-by-step has what is trusted besides"},
     {"conservative", " conservative ",
      "where the square of the scene's size is from 2^-42 to 2^60 in binary32, 2^-400 to 2^400 in binary64: that no "
      "contact is missed, by Coq, of the code as recorded (recorded_conservative_is_right32, "
-     "recorded_conservative_is_right64). That nothing overflows there, and other sizes, which are scaled first, are "
-     "argued on paper: docs/proofs.md#the-conservative-test-of-the-certified-predicate"},
+     "recorded_conservative_is_right64). Other sizes, which are scaled first, are argued on paper: "
+     "docs/proofs.md#the-conservative-test-of-the-certified-predicate"},
 };
 
 double number_of(const Json& figure) {
@@ -94,7 +94,7 @@ const Json* record_entry_of(const Json& record, const LevelOutcome& outcome) {
 Json level_json(const Json& record, const LevelOutcome& outcome, const Json& search) {
   Json rests = Json::array(), failures = Json::array();
   std::size_t failure_count = outcome.failures.size();
-  std::string_view state = outcome.state == LevelState::not_checked ? "not asked" : name(outcome.state);
+  std::string_view state = name(outcome.state);
   for (std::size_t i = 0; i < std::min(most_failures, failure_count); ++i) {
     const Failure& f = outcome.failures[i];
     failures.push_back(f.family.empty() ? f.what : fmt::format("{}: {}: {}", f.family, f.what, thousands(f.count)));
@@ -121,12 +121,14 @@ Json level_json(const Json& record, const LevelOutcome& outcome, const Json& sea
   return {{"level", outcome.asked.text},
           {"precision", given(outcome.precision)},
           {"state", state},
+          {"claim", outcome.claim()},
+          {"looked_at", outcome.looked_text()},
           {"statement", sentence_of(outcome.asked)},
           {"rests_on", rests},
           {"leaves_out", given(state == "met" ? outcome.leaves_out : "")},
           {"failures", failures},
           {"failure_count", failure_count},
-          {"reason", given(state == "not asked" ? outcome.reason : "")}};
+          {"reason", given(state == name(LevelState::not_checked) ? outcome.reason : "")}};
 }
 
 }  // namespace
@@ -157,12 +159,15 @@ std::vector<std::string> levels_asked(const std::vector<std::string>& yardsticks
   return asked;
 }
 
-Json levels_json(const Json& record, const Kernel& kernel, const std::vector<std::string>& yardsticks,
-                 const Json& searches) {
+Json levels_json(const Json& record, const std::string& kernel, const Json& searches) {
   Json levels = Json::array();
+  std::vector<std::string> yardsticks;
+  for (const Json& id : record["plan"]["kernels"]) {
+    if (id != kernel) yardsticks.push_back(id);
+  }
   for (const std::string& level : levels_asked(yardsticks)) {
     for (const LevelOutcome& outcome : outcomes_at(record, level)) {
-      if (outcome.kernel != kernel.id) continue;
+      if (outcome.kernel != kernel) continue;
       levels.push_back(level_json(record, outcome, searches.value(outcome.precision, Json())));
     }
   }

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "fuzz/text/json.h"
-#include "kernel/kernel.h"
 
 namespace axiscert {
 
@@ -13,12 +12,13 @@ namespace axiscert {
 std::vector<std::string> levels_asked(const std::vector<std::string>& yardsticks);
 
 // An entry for each level and precision, in the order of levels_asked():
-//   level, precision, state: "met", "not met", "not asked"; statement: what it says, in words; rests_on: a list of
-//   {"kind": "proved", "observed" or "searched", "text"}; failures: of one that is not met, at most five of
-//   failure_count; reason: of one that was not asked
-// `searches` has, by precision, what certify's search found (search_json), or null where none was made.
-Json levels_json(const Json& record, const Kernel& kernel, const std::vector<std::string>& yardsticks,
-                 const Json& searches);
+//   level, precision, state: "met", "not met", "NOT CHECKED"; claim: its name, and how much of its families it is said
+//   of; looked_at: how many queries; statement: what it says, in words; rests_on: a list of {"kind": "proved",
+//   "observed" or "searched", "text"}; failures: of one that is not met, at most five of failure_count; reason: of one
+//   that was not checked
+// The kernel is one of the record's, and the others are its yardsticks. `searches` has, by precision, what certify's
+// search found (search_json), or null where none was made.
+Json levels_json(const Json& record, const std::string& kernel, const Json& searches);
 
 // The sentence that says what is proved of a built-in kernel at a level; empty where nothing is.
 std::string proved_at(const std::string& kernel, const std::string& level);

@@ -17,6 +17,8 @@ Json part_json(const MarginPart& part) {
     return greatest ? Json(greatest->value.text()) : Json(nullptr);
   };
   return {{"queries", part.queries},
+          {"contacts", part.contacts},
+          {"without_verdict", part.without_verdict},
           {"missed", part.missed},
           {"hopeless", part.hopeless},
           {"tiny", part.tiny},
@@ -27,6 +29,14 @@ Json part_json(const MarginPart& part) {
           {"phantoms_by_amount", part.phantoms_by_amount},
           {"still_missed_by_factor", part.still_missed_by_factor},
           {"still_missed_by_amount", part.still_missed_by_amount}};
+}
+
+Json answers_json(const ContactAnswers& answers) {
+  return {{"asked", answers.asked},
+          {"missed", answers.missed},
+          {"declined", answers.declined},
+          {"invalid", answers.invalid},
+          {"unanswered", answers.unanswered}};
 }
 
 }  // namespace
@@ -43,6 +53,7 @@ Json margin_json(const SafeMargin& margin) {
           {"probed", margin.probed},
           {"found", margin.found},
           {"phantoms", margin.phantoms},
+          {"contacts", {{"of_run", answers_json(margin.of_run)}, {"of_others", answers_json(margin.of_others)}}},
           {"factor", missed_json(margin.factor)},
           {"amount", missed_json(margin.amount)},
           {"hopeless", missed_json(margin.hopeless)},

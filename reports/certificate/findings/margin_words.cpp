@@ -34,13 +34,16 @@ double share_of(const Json& part) {
 // The parts of one kind added up. Amounts of scenes of different sizes are compared as shares of the size: one that
 // mends a scene of a kilometre says nothing of one of a metre.
 struct Growth {
-  std::uint64_t queries = 0, missed = 0, hopeless = 0, tiny = 0, by_factor = 0, by_amount = 0;
+  std::uint64_t queries = 0, contacts = 0, without_verdict = 0, missed = 0, hopeless = 0, tiny = 0, by_factor = 0,
+                by_amount = 0;
   double factor = 0, share = 0;  // the greatest; share: of an amount in the least size of its scenes
   std::string factor_text;
 
   void add(const Json& part) {
     const auto plus = [&](std::uint64_t& sum, const char* member) { sum += part[member].get<std::uint64_t>(); };
     plus(queries, "queries");
+    plus(contacts, "contacts");
+    plus(without_verdict, "without_verdict");
     plus(missed, "missed");
     plus(hopeless, "hopeless");
     plus(tiny, "tiny");
@@ -87,14 +90,27 @@ std::string at_unit_text(const Json& margin) {
   return "";
 }
 
+// Whether a margin can be said to be known: the kernel gave a verdict to every contact, and there were some.
+bool is_known(const Growth& here) { return here.contacts != 0 && here.without_verdict == 0; }
+
+// Why no margin is known where no contact was missed.
+std::string unknown_text(const Growth& here, const std::string& among) {
+  if (here.contacts == 0) return fmt::format("not known: no contact was asked about{}.", among);
+  if (here.without_verdict == here.contacts)
+    return fmt::format("not known: it answered none of {} contacts{}.", thousands(here.contacts), among);
+  return fmt::format("not known: it gave no verdict to {} of {} contacts{}, and missed none of the others.",
+                     thousands(here.without_verdict), thousands(here.contacts), among);
+}
+
 std::string everyday_note(const Json& margin) {
   const Growth here =
       growth_of(margin, [](const Json& part) { return is_everyday(part) && !part["degenerate"].get<bool>(); });
   const std::string where =
       fmt::format("Safe margin in {}, in scenes of 0.001 to 10,000: ", margin["precision"].get<std::string>());
   if (here.missed == 0) {
-    return fmt::format("{}none is needed on triangles that are not degenerate: no contact was missed on {} queries.",
-                       where, thousands(here.queries));
+    const std::string among = " on triangles that are not degenerate";
+    if (!is_known(here)) return where + unknown_text(here, among);
+    return fmt::format("{}none is needed{}: it missed none of {} contacts.", where, among, thousands(here.contacts));
   }
   if (!here.mends())
     return fmt::format("{}no growth of r mends the {} contacts that were missed.", where, thousands(here.missed));
@@ -125,6 +141,9 @@ std::string counts_note(const Json& margin) {
   text += fmt::format("; {} contacts were missed, and {} phantom on {} queries", count_of(all, "missed"),
                       thousands(margin["phantoms"].get<std::uint64_t>()),
                       thousands(margin["queries"].get<std::uint64_t>()));
+  if (all["without_verdict"] != 0)
+    text += fmt::format("; to {} of {} contacts it gave no verdict, and what they need is not known",
+                        count_of(all, "without_verdict"), count_of(all, "contacts"));
   if (all["hopeless"] != 0)
     text += fmt::format("; {} are missed even by a sphere that holds the whole triangle, and no margin mends that",
                         count_of(all, "hopeless"));
@@ -144,11 +163,14 @@ std::string counts_note(const Json& margin) {
 
 std::vector<std::string> margin_notes(const Json& margin) {
   if (margin["all"]["missed"] == 0) {
-    return {
-        fmt::format("Safe margin in {}: none is needed: no contact was missed on {} queries, {} probes at the "
-                    "least radius and {} finds of a search.",
-                    margin["precision"].get<std::string>(), count_of(margin, "queries"), count_of(margin, "probed"),
-                    count_of(margin, "found"))};
+    const Growth all = growth_of(margin, [](const Json&) { return true; });
+    const std::string where = fmt::format("Safe margin in {}: ", margin["precision"].get<std::string>());
+    if (!is_known(all)) return {where + unknown_text(all, "")};
+    return {fmt::format(
+        "{}none is needed: it missed none of {} contacts, of {} queries, {} probes at the least radius and {} "
+        "finds of a search.",
+        where, thousands(all.contacts), count_of(margin, "queries"), count_of(margin, "probed"),
+        count_of(margin, "found"))};
   }
   std::vector<std::string> notes = {everyday_note(margin)};
   if (std::string note = degenerate_note(margin); !note.empty()) notes.push_back(std::move(note));

@@ -25,6 +25,7 @@ SafeMargin margin_with(const std::map<MarginScene, std::pair<int, int>>& growths
   for (const auto& [scene, growth] : growths) {
     MarginPart& part = margin.parts[scene];
     part.queries = 100;
+    part.contacts = 50;
     part.missed = 7;
     if (growth.first != 0) part.factor = contact_of(Rational(growth.first));
     else part.tiny = 7;
@@ -65,12 +66,32 @@ TEST(MarginWords, ATinyRadiusHasAnAmountAlone) {
 
 TEST(MarginWords, SayWhereNothingIsNeeded) {
   SafeMargin margin{Precision::binary64};
+  margin.parts[{false, 0}].contacts = 878;
   EXPECT_THAT(fmt::format("{}", fmt::join(margin_notes(margin_json(margin)), "|")),
-              HasSubstr("binary64: none is needed: no contact was missed"));
+              HasSubstr("binary64: none is needed: it missed none of 878 contacts"));
   margin = margin_with({{{true, 0}, {5, 8000}}});
+  margin.parts[{false, 0}].contacts = 9;
   const auto notes = margin_notes(margin_json(margin));
   ASSERT_EQ(notes.size(), 3u);
   EXPECT_THAT(notes[0], HasSubstr("none is needed on triangles that are not degenerate"));
+}
+
+// What a kernel did not answer, nothing is known of.
+TEST(MarginWords, SayThatNothingIsKnownOfContactsWithoutAVerdict) {
+  SafeMargin margin{Precision::binary32};
+  const auto note = [&] { return margin_notes(margin_json(margin)).front(); };
+  EXPECT_THAT(note(), HasSubstr("not known: no contact was asked about."));
+  MarginPart& part = margin.parts[{false, 0}];
+  part.contacts = part.without_verdict = 878;
+  EXPECT_THAT(note(), HasSubstr("not known: it answered none of 878 contacts."));
+  part.without_verdict = 800;
+  EXPECT_THAT(note(),
+              HasSubstr("not known: it gave no verdict to 800 of 878 contacts, and missed none of the others."));
+  margin = margin_with({{{true, 0}, {5, 8000}}});
+  margin.parts[{false, 0}].contacts = margin.parts[{false, 0}].without_verdict = 4;
+  EXPECT_THAT(note(),
+              HasSubstr("10,000: not known: it answered none of 4 contacts on triangles that are not degenerate."));
+  EXPECT_THAT(margin_notes(margin_json(margin)).back(), HasSubstr("to 4 of 54 contacts it gave no verdict"));
 }
 
 TEST(MarginWords, TheTableHasEachSizeWhereAContactWasMissed) {

@@ -63,7 +63,8 @@ constexpr Situation of_box_box[] = {
     {"everyday", "boxes of everyday sizes at any angle, and crates in metres as a solver leaves them",
      "Do not build on it as it stands: take another test, as box-box/cofactor, and ask both about your own boxes "
      "(`axiscert run --queries`).",
-     box_libraries, "general stack pile resting general_turned stack_turned pile_turned resting_turned"},
+     box_libraries,
+     "general stack pile resting level general_turned stack_turned pile_turned resting_turned level_turned"},
     {"small_integers", "boxes in small integers, turned by quarter turns: nothing is rounded", shrink_small_integers,
      boxes_by_epsilon, "lattice lattice_turned"},
     {"parallel", "boxes whose axes are parallel but for roundings",

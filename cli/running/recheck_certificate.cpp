@@ -1,0 +1,232 @@
+#include "cli/running/recheck_certificate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <random>
+#include <set>
+#include <span>
+
+#include "cli/options/certified_plan.h"
+#include "cli/progress_line.h"
+#include "cli/running/run_output.h"
+#include "cli/running/stretch_crew.h"
+#include "fuzz/campaign/parts/gathered.h"
+#include "fuzz/campaign/parts/recheck.h"
+#include "fuzz/confirm/record.h"
+#include "fuzz/queries/image_groups.h"
+#include "fuzz/text/number_text.h"
+#include "kernel/base/error.h"
+#include "kernel/base/sha256.h"
+#include "kernel/base/version.h"
+#include "kernel/registry/self_check.h"
+#include "reports/certificate/derived/counts.h"
+#include "reports/certificate/derived/derived.h"
+#include "reports/certificate/statement/canonical.h"
+#include "reports/certificate/statement/statement.h"
+
+namespace axiscert {
+namespace {
+
+// The claim of the replies, as the certificate has it: reply_plan holds it to what they are.
+ReplyOptions with_claim(ReplyOptions options, const Json& predicate) {
+  const Json& plan = predicate["materials"]["plan"]["plan"];
+  const Json claim = plan.value("replies", Json::object());
+  const auto text_of = [&](const char* member) {
+    const Json text = claim.is_object() ? claim.value(member, Json()) : Json();
+    return text.is_string() ? text.get<std::string>() : "";
+  };
+  options.id = predicate["kernel"]["id"].get<std::string>();
+  options.touching = predicate["kernel"]["touching"].get<std::string>();
+  if (std::find(touching_names.begin(), touching_names.end(), options.touching) == touching_names.end())
+    throw Error(fmt::format("the certificate says of a touching sphere {}, which is no answer",
+                            axiscert::shown(options.touching)));
+  options.claim.conforms_to = text_of("conforms_to");
+  options.claim.formulae = text_of("formulae");
+  options.may_decline = predicate["kernel"]["may_decline"];
+  return options;
+}
+
+// The plan that is run again, and what of it has to outlive it.
+struct PlanHere {
+  ReplyPlan replies;
+  Plan plan;
+  std::uint64_t units_each = 1;
+};
+
+PlanHere plan_here(const Certificate& certificate, const VerifyOptions& options, const std::string& id) {
+  const Json &predicate = certificate.predicate(), &materials = predicate["materials"];
+  PlanHere here;
+  Json json;
+  if (predicate["kernel"]["kind"] == "replies") {
+    here.replies = reply_plan(with_claim(options.replies, predicate));
+    here.plan = here.replies.plan;
+    here.units_each = Stretches::default_units_each(here.plan);
+    json = plan_json(here.plan, planned(here.plan), {});
+  } else {
+    const PlanFile file =
+        certified_plan({id, predicate["asked"]["effort"], predicate["asked"]["seed"].get<std::uint64_t>(),
+                        options.replies.meshes, options.threads});
+    here.plan = plan_of(file);
+    here.units_each = file.units_each;
+    json = file.json["plan"];
+  }
+  const std::string differs = difference(Json::parse(canonical_json(portable_plan(json))), materials["plan"]["plan"]);
+  if (!differs.empty() || here.units_each != materials["plan"]["units_per_stretch"].get<std::uint64_t>()) {
+    throw Error(fmt::format(
+        "{}: cannot be rechecked here: it was made by axiscert {}, sources {:.16}, and this is {}, {:.16}{}",
+        options.certificate, axiscert::shown(materials["axiscert"]["version"].get<std::string>()),
+        materials["axiscert"]["sources"].get<std::string>(), axiscert_version, source_digests().sources,
+        differs.empty() ? ""
+                        : fmt::format("; here {} (files of its plan are given by --mesh and --queries)", differs)));
+  }
+  here.plan.threads = threads_of(options.threads);
+  for (const std::string& target : targets_of(here.plan)) require_uncontracted(target);
+  return here;
+}
+
+// The stretches that are taken: whoever made the certificate does not know which.
+std::vector<std::uint64_t> sample_taken(const Certificate& certificate, double share, std::uint64_t nonce) {
+  std::vector<std::uint64_t> numbers(certificate.predicate()["materials"]["tallies"].size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = i;
+  const std::string text = fmt::format("{} {}", certificate.digest(), nonce);
+  const auto mixed = sha256(std::as_bytes(std::span(text)));
+  std::uint64_t seed = 0;
+  for (std::size_t i = 0; i < 8; ++i) seed = seed << 8 | static_cast<std::uint64_t>(mixed[i]);
+  return sample_of(numbers, share, seed);
+}
+
+// How a stretch that was done again differs from what is stated of it; empty where it does not.
+std::string difference_of_tally(const Json& stated, const Json& again, const Plan& plan) {
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    const std::string who = fmt::format("the tally of {} on {}", plan.kernels[k]->id, again["of"].get<std::string>());
+    if (canonical_json(stated["counts"][k]) != canonical_json(again["counts"][k])) {
+      const std::string differs = difference(Json::parse(canonical_json(again["counts"][k])), stated["counts"][k]);
+      return fmt::format("{} has other counts: here {}", who, differs);
+    }
+    if (stated["sha256"][k] != again["sha256"][k]) {
+      return fmt::format("{} has the digest {:.16} here, and {:.16} in it", who, again["sha256"][k].get<std::string>(),
+                         stated["sha256"][k].get<std::string>());
+    }
+  }
+  return "";
+}
+
+// A kernel's entry in the certificate; the first kernel has another id there.
+const Json& stated_entry(const Json& predicate, const Plan& plan, std::size_t k, Precision precision) {
+  const Json& plan_stated = predicate["materials"]["plan"]["plan"]["kernels"];
+  for (const Json& entry : predicate["materials"]["kernels"]) {
+    if (entry["id"] == plan_stated[k] && entry["precision"] == name(precision)) return entry;
+  }
+  throw NotValid(fmt::format("it has no counts of {} in {}", plan.kernels[k]->id, name(precision)));
+}
+
+// Asks about the images of each family of the sample again. Returns how many families those are.
+std::size_t recheck_images(const Json& predicate, const Plan& plan, const Stretches& stretches,
+                           const std::vector<std::uint64_t>& sample, std::vector<std::string>& differences) {
+  std::set<std::size_t> cells;
+  for (const std::uint64_t number : sample) {
+    const Stretch stretch = stretches.at(number);
+    if (image_group(plan.sources[stretch.source]->name()) != nullptr) cells.insert(stretch.cell);
+  }
+  const CampaignResult all = planned(plan);
+  for (const std::size_t c : cells) {
+    const CellResult& cell = all.cells[c];
+    const Source& source = *plan.sources[cell.source];
+    for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+      const auto asymmetry = asymmetry_of(plan, *plan.kernels[k], source, cell.precision, cell.queries);
+      if (!asymmetry) continue;
+      const Json here = without_fractions(invariance_of(plan, source, cell.precision, *asymmetry));
+      const Json stated = stated_entry(predicate, plan, k, cell.precision)["families"][source.name()]["invariance"];
+      if (canonical_json(here) == canonical_json(stated)) continue;
+      differences.push_back(fmt::format("the images of {} in {}, asked of {}, come to something else: here {}",
+                                        source.name(), name(cell.precision), plan.kernels[k]->id,
+                                        difference(Json::parse(canonical_json(here)), stated)));
+    }
+  }
+  return cells.size();
+}
+
+// Of all stretches: what of a critical radius does not add up by stretch.
+void recheck_radii(const Json& predicate, const Plan& plan, const CampaignResult& result,
+                   std::vector<std::string>& differences) {
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    for (const Precision precision : plan.precisions) {
+      if (!plan.kernels[k]->has(precision)) continue;
+      CriticalRadiusTally radii;
+      for (const CellResult& cell : result.cells) {
+        if (cell.precision != precision) continue;
+        const CriticalRadiusTally& some = cell.tallies[k].critical_radius;
+        radii.unbounded += some.unbounded;
+        radii.unanswered += some.unanswered;
+        radii.errors_ulps.insert(radii.errors_ulps.end(), some.errors_ulps.begin(), some.errors_ulps.end());
+      }
+      const Json here = without_fractions(critical_radius_json(std::move(radii)));
+      const Json& stated = stated_entry(predicate, plan, k, precision)["critical_radius"];
+      if (canonical_json(here) == canonical_json(stated)) continue;
+      differences.push_back(fmt::format("the critical radius of {} in {}: here {}", plan.kernels[k]->id,
+                                        name(precision), difference(Json::parse(canonical_json(here)), stated)));
+    }
+  }
+}
+
+}  // namespace
+
+double recheck_share(const std::string& given) {
+  const bool is_percent = given.ends_with('%');
+  const char* const end = given.data() + given.size() - (is_percent ? 1 : 0);
+  double share = 0;
+  const auto [stop, problem] = std::from_chars(given.data(), end, share);
+  if (is_percent) share /= 100;
+  if (problem != std::errc() || stop != end || !(share > 0 && share <= 1))
+    throw Error(fmt::format("--recheck {}: give a share above 0, at most 100%, as in 1%", given));
+  return share;
+}
+
+void recheck_certificate(const Certificate& certificate, const VerifyOptions& options, const std::string& id) {
+  const Json& predicate = certificate.predicate();
+  const Json& tallies = predicate["materials"]["tallies"];
+  const std::uint64_t nonce = options.recheck_seed ? *options.recheck_seed : std::random_device()();
+  const std::vector<std::uint64_t> sample = sample_taken(certificate, recheck_share(options.recheck), nonce);
+  fmt::print("recheck: will {} {} on {} of {} stretches of its plan, on this machine\n",
+             predicate["kernel"]["kind"] != "replies" ? "run" : "judge the replies of",
+             predicate["kernel"]["kind"] != "replies" ? id : axiscert::shown(id), sample.size(), tallies.size());
+  std::fflush(stdout);
+
+  const PlanHere here = plan_here(certificate, options, id);
+  const Stretches stretches(here.plan, here.units_each);
+  if (stretches.count() != tallies.size())
+    throw Error(fmt::format("{}: its plan has {} stretches here, and {} in it", options.certificate, stretches.count(),
+                            tallies.size()));
+  const bool is_whole = sample.size() == tallies.size();
+  Gathered gathered(here.plan, stretches);
+  std::vector<std::string> differences;
+  std::size_t done = 0, images = 0;
+  {
+    ProgressLine progress("verify: recheck");
+    const std::atomic<bool>& interrupted = watch_for_interrupts();
+    run_stretches(here.plan, stretches, sample, interrupted, progress.report(), [&](const Entry& entry) {
+      std::string differs =
+          difference_of_tally(tallies[entry.stretch], stretch_json(here.plan, stretches, entry), here.plan);
+      if (!differs.empty()) differences.push_back(std::move(differs));
+      if (is_whole) gathered.add(entry);
+      ++done;
+    });
+  }
+  if (done != sample.size())
+    throw Error(fmt::format("--recheck: interrupted after {} of {} stretches", done, sample.size()));
+  std::sort(differences.begin(), differences.end());
+  if (differences.empty()) images = recheck_images(predicate, here.plan, stretches, sample, differences);
+  if (is_whole && differences.empty()) recheck_radii(predicate, here.plan, std::move(gathered).take(), differences);
+  if (!differences.empty()) {
+    throw NotValid(fmt::format("{}: the recheck comes out otherwise: {}{} (--recheck-seed {} takes the same sample)",
+                               options.certificate, differences.front(),
+                               differences.size() == 1 ? "" : fmt::format("; {} more differ", differences.size() - 1),
+                               nonce));
+  }
+  fmt::print("recheck: {} stretches judged again, every tally the same{} (--recheck-seed {})\n", sample.size(),
+             images == 0 ? "" : fmt::format(", and the images of {} families in a precision", images), nonce);
+}
+
+}  // namespace axiscert

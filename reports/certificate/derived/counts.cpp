@@ -1,0 +1,111 @@
+#include "reports/certificate/derived/counts.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <regex>
+#include <span>
+
+#include "exact/sphere_triangle/measures/input_class.h"
+#include "fuzz/confirm/record.h"
+#include "fuzz/text/number_text.h"
+#include "kernel/base/sha256.h"
+#include "reports/certificate/statement/canonical.h"
+#include "reports/run_folder/run_folder.h"
+
+namespace axiscert {
+namespace {
+
+bool is_nothing(const Json& value) {
+  if (value.is_structured()) return value.empty();
+  return value.is_null() || (value.is_number() && value == 0);
+}
+
+// An error beyond binary64, whose six digits a record has as text: "1.5e+620".
+bool is_beyond_binary64(const std::string& text) {
+  static const std::regex form("[0-9](\\.[0-9]{1,5})?e\\+[0-9]{3,6}");
+  return std::regex_match(text, form);
+}
+
+}  // namespace
+
+Json sparse_counts(const Json& counts) {
+  if (counts.is_number_float()) return fmt::format("{}", counts.get<double>());
+  if (!counts.is_object()) return counts;
+  Json sparse = Json::object();
+  for (const auto& [name, value] : counts.items()) {
+    if (is_nothing(value)) continue;
+    if (Json part = sparse_counts(value); !is_nothing(part)) sparse[name] = std::move(part);
+  }
+  return sparse;
+}
+
+Json stretch_json(const Plan& plan, const Stretches& stretches, const Entry& entry) {
+  Json digests = Json::array(), counts = Json::array();
+  const Precision precision = stretches.at(entry.stretch).precision;
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    const Kernel& kernel = *plan.kernels[k];
+    digests.push_back(sha256_hex(std::as_bytes(std::span(entry.tallies[k]))));
+    counts.push_back(kernel.has(precision)
+                         ? sparse_counts(counts_json(kernel, decode_tally(entry.tallies[k], *plan.test)))
+                         : Json::object());
+  }
+  return {{"stretch", entry.stretch}, {"of", stretches.text(entry.stretch)}, {"sha256", digests}, {"counts", counts}};
+}
+
+Json no_counts(const Json& entry, const TestDescription& test) {
+  Kernel kernel;  // of which nothing is asked but what it promises and shows
+  kernel.test = &test;
+  kernel.formulae = Formulae::none;
+  if (has_limits(entry)) kernel.limits.least_radius = 1;
+  if (const auto measures = entry.find("measures"); measures != entry.end()) kernel.measure_count = measures->size();
+  Json none = counts_json(kernel, Tally(test));
+  none["critical_radius"]["largest_ulps"] = 0.0;
+  if (none.contains("classes")) {
+    for (const InputClass which : enumerators<InputClass>)
+      none["classes"][std::string(input_class_names[which])] = {
+          {"false_separation", 0u}, {"false_contact", 0u}, {"deepest", 0.0}};
+  }
+  for (const std::string_view kind : finding_kind_names) none["findings"][std::string(kind)] = 0u;
+  return none;
+}
+
+Json number_of_text(const Json& text, const std::string& where) {
+  if (text.is_number_integer()) return text;
+  double value = 0;
+  if (text.is_string()) {
+    const auto& digits = text.get_ref<const std::string&>();
+    const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (problem == std::errc() && end == digits.data() + digits.size() && std::isfinite(value)) return value;
+  }
+  throw NotValid(fmt::format("{} is {}, which is no number", where, shown(text.dump())));
+}
+
+Json whole_counts(const Json& none, const Json& sparse, std::uint64_t most, const std::string& where) {
+  if (none.is_object()) {
+    if (!sparse.is_object()) throw NotValid(fmt::format("{} is {}, not counts", where, shown(sparse.dump())));
+    Json whole = none;
+    for (const auto& [member, value] : sparse.items()) {
+      const auto place = whole.find(member);
+      if (place == whole.end())
+        throw NotValid(fmt::format("{} has {}, which no count is called", where, shown(member)));
+      *place = whole_counts(*place, value, most, fmt::format("{}: {}", where, member));
+    }
+    return whole;
+  }
+  if (none.is_number_float()) {
+    const bool is_error = where.ends_with("_in_u") || where.ends_with("_ulps");
+    if (is_error && sparse.is_string() && is_beyond_binary64(sparse.get_ref<const std::string&>())) return sparse;
+    Json value = number_of_text(sparse, where);
+    if (value < 0) throw NotValid(fmt::format("{} is {}, below 0", where, shown(sparse.dump())));
+    return value.get<double>();
+  }
+  const bool is_count = none.is_number_integer() && sparse.is_number_integer();
+  if (!is_count || sparse < 0 || sparse > most) {
+    throw NotValid(fmt::format("{} is {}: a count there is from 0 to {}", where, shown(sparse.dump()), most));
+  }
+  return sparse;
+}
+
+}  // namespace axiscert

@@ -1,0 +1,210 @@
+// What follows from the counts of a certificate: the same as from the run's record, and every contradiction is named.
+#include "reports/certificate/derived/derived.h"
+
+#include "fuzz/campaign/parts/gathered.h"
+#include "fuzz/confirm/record.h"
+#include "kernel/base/version.h"
+#include "reports/certificate/derived/counts.h"
+#include "reports/certificate/derived/reduced.h"
+#include "reports/certificate/findings/breaks.h"
+#include "reports/certificate/findings/levels.h"
+#include "reports/certificate/statement/canonical.h"
+#include "reports/certificate/statement/statement.h"
+#include "reports/testing/test_run.h"
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::uint64_t trials = 256;  // as effort smoke asks
+
+// A run of one kernel and its yardsticks, and the predicate that is made of it.
+struct Certified {
+  Json record, predicate;
+};
+
+Certified certified(const std::vector<std::string>& ids, const std::vector<std::string>& families) {
+  Plan plan;
+  for (const std::string& id : ids) plan.kernels.push_back(&find_kernel(id));
+  plan.test = plan.kernels.front()->test;
+  for (const std::string& family : families) plan.sources.push_back(family_source(find_family(family)));
+  plan.precisions = {Precision::binary32, Precision::binary64};
+  plan.trials = [&](const Source&, Precision) { return plan.test == &first_test() ? trials : 64; };
+  plan.target = resolve_target("auto");
+  const Stretches stretches(plan, Stretches::default_units_each(plan));
+  Gathered gathered(plan, stretches);
+  Json tallies = Json::array();
+  for (std::uint64_t i = 0; i < stretches.count(); ++i) {
+    const Entry entry = run_stretch(plan, stretches, i);
+    tallies.push_back(stretch_json(plan, stretches, entry));
+    gathered.add(entry);
+  }
+  Certified made;
+  made.record = record_of(plan, std::move(gathered).take(), {});
+  Json& p = made.predicate;
+  p["kernel"] = {
+      {"id", ids.front()}, {"kind", "built-in"}, {"test", plan.test->id}, {"entry", plan.test->entries[0].name}};
+  p["asked"]["effort"] = "smoke";
+  p["materials"] = {
+      {"axiscert", {{"version", axiscert_version}, {"sources", source_digests().sources}}},
+      {"plan",
+       {{"units_per_stretch", stretches.units_each()}, {"plan", portable_plan(plan_json(plan, planned(plan), {}))}}},
+      {"kernels", kernels_of_record(made.record)},
+      {"findings", findings_of_record(made.record)},
+      {"tallies", tallies}};
+  p["search"] = {{"reason", "not made"}, {"precisions", Json::object()}};
+  p["safe_margin"] = {{"reason", "not made"}, {"precisions", Json::array()}};
+  p["harness"] = {{"reason", "not made"}, {"score", Json::object()}};
+  p = Json::parse(canonical_json(p));
+  p.update(derived_members(p, reduced_record(p, "it")));
+  p["breaks_first"] = what_breaks_first(made.record, ids.front());
+  return made;
+}
+
+const Certified& of_published() {
+  static const Certified made = certified({"published", "certified"}, {"tangent", "lattice", "units", "orders"});
+  return made;
+}
+
+std::string refusal_of(const Json& predicate) {
+  try {
+    require_derived(Json::parse(canonical_json(predicate)), "it");
+    return "holds";
+  } catch (const NotValid& wrong) {
+    return wrong.what();
+  }
+}
+
+// Members in any order.
+std::string text_of_json(const Json& json) { return canonical_json(without_fractions(json)); }
+
+TEST(ReducedRecord, HasTheCountsOfTheRecordThatLevelsRead) {
+  const Json reduced = reduced_record(of_published().predicate, "it");
+  ASSERT_EQ(reduced["kernels"].size(), of_published().record["kernels"].size());
+  for (std::size_t i = 0; i < reduced["kernels"].size(); ++i) {
+    const Json &entry = reduced["kernels"][i], &whole = of_published().record["kernels"][i];
+    for (const char* member : {"id", "precision", "limits", "touching", "may_decline", "critical_radius", "reference"})
+      EXPECT_EQ(text_of_json({entry[member]}), text_of_json({whole[member]})) << member;
+    ASSERT_EQ(entry["families"].size(), whole["families"].size());
+    for (const auto& [family, result] : whole["families"].items()) {
+      for (const char* member : {"trials", "truth", "base_triangles", "exact_arithmetic"})
+        EXPECT_EQ(text_of_json({entry["families"][family][member]}), text_of_json({result[member]}))
+            << family << member;
+      for (const auto& [member, value] : entry["families"][family]["verdict"].items())
+        EXPECT_EQ(text_of_json({value}), text_of_json({result["verdict"][member]})) << family << " " << member;
+      EXPECT_EQ(result.contains("invariance"), entry["families"][family].contains("invariance"));
+      if (result.contains("invariance")) {
+        EXPECT_EQ(text_of_json(result["invariance"]), text_of_json(entry["families"][family]["invariance"]));
+      }
+    }
+  }
+}
+
+TEST(ReducedRecord, LeadsToTheSameLevelsAsTheRecord) {
+  for (const auto& [ids, families] : {std::pair<std::vector<std::string>, std::vector<std::string>>{
+                                          {"published", "certified"}, {"tangent", "lattice", "units", "orders"}},
+                                      {{"certified", "published"}, {"general", "nonfinite"}},
+                                      {{"box-box/projected"}, {"box-box/general", "box-box/tangent"}}}) {
+    const Certified made = certified(ids, families);
+    const Json none = Json::object();
+    EXPECT_EQ(text_of_json(levels_json(made.record, ids.front(), none)), text_of_json(made.predicate["levels"]))
+        << ids.front();
+    EXPECT_EQ(refusal_of(made.predicate), "holds") << ids.front();
+  }
+}
+
+TEST(Derived, EachContradictionIsNamed) {
+  struct Case {
+    const char* says;
+    std::function<void(Json&)> change;
+  };
+  const Case cases[] = {
+      {"it has 3 of the plan's 8 stretches",
+       [](Json& p) {
+         p["materials"]["tallies"].erase(p["materials"]["tallies"].begin() + 3, p["materials"]["tallies"].end());
+       }},
+      {"is there again", [](Json& p) { p["materials"]["tallies"][1]["stretch"] = 0; }},
+      {"its stretch 0 is said to be", [](Json& p) { p["materials"]["tallies"][0]["of"] = "tangent"; }},
+      {"effort deep asks 16,777,216 queries of `", [](Json& p) { p["asked"]["effort"] = "deep"; }},
+      {"255 queries, and its plan has 256", [](Json& p) { p["materials"]["tallies"][0]["counts"][0]["trials"] = 255; }},
+      {"a count there is from 0 to", [](Json& p) { p["materials"]["tallies"][0]["counts"][0]["trials"] = -1; }},
+      {"a count there is from 0 to", [](Json& p) { p["materials"]["tallies"][0]["counts"][0]["trials"] = 1ULL << 63; }},
+      {"which no count is called", [](Json& p) { p["materials"]["tallies"][0]["counts"][0]["queries"] = 3; }},
+      {"met, and its counts say: not met: ",
+       [](Json& p) {
+         for (Json& l : p["levels"]) l["state"] = "met";
+       }},
+      {"its kernel and its plan are of different tests", [](Json& p) { p["kernel"]["test"] = "box-box"; }},
+      {"its plan was not done to its end",
+       [](Json& p) { p["materials"]["plan"]["plan"]["units_done"] = Json::object(); }},
+      {"its plan does not say how many queries",
+       [](Json& p) { p["materials"]["plan"]["plan"]["trials"]["tangent"].erase("binary32"); }},
+      {"its kernel kernel binary32 is there twice",
+       [](Json& p) {
+         for (Json& k : p["materials"]["kernels"]) k["id"] = "kernel";
+       }},
+      {"it has no counts of the kernel certified",
+       [](Json& p) {
+         Json kept = Json::array();
+         for (const Json& k : p["materials"]["kernels"]) {
+           if (k["id"] == "kernel") kept.push_back(k);
+         }
+         p["materials"]["kernels"] = kept;
+       }},
+      {"is no whole number",
+       [](Json& p) {
+         for (Json& kernel : p["materials"]["kernels"])
+           for (Json& family : kernel["families"])
+             if (family.contains("invariance"))
+               for (Json& changes : family["invariance"]) changes["by_size"]["much"] = 1;
+       }},
+      {"it does not say what its images came to",
+       [](Json& p) {
+         for (Json& family : p["materials"]["kernels"][0]["families"]) family.erase("invariance");
+       }},
+      {"which it does not name", [](Json& p) { p["materials"]["tallies"][0]["counts"][0]["findings"]["crash"] = 1; }},
+      {"it states `may_decline`", [](Json& p) { p["kernel"]["may_decline"] = true; }},
+      {"its comparison states missed", [](Json& p) { p["comparison"][0]["missed"] = 0; }},
+      {"what it states to break first", [](Json& p) { p["breaks_first"]["count"] = 1; }},
+  };
+  for (const Case& one : cases) {
+    Json predicate = of_published().predicate;
+    one.change(predicate);
+    EXPECT_THAT(refusal_of(predicate), HasSubstr(one.says));
+  }
+}
+
+// A promise that was narrowed after the run leaves its counts without what they are outside of.
+TEST(Derived, APromiseThatIsEditedContradictsItsCounts) {
+  Json predicate = of_published().predicate;
+  for (Json& entry : predicate["materials"]["kernels"]) entry["touching"] = "either";
+  EXPECT_THAT(refusal_of(predicate), HasSubstr("it states `touching`"));
+  predicate = of_published().predicate;
+  predicate["materials"]["kernels"][0]["limits"] = {{"least_coordinate", nullptr},
+                                                    {"greatest_coordinate", nullptr},
+                                                    {"least_area", nullptr},
+                                                    {"least_radius", "much"},
+                                                    {"greatest_radius", nullptr}};
+  EXPECT_THAT(refusal_of(predicate), HasSubstr("which is no number"));
+}
+
+TEST(SparseCounts, AreWholeAgain) {
+  const Json none = {{"trials", 0u},
+                     {"verdict", {{"deepest", 0.0}, {"links", {{"range", 0u}}}, {"largest_in_u", 0.0}}}};
+  Json counts = none;
+  EXPECT_EQ(canonical_json(sparse_counts(counts)), "{}");
+  counts["trials"] = 7u;
+  counts["verdict"]["deepest"] = 0.1;
+  counts["verdict"]["largest_in_u"] = "1.5e+620";
+  const Json sparse = sparse_counts(counts);
+  EXPECT_EQ(canonical_json(sparse), R"({"trials":7,"verdict":{"deepest":"0.1","largest_in_u":"1.5e+620"}})");
+  EXPECT_EQ(whole_counts(none, sparse, 7, "it"), counts);
+  EXPECT_THROW(whole_counts(none, sparse, 6, "it"), NotValid);
+  for (const char* text : {"1.5e+620x", "e+620", "-1", "inf", "nan", ""})
+    EXPECT_THROW(whole_counts(none, {{"verdict", {{"deepest", text}}}}, 7, "it"), NotValid) << text;
+}
+
+}  // namespace
+}  // namespace axiscert

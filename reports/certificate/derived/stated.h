@@ -1,0 +1,26 @@
+// Parts of a record as a certificate states them, which may come from anybody: checked, and brought back to the
+// record's form. All throw NotValid, which begins with `where`.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "fuzz/text/json.h"
+
+namespace axiscert {
+
+// What a certificate calls its kernel in all that does not depend on where its files are.
+inline constexpr const char* portable_id = "kernel";
+
+// Against its definition in record.schema.json.
+void require_form(const char* definition, const Json& part, const std::string& where);
+
+// A kernel's entry of the record, without its families; `id` is the kernel's.
+Json entry_again(Json entry, const Json& id, const std::string& where);
+// A family's "invariance".
+Json invariance_again(Json invariance, const std::string& where);
+
+// The counts of one stretch, of so many queries, agree with each other.
+void require_counts(const Json& counts, std::uint64_t queries, const std::string& where);
+
+}  // namespace axiscert

@@ -1,0 +1,35 @@
+// How much a certificate rests on, in the sentences with which its page, its badge and `verify` begin.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fuzz/text/json.h"
+
+namespace axiscert {
+
+// All of them take a certificate's predicate.
+
+// "made by axiscert 1.0.0 with effort quick, seed 1".
+std::string made_sentence(const Json& predicate);
+// "not signed", or "signed by the key 0123456789abcdef", the beginning of its id.
+std::string signer_sentence(const Json& predicate);
+// "28,311,552 queries of 28 families and files, in binary32 and binary64".
+std::string asked_sentence(const Json& predicate);
+// "27,900,000 looked at; left out: 3 outside its limits, 4 declined; 411,552 are no query".
+std::string looked_sentence(const Json& predicate);
+// "it gave no answer that counts in binary32"; empty where it gave some in each precision.
+std::string no_answers_sentence(const Json& predicate);
+
+// The levels of a state in all precisions together: "not met" where it is so in one, else "NOT CHECKED" where it is so
+// in one, else "met". By their claims: "exact within its limits: 19 of 27 families".
+std::vector<std::string> levels_with(const Json& predicate, const std::string& state);
+std::string state_of_level(const Json& predicate, const std::string& level);
+
+// A level with what it is said of: "exact", "exact within its limits: 19 of 27 families".
+std::string claim_of_level(const Json& predicate, const std::string& level);
+// What every level that is met leaves out besides: " of the 61 % that it decides", " but for touching"; empty for
+// nothing.
+std::string decided_text(const Json& predicate);
+
+}  // namespace axiscert
