@@ -1,4 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
 
 #include "cli/running/check_output.h"
 #include "cli/progress_line.h"
@@ -44,6 +47,18 @@ void require_query_of(const Kernel& kernel, const StoredQuery& stored, const std
                   kernel.test->entries[kernel.entry].name));
 }
 
+// A file of which the kernel decided no query that it promises shows nothing of it, which is said.
+void say_if_nothing(const Kernel& kernel, std::size_t queries,
+                    const std::map<std::string_view, std::size_t>& standings) {
+  const auto invalid = standings.find("no_query");
+  const bool are_none = queries == (invalid == standings.end() ? 0 : invalid->second);
+  if (are_none || standings.contains("decided")) return;
+  std::vector<std::string> parts;
+  for (const auto& [standing, count] : standings) parts.push_back(fmt::format("{} {}", count, standing));
+  fmt::print(stderr, "axiscert: nothing was looked at: {} decided none of {} queries ({})\n", kernel.id, queries,
+             fmt::join(parts, ", "));
+}
+
 int check(const CheckOptions& options) {
   const Kernel* const given = options.kernel.empty() ? nullptr : &find_kernel(options.kernel);
   if (given != nullptr) require_loaded(*given);
@@ -59,6 +74,7 @@ int check(const CheckOptions& options) {
   ProgressLine progress("check");
   const ShowProgress show = progress.report();
   ProgressCount count(show, queries.size());
+  std::map<std::string_view, std::size_t> standings;
   for (const StoredQuery& stored : queries) {
     if (!kernel.has(stored.precision)) {
       throw Error(fmt::format("{}: query '{}' is in {}, in which kernel {} does not exist", options.file, stored.id,
@@ -69,6 +85,7 @@ int check(const CheckOptions& options) {
         is_first
             ? std::visit([&](const auto& q) { return checked_of(examiner.examine(q)); }, sphere_triangle_query(stored))
             : std::visit([&](const auto& q) { return checked_by_oracles(oracle_examiner, q); }, stored.numbers);
+    ++standings[standing_of(kernel, found)];
     count.finished();
     progress.clear();
     if (options.format == "text") {
@@ -80,7 +97,8 @@ int check(const CheckOptions& options) {
       fmt::print("{}\n", headed("axiscert-check/1", json).dump());
     }
   }
-  return exit_done;
+  say_if_nothing(kernel, queries.size(), standings);
+  return exit_done;  // whatever it found
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ int diagnose_kernel(const DiagnoseOptions& options) {
   const std::string command =
       fmt::format("axiscert diagnose {} --precision {} --seed {}", kernel.id, name(asked.precision), options.seed);
   const int done = put_instrument(diagnosis_report(diagnosis, command), output);
-  return diagnosis.complete ? done : exit_interrupted;
+  if (!diagnosis.complete) return exit_interrupted;
+  return diagnosis.looked_at().decided == 0 ? exit_requirement_failed : done;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "fuzz/instruments/kernel_speed.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
+#include "fuzz/confirm/finding_record.h"
 #include "kernel/registry/self_check.h"
 #include "reports/league/league_report.h"
 #include "reports/league/league_trust.h"
@@ -105,6 +106,15 @@ int run_league(const LeagueOptions& options) {
   plan.sources = instrument_sources(options, default_families());
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};
+  // An empty table would say nothing of a kernel that was asked for.
+  for (std::size_t k = 0; !options.kernels.empty() && k < league.contenders; ++k) {
+    const Kernel& kernel = *plan.kernels[k];
+    require_loaded(kernel);
+    if (std::ranges::none_of(plan.precisions, [&](Precision precision) { return kernel.has(precision); })) {
+      throw Error(fmt::format("--precision {}: kernel {} does not exist in it",
+                              options.precision.empty() ? "both" : options.precision, kernel.id));
+    }
+  }
   plan.seed = options.seed;
   plan.trials = [&](const Source&, Precision) { return options.trials; };
   plan.target = resolve_target("auto");
@@ -124,7 +134,8 @@ int run_league(const LeagueOptions& options) {
   const std::string command = instrument_command("league", options) + (options.no_speed ? " --no-speed" : "") +
                               (options.no_engines ? " --no-engines" : "");
   for (const std::string& sentence : league.not_checked) fmt::print(stderr, "axiscert: {}\n", sentence);
-  return put_instrument(league_report(league, result, command), options);
+  const int done = put_instrument(league_report(league, result, command), options);
+  return undecided_contenders(league, result).empty() ? done : exit_requirement_failed;
 }
 
 }  // namespace

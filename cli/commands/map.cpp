@@ -160,7 +160,9 @@ int draw(const MapOptions& options) {
   write_files(folder, map_files(map, plan, pictures, std::filesystem::exists(index) ? read_bytes(index.string()) : ""));
   fmt::print("{}", options.format == "text" ? map_text(map) : data_text(index_of({map}), options.format));
   if (options.format == "text") fmt::print("{} pictures and {} in {}\n", pictures.size(), map_index_file, folder);
-  return exit_done;
+  const bool shows_all =
+      std::ranges::all_of(pictures, [](const MapPicture& picture) { return picture.decided() != 0; });
+  return shows_all ? exit_done : exit_requirement_failed;
 }
 
 }  // namespace

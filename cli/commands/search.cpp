@@ -63,7 +63,8 @@ int search(const SearchOptions& options) {
   output.format = options.format;
   output.out = options.out;
   const int done = put_instrument(search_report(plan, result, command_of(options, plan, result)), output);
-  return result.complete ? done : exit_interrupted;
+  if (!result.complete) return exit_interrupted;
+  return search_looked_at(result).decided == 0 ? exit_requirement_failed : done;
 }
 
 }  // namespace

@@ -91,6 +91,15 @@ Symptom wanted(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkOp
     throw fail(fmt::format("not a valid query ({}): no answer of a kernel could be wrong", stored.columns().validity));
   SymptomFinder<Real> finder(kernel, target);
   const std::vector<Symptom> flips = finder.flips(q);
+  const bool is_of_verdict = options.what.empty() ? flips.empty() : options.what == "verdict";
+  if (is_of_verdict || !finder.is_promised(q)) {
+    // No wrong verdict is one thing, and no verdict another.
+    if (const auto why = finder.why_no_verdict(q)) {
+      throw fail(
+          fmt::format("{} has no verdict to keep: {}; shrink keeps verdicts, axes and comparisons that are wrong",
+                      kernel.id, *why));
+    }
+  }
   if (options.what.empty()) {
     if (!flips.empty()) return flips.front();
     throw fail(fmt::format("{} is not wrong on it: {}{}; to keep the error of a comparison, give --what COMPARISON{}",

@@ -1,6 +1,7 @@
 #include "fuzz/diagnosis/diagnosis.h"
 
 #include "fuzz/diagnosis/probes/probes.h"
+#include "fuzz/diagnosis/probes/values.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
 
@@ -67,9 +68,30 @@ void require_value(const PropertyKind& kind, const std::string& value) {
   if (!is_known) throw HarnessFault(fmt::format("diagnosis: {} has no value '{}'", kind.name, value));
 }
 
+// The values that answers without a verdict show, or for which one answer is enough.
+bool rests_on_few(std::string_view property, std::string_view value) {
+  return property == "degenerate_triangles" || value == name(Repeated::differs) || value == name(Place::depends) ||
+         value == name(Threshold::present);
+}
+
+// A property that rests on too little is not known, whatever its probe made of it.
+void require_enough(std::string_view property, const LookedAt& looked_at, Found& found) {
+  if (found.value == not_known || found.value == not_asked || looked_at.asked() == 0) return;
+  const auto too_few = [&](std::string why) { found = undecided(std::move(why), std::move(found.measured)); };
+  if (2 * looked_at.outside_limits > looked_at.asked()) {
+    too_few(
+        fmt::format("Of the {} queries that were asked {} are outside the limits that it declares: too few are "
+                    "within to say.",
+                    looked_at.asked(), looked_at.outside_limits));
+  } else if (2 * looked_at.decided < looked_at.promised() && !rests_on_few(property, found.value)) {
+    too_few(fmt::format("It decides {} of the {} queries that were asked within its limits: too few to say.",
+                        looked_at.decided, looked_at.promised()));
+  }
+}
+
 template <class Real>
 Diagnosis diagnosed(const Kernel& kernel, const DiagnosisOptions& options) {
-  Diagnosis diagnosis{kernel.id, kernel.test, options.precision, options.seed};
+  Diagnosis diagnosis{kernel.id, kernel.test, options.precision, options.seed, kernel.may_decline};
   Subject<Real> subject(kernel, options);
   ProgressCount progress(options.report, probes().size());
   for (const Probe& probe : probes()) {
@@ -82,8 +104,11 @@ Diagnosis diagnosed(const Kernel& kernel, const DiagnosisOptions& options) {
     }
     require_value(probe.kind, found.value);
     const std::uint64_t queries = subject.take_count();
+    LookedAt looked_at = subject.take_looked_at();
+    require_enough(probe.kind.name, looked_at, found);
     diagnosis.properties.push_back({std::string(probe.kind.name), std::move(found.value), std::move(found.sentence),
-                                    queries, std::move(found.witnesses), std::move(found.measured)});
+                                    queries, std::move(found.witnesses), std::move(found.measured),
+                                    std::move(looked_at)});
     progress.finished(queries);
   }
   return diagnosis;
@@ -106,6 +131,12 @@ const Property* Diagnosis::find(std::string_view name) const {
   return found == properties.end() ? nullptr : &*found;
 }
 
+LookedAt Diagnosis::looked_at() const {
+  LookedAt all;
+  for (const Property& property : properties) all.merge(property.looked_at);
+  return all;
+}
+
 Diagnosis diagnose(const Kernel& kernel, const DiagnosisOptions& options) {
   if (!kernel.has(options.precision)) {
     throw Error(fmt::format("kernel {} does not exist in {}", kernel.id, name(options.precision)));
@@ -122,15 +153,26 @@ Json property_json(const Property& property) {
                          {"truth", witness.truth},
                          {"shows", witness.shows}});
   }
-  return {{"name", property.name},       {"value", property.value},       {"sentence", property.sentence},
-          {"queries", property.queries}, {"measured", property.measured}, {"witnesses", witnesses}};
+  return {{"name", property.name},
+          {"value", property.value},
+          {"sentence", property.sentence},
+          {"queries", property.queries},
+          {"looked_at", looked_at_json(property.looked_at)},
+          {"measured", property.measured},
+          {"witnesses", witnesses}};
 }
 
 Json diagnosis_json(const Diagnosis& diagnosis) {
   Json properties = Json::array();
   for (const Property& property : diagnosis.properties) properties.push_back(property_json(property));
-  return {{"kernel", diagnosis.kernel}, {"test", diagnosis.test->id},     {"precision", name(diagnosis.precision)},
-          {"seed", diagnosis.seed},     {"complete", diagnosis.complete}, {"properties", properties}};
+  return {{"kernel", diagnosis.kernel},
+          {"test", diagnosis.test->id},
+          {"precision", name(diagnosis.precision)},
+          {"seed", diagnosis.seed},
+          {"may_decline", diagnosis.may_decline},
+          {"complete", diagnosis.complete},
+          {"looked_at", looked_at_json(diagnosis.looked_at())},
+          {"properties", properties}};
 }
 
 }  // namespace axiscert

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fuzz/campaign/counts/looked_at.h"
 #include "fuzz/campaign/progress.h"
 #include "fuzz/text/json.h"
 #include "kernel/kernel.h"
@@ -42,6 +43,7 @@ struct Property {
   std::uint64_t queries = 0;                     // answers on which the value rests
   std::vector<DiagnosisWitness> witnesses = {};  // a few, or none where no single query shows it
   Json measured = nullptr;                       // numbers by name, such as the size of a threshold; null: none
+  LookedAt looked_at = {};                       // the answers that were asked for here, by what became of them
 };
 
 struct Diagnosis {
@@ -49,11 +51,14 @@ struct Diagnosis {
   const TestDescription* test = &first_test();
   Precision precision = Precision::binary32;
   std::uint64_t seed = 1;
+  bool may_decline = false;               // the kernel declares that it may answer `undecided`
   bool complete = true;                   // false: interrupted, and the properties that were not reached are missing
   std::vector<Property> properties = {};  // in the order of property_kinds()
 
   // Null where there is none of that name.
   const Property* find(std::string_view name) const;
+  // Over all properties. Where nothing was decided, nothing is known of the kernel.
+  LookedAt looked_at() const;
 };
 
 struct DiagnosisOptions {

@@ -14,6 +14,7 @@
 
 #include "fuzz/diagnosis/kernel_table_testing.h"
 #include "fuzz/files/query_file.h"
+#include "fuzz/instruments/instruments_testing.h"
 #include "kernel/ask.h"
 #include "kernel/base/error.h"
 
@@ -167,6 +168,50 @@ TEST(Diagnosis, RefusesAPrecisionThatTheKernelHasNot) {
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("binary64"));
   }
+}
+
+void expect_nothing_known(const Diagnosis& diagnosis) {
+  for (const Property& property : diagnosis.properties) {
+    EXPECT_TRUE(property.value == not_known || property.value == not_asked)
+        << diagnosis.kernel << ": " << property.name << " is " << property.value << ": " << property.sentence;
+  }
+}
+
+TEST(Diagnosis, KnowsNothingOfAKernelThatDecidesNothing) {
+  for (const Verdict said : {Verdict::undecided, Verdict::invalid, Verdict::unanswered}) {
+    const Kernel kernel = saying(said, true);
+    const Diagnosis diagnosis = diagnosis_of(kernel, Precision::binary32);
+    expect_nothing_known(diagnosis);
+    EXPECT_EQ(diagnosis.looked_at().decided, 0u) << name(said);
+    EXPECT_GT(diagnosis.looked_at().asked(), 10000u);
+    ASSERT_TRUE(diagnosis.looked_at().first_fault);
+    EXPECT_EQ(diagnosis.looked_at().first_fault->said, said);
+  }
+}
+
+TEST(Diagnosis, KnowsNothingOfAKernelThatDecidesSeparationsAlone) {
+  const Diagnosis diagnosis = diagnosis_of(saying(Verdict::undecided, false), Precision::binary32);
+  for (const char* property : {"touching", "sides", "degenerate_triangles", "range_window", "inner_precision"}) {
+    EXPECT_EQ(diagnosis.find(property)->value, not_known) << diagnosis.find(property)->sentence;
+  }
+}
+
+TEST(Diagnosis, KnowsNothingOfAKernelThatLimitsItselfToNothing) {
+  Kernel kernel = find_kernel("closest-point");
+  kernel.limits.least_radius = 1e30;
+  const Diagnosis diagnosis = diagnosis_of(kernel, Precision::binary32);
+  for (const Property& property : diagnosis.properties) {
+    if (property.name == "absolute_threshold") continue;  // counted by images
+    EXPECT_TRUE(property.value == not_known || property.value == not_asked) << property.name << ": " << property.value;
+  }
+  EXPECT_GT(diagnosis.looked_at().outside_limits, 9 * diagnosis.looked_at().decided);
+}
+
+TEST(Diagnosis, KnowsLittleOfAKernelThatDecidesOneSizeOnly) {
+  const Kernel one_size = kernel_of("one-size", [](const auto& q, const auto&) {
+    return q.r >= 0.125f && q.r < 0.1875f ? right(q) : Verdict::undecided;
+  });
+  expect_nothing_known(diagnosis_of(one_size, Precision::binary32));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "exact/trait/oracles.h"
+#include "fuzz/campaign/counts/looked_at.h"
 #include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/files/query_file.h"
 
@@ -28,7 +29,7 @@ template <class Real>
 class Subject {
  public:
   Subject(const Kernel& kernel, const DiagnosisOptions& options)
-      : kernel_(kernel), options_(options), implementation_(kernel.on<Real>(options.target)) {}
+      : kernel_(kernel), options_(options), implementation_(kernel.on<Real>(options.target)), counter_(kernel, true) {}
 
   const Kernel& kernel() const { return kernel_; }
   const TestDescription& test() const { return *kernel_.test; }
@@ -57,6 +58,8 @@ class Subject {
   void count(std::uint64_t answers) { asked_ += answers; }
   // The answers of the kernel that were counted since the last call.
   std::uint64_t take_count() { return std::exchange(asked_, 0); }
+  // What became of them, without those that others asked for.
+  LookedAt take_looked_at() { return std::exchange(looked_at_, {}); }
 
   Truth truth(const Numbers<Real>& query) const { return oracles_of(kernel_).truth(query); }
 
@@ -82,14 +85,18 @@ class Subject {
     for (const Numbers<Real>& query : queries) batch.push_back(query);
     std::vector<Verdict> said(queries.size(), Verdict::unanswered);
     of.verdicts(batch.columns(), said.data());
-    if (&of == &implementation_) asked_ += queries.size();
+    if (&of != &implementation_) return said;
+    for (std::size_t i = 0; i < queries.size(); ++i) counter_.add(looked_at_, queries[i], said[i], place_++);
+    asked_ += queries.size();
     return said;
   }
 
   const Kernel& kernel_;
   const DiagnosisOptions& options_;
   Implementation<Real> implementation_;
-  std::uint64_t asked_ = 0;
+  AnswerCounter<Real> counter_;
+  LookedAt looked_at_;
+  std::uint64_t asked_ = 0, place_ = 0;
 };
 
 // A finding of a probe; the name is put by diagnose().

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "exact/sphere_triangle/measures/critical_radius.h"
+#include "exact/sphere_triangle/measures/limits.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/instruments/blocks.h"
 #include "fuzz/instruments/critical_distance.h"
@@ -30,13 +31,32 @@ ReversalWitness witness_of(const RadiusReversal<Real>& reversal, QueryWithRadius
   return {position, line(reversal.contact, "contact"), line(reversal.separated, "separated")};
 }
 
+// The radii that the kernel promises anything about; empty where the query at its exact critical radius is none such.
 template <class Real>
-void measure(const Implementation<Real>& kernel, const QueryWithRadius<Real>& q, const Rational& squared_distance,
-             Real exact_radius, const Source& source, const Address& address, CriticalRadii& cell) {
+std::optional<RadiusRange<Real>> promised_radii(const Kernel& kernel, QueryWithRadius<Real> q, Real exact_radius) {
+  if (kernel.test != &first_test() || !kernel.limits.any()) return RadiusRange<Real>{};
+  q.numbers[q.column] = exact_radius;
+  if (!is_within(kernel.limits, query_from(q.numbers))) return std::nullopt;
+  return radii_within<Real>(kernel.limits);
+}
+
+template <class Real>
+void measure(const Kernel& of, const Implementation<Real>& kernel, const QueryWithRadius<Real>& q,
+             const Rational& squared_distance, Real exact_radius, const Source& source, const Address& address,
+             CriticalRadii& cell) {
   const std::uint64_t position = address.position();
-  const auto critical = critical_radius(kernel, q);
+  const auto range = promised_radii(of, q, exact_radius);
+  if (!range) {
+    ++cell.outside_limits;
+    return;
+  }
+  const auto critical = critical_radius(kernel, q, *range);
   if (!critical.answered) {
     ++cell.unanswered;
+    return;
+  }
+  if (critical.not_decided) {
+    ++(*critical.not_decided == Verdict::invalid ? cell.invalid : cell.undecided);
     return;
   }
   ++cell.measured;
@@ -56,7 +76,9 @@ void measure(const Implementation<Real>& kernel, const QueryWithRadius<Real>& q,
       ++cell.right;
     }
   }
-  if (const auto reversal = radius_reversal<Real>(kernel, q, radius, exact_radius)) {
+  const auto is_promised = [&](Real r) { return r >= range->least && r <= range->greatest; };
+  if (const auto reversal = radius_reversal<Real>(kernel, q, radius, exact_radius);
+      reversal && is_promised(reversal->contact) && is_promised(reversal->separated)) {
     ++cell.reversals;
     if (!cell.first_reversal) cell.first_reversal = witness_of(*reversal, q, source, text(address), position);
   }
@@ -99,7 +121,7 @@ BlockResult run(const CriticalRadiusPlan& plan, const QueryBlock& block, Progres
     }
     const Address address = address_of(source, plan.seed, plan.precision, position);
     for (std::size_t k = 0; k < kernels.size(); ++k) {
-      measure(kernels[k], q, *squared, *exact_radius, source, address, result.cells[k]);
+      measure(*plan.kernels[k], kernels[k], q, *squared, *exact_radius, source, address, result.cells[k]);
     }
   }
   return result;
@@ -136,6 +158,9 @@ void CriticalRadii::merge(const CriticalRadii& later) {
   late += later.late;
   unbounded += later.unbounded;
   unanswered += later.unanswered;
+  undecided += later.undecided;
+  invalid += later.invalid;
+  outside_limits += later.outside_limits;
   reversals += later.reversals;
   for (const auto& [error, count] : later.errors) errors[error] += count;
   if (later.worst_early) keep_greatest(worst_early, *later.worst_early);

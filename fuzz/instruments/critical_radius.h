@@ -38,6 +38,8 @@ struct CriticalRadii {
   std::uint64_t late = 0;                    // separated for a radius not below it: missed
   std::uint64_t unbounded = 0;               // separated at the greatest finite radius
   std::uint64_t unanswered = 0;              // not measured: the kernel did not answer at some radius
+  std::uint64_t undecided = 0, invalid = 0;  // not measured: it said that at some radius, which may be the change found
+  std::uint64_t outside_limits = 0;          // not measured: beyond the kernel's limits at the exact critical radius
   std::uint64_t reversals = 0;               // queries on which the answers are not monotone
   std::map<Decimal6, std::uint64_t> errors;  // all but the unbounded ones, with their counts
   std::optional<Measured> worst_early, worst_late;

@@ -46,6 +46,29 @@ TEST(CriticalRadiusInstrument, MonotoneKernelsAreNotAccused) {
   }
 }
 
+TEST(CriticalRadiusInstrument, ATriangleOnWhichSomeRadiusIsNotDecidedIsNotMeasured) {
+  for (const Verdict said : {Verdict::undecided, Verdict::invalid, Verdict::unanswered}) {
+    const Kernel kernel = saying(said, false);
+    const CriticalRadii cell = measure_critical_radii(radius_plan({&kernel}, {"general"})).cells[0][0];
+    EXPECT_EQ(cell.measured, 0u) << name(said);
+    EXPECT_EQ(said == Verdict::undecided ? cell.undecided
+              : said == Verdict::invalid ? cell.invalid
+                                         : cell.unanswered,
+              600u);
+  }
+}
+
+TEST(CriticalRadiusInstrument, OutsideTheLimitsNothingIsMeasured) {
+  Kernel limited = find_kernel("published");
+  limited.limits.least_radius = 0.5;
+  limited.limits.greatest_radius = 2;
+  const CriticalRadii cell = measure_critical_radii(radius_plan({&limited}, {"general"})).cells[0][0];
+  EXPECT_GT(cell.measured, 0u);
+  EXPECT_GT(cell.outside_limits, 0u);
+  EXPECT_EQ(cell.measured + cell.outside_limits, 600u);
+  EXPECT_EQ(cell.unbounded, 0u) << "the greatest radius that is asked is within the limits";
+}
+
 TEST(CriticalRadiusInstrument, APlantedGapIsFoundOnEveryTriangleWithAValidPair) {
   const Kernel planted = published_with_a_gap();
   const auto plan = radius_plan({&planted}, {"general"});

@@ -46,4 +46,24 @@ inline Kernel published_with_a_gap() {
   return kernel;
 }
 
+// `certified`, by its verdict alone, with `instead` in place of every contact, or of every verdict.
+inline Kernel saying(Verdict instead, bool everywhere) {
+  Kernel kernel = find_kernel("certified");
+  kernel.id = "saying";
+  kernel.formulae = Formulae::none;
+  kernel.exposes = Exposure::verdict;
+  kernel.is_reference = false;
+  const auto made = [instead, everywhere]<class Real>(Implementation<Real> right) {
+    return Implementation<Real>{[=](const QueryColumns<Real>& batch, Verdict* out) {
+      right.verdicts(batch, out);
+      for (std::size_t i = 0; i < batch.size; ++i) {
+        if (everywhere || out[i] == Verdict::contact) out[i] = instead;
+      }
+    }};
+  };
+  kernel.binary32 = [=](std::string_view target) { return made(find_kernel("certified").on<float>(target)); };
+  kernel.binary64 = [=](std::string_view target) { return made(find_kernel("certified").on<double>(target)); };
+  return kernel;
+}
+
 }  // namespace axiscert

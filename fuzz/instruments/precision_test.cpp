@@ -8,6 +8,7 @@
 #include <bit>
 #include <limits>
 
+#include "exact/sphere_triangle/oracles/formula_oracle.h"
 #include "exact/sphere_triangle/unbounded/at_precision.h"
 #include "exact/sphere_triangle/unbounded/degree.h"
 #include "exact/sphere_triangle/unbounded/unbounded.h"
@@ -136,6 +137,25 @@ PrecisionPlan plan_of(std::vector<const char*> kernels, std::vector<const char*>
   for (const char* family : families) plan.sources.push_back(family_source(find_family(family)));
   plan.bits = {8, 16, 24, 53, 256};
   return plan;
+}
+
+// docs/precision.md: what bits beyond 80 are for, on thin triangles and on those without area.
+TEST(AtPrecision, FromEightyBitsOnOnlyExactTiesFlip) {
+  std::array<int, 2> flips_of_ties{};
+  for (const char* name : {"sliver", "collinear"}) {
+    for (std::uint64_t position = 0; position < 200; ++position) {
+      const auto q = Query<float>::from(find_family(name).make<float>(1, position));
+      const FormulaTruth exact = formula_truth(q);
+      for (const int bits : {80, 160}) {
+        const Outcome found = at_precision(Formulae::published, Strictness::strict, q, bits, std::nullopt);
+        const auto flips = static_cast<SignBits>(*found.bits ^ exact.strict);
+        EXPECT_EQ(flips & ~exact.ties, 0) << name << ' ' << position << ", " << bits << " bits";
+        flips_of_ties[bits == 160] += std::popcount(flips);
+      }
+    }
+  }
+  EXPECT_GT(flips_of_ties[0], 50);
+  EXPECT_EQ(flips_of_ties[1], 0);
 }
 
 TEST(MeasurePrecision, ThreadsChangeNothing) {

@@ -14,6 +14,8 @@ struct Shown {
   std::optional<bool> said;   // empty: the kernel gave no such answer
   std::optional<bool> right;  // empty: neither answer is wrong
   bool not_finite = false;
+  Verdict answer = Verdict::unanswered;  // the verdict, which says why `said` is empty
+  bool outside = false;                  // of the kernel's limits
 };
 PixelClass class_of(const Shown& shown);
 

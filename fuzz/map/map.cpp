@@ -10,6 +10,7 @@
 #include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/map/canvas.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
+#include "exact/sphere_triangle/measures/limits.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/filters/decided_check.h"
 #include "fuzz/search/moves/moves.h"
@@ -31,6 +32,7 @@ struct Pixel {
   ComparisonBits not_finite;  // comparisons with a computed side that is not finite
   Outcome said;
   std::optional<Verdict> right;
+  bool outside = false;
 };
 
 bool holds(AxisBits axes, std::size_t axis) { return has_bit(axes, axis); }
@@ -55,8 +57,14 @@ bool is_verdict_settled(ComparisonBits bits, ComparisonBits certain) {
 Shown verdict_shown(const Pixel& p) {
   std::optional<bool> right;
   if (p.right) right = *p.right == Verdict::separated;
-  return {p.truth.verdict == Verdict::separated, p.truth.touching, is_verdict_settled(p.all_exact, p.certain),
-          said_by(p.said), right};
+  return {p.truth.verdict == Verdict::separated,
+          p.truth.touching,
+          is_verdict_settled(p.all_exact, p.certain),
+          said_by(p.said),
+          right,
+          false,
+          p.said.verdict,
+          p.outside};
 }
 
 Shown axis_shown(const Pixel& p, std::size_t axis) {
@@ -65,14 +73,16 @@ Shown axis_shown(const Pixel& p, std::size_t axis) {
   const bool with_ties = holds(axes_of(static_cast<ComparisonBits>(p.exact | p.ties)), axis);
   std::optional<bool> said;
   if (p.said.bits) said = holds(axes_of(*p.said.bits), axis);
-  return {yes, strictly != with_ties, is_axis_settled(axis, p.exact, p.certain), said, yes};
+  return {yes,      strictly != with_ties, is_axis_settled(axis, p.exact, p.certain), said, yes, false, p.said.verdict,
+          p.outside};
 }
 
 Shown comparison_shown(const Pixel& p, std::size_t k) {
   const bool yes = has_bit(p.exact, k);
   std::optional<bool> said;
   if (p.said.bits) said = has_bit(*p.said.bits, k);
-  return {yes, has_bit(p.ties, k), has_bit(p.certain, k), said, yes, has_bit(p.not_finite, k)};
+  return {yes, has_bit(p.ties, k),       has_bit(p.certain, k), said,
+          yes, has_bit(p.not_finite, k), p.said.verdict,        p.outside};
 }
 
 Shown subject_shown(const MapSubject& subject, const Pixel& p) {
@@ -142,6 +152,7 @@ class Drawing {
             reply.outcome(i),
             std::nullopt};
     p.right = right_verdict(p.truth, kernel.touching);
+    p.outside = kernel.limits.any() && !is_within(kernel.limits, q);
     if (!has_comparison_maps(kernel)) return p;
     if (kind_of(kernel.formulae) == FormulaeKind::rung) {  // rungs have the published signs on every query
       p.exact = signs.bits(kernel.strictness);
@@ -227,7 +238,11 @@ void draw(const MapPlan& plan, std::vector<Canvas>& canvases, const ShowProgress
 }  // namespace
 
 PixelClass class_of(const Shown& s) {
-  if (!s.said) return PixelClass::declined;
+  if (s.outside) return PixelClass::outside_limits;
+  if (!s.said) {
+    if (s.answer == Verdict::undecided) return PixelClass::undecided;
+    return s.answer == Verdict::invalid ? PixelClass::invalid : PixelClass::unanswered;
+  }
   if (s.right && *s.said != *s.right) {
     return *s.said ? PixelClass::false_separation : PixelClass::missed_separation;
   }

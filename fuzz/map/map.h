@@ -16,9 +16,12 @@ namespace axiscert {
 // The class of a pixel in the picture of a verdict, an axis or a comparison. If several apply, the first in this order.
 enum class PixelClass : std::uint8_t {
   no_query,           // not finite, or a radius below zero
+  outside_limits,     // the kernel promises nothing there, whatever it says
   false_separation,   // the kernel wrongly says yes; for a verdict a missed contact
   missed_separation,  // the kernel wrongly says no; for a verdict a phantom contact
-  declined,           // no answer, or neither yes nor no
+  undecided,          // the kernel declines to say
+  invalid,            // it calls a valid query none
+  unanswered,         // no answer, or one that is none
   not_finite,         // a right sign of a comparison whose computed sides are not both finite
   tie,                // exactly on the boundary: for a verdict, the sphere touches
   boundary,           // not yes, next to a pixel that is yes
@@ -28,11 +31,27 @@ enum class PixelClass : std::uint8_t {
   no,
 };
 template <>
-inline constexpr std::size_t enum_count<PixelClass> = 11;
+inline constexpr std::size_t enum_count<PixelClass> = 14;
 inline constexpr std::size_t pixel_class_count = enum_count<PixelClass>;
-inline constexpr EnumArray<PixelClass, std::string_view> pixel_class_names = {
-    "no_query", "false_separation", "missed_separation", "declined", "not_finite", "tie",
-    "boundary", "yes_uncertain",    "no_uncertain",      "yes",      "no"};
+inline constexpr EnumArray<PixelClass, std::string_view> pixel_class_names = {"no_query",
+                                                                              "outside_limits",
+                                                                              "false_separation",
+                                                                              "missed_separation",
+                                                                              "undecided",
+                                                                              "invalid",
+                                                                              "unanswered",
+                                                                              "not_finite",
+                                                                              "tie",
+                                                                              "boundary",
+                                                                              "yes_uncertain",
+                                                                              "no_uncertain",
+                                                                              "yes",
+                                                                              "no"};
+// Whether the kernel said yes or no there, within its limits: only such a pixel shows anything about it.
+constexpr bool is_decided(PixelClass pixel) {
+  return pixel != PixelClass::no_query && pixel != PixelClass::outside_limits && pixel != PixelClass::undecided &&
+         pixel != PixelClass::invalid && pixel != PixelClass::unanswered;
+}
 
 // The subject of one picture: the verdict, an axis or a comparison.
 struct MapSubject {
@@ -58,6 +77,12 @@ struct MapPicture {
   MapSubject subject;
   std::vector<PixelClass> pixels;  // row by row, the uppermost first
   EnumArray<PixelClass, std::uint64_t> counts;
+
+  std::uint64_t decided() const {
+    std::uint64_t all = 0;
+    for (const PixelClass c : enumerators<PixelClass>) all += is_decided(c) ? counts[c] : 0;
+    return all;
+  }
 };
 
 // Draws on all cores; the result is the same for any number of them. `report` counts pixels as queries. For every

@@ -175,9 +175,13 @@ TEST(MapPictures, ShowTheBoundaryTiesAndTheWrongBit) {
     for (std::size_t column = 0; column < 8; ++column) {
       const auto p = query_at(plane, q, column, row);
       const PixelClass shown = verdict.pixels[row * 8 + column];
-      if (p.a.x == p.r) EXPECT_EQ(shown, PixelClass::tie);
-      else if (p.a.x > p.r) EXPECT_TRUE(shown == PixelClass::yes || shown == PixelClass::yes_uncertain);
-      else EXPECT_TRUE(shown == PixelClass::no || shown == PixelClass::no_uncertain || shown == PixelClass::boundary);
+      if (p.a.x == p.r) {
+        EXPECT_EQ(shown, PixelClass::tie);
+      } else if (p.a.x > p.r) {
+        EXPECT_TRUE(shown == PixelClass::yes || shown == PixelClass::yes_uncertain);
+      } else {
+        EXPECT_TRUE(shown == PixelClass::no || shown == PixelClass::no_uncertain || shown == PixelClass::boundary);
+      }
     }
   }
   const Kernel wrong = published_with_a_wrong_bit(Comparison::edge_bc_radius);
@@ -244,6 +248,36 @@ TEST(MapPictures, ShowWhereRangeEnds) {
   EXPECT_EQ(shown(at + 11), PixelClass::yes);
   EXPECT_EQ(shown(at + 30), PixelClass::missed_separation);
   EXPECT_EQ(shown(at - 40), PixelClass::missed_separation);
+}
+
+MapPicture verdict_picture(const Kernel& kernel) {
+  const Query<float> witness = {{1, 0, 0}, {2, 1, 0}, {2, -1, 1}, {0, 0, 0}, 1};
+  const Plane plane = ulp_plane(parse_numbers("a.x"), parse_numbers("r"), 16, 1 << 16);
+  return draw_map({&kernel, std::string(scalar_target), stored(witness), plane, {{Level::verdict, 0}}}).front();
+}
+
+TEST(MapAnswers, AreToldApartWhereTheyAreNoVerdict) {
+  const std::uint64_t contacts = [] {
+    const MapPicture right = verdict_picture(find_kernel("certified"));
+    return 256 - right.counts[PixelClass::yes] - right.counts[PixelClass::yes_uncertain];
+  }();
+  ASSERT_GT(contacts, 0u);
+  for (const auto& [said, shown] :
+       {std::pair(Verdict::undecided, PixelClass::undecided), std::pair(Verdict::invalid, PixelClass::invalid),
+        std::pair(Verdict::unanswered, PixelClass::unanswered)}) {
+    const MapPicture some = verdict_picture(saying(said, false));
+    EXPECT_EQ(some.counts[shown], contacts) << name(said);
+    EXPECT_EQ(some.decided(), 256 - contacts);
+    EXPECT_EQ(verdict_picture(saying(said, true)).decided(), 0u);
+  }
+}
+
+TEST(MapAnswers, OutsideTheLimitsAreNotJudged) {
+  Kernel limited = saying(Verdict::separated, false);  // always separated
+  EXPECT_GT(verdict_picture(limited).counts[PixelClass::false_separation], 0u);
+  limited.limits.least_radius = 100;
+  EXPECT_EQ(verdict_picture(limited).counts[PixelClass::outside_limits], 256u);
+  EXPECT_EQ(verdict_picture(limited).decided(), 0u);
 }
 
 }  // namespace

@@ -42,27 +42,31 @@ class OracleDrawing {
     const Truth truth = asked->truth();
     if (truth.verdict == Verdict::invalid) return;  // remains no_query, as initialised
     const Outcome said = reply.outcome(in_batch);
+    const MotionPolicy& motion = plan_.kernel->motion;
+    const bool outside = motion != MotionPolicy{} && !oracles_.is_promised(motion, q);
     std::optional<Claimed> claim;
     if (has_comparison_maps(*plan_.kernel)) claim = asked->claimed(*plan_.kernel);
     for (std::size_t s = 0; s < plan_.subjects.size(); ++s) {
       const MapSubject& subject = plan_.subjects[s];
       if (subject.level == Level::verdict) {
-        canvases_[s].put(pixel, of_verdict(truth, said));
+        canvases_[s].put(pixel, of_verdict(truth, said, outside));
       } else if (claim && claim->sides) {
         const bool not_finite = subject.level == Level::comparison && has_infinite_side(reply, in_batch, subject.index);
-        canvases_[s].put(pixel, of_bit(*claim->sides, said, subject, not_finite));
+        canvases_[s].put(pixel, of_bit(*claim->sides, said, subject, not_finite, outside));
       }
     }
   }
 
-  Shown of_verdict(const Truth& truth, const Outcome& said) const {
+  Shown of_verdict(const Truth& truth, const Outcome& said, bool outside) const {
     std::optional<bool> right;
     if (const auto verdict = right_verdict(truth, plan_.kernel->touching)) right = *verdict == Verdict::separated;
-    return {truth.verdict == Verdict::separated, truth.touching, true, said_by(said), right};
+    return {
+        truth.verdict == Verdict::separated, truth.touching, true, said_by(said), right, false, said.verdict, outside};
   }
 
   // An axis ties where it holds with its ties and not without them.
-  Shown of_bit(const ExactSides& sides, const Outcome& said, const MapSubject& subject, bool not_finite) const {
+  Shown of_bit(const ExactSides& sides, const Outcome& said, const MapSubject& subject, bool not_finite,
+               bool outside) const {
     const auto holds = [&](ComparisonBits bits) {
       return has_bit(subject.level == Level::comparison ? bits : clauses_of(*plan_.kernel->test, bits), subject.index);
     };
@@ -70,7 +74,7 @@ class OracleDrawing {
     const bool tie = holds(sides.holds | sides.ties) != holds(sides.holds & ~sides.ties);
     std::optional<bool> bit;
     if (said.bits) bit = holds(*said.bits);
-    return {yes, tie, true, bit, yes, not_finite};
+    return {yes, tie, true, bit, yes, not_finite, said.verdict, outside};
   }
 
   bool has_infinite_side(const Reply<Real>& reply, std::size_t i, std::size_t comparison) const {

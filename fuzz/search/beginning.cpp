@@ -34,10 +34,10 @@ std::vector<Numbers<Real>> most_severe(std::vector<Found<Rank>> all, std::uint64
 }  // namespace
 
 template <class Real>
-std::vector<std::vector<Numbers<Real>>> first_found(const SearchPlan& plan, const std::vector<Aim>& aims,
-                                                    const std::atomic<bool>& interrupted) {
-  std::vector<std::vector<Numbers<Real>>> found(aims.size());
-  if (plan.first_queries == 0 || plan.first_sources.empty()) return found;
+Beginning<Real> first_found(const SearchPlan& plan, const std::vector<Aim>& aims,
+                            const std::atomic<bool>& interrupted) {
+  Beginning<Real> beginning{std::vector<std::vector<Numbers<Real>>>(aims.size()), {}};
+  if (plan.first_queries == 0 || plan.first_sources.empty()) return beginning;
   Plan run;
   run.seed = plan.seed;
   run.kernels = {plan.kernel};
@@ -48,6 +48,7 @@ std::vector<std::vector<Numbers<Real>>> first_found(const SearchPlan& plan, cons
   run.target = plan.target;
   run.threads = plan.threads;
   const CampaignResult result = run_campaign(run, interrupted, {});
+  for (const CellResult& cell : result.cells) beginning.looked_at.merge(looked_at_of(cell.tallies.front()));
   for (std::size_t i = 0; i < aims.size(); ++i) {
     const Aim& aim = aims[i];
     std::vector<Found<double>> wrong;
@@ -65,14 +66,12 @@ std::vector<std::vector<Numbers<Real>>> first_found(const SearchPlan& plan, cons
         add(errors, tally.comparisons[index_of(aim.which)].largest_error, source);
       }
     }
-    found[i] = is_about_a_comparison(aim.goal) ? most_severe<Real>(std::move(errors), plan.seed)
-                                               : most_severe<Real>(std::move(wrong), plan.seed);
+    beginning.found[i] = is_about_a_comparison(aim.goal) ? most_severe<Real>(std::move(errors), plan.seed)
+                                                         : most_severe<Real>(std::move(wrong), plan.seed);
   }
-  return found;
+  return beginning;
 }
-template std::vector<std::vector<Numbers<float>>> first_found(const SearchPlan&, const std::vector<Aim>&,
-                                                              const std::atomic<bool>&);
-template std::vector<std::vector<Numbers<double>>> first_found(const SearchPlan&, const std::vector<Aim>&,
-                                                               const std::atomic<bool>&);
+template Beginning<float> first_found(const SearchPlan&, const std::vector<Aim>&, const std::atomic<bool>&);
+template Beginning<double> first_found(const SearchPlan&, const std::vector<Aim>&, const std::atomic<bool>&);
 
 }  // namespace axiscert

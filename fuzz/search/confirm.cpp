@@ -130,7 +130,7 @@ std::optional<Decimal6> Confirmer<Real>::critical_error(const Query<Real>& q) {
   const auto distance = distance_within(squared, range);
   if (!distance) return std::nullopt;
   const auto critical = critical_radius(implementation_, q, range);
-  if (!critical.answered || !critical.radius) return std::nullopt;
+  if (!critical.answered || critical.not_decided || !critical.radius) return std::nullopt;
   return radius_error_ulps(*critical.radius, *distance, squared);
 }
 

@@ -93,10 +93,11 @@ TEST(Confirm, TheGuideIsNearTheTruth) {
       }
     }
     std::vector<double> scores;
+    std::vector<Verdict> said;
     for (const Aim& aim : aims_of(kernel, {})) {
       if (aim.goal == Goal::critical_radius) continue;  // estimated only to a fraction of an ulp
       QueryBatch<Real> solved = batch;
-      evaluator.evaluate(aim, solved, scores);
+      evaluator.evaluate(aim, solved, scores, said);
       for (std::size_t i = 0; i < batch.size(); ++i) {
         if (scores[i] == 0) continue;
         const auto found = confirmer.value(aim, solved[i]);

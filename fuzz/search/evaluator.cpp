@@ -148,11 +148,14 @@ Evaluator<Real>::Evaluator(const Kernel& kernel, std::string_view target)
 }
 
 template <class Real>
-void Evaluator<Real>::evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores) {
+void Evaluator<Real>::evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores,
+                               std::vector<Verdict>& said) {
   scores.assign(batch.size(), 0);
   if (is_about_range(aim.goal)) evaluate_range(aim, batch, scores);
   else if (is_about_a_comparison(aim.goal)) evaluate_error(aim, batch, scores);
   else evaluate_radius(aim.goal, batch, scores);
+  said.assign(batch.size(), Verdict::unanswered);
+  implementation_.verdicts(batch.columns(), said.data());
 }
 
 template <class Real>
@@ -211,7 +214,7 @@ void Evaluator<Real>::evaluate_radius(Goal goal, QueryBatch<Real>& batch, std::v
   const auto found = critical_radii(implementation_, queries, range);
   const auto out = batch.mutable_columns();
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    if (!found[i].answered) continue;
+    if (!found[i].answered || (goal == Goal::critical_radius && found[i].not_decided)) continue;
     const bool bounded = found[i].radius.has_value();
     const Real contact = bounded ? *found[i].radius : range.greatest;
     const auto [d, farthest] = goal == Goal::critical_radius || sizeof(Real) == 8 ? distances<Twice>(queries[i])

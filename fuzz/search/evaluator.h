@@ -15,7 +15,8 @@ class Evaluator final : public Guide<Real> {
  public:
   Evaluator(const Kernel& kernel, std::string_view target);
 
-  void evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores) override;
+  void evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores,
+                std::vector<Verdict>& said) override;
   // Into the box of Goal::error.
   void settle(Numbers<Real>& q) const override;
   // For a relative error now and then a step to where the comparison's scale vanishes.

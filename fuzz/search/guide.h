@@ -17,8 +17,9 @@ class Guide {
   const QueryShape& shape() const { return shape_; }
 
   // Writes the score of each query, not negative; 0 if it shows nothing. It may change the queries, as the goals about
-  // verdicts do: they solve each query's radius.
-  virtual void evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores) = 0;
+  // verdicts do: they solve each query's radius. `said`: the kernel's verdict on each query as it is left.
+  virtual void evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores,
+                        std::vector<Verdict>& said) = 0;
   // Brings a query to where the aim is looked for.
   virtual void settle(Numbers<Real>& q) const = 0;
   // A step that an aim has besides the moves that all have; false where this one was not to be taken.

@@ -38,15 +38,21 @@ void best_first(std::vector<ScoredQuery<Real>>& candidates) {
 
 template <class Real>
 std::vector<ScoredQuery<Real>> climb(Guide<Real>& guide, const Aim& aim, Dice& random,
-                                     const std::vector<Numbers<Real>>& starts, std::uint64_t evaluations) {
+                                     const std::vector<Numbers<Real>>& starts, std::uint64_t evaluations,
+                                     const ShowAnswers<Real>& show) {
   QueryBatch<Real> batch(walkers * children, guide.shape().numbers);
   std::vector<double> scores;
+  std::vector<Verdict> said;
+  const auto evaluate = [&] {
+    guide.evaluate(aim, batch, scores, said);
+    if (show) show(batch, said);
+  };
   std::vector<ScoredQuery<Real>> found;
   for (Numbers<Real> q : starts) {
     guide.settle(q);
     batch.push_back(q);
   }
-  guide.evaluate(aim, batch, scores);
+  evaluate();
   for (std::size_t i = 0; i < starts.size(); ++i) found.push_back({batch[i], scores[i]});
   best_first(found);
   found.resize(std::min(found.size(), walkers));
@@ -59,7 +65,7 @@ std::vector<ScoredQuery<Real>> climb(Guide<Real>& guide, const Aim& aim, Dice& r
         batch.push_back(child(guide, aim, random, parent.query, other, is_polishing));
       }
     }
-    guide.evaluate(aim, batch, scores);
+    evaluate();
     for (std::size_t w = 0; w < found.size(); ++w) {
       const auto first = scores.begin() + static_cast<std::ptrdiff_t>(w * children);
       const auto best = std::max_element(first, first + children);
@@ -72,8 +78,8 @@ std::vector<ScoredQuery<Real>> climb(Guide<Real>& guide, const Aim& aim, Dice& r
 }
 
 template std::vector<ScoredQuery<float>> climb(Guide<float>&, const Aim&, Dice&, const std::vector<Numbers<float>>&,
-                                               std::uint64_t);
+                                               std::uint64_t, const ShowAnswers<float>&);
 template std::vector<ScoredQuery<double>> climb(Guide<double>&, const Aim&, Dice&, const std::vector<Numbers<double>>&,
-                                                std::uint64_t);
+                                                std::uint64_t, const ShowAnswers<double>&);
 
 }  // namespace axiscert

@@ -2,6 +2,8 @@
 // end.
 #pragma once
 
+#include <functional>
+
 #include "fuzz/search/guide.h"
 
 namespace axiscert {
@@ -15,10 +17,15 @@ struct ScoredQuery {
 
 inline constexpr std::size_t walkers = 8, children = 8;  // walkers climb; children of each per generation
 
+// Called with every batch that was evaluated, and the kernel's verdicts on it.
+template <class Real>
+using ShowAnswers = std::function<void(const QueryBatch<Real>& batch, const std::vector<Verdict>& said)>;
+
 // Climbs from the best of `starts`, at most walkers * children of them, with `evaluations` evaluations of queries, and
 // returns the best query of each walker, best first. Depends on its arguments alone.
 template <class Real>
 std::vector<ScoredQuery<Real>> climb(Guide<Real>& guide, const Aim& aim, Dice& random,
-                                     const std::vector<Numbers<Real>>& starts, std::uint64_t evaluations);
+                                     const std::vector<Numbers<Real>>& starts, std::uint64_t evaluations,
+                                     const ShowAnswers<Real>& show = {});
 
 }  // namespace axiscert

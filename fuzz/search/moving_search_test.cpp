@@ -108,10 +108,11 @@ TEST(SearchMotions, TheLengthIsSetToWhereTheVerdictChanges) {
   // Over the face at height 3.
   batch.push_back(Numbers<float>{0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, 3, 1, 0, 0, 0.25f});
   std::vector<double> scores;
-  guide.evaluate({Goal::phantom_contact}, batch, scores);
+  std::vector<Verdict> said;
+  guide.evaluate({Goal::phantom_contact}, batch, scores, said);
   EXPECT_EQ(batch[0][15], 1.5f);
   EXPECT_NEAR(scores[0], 1.5 / std::sqrt(22.0), 1e-6) << "farthest from P is a corner of the prism, at (-2, 3, -3)";
-  guide.evaluate({Goal::missed_contact}, batch, scores);
+  guide.evaluate({Goal::missed_contact}, batch, scores, said);
   EXPECT_EQ(batch[0][15], std::nextafter(1.5f, 0.0f));
   EXPECT_EQ(scores[0], 0);
 }

@@ -101,12 +101,15 @@ class Search {
       throw Error(fmt::format("the test {} has no depth, by which wrong verdicts are compared", plan.kernel->test->id));
     if (aims_.empty()) throw Error(fmt::format("kernel {} exposes none of these comparisons", plan.kernel->id));
     known_.resize(aims_.size());
+    looked_at_.resize(aims_.size());
   }
 
   void resume(const std::string& text) {
     const SearchState state = parse_state(text, plan_, aims_);
     islands_ = resumed_from_ = state.islands;
     evaluations_ = state.evaluations;
+    looked_at_ = state.looked_at;
+    begun_ = state.begun;
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     for (std::size_t i = 0; i < aims_.size(); ++i) {
       const StoredPools& stored = state.pools[i];
@@ -119,8 +122,9 @@ class Search {
   // Goal::error, where they still show something there.
   void begin(const std::atomic<bool>& interrupted) {
     if (islands_ != 0) return;  // it was begun before
-    const auto found = first_found<Real>(plan_, aims_, interrupted);
+    const auto [found, looked_at] = first_found<Real>(plan_, aims_, interrupted);
     if (interrupted) return;  // not all of it: a search that is resumed begins again
+    begun_ = looked_at;
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     const auto guide = made_guide();
     for (std::size_t i = 0; i < aims_.size(); ++i) {
@@ -144,6 +148,8 @@ class Search {
     result.complete = !interrupted;
     result.evaluations = evaluations_;
     result.aims = aims_;
+    result.looked_at = looked_at_;
+    result.begun = begun_;
     result.state = state();
     finish(result);
     return result;
@@ -190,7 +196,7 @@ class Search {
     };
     const auto work = [&](int) {
       while (const auto island = claim()) {
-        std::vector<Entry> found;
+        Island found;
         try {
           found = run_island(*island);
         } catch (...) {
@@ -199,7 +205,9 @@ class Search {
           throw;
         }
         const std::lock_guard lock(mutex);
-        for (const Entry& entry : found) known_[slots_[*island % slots_.size()].aim].fresh.put(entry);
+        const std::size_t aim = slots_[*island % slots_.size()].aim;
+        for (const Entry& entry : found.entries) known_[aim].fresh.put(entry);
+        looked_at_[aim].merge(found.looked_at);
         report({islands_, evaluations_, elapsed()});
       }
     };
@@ -210,19 +218,29 @@ class Search {
     share(known_);
   }
 
+  // What an island found, and how much it looked at.
+  struct Island {
+    std::vector<Entry> entries;
+    LookedAt looked_at;
+  };
+
   // Reads only the lineages.
-  std::vector<Entry> run_island(std::uint64_t island) const {
+  Island run_island(std::uint64_t island) const {
     const Slot& slot = slots_[island % slots_.size()];
     const Aim& aim = aims_[slot.aim];
     Stream stream(plan_.seed, name_hash("search"), 1, plan_.precision, island);
     Dice random(stream);
     const auto guide = made_guide();
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
-    const auto candidates = climb(*guide, aim, random, starts(slot.aim, random), slot.evaluations);
-    std::vector<Entry> found;
+    const AnswerCounter<Real> counter(*plan_.kernel);
+    Island found;
+    const ShowAnswers<Real> count = [&](const QueryBatch<Real>& batch, const std::vector<Verdict>& said) {
+      for (std::size_t i = 0; i < batch.size(); ++i) counter.add(found.looked_at, batch[i], said[i], island);
+    };
+    const auto candidates = climb(*guide, aim, random, starts(slot.aim, random), slot.evaluations, count);
     for (const ScoredQuery<Real>& candidate : candidates) {
-      if (candidate.score == 0 || found.size() == 2) break;
-      if (const auto value = confirmer.value(aim, candidate.query)) found.push_back({*value, candidate.query});
+      if (candidate.score == 0 || found.entries.size() == 2) break;
+      if (const auto value = confirmer.value(aim, candidate.query)) found.entries.push_back({*value, candidate.query});
     }
     return found;
   }
@@ -262,9 +280,10 @@ class Search {
       }
       if (images.size() == 0) continue;
       std::vector<double> scores;
+      std::vector<Verdict> said;  // not counted: these are no evaluations
       for (std::size_t i = 0; i < aims_.size(); ++i) {
         if (aims_[i].goal != goal) continue;
-        evaluator.evaluate(aims_[i], images, scores);
+        evaluator.evaluate(aims_[i], images, scores, said);
         const auto best = std::max_element(scores.begin(), scores.end());
         if (*best <= (known[i].best.empty() ? 0 : known[i].best.best().value.value())) continue;
         const Numbers<Real> q = images[static_cast<std::size_t>(best - scores.begin())];
@@ -274,7 +293,7 @@ class Search {
   }
 
   std::string state() const {
-    SearchState state{islands_, evaluations_, std::vector<StoredPools>(aims_.size())};
+    SearchState state{islands_, evaluations_, std::vector<StoredPools>(aims_.size()), looked_at_, begun_};
     const auto stored = [&](const Pool<Real>& pool) {
       std::vector<StoredQuery> queries;
       for (const Entry& entry : pool.entries()) queries.push_back(stored_query("", entry.query));
@@ -311,7 +330,9 @@ class Search {
   std::vector<Aim> aims_;
   std::vector<Slot> slots_;
   std::uint64_t islands_ = 0, resumed_from_ = 0, epoch_begin_ = 0, evaluations_ = 0;
-  std::vector<Known<Real>> known_;  // by aim
+  std::vector<Known<Real>> known_;   // by aim
+  std::vector<LookedAt> looked_at_;  // by aim
+  LookedAt begun_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

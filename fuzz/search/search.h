@@ -10,6 +10,7 @@
 
 #include "exact/numbers/decimal6.h"
 #include "exact/judge/judge.h"
+#include "fuzz/campaign/counts/looked_at.h"
 #include "fuzz/search/goal.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/queries/source.h"
@@ -53,7 +54,16 @@ struct SearchResult {
   std::uint64_t evaluations = 0;
   std::vector<Aim> aims;
   std::vector<Find> finds;  // in the order of the aims; an aim without a result is left out
-  std::string state;        // from which a later run continues
+  // By aim, the queries that were evaluated for it; they may be a few less than its islands' shares.
+  std::vector<LookedAt> looked_at;
+  LookedAt begun;     // the queries of the run from which the search began
+  std::string state;  // from which a later run continues
+
+  LookedAt evaluated() const {  // for any aim
+    LookedAt all;
+    for (const LookedAt& of_aim : looked_at) all.merge(of_aim);
+    return all;
+  }
 };
 
 struct SearchProgress {

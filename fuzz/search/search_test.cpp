@@ -7,6 +7,7 @@
 #include "exact/sphere_triangle/claims/examine.h"
 #include "fuzz/campaign/supervised_testing.h"
 #include "fuzz/files/sphere_triangle_query.h"
+#include "fuzz/instruments/instruments_testing.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/search/confirm.h"
 #include "kernel/base/error.h"
@@ -165,6 +166,62 @@ TEST(Search, BeginsFromWhatAShortRunFoundAndReportsNoLess) {
   EXPECT_EQ(found_by(plan, result.state).state, result.state) << "nor run again when it is resumed";
   plan.first_queries = 0;
   EXPECT_THROW(found_by(plan, result.state), Error) << "another beginning is another search";
+}
+
+SearchPlan plan_of_one_island_each(const Kernel& kernel) {
+  SearchPlan plan = plan_of("published", {}, 3 << 14);
+  plan.kernel = &kernel;
+  plan.sources = {family_source(find_family("general"))};
+  return plan;
+}
+
+TEST(Search, CountsWhatBecameOfEveryQueryForEachAim) {
+  Kernel kernel = saying(Verdict::undecided, false);
+  SearchPlan plan = plan_of_one_island_each(kernel);
+  const SearchResult result = found_by(plan);
+  ASSERT_EQ(result.looked_at.size(), result.aims.size());
+  for (const LookedAt& of_aim : result.looked_at) EXPECT_EQ(of_aim.asked(), std::uint64_t{1} << 14);
+  const LookedAt all = result.evaluated();
+  EXPECT_GT(all.decided, 0u);
+  EXPECT_GT(all.undecided, 0u);
+  EXPECT_EQ(all.decided + all.undecided, all.asked());
+  ASSERT_TRUE(all.first_fault) << "it does not declare that it may decline";
+  const auto first = parse_queries(all.first_fault->query, "fault", Precision::binary32);
+  ASSERT_EQ(first.size(), 1u);
+  const Numbers<float> q = std::get<Numbers<float>>(first[0].numbers);
+  EXPECT_EQ(ask(kernel.on<float>(scalar_target), q).verdicts[0], Verdict::undecided);
+
+  plan.threads = 3;
+  const SearchResult again = found_by(plan);
+  EXPECT_EQ(again.looked_at, result.looked_at) << "on any number of threads";
+  const SearchResult resumed = found_by(plan, result.state);
+  EXPECT_EQ(resumed.looked_at, result.looked_at) << "and after a state";
+
+  kernel.may_decline = true;
+  EXPECT_FALSE(found_by(plan).evaluated().first_fault);
+}
+
+TEST(Search, LooksAtNothingOfAKernelThatDecidesNothing) {
+  for (const Verdict said : {Verdict::undecided, Verdict::invalid, Verdict::unanswered}) {
+    const Kernel kernel = saying(said, true);
+    const SearchResult result = found_by(plan_of_one_island_each(kernel));
+    EXPECT_EQ(result.evaluated().decided, 0u) << name(said);
+    EXPECT_EQ(result.evaluated().faults(false), result.evaluated().asked()) << name(said);
+    ASSERT_TRUE(result.evaluated().first_fault);
+    EXPECT_EQ(result.evaluated().first_fault->said, said);
+    EXPECT_TRUE(result.finds.empty());
+  }
+  Kernel limited = find_kernel("closest-point");
+  limited.limits.least_radius = 1e30;
+  const SearchResult result = found_by(plan_of_one_island_each(limited));
+  EXPECT_EQ(result.evaluated().decided, 0u);
+  EXPECT_EQ(result.evaluated().outside_limits, result.evaluated().asked());
+}
+
+TEST(Search, MeasuresNoCriticalRadiusWhereTheChangeIsToADecline) {
+  const Kernel kernel = saying(Verdict::undecided, false);
+  SearchPlan plan = plan_of_one_island_each(kernel);
+  EXPECT_EQ(find(found_by(plan), {Goal::critical_radius}), nullptr);
 }
 
 TEST(Search, BeginsFromTheLargestErrorsOfARunToo) {

@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Has to be raised whenever the same plan would give a different result.
-constexpr int search_version = 2;
+constexpr int search_version = 3;
 
 // The part of the plan that has to be the same for a search to continue.
 Json search_plan_json(const SearchPlan& plan) {
@@ -23,7 +23,7 @@ Json search_plan_json(const SearchPlan& plan) {
     return all;
   };
   for (const Comparison which : plan.comparisons) comparison_names.push_back(info(which).name);
-  return {{"schema", "axiscert-search-state/1"},
+  return {{"schema", "axiscert-search-state/2"},
           {"search_version", search_version},
           {"kernel", plan.kernel->id},
           {"precision", name(plan.precision)},
@@ -42,6 +42,45 @@ struct Kind {
 constexpr Kind kinds[] = {
     {"lineage ", &StoredPools::lineage}, {"fresh ", &StoredPools::fresh}, {"best ", &StoredPools::best}};
 
+// The counts of queries in a state, by name.
+constexpr std::pair<const char*, std::uint64_t LookedAt::*> looked_at_members[] = {
+    {"decided", &LookedAt::decided},
+    {"undecided", &LookedAt::undecided},
+    {"invalid", &LookedAt::invalid},
+    {"unanswered", &LookedAt::unanswered},
+    {"outside_limits", &LookedAt::outside_limits},
+    {"no_query", &LookedAt::no_query}};
+
+Json stored_looked_at(const LookedAt& looked_at) {
+  Json json = Json::object();
+  for (const auto& [key, member] : looked_at_members) json[key] = looked_at.*member;
+  if (const auto& fault = looked_at.first_fault) {
+    json["first_fault"] = {{"place", fault->place}, {"said", name(fault->said)}, {"query", fault->query}};
+  }
+  return json;
+}
+
+LookedAt parse_looked_at(const Json& json) {
+  const auto fail = [] { return Error("the state to resume from does not say how much was looked at"); };
+  if (!json.is_object()) throw fail();
+  LookedAt looked_at;
+  for (const auto& [key, member] : looked_at_members) {
+    if (!json.contains(key) || !json[key].is_number_unsigned()) throw fail();
+    looked_at.*member = json[key].get<std::uint64_t>();
+  }
+  if (!json.contains("first_fault")) return looked_at;
+  const Json& fault = json["first_fault"];
+  if (!fault.is_object() || !fault.value("place", Json()).is_number_unsigned() ||
+      !fault.value("said", Json()).is_string() || !fault.value("query", Json()).is_string())
+    throw fail();
+  for (const Verdict verdict : enumerators<Verdict>) {
+    if (fault["said"] == name(verdict)) {
+      looked_at.first_fault = {fault["place"].get<std::uint64_t>(), verdict, fault["query"].get<std::string>()};
+    }
+  }
+  return looked_at;
+}
+
 }  // namespace
 
 std::string state_text(const SearchPlan& plan, const std::vector<Aim>& aims, const SearchState& state) {
@@ -52,6 +91,9 @@ std::string state_text(const SearchPlan& plan, const std::vector<Aim>& aims, con
     header["stalled"].push_back(pools.stalled);
     header["restarts"].push_back(pools.restarts);
   }
+  header["looked_at"] = Json::array();
+  for (const LookedAt& looked_at : state.looked_at) header["looked_at"].push_back(stored_looked_at(looked_at));
+  header["begun"] = stored_looked_at(state.begun);
   std::string text = header.dump() + "\n";
   for (std::size_t i = 0; i < aims.size(); ++i) {
     for (const Kind& kind : kinds) {
@@ -85,11 +127,17 @@ SearchState parse_state(std::string_view text, const SearchPlan& plan, const std
     const Json all = header.value(key, Json::array());
     return number(all.is_array() && all.size() == aims.size() ? all[i] : Json(), key);
   };
-  SearchState state{count("islands"), count("evaluations"), std::vector<StoredPools>(aims.size())};
+  SearchState state{count("islands"), count("evaluations"), std::vector<StoredPools>(aims.size()), {}, {}};
+  const Json looked_at = header.value("looked_at", Json::array());
+  for (std::size_t i = 0; i < aims.size(); ++i) {
+    state.looked_at.push_back(parse_looked_at(looked_at.size() == aims.size() ? looked_at[i] : Json()));
+  }
+  state.begun = parse_looked_at(header.value("begun", Json()));
   for (std::size_t i = 0; i < aims.size(); ++i) {
     state.pools[i].stalled = count_of("stalled", i);
     state.pools[i].restarts = count_of("restarts", i);
   }
+  if (end + 1 == text.size()) return state;  // nothing was found so far
   for (StoredQuery& stored : parse_queries(text.substr(end + 1), "the state to resume from", plan.precision)) {
     bool found = false;
     for (std::size_t i = 0; i < aims.size(); ++i) {

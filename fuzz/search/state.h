@@ -21,6 +21,8 @@ struct StoredPools {
 struct SearchState {
   std::uint64_t islands = 0, evaluations = 0;  // finished
   std::vector<StoredPools> pools;              // one per aim
+  std::vector<LookedAt> looked_at;             // one per aim
+  LookedAt begun;
 };
 
 std::string state_text(const SearchPlan& plan, const std::vector<Aim>& aims, const SearchState& state);

@@ -76,12 +76,14 @@ double VerdictGuide<Real>::score(Goal goal, const Numbers<Real>& q, Verdict said
 }
 
 template <class Real>
-void VerdictGuide<Real>::evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores) {
+void VerdictGuide<Real>::evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores,
+                                  std::vector<Verdict>& said) {
   if (length_) solve_lengths(aim.goal, batch);
   Reply<Real> reply;
   ask(implementation_, batch.columns(), reply);
   scores.assign(batch.size(), 0);
   for (std::size_t i = 0; i < batch.size(); ++i) scores[i] = score(aim.goal, batch[i], reply.verdicts[i]);
+  said = reply.verdicts;
 }
 
 template class VerdictGuide<float>;

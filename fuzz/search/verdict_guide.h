@@ -18,7 +18,8 @@ template <class Real>
 class VerdictGuide final : public Guide<Real> {
  public:
   VerdictGuide(const Kernel& kernel, std::string_view target);
-  void evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores) override;
+  void evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores,
+                std::vector<Verdict>& said) override;
   void settle(Numbers<Real>& q) const override;
 
  private:

@@ -17,13 +17,14 @@ class PairSymptomFinder {
  public:
   PairSymptomFinder(const Kernel& kernel, std::string_view target) : kernel_(kernel), target_(target) {}
 
-  // Empty if the answers do not differ, or one is missing.
+  // Empty if the answers do not differ, or one is missing or declined.
   std::optional<PairSymptom> symptom(const Query<Real>& q, const Query<Real>& image_of_it, const ImageMap& map) {
     for (const Query<Real>* each : {&q, &image_of_it}) {
       if (!is_valid(*each) || !is_within(kernel_.limits, *each)) return std::nullopt;
     }
     const Outcome of_query = answer(q), of_image = answer(image_of_it);
     if (of_query.verdict == Verdict::unanswered || of_image.verdict == Verdict::unanswered) return std::nullopt;
+    if (of_query.verdict == Verdict::undecided || of_image.verdict == Verdict::undecided) return std::nullopt;
     PairSymptom found{of_query.verdict, of_image.verdict, std::nullopt};
     if (of_query.verdict != of_image.verdict) return found;
     if (!of_query.bits || !of_image.bits) return std::nullopt;

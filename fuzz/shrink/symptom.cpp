@@ -131,6 +131,30 @@ std::vector<Symptom> SymptomFinder<Real>::flips(const Numbers<Real>& q) {
 }
 
 template <class Real>
+bool SymptomFinder<Real>::is_promised(const Numbers<Real>& q) const {
+  if (kernel_.test == &first_test()) return is_within(kernel_.limits, query_from(q));
+  return kernel_.motion == MotionPolicy{} || oracles_of(kernel_).is_promised(kernel_.motion, q);
+}
+
+template <class Real>
+std::optional<std::string> SymptomFinder<Real>::why_no_verdict(const Numbers<Real>& q) {
+  if (!is_promised(q)) return "the query is outside the limits that it declares: it promises nothing there";
+  switch (asked(q).verdicts[0]) {
+    case Verdict::contact:
+    case Verdict::separated:
+      return std::nullopt;
+    case Verdict::undecided:
+      return kernel_.may_decline ? "it declines to say (undecided)"
+                                 : "it says undecided, and does not declare that it may decline: a fault by itself";
+    case Verdict::invalid:
+      return "it calls this valid query invalid: a fault by itself";
+    case Verdict::unanswered:
+      return "it gives no answer: a fault by itself";
+  }
+  return std::nullopt;
+}
+
+template <class Real>
 std::optional<Severity> SymptomFinder<Real>::severity(const Numbers<Real>& q, const Symptom& symptom) {
   if (kernel_.test == &first_test()) return severity_of_first_test(query_from(q), symptom);
   return severity_by_oracles(q, symptom);

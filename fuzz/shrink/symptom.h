@@ -55,6 +55,11 @@ class SymptomFinder {
 
   // Every flip, in the order verdict, axes, comparisons. Throws OracleDisagreement.
   std::vector<Symptom> flips(const Numbers<Real>& q);
+  // Whether the kernel promises to be right on a valid query.
+  bool is_promised(const Numbers<Real>& q) const;
+  // Why there is no verdict on a valid query that could be wrong: it is beyond what the kernel promises, or the kernel
+  // declined it, called it invalid or gave no answer; empty where it said contact or separated.
+  std::optional<std::string> why_no_verdict(const Numbers<Real>& q);
   // Empty if the query does not show the symptom, or shows it only outside the limits that the kernel declares.
   std::optional<Severity> severity(const Numbers<Real>& q, const Symptom& symptom);
 

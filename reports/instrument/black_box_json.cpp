@@ -29,6 +29,7 @@ class BlackBoxJson {
     }
     return {{"schema", black_box_schema},
             {"axiscert", axiscert_version},
+            {"revision", axiscert_revision},
             {"command", command},
             {"complete", score_.complete},
             {"kernel", plan_.base},

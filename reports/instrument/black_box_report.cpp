@@ -9,6 +9,7 @@
 #include <map>
 #include <tuple>
 
+#include "reports/evidence/evidence.h"
 #include "reports/instrument/black_box_reason.h"
 #include "reports/wording/summary.h"
 
@@ -38,6 +39,14 @@ class BlackBoxReport {
         {scores(), by_magnitude(), by_fault(), survivors(), controls()},
         {},
         black_box_json(plan_, score_, require, command)};
+    if (plan_.trials < least_looked_at) {
+      report.title = "NOT CHECKED, too few queries: " + report.title;
+      report.notes.insert(
+          report.notes.begin(),
+          fmt::format("NOT CHECKED: a level takes {} queries of each family, and {} were asked: a mutant "
+                      "that survived, or a kernel that is not refused, was not looked at.",
+                      least_looked_at, plan_.trials));
+    }
     std::erase_if(report.tables, [](const InstrumentTable& table) { return table.rows.empty(); });
     return report;
   }

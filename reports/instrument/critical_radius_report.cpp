@@ -5,11 +5,22 @@
 
 #include "reports/instrument/data.h"
 #include "reports/instrument/figures.h"
+#include "reports/instrument/looked_at.h"
 
 namespace axiscert {
 namespace {
 
 const Decimal6 one_ulp = round_up(Rational(1));
+
+// "44 declined, 2 called invalid": of the triangles that are not measured, why.
+std::string not_measured_text(const CriticalRadii& cell, bool may_decline) {
+  LookedAt looked_at;
+  looked_at.undecided = cell.undecided;
+  looked_at.invalid = cell.invalid;
+  looked_at.unanswered = cell.unanswered;
+  looked_at.outside_limits = cell.outside_limits;
+  return not_decided_text(looked_at, may_decline);
+}
 
 class CriticalRadiusReport {
  public:
@@ -17,19 +28,20 @@ class CriticalRadiusReport {
       : plan_(plan), result_(result), origin_{plan.seed, plan.precision} {}
 
   InstrumentReport report(const std::string& command) const {
-    InstrumentReport report{
-        "critical-radius",
-        fmt::format("Critical radii, {}, {} triangles of each family", name(plan_.precision), thousands(plan_.trials)),
-        command,
-        notes(),
-        {over_families(), by_family()},
-        {distribution()},
-        data(command)};
+    InstrumentReport report{"critical-radius", title(),      command, notes(), {over_families(), by_family()},
+                            {distribution()},  data(command)};
     if (const InstrumentTable found = reversals(); !found.rows.empty()) report.tables.push_back(found);
     return report;
   }
 
  private:
+  std::string title() const {
+    std::string text =
+        fmt::format("Critical radii, {}, {} triangles of each family", name(plan_.precision), thousands(plan_.trials));
+    const std::vector<std::string> silent = unmeasured_kernels(plan_, result_);
+    return silent.empty() ? text : fmt::format("Nothing was measured of {}. {}", fmt::join(silent, ", "), text);
+  }
+
   const Source& source(std::size_t s) const { return *plan_.sources[s]; }
 
   std::vector<std::string> notes() const {
@@ -54,38 +66,60 @@ class CriticalRadiusReport {
         "rounded to nearest instead: its errors differ by up to one ulp."};
     for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
       const CriticalRadii sum = this->all(k);
-      if (sum.unanswered == 0) continue;
-      all.push_back(fmt::format("{} gave no answer at a radius of {} queries: these are not measured.",
-                                plan_.kernels[k]->id, thousands(sum.unanswered)));
+      if (std::string text = not_measured_text(sum, plan_.kernels[k]->may_decline); !text.empty()) {
+        all.push_back(fmt::format("{}, not measured: triangles {}.", plan_.kernels[k]->id, text));
+      }
     }
     return all;
   }
 
   static std::string share(std::uint64_t count, std::uint64_t of) {
-    if (of == 0) return "none";
+    if (of == 0) return "not measured";
     return fmt::format("{:.2f}", 100 * static_cast<double>(count) / static_cast<double>(of));
   }
   static std::string quantile(const CriticalRadii& cell, double at) {
-    if (cell.measured == 0) return "none";
+    if (cell.measured == 0) return "not measured";
     const auto error = cell.quantile(at);
     return error ? shown(*error) : "unbounded";
   }
-  static std::vector<std::string> columns(std::initializer_list<const char*> first) {
+  std::vector<std::string> columns(std::initializer_list<const char*> first) const {
     std::vector<std::string> all(first.begin(), first.end());
     for (const char* column : {"measured", "exactly right, %", "within 1 ulp, %", "median, ulps", "99 %, ulps",
                                "too early", "worst", "too late", "worst", "unbounded", "not monotone"}) {
       all.emplace_back(column);
     }
+    if (!has_not_measured()) return all;
+    for (const char* column : {"declined", "invalid", "unanswered", "outside limits"}) all.emplace_back(column);
     return all;
+  }
+  // Whether some triangle was not measured: only then there are columns for them.
+  bool has_not_measured() const {
+    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
+      const CriticalRadii sum = all(k);
+      if (sum.undecided + sum.invalid + sum.unanswered + sum.outside_limits != 0) return true;
+    }
+    return false;
   }
   static std::string worst(const std::optional<Measured>& measured) {
     return measured ? shown(measured->value) : "none";
   }
-  static void add_cells(std::vector<std::string>& row, const CriticalRadii& cell) {
+  void add_cells(std::vector<std::string>& row, const CriticalRadii& cell) const {
+    if (cell.measured == 0) {
+      row.emplace_back("0");
+      row.insert(row.end(), 10, "not measured");
+      return add_not_measured(row, cell);
+    }
     row.insert(row.end(),
                {thousands(cell.measured), share(cell.right, cell.measured), share(cell.within(one_ulp), cell.measured),
                 quantile(cell, 0.5), quantile(cell, 0.99), thousands(cell.early), worst(cell.worst_early),
                 thousands(cell.late), worst(cell.worst_late), thousands(cell.unbounded), thousands(cell.reversals)});
+    add_not_measured(row, cell);
+  }
+  void add_not_measured(std::vector<std::string>& row, const CriticalRadii& cell) const {
+    if (!has_not_measured()) return;
+    for (const std::uint64_t count : {cell.undecided, cell.invalid, cell.unanswered, cell.outside_limits}) {
+      row.push_back(thousands(count));
+    }
   }
   CriticalRadii all(std::size_t k) const {
     CriticalRadii sum;
@@ -173,16 +207,20 @@ class CriticalRadiusReport {
       const auto error = cell.quantile(q);
       return error ? number_json(*error) : Json(nullptr);
     };
+    const auto of_measured = [&](std::uint64_t count) { return cell.measured == 0 ? Json(nullptr) : Json(count); };
     return {{"measured", cell.measured},
-            {"right", cell.right},
-            {"within_1_ulp", cell.within(one_ulp)},
+            {"right", of_measured(cell.right)},
+            {"within_1_ulp", of_measured(cell.within(one_ulp))},
             {"median_ulps", at(0.5)},
             {"p99_ulps", at(0.99)},
-            {"early", cell.early},
-            {"late", cell.late},
-            {"unbounded", cell.unbounded},
-            {"not_monotone", cell.reversals},
-            {"unanswered", cell.unanswered}};
+            {"early", of_measured(cell.early)},
+            {"late", of_measured(cell.late)},
+            {"unbounded", of_measured(cell.unbounded)},
+            {"not_monotone", of_measured(cell.reversals)},
+            {"undecided", cell.undecided},
+            {"invalid", cell.invalid},
+            {"unanswered", cell.unanswered},
+            {"outside_limits", cell.outside_limits}};
   }
 
   Json data(const std::string& command) const {
@@ -206,7 +244,7 @@ class CriticalRadiusReport {
         rows.push_back(row);
       }
     }
-    return headed("axiscert-critical-radius/1", {{"command", command},
+    return headed("axiscert-critical-radius/2", {{"command", command},
                                                  {"precision", name(plan_.precision)},
                                                  {"trials", plan_.trials},
                                                  {"seed", plan_.seed},
@@ -220,6 +258,18 @@ class CriticalRadiusReport {
 };
 
 }  // namespace
+
+std::vector<std::string> unmeasured_kernels(const CriticalRadiusPlan& plan, const CriticalRadiusResult& result) {
+  std::vector<std::string> silent;
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    CriticalRadii sum;
+    for (const CriticalRadii& cell : result.cells[k]) sum.merge(cell);
+    if (sum.measured != 0) continue;
+    const std::string why = not_measured_text(sum, plan.kernels[k]->may_decline);
+    silent.push_back(why.empty() ? plan.kernels[k]->id : fmt::format("{} ({})", plan.kernels[k]->id, why));
+  }
+  return silent;
+}
 
 InstrumentReport critical_radius_report(const CriticalRadiusPlan& plan, const CriticalRadiusResult& result,
                                         const std::string& command) {

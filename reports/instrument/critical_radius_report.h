@@ -6,6 +6,9 @@
 
 namespace axiscert {
 
+// Each kernel of which no triangle was measured, with the reasons.
+std::vector<std::string> unmeasured_kernels(const CriticalRadiusPlan& plan, const CriticalRadiusResult& result);
+
 InstrumentReport critical_radius_report(const CriticalRadiusPlan& plan, const CriticalRadiusResult& result,
                                         const std::string& command);
 

@@ -36,7 +36,7 @@ std::string csv_quoted(const std::string& cell) {
 }  // namespace
 
 Json headed(std::string_view schema, const Json& members) {
-  Json data = {{"schema", schema}, {"axiscert", axiscert_version}};
+  Json data = {{"schema", schema}, {"axiscert", axiscert_version}, {"revision", axiscert_revision}};
   data.update(members);
   return data;
 }

@@ -10,8 +10,8 @@
 
 namespace axiscert {
 
-// {"schema": SCHEMA, "axiscert": the version, MEMBERS...}. The schema is reports/schemas/NAME.schema.json, where SCHEMA
-// is axiscert-NAME/VERSION.
+// {"schema": SCHEMA, "axiscert": the version, "revision": its commit, MEMBERS...}. The schema is
+// reports/schemas/NAME.schema.json, where SCHEMA is axiscert-NAME/VERSION.
 Json headed(std::string_view schema, const Json& members);
 
 // The CSV of such JSON (RFC 4180, with a line of names): its rows, one observation a line. Null is an empty cell, an

@@ -136,10 +136,26 @@ DataTable condition_rows(const Json& data) {
 }
 
 DataTable critical_radius_rows(const Json& data) {
-  DataTable table =
-      listed_rows(data["totals"], {"kernel", "family", "measured", "right", "within_1_ulp", "median_ulps", "p99_ulps",
-                                   "early", "late", "unbounded", "not_monotone", "unanswered", "left_out",
-                                   "worst_early.ulps", "worst_early.address", "worst_late.ulps", "worst_late.address"});
+  DataTable table = listed_rows(data["totals"], {"kernel",
+                                                 "family",
+                                                 "measured",
+                                                 "right",
+                                                 "within_1_ulp",
+                                                 "median_ulps",
+                                                 "p99_ulps",
+                                                 "early",
+                                                 "late",
+                                                 "unbounded",
+                                                 "not_monotone",
+                                                 "undecided",
+                                                 "invalid",
+                                                 "unanswered",
+                                                 "outside_limits",
+                                                 "left_out",
+                                                 "worst_early.ulps",
+                                                 "worst_early.address",
+                                                 "worst_late.ulps",
+                                                 "worst_late.address"});
   table.rows.insert(table.rows.end(), data["rows"].begin(), data["rows"].end());
   return table;
 }
@@ -151,8 +167,9 @@ DataTable league_rows(const Json& data) {
                    "touching",
                    "has_planted_fault",
                    "ns",
+                   "may_decline",
                    "trials",
-                   "answered",
+                   "decided",
                    "false_separation",
                    "false_contact",
                    "touching_flips",
@@ -161,6 +178,7 @@ DataTable league_rows(const Json& data) {
                    "undecided",
                    "invalid",
                    "unanswered",
+                   "outside_limits",
                    "caught_after",
                    "critical_radius.sampled",
                    "critical_radius.median_ulps",
@@ -170,7 +188,8 @@ DataTable league_rows(const Json& data) {
   for (const Json& kernel : data["kernels"]) {
     for (const auto& [family, figures] : kernel["families"].items()) {
       Json row = {{"kernel", kernel["id"]}, {"family", family}};
-      for (const char* member : {"precision", "touching", "has_planted_fault", "ns"}) row[member] = kernel[member];
+      for (const char* member : {"precision", "touching", "has_planted_fault", "ns", "may_decline"})
+        row[member] = kernel[member];
       table.rows.push_back(extended(std::move(row), figures));
     }
   }
@@ -179,13 +198,16 @@ DataTable league_rows(const Json& data) {
 
 DataTable search_rows(const Json& data) {
   DataTable table{{"kernel", "precision", "level", "name", "attained_u", "proved_u", "relative_u", "overflow.exponent",
-                   "underflow.exponent", "depth", "ulps", "links"},
+                   "underflow.exponent", "depth", "ulps", "links", "asked", "decided", "undecided", "invalid",
+                   "unanswered", "outside_limits"},
                   {}};
   const Json head = {{"kernel", data["kernel"]}, {"precision", data["precision"]}};
-  for (const Json& comparison : data["comparisons"])
-    table.rows.push_back(extended(extended(head, {{"level", "comparison"}}), comparison));
+  for (const Json& comparison : data["comparisons"]) {
+    const Json& of_errors = data["looked_at_by_goal"]["error " + comparison["name"].get<std::string>()];
+    table.rows.push_back(extended(extended(extended(head, {{"level", "comparison"}}), of_errors), comparison));
+  }
   for (const auto& [name, found] : data["verdict"].items()) {
-    const Json row = extended(head, {{"level", "verdict"}, {"name", name}});
+    const Json row = extended(extended(head, {{"level", "verdict"}, {"name", name}}), data["looked_at_by_goal"][name]);
     table.rows.push_back(found.is_null() ? row : extended(row, found));
   }
   return table;
@@ -194,7 +216,8 @@ DataTable search_rows(const Json& data) {
 // A property a line, with the first of the queries that show it.
 DataTable diagnosis_rows(const Json& data) {
   DataTable table{{"kernel", "test", "precision", "seed", "name", "value", "sentence", "queries", "witnesses",
-                   "witness.answered", "witness.truth", "witness.shows"},
+                   "witness.answered", "witness.truth", "witness.shows", "looked_at.asked", "looked_at.decided",
+                   "looked_at.undecided", "looked_at.invalid", "looked_at.unanswered", "looked_at.outside_limits"},
                   {}};
   for (const Json& property : data["properties"]) {
     Json row = property;
@@ -208,14 +231,15 @@ DataTable diagnosis_rows(const Json& data) {
 }
 
 DataTable maps_rows(const Json& data) {
-  DataTable table{{"map", "kernel", "precision", "kind", "along.numbers", "across.numbers", "level", "name", "file"},
-                  {}};
+  DataTable table{
+      {"map", "kernel", "precision", "kind", "along.numbers", "across.numbers", "level", "name", "file", "decided"},
+      {}};
   for (const Json& entry : data["legend"]) table.columns.push_back(entry["class"]);
   for (const Json& map : data["maps"]) {
     for (const Json& picture : map["pictures"]) {
       Json row = {{"map", map["name"]}};
       for (const char* member : {"kernel", "precision", "kind", "along", "across"}) row[member] = map[member];
-      for (const char* member : {"level", "name", "file"}) row[member] = picture[member];
+      for (const char* member : {"level", "name", "file", "decided"}) row[member] = picture[member];
       table.rows.push_back(extended(std::move(row), picture["counts"]));
     }
   }

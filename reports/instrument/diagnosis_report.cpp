@@ -5,6 +5,7 @@
 
 #include "reports/instrument/data.h"
 #include "reports/instrument/figures.h"
+#include "reports/instrument/looked_at.h"
 
 namespace axiscert {
 namespace {
@@ -34,8 +35,14 @@ InstrumentTable diagnosis_witness_table(const Diagnosis& diagnosis) {
 InstrumentReport diagnosis_report(const Diagnosis& diagnosis, const std::string& command) {
   InstrumentReport report;
   report.name = "diagnosis";
-  report.title = fmt::format("What {} is like, {}, seed {}{}", diagnosis.kernel, name(diagnosis.precision),
-                             diagnosis.seed, diagnosis.complete ? "" : ", interrupted");
+  const LookedAt looked_at = diagnosis.looked_at();
+  report.title =
+      fmt::format("What {} is like, {}, seed {}{}: {}", diagnosis.kernel, name(diagnosis.precision), diagnosis.seed,
+                  diagnosis.complete ? "" : ", interrupted", looked_at_text(looked_at, diagnosis.may_decline));
+  if (looked_at.decided == 0) report.title = "Nothing was looked at. " + report.title;
+  if (std::string faults = faults_text(looked_at, diagnosis.may_decline); !faults.empty()) {
+    report.notes.push_back(std::move(faults));
+  }
   report.command = command;
   for (const Property& property : diagnosis.properties) {
     report.notes.push_back(fmt::format("{}: {}. {}", property.name, property.value, property.sentence));

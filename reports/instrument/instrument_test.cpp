@@ -1,5 +1,6 @@
 // The text and the page of an instrument's report.
 #include "reports/instrument/instrument.h"
+#include "reports/instrument/looked_at.h"
 
 #include <gtest/gtest.h>
 
@@ -63,6 +64,35 @@ TEST(InstrumentPage, NeedsNothingFromANetwork) {
   const std::string page = instrument_page(hostile_report());
   EXPECT_EQ(page.find("src="), std::string::npos);
   EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+}
+
+TEST(LookedAtText, NamesEverythingThatShowsNothing) {
+  LookedAt looked_at;
+  looked_at.decided = 1234;
+  EXPECT_EQ(looked_at_text(looked_at, false), "1,234 of 1,234 decided");
+  EXPECT_EQ(faults_text(looked_at, false), "");
+  looked_at.undecided = 5;
+  looked_at.invalid = 4;
+  looked_at.unanswered = 3;
+  looked_at.outside_limits = 2;
+  looked_at.no_query = 1;
+  EXPECT_EQ(looked_at_text(looked_at, true),
+            "1,234 of 1,249 decided, 5 declined, 4 called invalid, 3 without an answer, 2 outside its limits, 1 not "
+            "valid");
+  EXPECT_EQ(not_decided_text(looked_at, false).substr(0, 49), "5 declined, which it does not declare that it may");
+  EXPECT_EQ(faults_text(looked_at, true), "Fault: no verdict on 7 valid queries within its limits.");
+  EXPECT_EQ(faults_text(looked_at, false), "Fault: no verdict on 12 valid queries within its limits.");
+}
+
+TEST(LookedAtText, ShowsTheFirstFault) {
+  LookedAt one, later;
+  one.invalid = later.undecided = 1;
+  one.first_fault = {1, Verdict::invalid, "{\"id\":\"first\"}"};
+  later.first_fault = {2, Verdict::undecided, "{\"id\":\"second\"}"};
+  later.merge(one);
+  EXPECT_EQ(faults_text(later, false),
+            "Fault: no verdict on 2 valid queries within its limits. The first, invalid: {\"id\":\"first\"}");
+  EXPECT_EQ(looked_at_json(later)["first_fault"]["said"], "invalid");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "reports/instrument/map.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "kernel/base/error.h"
 #include "reports/page/embedded.h"
@@ -12,7 +13,7 @@
 namespace axiscert {
 namespace {
 
-constexpr const char* index_schema = "axiscert-maps/1";
+constexpr const char* index_schema = "axiscert-maps/2";
 
 std::string text_of(const Colour& c) { return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue); }
 
@@ -36,6 +37,17 @@ std::string picture_file(const std::string& map, const MapPlan& plan, const MapS
   return fmt::format("{}-{}.png", map, name(subject, *plan.kernel->test));
 }
 
+// "Nothing was looked at in verdict: no pixel is decided. ": what stands before anything else; empty where every
+// picture has a decided pixel.
+std::string nothing_looked_at(const Json& map) {
+  std::vector<std::string> pictures;
+  for (const Json& picture : map["pictures"]) {
+    if (picture["decided"] == 0) pictures.push_back(picture["name"]);
+  }
+  if (pictures.empty()) return "";
+  return fmt::format("Nothing was looked at in {}: no pixel is decided. ", fmt::join(pictures, ", "));
+}
+
 }  // namespace
 
 // Wrong signs have the two colours of Okabe and Ito's palette that are easiest to tell apart with any colour vision and
@@ -44,9 +56,12 @@ const std::array<LegendEntry, pixel_class_count>& map_legend() {
   using enum PixelClass;
   static constexpr std::array<LegendEntry, pixel_class_count> legend = {{
       {no_query, {0x6e, 0x6e, 0x6e}, "no query: a number is not finite, or the radius is below zero"},
+      {outside_limits, {0x9a, 0x8f, 0x80}, "outside the limits that the kernel declares, whatever it says"},
       {false_separation, {0xd5, 0x5e, 0x00}, "the kernel wrongly says yes; for a verdict: a missed contact"},
       {missed_separation, {0x00, 0x72, 0xb2}, "the kernel wrongly says no; for a verdict: a phantom contact"},
-      {declined, {0xcc, 0x79, 0xa7}, "the kernel says neither yes nor no"},
+      {undecided, {0xcc, 0x79, 0xa7}, "the kernel declines to say"},
+      {invalid, {0x7a, 0x3b, 0x62}, "the kernel calls a valid query invalid"},
+      {unanswered, {0x56, 0xb4, 0xe9}, "no answer: a crash, a hang, or what is no verdict"},
       {not_finite, {0x00, 0x9e, 0x73}, "right, though a computed side is not finite"},
       {tie, {0x00, 0x00, 0x00}, "exactly on the boundary; for a verdict: the sphere touches"},
       {boundary, {0x40, 0x40, 0x40}, "no, next to a pixel that is yes: the exact boundary runs between them"},
@@ -66,6 +81,7 @@ Json map_json(const std::string& map_name, const MapPlan& plan, const std::vecto
   Json map = {{"name", map_name},
               {"command", command},
               {"kernel", plan.kernel->id},
+              {"may_decline", plan.kernel->may_decline},
               {"precision", name(plan.witness.precision)},
               {"kind", plane_kind_names[plan.plane.kind]},
               {"along", side_json(plan.plane.along)},
@@ -78,6 +94,7 @@ Json map_json(const std::string& map_name, const MapPlan& plan, const std::vecto
     map["pictures"].push_back({{"level", level_names[picture.subject.level]},
                                {"name", name(picture.subject, *plan.kernel->test)},
                                {"file", picture_file(map_name, plan, picture.subject)},
+                               {"decided", picture.decided()},
                                {"counts", counts}});
   }
   return map;
@@ -124,13 +141,14 @@ std::string map_text(const Json& map) {
   };
   InstrumentReport report;
   report.title =
-      fmt::format("{} in {} around {}: {}, {}", map["kernel"].get<std::string>(), map["precision"].get<std::string>(),
-                  map["witness"]["id"].get<std::string>(), side("along"), side("across"));
+      nothing_looked_at(map) + fmt::format("{} in {} around {}: {}, {}", map["kernel"].get<std::string>(),
+                                           map["precision"].get<std::string>(), map["witness"]["id"].get<std::string>(),
+                                           side("along"), side("across"));
   report.command = map["command"];
-  InstrumentTable table{"Pixels", {"picture"}, {}};
+  InstrumentTable table{"Pixels", {"picture", "decided"}, {}};
   for (const std::string_view c : pixel_class_names) table.columns.emplace_back(c);
   for (const Json& picture : map["pictures"]) {
-    std::vector<std::string> row = {picture["name"]};
+    std::vector<std::string> row = {picture["name"], picture["decided"].dump()};
     for (const std::string_view c : pixel_class_names) row.push_back(picture["counts"][std::string(c)].dump());
     table.rows.push_back(row);
   }
@@ -138,6 +156,14 @@ std::string map_text(const Json& map) {
   for (const LegendEntry& entry : map_legend()) {
     report.notes.push_back(
         fmt::format("{} {}: {}", pixel_class_names[entry.pixel], text_of(entry.colour), entry.meaning));
+  }
+  for (const Json& picture : map["pictures"]) {
+    const Json& counts = picture["counts"];
+    if (map["may_decline"] == true || counts["undecided"] == 0) continue;
+    report.notes.push_back(
+        fmt::format("{}: {} pixels are undecided, and the kernel does not declare that it may "
+                    "decline: a fault.",
+                    picture["name"].get<std::string>(), counts["undecided"].dump()));
   }
   return instrument_text(report);
 }

@@ -241,6 +241,7 @@ class MutationReport {
     }
     return {{"schema", mutation_schema},
             {"axiscert", axiscert_version},
+            {"revision", axiscert_revision},
             {"command", command},
             {"complete", result_.complete},
             {"kernel", plan_.base},

@@ -6,6 +6,7 @@
 
 #include "fuzz/search/proved.h"
 #include "reports/instrument/figures.h"
+#include "reports/instrument/looked_at.h"
 #include "kernel/base/version.h"
 
 namespace axiscert {
@@ -13,14 +14,13 @@ namespace {
 
 class SearchReport {
  public:
-  SearchReport(const SearchPlan& plan, const SearchResult& result) : plan_(plan), result_(result) {}
+  SearchReport(const SearchPlan& plan, const SearchResult& result)
+      : plan_(plan), result_(result), all_(search_looked_at(result)) {}
 
   InstrumentReport report(const std::string& command) const {
     InstrumentReport report;
     report.name = "search";
-    report.title =
-        fmt::format("The worst of {} found, {}, {} evaluations, seed {}{}", plan_.kernel->id, name(plan_.precision),
-                    thousands(result_.evaluations), plan_.seed, result_.complete ? "" : ", interrupted");
+    report.title = title();
     report.command = command;
     if (plan_.kernel->test == &first_test()) report.notes = notes_of_first_test();
     else report.notes = notes_by_oracles();
@@ -30,8 +30,12 @@ class SearchReport {
                       "that run found.",
                       thousands(plan_.first_queries), plan_.first_sources.size()));
     }
+    if (const std::string faults = faults_text(all_, may_decline()); !faults.empty()) {
+      report.notes.insert(report.notes.begin(), faults);
+    }
     if (InstrumentTable table = comparison_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
     if (InstrumentTable table = verdict_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
+    report.tables.push_back(looked_at_table());
     report.data = data();
     return report;
   }
@@ -62,6 +66,35 @@ class SearchReport {
         "does not find."};
   }
 
+  bool may_decline() const { return plan_.kernel->may_decline; }
+
+  // Its first words say how much was looked at: of nothing, there is no worst.
+  std::string title() const {
+    const std::string what =
+        fmt::format("{}, {} evaluations, seed {}{}", name(plan_.precision), thousands(result_.evaluations), plan_.seed,
+                    result_.complete ? "" : ", interrupted");
+    if (all_.decided == 0) {
+      return fmt::format("Nothing was looked at: {} decided none of {} queries ({}), {}", plan_.kernel->id,
+                         thousands(all_.asked()), not_decided_text(all_, may_decline()), what);
+    }
+    const std::string others = not_decided_text(all_, may_decline());
+    if (others.empty()) return fmt::format("The worst of {} found, {}", plan_.kernel->id, what);
+    return fmt::format("The worst of {} found among {} of {} queries that it decided ({}), {}", plan_.kernel->id,
+                       thousands(all_.decided), thousands(all_.asked()), others, what);
+  }
+
+  const LookedAt& looked_at(const Aim& aim) const {
+    for (std::size_t i = 0; i < result_.aims.size(); ++i) {
+      if (result_.aims[i] == aim) return result_.looked_at[i];
+    }
+    throw std::logic_error("search: no such aim");
+  }
+  // Of an aim without a find.
+  std::string nothing_found(const Aim& aim) const {
+    const std::uint64_t decided = looked_at(aim).decided;
+    return decided == 0 ? "not looked at" : fmt::format("none among {} decided", thousands(decided));
+  }
+
   const Find* find(const Aim& aim) const {
     for (const Find& find : result_.finds) {
       if (find.aim == aim) return &find;
@@ -84,8 +117,36 @@ class SearchReport {
     return all;
   }
 
-  std::string error_cell(const Find* find) const { return find ? shown(find->value) : "none"; }
-  std::string range_cell(const Find* find) const { return find ? fmt::format("{}", find->range_exponent) : "none"; }
+  std::string error_cell(const Aim& aim) const {
+    const Find* found = find(aim);
+    return found ? shown(found->value) : nothing_found(aim);
+  }
+  std::string range_cell(const Aim& aim) const {
+    const Find* found = find(aim);
+    return found ? fmt::format("{}", found->range_exponent) : nothing_found(aim);
+  }
+
+  // The queries that were evaluated, by goal.
+  InstrumentTable looked_at_table() const {
+    InstrumentTable table{
+        "Answers to the queries that were evaluated",
+        {"goal", "asked", "decided", "declined", "invalid", "unanswered", "outside limits", "no query"},
+        {}};
+    const auto add = [&](std::string what, const LookedAt& all) {
+      table.rows.push_back({std::move(what), thousands(all.asked()), thousands(all.decided), thousands(all.undecided),
+                            thousands(all.invalid), thousands(all.unanswered), thousands(all.outside_limits),
+                            thousands(all.no_query)});
+    };
+    for (const Goal goal : enumerators<Goal>) {
+      LookedAt of_goal;
+      for (std::size_t i = 0; i < result_.aims.size(); ++i) {
+        if (result_.aims[i].goal == goal) of_goal.merge(result_.looked_at[i]);
+      }
+      if (of_goal.asked() != 0) add(std::string(goal_names[goal]), of_goal);
+    }
+    if (result_.begun.asked() != 0) add("the run before", result_.begun);
+    return table;
+  }
 
   InstrumentTable comparison_table() const {
     InstrumentTable table{"Errors of the computed sides, and the scales at which range fails",
@@ -93,9 +154,9 @@ class SearchReport {
                           {}};
     for (const Comparison which : comparisons_asked()) {
       const auto proved = proved_error(*plan_.kernel, plan_.precision, which);
-      table.rows.push_back({std::string(info(which).name), error_cell(find({Goal::error, which})),
-                            proved ? shown(*proved) : "open", error_cell(find({Goal::relative_error, which})),
-                            range_cell(find({Goal::overflow, which})), range_cell(find({Goal::underflow, which}))});
+      table.rows.push_back({std::string(info(which).name), error_cell({Goal::error, which}),
+                            proved ? shown(*proved) : "open", error_cell({Goal::relative_error, which}),
+                            range_cell({Goal::overflow, which}), range_cell({Goal::underflow, which})});
     }
     return table;
   }
@@ -106,7 +167,7 @@ class SearchReport {
     InstrumentTable table{"Verdicts", {"what", "worst", "unit", "broken links"}, {}};
     for (const Goal goal : verdict_goals()) {
       const Find* found = find({goal});
-      table.rows.push_back({name(Aim{goal}), error_cell(found), unit(goal),
+      table.rows.push_back({name(Aim{goal}), error_cell({goal}), unit(goal),
                             found ? fmt::format("{}", fmt::join(names(found->links), " ")) : ""});
     }
     return table;
@@ -142,26 +203,43 @@ class SearchReport {
       entry["witness"] = witness_json(*found);
     }
     for (const SourcePtr& source : plan_.sources) families.push_back(source->name());
-    Json first_families = Json::array();
+    Json first_families = Json::array(), by_goal = Json::object();
+    for (std::size_t i = 0; i < result_.aims.size(); ++i) {
+      by_goal[name(result_.aims[i])] = looked_at_json(result_.looked_at[i]);
+    }
     for (const SourcePtr& source : plan_.first_sources) first_families.push_back(source->name());
     return {{"schema", search_schema},
             {"axiscert", axiscert_version},
+            {"revision", axiscert_revision},
             {"complete", result_.complete},
             {"kernel", plan_.kernel->id},
             {"precision", name(plan_.precision)},
             {"seed", plan_.seed},
             {"families", families},
             {"evaluations", result_.evaluations},
+            {"may_decline", may_decline()},
+            {"looked_at", looked_at_json(all_)},
+            {"looked_at_by_goal", by_goal},
             {"comparisons", comparisons_json},
             {"verdict", verdict},
-            {"begun_from", {{"queries", plan_.first_queries}, {"families", first_families}}}};
+            {"begun_from",
+             {{"queries", plan_.first_queries},
+              {"families", first_families},
+              {"looked_at", looked_at_json(result_.begun)}}}};
   }
 
   const SearchPlan& plan_;
   const SearchResult& result_;
+  const LookedAt all_;
 };
 
 }  // namespace
+
+LookedAt search_looked_at(const SearchResult& result) {
+  LookedAt all = result.evaluated();
+  all.merge(result.begun);
+  return all;
+}
 
 InstrumentReport search_report(const SearchPlan& plan, const SearchResult& result, const std::string& command) {
   return SearchReport(plan, result).report(command);

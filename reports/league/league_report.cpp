@@ -8,6 +8,7 @@
 
 #include "reports/instrument/data.h"
 #include "reports/instrument/figures.h"
+#include "reports/instrument/looked_at.h"
 #include "reports/league/league_trust.h"
 #include "reports/league/league_worst.h"
 
@@ -27,21 +28,22 @@ std::string counts_per_million(std::uint64_t count, std::uint64_t of) {
   return rate < 999.5 ? fmt::format("{:.3g}", rate) : fmt::format("{:.3g}k", rate / 1000);
 }
 
-// The rates "missed/phantom", followed by outcomes other than a verdict: n and the rate of `invalid`, u and the number
-// of missing answers.
+// The rates "missed/phantom" of the decided queries, followed by what else there was: d, n, u and o with the numbers of
+// those that it declined, called `invalid`, did not answer, or that are outside its limits.
 std::string family_cell(const Tally& tally) {
-  const std::uint64_t of = answered(tally);
-  std::string cell = "none";
-  if (of != 0) {
-    cell = counts_per_million(tally.verdict.false_separation, of) + "/" +
-           counts_per_million(tally.verdict.false_contact, of);
-    if (tally.verdict.invalid != 0) cell += " n" + counts_per_million(tally.verdict.invalid, of);
-  }
-  if (tally.verdict.unanswered != 0) cell += fmt::format(" u{}", tally.verdict.unanswered);
+  const std::uint64_t of = decided(tally);
+  std::string cell = of == 0 ? "none decided"
+                             : counts_per_million(tally.verdict.false_separation, of) + "/" +
+                                   counts_per_million(tally.verdict.false_contact, of);
+  const auto add = [&](char letter, std::uint64_t count) {
+    if (count != 0) cell += fmt::format(" {}{}", letter, count);
+  };
+  add('d', tally.verdict.undecided);
+  add('n', tally.verdict.invalid);
+  add('u', tally.verdict.unanswered);
+  add('o', tally.verdict.outside_limits.trials);
   return cell;
 }
-
-std::string depth(double value) { return value == 0 ? "0" : fmt::format("{:.3g}", value); }
 
 // Errors without their signs.
 std::vector<double> sizes(std::vector<double> errors) {
@@ -50,7 +52,7 @@ std::vector<double> sizes(std::vector<double> errors) {
 }
 
 struct Radii {
-  std::string median = "none", largest = "none";
+  std::string median = "not measured", largest = "not measured";
 };
 Radii radii(std::vector<double> errors, std::uint64_t unbounded) {
   if (errors.empty() && unbounded == 0) return {};
@@ -66,8 +68,7 @@ class LeagueReport {
       : league_(league), plan_(league.plan), result_(result) {}
 
   InstrumentReport report(const std::string& command) const {
-    InstrumentReport report{"league",     "Kernels and libraries on the same queries", command, notes(), {}, {},
-                            data(command)};
+    InstrumentReport report{"league", title(), command, notes(), {}, {}, data(command)};
     for (const Precision precision : plan_.precisions)
       report.tables.push_back(trust_table(league_, result_, precision));
     report.tables.push_back(worst_table(league_, result_));
@@ -83,16 +84,28 @@ class LeagueReport {
   }
 
  private:
+  std::string title() const {
+    std::string text = "Kernels and libraries on the same queries";
+    const std::vector<std::string> silent = undecided_contenders(league_, result_);
+    return silent.empty() ? text : fmt::format("Nothing was looked at of {}. {}", fmt::join(silent, ", "), text);
+  }
+
   std::vector<std::string> notes() const {
     std::vector<std::string> all = {
-        "May I trust it: of the queries of a kind on which a verdict was said, how many are wrong: contacts that are "
-        "missed, contacts that are invented. yes: none. rarely: less than 1 in 1,000. declines: it refuses to make the "
-        "shape, or says that it cannot decide. Thin is sliver, needle and ratio; small is subnormal and scale; "
+        fmt::format("May I trust it: of the queries of a kind that were decided, how many are wrong: contacts that are "
+                    "missed, contacts that are invented. yes: none, of at least {} decided ones, among them half of "
+                    "the contacts and of the separations. rarely: less than 1 in 1,000. too few: nothing is wrong, and "
+                    "too little was decided. no: also where a valid query is called invalid, has no answer, or is "
+                    "declined by a kernel that does not declare that it may. declines: it refuses to make the shape, "
+                    "or says that it cannot decide.",
+                    least_looked_at),
+        "Thin is sliver, needle and ratio; small is subnormal and scale; "
         "degenerate is collinear and repeated; resting is tangent, on and tie; scene has the sizes of a game, in "
         "metres.",
-        "By family: missed/phantom, the contacts that are missed and those that are invented, for a million queries "
-        "that were answered. n: answers `invalid`, for a million. u: queries without an answer, since the library "
-        "crashed or hung on them, or did so too often in their unit to be called again.",
+        "By family: missed/phantom, the contacts that are missed and those that are invented, for a million decided "
+        "queries. Then numbers of queries: d: it declined. n: it called them `invalid`. u: no answer, since the "
+        "library "
+        "crashed or hung on them, or did so too often in their unit to be called again. o: outside its limits.",
         "Touching is judged by the convention that each declares; where it declares none, neither answer is wrong.",
         "Deepest: |d - r| / max(|A-P|, |B-P|, |C-P|, r) of a wrong verdict. Critical radius: for every 256th of a "
         "source's first 2^24 queries the smallest radius that is called a contact, its error in ulps of the exact "
@@ -135,26 +148,38 @@ class LeagueReport {
   InstrumentTable overall(Precision precision) const {
     InstrumentTable table{
         fmt::format("{}: over all families", name(precision)),
-        {"kernel", "answered", "missed", "deepest", "phantom", "deepest", "critical radius: median, ulps", "largest",
-         "hangs", "crashes", "other findings", "unanswered"},
+        {"kernel", "decided", "missed", "deepest", "phantom", "deepest", "declined", "invalid", "unanswered",
+         "outside limits", "critical radius: median, ulps", "largest", "hangs", "crashes", "other findings"},
         {}};
     if (!league_.nanoseconds.empty()) table.columns.emplace_back("ns a query");
     const std::optional<double> certified = time_of_certified(precision);
     if (certified) table.columns.emplace_back("where certified takes 1");
     for_each_contender(precision, [&](std::size_t k) {
       const Tally all = sum(k, precision);
+      const std::uint64_t said = decided(all);
       const auto radius = radii(sizes(all.critical_radius.errors_ulps), all.critical_radius.unbounded);
       auto& row = table.rows.emplace_back(std::vector<std::string>{
-          plan_.kernels[k]->id, thousands(answered(all)), thousands(all.verdict.false_separation),
-          depth(all.verdict.deepest_false_separation.best()), thousands(all.verdict.false_contact),
-          depth(all.verdict.deepest_false_contact.best()), radius.median, radius.largest,
+          plan_.kernels[k]->id, thousands(said), wrong_count(all.verdict.false_separation, said),
+          deepest(all.verdict.deepest_false_separation.best(), said), wrong_count(all.verdict.false_contact, said),
+          deepest(all.verdict.deepest_false_contact.best(), said), thousands(all.verdict.undecided),
+          thousands(all.verdict.invalid), thousands(all.verdict.unanswered),
+          thousands(all.verdict.outside_limits.trials), radius.median, radius.largest,
           thousands(count_of(all, FindingKind::hang)), thousands(count_of(all, FindingKind::crash)),
-          thousands(other_findings(all)), thousands(all.verdict.unanswered)});
+          thousands(other_findings(all))});
       const std::optional<double> ns = time(k, precision);
       if (ns) row.push_back(fmt::format("{:.3g}", *ns));
       if (ns && certified) row.push_back(fmt::format("{:.3g}", *ns / *certified));
     });
     return table;
+  }
+
+  // Of none there is no number of wrong ones, and no deepest of these.
+  static std::string wrong_count(std::uint64_t wrong, std::uint64_t of) {
+    return of == 0 ? "not measured" : thousands(wrong);
+  }
+  static std::string deepest(double depth, std::uint64_t of) {
+    if (of == 0) return "not measured";
+    return depth == 0 ? "0" : fmt::format("{:.3g}", depth);
   }
 
   std::optional<double> time(std::size_t k, Precision precision) const {
@@ -235,17 +260,23 @@ class LeagueReport {
                       {"precision", name(precision)},
                       {"summary", kernel.summary},
                       {"touching", name(kernel.touching)},
+                      {"may_decline", kernel.may_decline},
                       {"has_planted_fault", k >= league_.contenders},
                       {"ns", ns ? Json(*ns) : Json(nullptr)},
                       {"worst", k < league_.contenders ? worst_json(plan_, result_, k, precision) : Json(nullptr)},
+                      {"trust", Json::object()},
                       {"families", Json::object()}};
+        for (const TrustGroup* group : groups_asked(plan_)) {
+          const Trust trust = trust_in(kernel, tally_of_group(league_, result_, k, precision, group));
+          entry["trust"][std::string(group->name)] = {{"answer", trust.answer}, {"words", trust.words}};
+        }
         for_each_cell(k, precision, [&](const Source& source, const Tally& tally) {
           entry["families"][source.name()] = family_json(tally);
         });
         kernels.push_back(std::move(entry));
       }
     }
-    return headed("axiscert-league/1", {{"command", command},
+    return headed("axiscert-league/2", {{"command", command},
                                         {"seed", plan_.seed},
                                         {"kernels", std::move(kernels)},
                                         {"not_checked", league_.not_checked}});
@@ -257,16 +288,19 @@ class LeagueReport {
     std::sort(errors.begin(), errors.end());
     const auto error = [&](std::size_t i) { return errors.empty() ? Json(nullptr) : Json(errors[i]); };
     const auto position = caught(tally);
+    const std::uint64_t said = decided(tally);
+    const auto measured = [&](const auto& value) { return said == 0 ? Json(nullptr) : Json(value); };
     Json json = {{"trials", tally.trials},
-                 {"answered", answered(tally)},
-                 {"false_separation", verdict.false_separation},
-                 {"false_contact", verdict.false_contact},
-                 {"touching_flips", verdict.touching_flips},
-                 {"deepest_false_separation", verdict.deepest_false_separation.best()},
-                 {"deepest_false_contact", verdict.deepest_false_contact.best()},
+                 {"decided", said},
+                 {"false_separation", measured(verdict.false_separation)},
+                 {"false_contact", measured(verdict.false_contact)},
+                 {"touching_flips", measured(verdict.touching_flips)},
+                 {"deepest_false_separation", measured(verdict.deepest_false_separation.best())},
+                 {"deepest_false_contact", measured(verdict.deepest_false_contact.best())},
                  {"undecided", verdict.undecided},
                  {"invalid", verdict.invalid},
                  {"unanswered", verdict.unanswered},
+                 {"outside_limits", verdict.outside_limits.trials},
                  {"caught_after", position ? Json(*position + 1) : Json(nullptr)},
                  {"critical_radius",
                   {{"sampled", errors.size() + tally.critical_radius.unbounded},
@@ -286,6 +320,21 @@ class LeagueReport {
 };
 
 }  // namespace
+
+std::vector<std::string> undecided_contenders(const League& league, const CampaignResult& result) {
+  std::vector<std::string> silent;
+  for (std::size_t k = 0; k < league.contenders; ++k) {
+    for (const Precision precision : league.plan.precisions) {
+      if (!league.plan.kernels[k]->has(precision)) continue;
+      const Tally all = tally_of_group(league, result, k, precision, nullptr);
+      if (decided(all) != 0) continue;
+      const LookedAt looked_at = looked_at_of(all);
+      silent.push_back(fmt::format("{} ({}: {})", league.plan.kernels[k]->id, name(precision),
+                                   looked_at_text(looked_at, league.plan.kernels[k]->may_decline)));
+    }
+  }
+  return silent;
+}
 
 InstrumentReport league_report(const League& league, const CampaignResult& result, const std::string& command) {
   return LeagueReport(league, result).report(command);

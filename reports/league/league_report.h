@@ -16,6 +16,9 @@ struct League {
   std::vector<std::string> not_checked;  // one sentence each
 };
 
+// Each contender and precision with no decided query, with its counts: of these nothing was looked at.
+std::vector<std::string> undecided_contenders(const League& league, const CampaignResult& result);
+
 InstrumentReport league_report(const League& league, const CampaignResult& result, const std::string& command);
 
 }  // namespace axiscert

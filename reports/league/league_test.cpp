@@ -12,39 +12,95 @@
 namespace axiscert {
 namespace {
 
+// Half of the queries are contacts, one more where their number is odd.
 Tally tally_of(std::uint64_t trials, std::uint64_t missed, std::uint64_t invented) {
   Tally tally;
   tally.trials = trials;
+  tally.separated = trials / 2;
+  tally.contact = trials - tally.separated;
   tally.verdict.false_separation = missed;
   tally.verdict.false_contact = invented;
   return tally;
 }
 
-TEST(LeagueTrust, IsYesWhereNothingIsWrongAndSomethingWasAnswered) {
-  EXPECT_EQ(trust_words(tally_of(32768, 0, 0)), "yes: 0 of 32,768 wrong");
-  EXPECT_EQ(trust_words(tally_of(0, 0, 0)), "nothing answered");
-  Tally declines = tally_of(120, 0, 0);
-  declines.verdict.undecided = 120;
-  EXPECT_EQ(trust_words(declines), "nothing answered; declines 120");
-  declines.trials = 121;
-  EXPECT_EQ(trust_words(declines), "yes: 0 of 1 wrong; declines 120");
+Kernel made_kernel(bool may_decline) {
+  Kernel kernel = find_kernel("published");
+  kernel.may_decline = may_decline;
+  return kernel;
+}
+
+std::string trust_text(const Tally& tally, bool may_decline = false) {
+  return trust_in(made_kernel(may_decline), tally).text();
+}
+
+TEST(LeagueTrust, IsYesWhereNothingIsWrongAndEnoughWasDecided) {
+  EXPECT_EQ(trust_text(tally_of(32768, 0, 0)), "yes: 0 of 32,768 wrong");
+  EXPECT_EQ(trust_text(tally_of(59, 0, 0)), "yes: 0 of 59 wrong");
+  EXPECT_EQ(trust_text(tally_of(58, 0, 0)), "too few: 58 of 58 decided");
+  EXPECT_EQ(trust_text(tally_of(0, 0, 0)), "not looked at: 0 of 0 decided");
+}
+
+TEST(LeagueTrust, IsNotGivenToAKernelThatDeclinesMoreThanHalfOfEitherAnswer) {
+  Tally tally = tally_of(4096, 0, 0);
+  tally.verdict.undecided = tally.verdict.undecided_contact = 1024;
+  EXPECT_EQ(trust_text(tally, true), "yes: 0 of 3,072 wrong; declines 1,024") << "half of the contacts is enough";
+  tally.verdict.undecided = tally.verdict.undecided_contact = 1025;
+  EXPECT_EQ(trust_text(tally, true), "too few: 1,023 of 2,048 contacts decided; declines 1,025");
+  tally.verdict.undecided_contact = 0;
+  EXPECT_EQ(trust_text(tally, true), "too few: 1,023 of 2,048 separations decided; declines 1,025");
+  tally.verdict.undecided = 4096;
+  tally.verdict.undecided_contact = 2048;
+  EXPECT_EQ(trust_text(tally, true), "not looked at: 0 of 4,096 decided; declines 4,096");
+  tally.verdict.undecided = 4084;
+  tally.verdict.undecided_contact = 2036;
+  EXPECT_EQ(trust_text(tally, true), "too few: 12 of 4,096 decided; declines 4,084");
+}
+
+TEST(LeagueTrust, IsNotGivenAfterOneAnswerThatNoKernelMayGive) {
+  Tally tally = tally_of(4096, 0, 0);
+  tally.verdict.undecided = 1;
+  EXPECT_EQ(trust_text(tally), "no: 0 of 4,095 wrong; declines 1 and does not declare that it may");
+  EXPECT_EQ(trust_text(tally, true), "yes: 0 of 4,095 wrong; declines 1");
+  tally.verdict.undecided = 0;
+  tally.verdict.invalid = 1;
+  EXPECT_EQ(trust_text(tally, true), "no: 0 of 4,095 wrong; calls 1 invalid");
+  tally.verdict.invalid = 0;
+  tally.verdict.unanswered = 4096;
+  EXPECT_EQ(trust_text(tally, true), "no: 0 of 0 wrong; no answer to 4,096");
+}
+
+TEST(LeagueTrust, IsNotGivenToAKernelThatLimitsItselfToNothing) {
+  Tally tally = tally_of(4096, 0, 0);
+  OutsideTally& outside = tally.verdict.outside_limits;
+  outside.trials = 4096;
+  outside.contact = 2048;
+  EXPECT_EQ(trust_text(tally), "not looked at: 0 of 4,096 decided; 4,096 outside its limits");
+  outside.trials = 4095;
+  EXPECT_EQ(trust_text(tally), "too few: 1 of 4,096 decided; 4,095 outside its limits");
 }
 
 TEST(LeagueTrust, IsRarelyWhereLessThanOneInAThousandIsWrong) {
-  EXPECT_EQ(trust_words(tally_of(1000, 0, 1)), "no: 1 of 1,000 invented");
-  EXPECT_EQ(trust_words(tally_of(1001, 0, 1)), "rarely: 1 of 1,001 invented");
-  EXPECT_EQ(trust_words(tally_of(2001, 1, 1)), "rarely: 1 of 2,001 missed, 1 invented");
-  EXPECT_EQ(trust_words(tally_of(2000, 1, 1)), "no: 1 of 2,000 missed, 1 invented");
-  EXPECT_EQ(trust_words(tally_of(16384, 812, 0)), "no: 812 of 16,384 missed");
+  EXPECT_EQ(trust_text(tally_of(1000, 0, 1)), "no: 1 of 1,000 invented");
+  EXPECT_EQ(trust_text(tally_of(1001, 0, 1)), "rarely: 1 of 1,001 invented");
+  EXPECT_EQ(trust_text(tally_of(2001, 1, 1)), "rarely: 1 of 2,001 missed, 1 invented");
+  EXPECT_EQ(trust_text(tally_of(2000, 1, 1)), "no: 1 of 2,000 missed, 1 invented");
+  EXPECT_EQ(trust_text(tally_of(16384, 812, 0)), "no: 812 of 16,384 missed");
 }
 
 TEST(LeagueTrust, CountsOfVerdictsAndNamesEverythingElse) {
   Tally tally = tally_of(1010, 1, 0);
   tally.invalid = 2;
+  tally.contact -= 2;
   tally.verdict.undecided = 3;
   tally.verdict.invalid = 1;
   tally.verdict.unanswered = 4;
-  EXPECT_EQ(trust_words(tally), "no: 1 of 1,000 missed; declines 3; calls 1 invalid; no answer to 4");
+  EXPECT_EQ(trust_text(tally, true), "no: 1 of 1,000 missed; declines 3; calls 1 invalid; no answer to 4");
+}
+
+TEST(LeagueTrust, HasNoDeepestMissWhereNothingWasDecided) {
+  EXPECT_EQ(depth_text(0, 0, 0), "not measured");
+  EXPECT_EQ(depth_text(0, 4096, 0), "none of 4,096");
+  EXPECT_EQ(depth_text(3, 4096, 0.25), "0.25");
 }
 
 TEST(LeagueTrust, EveryFamilyOfAGroupExists) {
@@ -98,7 +154,10 @@ TEST(LeagueWorst, IsTheDeepestMissBeforeAnyInventedContact) {
   run.result.cells[1].tallies[0].verdict.deepest_false_separation = Leaders<double>(3);
   EXPECT_EQ(worst_table(run.league, run.result).rows[0][2], "invented");
   run.result.cells[1].tallies[0].verdict.deepest_false_contact = Leaders<double>(3);
-  EXPECT_TRUE(worst_table(run.league, run.result).rows.empty());
+  EXPECT_EQ(worst_table(run.league, run.result).rows[0][2], "none of 128") << "it says among how many";
+  for (CellResult& cell : run.result.cells) cell.tallies[0].verdict.undecided = 64;
+  EXPECT_EQ(worst_table(run.league, run.result).rows[0][2], "not looked at");
+  EXPECT_EQ(undecided_contenders(run.league, run.result).size(), 1u);
 }
 
 TEST(LeagueWorst, HasTheCodeOfAProgramsManifestWithNumbersThatReadBackExactly) {

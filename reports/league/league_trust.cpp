@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "fuzz/campaign/counts/looked_at.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -28,63 +29,126 @@ const std::vector<TrustGroup>& trust_groups() {
 
 bool is_scene(std::string_view family) { return trust_groups().back().has(family); }
 
-std::uint64_t answered(const Tally& tally) {
-  return tally.trials - tally.invalid - tally.verdict.unanswered - tally.verdict.outside_limits.trials;
+Evidence evidence_of(const Kernel& kernel, const Tally& tally) {
+  const VerdictTally& verdict = tally.verdict;
+  const OutsideTally& beyond = verdict.outside_limits;
+  const bool promises_touch = kernel.touching != Touching::either;
+  Evidence evidence;
+  evidence.population = tally.trials - tally.invalid;
+  evidence.outside = beyond.trials;
+  evidence.touching = promises_touch ? 0 : tally.touching - beyond.touching;
+  evidence.contacts = tally.contact - beyond.contact - evidence.touching;
+  evidence.separations = tally.separated - (beyond.trials - beyond.contact);
+  evidence.declined_contacts = verdict.undecided_contact - (promises_touch ? 0 : verdict.undecided_touching);
+  evidence.declined_separations = verdict.undecided - verdict.undecided_contact;
+  evidence.invalid = verdict.invalid;
+  evidence.unanswered = verdict.unanswered;
+  return evidence;
 }
 
-std::string trust_words(const Tally& tally) {
-  const VerdictTally& verdict = tally.verdict;
-  const std::uint64_t said = answered(tally) - verdict.undecided - verdict.invalid;
-  const std::uint64_t missed = verdict.false_separation, invented = verdict.false_contact;
-  std::string words;
-  if (said == 0) {
-    words = "nothing answered";
-  } else if (missed + invented == 0) {
-    words = fmt::format("yes: 0 of {} wrong", thousands(said));
-  } else {
-    words = (missed + invented) * rare < said ? "rarely: " : "no: ";
-    if (missed != 0) words += fmt::format("{} of {} missed", thousands(missed), thousands(said));
-    if (missed != 0 && invented != 0) words += fmt::format(", {} invented", thousands(invented));
-    if (missed == 0) words += fmt::format("{} of {} invented", thousands(invented), thousands(said));
-  }
-  if (verdict.undecided != 0) words += fmt::format("; declines {}", thousands(verdict.undecided));
-  if (verdict.invalid != 0) words += fmt::format("; calls {} invalid", thousands(verdict.invalid));
-  if (verdict.unanswered != 0) words += fmt::format("; no answer to {}", thousands(verdict.unanswered));
-  if (verdict.outside_limits.trials != 0) {
-    words += fmt::format("; {} outside its limits", thousands(verdict.outside_limits.trials));
-  }
+std::uint64_t decided(const Tally& tally) { return looked_at_of(tally).decided; }
+
+namespace {
+
+// "812 of 16,384 missed, 3 invented".
+std::string wrong_words(const Tally& tally, std::uint64_t said) {
+  const std::uint64_t missed = tally.verdict.false_separation, invented = tally.verdict.false_contact;
+  if (missed == 0) return fmt::format("{} of {} invented", thousands(invented), thousands(said));
+  std::string words = fmt::format("{} of {} missed", thousands(missed), thousands(said));
+  if (invented != 0) words += fmt::format(", {} invented", thousands(invented));
   return words;
+}
+
+// Why so few are no evidence; empty where they are some.
+std::string too_few_words(const Evidence& evidence, std::uint64_t said) {
+  if (said < least_looked_at) return fmt::format("{} of {} decided", thousands(said), thousands(evidence.population));
+  std::string words;
+  const auto add = [&](std::uint64_t declined, std::uint64_t of, const char* what) {
+    if (!words.empty() || !declines_too_many(declined, of, least_decided_share)) return;
+    words = fmt::format("{} of {} {} decided", thousands(of - declined), thousands(of), what);
+  };
+  add(evidence.declined_contacts, evidence.contacts, "contacts");
+  add(evidence.declined_separations, evidence.separations, "separations");
+  return words;
+}
+
+}  // namespace
+
+Trust trust_in(const Kernel& kernel, const Tally& tally) {
+  const VerdictTally& verdict = tally.verdict;
+  const LookedAt looked_at = looked_at_of(tally);
+  const std::uint64_t said = looked_at.decided, wrong = verdict.false_separation + verdict.false_contact;
+  Trust trust;
+  if (looked_at.faults(kernel.may_decline) != 0 || (wrong != 0 && wrong * rare >= said)) {
+    trust.answer = "no";
+    trust.words = wrong == 0 ? fmt::format("0 of {} wrong", thousands(said)) : wrong_words(tally, said);
+  } else if (wrong != 0) {
+    trust.answer = "rarely";
+    trust.words = wrong_words(tally, said);
+  } else if (said == 0) {
+    trust.answer = "not looked at";
+    trust.words = fmt::format("0 of {} decided", thousands(tally.trials - tally.invalid));
+  } else if (std::string few = too_few_words(evidence_of(kernel, tally), said); !few.empty()) {
+    trust.answer = "too few";
+    trust.words = std::move(few);
+  } else {
+    trust.answer = "yes";
+    trust.words = fmt::format("0 of {} wrong", thousands(said));
+  }
+  if (verdict.undecided != 0) {
+    trust.words += fmt::format("; declines {}{}", thousands(verdict.undecided),
+                               kernel.may_decline ? "" : " and does not declare that it may");
+  }
+  if (verdict.invalid != 0) trust.words += fmt::format("; calls {} invalid", thousands(verdict.invalid));
+  if (verdict.unanswered != 0) trust.words += fmt::format("; no answer to {}", thousands(verdict.unanswered));
+  if (verdict.outside_limits.trials != 0) {
+    trust.words += fmt::format("; {} outside its limits", thousands(verdict.outside_limits.trials));
+  }
+  return trust;
+}
+
+Tally tally_of_group(const League& league, const CampaignResult& result, std::size_t k, Precision precision,
+                     const TrustGroup* group) {
+  Tally all;
+  for (const CellResult& cell : result.cells) {
+    if (cell.precision != precision) continue;
+    if (group == nullptr || group->has(league.plan.sources[cell.source]->name())) all.merge(cell.tallies[k]);
+  }
+  return all;
+}
+
+std::vector<const TrustGroup*> groups_asked(const Plan& plan) {
+  std::vector<const TrustGroup*> groups;
+  for (const TrustGroup& group : trust_groups()) {
+    const auto is_asked = [&](const SourcePtr& source) { return group.has(source->name()); };
+    if (std::any_of(plan.sources.begin(), plan.sources.end(), is_asked)) groups.push_back(&group);
+  }
+  return groups;
 }
 
 InstrumentTable trust_table(const League& league, const CampaignResult& result, Precision precision) {
   const Plan& plan = league.plan;
   InstrumentTable table{fmt::format("{}: may I trust it?", name(precision)), {"kernel"}, {}};
-  std::vector<const TrustGroup*> groups;
-  for (const TrustGroup& group : trust_groups()) {
-    const auto is_asked = [&](const SourcePtr& source) { return group.has(source->name()); };
-    if (std::none_of(plan.sources.begin(), plan.sources.end(), is_asked)) continue;
-    groups.push_back(&group);
-    table.columns.emplace_back(group.name);
-  }
+  const std::vector<const TrustGroup*> groups = groups_asked(plan);
+  for (const TrustGroup* group : groups) table.columns.emplace_back(group->name);
   table.columns.emplace_back("deepest miss");
   for (std::size_t k = 0; k < league.contenders; ++k) {
-    if (!plan.kernels[k]->has(precision)) continue;
-    std::vector<Tally> by_group(groups.size());
-    Tally all;
-    for (const CellResult& cell : result.cells) {
-      if (cell.precision != precision) continue;
-      all.merge(cell.tallies[k]);
-      for (std::size_t i = 0; i < groups.size(); ++i) {
-        if (groups[i]->has(plan.sources[cell.source]->name())) by_group[i].merge(cell.tallies[k]);
-      }
+    const Kernel& kernel = *plan.kernels[k];
+    if (!kernel.has(precision)) continue;
+    auto& row = table.rows.emplace_back(std::vector<std::string>{kernel.id});
+    for (const TrustGroup* group : groups) {
+      row.push_back(trust_in(kernel, tally_of_group(league, result, k, precision, group)).text());
     }
-    auto& row = table.rows.emplace_back(std::vector<std::string>{plan.kernels[k]->id});
-    for (const Tally& tally : by_group) row.push_back(trust_words(tally));
-    row.push_back(all.verdict.false_separation == 0
-                      ? "none"
-                      : fmt::format("{:.3g}", all.verdict.deepest_false_separation.best()));
+    const Tally all = tally_of_group(league, result, k, precision, nullptr);
+    row.push_back(depth_text(all.verdict.false_separation, decided(all), all.verdict.deepest_false_separation.best()));
   }
   return table;
+}
+
+std::string depth_text(std::uint64_t wrong, std::uint64_t decided, double deepest) {
+  if (decided == 0) return "not measured";
+  if (wrong == 0) return fmt::format("none of {}", thousands(decided));
+  return deepest == 0 ? "0" : fmt::format("{:.3g}", deepest);
 }
 
 }  // namespace axiscert

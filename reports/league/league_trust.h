@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "reports/evidence/evidence.h"
 #include "reports/league/league_report.h"
 
 namespace axiscert {
@@ -20,15 +21,36 @@ const std::vector<TrustGroup>& trust_groups();
 // Families of scenes as a game has them.
 bool is_scene(std::string_view family);
 
-// Number of queries that have a truth and to which the kernel gave an answer, which `undecided` and `invalid` are too.
-std::uint64_t answered(const Tally& tally);
+// As of a record's entry, from the counts of a campaign.
+Evidence evidence_of(const Kernel& kernel, const Tally& tally);
+// Number of queries within the kernel's limits on which it said contact or separated.
+std::uint64_t decided(const Tally& tally);
 
-// "yes: 0 of 4,096 wrong", "rarely: 3 of 4,096 missed", "no: 812 of 4,096 missed, 3 invented", "nothing answered"; then
-// "; declines 120", "; calls 4 invalid", "; no answer to 14", "; 9 outside its limits", where there are such. It counts
-// of those on which the kernel said a verdict; less than one wrong in a thousand is rare.
-std::string trust_words(const Tally& tally);
+// The answer to "may I trust it?", and the counts that it rests on.
+struct Trust {
+  // "yes", "rarely", "no", "too few" or "not looked at"
+  std::string answer;
+  std::string words;
+  std::string text() const { return answer + ": " + words; }
+};
+
+// "yes: 0 of 4,096 wrong", "rarely: 3 of 4,096 missed", "no: 812 of 4,096 missed, 3 invented", "too few: 12 of 4,096
+// decided", "not looked at: 0 of 4,096 decided"; then "; declines 120", "; calls 4 invalid", "; no answer to 14", "; 9
+// outside its limits", where there are such. Less than one wrong in a thousand is rare. An answer `invalid`, none, or a
+// decline that the kernel does not declare, is no trust, one being enough. Trust takes least_looked_at decided queries,
+// and least_decided_share of the promised contacts and of the separations.
+Trust trust_in(const Kernel& kernel, const Tally& tally);
+
+// The groups of which a family was asked.
+std::vector<const TrustGroup*> groups_asked(const Plan& plan);
+// All families of a group together; of every family where that is null.
+Tally tally_of_group(const League& league, const CampaignResult& result, std::size_t k, Precision precision,
+                     const TrustGroup* group);
 
 // A row for each contender that exists in the precision, a column for each kind of which a family was asked.
 InstrumentTable trust_table(const League& league, const CampaignResult& result, Precision precision);
+
+// "0.25"; "none of 4,096" where none was wrong; "not measured" where none was decided.
+std::string depth_text(std::uint64_t wrong, std::uint64_t decided, double deepest);
 
 }  // namespace axiscert

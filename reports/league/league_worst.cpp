@@ -12,7 +12,9 @@
 #include "kernel/plugin/load.h"
 #include "kernel/program/code_lines.h"
 #include "kernel/program/manifest.h"
+#include "reports/league/league_trust.h"
 #include "reports/wording/reproduce.h"
+#include "reports/wording/summary.h"
 
 namespace axiscert {
 namespace {
@@ -113,7 +115,13 @@ InstrumentTable worst_table(const League& league, const CampaignResult& result) 
   for (std::size_t k = 0; k < league.contenders; ++k) {
     for (const Precision precision : plan.precisions) {
       const std::optional<WorstQuery> found = worst_of(plan, result, k, precision);
-      if (!found) continue;
+      if (!plan.kernels[k]->has(precision)) continue;
+      if (!found) {
+        const std::uint64_t said = decided(tally_of_group(league, result, k, precision, nullptr));
+        table.rows.push_back({plan.kernels[k]->id, std::string(name(precision)),
+                              said == 0 ? "not looked at" : fmt::format("none of {}", thousands(said)), "", "", ""});
+        continue;
+      }
       table.rows.push_back({plan.kernels[k]->id, std::string(name(precision)), kind_of(*found), found->source->name(),
                             fmt::format("{:.3g}", found->depth), found->address(plan.seed)});
       table.scenes.push_back(worst_scene(*found, plan.seed));

@@ -30,7 +30,7 @@ std::string worst_sentence(const WorstQuery& worst, std::uint64_t seed);
 // that make the query again and judge it. The code's numbers are decimals of which a double has every bit.
 InstrumentScene worst_scene(const WorstQuery& worst, std::uint64_t seed);
 
-// A row and a scene for each contender and precision with a wrong verdict.
+// A row for each contender and precision, with a scene where a verdict was wrong; else it says among how many.
 InstrumentTable worst_table(const League& league, const CampaignResult& result);
 // One row's figures by name, its query and its code; null where no verdict was wrong.
 Json worst_json(const Plan& plan, const CampaignResult& result, std::size_t k, Precision precision);

@@ -36,7 +36,7 @@ class Map(Case):
         self.assertEqual(index["maps"], [found])
         self.assertEqual(len(found["pictures"]), 1 + 7 + 16)
         colours = {entry["colour"]: entry["class"] for entry in index["legend"]}
-        self.assertEqual(len(colours), 11)
+        self.assertEqual(len(colours), 14)
         for entry in found["pictures"]:
             image = self.picture(entry["file"])
             self.assertEqual(image.size, (found["along"]["pixels"], found["across"]["pixels"]))
@@ -100,9 +100,9 @@ class Map(Case):
         self.map("--size", 4, "--what", "plane", "--name", "other")
         path = self.folder / "maps/index.json"
         good = path.read_text()
-        for text, says in {"[]": ["axiscert-maps/1", "remove it, or give another --out"],
-                           good[:-20]: ["axiscert-maps/1"],
-                           good.replace("axiscert-maps/1", "axiscert-maps/2"): ["axiscert-maps/2"],
+        for text, says in {"[]": ["axiscert-maps/2", "remove it, or give another --out"],
+                           good[:-20]: ["axiscert-maps/2"],
+                           good.replace("axiscert-maps/2", "axiscert-maps/1"): ["axiscert-maps/1"],
                            good.replace('"level": "axis"', '"level": "pane"'): ["/maps/0/pictures/0/level", "remove it"],
                            good.replace('"witness"', '"witless"'): ["/maps/0/witless"]}.items():
             with self.subTest(says=says):

@@ -106,6 +106,8 @@ std::vector<CriticalRadius<Real>> bisected(const Implementation<Real>& kernel, c
       Search search = searches[i];
       CriticalRadius<Real>& result = found[search.query];
       result.answered = verdicts[i] != Verdict::unanswered;
+      const bool says_neither = verdicts[i] == Verdict::undecided || verdicts[i] == Verdict::invalid;
+      if (says_neither && !result.not_decided) result.not_decided = verdicts[i];
       if (!result.answered || (is_first && verdicts[i] != Verdict::contact)) continue;
       if (verdicts[i] == Verdict::contact) search.high = search.asked;
       else search.low = search.asked + 1;

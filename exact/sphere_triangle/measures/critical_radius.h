@@ -16,6 +16,9 @@ template <class Real>
 struct CriticalRadius {
   std::optional<Real> radius;  // empty if the kernel does not say contact at the greatest radius of the range
   bool answered = true;        // false: the kernel did not answer at some radius, and nothing was measured
+  // `undecided` or `invalid`, the first of these that it said at some radius: the change that was found may be one to
+  // that, and not from separated to contact.
+  std::optional<Verdict> not_decided = {};
   bool operator==(const CriticalRadius&) const = default;
 };
 

@@ -83,13 +83,13 @@ Found thresholds_by_images(Subject<Real>& subject) {
     const SourcePtr source = family_source(find_family(family));
     const auto asymmetry = asymmetry_of(plan, subject.kernel(), *source, precision_of<Real>, unit_trials);
     if (!asymmetry) continue;
-    images += asymmetry->images;
+    for (const ImageChanges& changes : asymmetry->invariance.kinds) images += changes.images;
     subject.count(unit_trials);
     add_sizes(found, subject, plan, *source, asymmetry->invariance.units.small, true);
     add_sizes(found, subject, plan, *source, asymmetry->invariance.units.large, false);
   }
   if (found.bases == 0 && images < least_images) {
-    return undecided(fmt::format("It answered {} images of scenes in other units: too few to say.", images));
+    return undecided(fmt::format("It decided {} images of scenes in other units: too few to say.", images));
   }
   if (found.bases == 0) {
     return decided(Threshold::none_found,
@@ -133,7 +133,12 @@ class UnitsByForms {
     for (const Family* family : families_of(subject_.test())) {
       if (family->entry == subject_.kernel().entry && image_group(family->name) == nullptr) add(*family);
     }
-    if (images_ == 0) return undecided("No query that is far from touching kept within the range in another unit.");
+    if (images_ + not_decided_ == 0)
+      return undecided("No query that is far from touching kept within the range in another unit.");
+    if (changed_ == 0 && images_ <= not_decided_) {
+      return undecided(fmt::format("It decided {} of {} clear queries in both units: too few to say.", images_,
+                                   images_ + not_decided_));
+    }
     const Json measured = {{"images", images_}, {"bases", changed_}, {"exponents", by_exponent_}};
     if (changed_ == 0) {
       return decided(Threshold::none_found,
@@ -178,9 +183,11 @@ class UnitsByForms {
 
   void compare(const Queries<Real>& all, const std::vector<int>& units, Verdict truth) {
     const auto said = subject_.ask(all);
-    if (!is_decided(said[0])) return;
     for (std::size_t i = 1; i < all.size(); ++i) {
-      if (!is_decided(said[i])) continue;
+      if (!is_decided(said[0]) || !is_decided(said[i])) {
+        ++not_decided_;
+        continue;
+      }
       ++images_;
       if (said[i] == said[0]) continue;
       ++changed_;
@@ -213,7 +220,8 @@ class UnitsByForms {
 
   Subject<Real>& subject_;
   std::vector<Implementation<Real>> forms_;
-  std::uint64_t images_ = 0, changed_ = 0;
+  std::uint64_t images_ = 0, changed_ = 0;  // decided in both units
+  std::uint64_t not_decided_ = 0;           // in one of them at least
   Json by_exponent_ = Json::object();
   std::vector<DiagnosisWitness> witnesses_;
 };

@@ -57,8 +57,8 @@ Found not_repeatable() {
 
 // One difference decides; that there is none takes answers.
 Found too_few_answers(std::size_t answered, std::size_t compared) {
-  return undecided(fmt::format("It gave both answers to only {} of {} comparisons, too few to say that none differs.",
-                               answered, compared));
+  return undecided(fmt::format(
+      "It decided both queries in only {} of {} comparisons, too few to say that none differs.", answered, compared));
 }
 
 struct PlaceDifference {
@@ -84,7 +84,7 @@ Found placed_differently(Subject<Real>& subject, bool is_of_length) {
         const Verdict there = said[base_length - 1][base];
         ++compared;
         if (!is_answer(here) || !is_answer(there)) continue;
-        ++answered;
+        answered += is_decided(here) && is_decided(there);
         if (here == there) continue;
         differs = true;
         if (first) continue;
@@ -118,7 +118,7 @@ template <class Real>
 Found repeated(Subject<Real>& subject) {
   const Queries<Real> batch = mixed_queries(subject, 1024);
   const auto first = subject.ask_batch(batch);
-  if (std::ranges::none_of(first, is_answer)) return undecided("It gave no answers.");
+  if (std::ranges::none_of(first, is_decided)) return undecided("It decided none of these queries.");
   for (int i = 1; i < repetitions; ++i) {
     const auto again = subject.ask_batch(batch);
     for (std::size_t k = 0; k < batch.size(); ++k) {
@@ -159,7 +159,7 @@ Found neighbours(Subject<Real>& subject) {
       const auto among_itself = subject.ask_batch(Queries<Real>(longest, batch[k]));
       ++compared;
       if (!is_answer(among_others[k]) || !is_answer(among_itself[k])) continue;
-      ++answered;
+      answered += is_decided(among_others[k]) && is_decided(among_itself[k]);
       if (among_others[k] == among_itself[k]) continue;
       ++differing;
       if (!witness) {
