@@ -8,13 +8,18 @@ The commands are those that stand with the tables, and here in the function of e
 """
 import json
 import re
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+from fractions import Fraction
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "kernel/peers/npm"))
+import exact  # noqa: E402
+
 MESHES = ("OBJ/spider.obj", "PLY/Wuson.ply", "STL/sphereWithHole.stl")
 
 
@@ -132,6 +137,59 @@ def shrunk(commands, old):
     return "".join(lines[:2]) + "".join(row(line) for line in lines[2:])
 
 
+# ---- docs/precision.md
+
+STEP_KERNELS = "ladder-0 ladder-4 ladder-5 ladder-6 ladder-7 ladder-8 published reduced".split()
+STEP_FAMILIES = "general tangent seam sliver far".split()
+TERRAIN = "HMP/terrain.hmp"
+
+
+def at_the_origin(query):
+    """The query with its centre at the origin: coordinates less those of P, rounded once to binary32."""
+    number = lambda x: float.fromhex(x) if isinstance(x, str) else float(x)
+    rounded = lambda x: struct.unpack("f", struct.pack("f", x))[0]
+    moved = {name: [rounded(number(x) - number(y)) for x, y in zip(query[name], query["p"])] for name in "abc"}
+    return {"id": query["id"].replace(":", "-"), "precision": "binary32", **moved, "p": [0, 0, 0], "r": query["r"]}
+
+
+def steps(commands, old):
+    """Missed / phantom; wrong signs of the edge axes. Rows are forms, columns samples of queries."""
+    made = commands.text("generate", *options("--family", STEP_FAMILIES), "--trials", "2048")
+    with tempfile.TemporaryDirectory() as folder:
+        centred = Path(folder) / "centred.jsonl"
+        centred.write_text("".join(json.dumps(at_the_origin(json.loads(line))) + "\n" for line in made.splitlines()))
+        samples = [(*options("--family", STEP_FAMILIES), "--trials", "2048"), ("--queries", str(centred)),
+                   ("--family", "scene-walk", "--trials", "20480"), ("--mesh", str(Path(commands.models) / TERRAIN), "--trials", "20000")]
+        records = [commands.run(*options("--kernel", STEP_KERNELS), *sample, "--precision", "binary32", "--shrink", "0")[1] for sample in samples]
+
+    def cell(record, kernel):
+        (found,) = [each["families"].values() for each in record["kernels"] if each["id"] == kernel]
+        missed, phantom = (sum(family["verdict"][kind] for family in found) for kind in ("false_separation", "false_contact"))
+        signs = sum(comparison[kind] for family in found for name, comparison in family["comparisons"].items() if name.startswith("edge")
+                    for kind in ("false_separation", "missed_separation"))
+        return f"{missed:,} / {phantom:,}; {signs:,}"
+
+    return with_rows(old, [[f"`{kernel}`", *(cell(record, kernel) for record in records)] for kernel in STEP_KERNELS])
+
+
+def answered(commands, old):
+    """Of the edge comparisons that `published` gets wrong, those that `reduced` gets right, and the other way round."""
+    def row(line):
+        family, seed, trials = (cell.strip("`").replace(",", "") for cell in cells_of(line)[:3])
+        queries = commands.text("generate", "--family", family, "--trials", trials, "--seed", seed)
+        wrong = {}
+        for kernel in ("published", "reduced"):
+            done = subprocess.run([commands.axiscert, "check", "-", "--kernel", kernel, "--format", "jsonl"], input=queries, text=True, capture_output=True)
+            assert done.returncode == 0, done.stderr
+            wrong[kernel] = {(found["id"], flip["name"]) for found in map(json.loads, done.stdout.splitlines()) for flip in found["flips"]
+                             if flip["level"] == "comparison" and flip["name"].startswith("edge")}
+        one, other = wrong["published"], wrong["reduced"]
+        return row_of([*cells_of(line)[:3], f"{len(one):,}", f"{len(one - other):,}", f"{len(other):,}", f"{len(other - one):,}"])
+
+    lines = old.splitlines(keepends=True)
+    return "".join(lines[:2]) + "".join(map(row, lines[2:]))
+
+
 # ---- docs/moving.md
 
 SWEEPS = ("general huge_d", "graze touch_end touch_start seam_time overlap_ulp", "slide skim along_edge", "approach", "tiny_d zero_d",
@@ -161,6 +219,69 @@ def sweeps(commands, old):
     return "".join(lines[:2]) + "".join(row(line) for line in lines[2:])
 
 
+START_FAMILIES = "general overlap_ulp lattice zero_d tiny_d slide along_edge line_sweep".split()
+STARTS = ("still", "leaves", "neither", "approaches", "parallel")
+
+
+def start_of(query, answer):
+    """The column of a motion in contact, one of STARTS: how an overlap begins, from the distance at 0 and after 2^-60 of D; or that it begins clear
+    of a triangle with area and goes parallel to its plane, and does not just touch. Nothing for all others."""
+    number = lambda x: Fraction(float.fromhex(x) if isinstance(x, str) else x)
+    points, (centre, way) = [list(map(number, query[name])) for name in "abc"], (list(map(number, query[name])) for name in "pd")
+    if answer["start"] == "overlap":
+        if not any(way):
+            return "still"
+        now, then = (exact.squared_distance([*sum(points, []), *(p + time * d for p, d in zip(centre, way))]) for time in (Fraction(0), Fraction(1, 2 ** 60)))
+        return "leaves" if then > now else "approaches" if then < now else "neither"
+    normal = exact.cross(exact.minus(points[1], points[0]), exact.minus(points[2], points[0]))
+    is_parallel = any(normal) and any(way) and exact.dot(normal, way) == 0
+    return "parallel" if is_parallel and answer["start"] == "clear" and not answer["touching"] else None
+
+
+def starts(commands, old):
+    """Of the motions in contact, by how they begin: how many a peer misses of those that it answers. Rows of engines that are not installed stay."""
+    known = commands.text("kernels", "--test", "moving-sphere")
+    queries = commands.text("generate", *options("--family", ["moving-sphere/" + name for name in START_FAMILIES]), "--trials", "100", "--seed", "2")
+    columns = {}
+
+    def row(line):
+        kernel = "moving-sphere/peer/" + cells_of(line)[0].strip("`")
+        if not re.search(rf"^{re.escape(kernel)} +(?!NOT)", known, re.M):
+            return line
+        done = subprocess.run([commands.axiscert, "check", "-", "--kernel", kernel, "--format", "jsonl"], input=queries, text=True, capture_output=True)
+        assert done.returncode == 0, done.stderr
+        counts = {column: [0, 0] for column in STARTS}
+        for query, found in zip(map(json.loads, queries.splitlines()), map(json.loads, done.stdout.splitlines())):
+            answer = found["computed"]["verdict"]
+            if found["exact"]["verdict"] != "contact" or answer not in ("contact", "separated"):
+                continue
+            if query["id"] not in columns:
+                columns[query["id"]] = start_of(query, found["exact"])
+            if columns[query["id"]]:
+                counts[columns[query["id"]]][0] += answer == "separated"
+                counts[columns[query["id"]]][1] += 1
+        return row_of([cells_of(line)[0], *(f"{missed} of {count}" if count else "declined" for missed, count in counts.values())])
+
+    lines = old.splitlines(keepends=True)
+    return "".join(lines[:2]) + "".join(map(row, lines[2:]))
+
+
+def rapier_times(commands, old):
+    """Late and early by how much of the way at most. The row stays where the engine is not installed."""
+    kernel = "moving-sphere/peer/rapier/sweep"
+    if not re.search(rf"^{kernel} +(?!NOT)", commands.text("kernels", "--test", "moving-sphere"), re.M):
+        return old
+
+    def row(line):
+        family, queries = (cell.strip("`").replace(",", "") for cell in cells_of(line)[:2])
+        record = commands.run("--kernel", kernel, "--family", f"moving-sphere/{family}", "--trials", queries, "--precision", "binary32", "--shrink", "0")[1]
+        (time,) = (found["motion"]["time"] for found in record["kernels"][0]["families"].values())
+        return row_of([*cells_of(line)[:2], *(short(float(time[kind]["largest_in_u"] or 0) / 2 ** 24) for kind in ("early_errors", "late_errors"))])
+
+    lines = old.splitlines(keepends=True)
+    return "".join(lines[:2]) + "".join(map(row, lines[2:]))
+
+
 ENDS_KERNELS = "ends-twenty ends-twenty-nonstrict ends-difference ends-rounded".split()
 ENDS = ("ends_general ends_huge", "ends_graze ends_touch", "ends_slide ends_along", "ends_approach", "ends_still", "ends_line", "ends_point",
         "ends_lattice", "ends_walk")
@@ -180,9 +301,9 @@ def ends(commands, old):
 # ---- docs/boxes.md
 
 BOX_KERNELS = "projected columns dropped framed textbook rtcd gottschalk bullet cofactor".split()
-BOX_FAMILIES = "general tangent stacked resting crossed parallel thin flat".split()
+BOX_FAMILIES = "general tangent stacked resting level crossed parallel thin flat".split()
 BOX_PEERS = "ode ode-unimportant ode-touches fcl fcl-obb bullet libccd-gjk libccd-mpr".split()
-BOX_PEER_FAMILIES = "lattice tangent resting crossed parallel flat".split()
+BOX_PEER_FAMILIES = "lattice tangent resting level crossed parallel flat".split()
 
 
 def box_verdicts(commands, kernels, families, trials):
@@ -292,7 +413,11 @@ TABLES = {
     "main-job": ("docs/main-job.md", main_job, "long"),
     "main-job-rows": ("docs/main-job.md", main_job_rows, "long"),
     "declined": ("docs/proofs.md", declined, "quick"),
+    "steps": ("docs/precision.md", steps, "long"),
+    "answered": ("docs/precision.md", answered, "quick"),
     "sweeps": ("docs/moving.md", sweeps, "long"),
+    "starts": ("docs/moving.md", starts, "long"),
+    "rapier-times": ("docs/moving.md", rapier_times, "long"),
     "ends": ("docs/moving.md", ends, "long"),
     "box-misses": ("docs/boxes.md", box_misses, "long"),
     "box-phantoms": ("docs/boxes.md", box_phantoms, "long"),

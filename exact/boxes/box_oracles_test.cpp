@@ -31,6 +31,7 @@ TEST(BoxOracles, AnswerByHand) {
   EXPECT_EQ(oracles.truth(cubes({1.5, 0, 0})).verdict, Verdict::contact);
   EXPECT_FALSE(oracles.truth(cubes({1.5, 0, 0})).touching);
   EXPECT_NEAR(*oracles.depth(cubes({1.5, 0, 0})), 0.5 / std::sqrt(3.0), 1e-15);
+  EXPECT_NEAR(*oracles.depth(cubes({0, 0, 0})), 2 / std::sqrt(3.0), 1e-15) << "deeper than 1: one in the other";
   EXPECT_EQ(quaternion_oracles()
                 .truth(Numbers<float>{0, 0, 0, 1, 1, 1, 1, 0, 0, 0,  //
                                       2, 0, 0, 1, 1, 1, 0, 5, 0, 0})

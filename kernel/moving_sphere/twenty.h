@@ -126,8 +126,8 @@ struct SweepingAxes {
   }
 };
 
-// All 61 comparisons. With `>` in the sides it is right over the reals wherever D.V != 0, and else may invent contacts;
-// with `>=` in them it is right for every query.
+// All 61 comparisons. With `>` in sides and headings it is right over the reals wherever D.V != 0, and else may invent
+// contacts; with `>=` in them it is right for every query.
 struct Twenty {
   static constexpr std::string_view name = "twenty";
   static constexpr FormulaeKind kind = FormulaeKind::rung;

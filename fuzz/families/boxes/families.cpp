@@ -7,6 +7,7 @@
   X(tangent)                     \
   X(stacked)                     \
   X(resting)                     \
+  X(level)                       \
   X(crossed)                     \
   X(edge_edge)                   \
   X(vertex_face)                 \
@@ -24,6 +25,7 @@
   X(lattice_turned)              \
   X(tangent_turned)              \
   X(resting_turned)              \
+  X(level_turned)                \
   X(crossed_turned)              \
   X(edge_edge_turned)            \
   X(vertex_face_turned)          \

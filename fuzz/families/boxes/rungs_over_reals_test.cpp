@@ -14,7 +14,7 @@ namespace axiscert::boxes {
 namespace {
 
 constexpr std::uint64_t reals_seed = 1;
-constexpr const char* reals_families[] = {"general", "tangent",  "stacked", "resting",
+constexpr const char* reals_families[] = {"general", "tangent",  "stacked", "resting", "level",
                                           "crossed", "parallel", "thin",    "flat"};
 
 // By rung, in the order of `rungs_on`.
@@ -63,6 +63,7 @@ TEST(RungsOverTheReals, ProjectedIsRightAndOnlyTheTextbookMissesDeeply) {
   EXPECT_EQ(resting.wrong[0].all(), 0);
   EXPECT_GT(resting.wrong[4].missed, 3);
   EXPECT_EQ(resting.wrong[8].all(), 0);
+  EXPECT_EQ(rungs_on("level", 60).wrong[4].all(), 0) << "upright, the textbook is right";
 }
 
 TEST(RungsOverTheRealsLong, TheTableOfDocsBoxes) {
