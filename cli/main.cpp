@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ int main(int argc, char** argv) {
   CLI::App app{
       "Runs collision tests beside exact arithmetic and reports where, how far, how often and why they are wrong. "
       "`axiscert explain WORD` says what a word of its output means."};
-  app.set_version_flag("--version", std::string("axiscert ") + axiscert_version);
+  app.set_version_flag("--version", fmt::format("axiscert {} (revision {})", axiscert_version, axiscert_revision));
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done; 1 a requirement failed; 2 bad usage or input, or a target this machine lacks;\n"
@@ -48,12 +49,13 @@ int main(int argc, char** argv) {
     }
   }
   add_man(app, action);
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   try {
     app.parse(argc, argv);
-    require_values(app);
+    require_values(app, words);
     return action();
   } catch (const CLI::ParseError& usage) {
-    return tell_usage(app, usage);
+    return tell_usage(app, usage, words);
   } catch (...) {
     return tell(std::current_exception());
   }

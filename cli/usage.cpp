@@ -9,7 +9,7 @@
 #include "cli/commands.h"
 #include "fuzz/queries/family.h"
 #include "kernel/base/alike.h"
-#include "kernel/base/error.h"
+#include "kernel/base/plain_line.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/load.h"
 
@@ -113,10 +113,69 @@ std::string repeated(const CLI::App& command) {
   return "";
 }
 
+// Of nothing but spaces, or what CLI11 reads as an empty list.
+bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == text.npos || text == "{}"; }
+
+// Options whose values are NAME=VALUE, of which neither part may be empty.
+constexpr std::string_view pairs[] = {"--require", "--source", "--tolerance"};
+
+bool has_blank_part(const CLI::Option& option, std::string_view value) {
+  if (is_blank(value)) return true;
+  const std::size_t equals = value.find('=');
+  return equals != value.npos && std::find(std::begin(pairs), std::end(pairs), option.get_name()) != std::end(pairs) &&
+         (is_blank(value.substr(0, equals)) || is_blank(value.substr(equals + 1)));
+}
+
+std::string empty_message(const CLI::App& command, const CLI::Option& option, std::string_view value) {
+  const std::string type = option.get_type_name();
+  const std::size_t words = type.find('{');
+  const std::string takes = option.get_description() + (words == type.npos ? "" : ", of " + type.substr(words));
+  return fmt::format("{}: {}: {}, as of an unset variable; give {}{}", full_name(command), option.get_name(),
+                     is_blank(value) ? "an empty value" : fmt::format("an empty part in '{}'", value),
+                     option.get_required() ? "one" : "one, or leave the option out", takes.empty() ? "" : ": " + takes);
+}
+
+// The option that takes a value and has this name; nullptr where there is none.
+const CLI::Option* taker(const CLI::App& command, const std::string& name) {
+  const CLI::Option* option = name.starts_with('-') ? command.get_option_no_throw(name) : nullptr;
+  return option != nullptr && option->get_items_expected_max() != 0 ? option : nullptr;
+}
+
+// What is wrong with a word that is empty, or empty after its `=`; an empty text where nothing is. CLI11 takes `--key=
+// x` for `--key x`, and `--corpus ''` for `--corpus`.
+std::string empty_word(const CLI::App& command, const std::string& word, const std::string& before) {
+  const std::size_t equals = word.starts_with('-') ? word.find('=') : word.npos;
+  if (equals != word.npos && is_blank(word.substr(equals + 1))) {
+    const CLI::Option* option = command.get_option_no_throw(word.substr(0, equals));
+    return option == nullptr ? "" : empty_message(command, *option, "");
+  }
+  if (!is_blank(word)) return "";
+  if (const CLI::Option* option = taker(command, before)) return empty_message(command, *option, "");
+  return fmt::format("{}: an empty word{}, as of an unset variable; leave it out", full_name(command),
+                     before.empty() ? "" : fmt::format(" after '{}'", before));
+}
+
+// The value that is empty, as in `--key "$UNSET"`: an empty text where there is none. Taken as not given, it would ask
+// for less than its author did: no key, no ratchet, the kernel that is the default.
+std::string empty_value(const CLI::App& command, const std::vector<std::string>& words) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_items_expected_min() == 0)
+      continue;  // a flag, or a value that may be left out, whose default this is
+    for (const std::string& value : option->results()) {
+      if (has_blank_part(*option, value)) return empty_message(command, *option, value);
+    }
+  }
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (const std::string text = empty_word(command, words[i], i == 0 ? "" : words[i - 1]); !text.empty()) return text;
+  }
+  return "";
+}
+
 }  // namespace
 
-std::string usage_message(const CLI::App& app, const CLI::ParseError& refused) {
+std::string usage_message(const CLI::App& app, const CLI::ParseError& refused, const std::vector<std::string>& words) {
   const CLI::App& command = reached(app);
+  if (const std::string text = empty_value(command, words); !text.empty()) return text;
   const std::vector<std::string> remaining = command.remaining();
   if (const std::string text = missing_value(command); !text.empty()) return text;
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&refused) != nullptr) {
@@ -132,14 +191,16 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& refused) {
                      full_name(command));
 }
 
-int tell_usage(const CLI::App& app, const CLI::ParseError& refused) {
+int tell_usage(const CLI::App& app, const CLI::ParseError& refused, const std::vector<std::string>& words) {
   if (refused.get_exit_code() == 0) return app.exit(refused);
-  fmt::print(stderr, "{}\n", plain_line(usage_message(app, refused)));
+  fmt::print(stderr, "{}\n", plain_line(usage_message(app, refused, words)));
   return exit_bad_input;
 }
 
-void require_values(const CLI::App& app) {
-  if (const std::string text = missing_value(reached(app)); !text.empty()) throw Error(text);
+void require_values(const CLI::App& app, const std::vector<std::string>& words) {
+  for (const std::string& text : {empty_value(reached(app), words), missing_value(reached(app))}) {
+    if (!text.empty()) throw CLI::ParseError(text, CLI::ExitCodes::InvalidError);
+  }
 }
 
 }  // namespace axiscert

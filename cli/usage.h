@@ -5,16 +5,18 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <vector>
 
 namespace axiscert {
 
-// The message for a command line that the parser refused.
-std::string usage_message(const CLI::App& app, const CLI::ParseError& refused);
+// The message for a command line, of these words after the program's name, that the parser refused.
+std::string usage_message(const CLI::App& app, const CLI::ParseError& refused, const std::vector<std::string>& words);
 
 // Prints the message on standard error, or what --help and --version show on standard output. Returns an ExitCode.
-int tell_usage(const CLI::App& app, const CLI::ParseError& refused);
+int tell_usage(const CLI::App& app, const CLI::ParseError& refused, const std::vector<std::string>& words);
 
-// Throws Error where the value of an option is the name of another: CLI11 takes `--kernel --quiet` for a kernel.
-void require_values(const CLI::App& app);
+// Throws CLI::ParseError where a value is empty, of spaces alone, or the name of another option: CLI11 takes `--kernel
+// --quiet` for a kernel, and `--key ''` would be no key.
+void require_values(const CLI::App& app, const std::vector<std::string>& words);
 
 }  // namespace axiscert

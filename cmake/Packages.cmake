@@ -13,7 +13,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_COMPONENTS_ALL runtime development)
 
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "exact test of a sphere against a triangle, in SIMD")
-set(how "For every finite input in binary32 and binary64 the answer is that of exact\narithmetic on the numbers as given.")
+set(how "It is built to answer as exact arithmetic on the numbers as given does, for\nevery finite input in binary32 and binary64.")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libaxiscert0)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)

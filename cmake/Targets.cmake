@@ -7,6 +7,9 @@ target_compile_options(kernel_fp INTERFACE -ffp-contract=off)
 
 add_library(axiscert_warnings INTERFACE)
 target_compile_options(axiscert_warnings INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion)
+if(AXISCERT_WARNINGS_ARE_ERRORS AND "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}" MATCHES "^(GNU 12|Clang 16)\\.")
+  target_compile_options(axiscert_warnings INTERFACE -Werror)
+endif()
 
 # Flags of code whose own speed hardly matters: command lines, reports. -O1 takes two thirds of the compile time of -O2.
 # A room within a library that has others takes the flags alone.
@@ -305,23 +308,29 @@ function(axiscert_instances variable list template result)
   set(${result} ${sources} PARENT_SCOPE)
 endfunction()
 
-# axiscert_c_plugins(folder options...): each .c and .cpp file here, not a test, as a plug-in ${PROJECT_BINARY_DIR}/FOLDER/NAME.so, and
-# axiscert_FOLDER for all of them. Never sanitized: what is wrong with a plug-in is for axiscert to find, and the process that loads it
-# need not be sanitized.
+# axiscert_c_plugin(folder name source options...): the source as a plug-in ${PROJECT_BINARY_DIR}/FOLDER/NAME.so, the target
+# FOLDER_NAME, of which axiscert_FOLDER is all. Never sanitized: what is wrong with a plug-in is for axiscert to find, and the process
+# that loads it need not be sanitized.
+function(axiscert_c_plugin folder name source)
+  set(plugin ${folder}_${name})
+  add_library(${plugin} MODULE ${source})
+  set_target_properties(${plugin} PROPERTIES PREFIX "" OUTPUT_NAME ${name} C_VISIBILITY_PRESET hidden CXX_VISIBILITY_PRESET hidden
+                                             LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
+  target_include_directories(${plugin} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_compile_options(${plugin} PRIVATE -fno-sanitize=all -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/= ${ARGN})
+  target_link_libraries(${plugin} PRIVATE kernel_fp axiscert_warnings)
+  if(NOT TARGET axiscert_${folder})
+    add_custom_target(axiscert_${folder})
+  endif()
+  add_dependencies(axiscert_${folder} ${plugin})
+endfunction()
+
+# axiscert_c_plugins(folder options...): such a plug-in of each .c and .cpp file here that is not a test, by the file's name.
 function(axiscert_c_plugins folder)
   file(GLOB sources CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *.c *.cpp)
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
-  set(plugins "")
   foreach(source ${sources})
     get_filename_component(name ${source} NAME_WE)
-    set(plugin ${folder}_${name})
-    add_library(${plugin} MODULE ${source})
-    set_target_properties(${plugin} PROPERTIES PREFIX "" OUTPUT_NAME ${name} C_VISIBILITY_PRESET hidden CXX_VISIBILITY_PRESET hidden
-                                               LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
-    target_include_directories(${plugin} PRIVATE ${PROJECT_SOURCE_DIR})
-    target_compile_options(${plugin} PRIVATE -fno-sanitize=all -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/= ${ARGN})
-    target_link_libraries(${plugin} PRIVATE kernel_fp axiscert_warnings)
-    list(APPEND plugins ${plugin})
+    axiscert_c_plugin(${folder} ${name} ${source} ${ARGN})
   endforeach()
-  add_custom_target(axiscert_${folder} DEPENDS ${plugins})
 endfunction()

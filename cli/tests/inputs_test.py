@@ -76,8 +76,9 @@ class Inputs(InputCase):
                 (["--precision", "64"], ["did you mean 'binary64'?"]), (["--precision", "binray32"], ["did you mean 'binary32'?"]),
                 (["--test", "sphere"], ["unknown test 'sphere'; did you mean 'sphere-triangle'?"]),
                 (["--tolerance", "edge_ab.radus=3"], ["unknown comparison 'edge_ab.radus'; did you mean 'edge_ab.radius'?"]),
-                (["--require", "conservative=2"], ["'conservative=2': D is a depth, a share of the scene from 0 to 1"]),
-                (["--require", "depth=2"], ["'depth=2': D is a depth, a share of the scene from 0 to 1"]),
+                (["--require", "conservative=2"], ["--require conservative=2: D is a depth, a share of the scene from 0 to 1 in a test of sphere-triangle"]),
+                (["--require", "depth=1.2"], ["--require depth=1.2: D is a depth, a share of the scene from 0 to 1 in a test of sphere-triangle"]),
+                (["--test", "box-box", "--require", "depth=1.6"], ["--require depth=1.6: D is a depth, a share of the scene from 0 to 1.58 in a test of box-box"]),
                 (["--require", "depth"], ["'depth': it is written depth=D"]),
                 (["--require", "logic=1"], ["'logic=1': it is written logic"]),
                 (["--require", "logc"], ["unknown requirement 'logc'; did you mean 'logic'? levels: logic"]),
@@ -153,6 +154,8 @@ class Inputs(InputCase):
         for lines in [(self.folder / "out" / name).read_text() for name in ("witnesses.jsonl", "witnesses-shrunk.jsonl")]:
             self.assertEqual(axiscert("check", "-", stdin=lines).stderr, "")
         self.assertEqual(axiscert("run", "--corpus", "--out", self.folder / "corpus").stderr, "")
+        shrunk = axiscert("shrink", "1:repeated:2:binary64:0:143", "--kernel", "published", "--format", "jsonl")
+        self.assertEqual(axiscert("check", "-", stdin=shrunk.stdout).stderr, "")
 
     def test_a_folder_of_another_kind_is_told_what_writes_one(self):
         here, nowhere = str(self.folder), str(self.folder / "nowhere")

@@ -31,7 +31,8 @@ std::string line_of(const Kernel& kernel, const Query<float>& q) {
 
 TEST(CheckOutput, NoAnswerIsSaidWithTheFinding) {
   const Kernel kernel = supervised_kernel("mine", crash);
-  EXPECT_EQ(line_of(kernel, apart), "q: exact separated, mine gave no answer; crash: signal 11");
+  EXPECT_EQ(line_of(kernel, apart),
+            "q: exact separated, mine gave no answer (a fault: the query is valid); crash: signal 11");
   const Json json = check_json("q", kernel, checked_of(Examiner(kernel, scalar_target).examine(apart)));
   EXPECT_EQ(json["computed"]["verdict"], "unanswered");
   EXPECT_TRUE(json["computed"]["comparisons"].is_null());
@@ -65,6 +66,25 @@ TEST(CheckOutput, TouchingIsByTheKernelsConvention) {
             "false_contact [unattributed]");
 }
 
+TEST(CheckOutput, AQueryWithoutAVerdictSaysWhatThatMeans) {
+  const auto saying = [](Verdict said) {
+    return black_box("mine", [said](const Query<double>&, auto, Verdict& verdict, auto&) { verdict = said; });
+  };
+  const auto standing = [](const Kernel& kernel) {
+    return check_json("q", kernel, checked_of(Examiner(kernel, scalar_target).examine(apart)))["standing"];
+  };
+  Kernel declining = saying(Verdict::undecided);
+  EXPECT_EQ(line_of(declining, apart),
+            "q: exact separated, mine undecided (a fault: it does not declare that it may decline)");
+  EXPECT_EQ(standing(declining), "undeclared_decline");
+  declining.may_decline = true;
+  EXPECT_EQ(line_of(declining, apart), "q: exact separated, mine undecided (it declines)");
+  EXPECT_EQ(standing(declining), "declined");
+  EXPECT_EQ(line_of(saying(Verdict::invalid), apart), "q: exact separated, mine invalid (a fault: the query is valid)");
+  EXPECT_EQ(standing(saying(Verdict::invalid)), "called_invalid");
+  EXPECT_EQ(standing(saying(Verdict::separated)), "decided");
+}
+
 TEST(CheckOutput, OutsideTheLimitsIsSaid) {
   Kernel kernel = black_box("mine", no_fault);
   kernel.limits.greatest_coordinate = 1;
@@ -86,8 +106,8 @@ TEST(RunOutput, FindingsStandFirstThenWhatWasJudged) {
   const std::string text = summary_text(record_of(plan, run_campaign(plan, never, [](const Progress&) {}), {}), 1);
   EXPECT_EQ(text.find("plugin:x.so binary32: crash on family general, 3 times, first at 1:general:2:binary32:0:0: "
                       "signal 11\n  axiscert query '1:general:2:binary32:0:0' > witness.jsonl && axiscert check "
-                      "witness.jsonl --kernel plugin:x.so\nplugin:gone.so: load: no such file\nplugin:gone.so: NOT "
-                      "JUDGED: it could not be loaded\n  kernel         precision  queries  missed contacts"),
+                      "witness.jsonl --kernel plugin:x.so\nplugin:gone.so: load: no such file\n"
+                      "  kernel         precision  queries  missed contacts"),
             0u)
       << text;
   const auto row = [&](const std::string& kernel) {
@@ -95,9 +115,9 @@ TEST(RunOutput, FindingsStandFirstThenWhatWasJudged) {
     return std::vector<std::string>(std::istream_iterator<std::string>(words), {});
   };
   // Columns: without an answer, outside its limits, and wrong there.
-  EXPECT_EQ(row("plugin:x.so").at(7), "3");
-  EXPECT_EQ(row("plugin:box.so").at(8), "3");
-  EXPECT_EQ(row("plugin:box.so").at(9), "0");
+  EXPECT_EQ(row("plugin:x.so").at(9), "3");
+  EXPECT_EQ(row("plugin:box.so").at(10), "3");
+  EXPECT_EQ(row("plugin:box.so").at(11), "0");
 }
 
 TEST(RunOutput, ADisagreementIsSavedAsAQueryOfItsTest) {

@@ -69,7 +69,9 @@ TEST_F(StagesOfASearch, KeepTheirStateAsTimePasses) {
     seconds = p.seconds;
     const std::optional<std::string> now = stages().state("search");
     EXPECT_EQ(now.has_value(), islands > 1);
-    if (now) EXPECT_NE(now, last) << "kept before island " << islands;
+    if (now) {
+      EXPECT_NE(now, last) << "kept before island " << islands;
+    }
     last = now;
   });
   EXPECT_EQ(result.finds, whole.finds);

@@ -109,7 +109,7 @@ void run(std::vector<std::string_view> names) {
   const std::vector<SourcePtr> sources = sources_named(names);
   const std::string target = resolve_target(wanted);
   fmt::print(
-      "{}; {}, {} -ffp-contract=off; instruction set {}. One thread, processor time, ns a query, medians of {} "
+      "{}; {}, {}; instruction set {}. One thread, processor time, ns a query, medians of {} "
       "interleaved repetitions (of what is slow, fewer) over {} queries.\n\n"
       "- certified, conservative: (times the faster of the two raw tests)\n"
       "- one pair: axiscert_pair, (times the scalar published test)\n"

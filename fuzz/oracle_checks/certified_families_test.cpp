@@ -1,12 +1,15 @@
 // The certified predicate over every family and a mesh, judged like any kernel: on each instruction set, and with each
-// floating-point mode that a caller can have set. The conservative one is checked against its promise, and so are the
-// filters that are proved never to be wrong.
+// floating-point mode that a caller can have set; and about the open sphere, which no kernel is. The conservative one
+// is checked against its promise, and so are the filters whose program is proved never to be wrong.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/unit.h"
+#include "kernel/base/environment.h"
+#include "kernel/include/axiscert/certified.hpp"
 #include "kernel/registry/called.h"
-#include "kernel/include/axiscert/certified.h"
+#include "kernel/sphere_triangle/certified/kernels.h"
 
 namespace axiscert {
 namespace {
@@ -71,6 +74,54 @@ void expect_never_wrong(const std::vector<std::string>& ids, std::uint64_t size)
   });
 }
 
+// An open sphere touches what is nearer than r, by CGAL's distance: on each instruction set and, the first of `size`
+// queries of every source, in each floating-point mode, through the library's steps and by integers alone.
+template <class Real>
+void expect_exact_of_the_open_sphere(const Source& source, std::size_t size, std::size_t size_in_modes,
+                                     std::array<int, 4>& counts) {
+  QueryBatch<Real> batch(size, coordinate_count);
+  source.fill(1, 0, size, batch);
+  const QueryColumns<Real> columns = batch.columns();
+  std::vector<int> expected;
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto q = query_from(batch[i]);
+    const int order = is_valid(q) ? distance_order(q) : 2;
+    expected.push_back(order == 2 ? AXISCERT_INVALID : order < 0 ? AXISCERT_CONTACT : AXISCERT_SEPARATED);
+    ++counts[static_cast<std::size_t>(order + 1)];
+  }
+  const auto expect = [&](const auto& found, std::size_t asked, const std::string& how) {
+    for (std::size_t i = 0; i < asked; ++i) {
+      ASSERT_EQ(static_cast<int>(found[i]), expected[i]) << source.name() << ", query " << i << ", " << how;
+    }
+  };
+  for (const std::string& target : available_targets()) {
+    std::vector<Verdict> found(size);
+    certified_implementation<Real>(target, certified::Question::open_sphere).verdicts(columns, found.data());
+    expect(found, size, target);
+  }
+  std::array<const Real*, coordinate_count> pointers;
+  std::copy_n(columns.column.begin(), coordinate_count, pointers.begin());
+  for (const axiscert_question question : {AXISCERT_OPEN_SPHERE, AXISCERT_OPEN_EXACT_ONLY}) {
+    std::vector<std::uint8_t> found(size);
+    for (std::size_t mode = 0; mode < 8; ++mode) {
+      const std::size_t asked = mode == 0 ? size : size_in_modes;
+      {
+        const FloatingEnvironment callers(static_cast<Rounding>(mode % 4), mode >= 4);
+        certified::pairs(pointers, asked, question, {found.data(), nullptr, nullptr});
+      }
+      expect(found, asked, fmt::format("question {}, mode {}", static_cast<int>(question), mode));
+    }
+  }
+}
+void expect_exact_of_the_open_sphere(std::size_t size, std::size_t size_in_modes) {
+  std::array<int, 4> counts = {};
+  for (const SourcePtr& source : all_sources()) {
+    expect_exact_of_the_open_sphere<float>(*source, size, size_in_modes, counts);
+    expect_exact_of_the_open_sphere<double>(*source, size, size_in_modes, counts);
+  }
+  for (const int count : counts) EXPECT_GT(count, 10) << "nearer, touching, farther or invalid";
+}
+
 std::vector<std::string> on_every_instruction_set(const std::vector<std::string>& kernels) {
   std::vector<std::string> ids;
   for (const std::string& kernel : kernels) {
@@ -102,11 +153,13 @@ constexpr std::uint64_t few = 2048 / TRIAL_DIVISOR, many = 8 * unit_size / TRIAL
 
 TEST(CertifiedFamilies, ExactOnEveryInstructionSet) { expect_exact(certified, few); }
 TEST(CertifiedFamilies, ExactInEveryFloatingPointMode) { expect_exact(certified_in_modes, few / 4); }
+TEST(CertifiedFamilies, ExactOfTheOpenSphere) { expect_exact_of_the_open_sphere(few / 2, few / 8); }
 TEST(CertifiedFamilies, ConservativeAsPromised) { expect_conservative(conservative, few); }
 TEST(CertifiedFamilies, FiltersAreNeverWrong) { expect_never_wrong(filters, 2 * few); }
 
 TEST(CertifiedFamiliesLong, ExactOnEveryInstructionSet) { expect_exact(certified, many); }
 TEST(CertifiedFamiliesLong, ExactInEveryFloatingPointMode) { expect_exact(certified_in_modes, many); }
+TEST(CertifiedFamiliesLong, ExactOfTheOpenSphere) { expect_exact_of_the_open_sphere(many / 16, many / 64); }
 TEST(CertifiedFamiliesLong, ConservativeAsPromised) { expect_conservative(conservative, many); }
 // 10^8 queries in each precision.
 TEST(CertifiedFamiliesLong, FiltersAreNeverWrong) {

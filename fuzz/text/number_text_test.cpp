@@ -57,8 +57,11 @@ void round_trip() {
     const Real x = std::bit_cast<Real>(pattern);
     const std::string text = format_number(x);
     const Real back = parse_number<Real>(text);
-    if (std::isnan(x)) EXPECT_TRUE(std::isnan(back)) << text;
-    else ASSERT_EQ(bits(x), bits(back)) << text;
+    if (std::isnan(x)) {
+      EXPECT_TRUE(std::isnan(back)) << text;
+    } else {
+      ASSERT_EQ(bits(x), bits(back)) << text;
+    }
   }
 }
 TEST(NumberText, EveryBinary32BitPatternReadsBackTheSame) { round_trip<float>(); }

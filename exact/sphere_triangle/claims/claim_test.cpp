@@ -90,8 +90,11 @@ void expect_claims_hold(const FoundByKernel& found) {
     if (kernel.formulae == Formulae::none) continue;
     EXPECT_EQ(found[which].wrong_inside, 0u) << kernel.id;
     const bool right_everywhere = kernel.formulae == Formulae::minkowski || kernel.strictness != Strictness::strict;
-    if (right_everywhere) EXPECT_EQ(found[which].wrong_outside, 0u) << kernel.id;
-    else EXPECT_GT(found[which].wrong_outside, 0u) << kernel.id << ": its claim could be wider";
+    if (right_everywhere) {
+      EXPECT_EQ(found[which].wrong_outside, 0u) << kernel.id;
+    } else {
+      EXPECT_GT(found[which].wrong_outside, 0u) << kernel.id << ": its claim could be wider";
+    }
   }
 }
 

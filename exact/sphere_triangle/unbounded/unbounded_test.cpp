@@ -69,8 +69,11 @@ void expect_no_difference() {
     // Otherwise these queries would not distinguish the arithmetic from `plain`. The early rungs of `prescaled` are
     // centred, those of `plain` are not.
     const bool rounds_as_plain = info.arithmetic == Arithmetic::plain || info.arithmetic == Arithmetic::ftz;
-    if (rounds_as_plain) EXPECT_EQ(unlike_plain, 0) << info.name;
-    else EXPECT_GT(unlike_plain, 0) << info.name;
+    if (rounds_as_plain) {
+      EXPECT_EQ(unlike_plain, 0) << info.name;
+    } else {
+      EXPECT_GT(unlike_plain, 0) << info.name;
+    }
   }
 }
 

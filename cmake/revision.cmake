@@ -1,0 +1,35 @@
+# cmake -DROOT=DIR -DGIVEN=TEXT -DOUTPUT=FILE.cpp -P revision.cmake: axiscert_revision, the text that is given, or the commit of the tree at
+# DIR with "-dirty" where a file differs from it or is new to git; "unknown" of a tree that is no repository itself, as from an archive, or
+# without git. FILE is written where it would change, so that a build after which nothing is new compiles nothing.
+cmake_minimum_required(VERSION 3.25)
+
+set(revision "${GIVEN}")
+find_program(GIT git)
+# The repository of a build that runs in a hook of git is not that of its variables.
+set(asked ${CMAKE_COMMAND} -E env --unset=GIT_DIR --unset=GIT_WORK_TREE --unset=GIT_INDEX_FILE ${GIT} -C ${ROOT} --no-optional-locks)
+if(revision STREQUAL "" AND GIT)
+  execute_process(COMMAND ${asked} rev-parse --show-toplevel HEAD OUTPUT_VARIABLE lines RESULT_VARIABLE failed ERROR_QUIET)
+  string(REGEX MATCH "^(.*)\n([0-9a-f]+)\n$" matched "${lines}")
+  set(top "${CMAKE_MATCH_1}")
+  set(commit "${CMAKE_MATCH_2}")
+  file(REAL_PATH "${ROOT}" root)
+  if(failed EQUAL 0 AND top STREQUAL root)
+    execute_process(COMMAND ${asked} status --porcelain OUTPUT_VARIABLE changes RESULT_VARIABLE failed ERROR_QUIET)
+    set(revision ${commit})
+    if(NOT failed EQUAL 0 OR NOT changes STREQUAL "")
+      string(APPEND revision -dirty)
+    endif()
+  endif()
+endif()
+if(revision STREQUAL "")
+  set(revision unknown)
+endif()
+
+set(code "#include \"kernel/base/version.h\"\n\nconst char* const axiscert::axiscert_revision = \"${revision}\";\n")
+set(before "")
+if(EXISTS ${OUTPUT})
+  file(READ ${OUTPUT} before)
+endif()
+if(NOT before STREQUAL code)
+  file(WRITE ${OUTPUT} "${code}")
+endif()
