@@ -56,7 +56,7 @@ function attach(into) {
   write('precision.json', {precision: 'binary32', all: {queries: 100, kernels: {published: {precisions: [[8, 40], [24, 5], [64, 0]].map(([bits, n]) =>
     ({bits, unlimited: at(n), limited: at(n + 1)}))}}}});
   write('league.json', {kernels: [{id: 'peer/x', precision: 'binary32', touching: 'either', has_planted_fault: false, ns: 20, families: {general:
-    {trials: 10, answered: 10, false_separation: 1, false_contact: 2, unanswered: 0, deepest_false_separation: 0.5, deepest_false_contact: 0.25, caught_after: null}}}]});
+    {trials: 10, decided: 10, false_separation: 1, false_contact: 2, undecided: 0, invalid: 0, unanswered: 0, outside_limits: 0, deepest_false_separation: 0.5, deepest_false_contact: 0.25, caught_after: null}}}]});
 }
 
 test('shows what other commands left in the folder, and links what it leaves out', async () => {
