@@ -122,6 +122,35 @@ const Json& stated_entry(const Json& predicate, const Plan& plan, std::size_t k,
   throw NotValid(fmt::format("it has no counts of {} in {}", plan.kernels[k]->id, name(precision)));
 }
 
+// What each kernel says of itself, as it was loaded here, and how many triangles its queries share: levels rest on
+// both.
+void recheck_entries(const Json& predicate, const Plan& plan, std::vector<std::string>& differences) {
+  const CampaignResult all = planned(plan);
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    for (const Precision precision : plan.precisions) {
+      if (!plan.kernels[k]->has(precision)) continue;
+      const Json& stated = stated_entry(predicate, plan, k, precision);
+      const std::string who = fmt::format("{} in {}", plan.kernels[k]->id, name(precision));
+      const Json entry = without_fractions(entry_json(plan, *plan.kernels[k], precision));
+      for (const auto& [member, here] : entry.items()) {
+        const bool is_elsewhere = member == "id" || member == "families" || member == "critical_radius";
+        const Json said = stated.value(member, Json());
+        if (is_elsewhere || canonical_json(said) == canonical_json(here)) continue;
+        differences.push_back(fmt::format("{} is stated with another {}: here {}, in it {}", who, member, here.dump(),
+                                          axiscert::shown(said.dump())));
+      }
+      for (const CellResult& cell : all.cells) {
+        const Source& source = *plan.sources[cell.source];
+        if (cell.precision != precision || !stated["families"].contains(source.name())) continue;
+        const std::uint64_t triangles = source.base_triangles(precision, cell.queries);
+        if (stated["families"][source.name()]["base_triangles"] == triangles) continue;
+        differences.push_back(
+            fmt::format("{} on {} is stated with another base_triangles: here {}", who, source.name(), triangles));
+      }
+    }
+  }
+}
+
 // Asks about the images of each family of the sample again. Returns how many families those are.
 std::size_t recheck_images(const Json& predicate, const Plan& plan, const Stretches& stretches,
                            const std::vector<std::uint64_t>& sample, std::vector<std::string>& differences) {
@@ -202,6 +231,7 @@ void recheck_certificate(const Certificate& certificate, const VerifyOptions& op
   const bool is_whole = sample.size() == tallies.size();
   Gathered gathered(here.plan, stretches);
   std::vector<std::string> differences;
+  recheck_entries(predicate, here.plan, differences);
   std::size_t done = 0, images = 0;
   {
     ProgressLine progress("verify: recheck");

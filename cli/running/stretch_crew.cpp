@@ -1,9 +1,6 @@
 #include "cli/running/stretch_crew.h"
 
-#include <span>
-
 #include "fuzz/campaign/parts/distribute.h"
-#include "kernel/base/sha256.h"
 
 namespace axiscert {
 

@@ -267,6 +267,32 @@ Json limits_json(const Limits& limits) {
           {"greatest_radius", bound(limits.greatest_radius)}};
 }
 
+Json entry_json(const Plan& plan, const Kernel& kernel, Precision precision) {
+  const Json digest = digest_json(plan, kernel);
+  const bool has_arithmetic = kernel.formulae != Formulae::none, claimed = has_arithmetic || !kernel.claims.empty();
+  const std::string formulae = has_arithmetic ? name(kernel.formulae) : kernel.claims;
+  Json entry = {{"id", kernel.id},
+                {"name", kernel.declared_name.empty() || digest.is_null() ? Json(nullptr) : Json(kernel.declared_name)},
+                {"digest", digest},
+                {"precision", name(precision)},
+                {"summary", kernel.summary},
+                {"formulae", claimed ? Json(formulae) : Json(nullptr)},
+                {"arithmetic", has_arithmetic ? Json(name(kernel.arithmetic)) : Json(nullptr)},
+                {"strictness", has_comparisons(kernel.formulae) ? Json(name(kernel.strictness)) : Json(nullptr)},
+                {"reference", claimed ? Json(kernel.is_reference) : Json(nullptr)},
+                {"exposes", exposures_json(kernel)},
+                {"touching", name(kernel.touching)},
+                {"limits", limits_json(kernel.limits)},
+                {"may_decline", kernel.may_decline},
+                {"critical_radius", nullptr},
+                {"families", Json::object()}};
+  if (!kernel.test->measures.empty()) {
+    entry["measures"] = given_measures_json(kernel);
+    entry["motion"] = policy_json(kernel.motion);
+  }
+  return entry;
+}
+
 Json record_of(const Plan& plan, const CampaignResult& result, const Required& required) {
   Json record = {{"schema", record_schema}, {"complete", result.complete}, {"plan", plan_json(plan, result, required)}};
   Json& kernels = record["kernels"] = Json::array();
@@ -275,31 +301,9 @@ Json record_of(const Plan& plan, const CampaignResult& result, const Required& r
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     const Kernel& kernel = *plan.kernels[k];
     put_loading_findings(findings, kernel);
-    const Json digest = digest_json(plan, kernel);
     for (const Precision precision : plan.precisions) {
       if (!kernel.has(precision)) continue;
-      const bool has_arithmetic = kernel.formulae != Formulae::none, claimed = has_arithmetic || !kernel.claims.empty();
-      const std::string formulae = has_arithmetic ? name(kernel.formulae) : kernel.claims;
-      Json entry = {
-          {"id", kernel.id},
-          {"name", kernel.declared_name.empty() || digest.is_null() ? Json(nullptr) : Json(kernel.declared_name)},
-          {"digest", digest},
-          {"precision", name(precision)},
-          {"summary", kernel.summary},
-          {"formulae", claimed ? Json(formulae) : Json(nullptr)},
-          {"arithmetic", has_arithmetic ? Json(name(kernel.arithmetic)) : Json(nullptr)},
-          {"strictness", has_comparisons(kernel.formulae) ? Json(name(kernel.strictness)) : Json(nullptr)},
-          {"reference", claimed ? Json(kernel.is_reference) : Json(nullptr)},
-          {"exposes", exposures_json(kernel)},
-          {"touching", name(kernel.touching)},
-          {"limits", limits_json(kernel.limits)},
-          {"may_decline", kernel.may_decline},
-          {"critical_radius", nullptr},
-          {"families", Json::object()}};
-      if (!kernel.test->measures.empty()) {
-        entry["measures"] = given_measures_json(kernel);
-        entry["motion"] = policy_json(kernel.motion);
-      }
+      Json entry = entry_json(plan, kernel, precision);
       CriticalRadiusTally radii;
       std::vector<TalliedSource> tallied;
       for (std::size_t s = 0; s < plan.sources.size(); ++s) {

@@ -28,6 +28,9 @@ Json invariance_of(const Plan& plan, const Source& source, Precision precision, 
 Json run_info(const Plan& plan, const CampaignResult& result, const std::string& target_asked,
               const std::string& started, double seconds);
 
+// An entry of the record's "kernels": what the kernel says of itself, without figures and families.
+Json entry_json(const Plan& plan, const Kernel& kernel, Precision precision);
+
 // A query as in the query file: each group of the entry's columns as an array of hex strings, or as one string.
 template <class Real>
 void put_query(Json& into, const TestEntry& entry, const Numbers<Real>& numbers);

@@ -108,6 +108,8 @@ class Comparer {
         say_lost(kernel, precision, who);
         continue;
       }
+      if (const Evidence evidence = evidence_of(*now); evidence.population != 0 && evidence.decided() == 0)
+        say(who, "decided none of its promised queries in NEW", kernel);
       const PromiseChange change = change_of(promise_in(*then), promise_in(*now));
       if (change.is_none()) {
         compare_populations(kernel, *then, *now);

@@ -1,6 +1,8 @@
 // How much was looked at: each exclusion is left out of it, each bound refuses what falls short by one, and each answer
 // that does not count stands against every level. Each record is the stored one with a plant.
-#include <functional>
+#include <initializer_list>
+#include <random>
+#include <tuple>
 
 #include "reports/gates/requirement.h"
 #include "reports/gates/unjudged.h"
@@ -79,8 +81,9 @@ void expect_at_each(const Json& record, LevelState state, const std::string& tex
 TEST(LookedAt, MetSaysOfHowMany) {
   const LevelOutcome exact = judged_at(right_kernel(), "exact");
   EXPECT_EQ(exact.text(), "<script> binary32: exact: 10,000 of 10,000 promised queries looked at: met");
-  EXPECT_THAT(exact.covers, HasSubstr("the fewest of a family, 5,000 triangles of lattice, show with 95 % that fewer "
-                                      "than 0.0599 % are wrong"));
+  EXPECT_THAT(exact.covers,
+              HasSubstr("the fewest of a family, 5,000 independent queries of lattice, show with 95 % that fewer "
+                        "than 0.0599 % are wrong"));
   EXPECT_EQ(judged_at(right_kernel(), "logic").looked_at, 2u * (5000 - 60)) << "touching queries are not clear";
   expect_at_each(right_kernel(), LevelState::met, ": met");
 }
@@ -230,6 +233,52 @@ TEST(LookedAt, AKernelThatAnsweredNothingIsNotJudged) {
                                   "none, 9,980 declined, 20 called invalid"});
   verdict_of(record)["invalid"] = 9;
   EXPECT_THAT(unjudged(record), IsEmpty()) << "it decided one";
+}
+
+// What a level of depths said before it asked how much was looked at: wrong verdicts, missing answers and, but at
+// `depth`, `invalid` ones refuse it, and one decided query was enough.
+LevelState by_failures_alone(Json record, double missed, double phantom, bool allows_invalid) {
+  std::uint64_t failures = 0, decided = 0;
+  for (const Json& family : kernel_of(record)["families"]) {
+    const auto number = [&](const char* member) { return family["verdict"][member].get<std::uint64_t>(); };
+    failures += number("unanswered") + (allows_invalid ? 0 : number("invalid"));
+    failures += number("false_separation") * (family["verdict"]["deepest_false_separation"].get<double>() > missed);
+    failures += number("false_contact") * (family["verdict"]["deepest_false_contact"].get<double>() > phantom);
+    decided += family["trials"].get<std::uint64_t>() - number("undecided") - number("invalid") - number("unanswered");
+  }
+  return failures != 0 ? LevelState::not_met : decided == 0 ? LevelState::not_checked : LevelState::met;
+}
+
+TEST(LookedAt, NoVerdictOfALevelBecameMilder) {
+  constexpr unsigned seed = 43;
+  std::mt19937 random(seed);
+  const auto one_of = [&](std::initializer_list<std::uint64_t> all) { return *(all.begin() + random() % all.size()); };
+  std::size_t met = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Json record = right_kernel();
+    kernel_of(record)["may_decline"] = random() % 2 == 0;
+    for (const char* family : {"lattice", "tangent"}) {
+      Json& verdict = verdict_of(record, family);
+      verdict["false_separation"] = one_of({0, 0, 0, 0, 0, 3});
+      verdict["false_contact"] = one_of({0, 0, 0, 0, 0, 2});
+      verdict["deepest_false_separation"] = verdict["false_separation"] == 0 ? 0.0 : random() % 2 == 0 ? 1e-3 : 0.5;
+      verdict["deepest_false_contact"] = verdict["false_contact"] == 0 ? 0.0 : random() % 2 == 0 ? 1e-3 : 0.5;
+      verdict["invalid"] = one_of({0, 0, 0, 0, 1});
+      verdict["unanswered"] = one_of({0, 0, 0, 0, 1});
+      decline(verdict, one_of({0, 0, 500, 1990}), 0, one_of({0, 0, 500, 2990}));
+    }
+    constexpr double any = 2, none = -1;
+    const std::tuple<const char*, double, double, bool> asked[] = {
+        {"exact", none, none, false}, {"conservative", none, any, false}, {"depth=0.01", 0.01, 0.01, true}};
+    for (const auto& [level, missed, phantom, allows_invalid] : asked) {
+      const LevelState before = by_failures_alone(record, missed, phantom, allows_invalid);
+      const LevelState now = judged_at(record, level).state;
+      met += now == LevelState::met;
+      EXPECT_TRUE(now == before || now == LevelState::not_met || before == LevelState::met)
+          << level << ", seed " << seed << ", record " << i << ": " << name(before) << " became " << name(now);
+    }
+  }
+  EXPECT_GT(met, 100u) << "seed " << seed;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
@@ -182,8 +183,9 @@ std::string fewest_text(const Subject& subject, const LevelFindings& found) {
     fewest = independent;
   }
   if (family.empty()) return "";
-  return fmt::format("; the fewest of a family, {} triangles of {}, show with 95 % that fewer than {:.3g} % are wrong",
-                     thousands(fewest), family, upper_bound_percent(fewest));
+  return fmt::format(
+      "; the fewest of a family, {} independent queries of {}, show with 95 % that fewer than {:.3g} % are wrong",
+      thousands(fewest), family, upper_bound_percent(fewest));
 }
 
 LevelOutcome outcome_of(const Json& record, const Json& kernel, const AskedLevel& asked, double share) {
@@ -213,12 +215,13 @@ LevelOutcome outcome_of(const Json& record, const Json& kernel, const AskedLevel
   return outcome;
 }
 
-// The share of each family that a kernel which may decline has to decide.
+// The share of each family that a kernel which may decline has to decide: the greatest that is required.
 double decided_share(const std::vector<AskedLevel>& levels) {
+  std::optional<double> share;
   for (const AskedLevel& asked : levels) {
-    if (asked.name == "decided") return decided_argument(asked);
+    if (asked.name == "decided") share = std::max(share.value_or(0), decided_argument(asked));
   }
-  return least_decided_share;
+  return share.value_or(least_decided_share);
 }
 
 std::vector<std::string> yardsticks(const std::vector<AskedLevel>& levels) {

@@ -67,7 +67,8 @@ std::vector<std::string> yardsticks_of(const Json& plan);
 //
 // A level is checked where the run was not interrupted, the kernel decided a query, and of each family that the level
 // requires
-// - least_looked_at queries were looked at, or all that the level concerns where a family, or a file, has fewer; a
+// - least_looked_at queries were looked at, or all that the level concerns where a file, or the level, concerns fewer;
+// a
 //   family all of which is outside the kernel's limits is named instead, unless all are;
 // - a kernel that may decline decided its share of the contacts and of the separations (least_decided_share);
 // and where of the contacts of these families, and of the separations, least_of_each_kind were decided, or all.

@@ -74,6 +74,22 @@ class Forged(CertifyCase):
         self.verify(self.remade(other_figures))
         self.not_valid(other_figures, "the recheck comes out otherwise", "has other counts: here", args=["--recheck", "100%"])
 
+    def test_a_promise_that_the_kernel_does_not_make_is_found_by_any_recheck(self):
+        def strictness(predicate):
+            for entry in predicate["materials"]["kernels"]:
+                entry["strictness"] = "nonstrict"
+        self.verify(self.remade(strictness))
+        self.not_valid(strictness, "is stated with another strictness: here", args=["--recheck", "1%"])
+
+        def declines(predicate):
+            """Both copies of one kernel's promise; its words follow the second."""
+            predicate["kernel"]["may_decline"] = True
+            predicate["limits"].insert(-1, "The kernel may decline: what it does not decide has to be asked of another test.")
+            for entry in predicate["materials"]["kernels"]:
+                entry["may_decline"] = True
+        self.verify(self.remade(declines))
+        self.not_valid(declines, "is stated with another may_decline: here false", args=["--recheck", "1%"])
+
     def test_stretches_that_are_missing_doubled_or_of_another_size(self):
         count = len(tallies(json.loads(self.certificate_of("published").read_text())["predicate"]))
         self.not_valid(lambda p: p["materials"].update(tallies=tallies(p)[:1]), f"it has 1 of the plan's {count} stretches")

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "reports/wording/summary.h"
 
@@ -83,10 +85,19 @@ std::string state_of_level(const Json& predicate, const std::string& level) {
 }
 
 std::string claim_of_level(const Json& predicate, const std::string& level) {
+  // Of two precisions that cover different families each is named.
+  std::vector<std::pair<std::string, std::string>> claims;  // and their precisions
   for (const Json& entry : predicate["levels"]) {
-    if (entry["level"] == level && entry["claim"] != level) return entry["claim"];
+    if (entry["level"] != level) continue;
+    const std::string claim = entry["claim"], precision = plain_text(entry["precision"]);
+    if (claims.empty() || claims.front().first != claim) claims.emplace_back(claim, precision);
   }
-  return level;
+  if (claims.empty()) return level;
+  if (claims.size() == 1) return claims.front().first;
+  std::string text;
+  for (const auto& [claim, precision] : claims)
+    text += fmt::format("{}{} in {}", text.empty() ? "" : ", ", claim, precision);
+  return text;
 }
 
 std::string decided_text(const Json& predicate) {

@@ -72,7 +72,7 @@ LevelFindings judge_invariant(const AskedLevel& asked, const Subject& subject) {
                declined = (*changes)["undecided"].get<std::uint64_t>();
     images += compared;
     families.push_back(family);
-    found.families[family] = {compared + declined, compared, declined};
+    found.families[family] = subject.pairs_look(result, compared, declined);
     if (kind == ImageKind::scale) {
       const UnitChange change = unit_change(*changes);
       subject.add_pair(found.failures, family, change.count, change.what, change.first);

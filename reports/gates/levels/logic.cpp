@@ -150,7 +150,7 @@ LevelFindings logic_findings(const Subject& subject) {
       } else if (units != nullptr) {
         const auto compared = (*units)["images"].get<std::uint64_t>(),
                    declined = (*units)["undecided"].get<std::uint64_t>();
-        found.families[family] = {compared + declined, compared, declined};
+        found.families[family] = subject.pairs_look(result, compared, declined);
       } else {
         found.unseen.push_back(family);
       }

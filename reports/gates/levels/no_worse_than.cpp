@@ -60,6 +60,17 @@ LevelFindings judge_no_worse_than(const AskedLevel& asked, const Subject& subjec
     pairs.push_back({cell, *theirs, fisher_two_sided(x, y)});
     p.push_back(pairs.back().p);
   }
+  for (const Json& entry : subject.record()["kernels"]) {
+    if (entry["id"] != other || entry["precision"] != precision) continue;
+    for (const auto& [family, result] : subject.families().items()) {
+      const std::uint64_t mine = subject.evidence(result).promised(),
+                          theirs = evidence_of(entry, entry["families"][family]).promised();
+      if (mine == theirs) continue;
+      found.not_checked = fmt::format("on {} it promises {} queries, and {} {}: the counts are of other queries",
+                                      family, thousands(mine), other, thousands(theirs));
+      return found;
+    }
+  }
   const std::vector<double> corrected = holm(p);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto& [mine, others, alone] = pairs[i];

@@ -94,6 +94,10 @@ void Subject::add_link(std::vector<Failure>& failures, const std::string& family
       !in_exact_arithmetic);
 }
 
+FamilyLook Subject::pairs_look(const Json& result, std::uint64_t compared, std::uint64_t declined) const {
+  return {compared + declined + evidence(result).outside, compared, declined};
+}
+
 std::uint64_t Subject::wrong_verdicts() const {
   std::uint64_t wrong = 0;
   for (const Json& family : families())

@@ -49,6 +49,9 @@ class Subject {
   Evidence evidence(const Json& result) const { return evidence_of(kernel_, result); }
   // The look of a level that judges every verdict of a family.
   FamilyLook whole_look(const Json& result) const;
+  // The look of one that judges pairs of a query and its image. Pairs with a query outside the limits are in no count:
+  // there may be as many as such queries.
+  FamilyLook pairs_look(const Json& result, std::uint64_t compared, std::uint64_t declined) const;
 
   using Shows = std::function<bool(const Json& verdict_flip)>;
   // Adds a failure of this kernel, unless `count` is 0; its witness is the deepest of which a flip of the verdict

@@ -254,7 +254,7 @@ function show_answer(data) {
       'The run was interrupted before its plan was done: the figures below cover only the queries that were run.'));
   }
   for (const sentence of data.unjudged) {
-    document.getElementById('banner').append(el('p', 'banner bad', el('strong', '', 'Not judged. '), `${sentence}.`));
+    document.getElementById('banner').append(el('p', 'banner bad', `${sentence}.`));
   }
   if (data.requirement) {
     document.getElementById('answer-title').after(...data.requirement.levels.map(({level, sentence}) =>
