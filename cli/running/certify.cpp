@@ -83,8 +83,8 @@ void drop_margin_beside(const Json& record, Json& predicate) {
       if (entry["id"] != predicate["kernel"]["id"] || entry["precision"] != margin["precision"]) continue;
       const std::string fault = margin_fault(margin, entry);
       if (fault.empty()) continue;
-      margins = {{"reason", fmt::format("the kernel answered otherwise when it was asked the same again: in {}, {}",
-                                        entry["precision"].get<std::string>(), fault)},
+      margins = {{"reason",
+                  fmt::format("{}in {}, {}", margin_answered_otherwise, entry["precision"].get<std::string>(), fault)},
                  {"precisions", Json::array()}};
       return;
     }

@@ -36,14 +36,6 @@ Json stage_of(const Staged& staged, const Json& no_precisions) {
   return all;
 }
 
-// Whether the answer depends on the radius of a sphere, which may grow; the half extent of a box, which has a critical
-// value too, is none.
-bool has_radius(const Kernel& kernel) {
-  const std::vector<const TestDescription*> tests = tests_with_critical_distance();
-  if (kernel.entry != 0 || std::find(tests.begin(), tests.end(), kernel.test) == tests.end()) return false;
-  return kernel.test->entries[0].columns[critical_distance_of(*kernel.test).radius].name == "r";
-}
-
 const std::atomic<bool>& interrupts() { return watch_for_interrupts(); }
 
 Json find_json(const Find& find) {
@@ -284,7 +276,7 @@ Json diagnosis_stage(const Staged& staged, Stages& stages) {
 Json margin_stage(const Staged& staged, Stages& stages, const Json& search) {
   Json all = stage_of(staged, Json::array());
   if (!all["reason"].is_null()) return all;
-  if (!has_radius(staged.kernel)) {
+  if (!has_sphere_radius(*staged.kernel.test, staged.kernel.entry)) {
     all["reason"] = fmt::format("the answer of {} does not depend on one radius", staged.kernel.test->id);
     return all;
   }

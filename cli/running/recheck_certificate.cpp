@@ -14,6 +14,7 @@
 #include "cli/running/stretch_crew.h"
 #include "fuzz/campaign/parts/gathered.h"
 #include "fuzz/campaign/parts/recheck.h"
+#include "fuzz/confirm/finding_record.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/queries/image_groups.h"
 #include "fuzz/text/number_text.h"
@@ -127,6 +128,19 @@ const Json& stated_entry(const Json& predicate, const Plan& plan, std::size_t k,
 void recheck_entries(const Json& predicate, const Plan& plan, std::vector<std::string>& differences) {
   const CampaignResult all = planned(plan);
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    Json found = Json::array(), stated_findings = Json::array();
+    put_loading_findings(found, *plan.kernels[k]);
+    for (const Json& finding : predicate["materials"]["findings"]) {
+      const Json& id = predicate["materials"]["plan"]["plan"]["kernels"][k];
+      const bool is_its = finding["kernel"] == id || (k == 0 && finding["kernel"] == predicate["kernel"]["id"]);
+      if (is_its && finding["family"].is_null()) stated_findings.push_back(finding["detail"]);
+    }
+    Json details = Json::array();
+    for (const Json& finding : found) details.push_back(finding["detail"]);
+    if (canonical_json(details) != canonical_json(stated_findings)) {
+      differences.push_back(fmt::format("{} has other findings of loading: here {}, in it {}", plan.kernels[k]->id,
+                                        details.dump(), axiscert::shown(stated_findings.dump())));
+    }
     for (const Precision precision : plan.precisions) {
       if (!plan.kernels[k]->has(precision)) continue;
       const Json& stated = stated_entry(predicate, plan, k, precision);

@@ -46,6 +46,12 @@ std::vector<const TestDescription*> tests_with_critical_distance() {
   return {&sphere_triangle_test(), &moving_sphere_test(), &box_box_test()};
 }
 
+bool has_sphere_radius(const TestDescription& test, std::size_t entry) {
+  const std::vector<const TestDescription*> with_distance = tests_with_critical_distance();
+  if (entry != 0 || std::find(with_distance.begin(), with_distance.end(), &test) == with_distance.end()) return false;
+  return test.entries[0].columns[critical_distance_of(test).radius].name == "r";
+}
+
 CriticalDistance critical_distance_of(const TestDescription& test, std::size_t entry) {
   const std::size_t radius = radius_column(test.entries[entry]);
   if (&test == &sphere_triangle_test()) return {test, radius, of_sphere_triangle};

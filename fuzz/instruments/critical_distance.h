@@ -20,6 +20,9 @@ struct CriticalDistance {
 
 // The tests that have one.
 std::vector<const TestDescription*> tests_with_critical_distance();
+// Whether the answer depends on the radius of a sphere, which may grow; the half extent of a box, which has a critical
+// value too, is none.
+bool has_sphere_radius(const TestDescription& test, std::size_t entry);
 // Throws HarnessFault for a test that has none.
 CriticalDistance critical_distance_of(const TestDescription& test, std::size_t entry = 0);
 

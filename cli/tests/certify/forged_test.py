@@ -90,6 +90,28 @@ class Forged(CertifyCase):
         self.verify(self.remade(declines))
         self.not_valid(declines, "is stated with another may_decline: here false", args=["--recheck", "1%"])
 
+    def test_what_switches_a_check_off_is_refused(self):
+        def replies(predicate):
+            predicate["kernel"]["kind"] = predicate["asked"]["effort"] = "replies"
+        self.not_valid(replies, "its kernel is said to be replies, and its subject is built-in")
+
+        def no_margin(predicate):
+            predicate["safe_margin"] = {"reason": "none is needed", "precisions": []}
+        self.not_valid(no_margin, "it has no safe margin")
+
+        def another_axiscert(predicate):
+            """Whose words are not compared: a level that is refused is not left out all the same."""
+            predicate["materials"]["axiscert"]["sources"] = "0" * 64
+            predicate["levels"] = [level for level in predicate["levels"] if level["state"] != "not met"]
+        self.not_valid(another_axiscert, "it leaves out the level")
+
+        def of_triangles(predicate):
+            for entry in predicate["materials"]["kernels"]:
+                for family in entry["families"].values():
+                    family["base_triangles"] = max(0, family["base_triangles"] - 1)
+        self.not_valid(of_triangles, args=["--recheck", "1%"])
+        self.not_valid(lambda p: p["materials"]["axiscert"].update(version="9.9.9"), "it states version")
+
     def test_stretches_that_are_missing_doubled_or_of_another_size(self):
         count = len(tallies(json.loads(self.certificate_of("published").read_text())["predicate"]))
         self.not_valid(lambda p: p["materials"].update(tallies=tallies(p)[:1]), f"it has 1 of the plan's {count} stretches")

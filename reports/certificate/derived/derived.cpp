@@ -8,8 +8,10 @@
 
 #include "exact/sphere_triangle/measures/input_class.h"
 #include "fuzz/certify/effort.h"
+#include "fuzz/instruments/critical_distance.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
+#include "kernel/base/version.h"
 #include "kernel/names.h"
 #include "reports/certificate/derived/margin_check.h"
 #include "reports/certificate/derived/reduced.h"
@@ -121,7 +123,11 @@ Json limits_of(const Json& predicate, const Json& kernel) {
   if (predicate["safe_margin"]["reason"].is_null())
     say("The safe margin mends what was seen here; a contact that nothing here showed may need more.");
   say("The search, the growths of the safe margin, the diagnosis, the planted faults and the witnesses are stated by "
-      "whoever made this: no count here shows them. Everything else follows from the counts.");
+      "whoever made this: no count here shows them. So are the counts of images, the numbers of triangles, the medians "
+      "of "
+      "critical radii, the findings of loading and what the kernel says of itself, which a recheck asks again. "
+      "Everything "
+      "else follows from the counts.");
   if (!kernel["limits"].is_null()) {
     say(fmt::format("The kernel promises to be right only there: {}; it was held to nothing else.",
                     kernel["limits"].get<std::string>()));
@@ -172,7 +178,8 @@ void require_levels(const Json& stated, const Json& derived, bool has_our_words,
       return other["level"] == level["level"] && other["precision"] == level["precision"];
     };
     const auto found = std::ranges::find_if(stated, is_it);
-    if (found == stated.end() && !has_our_words) continue;  // its axiscert had no such level
+    // Another axiscert may have had no such level; one that is refused is not left out.
+    if (found == stated.end() && !has_our_words && level["state"] != "not met") continue;
     if (found == stated.end())
       throw NotValid(
           fmt::format("{}: it leaves out the level {}, which is {}", name, level_text(level), state_words(level)));
@@ -246,7 +253,17 @@ void require_margins(const Json& predicate, const Json& record, const std::strin
   const Json& margins = predicate["safe_margin"];
   if (margins["reason"].is_null() == margins["precisions"].empty())
     throw NotValid(fmt::format("{}: it has no safe margin, and no reason, or both", name));
-  if (!margins["reason"].is_null()) return;
+  if (!margins["reason"].is_null()) {
+    const Json& kernel = predicate["kernel"];
+    const TestDescription& test = find_test(kernel["test"].get<std::string>());
+    const bool is_first_entry = kernel["entry"] == test.entries.front().name;
+    const bool could_be_asked = kernel["kind"] != effort_of_replies && is_first_entry && has_sphere_radius(test, 0);
+    if (could_be_asked && !margins["reason"].get_ref<const std::string&>().starts_with(margin_answered_otherwise)) {
+      throw NotValid(fmt::format("{}: it has no safe margin, which every kernel of {} has, and says why: {}", name,
+                                 test.id, shown(margins["reason"].dump())));
+    }
+    return;
+  }
   const std::vector<const Json*> entries = entries_of(record, predicate["kernel"]["id"]);
   if (margins["precisions"].size() != entries.size())
     throw NotValid(fmt::format("{}: it has safe margins of {} of {} precisions", name, margins["precisions"].size(),
@@ -283,6 +300,11 @@ Json require_derived(const Json& predicate, const std::string& name) {
   require_effort(predicate, name);
   const Json derived = derived_members(predicate, record);
   const bool has_our_words = is_made_by_this(predicate);
+  if (const Json& version = predicate["materials"]["axiscert"]["version"];
+      has_our_words && version != axiscert_version) {
+    throw NotValid(fmt::format("{}: it states version {} of axiscert, and its sources are those of {}", name,
+                               shown(version.dump()), axiscert_version));
+  }
   require_asked(predicate["kernel"], derived["kernel"], name + ": of its kernel");
   require_asked(predicate["asked"], derived["asked"], name);
   if (has_our_words) require_usual_stretches(predicate, name);

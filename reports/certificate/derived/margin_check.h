@@ -2,10 +2,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "fuzz/text/json.h"
 
 namespace axiscert {
+
+// How the reason begins where a kernel has no safe margin since it is not the same kernel twice.
+inline constexpr std::string_view margin_answered_otherwise =
+    "the kernel answered otherwise when it was asked the same again: ";
 
 // `margin` is a member of the predicate's safe_margin.precisions, `entry` the kernel's entry of the reduced record in
 // that precision. Says what does not agree, "it missed 12 contacts of the run, and its counts say 13"; empty where all
