@@ -78,10 +78,12 @@ class CertifyCase(Case):
         path.write_bytes(content)
         return path
 
-    def remade(self, change, kernel="published"):
-        """The certificate of a kernel with its predicate changed, whole by its own digests."""
+    def remade(self, change, kernel="published", what=None):
+        """The certificate of a kernel with its predicate changed, and `what` its subject is; whole by its own digests."""
         statement = json.loads(self.certificate_of(kernel).read_text())
         change(statement["predicate"])
+        for subject in statement["subject"] if what else []:
+            subject["annotations"]["what"] = what
         return self.written(sealed(statement))
 
     def keys(self, name="key"):

@@ -153,7 +153,7 @@ class BrokenCertificates(CertifyCase):
             "another version of the format": lambda: [self.written(whole.replace(b"certificate:2", b"certificate:1"))],
             "made by another axiscert": lambda: [self.remade(self.of_another_axiscert)],
             "made by another axiscert, `--recheck`": lambda: [self.remade(self.of_another_axiscert), "--recheck", "1%"],
-            "a kernel that is to be rechecked and was not given": lambda: [self.remade(self.of_a_file), "--recheck", "1%"],
+            "a kernel that is to be rechecked and was not given": lambda: [self.remade(self.of_a_file, what="plugin"), "--recheck", "1%"],
         }[what]()
 
     def test_each_row_of_the_document(self):
