@@ -129,7 +129,7 @@ class CertificatePage {
   InstrumentTable unchecked_table() const {
     InstrumentTable table{"Levels that were NOT CHECKED", {"level", "why"}, {}};
     for (const Json& level : predicate_["levels"]) {
-      const auto is_there = [&](const auto& row) { return row[0] == level["level"]; };
+      const auto is_there = [&](const auto& row) { return Json(row[0]) == level["level"]; };
       if (!is_unchecked(level["level"]) || std::ranges::any_of(table.rows, is_there)) continue;
       table.rows.push_back({plain_text(level["level"]), plain_text(level["reason"])});
     }

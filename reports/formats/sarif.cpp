@@ -210,7 +210,8 @@ class Log {
     const std::string who = sentence.substr(0, sentence.find(": NOT JUDGED"));
     std::string kernel = who;
     for (const Json& id : record_["plan"]["kernels"]) {
-      if (who == id || who.starts_with(id.get<std::string>() + " ")) kernel = id;
+      const std::string one = id;
+      if (who == one || who.starts_with(one + " ")) kernel = one;
     }
     const Json key = Json::array({kernel, "", "", "judged"});
     Json json = {{"ruleId", unchecked_rule.id},
