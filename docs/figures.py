@@ -13,6 +13,7 @@ whose text is the command's output; with `<!-- table N of: $ axiscert NAME ARGS 
 The commands are deterministic: figures that vary from run to run (times) are not made this way.
 """
 import html
+import io
 import json
 import pathlib
 import re
@@ -24,7 +25,7 @@ import tempfile
 import matplotlib
 
 matplotlib.use("svg")
-matplotlib.rcParams.update({"svg.hashsalt": "axiscert", "svg.fonttype": "none", "font.size": 10,
+matplotlib.rcParams.update({"svg.hashsalt": "axiscert", "svg.fonttype": "none", "font.size": 10, "font.sans-serif": ["DejaVu Sans"],
                             "axes.grid": True, "grid.color": "#d8dde4", "axes.spines.top": False,
                             "axes.spines.right": False})
 import matplotlib.pyplot as plt
@@ -57,12 +58,15 @@ class Commands:
 
 def draw(plot, caption, path):
     figure, axes = plt.subplots(figsize=(8, 4.2))
+    longest = max((len(series["points"]) for series in plot["series"]), default=0)
     for i, series in enumerate(plot["series"]):
         points = series["points"]
         x, y = [p[0] for p in points], [p[1] for p in points]
         style = {"color": COLOURS[i % len(COLOURS)], "label": series["name"], "marker": "osD^vPX*"[i % 8]}
         if plot["kind"] == "line":
-            axes.plot(x, y, markersize=4, linestyle="-" if i < len(COLOURS) else "--", **style)
+            # Of long lines a few points have markers, of each line others: lines upon one another are seen, and the file stays small.
+            every = max(1, min(longest // 8, len(points))) if longest > 32 else 1
+            axes.plot(x, y, markersize=4, markevery=(i % every, every), linestyle="-" if i < len(COLOURS) else "--", **style)
         else:
             axes.scatter(x, y, **style)
             for point, label in zip(points, series["labels"]):
@@ -75,8 +79,11 @@ def draw(plot, caption, path):
             axis.set_ticks(range(len(plot[name]["names"])), plot[name]["names"], rotation=40, ha="right")
     axes.set_title(caption, fontsize=11)
     axes.legend(fontsize=8, frameon=False)
-    figure.savefig(path, metadata={"Date": None}, bbox_inches="tight")
+    svg = io.StringIO()
+    figure.savefig(svg, format="svg", metadata={"Date": None}, bbox_inches="tight")
     plt.close(figure)
+    # Hundredths are exact enough, and shorter.
+    path.write_text(re.sub(r"\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}", svg.getvalue()))
 
 
 def figure_of(match, commands, folder):

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <climits>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
+#include <tuple>
 
 #include "examples/character/projection.h"
 
@@ -15,20 +16,28 @@ namespace {
 constexpr double margin = 32, gap = 28, head = 84, caption = 58, foot = 64;
 constexpr double panel_width = 480, panel_height = 760;
 
-// Colours that people with red-green colour blindness can tell apart.
+// Colours that people with red-green colour blindness can tell apart. A panel's lines are in tenths of a pixel, as
+// Place is; its markers are scaled by stroke-width.
 constexpr const char* style = R"(<style>
 text{font-family:"Helvetica Neue",Helvetica,Arial,"Liberation Sans",sans-serif;fill:#1c2733}
 .title{font-size:22px;font-weight:bold}.about{font-size:14px;fill:#4d5b6a}
 .name{font-size:17px;font-weight:bold}.count{font-size:13px;fill:#4d5b6a}
-.mesh path{stroke-width:.35;stroke-linejoin:round}
+.mesh path{stroke-width:3.5;stroke-linejoin:round}
 .path{fill:none;stroke-linejoin:round;stroke-linecap:round}
-.walk{stroke:#007a5a;stroke-width:1.6}.faint{stroke:#1c2733;stroke-width:.7;stroke-opacity:.55}
+.walk{stroke:#007a5a;stroke-width:16}.faint{stroke:#1c2733;stroke-width:7;stroke-opacity:.55}
 .missed{fill:#d1480a}.invented{fill:#0a62c4}.both{fill:#9a2fa8}.set{fill:#fff;stroke:#007a5a;stroke-width:1.6}
-.area{fill-opacity:.5;stroke-opacity:.9;stroke-width:.6;stroke-linejoin:round}
-.needle{stroke-width:1.8}
+.area{fill-opacity:.5;stroke-opacity:.9;stroke-width:6;stroke-linejoin:round}
+.needle{stroke-width:18}.places{fill:none;stroke-width:10}marker{overflow:visible}
 .area.missed{stroke:#d1480a}.area.invented{stroke:#0a62c4}.area.both{stroke:#9a2fa8}
 .dot{stroke:#fff;stroke-width:.5}.lost{fill:none;stroke:#1c2733;stroke-width:.9}
 </style>
+<defs>
+<marker id="missed"><circle class="missed dot" r="2.1"/></marker>
+<marker id="invented"><circle class="invented dot" r="2.1"/></marker>
+<marker id="both"><circle class="both dot" r="2.1"/></marker>
+<marker id="lost"><circle class="lost" r="3.6"/></marker>
+<marker id="set"><circle class="set" r="3.2"/></marker>
+</defs>
 )";
 
 std::string escaped(std::string_view text) {
@@ -42,12 +51,47 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-// Rounded to a tenth of a pixel, so that positions that cannot be told apart are written once.
-std::string at(const Pixel& p) { return fmt::format("{:.1f},{:.1f}", p.x, p.y); }
+// Once round the triangle, back to the first corner; all turn the same way, so that two in one path make no hole.
+using Loop = std::array<Place, 4>;
+bool has_area(const Loop& loop) { return cross(loop[1] - loop[0], loop[2] - loop[0]) != 0; }
+Loop around(const Projection& project, const MeshTriangle& t) {
+  const Place a = project(t[0]), b = project(t[1]), c = project(t[2]);
+  return cross(b - a, c - a) < 0 ? Loop{a, c, b, a} : Loop{a, b, c, a};
+}
 
-std::string outline(const Projection& project, const MeshTriangle& t) {
-  const auto vertex = [&](std::size_t k) { return at(project(point(t[k]))); };
-  return fmt::format("M{}L{} {}Z", vertex(0), vertex(1), vertex(2));
+// The d of a path, in few bytes: steps from place to place, "m+123-4+5+60z", where a sign needs no separator.
+struct PathData {
+  std::string text = {};
+  Place pen = {0, 0};
+
+  void add(std::span<const Place> line) {
+    const bool closed = line.size() > 1 && line.front() == line.back();
+    text += 'm';
+    for (const Place& p : line.first(line.size() - closed)) {
+      text += fmt::format("{:+}{:+}", p.x - pen.x, p.y - pen.y);
+      pen = p;
+    }
+    if (!closed) return;
+    text += 'z';
+    pen = line.front();
+  }
+};
+
+// Without the places at most this far, in tenths of a pixel, from the straight line that then passes them.
+std::vector<Place> straightened(std::span<const Place> line, double reach) {
+  std::vector<Place> kept = {line.front()};
+  for (std::size_t passed = 1, i = 1; i < line.size(); ++i) {
+    const Place from = kept.back(), whole = line[i] - from;
+    const double furthest = reach * std::sqrt(dot(whole, whole));
+    const auto is_off = [&](const Place& p) {  // beyond an end, or aside
+      return dot(p - from, line[i] - p) < 0 || std::abs(cross(p - from, whole)) > furthest;
+    };
+    if (std::none_of(line.begin() + passed, line.begin() + i, is_off)) continue;
+    kept.push_back(line[i - 1]);
+    passed = i;
+  }
+  kept.push_back(line.back());
+  return kept;
 }
 
 double height(const Ground& ground, std::size_t t) {
@@ -75,46 +119,64 @@ std::string grey(const Ground& ground, std::size_t t) {
   return fmt::format("#{:02x}{:02x}{:02x}", 150 + 7 * level, 161 + 6 * level, 172 + 6 * level);
 }
 
-// The triangles from the lowest to the highest, so that higher ones cover lower ones.
-std::string mesh(const Ground& ground, const Projection& project) {
-  std::vector<std::size_t> order(ground.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::vector<double> heights;
-  for (const std::size_t t : order) heights.push_back(height(ground, t));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return heights[a] < heights[b]; });
-  std::string svg = "<defs><g id=\"mesh\" class=\"mesh\">\n", shade, run;
-  const auto close = [&] {
-    if (!run.empty()) svg += fmt::format("<path fill=\"{0}\" stroke=\"{0}\" d=\"{1}\"/>\n", shade, run);
-    run.clear();
-  };
-  for (const std::size_t t : order) {
-    const std::string next = grey(ground, t);
-    if (next != shade) close();
-    shade = next;
-    run += outline(project, ground.triangle(t));
-  }
-  close();
-  return svg + "</g></defs>\n";
-}
-
-std::string paths(const Walk& walk, const Projection& project, std::string_view kind) {
-  std::string svg = fmt::format("<path class=\"path {}\" d=\"", kind);
-  for (const auto& path : walk.paths) {
-    std::string last;
-    for (const Vec3<float>& p : path) {
-      const std::string here = at(project(point(p)));
-      if (here == last) continue;
-      svg += (last.empty() ? "M" : " ") + here;
-      last = here;
+// The d of triangles of one shade, without the edges that two of them take in opposite directions: around every place
+// as many loops turn as before, so that it fills the same.
+std::string outline(std::span<const Loop> triangles) {
+  PathData data;
+  std::multiset<std::pair<Place, Place>> edges;
+  for (const Loop& t : triangles) {
+    if (!has_area(t)) data.add(t);  // upright: a line
+    for (std::size_t k = 0; has_area(t) && k < 3; ++k) {
+      if (const auto back = edges.find({t[k + 1], t[k]}); back != edges.end()) edges.erase(back);
+      else edges.insert({t[k], t[k + 1]});
     }
   }
-  return svg + "\"/>\n";
+  while (!edges.empty()) {
+    std::vector<Place> loop = {edges.begin()->first};
+    do {  // as many edges leave a place as enter it, so this ends where it started
+      const auto edge = edges.lower_bound({loop.back(), {INT_MIN, INT_MIN}});
+      loop.push_back(edge->second);
+      edges.erase(edge);
+    } while (loop.back() != loop.front());
+    data.add(straightened(loop, 0));
+  }
+  return data.text;
 }
 
-std::string circle(std::string_view kind, const std::string& where, double radius) {
-  const std::size_t comma = where.find(',');
-  return fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", kind, where.substr(0, comma),
-                     where.substr(comma + 1), radius);
+// The triangles from the lowest to the highest, so that higher ones cover lower ones.
+std::string mesh(const Ground& ground, const Projection& project) {
+  std::vector<std::tuple<double, std::string, Loop>> order;
+  for (std::size_t t = 0; t < ground.size(); ++t) {
+    order.emplace_back(height(ground, t), grey(ground, t), around(project, ground.triangle(t)));
+  }
+  std::sort(order.begin(), order.end());
+  std::string svg = "<g id=\"mesh\" class=\"mesh\">\n";
+  std::vector<Loop> run;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto& [above, shade, loop] = order[i];
+    run.push_back(loop);
+    if (i + 1 < order.size() && std::get<1>(order[i + 1]) == shade) continue;
+    svg += fmt::format("<path fill=\"{0}\" stroke=\"{0}\" d=\"{1}\"/>\n", shade, outline(run));
+    run.clear();
+  }
+  return svg + "</g>\n";
+}
+
+std::string paths(const Walk& walk, const Projection& project) {
+  PathData data;
+  for (const auto& path : walk.paths) {
+    std::vector<Place> line;
+    for (const Vec3<float>& p : path) line.push_back(project(p));
+    data.add(straightened(line, 2.5));
+  }
+  return fmt::format("<path id=\"walk\" d=\"{}\"/>\n", data.text);
+}
+
+// A marker at each place.
+std::string marked(std::string_view marker, const std::vector<Place>& places) {
+  PathData data;
+  if (!places.empty()) data.add(places);
+  return fmt::format("<path class=\"places\" style=\"marker:url(#{})\" d=\"{}\"/>\n", marker, data.text);
 }
 
 // The triangles about which a kernel was wrong anywhere, the spheres with which it was, and those at rest that lost the
@@ -123,29 +185,34 @@ std::string marks(const Ground& ground, const Walk& walk, const Comparison& comp
   constexpr unsigned missed = 1, invented = 2;
   constexpr std::array<std::string_view, 4> kinds = {"", "missed", "invented", "both"};
   std::map<std::uint32_t, unsigned> triangles;
-  std::map<std::string, unsigned> places;
+  std::map<Place, unsigned> places;
+  const auto centre = [&](std::size_t ask) { return project(walk.asks[ask].sphere.centre); };
   for (const Wrong& wrong : comparison.wrong) {
     const unsigned kind = wrong.missed ? missed : invented;
     triangles[wrong.triangle] |= kind;
-    places[at(project(point(walk.asks[wrong.ask].sphere.centre)))] |= kind;
+    places[centre(wrong.ask)] |= kind;
+  }
+  std::map<std::pair<std::string_view, unsigned>, PathData> areas;
+  for (const auto& [t, kind] : triangles) {
+    areas[{ground.has_area(t) ? "area" : "area needle", kind}].add(around(project, ground.triangle(t)));
   }
   std::string svg;
-  for (const auto& [t, kind] : triangles) {
-    svg += fmt::format("<path class=\"area{} {}\" d=\"{}\"/>\n", ground.has_area(t) ? "" : " needle", kinds[kind],
-                       outline(project, ground.triangle(t)));
+  for (const auto& [key, data] : areas) {
+    svg += fmt::format("<path class=\"{} {}\" d=\"{}\"/>\n", key.first, kinds[key.second], data.text);
   }
-  svg += paths(walk, project, "faint");
-  for (const auto& [where, kind] : places) svg += circle(fmt::format("dot {}", kinds[kind]), where, 2.1);
-  std::set<std::string> lost;
-  for (const std::size_t a : comparison.lost) lost.insert(at(project(point(walk.asks[a].sphere.centre))));
-  for (const std::string& where : lost) svg += circle("lost", where, 3.6);
-  return svg;
+  svg += "<use class=\"path faint\" xlink:href=\"#walk\"/>\n";
+  std::map<unsigned, std::vector<Place>> dots;
+  for (const auto& [where, kind] : places) dots[kind].push_back(where);
+  for (const auto& [kind, at] : dots) svg += marked(kinds[kind], at);
+  std::set<Place> lost;
+  for (const std::size_t a : comparison.lost) lost.insert(centre(a));
+  return svg + marked("lost", {lost.begin(), lost.end()});
 }
 
 std::string starts(const Walk& walk, const Projection& project) {
-  std::string svg;
-  for (const auto& path : walk.paths) svg += circle("set", at(project(point(path[0]))), 3.2);
-  return svg;
+  std::vector<Place> places;
+  for (const auto& path : walk.paths) places.push_back(project(path[0]));
+  return marked("set", places);
 }
 
 std::string text(double x, double y, std::string_view kind, std::string_view words) {
@@ -170,7 +237,7 @@ constexpr std::array<LegendEntry, 6> legend_entries = {{
     {"<circle class=\"dot invented\" cx=\"8\" cy=\"-4\" r=\"4.2\"/>", "invented one", 124},
     {"<circle class=\"dot both\" cx=\"8\" cy=\"-4\" r=\"4.2\"/>", "both", 72},
     {"<circle class=\"lost\" cx=\"8\" cy=\"-4\" r=\"4.6\"/>", "stood, and lost the ground", 208},
-    {"<path class=\"area missed\" d=\"M1,1L15,1 8,-10Z\"/>",
+    {"<path class=\"area missed\" transform=\"scale(.1)\" d=\"M10,10L150,10 80,-100Z\"/>",
      "triangle that it was wrong about, a line where it has no area", 420},
     {"<circle class=\"set\" cx=\"8\" cy=\"-4\" r=\"3.6\"/>", "set down", 100},
 }};
@@ -210,9 +277,9 @@ std::string picture(const Ground& ground, const Walk& walk, std::span<const Comp
   }
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"{0:.0f}\" "
-      "height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\">\n<title>{2}</title>\n{3}{4}"
+      "height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\">\n<title>{2}</title>\n{3}<defs>\n{4}{5}</defs>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-      width, height, escaped(title), style, mesh(ground, project));
+      width, height, escaped(title), style, mesh(ground, project), paths(walk, project));
   const std::size_t colon = title.find(": ");
   svg += text(margin, 40, "title", title.substr(0, colon));
   svg += text(margin, 64, "about", title.substr(std::min(title.size(), colon + 2)));
@@ -221,7 +288,7 @@ std::string picture(const Ground& ground, const Walk& walk, std::span<const Comp
   const auto panel = [&](const std::string& name, const std::string& count, const std::string& second,
                          const std::string& inside) {
     svg += text(x, y + 16, "name", name) + text(x, y + 34, "count", count) + text(x, y + 50, "count", second);
-    svg += fmt::format("<g transform=\"translate({:.1f} {:.1f})\"><use xlink:href=\"#mesh\"/>\n{}</g>\n", x,
+    svg += fmt::format("<g transform=\"translate({:.1f} {:.1f}) scale(.1)\"><use xlink:href=\"#mesh\"/>\n{}</g>\n", x,
                        y + caption, inside);
     if (beside) x += size.x + gap;
     else y += caption + size.y + gap;
@@ -230,7 +297,7 @@ std::string picture(const Ground& ground, const Walk& walk, std::span<const Comp
       "the walk, by the certified predicate",
       fmt::format("{} spheres, {} triangles in their boxes", grouped(walk.asks.size()), grouped(walk.triangles.size())),
       fmt::format("{} contacts, {} of them touching exactly", grouped(contacts), grouped(touching)),
-      paths(walk, project, "walk") + starts(walk, project));
+      "<use class=\"path walk\" xlink:href=\"#walk\"/>\n" + starts(walk, project));
   for (const Comparison& comparison : comparisons) {
     panel(comparison.kernel + (comparison.touching == Touching::separated ? ", to which touching is not contact" : ""),
           fmt::format("{} contacts missed{}, {} invented{}", grouped(comparison.all.errors.missed),

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <compare>
 
 #include "examples/character/ground.h"
 
@@ -11,6 +13,15 @@ namespace axiscert::character {
 struct Pixel {
   double x, y;
 };
+
+// A point of a panel in tenths of a pixel, so that points that cannot be told apart are one.
+struct Place {
+  int x, y;
+  auto operator<=>(const Place&) const = default;
+  Place operator-(const Place& o) const { return {x - o.x, y - o.y}; }
+};
+inline double dot(const Place& a, const Place& b) { return double(a.x) * b.x + double(a.y) * b.y; }
+inline double cross(const Place& a, const Place& b) { return double(a.x) * b.y - double(a.y) * b.x; }
 
 class Projection {
  public:
@@ -25,11 +36,12 @@ class Projection {
     size_ = {w * scale_, h * scale_};
   }
 
-  Pixel operator()(const Point& p) const {
-    return {(p[right_] - left_) * scale_, (p[across_] - top_) * sign_ * scale_};
+  Place operator()(const Vec3<float>& v) const {
+    const Point p = point(v);
+    const auto tenths = [&](double length) { return static_cast<int>(std::lround(10 * scale_ * length)); };
+    return {tenths(p[right_] - left_), tenths((p[across_] - top_) * sign_)};
   }
   Pixel size() const { return size_; }
-  double scale() const { return scale_; }  // pixels per unit of length
 
  private:
   std::size_t right_, across_;

@@ -13,8 +13,9 @@ import sys
 import matplotlib
 
 matplotlib.use("svg")
-# The same file from the same numbers.
-matplotlib.rcParams.update({"svg.hashsalt": "axiscert", "svg.fonttype": "none", "axes.grid": True, "grid.color": "#d8dde4"})
+# The same file from the same numbers, and a small one.
+matplotlib.rcParams.update({"svg.hashsalt": "axiscert", "svg.fonttype": "none", "font.sans-serif": ["DejaVu Sans"],
+                            "axes.grid": True, "grid.color": "#d8dde4", "xtick.bottom": False, "ytick.left": False})
 import matplotlib.pyplot as plt
 
 PRECISION_BITS = {"binary32": 24, "binary64": 53}
@@ -28,7 +29,8 @@ def panel(axes, result, title):
     """One panel: a line for each kernel."""
     for name, kernel in result["kernels"].items():
         points = [(row["bits"], per_million(row["unlimited"]["verdict"], result["queries"])) for row in kernel["precisions"]]
-        (line,) = axes.plot(*zip(*[point for point in points if point[1] > 0]), marker="o", markersize=3, label=name)
+        # Every second point has a marker, the last one or the only one always.
+        (line,) = axes.plot(*zip(*[point for point in points if point[1] > 0]), marker="o", markersize=3, markevery=slice(None, None, -2), label=name)
         own = per_million(kernel["exact"], result["queries"])
         if own > 0:
             axes.axhline(own, color=line.get_color(), linestyle=":", linewidth=1)
