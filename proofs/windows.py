@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 """The window of exponents in which nothing over- or underflows: its table in docs/bounds.md and queries at its ends.
 
-windows.py            writes the table and proofs/windows.jsonl
-windows.py --check    says which of the two is not current, and exits 1
+windows.py [--written DIR]            writes the table and proofs/windows.jsonl
+windows.py [--written DIR] --check    says which of the two is not current, and exits 1
 
 The window is a theorem (coq/formulae/Windows.v), and its numbers are read from there. Where it ends is found here, by
 evaluating the FPCores in exact arithmetic with rounding, once with the format's exponents and once with unlimited
 ones: the first size 2^h at which an operation overflows, among the cube's vertices, and the first grid 2^g on which
 one underflows, among small integers. Each end is kept as two queries, the last that does not and the first that
 does."""
+import argparse
 import itertools
 import json
 import pathlib
@@ -17,7 +18,7 @@ import sys
 from fractions import Fraction
 
 import fpcore
-from names import COMPARISONS, INPUTS
+from names import COMPARISONS, INPUTS, written_proofs
 
 PROOFS = pathlib.Path(__file__).resolve().parent
 DOCUMENT = PROOFS.parent / "docs" / "bounds.md"
@@ -55,9 +56,9 @@ def proved_greatest():
     return found
 
 
-def sides(form, contraction="plain", precision="binary32"):
-    """The FPCores of each comparison."""
-    cores = fpcore.cores((PROOFS / "fpcore" / precision / f"{form}_{contraction}.fpcore").read_text())
+def sides(written, form, contraction="plain", precision="binary32"):
+    """The FPCores of each comparison, which write_proofs wrote in the folder `written`."""
+    cores = fpcore.cores((written / "fpcore" / precision / f"{form}_{contraction}.fpcore").read_text())
     by_name = {core.name: core for core in cores}
     return {c: [by_name[name] for side in ("lhs", "rhs") if (name := f"{form}_{c}_{side}") in by_name] for c in COMPARISONS}
 
@@ -127,11 +128,11 @@ def entry(name, precision, query, e):
     return json.dumps({"id": name, "precision": precision, **fields})
 
 
-def made():
+def made(written):
     """The table's rows and the lines of the queries."""
     greatest, rows, lines = proved_greatest(), [], []
     for form in ("published", "reduced"):
-        cores = sides(form)
+        cores = sides(written, form)
         for kind in KINDS:
             if form == "reduced" and not kind.startswith("edge"):
                 continue
@@ -161,7 +162,11 @@ def made():
 
 
 def main():
-    rows, lines = made()
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--written", type=pathlib.Path, help="where write_proofs wrote; default: where it did last")
+    parser.add_argument("--check", action="store_true")
+    options = parser.parse_args()
+    rows, lines = made(written_proofs(options.written))
     table = ("| comparison | degree | precision | grid, least | size, greatest | m of whole significands | underflows at | overflows at |\n"
              "|---|---:|---|---:|---:|---:|---:|---:|\n" + "\n".join(rows) + "\n")
     text = DOCUMENT.read_text()
@@ -171,11 +176,11 @@ def main():
     for path, new in ((DOCUMENT, before + BEGIN + table + END + after), (QUERIES, "\n".join(lines) + "\n")):
         if not path.exists() or path.read_text() != new:
             stale.append(path)
-            if "--check" not in sys.argv:
+            if not options.check:
                 path.write_text(new)
     for path in stale:
-        print(f"{path}: is not what windows.py makes" if "--check" in sys.argv else path)
-    return 1 if stale and "--check" in sys.argv else 0
+        print(f"{path}: is not what windows.py makes" if options.check else path)
+    return 1 if stale and options.check else 0
 
 
 if __name__ == "__main__":

@@ -6,10 +6,9 @@
 reads, in coq/, the files named in READ and writes
   kernel/sphere_triangle/certified_filter/thresholds.h      for the kernels
   kernel/sphere_triangle/certified_filter/margin_bounds.h   for the filters of exact/ and the certified predicate
-  coq/Exported.v                  the same figures as theorems about the filters, so that the figures read here are those
-                                  proved there
 With --check nothing is written, and exit status 1 names the file that is not current. Exit status 2: the theory is
-not as expected."""
+not as expected. The same figures as theorems about the filters are Exported.v, which prove.py adds to the theory: so the
+figures read here are those proved there."""
 import argparse
 import pathlib
 import re
@@ -250,14 +249,10 @@ Proof. reflexivity. Qed.
     return text
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--check", action="store_true")
-    parser.add_argument("--coq", type=pathlib.Path, default=PROOFS / "coq")
-    parser.add_argument("--headers", type=pathlib.Path, default=PROOFS.parent / "kernel" / "sphere_triangle" / "certified_filter")
-    options = parser.parse_args()
-    theory = {name: (options.coq / folder / name).read_text() for folder, names in READ.items() for name in names}
-    exported = {form: thresholds(theory["Thresholds.v"], form) for form in FORMS}
+def exported(coq):
+    """The text of each file by its name: of the headers, and of Exported.v."""
+    theory = {name: (coq / folder / name).read_text() for folder, names in READ.items() for name in names}
+    proved = {form: thresholds(theory["Thresholds.v"], form) for form in FORMS}
     windows = {f: [window_end(theory["Filters.v"], which, f) for which in ("least", "greatest")] for f in FORMATS}
     bounds, coarse, conservative = (constants(theory, file) for file in ("Margins.v", "Certified.v", "Conservative.v"))
     ends = {("conservative", f): exponents(theory, "ConservativeStep.v", "conservative_never_misses", f) for f in FORMATS}
@@ -265,15 +260,25 @@ def main():
         ends["coarse", f] = float_exponents(theory["CoarseFloat.v"], f)
         if ends["coarse", f][:1] != exponents(theory, "CertifiedStep.v", "coarse_never_lies", f):
             stop(f"CertifiedStep.v and CoarseFloat.v: the least S differs in {f}")
+    return {"thresholds.h": header(proved, windows), "margin_bounds.h": margins_header(bounds, coarse, conservative, ends),
+            "Exported.v": exported_v(proved, windows, bounds, coarse, conservative)}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--coq", type=pathlib.Path, default=PROOFS / "coq")
+    parser.add_argument("--headers", type=pathlib.Path, default=PROOFS.parent / "kernel" / "sphere_triangle" / "certified_filter")
+    options = parser.parse_args()
+    texts = exported(options.coq)
     stale = False
-    for path, text in ((options.headers / "thresholds.h", header(exported, windows)),
-                       (options.headers / "margin_bounds.h", margins_header(bounds, coarse, conservative, ends)),
-                       (options.coq / "Exported.v", exported_v(exported, windows, bounds, coarse, conservative))):
-        if options.check and (not path.exists() or path.read_text() != text):
+    for name in ("thresholds.h", "margin_bounds.h"):
+        path = options.headers / name
+        if options.check and (not path.exists() or path.read_text() != texts[name]):
             print(f"write_thresholds: {path} is not current: run proofs/write_thresholds.py", file=sys.stderr)
             stale = True
         elif not options.check:
-            path.write_text(text)
+            path.write_text(texts[name])
     sys.exit(1 if stale else 0)
 
 

@@ -138,7 +138,10 @@ int prove(const ProveOptions& options) {
     check(entries, ranges, progress.report());
   }
   const Json data = data_of(entries, gappa, coq);
-  if (folder) folder->write_text("proofs.json", data.dump(2) + "\n");
+  if (folder) {
+    folder->write_text("proofs.json", data.dump(2) + "\n");
+    for (const auto& [path, script] : gappa_files()) folder->write_text("proofs/" + path, script);
+  }
   if (options.format == "text") print_text(data);
   else std::cout << data_text(data, options.format);
   const bool refused =
@@ -158,7 +161,7 @@ void add_prove(CLI::App& app, Action& action) {
   command->add_flag("--without-coq", o.without_coq, "Gappa alone, which takes a minute less; nothing counts as proved");
   add_progress(*command);
   add_format(*command, o.format, data_formats);
-  command->add_option("--out", o.out, "folder for proofs.json");
+  command->add_option("--out", o.out, "folder for proofs.json and for Gappa's scripts");
   command->callback([&action, options] { action = [options] { return prove(*options); }; });
 }
 

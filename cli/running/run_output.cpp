@@ -37,6 +37,7 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
 
 void OutputFolder::write_text(const std::string& file, const std::string& text) const {
   const auto target = path_ / file, part = path_ / (file + ".part");
+  std::filesystem::create_directories(target.parent_path());
   std::ofstream out(part, std::ios::binary);
   out << text;
   out.close();
@@ -106,7 +107,7 @@ std::string kernels_table(const Json& kernels) {
     }
     has_limits |= evidence.outside != 0;
     has_depth |= deepest_missed != 0 || deepest_phantom != 0;
-    // Of a kernel that decided nothing no depth was measured.
+    // No depth was measured of a kernel that decided nothing.
     const auto deepest = [&](double depth) { return evidence.decided() == 0 ? std::string("-") : amount(depth, 3); };
     rows.push_back({kernel["id"], kernel["precision"], thousands(trials), thousands(missed), deepest(deepest_missed),
                     thousands(phantom), deepest(deepest_phantom), thousands(undecided), thousands(evidence.invalid),

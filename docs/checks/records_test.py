@@ -3,8 +3,8 @@
 
     docs/league.md    versions of the engines: kernel/peers/npm/package.json
     docs/proofs.md    bounds and thresholds: proofs/coq/formulae/Thresholds.v, kernel/sphere_triangle/certified_filter/thresholds.h; theorems named
-                      beside the steps of the certified predicate: proofs/coq/Assumptions.expected
-                      how many faults ./dev prove --planted has: proofs/prove.py
+                      beside the steps of the certified predicate: proofs/theorems.txt
+                      how many faults ./dev prove --planted has: proofs/faults.py
     docs/bounds.md    bounds: proofs/bounds.cpp, which Gappa proves; errors attained: proofs/attained.h, and these those of docs/search.md
     CITATION.cff, CHANGELOG.md, docs/ci.md, docs/pipe.md    the version: CMakeLists.txt
     docs/moving.md    what strict sides and headings get wrong: exact/moving_sphere/twenty_axes_test.cpp
@@ -90,7 +90,7 @@ class Records(unittest.TestCase):
             self.assertIn(int(row[4]), filters, row)
 
     def test_theorems_named_beside_the_steps_are_main_theorems(self):
-        theorems = set(re.findall(r'^== "?(\w+)"?$', text_of("proofs/coq/Assumptions.expected"), re.M))
+        theorems = set(re.findall(r"^(\w+) \[", text_of("proofs/theorems.txt"), re.M))
         lines = text_of("docs/proofs.md").partition("| step | proved | recorded |")[2].partition("\n\n")[0].splitlines()[2:]
         named = {name for line in lines for name in re.findall(r"`(\w+)`", line.split("|")[2])}
         self.assertGreater(len(named), 20)

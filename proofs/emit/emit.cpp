@@ -1,6 +1,10 @@
 #include "proofs/emit/emit.h"
 
+#include <fmt/format.h>
+
 namespace axiscert::proofs {
+
+std::string program_path(std::string_view name) { return fmt::format("programs/{}.txt", name); }
 
 Files proof_files() {
   Files all;

@@ -1,4 +1,4 @@
-// The steps of the certified predicate as they were recorded: all of them as text, and those that the theory states as
+// The steps of the certified predicate as they were recorded: each of them as text, and those that the theory states as
 // definitions of Coq, over any machine that has the operations (coq/floats/Machine.v).
 #include <fmt/format.h>
 
@@ -226,19 +226,13 @@ std::string coq_definition(const RecordedStep& step, Sort sort, std::string_view
   return text + fmt::format("  [{}].\n", list);
 }
 
-// The exact step's margins as instructions: the k-th computes value 13 + k, the first thirteen are the query.
-std::string exact_as_coq() {
+// The exact step's margins as instructions: the k-th computes value 13 + k, the first thirteen are the query. As lists of Coq: the
+// instructions, each with the degree by which the exact step chooses its words, and the places of the results.
+std::string exact_program() {
   const RecordedExact exact = recorded_exact();
   std::vector<Index> ends;
   for (const Result& result : exact.results) ends.push_back(result.node);
   std::vector<std::size_t> place(exact.graph.nodes().size());
-  std::string text =
-      "(* Written by write_proofs from kernel/sphere_triangle/certified/numbers/exact_margins.h, through the recorder: "
-      "do not "
-      "edit.\n\n   The instructions, each with the degree by which the exact step chooses its words; the places of the "
-      "results. *)\n"
-      "From Coq Require Import List.\nFrom Axiscert Require Import ExactProgram.\nImport ListNotations.\n\n"
-      "Definition recorded_exact : list (instruction * nat) :=\n";
   std::size_t next = 0;
   std::string list;
   const std::vector<Index> needed = exact.graph.needed_by(ends);
@@ -253,14 +247,26 @@ std::string exact_as_coq() {
     list += fmt::format("{}({} {} {}, {})", list.empty() ? "  [" : ";\n   ", name, place[node.operands[0]],
                         place[node.operands[1]], exact.degree[i]);
   }
-  text += list + "].\n\n";
   std::string names, places;
   for (const Result& result : exact.results) {
     names += (names.empty() ? "" : " ") + result.name;
     places += (places.empty() ? "" : "; ") + fmt::format("{}", place[result.node]);
   }
-  return text + fmt::format("(* {} *)\nDefinition recorded_exact_results : list nat :=\n  [{}].\n", names, places);
+  return fmt::format(
+      "Definition recorded_exact : list (instruction * nat) :=\n{}].\n\n"
+      "(* {} *)\nDefinition recorded_exact_results : list nat :=\n  [{}].\n",
+      list, names, places);
 }
+
+constexpr const char* exact_header =
+    R"((* Written by write_proofs from kernel/sphere_triangle/certified/numbers/exact_margins.h, through the recorder: do not edit.
+
+   The instructions, each with the degree by which the exact step chooses its words; the places of the results. *)
+From Coq Require Import List.
+From Axiscert Require Import ExactProgram.
+Import ListNotations.
+
+)";
 
 constexpr const char* coq_header =
     R"(From Coq Require Import List Bool ZArith.
@@ -284,11 +290,12 @@ bool is_stated(const RecordedStep& step) {
 }  // namespace
 
 Files certified_files() {
-  std::string plain, fused, coq = coq_header;
+  Files files;
+  std::string coq = coq_header;
   coq +=
       promised_depth("binary32", AXISCERT_PHANTOM_DEPTH_F32) + promised_depth("binary64", AXISCERT_PHANTOM_DEPTH_F64);
   for (const RecordedStep& step : recorded_steps()) {
-    (step.fused ? fused : plain) += text_of(step) + "\n";
+    files[program_path(full_name(step))] = text_of(step);
     if (step.name.starts_with("deep_")) coq += coq_constants(step);
     if (!is_stated(step)) continue;
     coq += coq_definition(step, Sort::number, "numbers", "(m_number m)");
@@ -296,10 +303,11 @@ Files certified_files() {
     if (step.name == "coarse" && step.bits == 64)
       coq += coq_definition(with_known_bits(step), Sort::flag, "known", "bool");
   }
-  return {{"coq/certified/RecordedCertified.v", coq},
-          {"coq/integers/RecordedExact.v", exact_as_coq()},
-          {"certified/steps_plain.txt", plain},
-          {"certified/steps_fma.txt", fused}};
+  const std::string exact = exact_program();
+  files["coq/certified/RecordedCertified.v"] = coq;
+  files["coq/integers/RecordedExact.v"] = exact_header + exact;
+  files[program_path("exact")] = exact;
+  return files;
 }
 
 }  // namespace axiscert::proofs

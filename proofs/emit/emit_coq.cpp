@@ -49,12 +49,17 @@ Files coq_files() {
     text += definitions(form, Contraction::plain, "exact", "");
   }
   text += "\nSection Rounded.\nVariable rnd : R -> R.\n";
+  Files files;
   for (const Form form : {Form::published, Form::reduced}) {
-    text += definitions(form, Contraction::plain, "float", "rnd ");
-    text += definitions(form, Contraction::fma, "fma", "rnd ");
+    for (const Contraction contraction : {Contraction::plain, Contraction::fma}) {
+      const std::string_view kind = contraction == Contraction::plain ? "float" : "fma";
+      const std::string program = definitions(form, contraction, kind, "rnd ");
+      text += program;
+      files[program_path(fmt::format("{}_{}", name(form), name(contraction)))] = program;
+    }
   }
-  text += "\nEnd Rounded.\n";
-  return {{"coq/formulae/Recorded.v", text}};
+  files["coq/formulae/Recorded.v"] = text + "\nEnd Rounded.\n";
+  return files;
 }
 
 }  // namespace axiscert::proofs

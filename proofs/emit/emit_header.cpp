@@ -21,7 +21,7 @@ Files header_files() {
     }
   }
   return {
-      {"../kernel/sphere_triangle/proved_bounds.h",
+      {"kernel/sphere_triangle/proved_bounds.h",
        fmt::format(
            R"(// Proved bounds on |(computed lhs - computed rhs) - (lhs - rhs)|, in u/16. Written by write_proofs: do not edit.
 #pragma once

@@ -139,7 +139,7 @@ Files range_files() {
     }
     if (range.sum_in_hundredths != 0) text += sum_theorem(range);
   }
-  return {{"coq/formulae/RangesClaimed.v", text}};
+  return {{"ranges/RangesClaimed.v", text}};
 }
 
 }  // namespace axiscert::proofs

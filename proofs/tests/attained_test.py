@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""attained_test.py: each figure of proofs/attained.h is attained by a query of proofs/attained.jsonl.
+"""attained_test.py WRITTEN: each figure of proofs/attained.h is attained by a query of proofs/attained.jsonl.
 
-A query's error is |(l^ - r^) - (l - r)| in u = 2^-24: the recorded program of its comparison (proofs/fpcore/), each operation
+A query's error is |(l^ - r^) - (l - r)| in u = 2^-24: the recorded program of its comparison (fpcore/ in the folder WRITTEN), each operation
 rounded to binary32, compared with the exact value, in fractions. The query is in the scaled domain: every exact coordinate of
 A - P, B - P, C - P in [-1, 1], r in [0, 1]. A figure is the error rounded down to its digits, so that it is attained; a query
 that attains more than its figure is as wrong as one that attains less."""
@@ -14,6 +14,7 @@ import unittest
 from fractions import Fraction
 
 PROOFS = pathlib.Path(__file__).resolve().parents[1]
+WRITTEN = pathlib.Path(sys.argv.pop(1))
 sys.path.insert(0, str(PROOFS))
 import fpcore
 from names import INPUTS
@@ -45,7 +46,7 @@ def error_in_u(kernel, comparison, query):
     """The exact error of lhs - rhs in u. A side that is the constant zero is not among the FPCores."""
     values = dict(zip(INPUTS, query))
     name = f"{kernel}_{comparison.replace('.', '_')}"
-    cores = [core for core in fpcore.cores((PROOFS / f"fpcore/binary32/{kernel}_plain.fpcore").read_text())
+    cores = [core for core in fpcore.cores((WRITTEN / f"fpcore/binary32/{kernel}_plain.fpcore").read_text())
              if core.name in (f"{name}_lhs", f"{name}_rhs")]
     assert cores, name
     computed = exact = Fraction(0)

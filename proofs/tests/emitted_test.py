@@ -1,5 +1,5 @@
-"""emitted_test.py PRINT_SIDES FOLDER SUITE: an independent reader checks the FPCores and the LaTeX that write_proofs
-made.
+"""emitted_test.py PRINT_SIDES WRITTEN SUITE: an independent reader checks the FPCores and the LaTeX that write_proofs
+wrote.
 
 FPCore  every file is in the grammar of FPCore 2.0; evaluated with fractions and rounded by hand, every core gives
 the bits of

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""planted_sources_test.py CXX PROOFS_LIBRARY [unittest arguments]: a fault in a source of the proofs, a formula or a
+"""planted_sources_test.py CXX PROOFS_LIBRARY WRITTEN [unittest arguments]: a fault in a source of the proofs, a formula or a
 claimed figure, passes through the recorder and is refused at the file that states it.
 
 Each fault is one token of a source, in a copy that the compiler finds first. The recorder built from it writes its
-own proofs. `--check` reports at once that the committed ones are not current; and if somebody wrote them again, the
-checker would refuse them at the file named."""
+own proofs. programs.py reports at once that its programs are not the committed ones; and if somebody updated those, the
+checker would refuse the proofs at the file named."""
 import os
 import pathlib
 import re
@@ -15,9 +15,10 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import programs
 import prove
 
-CXX, LIBRARY = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
+CXX, LIBRARY, WRITTEN = sys.argv[1], *(pathlib.Path(path).resolve() for path in sys.argv[2:4])
 PROOFS = pathlib.Path(__file__).resolve().parents[1]
 ROOT = PROOFS.parent
 COQ_BUILD = ROOT / "build" / "proofs" / "coq"
@@ -29,8 +30,8 @@ class Planted(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.work = pathlib.Path(folder.name)
 
-    def writer(self, source, old, new, unit):
-        """write_proofs with `old` replaced by `new` in `source`, which translation unit `unit` includes or is."""
+    def written(self, source, old, new, unit):
+        """What write_proofs writes with `old` replaced by `new` in `source`, which translation unit `unit` includes or is."""
         text = (ROOT / source).read_text()
         self.assertEqual(text.count(old), 1, f"the fault finds '{old}' {text.count(old)} times in {source}")
         overlay = self.work / "overlay"
@@ -41,20 +42,8 @@ class Planted(unittest.TestCase):
         beside = (ROOT / source).parent  # for what the source includes by its name alone
         subprocess.run([CXX, "-std=c++20", "-O0", "-ffp-contract=off", "-iquote", beside, "-I", overlay, "-I", ROOT, planted,
                         PROOFS / "emit" / "write_proofs.cpp", LIBRARY, "-lfmt", "-o", self.work / "write_proofs"], check=True)
-        return self.work / "write_proofs"
-
-    def stale(self, writer):
-        """The committed files that differ from those that this recorder writes."""
-        done = subprocess.run([writer, "--check", PROOFS], capture_output=True, text=True)
-        self.assertEqual(done.returncode, 1, done.stderr)
-        return {os.path.basename(line.split(": not what")[0]) for line in done.stderr.splitlines()}
-
-    def written(self, writer):
-        made = self.work / "tree" / "proofs"
-        made.mkdir(parents=True)
-        (self.work / "tree" / "kernel" / "sphere_triangle").mkdir(parents=True)
-        subprocess.run([writer, made], check=True, stdout=subprocess.DEVNULL)
-        return made
+        subprocess.run([self.work / "write_proofs", self.work / "written"], check=True)
+        return self.work / "written"
 
     def refused_by_coq(self, made, target, *recorded):
         """The file at which the check of `target` stops, with what is `recorded` now: its proofs, and the others' statements."""
@@ -69,9 +58,9 @@ class Planted(unittest.TestCase):
 
 class PlantedSources(Planted):
     def formula(self, source, old, new, refused_at):
-        writer = self.writer(source, old, new, "proofs/record.cpp")
-        self.assertIn("Recorded.v", self.stale(writer))
-        self.assertEqual(self.refused_by_coq(self.written(writer), refused_at, "Recorded.v"), refused_at)
+        made = self.written(source, old, new, "proofs/record.cpp")
+        self.assertTrue({"published_plain", "reduced_plain"} & set(programs.differing(made)))
+        self.assertEqual(self.refused_by_coq(made, refused_at, "Recorded.v"), refused_at)
 
     def test_a_wrong_coefficient(self):
         self.formula("kernel/sphere_triangle/formulae.h", "A * e1 - AB * d1", "A * e1 + AB * d1", "RecordedIsSat7.v")
@@ -90,21 +79,15 @@ class PlantedSources(Planted):
                      "RecordedIsProgram.v")
 
     def test_a_bound_halved(self):
-        writer = self.writer("proofs/bounds.cpp", "{1761, 1569}", "{880, 1569}", "proofs/bounds.cpp")
-        script = "reduced_plain_edge_ab_radius.g"
-        stale = self.stale(writer)
-        self.assertLessEqual({"proved_bounds.h", script}, stale)
-        self.assertNotIn("Recorded.v", stale)
-        for made, accepted in ((PROOFS, True), (self.written(writer), False)):
-            done = subprocess.run(["gappa", made / "gappa" / "binary32" / "scaled" / script], capture_output=True, text=True)
+        made = self.written("proofs/bounds.cpp", "{1761, 1569}", "{880, 1569}", "proofs/bounds.cpp")
+        self.assertEqual(programs.differing(made), [programs.HEADER])
+        for written, accepted in ((WRITTEN, True), (made, False)):
+            done = subprocess.run(["gappa", written / "gappa/binary32/scaled/reduced_plain_edge_ab_radius.g"], capture_output=True, text=True)
             self.assertEqual(done.returncode == 0, accepted, done.stderr)
 
     def test_a_range_too_narrow(self):
         row = '{Domain::scaled, "V",  true,  "-4",'
-        writer = self.writer("proofs/ranges.cpp", row, row.replace("-4", "-3"),
-                             "proofs/ranges.cpp")
-        self.assertIn("RangesClaimed.v", self.stale(writer))
-        made = self.written(writer) / "coq" / "formulae"
+        made = self.written("proofs/ranges.cpp", row, row.replace("-4", "-3"), "proofs/ranges.cpp") / "ranges"
         shutil.copy(PROOFS / "coq" / "formulae" / "Ranges.v", made)
         for name, accepted in (("Ranges.v", True), ("RangesClaimed.v", False)):
             done = subprocess.run(["coqc", "-Q", ".", "Axiscert", name], cwd=made, capture_output=True, text=True)
@@ -116,7 +99,7 @@ CERTIFIED = "kernel/sphere_triangle/certified"
 BOUNDS = "kernel/sphere_triangle/certified_filter/margin_bounds.h"
 STEPS, EXACT = "proofs/certified/record_steps.cpp", "proofs/certified/record_exact.cpp"
 # Faults of the certified predicate: the source and what is replaced in it, the unit that records it, and the file of the
-# theory at which what is recorded then stops. None: the theory states no more of it than that it is what is committed.
+# theory at which what is recorded then stops. None: the theory states no more of it than that it is the committed program.
 STEP_FAULTS = {
     # Faults that an audit planted, and no random query showed.
     "coarse thresholds a quarter of what is proved": (
@@ -172,14 +155,13 @@ STEP_FAULTS = {
 
 class PlantedSteps(Planted):
     def fault(self, source, old, new, unit, refused_at):
-        writer = self.writer(source, old, new, unit)
-        stale = self.stale(writer)
+        made = self.written(source, old, new, unit)
+        stale = programs.differing(made)
         if unit == EXACT:
-            self.assertIn("RecordedExact.v", stale)
+            self.assertEqual(stale, ["exact"])
         elif unit == STEPS:
-            self.assertLessEqual({"steps_plain.txt", "steps_fma.txt"} if "conservative" not in source else {"steps_plain.txt"}, stale)
+            self.assertLessEqual({"plain"} if "conservative" in source else {"plain", "fma"}, {word for name in stale for word in name.split("_")})
         if refused_at:
-            made = self.written(writer)
             self.assertEqual(self.refused_by_coq(made, refused_at, "RecordedCertified.v", "RecordedExact.v"), refused_at)
 
 
@@ -191,6 +173,6 @@ for number, (name, given) in enumerate(STEP_FAULTS.items()):
 
 
 if __name__ == "__main__":
-    prove.copy_changed(prove.SOURCES, COQ_BUILD)
+    prove.write_changed(prove.theory(WRITTEN), COQ_BUILD)
     prove.make(COQ_BUILD, 1, "vos")
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
+    unittest.main(argv=[sys.argv[0], *sys.argv[4:]])

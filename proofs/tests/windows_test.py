@@ -1,4 +1,4 @@
-"""windows_test.py PRINT_SIDES: the table and the queries are what windows.py makes; the kernels, plain and fused, give
+"""windows_test.py PRINT_SIDES WRITTEN: the table and the queries are what windows.py makes; the kernels, plain and fused, give
 the sides of an unbounded exponent on every query inside the window, and do not on those one step beyond its ends."""
 import json
 import pathlib
@@ -13,7 +13,7 @@ import windows
 from emitted_test import kernel_sides
 from names import COMPARISONS, INPUTS
 
-PRINT_SIDES = sys.argv[1]
+PRINT_SIDES, WRITTEN = sys.argv[1], pathlib.Path(sys.argv[2])
 FORMS = ("published", "reduced")
 
 
@@ -33,7 +33,7 @@ def replay():
         asked.setdefault((form, precision), []).append((line["id"], comparison.replace(".", "_"), query))
     for (form, precision), queries in asked.items():
         for contraction in ("plain", "fma"):
-            cores = windows.sides(form, contraction, precision)
+            cores = windows.sides(WRITTEN, form, contraction, precision)
             kernel = form + ("+fma" if contraction == "fma" else "")
             computed = kernel_sides(PRINT_SIDES, kernel, precision, [q for _, _, q in queries])
             for (name, comparison, query), sides in zip(queries, computed):
@@ -58,7 +58,7 @@ def inside(seed):
     for form in FORMS:
         for precision in ("binary32", "binary64"):
             for contraction in ("plain", "fma"):
-                cores = windows.sides(form, contraction, precision)
+                cores = windows.sides(WRITTEN, form, contraction, precision)
                 ends = {}
                 for comparison in COMPARISONS:
                     k = max(map(windows.degree, cores[comparison]))
@@ -77,7 +77,7 @@ def inside(seed):
 
 def main():
     seed = 20260002
-    subprocess.run([sys.executable, str(pathlib.Path(windows.__file__)), "--check"], check=True)
+    subprocess.run([sys.executable, windows.__file__, "--check", "--written", WRITTEN], check=True)
     print(f"{replay()} queries at the ends, {inside(seed)} sides inside, seed {seed}")
 
 
