@@ -113,7 +113,7 @@ std::string repeated(const CLI::App& command) {
   return "";
 }
 
-// Of nothing but spaces, or what CLI11 reads as an empty list.
+// Whether a text is of nothing but spaces, or is what CLI11 reads as an empty list.
 bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == text.npos || text == "{}"; }
 
 // Options whose values are NAME=VALUE, of which neither part may be empty.
@@ -141,8 +141,8 @@ const CLI::Option* taker(const CLI::App& command, const std::string& name) {
   return option != nullptr && option->get_items_expected_max() != 0 ? option : nullptr;
 }
 
-// What is wrong with a word that is empty, or empty after its `=`; an empty text where nothing is. CLI11 takes `--key=
-// x` for `--key x`, and `--corpus ''` for `--corpus`.
+// Says what is wrong with a word that is empty, or empty after its `=`; an empty text where nothing is. CLI11 takes
+// `--key= x` for `--key x`, and `--corpus ''` for `--corpus`.
 std::string empty_word(const CLI::App& command, const std::string& word, const std::string& before) {
   const std::size_t equals = word.starts_with('-') ? word.find('=') : word.npos;
   if (equals != word.npos && is_blank(word.substr(equals + 1))) {

@@ -5,7 +5,7 @@
 #include "cli/values.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
-#include "reports/instrument/condition_report.h"
+#include "reports/instrument/precision/condition_report.h"
 
 namespace axiscert {
 namespace {

@@ -5,7 +5,7 @@
 #include "fuzz/queries/address.h"
 #include "fuzz/queries/entry_families.h"
 #include "fuzz/queries/image_groups.h"
-#include "reports/instrument/critical_radius_report.h"
+#include "reports/instrument/precision/critical_radius_report.h"
 
 namespace axiscert {
 namespace {

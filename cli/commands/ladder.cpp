@@ -8,7 +8,7 @@
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
-#include "reports/instrument/ladder_report.h"
+#include "reports/instrument/precision/ladder_report.h"
 
 namespace axiscert {
 namespace {

@@ -17,9 +17,9 @@
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
 #include "reports/gates/gate.h"
-#include "reports/instrument/black_box_report.h"
+#include "reports/instrument/mutation/black_box_report.h"
 #include "reports/instrument/data.h"
-#include "reports/instrument/mutation_report.h"
+#include "reports/instrument/mutation/mutation_report.h"
 
 namespace axiscert {
 namespace {

@@ -8,7 +8,7 @@
 #include "exact/sphere_triangle/unbounded/at_precision.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
-#include "reports/instrument/precision_report.h"
+#include "reports/instrument/precision/precision_report.h"
 
 namespace axiscert {
 namespace {

@@ -92,7 +92,7 @@ Symptom wanted(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkOp
   SymptomFinder<Real> finder(kernel, target);
   const std::vector<Symptom> flips = finder.flips(q);
   const bool is_of_verdict = options.what.empty() ? flips.empty() : options.what == "verdict";
-  if (is_of_verdict || !finder.is_promised(q)) {
+  if (is_of_verdict || !is_promised(kernel, q)) {
     // No wrong verdict is one thing, and no verdict another.
     if (const auto why = finder.why_no_verdict(q)) {
       throw fail(

@@ -50,7 +50,7 @@ PlanFile certified_plan(const CertifiedRun& run) {
   return plan_file_of(certified_options(run, *kernel.test, kernel.entry, kernels, !kernel.file.empty()), std::nullopt);
 }
 
-Json certified_plan_of(const CertifiedRun& run, const AbsentKernel& kernel) {
+PlanOfAbsent certified_plan_of(const CertifiedRun& run, const AbsentKernel& kernel) {
   const std::vector<std::string> yardsticks = yardsticks_of(*kernel.test, kernel.entry, run.kernel);
   std::vector<std::string> run_here = yardsticks;
   if (run_here.empty())
@@ -65,7 +65,7 @@ Json certified_plan_of(const CertifiedRun& run, const AbsentKernel& kernel) {
   Json json = plan_json(plan, planned(plan), {});
   json["kernels"] = yardsticks;
   json["kernels"].insert(json["kernels"].begin(), run.kernel);
-  return json;
+  return {std::move(plan), std::move(json)};
 }
 
 }  // namespace axiscert

@@ -29,7 +29,12 @@ struct AbsentKernel {
   std::vector<Precision> precisions;
   bool is_slow;  // not built in
 };
-// The same plan as a record has it, without the kernel that run.kernel names.
-Json certified_plan_of(const CertifiedRun& run, const AbsentKernel& kernel);
+// The same plan without the kernel that run.kernel names, and as a record has it, with it. Where no other kernel
+// answers the queries besides, the plan has the default kernel of the test in its place.
+struct PlanOfAbsent {
+  Plan plan;
+  Json json;
+};
+PlanOfAbsent certified_plan_of(const CertifiedRun& run, const AbsentKernel& kernel);
 
 }  // namespace axiscert

@@ -91,7 +91,7 @@ void drop_margin_beside(const Json& record, Json& predicate) {
   }
 }
 
-// What follows from the counts, made of them as `verify` makes it. Throws HarnessFault where the run's record says
+// Makes what follows from the counts, of them alone, as `verify` does. Throws HarnessFault where the run's record says
 // otherwise.
 void put_derived(const Json& record, const Json& run_record, Json& predicate) {
   const Json members = derived_members(predicate, record);

@@ -16,8 +16,8 @@
 #include "reports/certificate/findings/margin.h"
 #include "reports/certificate/statement/statement.h"
 #include "reports/gates/gate.h"
-#include "reports/instrument/black_box_report.h"
-#include "reports/instrument/mutation_report.h"
+#include "reports/instrument/mutation/black_box_report.h"
+#include "reports/instrument/mutation/mutation_report.h"
 #include "reports/run_folder/parsed_json.h"
 
 namespace axiscert {

@@ -29,7 +29,7 @@ struct Checked {
 Checked checked_of(const Examination& found);
 Checked checked_of(const TestDescription& test, const OracleExamination& found, std::vector<Detail> details);
 
-// What became of the query: "decided", "declined", "undeclared_decline", "called_invalid", "unanswered",
+// The standing of the query is "decided", "declined", "undeclared_decline", "called_invalid", "unanswered",
 // "outside_limits" or "no_query". Only the first shows whether the kernel is right; the three after `declined` are
 // faults.
 std::string_view standing_of(const Kernel& kernel, const Checked& found);

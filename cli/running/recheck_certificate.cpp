@@ -11,6 +11,7 @@
 #include "cli/options/certified_plan.h"
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"
+#include "cli/running/stated_entries.h"
 #include "cli/running/stretch_crew.h"
 #include "fuzz/campaign/parts/gathered.h"
 #include "fuzz/campaign/parts/recheck.h"
@@ -123,10 +124,12 @@ const Json& stated_entry(const Json& predicate, const Plan& plan, std::size_t k,
   throw NotValid(fmt::format("it has no counts of {} in {}", plan.kernels[k]->id, name(precision)));
 }
 
-// What each kernel says of itself, as it was loaded here, and how many triangles its queries share: levels rest on
-// both.
+// Compares what each kernel says of itself, as it was loaded here, and how many triangles its queries share: levels
+// rest on both.
 void recheck_entries(const Json& predicate, const Plan& plan, std::vector<std::string>& differences) {
-  const CampaignResult all = planned(plan);
+  const auto add = [&](const std::vector<std::string>& found) {
+    differences.insert(differences.end(), found.begin(), found.end());
+  };
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     Json found = Json::array(), stated_findings = Json::array();
     put_loading_findings(found, *plan.kernels[k]);
@@ -142,27 +145,11 @@ void recheck_entries(const Json& predicate, const Plan& plan, std::vector<std::s
                                         details.dump(), axiscert::shown(stated_findings.dump())));
     }
     for (const Precision precision : plan.precisions) {
-      if (!plan.kernels[k]->has(precision)) continue;
-      const Json& stated = stated_entry(predicate, plan, k, precision);
-      const std::string who = fmt::format("{} in {}", plan.kernels[k]->id, name(precision));
-      const Json entry = without_fractions(entry_json(plan, *plan.kernels[k], precision));
-      for (const auto& [member, here] : entry.items()) {
-        const bool is_elsewhere = member == "id" || member == "families" || member == "critical_radius";
-        const Json said = stated.value(member, Json());
-        if (is_elsewhere || canonical_json(said) == canonical_json(here)) continue;
-        differences.push_back(fmt::format("{} is stated with another {}: here {}, in it {}", who, member, here.dump(),
-                                          axiscert::shown(said.dump())));
-      }
-      for (const CellResult& cell : all.cells) {
-        const Source& source = *plan.sources[cell.source];
-        if (cell.precision != precision || !stated["families"].contains(source.name())) continue;
-        const std::uint64_t triangles = source.base_triangles(precision, cell.queries);
-        if (stated["families"][source.name()]["base_triangles"] == triangles) continue;
-        differences.push_back(
-            fmt::format("{} on {} is stated with another base_triangles: here {}", who, source.name(), triangles));
-      }
+      if (plan.kernels[k]->has(precision))
+        add(declared_differences(stated_entry(predicate, plan, k, precision), plan, *plan.kernels[k], precision));
     }
   }
+  add(triangle_differences(predicate, plan));
 }
 
 // Asks about the images of each family of the sample again. Returns how many families those are.
@@ -191,7 +178,7 @@ std::size_t recheck_images(const Json& predicate, const Plan& plan, const Stretc
   return cells.size();
 }
 
-// Of all stretches: what of a critical radius does not add up by stretch.
+// Compares what of a critical radius does not add up by stretch; the result is of all stretches.
 void recheck_radii(const Json& predicate, const Plan& plan, const CampaignResult& result,
                    std::vector<std::string>& differences) {
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
@@ -199,11 +186,7 @@ void recheck_radii(const Json& predicate, const Plan& plan, const CampaignResult
       if (!plan.kernels[k]->has(precision)) continue;
       CriticalRadiusTally radii;
       for (const CellResult& cell : result.cells) {
-        if (cell.precision != precision) continue;
-        const CriticalRadiusTally& some = cell.tallies[k].critical_radius;
-        radii.unbounded += some.unbounded;
-        radii.unanswered += some.unanswered;
-        radii.errors_ulps.insert(radii.errors_ulps.end(), some.errors_ulps.begin(), some.errors_ulps.end());
+        if (cell.precision == precision) radii.merge(cell.tallies[k].critical_radius);
       }
       const Json here = without_fractions(critical_radius_json(std::move(radii)));
       const Json& stated = stated_entry(predicate, plan, k, precision)["critical_radius"];

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/options/certified_plan.h"
 #include "cli/running/recheck_certificate.h"
+#include "cli/running/stated_entries.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
@@ -114,7 +115,7 @@ std::string signature_said(const Certificate& certificate, const std::optional<S
                      predicate["signed_at"].is_null() ? "no stated time" : predicate["signed_at"].get<std::string>());
 }
 
-// What the files of the kernel are is part of how it came.
+// The kind of the kernel has to be that of its files.
 void require_kind(const Certificate& certificate, const std::string& name) {
   const std::string kind = certificate.predicate()["kernel"]["kind"];
   for (const Json& subject : certificate.statement["subject"]) {
@@ -143,15 +144,26 @@ Json without_meshes(Json plan) {
   return plan;
 }
 
-// Holds the plan to the one that this axiscert makes of kernel, effort and seed, without the kernel. Returns what is to
-// be said of it; `is_checked` is set to whether it could be made.
-std::string plan_said(const Json& predicate, const VerifyOptions& options, bool& is_checked) {
+// Throws NotValid for the first of them.
+void require_none(std::vector<std::string> differences, const std::string& name) {
+  if (differences.empty()) return;
+  const std::string others = differences.size() == 1 ? "" : fmt::format("; {} more differ", differences.size() - 1);
+  throw NotValid(fmt::format("{}: {}{}", name, differences.front(), others));
+}
+
+struct CheckedPlan {
+  std::string said;
+  bool is_checked = true;         // false: it is another axiscert's
+  std::optional<Plan> here = {};  // the same as made here; its meshes are those that were given
+};
+
+// Holds the plan to the one that this axiscert makes of kernel, effort and seed, without the kernel.
+CheckedPlan checked_plan(const Json& predicate, const VerifyOptions& options) {
   const std::string& name = options.certificate;
   const Json &kernel = predicate["kernel"], &stated = predicate["materials"]["plan"]["plan"];
-  is_checked = true;
-  if (kernel["kind"] == "replies") return "that of the replies, which is what their program was asked";
-  is_checked = is_made_by_this(predicate);
-  if (!is_checked) return "NOT CHECKED: made by another axiscert, whose families and numbers may be others";
+  if (kernel["kind"] == "replies") return {"that of the replies, which is what their program was asked"};
+  if (!is_made_by_this(predicate))
+    return {"NOT CHECKED: made by another axiscert, whose families and numbers may be others", false};
   const TestDescription& test = find_test(kernel["test"].get<std::string>());
   const auto entry = std::ranges::find(test.entries, kernel["entry"].get<std::string>(), &TestEntry::name);
   if (entry == test.entries.end())
@@ -160,19 +172,57 @@ std::string plan_said(const Json& predicate, const VerifyOptions& options, bool&
   AbsentKernel absent{&test, static_cast<std::size_t>(entry - test.entries.begin()), {}, kernel["kind"] != "built-in"};
   for (const Json& precision : kernel["precisions"])
     absent.precisions.push_back(parse_precision(precision.get<std::string>()));
-  const Json made = certified_plan_of({kernel["id"], predicate["asked"]["effort"], stated["seed"].get<std::uint64_t>(),
-                                       options.replies.meshes, options.threads},
-                                      absent);
+  PlanOfAbsent made = certified_plan_of({kernel["id"], predicate["asked"]["effort"],
+                                         stated["seed"].get<std::uint64_t>(), options.replies.meshes, options.threads},
+                                        absent);
   const bool has_meshes = without_meshes(stated) != stated, is_without = has_meshes && options.replies.meshes.empty();
   const std::string differs =
-      difference(Json::parse(canonical_json(portable_plan(made))), is_without ? without_meshes(stated) : stated);
+      difference(Json::parse(canonical_json(portable_plan(made.json))), is_without ? without_meshes(stated) : stated);
   if (!differs.empty()) {
     throw NotValid(fmt::format("{}: its plan is not that of effort {}: here {}{}", name,
                                predicate["asked"]["effort"].get<std::string>(), differs,
                                has_meshes ? " (its meshes are given by --mesh)" : ""));
   }
-  return is_without ? "that of its effort and seed; its meshes NOT CHECKED: give them with --mesh"
-                    : "that of its effort and seed";
+  const char* const meshes = is_without ? "; its meshes NOT CHECKED: give them with --mesh" : "";
+  return {fmt::format("that of its effort and seed{}", meshes), true, std::move(made.plan)};
+}
+
+// Holds what is stated of the built-in kernels to what those of this axiscert declare, where it is of the same version.
+// Returns what is to be said of it.
+std::string promises_said(const Json& predicate, const std::string& name) {
+  if (predicate["materials"]["axiscert"]["version"] != axiscert_version)
+    return "NOT COMPARED: made by another version, whose kernels may declare something else";
+  const Json& stated_ids = predicate["materials"]["plan"]["plan"]["kernels"];
+  std::vector<std::string> compared, others, differences;
+  for (std::size_t k = 0; k < stated_ids.size(); ++k) {
+    const std::string id = k == 0 ? predicate["kernel"]["id"] : stated_ids[k];
+    if ((k == 0 && predicate["kernel"]["kind"] != "built-in") || !is_built_in(id)) {
+      others.push_back(axiscert::shown(id));
+      continue;
+    }
+    const Kernel& kernel = find_kernel(id);
+    for (const Json& entry : predicate["materials"]["kernels"]) {
+      if (entry["id"] != stated_ids[k]) continue;
+      const Precision precision = parse_precision(entry["precision"].get<std::string>());
+      for (std::string& differs : declared_differences(entry, {}, kernel, precision))
+        differences.push_back(std::move(differs));
+    }
+    compared.push_back(id);
+  }
+  require_none(std::move(differences), name);
+  std::string text;
+  if (!compared.empty()) text = fmt::format("{}: as they declare here", fmt::join(compared, ", "));
+  if (!others.empty())
+    text += fmt::format("{}{} NOT COMPARED: not built in", text.empty() ? "" : "; ", fmt::join(others, ", "));
+  return text;
+}
+
+// A file with the id of a built-in kernel would have what is proved of that.
+void require_own_id(const Json& predicate, const std::string& name) {
+  const std::string kind = predicate["kernel"]["kind"], id = predicate["kernel"]["id"];
+  if (kind != "built-in" && is_built_in(id))
+    throw NotValid(fmt::format("{}: its kernel is of kind {}, and has the id of a built-in one, {}", name, kind,
+                               axiscert::shown(id)));
 }
 
 // Whether the kernel that was given is the one. Returns what is to be said; sets the id by which it could be run.
@@ -220,12 +270,14 @@ int verify_or_throw(const VerifyOptions& options) {
   require_plan_digest(certificate, name);
   stretches_of(predicate, name);  // its plan is one
   require_effort(predicate, name);
-  bool is_plan_checked = false;
-  const std::string plan = plan_said(predicate, options, is_plan_checked);
-  // What is said of its levels is made of its counts here, whoever made it.
+  const CheckedPlan plan = checked_plan(predicate, options);
+  require_own_id(predicate, name);
+  // Its levels are said by its counts here, whoever made it.
   const Json record = require_derived(predicate, name);
   Json derived = predicate;
   derived.update(derived_members(predicate, record));
+  if (plan.here) require_none(triangle_differences(predicate, *plan.here), name);
+  const std::string promises = promises_said(predicate, name);
 
   fmt::print("digest: {}\nsignature: {}\n", certificate.digest(), signature);
   const std::string no_answers = no_answers_sentence(derived);
@@ -234,17 +286,20 @@ int verify_or_throw(const VerifyOptions& options) {
              looked_sentence(predicate));
   std::string id;
   fmt::print("kernel: {}\n", kernel_said(certificate, options, id));
-  fmt::print("axiscert: {}\nplan: {}\n", axiscert_said(predicate), plan);
+  fmt::print("axiscert: {}\nplan: {}\npromises: {}\n", axiscert_said(predicate), plan.said, promises);
   fmt::print(
       "counts: of all {} stretches of the plan; levels, numbers of queries, comparison and safe margin agree with "
       "them\n",
       thousands(predicate["materials"]["tallies"].size()));
+  const bool is_all_compared = promises.find("NOT COMPARED") == promises.npos;
   fmt::print(
       "stated, and in no count: the search, the growths of the safe margin, the diagnosis, the planted faults, the "
       "witnesses{}\n",
       options.recheck.empty()
-          ? "; and, but for a recheck, the counts of images, numbers of triangles, medians of critical "
-            "radii, findings of loading, and what the kernel says of itself"
+          ? fmt::format(
+                "; and, but for a recheck, the counts of images,{} medians of critical radii{} findings of loading{}",
+                plan.here ? "" : " numbers of triangles,", is_all_compared ? " and" : ",",
+                is_all_compared ? "" : " and promises NOT COMPARED")
           : "");
   if (!options.recheck.empty()) {
     if (predicate["kernel"]["kind"] == "replies" && options.replies.replies.empty())
@@ -260,7 +315,7 @@ int verify_or_throw(const VerifyOptions& options) {
     fmt::print("{}: {}\n", state == "met" ? claim_of_level(derived, level) + decided_text(derived) : level, state);
   }
   fmt::print("VALID{}\n",
-             is_plan_checked ? "" : " as far as it could be checked: its plan, and its words, are another axiscert's");
+             plan.is_checked ? "" : " as far as it could be checked: its plan, and its words, are another axiscert's");
   return exit_done;
 }
 

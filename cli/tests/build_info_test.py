@@ -29,7 +29,7 @@ class BuildInfo(Case):
         self.assertGreater(len(compiled), 5)
         for source, flags in compiled:
             self.assertEqual([flag for flag in said if flag not in flags.split()], [], source)
-            # What would change a rounding, beside what is said.
+            # No flag beside those changes a rounding.
             self.assertEqual(re.findall(r"-ffast-math|-Ofast|-funsafe\S*|-march\S*|-mfma|-ffp-contract=(?!off)\S*", flags), [], source)
 
     def test_the_revision_is_a_commit_of_the_tree(self):

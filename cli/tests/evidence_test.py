@@ -25,7 +25,7 @@ def misbehaving(kind):
 
 YARDSTICK = promise("keeps_its_promise")
 # The state of each level, in the order of LEVELS, and words that its sentence has; "!" stands for met, "-" for not met, "?" for not checked.
-# Of a kernel that is right but for ties, exact and range are not asked for: "." is either.
+# Exact and range are not asked of a kernel that is right but for ties: "." is either.
 KINDS = {
     promise("declines"): ("---------", "does not declare may_decline"),
     promise("declines_declared"): (".!...!!!!", " declined"),

@@ -39,7 +39,7 @@ Reach reach_of_the_axes(const MovingQuery<double>& at_radius_1, Sides&& holds) {
   return most;
 }
 
-// What `>` gets wrong in place of `>=`: all, and by what is degenerate, each in the first that it is.
+// The queries that `>` gets wrong in place of `>=`: all, and by what is degenerate, each in the first that it is.
 enum WrongClass : std::uint8_t { all_wrong, zero_area, no_motion, parallel, other_wrong };
 using WrongOf = std::array<int, 5>;
 

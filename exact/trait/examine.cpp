@@ -26,7 +26,7 @@ OracleExamination examine_by_oracles(const Numbers<Real>& q, const Kernel& kerne
   out.truth = asked->truth();
   out.answer = answer;
   out.measures = std::move(measures);
-  if (out.truth.verdict != Verdict::invalid) out.is_promised = oracles.is_promised(kernel.motion, q);
+  if (out.truth.verdict != Verdict::invalid) out.is_promised = is_promised(kernel, q);
   std::optional<Reference> chain;
   if (out.truth.verdict != Verdict::invalid) {
     out.claim = asked->claimed(kernel);

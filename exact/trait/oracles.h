@@ -82,7 +82,10 @@ class Oracles {
   virtual std::vector<Detail> details(const Numbers<float>&) const { return {}; }
   virtual std::vector<Detail> details(const Numbers<double>&) const { return {}; }
 
-  // Whether a kernel with this policy promises to be right on a valid query.
+  // Whether a valid query lies within a kernel's limits, and whether a kernel with this policy promises to be right on
+  // it. A test has one of the two, or neither.
+  virtual bool is_within(const Limits&, const Numbers<float>&) const { return true; }
+  virtual bool is_within(const Limits&, const Numbers<double>&) const { return true; }
   virtual bool is_promised(const MotionPolicy&, const Numbers<float>&) const { return true; }
   virtual bool is_promised(const MotionPolicy&, const Numbers<double>&) const { return true; }
 
@@ -101,5 +104,17 @@ class Oracles {
 // Those of an entry; where none is named, of the first. They throw HarnessFault if they are given numbers of another.
 const Oracles& oracles_of(const TestDescription& test, std::size_t entry = 0);
 inline const Oracles& oracles_of(const Kernel& kernel) { return oracles_of(*kernel.test, kernel.entry); }
+
+// Whether a kernel with these limits and this policy promises to be right on a valid query of the oracles' test.
+template <class Real>
+bool is_promised(const Oracles& oracles, const Limits& limits, const MotionPolicy& motion, const Numbers<Real>& q) {
+  return (!limits.any() || oracles.is_within(limits, q)) &&
+         (motion == MotionPolicy{} || oracles.is_promised(motion, q));
+}
+// Whether this kernel does.
+template <class Real>
+bool is_promised(const Kernel& kernel, const Numbers<Real>& q) {
+  return is_promised(oracles_of(kernel), kernel.limits, kernel.motion, q);
+}
 
 }  // namespace axiscert

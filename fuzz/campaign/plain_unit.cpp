@@ -46,8 +46,8 @@ class ExactQuery final : public DepthOf {
     return *depth_;
   }
 
-  bool is_promised(const MotionPolicy& policy) const {
-    return policy == MotionPolicy{} || truth_.verdict == Verdict::invalid || oracles_.is_promised(policy, numbers_);
+  bool is_promised_by(const Kernel& kernel) const {
+    return truth_.verdict == Verdict::invalid || is_promised(kernel, numbers_);
   }
 
   // Counts what the answer says of a motion, where the query has contact and touching is contact for the kernel.
@@ -105,7 +105,7 @@ class PlainRun {
     std::optional<Reference> chain;
     if (claim) chain = claim->chain;
     const Judgement judgement = axiscert::judge(*kernel_.test, query.truth(), chain, said, kernel_.touching);
-    if (!query.is_promised(kernel_.motion)) return count_outside(tally_, query.truth(), said, judgement, query);
+    if (!query.is_promised_by(kernel_)) return count_outside(tally_, query.truth(), said, judgement, query);
     count(tally_, position_ + i, query.truth(), chain ? chain->ties : ComparisonBits{0}, said, judgement, query,
           standing_);
     if (!kernel_.test->measures.empty()) {

@@ -94,6 +94,17 @@ TEST(Supervised, ASearchForACriticalRadiusThatGetsNoAnswerIsCounted) {
   EXPECT_EQ(tally.critical_radius.unbounded, 0u) << "no answer is not `separated`";
 }
 
+TEST(Supervised, ASearchForACriticalRadiusThatIsNotDecidedIsCounted) {
+  for (const Verdict said : {Verdict::undecided, Verdict::invalid}) {
+    const Kernel kernel = black_box("huge", [said](const Query<double>& q, auto, Verdict& verdict, auto&) {
+      if (q.r > 0x1p100) verdict = said;
+    });
+    const CriticalRadiusTally radii = tallies_of(plan_of({&kernel}, "general", 1024))[0].critical_radius;
+    EXPECT_EQ(said == Verdict::undecided ? radii.undecided : radii.invalid, 1024 / critical_radius_stride);
+    EXPECT_EQ(radii.errors_ulps.size() + radii.unbounded + radii.unanswered, 0u) << "it is no change of verdict";
+  }
+}
+
 // The process lasts for one unit: no answer depends on which units a thread did before.
 TEST(Supervised, AKernelIsBegunOnceAUnit) {
   std::atomic<int> begun = 0;

@@ -315,34 +315,6 @@ SafeMargin margin_of(const SafeMarginPlan& plan, const std::atomic<bool>& interr
 
 }  // namespace
 
-void ContactAnswers::add(Verdict said) {
-  ++asked;
-  switch (said) {
-    case Verdict::contact:
-      break;
-    case Verdict::separated:
-      ++missed;
-      break;
-    case Verdict::undecided:
-      ++declined;
-      break;
-    case Verdict::invalid:
-      ++invalid;
-      break;
-    case Verdict::unanswered:
-      ++unanswered;
-      break;
-  }
-}
-
-void ContactAnswers::merge(const ContactAnswers& other) {
-  asked += other.asked;
-  missed += other.missed;
-  declined += other.declined;
-  invalid += other.invalid;
-  unanswered += other.unanswered;
-}
-
 template <class Real>
 Real rounded_up_to(const Rational& value) {
   constexpr Real greatest = std::numeric_limits<Real>::max();

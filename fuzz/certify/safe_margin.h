@@ -11,6 +11,7 @@
 
 #include "exact/numbers/decimal6.h"
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/campaign/counts/looked_at.h"
 #include "fuzz/certify/margin_scene.h"
 #include "fuzz/files/query_file.h"
 
@@ -37,11 +38,19 @@ struct MissedContact {
 
 // Contacts that the kernel was asked about, by its answer: of one that it gave no verdict to nothing is known.
 struct ContactAnswers {
-  std::uint64_t asked = 0, missed = 0, declined = 0, invalid = 0, unanswered = 0;
-  std::uint64_t without_verdict() const { return declined + invalid + unanswered; }
-  void add(Verdict said);
-  void merge(const ContactAnswers& other);
-  bool operator==(const ContactAnswers&) const = default;
+  LookedAt looked_at = {};   // all of them promised
+  std::uint64_t missed = 0;  // of the decided ones, those called separated
+
+  std::uint64_t asked() const { return looked_at.promised(); }
+  std::uint64_t without_verdict() const { return looked_at.promised() - looked_at.decided; }
+  void add(Verdict said) {
+    looked_at.add(said);
+    missed += said == Verdict::separated;
+  }
+  void merge(const ContactAnswers& other) {
+    looked_at.merge(other.looked_at);
+    missed += other.missed;
+  }
 };
 
 // The contacts of scenes of one size, with triangles of one kind.

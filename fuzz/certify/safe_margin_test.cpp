@@ -209,7 +209,7 @@ TEST(SafeMargin, ARadiusIsRoundedUp) {
   EXPECT_EQ(rounded_up_to<float>(exact(1e300)), std::numeric_limits<float>::max());
 }
 
-// Of a contact that got no verdict nothing is known: it is not one that was not missed.
+// A contact that got no verdict is not one that was not missed: nothing is known of it.
 TEST(SafeMargin, CountsContactsByTheAnswerThatTheyGot) {
   Kernel kernel = find_kernel("certified");
   kernel.id = "mute";
@@ -223,13 +223,13 @@ TEST(SafeMargin, CountsContactsByTheAnswerThatTheyGot) {
     kernel.binary32 = said(answer);
     const SafeMargin margin = margin_for(kernel, Precision::binary32, 8);
     const ContactAnswers& run = margin.of_run;
-    EXPECT_GT(run.asked, 1000u);
-    EXPECT_EQ(run.missed, answer == Verdict::separated ? run.asked : 0);
-    EXPECT_EQ(run.declined, answer == Verdict::undecided ? run.asked : 0);
-    EXPECT_EQ(run.invalid, answer == Verdict::invalid ? run.asked : 0);
-    EXPECT_EQ(run.unanswered, answer == Verdict::unanswered ? run.asked : 0);
+    EXPECT_GT(run.asked(), 1000u);
+    EXPECT_EQ(run.missed, answer == Verdict::separated ? run.asked() : 0);
+    EXPECT_EQ(run.looked_at.undecided, answer == Verdict::undecided ? run.asked() : 0);
+    EXPECT_EQ(run.looked_at.invalid, answer == Verdict::invalid ? run.asked() : 0);
+    EXPECT_EQ(run.looked_at.unanswered, answer == Verdict::unanswered ? run.asked() : 0);
     const MarginPart all = margin.total();
-    EXPECT_EQ(all.contacts, run.asked + margin.of_others.asked);
+    EXPECT_EQ(all.contacts, run.asked() + margin.of_others.asked());
     EXPECT_EQ(all.without_verdict, run.without_verdict() + margin.of_others.without_verdict());
     EXPECT_EQ(all.missed, run.missed + margin.of_others.missed);
   }

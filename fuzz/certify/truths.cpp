@@ -1,6 +1,5 @@
 #include "fuzz/certify/truths.h"
 
-#include "exact/sphere_triangle/measures/limits.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/trait/oracles.h"
 
@@ -11,16 +10,10 @@ Truths<Real>::Truths(const Kernel& kernel, std::string_view target)
     : kernel_(kernel), cascade_(filter_on<Real>(target)) {}
 
 template <class Real>
-bool Truths<Real>::is_promised(const Numbers<Real>& query) const {
-  if (kernel_.test == &first_test()) return !kernel_.limits.any() || is_within(kernel_.limits, query_from(query));
-  return oracles_of(kernel_).is_promised(kernel_.motion, query);
-}
-
-template <class Real>
 std::optional<Verdict> Truths<Real>::exactly(const Numbers<Real>& query) const {
   const Truth truth =
       kernel_.test == &first_test() ? Truth(exact_truth(query_from(query), false)) : oracles_of(kernel_).truth(query);
-  if (truth.verdict == Verdict::invalid || !is_promised(query)) return std::nullopt;
+  if (truth.verdict == Verdict::invalid || !is_promised(kernel_, query)) return std::nullopt;
   return right_verdict(truth, kernel_.touching);
 }
 
@@ -40,7 +33,7 @@ const std::vector<std::optional<Verdict>>& Truths<Real>::of(const QueryBatch<Rea
       right_[i] = exactly(query);
       continue;
     }
-    if (!is_promised(query)) continue;
+    if (!is_promised(kernel_, query)) continue;
     const Signs& signs = (*decided)[i].signs;
     right_[i] = right_verdict({verdict_of(signs), is_touching(signs, query_from(query).r == 0)}, kernel_.touching);
   }

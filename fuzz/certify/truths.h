@@ -23,7 +23,6 @@ class Truths {
 
  private:
   std::optional<Verdict> exactly(const Numbers<Real>& query) const;
-  bool is_promised(const Numbers<Real>& query) const;
 
   const Kernel& kernel_;
   Cascade<Real> cascade_;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "exact/sphere_triangle/measures/limits.h"
 #include "exact/trait/oracles.h"
 #include "kernel/ask.h"
 #include "kernel/sphere_triangle/query.h"
@@ -46,15 +45,11 @@ class AsymmetryBlock {
     const Outcome said =
         plan_.replies ? plan_.replies->at(source_, precision_of<Real>, position) : reply_.outcome(in_batch);
     if (said.verdict == Verdict::unanswered) return std::nullopt;
-    if (kernel_.limits.any() && !is_within(kernel_.limits, query_from(batch_[in_batch]))) return std::nullopt;
+    const Numbers<Real> numbers = batch_[in_batch];
     // Numbers that are no query have no motion to promise anything of.
-    if (kernel_.motion != MotionPolicy{}) {
-      const Oracles& oracles = oracles_of(*kernel_.test, kernel_.entry);
-      const Numbers<Real> numbers = batch_[in_batch];
-      if (oracles.truth(numbers).verdict == Verdict::invalid || !oracles.is_promised(kernel_.motion, numbers))
-        return std::nullopt;
-    }
-    return said;
+    if (kernel_.motion != MotionPolicy{} && oracles_of(kernel_).truth(numbers).verdict == Verdict::invalid)
+      return std::nullopt;
+    return is_promised(kernel_, numbers) ? std::optional(said) : std::nullopt;
   }
 
   void count_group(std::uint64_t position, std::size_t in_batch) {

@@ -69,7 +69,7 @@ class NearestSearch {
  private:
   void add(const Source& source, std::uint64_t position, bool is_wrong) {
     const Query<Real> q = source.make<Real>(plan_.seed, position);
-    if (!is_valid(q) || (kernel_.limits.any() && !is_within(kernel_.limits, q))) return;
+    if (!is_valid(q) || !is_within(kernel_.limits, q)) return;
     batch_.push_back(q);
     is_wrong_.push_back(is_wrong);
     if (batch_.size() == batch_.capacity()) compare_batch();

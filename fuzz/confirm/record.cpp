@@ -80,6 +80,8 @@ Json critical_radius_json(CriticalRadiusTally tally) {
           {"largest_ulps", at(errors.size() - 1)},
           {"unbounded", tally.unbounded},
           {"unanswered", tally.unanswered},
+          {"undecided", tally.undecided},
+          {"invalid", tally.invalid},
           {"signed_median_ulps", signed_median},
           {"early", early},
           {"late", late}};
@@ -221,7 +223,7 @@ Json invariance_of(const Plan& plan, const Source& source, Precision precision, 
                          [&](const auto& flips) { return absolute_sizes(plan, source, precision, flips); });
 }
 
-// What levels do not read, and what does not add up, is left out.
+// Figures that levels do not read, and those that do not add up, are left out.
 Json counts_json(const Kernel& kernel, const Tally& tally) {
   Json json = {{"trials", tally.trials},
                {"truth", truth_json(tally)},
@@ -315,10 +317,7 @@ Json record_of(const Plan& plan, const CampaignResult& result, const Required& r
               result.complete ? asymmetry_of(plan, kernel, *plan.sources[s], precision, cell.queries) : std::nullopt;
           entry["families"][plan.sources[s]->name()] =
               family_json(plan, *plan.sources[s], precision, kernel, tally, asymmetry);
-          radii.unbounded += tally.critical_radius.unbounded;
-          radii.unanswered += tally.critical_radius.unanswered;
-          radii.errors_ulps.insert(radii.errors_ulps.end(), tally.critical_radius.errors_ulps.begin(),
-                                   tally.critical_radius.errors_ulps.end());
+          radii.merge(tally.critical_radius);
           put_findings(findings, kernel, plan.seed, *plan.sources[s], precision, tally);
           witnesses.add(kernel, *plan.sources[s], precision, tally, asymmetry);
           tallied.push_back({plan.sources[s].get(), cell.queries, &tally});

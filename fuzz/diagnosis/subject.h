@@ -58,7 +58,7 @@ class Subject {
   void count(std::uint64_t answers) { asked_ += answers; }
   // The answers of the kernel that were counted since the last call.
   std::uint64_t take_count() { return std::exchange(asked_, 0); }
-  // What became of them, without those that others asked for.
+  // These by answer, without those that others asked for.
   LookedAt take_looked_at() { return std::exchange(looked_at_, {}); }
 
   Truth truth(const Numbers<Real>& query) const { return oracles_of(kernel_).truth(query); }

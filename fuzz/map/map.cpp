@@ -152,7 +152,7 @@ class Drawing {
             reply.outcome(i),
             std::nullopt};
     p.right = right_verdict(p.truth, kernel.touching);
-    p.outside = kernel.limits.any() && !is_within(kernel.limits, q);
+    p.outside = !is_within(kernel.limits, q);
     if (!has_comparison_maps(kernel)) return p;
     if (kind_of(kernel.formulae) == FormulaeKind::rung) {  // rungs have the published signs on every query
       p.exact = signs.bits(kernel.strictness);

@@ -42,8 +42,7 @@ class OracleDrawing {
     const Truth truth = asked->truth();
     if (truth.verdict == Verdict::invalid) return;  // remains no_query, as initialised
     const Outcome said = reply.outcome(in_batch);
-    const MotionPolicy& motion = plan_.kernel->motion;
-    const bool outside = motion != MotionPolicy{} && !oracles_.is_promised(motion, q);
+    const bool outside = !is_promised(*plan_.kernel, q);
     std::optional<Claimed> claim;
     if (has_comparison_maps(*plan_.kernel)) claim = asked->claimed(*plan_.kernel);
     for (std::size_t s = 0; s < plan_.subjects.size(); ++s) {

@@ -218,7 +218,7 @@ class Search {
     share(known_);
   }
 
-  // What an island found, and how much it looked at.
+  // The finds of an island, and how much it looked at.
   struct Island {
     std::vector<Entry> entries;
     LookedAt looked_at;

@@ -131,14 +131,8 @@ std::vector<Symptom> SymptomFinder<Real>::flips(const Numbers<Real>& q) {
 }
 
 template <class Real>
-bool SymptomFinder<Real>::is_promised(const Numbers<Real>& q) const {
-  if (kernel_.test == &first_test()) return is_within(kernel_.limits, query_from(q));
-  return kernel_.motion == MotionPolicy{} || oracles_of(kernel_).is_promised(kernel_.motion, q);
-}
-
-template <class Real>
 std::optional<std::string> SymptomFinder<Real>::why_no_verdict(const Numbers<Real>& q) {
-  if (!is_promised(q)) return "the query is outside the limits that it declares: it promises nothing there";
+  if (!is_promised(kernel_, q)) return "the query is outside the limits that it declares: it promises nothing there";
   switch (asked(q).verdicts[0]) {
     case Verdict::contact:
     case Verdict::separated:

@@ -55,8 +55,6 @@ class SymptomFinder {
 
   // Every flip, in the order verdict, axes, comparisons. Throws OracleDisagreement.
   std::vector<Symptom> flips(const Numbers<Real>& q);
-  // Whether the kernel promises to be right on a valid query.
-  bool is_promised(const Numbers<Real>& q) const;
   // Why there is no verdict on a valid query that could be wrong: it is beyond what the kernel promises, or the kernel
   // declined it, called it invalid or gave no answer; empty where it said contact or separated.
   std::optional<std::string> why_no_verdict(const Numbers<Real>& q);

@@ -173,9 +173,9 @@ TEST(CertificatePage, ABadgeSaysWhatALevelLeavesOut) {
   EXPECT_THAT(certificate_badge(statement), HasSubstr(">exact within its limits: 19 of 27 families; quick"));
   predicate["levels"][0]["claim"] = "exact";
   predicate["asked"]["left_out"]["declined"] = 5;
-  EXPECT_THAT(certificate_badge(statement), HasSubstr(">exact of the 64 % that it decides; quick"));
+  EXPECT_THAT(certificate_badge(statement), HasSubstr(">exact of the 64.2 % that it decides; quick"));
   predicate["asked"]["left_out"]["declined"] = 10000;
-  EXPECT_THAT(certificate_badge(statement), HasSubstr(">exact of the less than 1 % that it decides; quick"));
+  EXPECT_THAT(certificate_badge(statement), HasSubstr(">exact of the less than 0.1 % that it decides; quick"));
   predicate["asked"]["left_out"]["declined"] = 0;
   predicate["asked"]["left_out"]["touching"] = 4;
   EXPECT_THAT(certificate_badge(statement), HasSubstr(">exact but for touching; quick"));

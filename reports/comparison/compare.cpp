@@ -95,7 +95,7 @@ class Comparer {
     }
   }
 
-  // Of a kernel that both runs judged: what it promises in each precision, and over how many queries of each family.
+  // Compares what a kernel that both runs judged promises in each precision, and over how many queries of each family.
   void compare_promises(const ComparedKernel& kernel) {
     for (const Json* now : precision_entries(after_, kernel.after)) {
       if (const Json& precision = (*now)["precision"]; precision_entry(before_, kernel.before, precision) == nullptr)
@@ -118,7 +118,7 @@ class Comparer {
       for (const auto& [family, result] : (*then)["families"].items())
         apart_.insert({kernel.before, precision, family});
       for (const auto& [family, result] : (*now)["families"].items()) apart_.insert({kernel.before, precision, family});
-      // What it promises less is said as worse.
+      // A promise of less is said as worse.
       const std::string how = change.less.empty() ? fmt::format(" ({})", change.text()) : "";
       say(who, populations(evidence_of(*then), evidence_of(*now)) + how, kernel);
       result_.promises.push_back({kernel.name, precision, change});

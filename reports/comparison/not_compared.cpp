@@ -20,7 +20,7 @@ bool is_named(const NotCompared& absent, const std::string& name) {
          std::ranges::find(absent.kernels, name) != absent.kernels.end();
 }
 
-// What one sentence is about: everything of one reason.
+// One sentence is about everything of one reason.
 std::string named_group(const std::vector<const NotCompared*>& group, std::size_t families) {
   const std::string& first = group.front()->what;
   if (group.size() == 1) return first;

@@ -1,4 +1,4 @@
-// What two runs did not compare: said, and no pass, unless NEW alone has it or the user allows it by name.
+// Parts that two runs did not compare are said, and no pass, unless NEW alone has them or the user allows them by name.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What two runs did not compare is said first and is no pass, unless it is allowed by name.
+// A part that two runs did not compare is said first and is no pass, unless it is allowed by name.
 #include "reports/comparison/not_compared.h"
 
 #include <fmt/format.h>

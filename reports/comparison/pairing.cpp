@@ -59,10 +59,6 @@ std::string KernelPairs::reason(const ComparedKernel& kernel) const {
     if (there.empty()) return fmt::format("; in {} it could not be loaded", which);
     return fmt::format("; in {} it declares another name, '{}' and not '{}'", which, there, name);
   }
-  if (id.find(':') != id.npos && (!has_names(before_) || !has_names(after_))) {
-    return fmt::format("; {} is of a version that wrote no names, so kernels are known by their ids",
-                       has_names(after_) ? "OLD" : "NEW");
-  }
   for (const Json& given : ids) {
     if (!name.empty() && declared_name(other, given) == name)
       return fmt::format("; several kernels of one run declare the name '{}', so each is known by its id", name);

@@ -43,7 +43,7 @@ std::optional<Enum> named(std::string_view text, const auto& names) {
   return std::nullopt;
 }
 
-// Of an enum of a record, which was checked.
+// The enumerator that a record, which was checked, names.
 template <Enumeration Enum>
 Enum of_record(const Json& text, const auto& names) {
   const auto found = named<Enum>(text.get_ref<const std::string&>(), names);

@@ -1,5 +1,5 @@
-// What a kernel promises in one precision: part of the kernel. Who promises less than before is worse by that alone,
-// and figures over two promises are not figures over the same queries.
+// A kernel's promise in one precision, which is part of the kernel. Who promises less than before is worse by that
+// alone, and figures over two promises are not figures over the same queries.
 #pragma once
 
 #include <optional>

@@ -70,7 +70,7 @@ TEST(ReplayPromises, WhatIsNotPromisedAnyMoreIsNotMended) {
   }
   EXPECT_EQ(limited[0].note, "radius from 1e+300, was none");
   EXPECT_EQ(gone[0].note, "it does not exist in binary32 here");
-  // What was not promised in OLD either has not been lost.
+  // A query that was not promised in OLD either has not been lost.
   Json never = wrong;
   for (Json& kernel : never["kernels"]) {
     kernel["limits"] = {{"least_coordinate", nullptr},

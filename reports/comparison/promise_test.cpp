@@ -89,7 +89,7 @@ TEST(ComparePromises, ALimitIsWorseAndItsFiguresAreNotCompared) {
             "counts over other promised queries: 4,495 of OLD, 3,145 of NEW");
   EXPECT_THAT(markdown_of_promises(before, after),
               HasSubstr("| published | binary32 | less | radius from 1e+30, was none |"));
-  // What it promises less is no fault that could be allowed.
+  // A promise of less is no fault that could be allowed.
   EXPECT_FALSE(compare_records(before, after, {}, {"published"}).passes());
 }
 

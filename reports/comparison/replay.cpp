@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "exact/sphere_triangle/claims/examine.h"
-#include "exact/sphere_triangle/measures/limits.h"
 #include "exact/trait/examine.h"
 #include "fuzz/confirm/motion_record.h"
 #include "fuzz/files/query_line.h"
@@ -105,7 +104,7 @@ struct Asked {
     }
   }
 
-  // What the kernel says now, and whether it was to say it: under the promise of OLD, and under its own here. It takes
+  // The kernel's answer now, and whether it was to be right: under the promise of OLD, and under its own here. It takes
   // this query.
   struct Said {
     Wrongs wrongs;
@@ -113,26 +112,27 @@ struct Asked {
   };
   Said on(const StoredQuery& stored, const Promise& then) const {
     const Promise now = promise_of_kernel(*kernel);
-    const auto said = [&](const auto& found, const Json& measures, const auto& is_within_promise) {
+    const auto is_within_promise = [&](const Promise& p, bool is_touching) {
+      if (is_touching && p.touching == Touching::either) return false;
+      const MotionPolicy motion = p.motion.value_or(MotionPolicy{});
+      return std::visit([&](const auto& q) { return is_promised(oracles_of(*kernel), p.limits, motion, q); },
+                        stored.numbers);
+    };
+    const auto said = [&](const auto& found, const Json& measures) {
       const std::string verdict(name(found.answer.verdict));
       Said all{wrongs_of(flips_json(*kernel->test, found.judgement), measures, verdict, kernel->may_decline)};
-      all.was_promised = is_within_promise(then) && !(found.truth.touching && then.touching == Touching::either);
-      all.is_promised = is_within_promise(now) && !(found.truth.touching && now.touching == Touching::either);
+      all.was_promised = is_within_promise(then, found.truth.touching);
+      all.is_promised = is_within_promise(now, found.truth.touching);
       return all;
     };
     if (examiner) {
-      return std::visit(
-          [&](const auto& q) {
-            return said(examiner->examine(q), nullptr, [&](const Promise& p) { return is_within(p.limits, q); });
-          },
-          sphere_triangle_query(stored));
+      return std::visit([&](const auto& q) { return said(examiner->examine(q), nullptr); },
+                        sphere_triangle_query(stored));
     }
     return std::visit(
         [&](const auto& q) {
           const OracleExamination found = oracle_examiner->examine(q);
-          return said(found, measures_json(*kernel->test, found), [&](const Promise& p) {
-            return oracles_of(*kernel).is_promised(p.motion.value_or(MotionPolicy{}), q);
-          });
+          return said(found, measures_json(*kernel->test, found));
         },
         stored.numbers);
   }

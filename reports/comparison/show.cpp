@@ -105,7 +105,7 @@ InstrumentTable promises_table(const RunComparison& comparison) {
   return table;
 }
 
-// What fails first.
+// Those that fail come first.
 InstrumentTable absent_table(const RunComparison& comparison) {
   InstrumentTable table{"NOT COMPARED", {"what", "why", "exit code"}, {}};
   constexpr EnumArray<Absence, const char*> codes = {"1", "allowed", "no fault", "no fault"};

@@ -1,12 +1,12 @@
 #include "reports/evidence/evidence.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/names.h"
-#include "reports/wording/summary.h"
+#include "fuzz/campaign/counts/tally.h"
 
 namespace axiscert {
 namespace {
@@ -32,25 +32,43 @@ void Evidence::add(const Evidence& other) {
   unanswered += other.unanswered;
 }
 
-Evidence evidence_of(const Json& kernel, const Json& result) {
-  const Json &truth = result["truth"], &verdict = result["verdict"], &beyond = verdict["outside_limits"];
-  const bool has_limits = !beyond.is_null(), promises_touch = kernel["touching"] != name(Touching::either);
+Evidence evidence_of(Touching touching, const Tally& tally) {
+  const VerdictTally& verdict = tally.verdict;
+  const OutsideTally& beyond = verdict.outside_limits;
+  const bool promises_touch = touching != Touching::either;
   Evidence evidence;
-  evidence.population = without(queries_in(result, "trials"), queries_in(truth, "invalid"));
-  evidence.outside = has_limits ? queries_in(beyond, "trials") : 0;
-  const std::uint64_t within = without(evidence.population, evidence.outside);
-  const std::uint64_t touching =
-      without(queries_in(truth, "touching"), has_limits ? queries_in(beyond, "touching") : 0);
-  evidence.touching = promises_touch ? 0 : touching;
-  evidence.contacts =
-      without(without(queries_in(truth, "contact"), has_limits ? queries_in(beyond, "contact") : 0), evidence.touching);
-  evidence.separations = without(without(within, evidence.touching), evidence.contacts);
-  evidence.declined_contacts =
-      without(queries_in(verdict, "undecided_contact"), promises_touch ? 0 : queries_in(verdict, "undecided_touching"));
-  evidence.declined_separations = without(queries_in(verdict, "undecided"), queries_in(verdict, "undecided_contact"));
-  evidence.invalid = queries_in(verdict, "invalid");
-  evidence.unanswered = queries_in(verdict, "unanswered");
+  evidence.population = without(tally.trials, tally.invalid);
+  evidence.outside = beyond.trials;
+  evidence.touching = promises_touch ? 0 : without(tally.touching, beyond.touching);
+  evidence.contacts = without(without(tally.contact, beyond.contact), evidence.touching);
+  evidence.separations =
+      without(without(without(evidence.population, evidence.outside), evidence.touching), evidence.contacts);
+  evidence.declined_contacts = without(verdict.undecided_contact, promises_touch ? 0 : verdict.undecided_touching);
+  evidence.declined_separations = without(verdict.undecided, verdict.undecided_contact);
+  evidence.invalid = verdict.invalid;
+  evidence.unanswered = verdict.unanswered;
   return evidence;
+}
+
+Evidence evidence_of(const Json& kernel, const Json& result) {
+  const Json &truth = result["truth"], &said = result["verdict"], &beyond = said["outside_limits"];
+  Tally tally;
+  tally.trials = queries_in(result, "trials");
+  tally.invalid = queries_in(truth, "invalid");
+  tally.contact = queries_in(truth, "contact");
+  tally.touching = queries_in(truth, "touching");
+  VerdictTally& verdict = tally.verdict;
+  if (!beyond.is_null()) {
+    verdict.outside_limits.trials = queries_in(beyond, "trials");
+    verdict.outside_limits.contact = queries_in(beyond, "contact");
+    verdict.outside_limits.touching = queries_in(beyond, "touching");
+  }
+  verdict.undecided = queries_in(said, "undecided");
+  verdict.undecided_contact = queries_in(said, "undecided_contact");
+  verdict.undecided_touching = queries_in(said, "undecided_touching");
+  verdict.invalid = queries_in(said, "invalid");
+  verdict.unanswered = queries_in(said, "unanswered");
+  return evidence_of(kernel["touching"] == name(Touching::either) ? Touching::either : Touching::contact, tally);
 }
 
 Evidence evidence_of(const Json& kernel) {
@@ -63,28 +81,17 @@ bool declines_too_many(std::uint64_t declined, std::uint64_t of, double share) {
   return static_cast<double>(without(of, declined)) < share * static_cast<double>(of);
 }
 
-std::string decided_text(const Evidence& evidence) {
-  const auto tenths =
-      static_cast<std::uint64_t>(1000 * static_cast<long double>(evidence.decided()) /
-                                 static_cast<long double>(std::max<std::uint64_t>(evidence.promised(), 1)));
-  if (tenths == 0) return evidence.decided() == 0 ? "none" : "under 0.1 %";
-  return tenths % 10 == 0 ? fmt::format("{} %", tenths / 10) : fmt::format("{}.{} %", tenths / 10, tenths % 10);
-}
-
 std::string evidence_text(const Evidence& evidence, std::uint64_t looked_at) {
-  std::string text =
-      fmt::format("{} of {} promised queries looked at", thousands(looked_at), thousands(evidence.promised()));
-  const auto add = [&](std::uint64_t count, const char* what) {
-    if (count != 0) text += fmt::format(", {} {}", thousands(count), what);
-  };
-  if (evidence.declined() != 0)
-    text += fmt::format(", {} declined: it decides {}", thousands(evidence.declined()), decided_text(evidence));
-  add(evidence.invalid, "called invalid");
-  add(evidence.unanswered, "without an answer");
+  std::vector<std::string> parts = no_verdict_words(
+      evidence.no_verdict(), "declined: it decides " + share_rounded_down(evidence.decided(), evidence.promised()));
+  parts.insert(parts.begin(), fmt::format("{} of {} promised queries looked at", thousands(looked_at),
+                                          thousands(evidence.promised())));
   if (evidence.outside != 0)
-    text += fmt::format(", {} of {} outside its limits", thousands(evidence.outside), thousands(evidence.population));
-  add(evidence.touching, "touching, of which it promises nothing");
-  return text;
+    parts.push_back(
+        fmt::format("{} of {} outside its limits", thousands(evidence.outside), thousands(evidence.population)));
+  if (evidence.touching != 0)
+    parts.push_back(fmt::format("{} touching, of which it promises nothing", thousands(evidence.touching)));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 double upper_bound_percent(std::uint64_t n) {

@@ -9,8 +9,12 @@
 #include <vector>
 
 #include "fuzz/text/json.h"
+#include "kernel/names.h"
+#include "reports/wording/summary.h"
 
 namespace axiscert {
+
+struct Tally;
 
 // So many right answers show, with 95 % confidence, that fewer than 5 % of such queries are answered wrongly:
 // 0.95^59 < 0.05. Fewer in a family are no evidence about it.
@@ -33,26 +37,26 @@ struct Evidence {
 
   std::uint64_t promised() const { return contacts + separations; }
   std::uint64_t declined() const { return declined_contacts + declined_separations; }
+  NoVerdict no_verdict() const { return {declined(), invalid, unanswered}; }
   // Promised, and called separated or contact. An answer `invalid` or none may be to a touching query, which is not
   // promised: then this is too small, and the level fails in any case.
   std::uint64_t decided() const;
   void add(const Evidence& other);
 };
 
+// `touching`: what the kernel promises of touch.
+Evidence evidence_of(Touching touching, const Tally& tally);
 // `kernel` is an entry of a record's "kernels", `result` one of its "families".
 Evidence evidence_of(const Json& kernel, const Json& result);
-// Of all families of a kernel's entry.
+// The evidence of all families of a kernel's entry.
 Evidence evidence_of(const Json& kernel);
 
 // Whether `declined` of so many is more than the kernel may: fewer than `share` of them are decided.
 bool declines_too_many(std::uint64_t declined, std::uint64_t of, double share);
 
-// The share of the promised queries that it decided, rounded down: "61.2 %", "none".
-std::string decided_text(const Evidence& evidence);
-
 // "1 of 45 promised queries looked at", and where there are some ", 44 declined: it decides 2.2 %", ", 2 called
-// invalid",
-// ", 7 without an answer", ", 2,655 of 2,700 outside its limits", ", 3 touching, of which it promises nothing".
+// invalid", ", 7 without an answer", ", 2,655 of 2,700 outside its limits", ", 3 touching, of which it promises
+// nothing".
 std::string evidence_text(const Evidence& evidence, std::uint64_t looked_at);
 
 // 100 (1 - 0.05^(1/n)): the per cent of wrong answers below which the rate is, with 95 % confidence, after n right

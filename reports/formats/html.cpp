@@ -87,8 +87,8 @@ Json throughput(const Json& info) {
 
 Json kernel_data(const Json& kernel) {
   Json data = kernel;
-  const auto limit = [](const Json& family) {
-    const double per_million = zero_limit_per_million(family);
+  const auto limit = [&](const Json& family) {
+    const double per_million = zero_limit_per_million(kernel, family);
     return per_million < 0 ? Json(nullptr) : Json(per_million);
   };
   for (Json& family : data["families"]) family["zero_limit_per_million"] = limit(family);

@@ -109,8 +109,8 @@ class MarkdownReport {
         cells.insert(
             cells.end(),
             {links(verdict["links"]), count_text(total["trials"]),
-             with_rate(number(verdict["false_separation"]), total), depth(verdict["deepest_false_separation"]),
-             with_rate(number(verdict["false_contact"]), total), depth(verdict["deepest_false_contact"]),
+             with_rate(number(verdict["false_separation"]), kernel, total), depth(verdict["deepest_false_separation"]),
+             with_rate(number(verdict["false_contact"]), kernel, total), depth(verdict["deepest_false_contact"]),
              count_text(verdict["undecided"]), count_text(verdict["invalid"]), count_text(verdict["unanswered"])});
       }
       section.row(cells);
@@ -132,7 +132,7 @@ class MarkdownReport {
   void for_each_family(const Visit& visit) const {
     for (const Json& kernel : record_["kernels"]) {
       for (const auto& [family, result] : kernel["families"].items()) {
-        visit(std::vector<std::string>{plain(kernel["id"]), kernel["precision"], plain(family)}, result);
+        visit(std::vector<std::string>{plain(kernel["id"]), kernel["precision"], plain(family)}, kernel, result);
       }
     }
   }
@@ -143,15 +143,15 @@ class MarkdownReport {
         {"kernel", "precision", "family", "broken links", "trials", "separated", "contact", "touching", "invalid",
          "false_separation", "deepest", "false_contact", "deepest", "touching flips", "undecided", "no answer"},
         4);
-    for_each_family([&](std::vector<std::string> cells, const Json& result) {
+    for_each_family([&](std::vector<std::string> cells, const Json& kernel, const Json& result) {
       const Json &truth = result["truth"], &verdict = result["verdict"];
       if (result["exact_arithmetic"].get<bool>()) cells.back() += " (exact arithmetic)";
       cells.insert(
           cells.end(),
           {links(verdict["links"]), count_text(result["trials"]), count_text(truth["separated"]),
            count_text(truth["contact"]), count_text(truth["touching"]), count_text(truth["invalid"]),
-           with_rate(number(verdict["false_separation"]), result), depth(verdict["deepest_false_separation"]),
-           with_rate(number(verdict["false_contact"]), result), depth(verdict["deepest_false_contact"]),
+           with_rate(number(verdict["false_separation"]), kernel, result), depth(verdict["deepest_false_separation"]),
+           with_rate(number(verdict["false_contact"]), kernel, result), depth(verdict["deepest_false_contact"]),
            count_text(verdict["touching_flips"]), count_text(verdict["undecided"]), count_text(verdict["unanswered"])});
       section.row(cells);
     });
@@ -166,7 +166,7 @@ class MarkdownReport {
     bool any = false;
     section.head(
         {"kernel", "precision", "family", "queries", "false_separation", "false_contact", "deepest", "no answer"}, 3);
-    for_each_family([&](std::vector<std::string> cells, const Json& result) {
+    for_each_family([&](std::vector<std::string> cells, const Json&, const Json& result) {
       const Json& apart = result["verdict"]["outside_limits"];
       if (apart.is_null()) return;
       any = true;
@@ -189,7 +189,7 @@ class MarkdownReport {
     section.head({"kernel", "precision", "family", "first image with another verdict", "images", "other verdicts",
                   "other comparisons"},
                  4);
-    for_each_family([&](std::vector<std::string> cells, const Json& result) {
+    for_each_family([&](std::vector<std::string> cells, const Json&, const Json& result) {
       if (!result.contains("asymmetry")) return;
       any = true;
       const Json &found = result["asymmetry"], &first = found["first_verdict"];
@@ -212,7 +212,7 @@ class MarkdownReport {
   std::string broken_links() const {
     Section section("Broken links by family");
     bool any = false;
-    for_each_family([&](std::vector<std::string> cells, const Json& result) {
+    for_each_family([&](std::vector<std::string> cells, const Json&, const Json& result) {
       const std::string wrong = links(result["verdict"]["links"]), masked = links(result["verdict"]["masked_links"]);
       if (wrong == "none" && masked == "none") return;
       if (!any)
@@ -250,19 +250,25 @@ class MarkdownReport {
     section.line(
         "Error of the smallest radius for which the kernel says contact, in ulps of the exact distance; unbounded: "
         "contact "
-        "for no finite radius.\n");
-    section.head({"kernel", "precision", "family", "sampled", "median", "largest", "unbounded", "no answer"}, 3);
+        "for no finite radius. Where the kernel declined some radius, called it invalid or gave no answer to it, "
+        "nothing "
+        "was sampled.\n");
+    section.head({"kernel", "precision", "family", "sampled", "median", "largest", "unbounded", "no answer", "declined",
+                  "called invalid"},
+                 3);
     const auto row = [&](std::vector<std::string> cells, const Json& radius) {
-      cells.insert(cells.end(), {count_text(radius["sampled"]), optional_amount(radius["median_ulps"]),
-                                 optional_amount(radius["largest_ulps"]), count_text(radius["unbounded"]),
-                                 count_text(radius["unanswered"])});
+      cells.insert(cells.end(),
+                   {count_text(radius["sampled"]), optional_amount(radius["median_ulps"]),
+                    optional_amount(radius["largest_ulps"]), count_text(radius["unbounded"]),
+                    count_text(radius["unanswered"]), count_text(radius["undecided"]), count_text(radius["invalid"])});
       section.row(cells);
     };
     for (const Json& kernel : record_["kernels"]) {
       row({plain(kernel["id"]), kernel["precision"], "all"}, kernel["critical_radius"]);
     }
-    for_each_family(
-        [&](const std::vector<std::string>& cells, const Json& result) { row(cells, result["critical_radius"]); });
+    for_each_family([&](const std::vector<std::string>& cells, const Json&, const Json& result) {
+      row(cells, result["critical_radius"]);
+    });
     return section.text();
   }
 

@@ -47,6 +47,18 @@ TEST(RatchetOfContacts, OneLateTimeMoreFailsAndOneLessIsBetter) {
   EXPECT_THAT(better.better, ElementsAre(HasSubstr("time.late: 4 of 900, accepted is 5")));
 }
 
+TEST(RatchetOfContacts, TimesThatAreNotShownAnyMoreAreNotCheckedAndStayAccepted) {
+  Json silent = contacts(5, 0.25, 0);
+  silent["time"] = nullptr;
+  const RatchetOutcome outcome = held(silent);
+  ASSERT_EQ(outcome.failures.size(), 1u);
+  EXPECT_THAT(outcome.failures[0].text,
+              HasSubstr("NOT CHECKED: this run does not show what the ratchet has: 3 figures of"));
+  EXPECT_THAT(outcome.better, IsEmpty());
+  for (const char* figure : {"late=5", "early=100", "deepest_tunnel=0.25"})
+    EXPECT_THAT(outcome.accepted, HasSubstr(figure));
+}
+
 TEST(RatchetOfContacts, ATunnelThatIsDeeperFails) {
   const RatchetOutcome worse = held(contacts(5, 0.5, 0.125));
   ASSERT_EQ(worse.failures.size(), 2u);

@@ -235,7 +235,7 @@ TEST(LookedAt, AKernelThatAnsweredNothingIsNotJudged) {
   EXPECT_THAT(unjudged(record), IsEmpty()) << "it decided one";
 }
 
-// What a level of depths said before it asked how much was looked at: wrong verdicts, missing answers and, but at
+// A level of depths said this before it asked how much was looked at: wrong verdicts, missing answers and, but at
 // `depth`, `invalid` ones refuse it, and one decided query was enough.
 LevelState by_failures_alone(Json record, double missed, double phantom, bool allows_invalid) {
   std::uint64_t failures = 0, decided = 0;

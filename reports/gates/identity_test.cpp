@@ -28,9 +28,6 @@ void make_plugin(Json& record, std::size_t index, const std::string& id, const s
       entry["id"] = id;
       entry["name"] = name;
       entry["digest"] = Json::array({{{"kind", "plugin"}, {"sha256", sha256}}});
-    } else {
-      entry.emplace("name", nullptr);
-      entry.emplace("digest", nullptr);
     }
   }
   for (Json& planned : record["plan"]["kernels"]) {
@@ -52,14 +49,6 @@ Json with_plugin(const std::string& id, const std::string& name = "mine", const 
 Json with_two(const std::string& name, const std::string& other) {
   Json record = with_plugin("plugin:a.so", name);
   make_plugin(record, 1, "plugin:b.so", other, other_digest);
-  return record;
-}
-
-Json without_names(Json record) {
-  for (Json& kernel : record["kernels"]) {
-    kernel.erase("name");
-    kernel.erase("digest");
-  }
   return record;
 }
 
@@ -87,8 +76,6 @@ Ratchet ratchet_of(const Json& record) {
 TEST(Identity, IsTheNameOfAPlugInAndTheIdOfAnyOther) {
   EXPECT_THAT(identities_of(with_plugin("plugin:k.so")),
               ElementsAre(testing::Pair("<script>", "<script>"), testing::Pair("plugin:k.so", "plugin/mine")));
-  EXPECT_THAT(identities_of(without_names(with_plugin("plugin:k.so"))),
-              Contains(testing::Pair("plugin:k.so", "plugin:k.so")));
 }
 
 TEST(Identity, APlugInThatSharesItsNameIsKnownByItsId) {
@@ -138,19 +125,6 @@ TEST(Identity, AnotherNameAtTheSamePathIsAnotherKernel) {
   EXPECT_THAT(answer(found), testing::StartsWith("NOT COMPARED: plugin:k.so: is only in OLD"));
   EXPECT_THAT(failure_texts(hold_against(ratchet_of(before), after, "2026-06-15").failures),
               Contains(HasSubstr("NOT CHECKED: this run did not judge plugin/mine binary32")));
-}
-
-TEST(Identity, RecordsWithoutNamesPairByIds) {
-  const Json now = with_plugin("plugin:k.so"), old = without_names(now), moved = with_plugin("plugin:./k.so");
-  for (const auto& [before, after] : {std::pair(old, now), std::pair(now, old)}) {
-    const RunComparison found = compare_records(before, after, {});
-    EXPECT_EQ(answer(found), "no change");
-    EXPECT_TRUE(found.passes());
-  }
-  EXPECT_THAT(
-      failing(compare_records(old, moved, {})),
-      ElementsAre("plugin:k.so: is only in OLD; OLD is of a version that wrote no names, so kernels are known by "
-                  "their ids"));
 }
 
 TEST(Unchecked, TwoRunsWithNothingInCommonAreNoPass) {

@@ -42,7 +42,7 @@ struct Ranked {
 // The entries of one kernel, precision and waiver that fail in the same way.
 using Group = std::vector<const RatchetEntry*>;
 
-// Of a kernel's entry in a record; one that was edited may hold a kernel that its plan does not.
+// The promise of a kernel's entry in a record; one that was edited may hold a kernel that its plan does not.
 HeldPromise promise_held(const Json& kernel, const Identities& identities) {
   const auto known = identities.find(kernel["id"].get<std::string>());
   return {known == identities.end() ? kernel["id"].get<std::string>() : known->second, kernel["precision"],
@@ -65,6 +65,8 @@ class Holder {
   RatchetOutcome run() {
     for (const Json& kernel : record_["kernels"]) hold_promise(kernel);
     for (const Cell& cell : cells_of(record_)) {
+      for (const std::string& known_by : {cell.identity, cell.kernel})
+        shown_.insert(fingerprint(cell.key_of(known_by)));
       if (is_held(cell)) hold(cell);
     }
     for (const HeldPromise& held : ratchet_.promises) {
@@ -131,12 +133,15 @@ class Holder {
     not_checked_[{held.kernel, held.precision}];
   }
 
-  // The accepted figure of a cell that is zero now, or was not judged.
+  // The accepted figure of a cell that is zero now, that the kernel does not show any more, or that was not judged.
   void hold_unmet(const RatchetEntry& entry) {
     check_expiry(entry);
     const std::string kernel = entry.key[0], precision = entry.key[1];
     if (!is_judged(kernel, precision)) {
       not_checked_[{kernel, precision}].push_back(&entry);
+      accept(entry.key, entry.figure, entry.waiver);
+    } else if (!is_finding(entry) && !shown_.contains(fingerprint(entry.key))) {
+      not_shown_[{kernel, precision}].push_back(&entry);
       accept(entry.key, entry.figure, entry.waiver);
     } else if (!apart_.contains({ids_.at(kernel), precision}) || is_finding(entry)) {
       outcome_.better.push_back(fmt::format("{}: 0, accepted is {} ({}:{})", cell_text(entry.key), entry.figure.dump(),
@@ -258,6 +263,11 @@ class Holder {
       if (!group.empty()) fail(group, text, not_checked_severity);
       else fail_all(*held, key[0], text, not_checked_severity);
     }
+    for (const auto& [key, group] : not_shown_) {
+      if (told_.contains({key[0], key[1]})) continue;
+      fail(group, fmt::format("NOT CHECKED: this run does not show what the ratchet has: {}", named(group)),
+           not_checked_severity);
+    }
     for (const auto& [key, group] : expired_) {
       fail(group, fmt::format("expired on {} ({}, {}): {}", key[2], key[3], key[4], named(group)), expired_severity);
     }
@@ -273,7 +283,8 @@ class Holder {
   std::set<std::pair<std::string, std::string>> apart_;   // of these, those that promise other things now
   std::set<std::pair<std::string, std::string>> told_;    // as keys have them: those that fail as a whole
   std::set<std::string> met_;
-  std::map<std::array<std::string, 2>, Group> not_checked_;
+  std::set<std::string> shown_;  // fingerprints of the record's cells, zeros among them
+  std::map<std::array<std::string, 2>, Group> not_checked_, not_shown_;
   std::map<std::array<std::string, 5>, Group> expired_;
   std::vector<HeldPromise> promises_;
   std::vector<RatchetEntry> accepted_;

@@ -29,7 +29,7 @@ struct RatchetEntry {
   std::size_t line = 0;
 };
 
-// What a kernel promises in one precision, and the number of the plan's queries on which it does.
+// The promise of a kernel in one precision, and the number of the plan's queries on which it makes it.
 struct HeldPromise {
   std::string kernel, precision;  // the kernel as the keys have it
   Promise promise;

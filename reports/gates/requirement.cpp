@@ -95,7 +95,7 @@ std::string gap_of(const Json& record, const Subject& subject) {
   return empty.empty() ? "" : fmt::format("no query was run of {}", fmt::join(empty, ", "));
 }
 
-// What is said of the first of some families, and how many more there are.
+// A sentence about the first of some families, and how many more there are.
 class Shortfall {
  public:
   void add(std::string what) {
@@ -112,6 +112,9 @@ class Shortfall {
   std::string first_;
   std::size_t count_ = 0;
 };
+
+// What fewer than so many queries do: levels other than `exact` allow wrong answers.
+std::string_view broken_words(const AskedLevel& asked) { return asked.name == "exact" ? "are wrong" : "break it"; }
 
 // How much of each family was looked at. Fills in what the outcome says of it; returns why that is too little, or is
 // empty.
@@ -130,9 +133,10 @@ std::string weigh(const Subject& subject, const LevelFindings& found, double sha
     }
     const bool is_sample_too_small = !is_file(family) && evidence.population < least_looked_at;
     if (is_sample_too_small || look.looked_at < std::min(least_looked_at, look.concerned)) {
-      few.add(fmt::format("{} of {} {} of {} looked at, and {} are needed, to show that fewer than 5 % are wrong",
+      few.add(fmt::format("{} of {} {} of {} looked at, and {} are needed, to show that fewer than 5 % {}",
                           thousands(look.looked_at), thousands(look.concerned),
-                          look.concerned == 1 ? "query" : "queries", family, least_looked_at));
+                          look.concerned == 1 ? "query" : "queries", family, least_looked_at,
+                          broken_words(outcome.asked)));
     }
     if (!may_decline) continue;
     const auto check = [&](std::uint64_t declined, std::uint64_t of, const char* what) {
@@ -170,9 +174,11 @@ std::string weigh(const Subject& subject, const LevelFindings& found, double sha
   return missing.empty() ? of_kind(all.separations, all.declined_separations, separations, "separations") : missing;
 }
 
-// "fewest of `tangent`: 64, of which, with 95 %, fewer than 4.57 % are wrong"; queries that share a triangle count
-// once.
-std::string fewest_text(const Subject& subject, const LevelFindings& found) {
+// "the fewest of a family, 64 independent queries of tangent, show with 95 % that fewer than 4.57 % are wrong"; queries
+// that share a triangle count once. Nothing of `no-worse-than`, which is met by as many wrong ones as another kernel
+// has.
+std::string fewest_text(const Subject& subject, const LevelFindings& found, const AskedLevel& asked) {
+  if (asked.name == "no-worse-than") return "";
   std::string family;
   std::uint64_t fewest = 0;
   for (const auto& [name, look] : found.families) {
@@ -184,8 +190,8 @@ std::string fewest_text(const Subject& subject, const LevelFindings& found) {
   }
   if (family.empty()) return "";
   return fmt::format(
-      "; the fewest of a family, {} independent queries of {}, show with 95 % that fewer than {:.3g} % are wrong",
-      thousands(fewest), family, upper_bound_percent(fewest));
+      "; the fewest of a family, {} independent queries of {}, show with 95 % that fewer than {:.3g} % {}",
+      thousands(fewest), family, upper_bound_percent(fewest), broken_words(asked));
 }
 
 LevelOutcome outcome_of(const Json& record, const Json& kernel, const AskedLevel& asked, double share) {
@@ -207,7 +213,7 @@ LevelOutcome outcome_of(const Json& record, const Json& kernel, const AskedLevel
     outcome.state = LevelState::not_checked;
     return outcome;
   }
-  outcome.covers = found.covers + fewest_text(subject, found);
+  outcome.covers = found.covers + fewest_text(subject, found, asked);
   outcome.leaves_out = std::move(found.leaves_out);
   if (!outcome.outside.empty())
     outcome.leaves_out += fmt::format("; outside its limits: {}", fmt::join(outcome.outside, ", "));

@@ -30,15 +30,10 @@ std::string nothing_of(const Json& kernel) {
     return evidence.outside == evidence.population ? "every valid query is outside the limits that it declares"
                                                    : "it promises nothing of any valid query";
   }
-  std::string text =
-      fmt::format("of {} valid queries that it promises it decided none", thousands(evidence.promised()));
-  const auto add = [&](std::uint64_t count, const char* what) {
-    if (count != 0) text += fmt::format(", {} {}", thousands(count), what);
-  };
-  add(evidence.declined(), "declined");
-  add(evidence.invalid, "called invalid");
-  add(evidence.unanswered, "without an answer");
-  return text;
+  std::vector<std::string> parts = no_verdict_words(evidence.no_verdict());
+  parts.insert(parts.begin(),
+               fmt::format("of {} valid queries that it promises it decided none", thousands(evidence.promised())));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 }  // namespace

@@ -15,13 +15,12 @@ namespace axiscert {
 // "44 declined, 2 called invalid, 7 without an answer, 2,655 outside its limits, 3 not valid": those that show
 // nothing; empty where there are none. A decline that the kernel does not declare is called so.
 inline std::string not_decided_text(const LookedAt& looked_at, bool may_decline) {
-  std::vector<std::string> parts;
+  std::vector<std::string> parts =
+      no_verdict_words({looked_at.undecided, looked_at.invalid, looked_at.unanswered},
+                       may_decline ? "declined" : "declined, which it does not declare that it may");
   const auto add = [&](std::uint64_t count, const char* what) {
     if (count != 0) parts.push_back(fmt::format("{} {}", thousands(count), what));
   };
-  add(looked_at.undecided, may_decline ? "declined" : "declined, which it does not declare that it may");
-  add(looked_at.invalid, "called invalid");
-  add(looked_at.unanswered, "without an answer");
   add(looked_at.outside_limits, "outside its limits");
   add(looked_at.no_query, "not valid");
   return fmt::format("{}", fmt::join(parts, ", "));

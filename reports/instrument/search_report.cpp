@@ -89,7 +89,7 @@ class SearchReport {
     }
     throw std::logic_error("search: no such aim");
   }
-  // Of an aim without a find.
+  // The words for an aim without a find.
   std::string nothing_found(const Aim& aim) const {
     const std::uint64_t decided = looked_at(aim).decided;
     return decided == 0 ? "not looked at" : fmt::format("none among {} decided", thousands(decided));

@@ -173,7 +173,7 @@ class LeagueReport {
     return table;
   }
 
-  // Of none there is no number of wrong ones, and no deepest of these.
+  // None have no number of wrong ones, and no deepest of these.
   static std::string wrong_count(std::uint64_t wrong, std::uint64_t of) {
     return of == 0 ? "not measured" : thousands(wrong);
   }

@@ -29,23 +29,6 @@ const std::vector<TrustGroup>& trust_groups() {
 
 bool is_scene(std::string_view family) { return trust_groups().back().has(family); }
 
-Evidence evidence_of(const Kernel& kernel, const Tally& tally) {
-  const VerdictTally& verdict = tally.verdict;
-  const OutsideTally& beyond = verdict.outside_limits;
-  const bool promises_touch = kernel.touching != Touching::either;
-  Evidence evidence;
-  evidence.population = tally.trials - tally.invalid;
-  evidence.outside = beyond.trials;
-  evidence.touching = promises_touch ? 0 : tally.touching - beyond.touching;
-  evidence.contacts = tally.contact - beyond.contact - evidence.touching;
-  evidence.separations = tally.separated - (beyond.trials - beyond.contact);
-  evidence.declined_contacts = verdict.undecided_contact - (promises_touch ? 0 : verdict.undecided_touching);
-  evidence.declined_separations = verdict.undecided - verdict.undecided_contact;
-  evidence.invalid = verdict.invalid;
-  evidence.unanswered = verdict.unanswered;
-  return evidence;
-}
-
 std::uint64_t decided(const Tally& tally) { return looked_at_of(tally).decided; }
 
 namespace {
@@ -88,7 +71,7 @@ Trust trust_in(const Kernel& kernel, const Tally& tally) {
   } else if (said == 0) {
     trust.answer = "not looked at";
     trust.words = fmt::format("0 of {} decided", thousands(tally.trials - tally.invalid));
-  } else if (std::string few = too_few_words(evidence_of(kernel, tally), said); !few.empty()) {
+  } else if (std::string few = too_few_words(evidence_of(kernel.touching, tally), said); !few.empty()) {
     trust.answer = "too few";
     trust.words = std::move(few);
   } else {

@@ -21,8 +21,6 @@ const std::vector<TrustGroup>& trust_groups();
 // Families of scenes as a game has them.
 bool is_scene(std::string_view family);
 
-// As of a record's entry, from the counts of a campaign.
-Evidence evidence_of(const Kernel& kernel, const Tally& tally);
 // Number of queries within the kernel's limits on which it said contact or separated.
 std::uint64_t decided(const Tally& tally);
 

@@ -29,11 +29,11 @@ std::set<std::string> shared_names(const Json& record) {
   return shared;
 }
 
-Identities identities(const Json& record, bool by_name, const std::set<std::string>& shared) {
+Identities identities(const Json& record, const std::set<std::string>& shared) {
   Identities all;
   for (const Json& given : record["plan"]["kernels"]) {
     const std::string id = given, name = declared_name(record, id);
-    const bool is_known_by_name = by_name && !name.empty() && !shared.contains(name);
+    const bool is_known_by_name = !name.empty() && !shared.contains(name);
     all[id] = is_known_by_name ? fmt::format("{}/{}", id.substr(0, id.find(':')), name) : id;
   }
   return all;
@@ -43,30 +43,22 @@ std::string digest(const Json& part) { return part["sha256"].get<std::string>().
 
 }  // namespace
 
-bool has_names(const Json& record) {
-  const Json& kernels = record["kernels"];
-  return kernels.empty() ||
-         std::any_of(kernels.begin(), kernels.end(), [](const Json& kernel) { return kernel.contains("name"); });
-}
-
 std::string declared_name(const Json& record, const std::string& id) {
   const Json* const entry = kernel_entry(record, id);
-  const Json name = entry == nullptr ? Json(nullptr) : entry->value("name", Json(nullptr));
-  return name.is_null() ? "" : name.get<std::string>();
+  return entry == nullptr || (*entry)["name"].is_null() ? "" : (*entry)["name"].get<std::string>();
 }
 
 Json digest_of(const Json& record, const std::string& id) {
   const Json* const entry = kernel_entry(record, id);
-  return entry == nullptr ? Json(nullptr) : entry->value("digest", Json(nullptr));
+  return entry == nullptr ? Json(nullptr) : (*entry)["digest"];
 }
 
-Identities identities_of(const Json& record) { return identities(record, true, shared_names(record)); }
+Identities identities_of(const Json& record) { return identities(record, shared_names(record)); }
 
 std::pair<Identities, Identities> identities_of(const Json& before, const Json& after) {
-  const bool by_name = has_names(before) && has_names(after);
   std::set<std::string> shared = shared_names(before);
   shared.merge(shared_names(after));
-  return {identities(before, by_name, shared), identities(after, by_name, shared)};
+  return {identities(before, shared), identities(after, shared)};
 }
 
 std::string digest_change(const Json& before, const Json& after) {

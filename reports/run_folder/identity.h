@@ -11,20 +11,16 @@
 namespace axiscert {
 
 // By id, for all kernels of a record's plan: "plugin/NAME" for a plug-in that declares NAME, and its id for any other
-// kernel: one that comes with axiscert, one that could not be loaded, one of a record that has no names, and plug-ins
-// of one run that declare the same name.
+// kernel: one that comes with axiscert, one that could not be loaded, and plug-ins of one run that declare the same
+// name.
 using Identities = std::map<std::string, std::string>;
 Identities identities_of(const Json& record);
 
-// The same for two records that are compared: equal texts mean the same kernel. Where one of the two has no names, all
-// are known by their ids; where one has a name twice, those who declare it are.
+// The same for two records that are compared: equal texts mean the same kernel. Where one of the two has a name twice,
+// those who declare it are known by their ids.
 std::pair<Identities, Identities> identities_of(const Json& before, const Json& after);
 
-// Whether the record is of a version that writes names, which are null for built-in kernels. One without an entry has
-// nothing to name.
-bool has_names(const Json& record);
-
-// The digests of a kernel's files in a record; null where the record has none, or does not have the kernel.
+// The digests of a kernel's files in a record; null where it has none, or the record does not have the kernel.
 Json digest_of(const Json& record, const std::string& id);
 // The name that a kernel of the record declares; empty where it declares none.
 std::string declared_name(const Json& record, const std::string& id);

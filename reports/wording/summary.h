@@ -24,17 +24,28 @@ void add_counts(Json& total, const Json& part);
 // the critical radius is the kernel's own. An object without members where no family ran.
 Json all_families(const Json& kernel);
 
-// For zero failures in a family, or in all of them: the 95 % upper limit of their rate, per million queries of this
-// generator, 1e6 (1 - 0.05^(1/N)) for N base triangles. Negative where no valid query was run.
-double zero_limit_per_million(const Json& family);
+// For zero failures of a kernel's entry in a family, or in all of them: the 95 % upper limit of their rate, per million
+// queries of this generator, 1e6 (1 - 0.05^(1/N)) for N base triangles, or N decided queries where these are fewer.
+// Negative where none was decided.
+double zero_limit_per_million(const Json& kernel, const Json& family);
 double per_million(std::uint64_t count, const Json& family);
 
-// "0 (< 11.4 per million, 95 %)", "12 (45.8 per million)"; "not checked" where no valid query was run.
-std::string with_rate(std::uint64_t count, const Json& family);
+// "0 (< 11.4 per million, 95 %)", "12 (45.8 per million)"; "not checked" where no promised query was decided.
+std::string with_rate(std::uint64_t count, const Json& kernel, const Json& family);
 
 std::string plain_text(const Json& value);         // a text without its quotes; "-" for null
 std::string thousands(std::uint64_t count);        // "1,234,567"
 std::string amount(double value, int digits = 6);  // significant digits, thousands separated
+// "61.2 %", rounded down; "less than 0.1 %", "none".
+std::string share_rounded_down(std::uint64_t part, std::uint64_t of);
+
+// Queries that a kernel called neither contact nor separated, by its answer.
+struct NoVerdict {
+  std::uint64_t declined = 0, invalid = 0, unanswered = 0;
+};
+// "44 declined", "2 called invalid", "7 without an answer": those that there are. `declined` is the word of the first.
+std::vector<std::string> no_verdict_words(const NoVerdict& counts, std::string_view declined = "declined");
+
 // An error in u as the record has it: a number, its text where binary64 cannot hold it, null where none was measured.
 std::string error_amount(const Json& error);
 

@@ -3,6 +3,7 @@
 
 #include "exact/sphere_triangle/claims/claim.h"
 #include "exact/sphere_triangle/measures/depth.h"
+#include "exact/sphere_triangle/measures/limits.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "kernel/sphere_triangle/description.h"
@@ -56,6 +57,12 @@ class SphereTriangleOracles final : public Oracles {
   bool has_depth() const override { return true; }
   std::optional<double> depth(const Numbers<float>& q) const override { return depth_of<float>(q); }
   std::optional<double> depth(const Numbers<double>& q) const override { return depth_of<double>(q); }
+  bool is_within(const Limits& limits, const Numbers<float>& q) const override {
+    return axiscert::is_within(limits, query_from(q));
+  }
+  bool is_within(const Limits& limits, const Numbers<double>& q) const override {
+    return axiscert::is_within(limits, query_from(q));
+  }
 
  private:
   template <class Real>

@@ -189,7 +189,7 @@ std::optional<Real> rounded_distance_within(Real distance, const RadiusRange<Rea
 
 template <class Real>
 CriticalRadiusError critical_radius_error(const CriticalRadius<Real>& critical, Real distance) {
-  if (!critical.answered) return {std::nullopt, false};
+  if (!critical.answered || critical.not_decided) return {std::nullopt, critical.answered, critical.not_decided};
   if (!critical.radius) return {std::numeric_limits<double>::infinity()};
   return {Rational(abs(exact(*critical.radius) - exact(distance)) / exact(ulp_of(distance))).get_d()};
 }

@@ -56,6 +56,7 @@ Decimal6 radius_error_ulps(Real radius, Real from, const Rational& squared_dista
 struct CriticalRadiusError {
   std::optional<double> ulps;  // infinity if there is no critical radius; empty if none was sought or measured
   bool answered = true;        // as in CriticalRadius
+  std::optional<Verdict> not_decided = {};  // as in CriticalRadius: then none was measured
 };
 
 // The exact distance correctly rounded; empty if that is beyond the precision or the range.

@@ -20,6 +20,7 @@ bool has_area(const Query<Real>& q, double area) {
 
 template <class Real>
 bool is_within(const Limits& limits, const Query<Real>& q) {
+  if (!limits.any()) return true;
   // A float widens exactly, so these comparisons are exact.
   const double r = q.r;
   if (r < limits.least_radius || (limits.greatest_radius > 0 && r > limits.greatest_radius)) return false;

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "exact/trait/oracles.h"
+
 namespace axiscert {
 namespace {
 
@@ -14,6 +16,16 @@ TEST(Limits, NoneHoldEverything) {
   EXPECT_FALSE(Limits{}.any());
   EXPECT_TRUE(is_within({}, half_a_square));
   EXPECT_TRUE(is_within({}, Query<float>{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {0, 0, 0}, 0}));
+}
+
+TEST(Limits, ArePartOfWhatAKernelPromises) {
+  Kernel kernel = find_kernel("published");
+  const Numbers<float> q(half_a_square);
+  EXPECT_TRUE(is_promised(kernel, q));
+  kernel.limits.least_radius = 2;
+  EXPECT_FALSE(is_promised(kernel, q));
+  kernel.limits.least_radius = 1;
+  EXPECT_TRUE(is_promised(kernel, q));
 }
 
 TEST(Limits, BoundsAreWithin) {

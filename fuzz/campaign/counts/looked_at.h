@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include "exact/sphere_triangle/measures/limits.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/campaign/counts/tally.h"
 #include "fuzz/files/query_file.h"
@@ -77,7 +76,7 @@ inline Json looked_at_json(const LookedAt& looked_at) {
           {"no_query", looked_at.no_query},     {"first_fault", std::move(fault)}};
 }
 
-// Of a cell of a run, without its first fault.
+// The counts of a cell of a run, without its first fault.
 inline LookedAt looked_at_of(const Tally& tally) {
   const VerdictTally& verdict = tally.verdict;
   LookedAt found;
@@ -105,7 +104,7 @@ class AnswerCounter {
       ++into.no_query;
       return;
     }
-    if (!is_promised(q)) {
+    if (!is_promised(kernel_, q)) {
       ++into.outside_limits;
       return;
     }
@@ -119,10 +118,6 @@ class AnswerCounter {
   // In sphere-triangle what may be valid is.
   bool is_no_query(const Numbers<Real>& q) const {
     return !are_valid_ && kernel_.test != &first_test() && oracles_of(kernel_).truth(q).verdict == Verdict::invalid;
-  }
-  bool is_promised(const Numbers<Real>& q) const {
-    if (kernel_.test == &first_test()) return !kernel_.limits.any() || is_within(kernel_.limits, query_from(q));
-    return kernel_.motion == MotionPolicy{} || oracles_of(kernel_).is_promised(kernel_.motion, q);
   }
 
   const Kernel& kernel_;

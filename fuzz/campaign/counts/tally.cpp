@@ -150,6 +150,14 @@ bool count_error(ComparisonTally& comparison, std::uint64_t position, const Erro
 
 }  // namespace
 
+void CriticalRadiusTally::merge(const CriticalRadiusTally& other) {
+  errors_ulps.insert(errors_ulps.end(), other.errors_ulps.begin(), other.errors_ulps.end());
+  unbounded += other.unbounded;
+  unanswered += other.unanswered;
+  undecided += other.undecided;
+  invalid += other.invalid;
+}
+
 void Tally::merge(const Tally& other) {
   trials += other.trials;
   separated += other.separated;
@@ -172,10 +180,7 @@ void Tally::merge(const Tally& other) {
     into.false_witness.merge(from.false_witness);
     into.missed_witness.merge(from.missed_witness);
   }
-  critical_radius.errors_ulps.insert(critical_radius.errors_ulps.end(), other.critical_radius.errors_ulps.begin(),
-                                     other.critical_radius.errors_ulps.end());
-  critical_radius.unbounded += other.critical_radius.unbounded;
-  critical_radius.unanswered += other.critical_radius.unanswered;
+  critical_radius.merge(other.critical_radius);
   for (const FindingKind kind : enumerators<FindingKind>) merge_finding(findings[kind], other.findings[kind]);
   margins.merge(other.margins);
   classes.merge(other.classes);

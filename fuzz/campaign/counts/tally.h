@@ -68,8 +68,11 @@ struct CriticalRadiusTally {
   // Unsorted, of a source at most 2^16 (has_critical_radius); negative where the kernel says contact too early, at a
   // radius below the exact distance.
   std::vector<double> errors_ulps;
-  std::uint64_t unbounded = 0;   // contact for no radius, finite and within the limits
-  std::uint64_t unanswered = 0;  // not measured: a radius got no answer
+  std::uint64_t unbounded = 0;               // contact for no radius, finite and within the limits
+  std::uint64_t unanswered = 0;              // not measured: a radius got no answer
+  std::uint64_t undecided = 0, invalid = 0;  // not measured: that was the answer to some radius
+
+  void merge(const CriticalRadiusTally& other);
 };
 
 // One kind of finding: how often, and the first of them.

@@ -78,8 +78,8 @@ void visit_tally(Archive& archive, Tally& tally) {
     archive(comparison.ties, comparison.range_events, comparison.error_without_scale, comparison.largest_error,
             comparison.false_witness, comparison.missed_witness);
   }
-  auto& [errors_ulps, unbounded, unanswered] = critical_radius;
-  archive(errors_ulps, unbounded, unanswered);
+  auto& [errors_ulps, unbounded, unanswered, undecided_radius, invalid_radius] = critical_radius;
+  archive(errors_ulps, unbounded, unanswered, undecided_radius, invalid_radius);
   for (auto& finding : findings) {
     auto& [count, first, detail] = finding;
     archive(count, first, detail);

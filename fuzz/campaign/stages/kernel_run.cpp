@@ -175,7 +175,7 @@ void KernelRun<Real>::judge_exactly(const Answer& answer, bool is_filtered, Clos
   }
   const Judgement judgement = axiscert::judge(*kernel_.test, truth, chain, answer, kernel_.touching);
   if (truth.touching) depth.set_touching();
-  if (truth.verdict != Verdict::invalid && kernel_.limits.any() && !is_within(kernel_.limits, look.query())) {
+  if (truth.verdict != Verdict::invalid && !is_within(kernel_.limits, look.query())) {
     count_outside(tally_, truth, answer, judgement, depth);
     return;
   }
@@ -224,7 +224,7 @@ void KernelRun<Real>::check_sides(const FormulaTruth& exact, const std::optional
 template <class Real>
 void KernelRun<Real>::measure_margins(const Query<Real>& q, std::size_t i, Claims<Real>& claims) {
   const Answer said = answer(i);
-  if (!said.bits || (kernel_.limits.any() && !is_within(kernel_.limits, q))) return;
+  if (!said.bits || !is_within(kernel_.limits, q)) return;
   const FormulaTruth* sides = claims.sides(kernel_.formulae);
   if (sides == nullptr) return;
   count_margins<Real>(tally_.margins, *sides, sides->bits(kernel_.strictness), *said.bits);
@@ -232,7 +232,7 @@ void KernelRun<Real>::measure_margins(const Query<Real>& q, std::size_t i, Claim
 
 template <class Real>
 void KernelRun<Real>::sample(const Query<Real>& q, std::size_t i, LazyDistance<Real>& distance) {
-  if (!is_answered(i) || (kernel_.limits.any() && !is_within(kernel_.limits, q))) return;
+  if (!is_answered(i) || !is_within(kernel_.limits, q)) return;
   if (const auto within = distance.within(radii_)) {
     sampled_.push_back(q);
     distances_.push_back(*within);
@@ -250,6 +250,7 @@ void KernelRun<Real>::finish() {
   for (std::size_t i = 0; i < critical.size(); ++i) {
     const CriticalRadiusError error = critical_radius_error(critical[i], distances_[i]);
     if (!error.answered) ++tally.unanswered;
+    else if (error.not_decided) ++(*error.not_decided == Verdict::invalid ? tally.invalid : tally.undecided);
     else if (std::isfinite(*error.ulps))
       tally.errors_ulps.push_back(*critical[i].radius < distances_[i] ? -*error.ulps : *error.ulps);
     else ++tally.unbounded;

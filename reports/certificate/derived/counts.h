@@ -9,7 +9,8 @@
 
 namespace axiscert {
 
-// What counts_json (fuzz/confirm/record.h) gives, without zeros, nulls and empty objects; fractions are decimal texts.
+// The counts of counts_json (fuzz/confirm/record.h) without zeros, nulls and empty objects; fractions are decimal
+// texts.
 Json sparse_counts(const Json& counts);
 
 // A finished stretch as a certificate has it: "stretch", "of", and by kernel "sha256", of its encoded tally, and

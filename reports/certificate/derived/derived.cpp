@@ -36,7 +36,7 @@ std::vector<const Json*> entries_of(const Json& record, const Json& kernel) {
   return entries;
 }
 
-// What the kernel promises and shows, as its entries of the record have it.
+// The kernel with what it promises and shows, as its entries of the record have it.
 Json kernel_members(const Json& kernel, const Json& record) {
   Json members = kernel, precisions = Json::array();
   const std::vector<const Json*> entries = entries_of(record, kernel["id"]);
@@ -122,7 +122,8 @@ Json limits_of(const Json& predicate, const Json& kernel) {
   else say("A search gives lower bounds of the worst: it says nothing about what it did not find.");
   if (predicate["safe_margin"]["reason"].is_null())
     say("The safe margin mends what was seen here; a contact that nothing here showed may need more.");
-  say("The search, the growths of the safe margin, the diagnosis, the planted faults and the witnesses are stated by "
+  say("The search, the growths of the safe margin and the sizes and shapes that its parts name, the diagnosis, the "
+      "planted faults and the witnesses are stated by "
       "whoever made this: no count here shows them. So are the counts of images, the numbers of triangles, the medians "
       "of "
       "critical radii, the findings of loading and what the kernel says of itself, which a recheck asks again. "

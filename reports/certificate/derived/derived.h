@@ -1,4 +1,4 @@
-// What follows from the materials of a certificate: what `certify` states, and `verify` finds again.
+// Members that follow from the materials of a certificate: `certify` states them, and `verify` finds them again.
 #pragma once
 
 #include <string>

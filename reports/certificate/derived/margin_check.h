@@ -1,4 +1,4 @@
-// What of a safe margin follows from other numbers of the certificate.
+// A safe margin follows in part from other numbers of the certificate.
 #pragma once
 
 #include <string>

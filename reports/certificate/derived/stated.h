@@ -9,7 +9,7 @@
 
 namespace axiscert {
 
-// What a certificate calls its kernel in all that does not depend on where its files are.
+// The id of its kernel in a certificate, in all that does not depend on where the kernel's files are.
 inline constexpr const char* portable_id = "kernel";
 
 // Against its definition in record.schema.json.

@@ -16,12 +16,6 @@ constexpr std::size_t shown_of_key = 16;  // digits
 
 std::uint64_t asked_count(const Json& object, const char* member) { return object[member].get<std::uint64_t>(); }
 
-// "61", rounded down; "less than 1".
-std::string percent_text(std::uint64_t part, std::uint64_t of) {
-  const auto percent = static_cast<std::uint64_t>(100.0 * static_cast<double>(part) / static_cast<double>(of));
-  return percent == 0 ? "less than 1" : std::to_string(percent);
-}
-
 }  // namespace
 
 std::string made_sentence(const Json& predicate) {
@@ -52,9 +46,9 @@ std::string looked_sentence(const Json& predicate) {
   };
   add("outside_limits", "outside its limits");
   add("touching", "touching, of which it promises nothing");
-  add("declined", "declined");
-  add("invalid", "called invalid");
-  add("unanswered", "without an answer");
+  const auto without_verdict =
+      no_verdict_words({asked_count(out, "declined"), asked_count(out, "invalid"), asked_count(out, "unanswered")});
+  parts.insert(parts.end(), without_verdict.begin(), without_verdict.end());
   std::string text = fmt::format("{} looked at; left out: {}", thousands(asked_count(asked, "looked_at")),
                                  parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", ")));
   if (asked_count(out, "no_query") != 0)
@@ -85,7 +79,7 @@ std::string state_of_level(const Json& predicate, const std::string& level) {
 }
 
 std::string claim_of_level(const Json& predicate, const std::string& level) {
-  // Of two precisions that cover different families each is named.
+  // Each of two precisions that cover different families is named.
   std::vector<std::pair<std::string, std::string>> claims;  // and their precisions
   for (const Json& entry : predicate["levels"]) {
     if (entry["level"] != level) continue;
@@ -104,7 +98,7 @@ std::string decided_text(const Json& predicate) {
   const Json &asked = predicate["asked"], &out = asked["left_out"];
   const std::uint64_t decided = asked_count(asked, "looked_at"), declined = asked_count(out, "declined");
   std::string text;
-  if (declined != 0) text = fmt::format(" of the {} % that it decides", percent_text(decided, decided + declined));
+  if (declined != 0) text = fmt::format(" of the {} that it decides", share_rounded_down(decided, decided + declined));
   if (asked_count(out, "touching") != 0) text += " but for touching";
   return text;
 }

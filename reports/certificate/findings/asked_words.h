@@ -28,7 +28,7 @@ std::string state_of_level(const Json& predicate, const std::string& level);
 
 // A level with what it is said of: "exact", "exact within its limits: 19 of 27 families".
 std::string claim_of_level(const Json& predicate, const std::string& level);
-// What every level that is met leaves out besides: " of the 61 % that it decides", " but for touching"; empty for
+// Every level that is met leaves out this besides: " of the 61.2 % that it decides", " but for touching"; empty for
 // nothing.
 std::string decided_text(const Json& predicate);
 

@@ -76,7 +76,7 @@ std::string contradiction(const LevelOutcome& outcome, const Json& search) {
 
 std::string observed(const Json& entry, const std::string& level, const std::string& covers) {
   if (!is_of_verdicts(level)) return covers;
-  const double limit = zero_limit_per_million(all_families(entry));
+  const double limit = zero_limit_per_million(entry, all_families(entry));
   if (limit < 0) return covers;
   return fmt::format(
       "{}; where nothing was found, its rate is below {} per million queries of these generators, with 95 % (each "

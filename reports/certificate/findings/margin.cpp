@@ -32,11 +32,11 @@ Json part_json(const MarginPart& part) {
 }
 
 Json answers_json(const ContactAnswers& answers) {
-  return {{"asked", answers.asked},
+  return {{"asked", answers.asked()},
           {"missed", answers.missed},
-          {"declined", answers.declined},
-          {"invalid", answers.invalid},
-          {"unanswered", answers.unanswered}};
+          {"declined", answers.looked_at.undecided},
+          {"invalid", answers.looked_at.invalid},
+          {"unanswered", answers.looked_at.unanswered}};
 }
 
 }  // namespace

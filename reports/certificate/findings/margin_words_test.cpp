@@ -76,7 +76,7 @@ TEST(MarginWords, SayWhereNothingIsNeeded) {
   EXPECT_THAT(notes[0], HasSubstr("none is needed on triangles that are not degenerate"));
 }
 
-// What a kernel did not answer, nothing is known of.
+// Nothing is known of contacts that a kernel did not answer.
 TEST(MarginWords, SayThatNothingIsKnownOfContactsWithoutAVerdict) {
   SafeMargin margin{Precision::binary32};
   const auto note = [&] { return margin_notes(margin_json(margin)).front(); };

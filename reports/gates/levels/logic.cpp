@@ -25,7 +25,7 @@ bool is_of_exact_arithmetic(const Subject& subject, const Json& result) {
   return result["exact_arithmetic"].get<bool>() && !is_judged_by_images;
 }
 
-// Of a family of exact arithmetic the queries that do not touch.
+// The look at a family of exact arithmetic is at the queries that do not touch.
 FamilyLook look_at_exact(const Subject& subject, const Json& result) {
   const Evidence evidence = subject.evidence(result);
   const Json &verdict = result["verdict"], &outside = verdict["outside_limits"];
@@ -129,10 +129,8 @@ LevelFindings logic_findings(const Subject& subject) {
   for (const auto& [family, result] : subject.families().items())
     find_logic_failures(subject, family, result, found.failures);
   const std::string queries = thousands(subject.decided());
-  if (subject.basis() != Basis::verdicts) {
-    for (const auto& [family, result] : subject.families().items()) found.families[family] = subject.whole_look(result);
-  }
   if (subject.basis() == Basis::reference) {
+    for (const auto& [family, result] : subject.families().items()) found.families[family] = subject.whole_look(result);
     found.covers = fmt::format(
         "every wrong verdict on {} queries of {}, each compared with the kernel's own formulae, exact and as its "
         "reference computes them",
@@ -142,18 +140,16 @@ LevelFindings logic_findings(const Subject& subject) {
   }
   const ExactFamilies exact = exact_families_of(subject);
   const bool has_formulae = subject.basis() == Basis::formulae;
-  if (!has_formulae) {
-    for (const auto& [family, result] : subject.families().items()) {
-      const Json* units = units_of(result);
-      if (is_of_exact_arithmetic(subject, result)) {
-        found.families[family] = look_at_exact(subject, result);
-      } else if (units != nullptr) {
-        const auto compared = (*units)["images"].get<std::uint64_t>(),
-                   declined = (*units)["undecided"].get<std::uint64_t>();
-        found.families[family] = subject.pairs_look(result, compared, declined);
-      } else {
-        found.unseen.push_back(family);
-      }
+  for (const auto& [family, result] : subject.families().items()) {
+    const Json* units = units_of(result);
+    if (is_of_exact_arithmetic(subject, result)) {
+      found.families[family] = look_at_exact(subject, result);
+    } else if (units != nullptr) {
+      const auto compared = (*units)["images"].get<std::uint64_t>(),
+                 declined = (*units)["undecided"].get<std::uint64_t>();
+      found.families[family] = subject.pairs_look(result, compared, declined);
+    } else {
+      found.unseen.push_back(family);
     }
   }
   const std::string cause = has_formulae ? "a difference from the formulae that it claims" : "a wrong verdict";

@@ -38,7 +38,7 @@ class Subject {
   const Json& kernel() const { return kernel_; }
   const Json& families() const { return kernel_["families"]; }  // by name
 
-  // What tells the cause of a wrong verdict.
+  // The cause of a wrong verdict is told by these.
   enum class Basis {
     reference,  // its formulae and their bits: every link is told apart
     formulae,   // its formulae, evaluated in its own way: range, rounding and implementation are not told apart

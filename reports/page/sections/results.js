@@ -76,7 +76,7 @@ function radius_table(data, entries) {
   return table('Critical radius error, in ulps', [
     ...family_columns(), of('sampled', 'count'), of('median_ulps', 'amount', {digits: 6}),
     of('largest_ulps', 'amount', {digits: 6}), of('unbounded', 'count', {alarm: 'warn'}),
-    of('unanswered', 'count', {alarm: 'bad'}),
+    of('unanswered', 'count', {alarm: 'bad'}), of('undecided', 'count'), of('invalid', 'count', {alarm: 'bad'}),
   ], rows, (row) => (row.total ? 'total' : ''));
 }
 

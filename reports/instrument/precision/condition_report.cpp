@@ -1,6 +1,6 @@
 // `axiscert condition`: whether flips come from the query's condition or from the formula, by kernel, family and
 // comparison.
-#include "reports/instrument/condition_report.h"
+#include "reports/instrument/precision/condition_report.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "reports/instrument/ladder_report.h"
+#include "reports/instrument/precision/ladder_report.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

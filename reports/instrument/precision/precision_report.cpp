@@ -1,4 +1,4 @@
-#include "reports/instrument/precision_report.h"
+#include "reports/instrument/precision/precision_report.h"
 
 #include <fmt/format.h>
 

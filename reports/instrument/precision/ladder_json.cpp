@@ -2,7 +2,7 @@
 
 #include "fuzz/instruments/ladder_steps.h"
 #include "reports/instrument/data.h"
-#include "reports/instrument/ladder_report.h"
+#include "reports/instrument/precision/ladder_report.h"
 
 namespace axiscert {
 namespace {

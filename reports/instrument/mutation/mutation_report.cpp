@@ -1,5 +1,5 @@
 // `axiscert mutate`: which of the faults planted in a kernel the harness catches, and how soon.
-#include "reports/instrument/mutation_report.h"
+#include "reports/instrument/mutation/mutation_report.h"
 
 #include <fmt/format.h>
 

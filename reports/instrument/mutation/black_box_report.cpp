@@ -1,6 +1,6 @@
 // `axiscert mutate --verdict-only`: which faults a gate refuses in a kernel that shows its verdict alone, and why it
 // lets the others pass.
-#include "reports/instrument/black_box_report.h"
+#include "reports/instrument/mutation/black_box_report.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "reports/evidence/evidence.h"
-#include "reports/instrument/black_box_reason.h"
+#include "reports/instrument/mutation/black_box_reason.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {

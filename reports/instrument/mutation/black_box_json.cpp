@@ -1,7 +1,7 @@
 // mutation-by-verdict.json: schemas/mutation-by-verdict.schema.json.
 #include "fuzz/queries/address.h"
-#include "reports/instrument/black_box_reason.h"
-#include "reports/instrument/black_box_report.h"
+#include "reports/instrument/mutation/black_box_reason.h"
+#include "reports/instrument/mutation/black_box_report.h"
 #include "kernel/base/version.h"
 
 namespace axiscert {

@@ -1,5 +1,5 @@
 // `axiscert critical-radius`: the error of the radius at which each kernel's answer changes.
-#include "reports/instrument/critical_radius_report.h"
+#include "reports/instrument/precision/critical_radius_report.h"
 
 #include <fmt/format.h>
 
