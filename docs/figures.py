@@ -64,7 +64,7 @@ def draw(plot, caption, path):
         x, y = [p[0] for p in points], [p[1] for p in points]
         style = {"color": COLOURS[i % len(COLOURS)], "label": series["name"], "marker": "osD^vPX*"[i % 8]}
         if plot["kind"] == "line":
-            # Of long lines a few points have markers, of each line others: lines upon one another are seen, and the file stays small.
+            # Long lines have a few markers, each at other points: lines upon one another are seen, and the file stays small.
             every = max(1, min(longest // 8, len(points))) if longest > 32 else 1
             axes.plot(x, y, markersize=4, markevery=(i % every, every), linestyle="-" if i < len(COLOURS) else "--", **style)
         else:

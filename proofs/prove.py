@@ -137,18 +137,19 @@ def statements(build, *flags):
     return {name: theorems.statement_in(name, text) for name, text in printed_by(build, "Statements.v", *flags).items()}
 
 
-def changed_statements(build, *flags):
-    """The theorems and definitions that differ from theorems.txt, with what they say now and should: a definition's text, and a digest."""
+def changed_statements(printed):
+    """The theorems and definitions of what Coq printed that differ from theorems.txt, with what they say now and should: a definition's
+    text, and a digest."""
     held, changed = theorems.read(THEOREMS), {}
-    for name, says in statements(build, *flags).items():
+    for name, says in printed.items():
         should, is_theorem = (held.theorems[name][1], True) if name in held.theorems else (held.definitions[name], False)
         if (says if is_theorem else theorems.digest_of(says)) != should:
             changed[name] = (says, should)
     return changed
 
 
-def require_statements(files, build, *flags):
-    for name, (says, should) in changed_statements(build, *flags).items():
+def require_statements(files, printed):
+    for name, (says, should) in changed_statements(printed).items():
         if name in theorems.read(THEOREMS).theorems:
             fail(f"{name} says\n  {says}\nand should, by theorems.txt,\n  {should}")
         fail(f"{name} is now\n  {says}\nwhich is not the definition of theorems.txt, {should}{difference(files, name, should)}")
@@ -172,7 +173,7 @@ def compare(files, build):
         shown = [re.match(r"[\w.]+\.(\w+) :", axiom)[1] for axiom in axioms]
         listed.append({"name": name, "axioms": shown, "statement": f"{name} : {says[name]}"})
         print(f"proved  {name:36} {', '.join(shown) or 'no axioms'}")
-    require_statements(files, build)
+    require_statements(files, says)
     version = subprocess.run(["coqc", "--print-version"], text=True, capture_output=True).stdout.split()
     text = json.dumps({"schema": "axiscert-theorems/2", "coq": version[0], "theorems": listed, "steps": certified_steps()}, indent=1)
     (build.parent / "prove.json").write_text(text + "\n")
@@ -204,7 +205,7 @@ def check_emitted(files, build, jobs):
     """`-vos` reads definitions and statements and leaves out the proofs; `-vok` checks the proofs of one file with no more
     of the others than that."""
     make(build, jobs, "vos")
-    require_statements(files, build, "-vok")
+    require_statements(files, statements(build, "-vok"))
     for file in EMITTED:
         result = coqc(build, PATHS[file], "-vok")
         if result.returncode:
@@ -241,7 +242,7 @@ def plant(build):
         planted = planted_copy(build, name, file, old, new)
         # The statements of all, and the proofs of this file: those of files that use the theorem may fail then.
         make(planted, 1, "vos", PATHS[file] + "ok")
-        if set(changed := changed_statements(planted, "-vok")) != {weaker}:
+        if set(changed := changed_statements(statements(planted, "-vok"))) != {weaker}:
             fail(f"{name}: only {weaker} should differ from theorems.txt, but {sorted(changed)} do")
         print(f"seen    {name:50} theorems.txt, {weaker}")
 

@@ -1,4 +1,4 @@
-// What a certificate states of its kernels, held to what the kernels here declare.
+// Compares what a certificate states of its kernels with what the kernels here declare.
 #pragma once
 
 #include <string>

@@ -187,16 +187,20 @@ CheckedPlan checked_plan(const Json& predicate, const VerifyOptions& options) {
   return {fmt::format("that of its effort and seed{}", meshes), true, std::move(made.plan)};
 }
 
+struct CheckedPromises {
+  std::string said;
+  bool are_all_compared = true;
+};
+
 // Holds what is stated of the built-in kernels to what those of this axiscert declare, where it is of the same version.
-// Returns what is to be said of it.
-std::string promises_said(const Json& predicate, const std::string& name) {
+CheckedPromises checked_promises(const Json& predicate, const std::string& name) {
   if (predicate["materials"]["axiscert"]["version"] != axiscert_version)
-    return "NOT COMPARED: made by another version, whose kernels may declare something else";
+    return {"NOT COMPARED: made by another version, whose kernels may declare something else", false};
   const Json& stated_ids = predicate["materials"]["plan"]["plan"]["kernels"];
   std::vector<std::string> compared, others, differences;
   for (std::size_t k = 0; k < stated_ids.size(); ++k) {
     const std::string id = k == 0 ? predicate["kernel"]["id"] : stated_ids[k];
-    if ((k == 0 && predicate["kernel"]["kind"] != "built-in") || !is_built_in(id)) {
+    if (!is_built_in(id)) {
       others.push_back(axiscert::shown(id));
       continue;
     }
@@ -214,7 +218,7 @@ std::string promises_said(const Json& predicate, const std::string& name) {
   if (!compared.empty()) text = fmt::format("{}: as they declare here", fmt::join(compared, ", "));
   if (!others.empty())
     text += fmt::format("{}{} NOT COMPARED: not built in", text.empty() ? "" : "; ", fmt::join(others, ", "));
-  return text;
+  return {text, others.empty()};
 }
 
 // A file with the id of a built-in kernel would have what is proved of that.
@@ -277,7 +281,7 @@ int verify_or_throw(const VerifyOptions& options) {
   Json derived = predicate;
   derived.update(derived_members(predicate, record));
   if (plan.here) require_none(triangle_differences(predicate, *plan.here), name);
-  const std::string promises = promises_said(predicate, name);
+  const CheckedPromises promises = checked_promises(predicate, name);
 
   fmt::print("digest: {}\nsignature: {}\n", certificate.digest(), signature);
   const std::string no_answers = no_answers_sentence(derived);
@@ -286,20 +290,19 @@ int verify_or_throw(const VerifyOptions& options) {
              looked_sentence(predicate));
   std::string id;
   fmt::print("kernel: {}\n", kernel_said(certificate, options, id));
-  fmt::print("axiscert: {}\nplan: {}\npromises: {}\n", axiscert_said(predicate), plan.said, promises);
+  fmt::print("axiscert: {}\nplan: {}\npromises: {}\n", axiscert_said(predicate), plan.said, promises.said);
   fmt::print(
       "counts: of all {} stretches of the plan; levels, numbers of queries, comparison and safe margin agree with "
       "them\n",
       thousands(predicate["materials"]["tallies"].size()));
-  const bool is_all_compared = promises.find("NOT COMPARED") == promises.npos;
   fmt::print(
       "stated, and in no count: the search, the growths of the safe margin, the diagnosis, the planted faults, the "
       "witnesses{}\n",
       options.recheck.empty()
           ? fmt::format(
                 "; and, but for a recheck, the counts of images,{} medians of critical radii{} findings of loading{}",
-                plan.here ? "" : " numbers of triangles,", is_all_compared ? " and" : ",",
-                is_all_compared ? "" : " and promises NOT COMPARED")
+                plan.here ? "" : " numbers of triangles,", promises.are_all_compared ? " and" : ",",
+                promises.are_all_compared ? "" : " and promises NOT COMPARED")
           : "");
   if (!options.recheck.empty()) {
     if (predicate["kernel"]["kind"] == "replies" && options.replies.replies.empty())

@@ -16,6 +16,9 @@ std::uint64_t queries_in(const Json& object, const char* member) { return object
 // A record is checked when it is read; one that is made in a test may be off.
 std::uint64_t without(std::uint64_t all, std::uint64_t part) { return all - std::min(all, part); }
 
+// 1 - 0.05^(1/n): the rate of failures that n right answers exclude, with 95 % confidence.
+double excluded_rate(std::uint64_t n) { return n == 0 ? 1 : -std::expm1(std::log(0.05) / static_cast<double>(n)); }
+
 }  // namespace
 
 std::uint64_t Evidence::decided() const { return without(promised(), declined() + invalid + unanswered); }
@@ -94,8 +97,17 @@ std::string evidence_text(const Evidence& evidence, std::uint64_t looked_at) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-double upper_bound_percent(std::uint64_t n) {
-  return n == 0 ? 100 : -100 * std::expm1(std::log(0.05) / static_cast<double>(n));
+double upper_bound_percent(std::uint64_t n) { return 100 * excluded_rate(n); }
+
+double zero_limit_per_million(const Json& kernel, const Json& family) {
+  const std::uint64_t n = std::min(queries_in(family, "base_triangles"), evidence_of(kernel, family).decided());
+  return n == 0 ? -1 : 1e6 * excluded_rate(n);
+}
+
+std::string with_rate(std::uint64_t count, const Json& kernel, const Json& family) {
+  if (count > 0) return fmt::format("{} ({} per million)", thousands(count), amount(per_million(count, family), 3));
+  const double limit = zero_limit_per_million(kernel, family);
+  return limit < 0 ? "not checked" : fmt::format("0 (< {} per million, 95 %)", amount(limit, 3));
 }
 
 Json evidence_json(const Evidence& evidence) {

@@ -63,6 +63,13 @@ std::string evidence_text(const Evidence& evidence, std::uint64_t looked_at);
 // ones.
 double upper_bound_percent(std::uint64_t n);
 
+// For zero failures of a kernel's entry in a family, or in all of them: the 95 % upper limit of their rate, per million
+// queries of this generator, 1e6 (1 - 0.05^(1/N)) for N base triangles, or N decided queries where these are fewer.
+// Negative where none was decided.
+double zero_limit_per_million(const Json& kernel, const Json& family);
+// "0 (< 11.4 per million, 95 %)", "12 (45.8 per million)"; "not checked" where no promised query was decided.
+std::string with_rate(std::uint64_t count, const Json& kernel, const Json& family);
+
 Json evidence_json(const Evidence& evidence);
 
 // The promise of a kernel's entry in words, one line for each part that it limits; two kernels promise the same where

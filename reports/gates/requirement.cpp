@@ -113,7 +113,7 @@ class Shortfall {
   std::size_t count_ = 0;
 };
 
-// What fewer than so many queries do: levels other than `exact` allow wrong answers.
+// Fewer than so many queries do this: levels other than `exact` allow wrong answers.
 std::string_view broken_words(const AskedLevel& asked) { return asked.name == "exact" ? "are wrong" : "break it"; }
 
 // How much of each family was looked at. Fills in what the outcome says of it; returns why that is too little, or is

@@ -9,7 +9,6 @@
 #include <map>
 #include <set>
 
-#include "kernel/names.h"
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert {
@@ -61,21 +60,6 @@ std::uint64_t valid_queries(const Json& family) {
          (outside.is_null() ? 0 : outside["trials"].get<std::uint64_t>());
 }
 
-// Of these, those that the kernel promises to be right on and called contact or separated.
-std::uint64_t decided_queries(const Json& kernel, const Json& family) {
-  const Json &verdict = family["verdict"], &outside = verdict["outside_limits"];
-  const auto in = [](const Json& counts, const char* member) {
-    return counts.is_null() ? 0 : counts[member].get<std::uint64_t>();
-  };
-  std::uint64_t left_out = in(verdict, "undecided") + in(verdict, "invalid") + in(verdict, "unanswered");
-  if (kernel["touching"] == name(Touching::either)) {
-    const std::uint64_t within = in(family["truth"], "touching") - in(outside, "touching");
-    left_out += within - std::min(within, in(verdict, "undecided_touching"));
-  }
-  const std::uint64_t valid = valid_queries(family);
-  return valid - std::min(valid, left_out);
-}
-
 }  // namespace
 
 const EnumArray<Link, std::string_view> link_meanings = {
@@ -109,20 +93,9 @@ Json all_families(const Json& kernel) {
   return total;
 }
 
-double zero_limit_per_million(const Json& kernel, const Json& family) {
-  const std::uint64_t n = std::min(family["base_triangles"].get<std::uint64_t>(), decided_queries(kernel, family));
-  return n == 0 ? -1 : -1e6 * std::expm1(std::log(0.05) / static_cast<double>(n));
-}
-
 double per_million(std::uint64_t count, const Json& family) {
   const std::uint64_t n = valid_queries(family);
   return n == 0 ? 0 : 1e6 * static_cast<double>(count) / static_cast<double>(n);
-}
-
-std::string with_rate(std::uint64_t count, const Json& kernel, const Json& family) {
-  if (count > 0) return fmt::format("{} ({} per million)", thousands(count), amount(per_million(count, family), 3));
-  const double limit = zero_limit_per_million(kernel, family);
-  return limit < 0 ? "not checked" : fmt::format("0 (< {} per million, 95 %)", amount(limit, 3));
 }
 
 std::string plain_text(const Json& value) {

@@ -24,14 +24,8 @@ void add_counts(Json& total, const Json& part);
 // the critical radius is the kernel's own. An object without members where no family ran.
 Json all_families(const Json& kernel);
 
-// For zero failures of a kernel's entry in a family, or in all of them: the 95 % upper limit of their rate, per million
-// queries of this generator, 1e6 (1 - 0.05^(1/N)) for N base triangles, or N decided queries where these are fewer.
-// Negative where none was decided.
-double zero_limit_per_million(const Json& kernel, const Json& family);
+// Per million valid queries within the limits; 0 where there are none.
 double per_million(std::uint64_t count, const Json& family);
-
-// "0 (< 11.4 per million, 95 %)", "12 (45.8 per million)"; "not checked" where no promised query was decided.
-std::string with_rate(std::uint64_t count, const Json& kernel, const Json& family);
 
 std::string plain_text(const Json& value);         // a text without its quotes; "-" for null
 std::string thousands(std::uint64_t count);        // "1,234,567"

@@ -11,6 +11,7 @@
 
 #include "fuzz/queries/image_groups.h"
 #include "kernel/base/error.h"
+#include "reports/evidence/evidence.h"
 #include "reports/gates/requirement.h"
 #include "reports/wording/summary.h"
 
