@@ -6,6 +6,7 @@
 //   kernel/registry/registry.cpp   std::vector<Kernel> NAME_kernels();
 //   exact/trait/oracles.cpp        const Oracles& NAME_oracles(std::size_t entry);   of an entry of the test
 //   fuzz/queries/family.cpp        std::span<const Family* const> NAME_families();
+//   fuzz/queries/capabilities.cpp  const Capabilities& NAME_capabilities();
 // NAME has '_' where the test's id has '-'.
 #pragma once
 

@@ -5,12 +5,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 #include "exact/judge/judge.h"
 #include "exact/judge/motion_judgement.h"
 #include "exact/numbers/binary_fraction.h"
+#include "exact/trait/batch_oracle.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
@@ -34,6 +36,8 @@ struct Detail {
   std::string_view name;
   std::variant<std::monostate, double, std::string_view, std::vector<std::string_view>> value;
 };
+
+enum class Opinion : std::uint8_t { first, second };
 
 // One query of which more than one thing is asked: what two answers need is evaluated once. Each member throws
 // OracleDisagreement where two ways of finding one answer differ. One thread asks, while the oracles exist.
@@ -61,9 +65,15 @@ class Oracles {
   // The names of the formulae that a kernel can claim.
   virtual std::vector<std::string_view> formulae() const = 0;
 
-  // The query, to be asked more than once.
-  virtual std::unique_ptr<AskedQuery> about(const Numbers<float>& numbers) const = 0;
-  virtual std::unique_ptr<AskedQuery> about(const Numbers<double>& numbers) const = 0;
+  // The truths of batches, by filters on this instruction set where the test has them.
+  virtual std::unique_ptr<BatchOracle<float>> batches(std::string_view target, std::type_identity<float>) const;
+  virtual std::unique_ptr<BatchOracle<double>> batches(std::string_view target, std::type_identity<double>) const;
+
+  // The query, to be asked more than once. Another arithmetic repeats the decisions of the truth where the test has a
+  // second oracle and `opinion` says so.
+  virtual std::unique_ptr<AskedQuery> about(const Numbers<float>& numbers, Opinion opinion = Opinion::second) const = 0;
+  virtual std::unique_ptr<AskedQuery> about(const Numbers<double>& numbers,
+                                            Opinion opinion = Opinion::second) const = 0;
   // The same, asked once.
   Truth truth(const Numbers<float>& numbers) const { return about(numbers)->truth(); }
   Truth truth(const Numbers<double>& numbers) const { return about(numbers)->truth(); }
@@ -100,6 +110,11 @@ class Oracles {
     return std::move(found->chain);
   }
 };
+
+template <class Real>
+std::unique_ptr<BatchOracle<Real>> batches_of(const Oracles& oracles, std::string_view target) {
+  return oracles.batches(target, std::type_identity<Real>());
+}
 
 // Those of an entry; where none is named, of the first. They throw HarnessFault if they are given numbers of another.
 const Oracles& oracles_of(const TestDescription& test, std::size_t entry = 0);

@@ -36,10 +36,10 @@ class OraclesOf final : public Oracles {
   std::string why_invalid(const Numbers<float>& q) const override { return reason(q); }
   std::string why_invalid(const Numbers<double>& q) const override { return reason(q); }
 
-  std::unique_ptr<AskedQuery> about(const Numbers<float>& q) const override {
+  std::unique_ptr<AskedQuery> about(const Numbers<float>& q, Opinion) const override {
     return std::make_unique<Asked<float>>(q);
   }
-  std::unique_ptr<AskedQuery> about(const Numbers<double>& q) const override {
+  std::unique_ptr<AskedQuery> about(const Numbers<double>& q, Opinion) const override {
     return std::make_unique<Asked<double>>(q);
   }
   bool has_depth() const override { return HasDepth<Test>; }

@@ -1,0 +1,14 @@
+// What fuzz/ has for a test beside its families: each member serves one command or measurement, and is null where the
+// test has no such thing. Code asks for the capability that it needs, and never which test it is.
+#pragma once
+
+#include "kernel/test.h"
+
+namespace axiscert {
+
+struct Capabilities {};
+
+// Those of a test on the list of kernel/test_list.h: NAME_capabilities() of its room in fuzz/.
+const Capabilities& capabilities_of(const TestDescription& test);
+
+}  // namespace axiscert
