@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "exact/judge/depth_of.h"
 #include "exact/judge/judge.h"
 #include "exact/judge/motion_judgement.h"
 #include "exact/numbers/binary_fraction.h"
@@ -37,7 +38,12 @@ struct Detail {
   std::variant<std::monostate, double, std::string_view, std::vector<std::string_view>> value;
 };
 
-enum class Opinion : std::uint8_t { first, second };
+// By what a query is decided.
+enum class Opinion : std::uint8_t {
+  first,
+  second,      // another arithmetic repeats the decisions of the truth, where the test has one
+  exact_only,  // that, and no filter or enclosure takes part in anything: the answers are the same
+};
 
 // One query of which more than one thing is asked: what two answers need is evaluated once. Each member throws
 // OracleDisagreement where two ways of finding one answer differ. One thread asks, while the oracles exist.
@@ -48,9 +54,19 @@ class AskedQuery {
   virtual void expect(const Kernel&) {}
   // By geometry and by the exact formulae, compared.
   virtual Truth truth() = 0;
-  // Empty for a kernel that claims no formulae; the query is valid. Throws HarnessFault if the kernel claims formulae
-  // that are not among Oracles::formulae().
-  virtual std::optional<Claimed> claimed(const Kernel& kernel) = 0;
+  // The rest is asked of a valid query alone. What a kernel's claim comes to, level by level; empty for a kernel that
+  // claims no formulae. Throws HarnessFault if it claims formulae that are not among Oracles::formulae().
+  virtual std::optional<Reference> chain(const Kernel& kernel) = 0;
+  // The exact sides of its formulae; null where it claims none, and where a side is not rational. Good as long as this.
+  virtual const ExactSides* sides(const Kernel& kernel) = 0;
+  // Both.
+  std::optional<Claimed> claimed(const Kernel& kernel) {
+    std::optional<Reference> found = chain(kernel);
+    if (!found) return std::nullopt;
+    const ExactSides* exact = sides(kernel);
+    return Claimed{std::move(*found), exact ? std::optional(*exact) : std::nullopt};
+  }
+  virtual DepthOf& depth() = 0;
 };
 
 // Stateless: any thread may ask at any time. `numbers` are of one entry of the test, whose oracles these are. Each

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <forward_list>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -119,13 +120,45 @@ class OraclesOf final : public Oracles {
   template <class F>
   static constexpr bool has_first_sides = std::is_base_of_v<First, F>;
 
-  // A query, and what was evaluated of the first formulae on it.
+  // A query, and what was evaluated on it.
   template <class Real>
-  class Asked final : public AskedQuery {
+  class Asked final : public AskedQuery, private DepthOf {
    public:
     explicit Asked(const Numbers<Real>& q) : q_(q) {}
 
     Truth truth() override {
+      if (!truth_) truth_ = decided();
+      return *truth_;
+    }
+
+    void expect(const Kernel& kernel) override {
+      const auto expected = [&]<class... F>(FormulaeList<F...>) {
+        return ((has_first_sides<F> && F::name == kernel.claims) || ...);
+      };
+      keeps_sides_ = keeps_sides_ || expected(typename Test::AllFormulae());
+    }
+
+    std::optional<Reference> chain(const Kernel& kernel) override {
+      const Evaluated* claim = claim_of(kernel, typename Test::AllFormulae());
+      if (claim == nullptr) return std::nullopt;
+      Reference found{outcome(claim->sides.holds), std::nullopt, claim->sides.ties};
+      if (kernel.is_reference) found.rounded = claim->rounded;
+      return found;
+    }
+    const ExactSides* sides(const Kernel& kernel) override {
+      const Evaluated* claim = claim_of(kernel, typename Test::AllFormulae());
+      return claim == nullptr ? nullptr : &claim->sides;
+    }
+    DepthOf& depth() override { return *this; }
+
+   private:
+    struct Evaluated {
+      std::string_view name;  // of the formulae
+      ExactSides sides;
+      std::optional<Rounded> rounded;  // of a kernel that claims the reference's bits
+    };
+
+    Truth decided() {
       const TestEntry& entry = Test::description().entries[entry_of<Test>()];
       if (q_.size() != entry.columns.size()) {
         throw HarnessFault(fmt::format("{}: the oracles of entry {}, of {} columns, are asked about {} numbers",
@@ -141,40 +174,39 @@ class OraclesOf final : public Oracles {
       return truth;
     }
 
-    void expect(const Kernel& kernel) override {
-      const auto expected = [&]<class... F>(FormulaeList<F...>) {
-        return ((has_first_sides<F> && F::name == kernel.claims) || ...);
-      };
-      keeps_sides_ = keeps_sides_ || expected(typename Test::AllFormulae());
+    double at_least() override { return exactly(); }
+    double at_most() override { return exactly(); }
+    bool is_touching() override { return truth().touching; }
+    double exactly() override {
+      if (is_touching()) return 0;
+      if (!depth_) depth_ = depth_of(q_).value_or(0);
+      return *depth_;
     }
 
-    std::optional<Claimed> claimed(const Kernel& kernel) override {
-      return claimed_by(kernel, typename Test::AllFormulae());
-    }
-
-   private:
+    // Null for a kernel that claims nothing.
     template <class... F>
-    std::optional<Claimed> claimed_by(const Kernel& kernel, FormulaeList<F...>) {
-      if (kernel.claims.empty()) return std::nullopt;
-      std::optional<Claimed> found;
+    const Evaluated* claim_of(const Kernel& kernel, FormulaeList<F...>) {
+      if (kernel.claims.empty()) return nullptr;
+      Evaluated* found = nullptr;
       const auto evaluate = [&]<class One>() {
-        if (!found && One::name == kernel.claims) found = evaluated<One>(kernel);
+        if (found != nullptr || One::name != kernel.claims) return;
+        found = &evaluated<One>();
+        if (kernel.is_reference && !found->rounded) found->rounded = rounded<One>();
       };
       (evaluate.template operator()<F>(), ...);
-      if (found) return found;
+      if (found != nullptr) return found;
       throw HarnessFault(
           fmt::format("kernel '{}' claims formulae '{}', which {} has not", kernel.id, kernel.claims, kernel.test->id));
     }
 
     template <class F>
-    Claimed evaluated(const Kernel& kernel) {
-      Claimed claim;
-      claim.sides = sides<F>();
-      if (F::kind == FormulaeKind::rung) require_same_signs(F::name, *claim.sides);
-      claim.chain = {outcome(claim.sides->holds), std::nullopt, claim.sides->ties};
-      if (!kernel.is_reference) return claim;
-      claim.chain.rounded = rounded<F>();
-      return claim;
+    Evaluated& evaluated() {
+      for (Evaluated& known : evaluated_) {
+        if (known.name == F::name) return known;
+      }
+      Evaluated& found = evaluated_.emplace_front(Evaluated{F::name, sides_of<F>(), std::nullopt});
+      if (F::kind == FormulaeKind::rung) require_same_signs(F::name, found.sides);
+      return found;
     }
     // R, and R-infinity: where the range was left by MPFR, whose exponents have no end that a query could reach.
     template <class F>
@@ -201,7 +233,7 @@ class OraclesOf final : public Oracles {
     }
     // Those that the signs were found from are handed on to the first claim that has them.
     template <class F>
-    ExactSides sides() {
+    ExactSides sides_of() {
       if (!has_first_sides<F> || !first_) return exact_sides<F>(q_);
       ExactSides found = *std::exchange(first_, std::nullopt);
       found.holds = strict(found) | (found.ties & nonstrict_comparisons<F>());
@@ -223,9 +255,12 @@ class OraclesOf final : public Oracles {
     }
 
     const Numbers<Real> q_;
+    std::optional<Truth> truth_;
+    std::optional<double> depth_;
     std::optional<Signs> signs_;
     bool keeps_sides_ = false;
     std::optional<ExactSides> first_;  // of the first formulae
+    std::forward_list<Evaluated> evaluated_;
   };
 
   template <class Real>

@@ -56,7 +56,10 @@ void StepCounts::merge(const StepCounts& other) {
   for (const Step i : enumerators<Step>) {
     queries[i] += other.queries[i];
     steps[i] += other.steps[i];
-    for (std::size_t k = 0; k < comparison_count; ++k) signs[k][i] += other.signs[k][i];
+  }
+  if (signs.size() < other.signs.size()) signs.resize(other.signs.size());
+  for (std::size_t k = 0; k < other.signs.size(); ++k) {
+    for (const Step i : enumerators<Step>) signs[k][i] += other.signs[k][i];
   }
   checked += other.checked;
   by_cgal += other.by_cgal;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "exact/sphere_triangle/filters/cascade.h"
+#include "exact/trait/steps.h"
 #include "fuzz/campaign/progress.h"
 #include "fuzz/pipe/replies.h"
 #include "fuzz/queries/source.h"
@@ -43,9 +43,9 @@ struct Plan {
 // How the queries of a cell were decided; no record holds it.
 struct StepCounts {
   EnumArray<Step, std::uint64_t> queries{};
-  EnumArray<Comparison, EnumArray<Step, std::uint64_t>> signs{};
-  std::uint64_t checked = 0;  // decided by a filter, and by CGAL again
-  std::uint64_t by_cgal = 0;  // verdicts that CGAL decided
+  std::vector<EnumArray<Step, std::uint64_t>> signs = {};  // by comparison; empty without filters
+  std::uint64_t checked = 0;                               // decided by a filter, and by CGAL again
+  std::uint64_t by_cgal = 0;                               // verdicts of filtered tests that CGAL decided
   // Nanoseconds.
   double generation = 0, kernels = 0, errors = 0, judging = 0;
   EnumArray<Step, double> steps{};  // of the filters; `exact` is part of judging

@@ -1,57 +1,66 @@
 #include "fuzz/campaign/unit.h"
 
 #include <algorithm>
-#include <cfenv>
 
-#include "fuzz/campaign/stages/kernel_runs.h"
-#include "fuzz/campaign/plain_unit.h"
+#include "fuzz/campaign/stages/screen.h"
 #include "fuzz/campaign/thread_seconds.h"
 #include "kernel/base/stopwatch.h"
-#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
 
-// The fault that is planted in the mode and not in the filter.
-class StaleRounding {
- public:
-  explicit StaleRounding(bool is_planted) : before_(std::fegetround()) {
-    if (is_planted) std::fesetround(FE_UPWARD);
+// Judges what the screen leaves open by the oracles, which are asked once for all kernels.
+template <class Real>
+void judge(const Oracles& oracles, const MadeBatch<Real>& batch, KernelRuns<Real>& runs, Screen<Real>& screen) {
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (!screen.is_open(i)) continue;
+    std::optional<Numbers<Real>> numbers;
+    std::optional<CloseLook<Real>> look;
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      if (screen.try_judge(k, i)) continue;
+      if (!numbers) numbers = batch.queries[i];
+      if (!look) look.emplace(oracles, *numbers, screen.about(i));
+      screen.judged(k, i, runs[k].judge(i, *look));
+    }
   }
-  ~StaleRounding() { std::fesetround(before_); }
-
- private:
-  int before_;
-};
+}
 
 // One unit in one precision, batch by batch: made, asked of every kernel, decided, judged.
 template <class Real>
 void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint64_t size,
          const std::vector<Standing>& standing, const BatchDone& asked, UnitResult& out) {
-  const StaleRounding mode(plan.planted == FilterFault::rounding_mode);
-  Decider<Real> decider(plan, out.steps, out.second_opinions);
-  KernelRuns<Real> kernels(plan, source, decider, standing, first, out.tallies);
-  if (kernels.empty()) return;
-  const std::size_t most = kernels.any_in_another_process() ? batch_size_for_processes : batch_size;
-  QueryBatch<Real> queries(most, source.columns().size());
+  const Standing nothing = standing_of(Tally(*plan.test));
+  KernelRuns<Real> runs;
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    const Kernel& kernel = *plan.kernels[k];
+    if (!kernel.has(precision_of<Real>) || kernel.entry != source.entry()) continue;
+    runs.emplace_back(kernel, plan, source, standing.empty() ? nothing : standing[k], out.tallies[k]);
+  }
+  if (runs.empty()) return;
+  const bool any_process = std::any_of(runs.begin(), runs.end(), [](auto& run) { return run.is_in_another_process(); });
+  const std::size_t most = any_process ? batch_size_for_processes : batch_size;
+  const Oracles& oracles = oracles_of(*plan.test, source.entry());
   StepCounts& steps = out.steps;
+  const auto screen = screen_of<Real>({plan, oracles, runs, first, steps, out.second_opinions});
+  QueryBatch<Real> queries(most, source.columns().size());
   for (std::uint64_t done = 0; done < size; done += queries.size()) {
     Stopwatch watch;
     source.fill(plan.seed, first + done, static_cast<std::size_t>(std::min<std::uint64_t>(most, size - done)), queries);
     const MadeBatch<Real> made{queries, first + done};
     steps.generation += watch.lap();
-    AnsweredBatch<Real> answered = kernels.ask(made);
+    for (KernelRun<Real>& run : runs) run.ask_about(made);
     steps.kernels += watch.lap();
-    const DecidedBatch<Real> decided = decider.decide(made);
+    screen->decide(made);
     watch.lap();  // the filters keep their own time
-    WatchedBatch<Real> watched = std::move(answered).look_at_errors(decided);
+    screen->look_at_errors();
     steps.errors += watch.lap();
-    std::move(watched).judge();
+    screen->count_clear();
+    judge(oracles, made, runs, *screen);
+    screen->sample();
     steps.judging += watch.lap();
     if (asked) asked(queries.size());
   }
-  kernels.finish();
-  decider.count_times();
+  screen->finish();
 }
 
 }  // namespace
@@ -61,14 +70,8 @@ UnitResult run_unit(const Plan& plan, const Source& source, Precision precision,
   UnitResult result{std::vector<Tally>(plan.kernels.size(), Tally(*plan.test)), 0, 0, {}};
   const double start = thread_seconds();
   const std::uint64_t first = number * unit_size;
-  if (plan.test != &sphere_triangle_test()) {
-    run_plain_unit(plan, source, precision, first, size, standing, result);
-    if (asked) asked(size);
-  } else if (precision == Precision::binary32) {
-    run<float>(plan, source, first, size, standing, asked, result);
-  } else {
-    run<double>(plan, source, first, size, standing, asked, result);
-  }
+  if (precision == Precision::binary32) run<float>(plan, source, first, size, standing, asked, result);
+  else run<double>(plan, source, first, size, standing, asked, result);
   result.core_seconds = thread_seconds() - start;
   return result;
 }

@@ -1,7 +1,7 @@
-// sphere-triangle by the interface of all tests. Its campaign does not go this way: it has filters.
+// sphere-triangle by the interface of all tests.
 #include "exact/trait/oracles.h"
 
-#include "exact/sphere_triangle/claims/claim.h"
+#include "exact/sphere_triangle/claims/asked_sphere_triangle.h"
 #include "exact/sphere_triangle/filters/cascade.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/measures/limits.h"
@@ -11,45 +11,6 @@
 
 namespace axiscert {
 namespace {
-
-// Empty where a side is a root or does not exist.
-std::optional<ExactSides> rational_sides(const FormulaTruth& truth, Strictness strictness) {
-  if (truth.rooted != 0 || truth.undefined != 0) return std::nullopt;
-  ExactSides sides{{}, {}, truth.bits(strictness), truth.ties};
-  for (std::size_t i = 0; i < comparison_count; ++i) {
-    const ExactComparison comparison = truth.comparison(i);
-    const Rational denominator = rational(comparison.denominator);
-    sides.lhs.emplace_back(Rational(rational(comparison.lhs) / denominator));
-    sides.rhs.emplace_back(Rational(rational(comparison.rhs) / denominator));
-  }
-  return sides;
-}
-
-template <class Real>
-class AskedSphereTriangle final : public AskedQuery {
- public:
-  AskedSphereTriangle(const Numbers<Real>& numbers, Opinion opinion) : q_(query_from(numbers)), opinion_(opinion) {}
-
-  Truth truth() override { return exactly(); }
-  std::optional<Claimed> claimed(const Kernel& kernel) override {
-    if (!claims_) claims_.emplace(q_, *exactly().formula);
-    std::optional<Reference> chain = claims_->chain(kernel);
-    if (!chain) return std::nullopt;
-    const FormulaTruth* own = claims_->sides(kernel.formulae);
-    return Claimed{std::move(*chain), own ? rational_sides(*own, kernel.strictness) : std::nullopt};
-  }
-
- private:
-  const ExactTruth& exactly() {
-    if (!truth_) truth_ = exact_truth(q_, opinion_ == Opinion::second);
-    return *truth_;
-  }
-
-  const Query<Real> q_;
-  const Opinion opinion_;
-  std::optional<ExactTruth> truth_;
-  std::optional<Claims<Real>> claims_;
-};
 
 // By the cascade of filters.
 template <class Real>
@@ -85,10 +46,10 @@ class SphereTriangleOracles final : public Oracles {
     return std::make_unique<FilteredSphereTriangles<double>>(target);
   }
   std::unique_ptr<AskedQuery> about(const Numbers<float>& q, Opinion opinion) const override {
-    return std::make_unique<AskedSphereTriangle<float>>(q, opinion);
+    return std::make_unique<AskedSphereTriangle<float>>(query_from(q), opinion);
   }
   std::unique_ptr<AskedQuery> about(const Numbers<double>& q, Opinion opinion) const override {
-    return std::make_unique<AskedSphereTriangle<double>>(q, opinion);
+    return std::make_unique<AskedSphereTriangle<double>>(query_from(q), opinion);
   }
   bool has_depth() const override { return true; }
   std::optional<double> depth(const Numbers<float>& q) const override { return depth_of<float>(q); }

@@ -1,22 +1,10 @@
 // The steps that decide the signs of a query, cheapest first; each step either is certain or passes the query on.
 #pragma once
 
-#include <string_view>
-
 #include "exact/sphere_triangle/filters/lane_filter.h"
+#include "exact/trait/steps.h"
 
 namespace axiscert {
-
-enum class Step : std::uint8_t {
-  lanes,     // the SIMD filter
-  grid,      // integers of a few words (exact/sphere_triangle/filters/grid_signs.h)
-  wide,      // doubles with bounds and exponents of their own (exact/sphere_triangle/filters/wide_margins.h)
-  integers,  // integers of any size (exact/sphere_triangle/filters/grid_signs.h): every valid query that gets this far
-  exact,     // arbitrary precision and CGAL: invalid queries, and all queries if no filter is used
-};
-template <>
-inline constexpr std::size_t enum_count<Step> = 5;
-inline constexpr EnumArray<Step, std::string_view> step_names = {"lanes", "grid", "wide", "integers", "exact"};
 
 struct DecidedSigns {
   Signs signs;  // not set if the step is `exact`

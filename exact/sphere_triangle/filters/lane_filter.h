@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exact/sphere_triangle/filters/signs.h"
+#include "exact/trait/steps.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
@@ -33,20 +34,6 @@ struct SuspectError {
 
 // By comparison, in u.
 using ErrorThresholds = std::array<double, comparison_count>;
-
-// Planted faults of the filter, which the cross-checks have to detect.
-enum class FilterFault : std::uint8_t {
-  none,
-  small_bound,         // bounds 2^-12 of their right size
-  no_underflow_guard,  // binary64 accepted whatever its exponents
-  swapped_sign,        // the sign of edge_bc.side_a
-  rounding_mode,       // rounding upwards, a mode that other code may have left set
-};
-template <>
-inline constexpr std::size_t enum_count<FilterFault> = 5;
-inline constexpr std::size_t filter_fault_count = enum_count<FilterFault>;
-inline constexpr EnumArray<FilterFault, std::string_view> filter_fault_names = {
-    "none", "small-bound", "no-underflow-guard", "swapped-sign", "rounding-mode"};
 
 // The filter on one instruction set.
 template <class Real>

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fuzz/campaign/counts/tally.h"
-#include "kernel/sphere_triangle/description.h"
+#include "fuzz/queries/capabilities.h"
 
 namespace axiscert {
 namespace {
@@ -25,7 +25,7 @@ InputClass class_of_wrong(const Query<Real>& q, bool is_touching, DepthOf& depth
 }  // namespace
 
 bool has_input_classes(const Kernel& kernel) {
-  return kernel.test == &sphere_triangle_test() && (kernel.formulae == Formulae::none || !kernel.is_reference);
+  return capabilities_of(*kernel.test).has_input_classes && (kernel.formulae == Formulae::none || !kernel.is_reference);
 }
 
 void ClassTally::merge(const ClassTally& other) {

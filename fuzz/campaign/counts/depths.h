@@ -6,25 +6,10 @@
 #include <cstdint>
 #include <string>
 
+#include "exact/judge/depth_of.h"
 #include "exact/judge/judge.h"
-#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
-
-// The depth of a wrong verdict, |d - r| / max(|A-P|, |B-P|, |C-P|, r): exact, and so only computed where it could be
-// kept.
-class DepthOf {
- public:
-  virtual double at_least() = 0;  // both certainly, of exactly() too
-  virtual double at_most() = 0;
-  virtual double exactly() = 0;  // rounded once, to the nearest binary64
-  virtual bool is_touching() = 0;
-  // The depth above which a wrong verdict counts as one on an engine-like query; infinity where the query is not one.
-  virtual double engine_threshold() = 0;
-
- protected:
-  ~DepthOf() = default;
-};
 
 // Decades of depths: 0 is a depth of zero, of spheres that touch; 1 is all else below 10^-20, too small for a double or
 // not; then [10^k, 10^(k+1)) for k from -20 on; the last one is a depth of 1. Depth and power of ten are the nearest
@@ -47,16 +32,7 @@ struct DepthTally {
   bool operator==(const DepthTally&) const = default;
 };
 
-// An engine-like query of sphere-triangle: every number is zero or normal, no |coordinate| is above 2^20, and the
-// radius is from 2^-20 to 2^20: from a micrometre to a thousand kilometres where the unit is a metre. A wrong verdict
-// on one is counted where its depth is above 16 u; below, it is the rounding of the query's own numbers that decides.
-template <class Real>
-bool is_engine_like(const Query<Real>& q);
-template <class Real>
-std::uint64_t engine_like_queries(const QueryColumns<Real>& columns);
-template <class Real>
-inline constexpr double engine_depth = sizeof(Real) == 4 ? 0x1p-20 : 0x1p-49;  // 16 u
-
+// Wrong verdicts on queries such as an engine asks (DepthOf::engine_threshold).
 struct EngineTally {
   std::uint64_t queries = 0;  // within the kernel's limits
   DepthTally wrong;

@@ -1,6 +1,8 @@
 // Decades of depth and engine-like queries: their edges, and that a campaign's counts add up.
 #include "fuzz/campaign/counts/depths.h"
 
+#include "exact/sphere_triangle/measures/engine_like.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -118,36 +118,6 @@ void keep_first_verdict(VerdictTally& tally, std::uint64_t position, bool touchi
   }
 }
 
-// A smaller error than the largest so far may round up to the same decimal, at an earlier position.
-double least_of_interest(const ComparisonTally& comparison) {
-  return comparison.largest_error.best().value() * Decimal6::least_ratio;
-}
-
-// Counts the error of one comparison's sides; returns whether it exceeds what is tolerated.
-template <class Error>
-bool count_error(ComparisonTally& comparison, std::uint64_t position, const Error& error,
-                 const std::optional<Rational>& tolerated) {
-  switch (error.kind()) {
-    case Error::Kind::range_event:
-      ++comparison.range_events;
-      break;
-    case Error::Kind::without_scale:
-      ++comparison.error_without_scale;
-      break;
-    case Error::Kind::finite:
-      // The bound only selects; what is compared and stored is the exact error.
-      if (error.upper() > 0 && error.upper() >= least_of_interest(comparison)) {
-        comparison.largest_error.offer({error.rounded_up(), position});
-      }
-      if (tolerated && error.exceeds(*tolerated)) {
-        ++comparison.tolerance_failures;
-        return true;
-      }
-      break;
-  }
-  return false;
-}
-
 }  // namespace
 
 void CriticalRadiusTally::merge(const CriticalRadiusTally& other) {
@@ -260,23 +230,6 @@ void count_outside(Tally& tally, const Truth& truth, const Answer& answer, const
   if (depth.at_most() > outside.deepest) outside.deepest = std::max(outside.deepest, depth.exactly());
 }
 
-void CleanCount::add_ties(ComparisonBits ties) {
-  for_each_bit(ties, [&](std::size_t i) { ++ties_[i]; });
-}
-
-void CleanCount::add_to(Tally& tally) const {
-  for (std::size_t axes = 0; axes < by_axes_.size(); ++axes) {
-    tally.trials += by_axes_[axes];
-    (axes != 0 ? tally.separated : tally.contact) += by_axes_[axes];
-    if (std::has_single_bit(axes)) tally.axes[first_bit(axes)].sole_separator += by_axes_[axes];
-  }
-  tally.trials += separated_ + contact_;
-  tally.separated += separated_;
-  tally.contact += contact_;
-  tally.touching += touching_;
-  for (std::size_t i = 0; i < comparison_count; ++i) tally.comparisons[i].ties += ties_[i];
-}
-
 bool Standing::could_keep_depth(const Flip& flip, const Candidate<double>& at_most) const {
   return could_keep(verdict, flip, at_most);
 }
@@ -294,21 +247,6 @@ Standing standing_of(const Tally& tally) {
 void count_finding(Tally& tally, FindingKind kind, std::uint64_t position, const std::string& detail) {
   merge_finding(tally.findings[kind], {1, position, detail});
 }
-
-template <class Real>
-void count_errors(Tally& tally, std::uint64_t position, const FormulaTruth& exact, const Sides<Real>& computed,
-                  const Tolerances& tolerances) {
-  AxisBits failing_axes = 0;
-  for (std::size_t i = 0; i < comparison_count; ++i) {
-    const ComparisonError error(computed.lhs[i], computed.rhs[i], exact.comparison(i));
-    if (count_error(tally.comparisons[i], position, error, tolerances[i])) {
-      failing_axes |= one_bit<AxisBits>(comparisons[i].axis);
-    }
-  }
-  for (std::size_t i = 0; i < axis_count; ++i) tally.axes[i].tolerance_failures += has_bit(failing_axes, i);
-}
-template void count_errors<float>(Tally&, std::uint64_t, const FormulaTruth&, const Sides<float>&, const Tolerances&);
-template void count_errors<double>(Tally&, std::uint64_t, const FormulaTruth&, const Sides<double>&, const Tolerances&);
 
 template <class Real>
 void count_errors(Tally& tally, std::uint64_t position, const TestDescription& test, const ExactSides& exact,

@@ -15,11 +15,9 @@
 #include "fuzz/campaign/counts/margins.h"
 #include "fuzz/campaign/counts/motion_tally.h"
 #include "kernel/finding.h"
-#include "kernel/sphere_triangle/decision.h"
 
 namespace axiscert {
 
-struct FormulaTruth;
 struct ExactSides;
 template <class Real>
 struct Answers;
@@ -138,39 +136,46 @@ void count_depth(Tally& tally, std::uint64_t position, const Flip& flip, DepthOf
 // Counts a valid query outside the kernel's limits.
 void count_outside(Tally& tally, const Truth& truth, const Answer& answer, const Judgement& judgement, DepthOf& depth);
 
-// Queries on which a kernel's verdict, axes and comparisons are all as in exact arithmetic, and its verdict right.
-class CleanCount {
- public:
-  // `axes` are the separating ones.
-  void add(AxisBits axes, ComparisonBits ties, bool touching) {
-    ++by_axes_[axes];
-    touching_ += touching;
-    if (ties != 0) add_ties(ties);
-  }
-  // The same for a kernel that claims no formulae.
-  void add_verdict(Verdict verdict, bool touching) {
-    ++(verdict == Verdict::separated ? separated_ : contact_);
-    touching_ += touching;
-  }
-  void add_to(Tally& tally) const;
-
- private:
-  void add_ties(ComparisonBits ties);
-  std::array<std::uint64_t, std::size_t{1} << axis_count> by_axes_{};
-  std::array<std::uint64_t, comparison_count> ties_{};
-  std::uint64_t separated_ = 0, contact_ = 0, touching_ = 0;
-};
-
 void count_finding(Tally& tally, FindingKind kind, std::uint64_t position, const std::string& detail);
 
-// Counts the errors of the computed sides of a query of sphere-triangle with a valid truth.
-template <class Real>
-void count_errors(Tally& tally, std::uint64_t position, const FormulaTruth& exact, const Sides<Real>& computed,
-                  const Tolerances& tolerances);
+// A smaller error than the largest so far may round up to the same decimal, at an earlier position.
+inline double least_of_interest(const ComparisonTally& comparison) {
+  return comparison.largest_error.best().value() * Decimal6::least_ratio;
+}
 
-// Counts those of query `index` of a batch of any test, whose answers are `computed`, against its exact sides.
+// Counts the error of one comparison's sides: a SideError, or a ComparisonError of sphere-triangle. Returns whether it
+// exceeds what is tolerated.
+template <class Error>
+bool count_error(ComparisonTally& comparison, std::uint64_t position, const Error& error,
+                 const std::optional<Rational>& tolerated);
+
+// Counts the errors of the sides of query `index` of a batch, whose answers are `computed`, against its exact sides.
 template <class Real>
 void count_errors(Tally& tally, std::uint64_t position, const TestDescription& test, const ExactSides& exact,
                   const Answers<Real>& computed, std::size_t index, const Tolerances& tolerances);
+
+template <class Error>
+bool count_error(ComparisonTally& comparison, std::uint64_t position, const Error& error,
+                 const std::optional<Rational>& tolerated) {
+  switch (error.kind()) {
+    case Error::Kind::range_event:
+      ++comparison.range_events;
+      break;
+    case Error::Kind::without_scale:
+      ++comparison.error_without_scale;
+      break;
+    case Error::Kind::finite:
+      // The bound only selects; what is compared and stored is the exact error.
+      if (error.upper() > 0 && error.upper() >= least_of_interest(comparison)) {
+        comparison.largest_error.offer({error.rounded_up(), position});
+      }
+      if (tolerated && error.exceeds(*tolerated)) {
+        ++comparison.tolerance_failures;
+        return true;
+      }
+      break;
+  }
+  return false;
+}
 
 }  // namespace axiscert

@@ -1,4 +1,4 @@
-#include "fuzz/campaign/stages/error_watch.h"
+#include "fuzz/sphere_triangle/error_watch.h"
 
 #include <fmt/format.h>
 

@@ -8,8 +8,8 @@
 #include "exact/sphere_triangle/filters/cascade.h"
 #include "exact/sphere_triangle/filters/wide_margins.h"
 #include "exact/sphere_triangle/measures/error_measure.h"
-#include "fuzz/campaign/stages/stages.h"
 #include "fuzz/campaign/counts/tally.h"
+#include "fuzz/sphere_triangle/decided_batch.h"
 
 namespace axiscert {
 

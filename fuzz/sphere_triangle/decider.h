@@ -3,8 +3,9 @@
 #pragma once
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/trait/oracles.h"
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/campaign/stages/stages.h"
+#include "fuzz/sphere_triangle/decided_batch.h"
 
 namespace axiscert {
 
@@ -19,13 +20,13 @@ class Decider {
         second_opinions_(second_opinions) {}
 
   const Filter<Real>& filter() const { return filter_; }
-  bool is_exact_only() const { return exact_only_; }
-
   // Good until the next call.
   DecidedBatch<Real> decide(const MadeBatch<Real>& made);
 
-  // The exact truth of query `index`, which is `q`, compared with what a filter decided. Throws OracleDisagreement.
-  ExactTruth exact_truth_of(const DecidedBatch<Real>& batch, std::size_t index, const Query<Real>& q);
+  // How the oracles are asked about the query at this position.
+  Opinion opinion_on(std::uint64_t position) const;
+  // Compares the exact truth of query `index`, which is `q`, with what a filter decided. Throws OracleDisagreement.
+  void check(const DecidedBatch<Real>& batch, std::size_t index, const Query<Real>& q, const ExactTruth& truth);
 
   // Adds the time that the filters took, in nanoseconds, to the counts.
   void count_times() const;

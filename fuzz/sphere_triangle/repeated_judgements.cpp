@@ -1,4 +1,4 @@
-#include "fuzz/campaign/stages/repeated_judgements.h"
+#include "fuzz/sphere_triangle/repeated_judgements.h"
 
 namespace axiscert {
 

@@ -1,4 +1,4 @@
-#include "fuzz/campaign/stages/decider.h"
+#include "fuzz/sphere_triangle/decider.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -29,6 +29,7 @@ void require_ieee_modes() {
 template <class Real>
 DecidedBatch<Real> Decider<Real>::decide(const MadeBatch<Real>& made) {
   const std::size_t size = made.size();
+  steps_.signs.resize(comparison_count);
   attention_.assign(size, Attention::none);
   if (exact_only_) {
     steps_.queries[Step::exact] += size;
@@ -63,14 +64,18 @@ void Decider<Real>::count_step(const DecidedSigns& found) {
 }
 
 template <class Real>
-ExactTruth Decider<Real>::exact_truth_of(const DecidedBatch<Real>& batch, std::size_t index, const Query<Real>& q) {
-  const bool second_opinion = exact_only_ || (batch.position + index) % second_opinion_stride == 0;
-  ExactTruth truth = exact_truth(q, second_opinion);
-  if (!truth.formula) return truth;
-  second_opinions_ += second_opinion;
+Opinion Decider<Real>::opinion_on(std::uint64_t position) const {
+  if (exact_only_) return Opinion::exact_only;
+  return position % second_opinion_stride == 0 ? Opinion::second : Opinion::first;
+}
+
+template <class Real>
+void Decider<Real>::check(const DecidedBatch<Real>& batch, std::size_t index, const Query<Real>& q,
+                          const ExactTruth& truth) {
+  if (!truth.formula) return;
+  second_opinions_ += opinion_on(batch.position + index) != Opinion::first;
   ++steps_.by_cgal;
   if (batch.is_filtered(index)) require_same(batch.signs[index], truth, q);
-  return truth;
 }
 
 template <class Real>

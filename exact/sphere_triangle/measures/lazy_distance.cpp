@@ -1,7 +1,8 @@
-#include "fuzz/campaign/stages/close_look.h"
+#include "exact/sphere_triangle/measures/lazy_distance.h"
 
 #include <limits>
 
+#include "exact/sphere_triangle/measures/engine_like.h"
 #include "exact/sphere_triangle/measures/grid_distance.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 
@@ -50,19 +51,5 @@ void LazyDistance<Real>::set_touching() {
 }
 template class LazyDistance<float>;
 template class LazyDistance<double>;
-
-template <class Real>
-const ExactTruth& CloseLook<Real>::truth() {
-  if (!truth_) truth_ = decider_.exact_truth_of(batch_, index_, query_);
-  return *truth_;
-}
-template <class Real>
-Claims<Real>* CloseLook<Real>::claims() {
-  if (!truth().formula) return nullptr;
-  if (!claims_) claims_.emplace(query_, *truth_->formula, decider_.is_exact_only());
-  return &*claims_;
-}
-template class CloseLook<float>;
-template class CloseLook<double>;
 
 }  // namespace axiscert

@@ -1,0 +1,233 @@
+#include "fuzz/sphere_triangle/kernel_screen.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "exact/sphere_triangle/measures/error_measure.h"
+#include "kernel/sphere_triangle/shown_sides.h"
+
+namespace axiscert {
+
+namespace {
+
+// axes_of(), for loops in which it counts.
+const std::array<AxisBits, 0x10000> axes_table = [] {
+  std::array<AxisBits, 0x10000> all{};
+  for (unsigned bits = 0; bits <= 0xffff; ++bits) all[bits] = axes_of(static_cast<ComparisonBits>(bits));
+  return all;
+}();
+
+}  // namespace
+
+template <class Real>
+KernelScreen<Real>::KernelScreen(KernelRun<Real>& run, const Plan& plan, const Filter<Real>& filter,
+                                 std::uint64_t first_position)
+    : run_(run),
+      kernel_(run.kernel()),
+      tolerances_(plan.tolerances),
+      tally_(run.tally()),
+      radii_(radii_within<Real>(kernel_.limits)),
+      has_classes_(has_input_classes(kernel_)),
+      exact_only_(plan.exact_only),
+      by_signs_(!plan.exact_only && !kernel_.limits.any() &&
+                (kernel_.formulae == Formulae::none || has_filtered_errors(kernel_.formulae))),
+      reference_(kernel_),
+      errors_(kernel_.formulae, plan.tolerances, filter, run.standing(), first_position, tally_) {}
+
+template <class Real>
+void KernelScreen<Real>::look_at_errors(const DecidedBatch<Real>& batch) {
+  if (!by_signs_) return;
+  if (kernel_.is_reference) reference_.evaluate(batch.queries.columns());
+  if (!run_.shows_sides()) return;
+  const Reply<Real>& reply = run_.reply();
+  if (std::find(reply.verdicts.begin(), reply.verdicts.end(), Verdict::unanswered) == reply.verdicts.end()) {
+    errors_.look(batch, batch.attention, reply.answers);
+    return;
+  }
+  std::vector<Attention> answered = batch.attention;
+  for (std::size_t i = 0; i < answered.size(); ++i) {
+    if (!run_.is_answered(i)) answered[i] = Attention::none;
+  }
+  errors_.look(batch, answered, reply.answers);
+}
+
+// Without ties strict and non-strict signs are the same, no query touches, and each test is one comparison of flat
+// arrays.
+template <class Real>
+void KernelScreen<Real>::count_clear(const DecidedBatch<Real>& batch) {
+  counted_.clear();
+  if (!by_signs_ || run_.has_replies()) return;
+  if (kernel_.formulae == Formulae::none || (kernel_.is_reference && !reference_.has_form())) return;
+  counted_.assign(batch.size(), false);
+  const Real* radii = batch.queries.columns().column[coordinate_count - 1];
+  const Reply<Real>& reply = run_.reply();
+  const ComparisonBits* bits = reply.has_bits ? reply.answers.bits.data() : nullptr;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const Signs signs = batch.signs[i].signs;
+    const AxisBits axes = axes_table[signs.strict];
+    const bool is_clear = !batch.is_exact(i) && signs.ties == 0 && radii[i] != 0;
+    const bool is_right = reply.verdicts[i] == verdict_of(axes) && (!bits || bits[i] == signs.strict) &&
+                          (!kernel_.is_reference || reference_.are_both(i, signs.strict));
+    if (!(is_clear && is_right)) continue;
+    clean_.add(axes, 0, false);
+    counted_[i] = true;
+  }
+}
+
+template <class Real>
+void KernelScreen<Real>::count_engine_like(std::uint64_t queries) {
+  if (!kernel_.limits.any()) tally_.verdict.engine.queries += queries;
+}
+
+template <class Real>
+bool KernelScreen<Real>::count_if_clean(std::size_t i, const Signs& signs, bool radius_is_zero) {
+  const Answer answer = run_.answer(i);
+  const Verdict right = verdict_of(axes_table[signs.bits(Strictness::nonstrict)]);
+  if (answer.verdict != right) return false;
+  const bool touching = (signs.ties != 0 || radius_is_zero) && is_touching(signs, radius_is_zero);
+  if (touching && kernel_.touching != Touching::contact) return false;
+  if (kernel_.formulae == Formulae::none) {
+    clean_.add_verdict(right, touching);
+    return true;
+  }
+  const ComparisonBits exact = signs.bits(kernel_.strictness);
+  const AxisBits axes = axes_table[exact];
+  if (verdict_of(axes) != right || (answer.bits && *answer.bits != exact)) return false;
+  if (kernel_.is_reference && reference_.shared(i) != exact) return false;
+  clean_.add(axes, signs.ties, touching);
+  return true;
+}
+
+template <class Real>
+void KernelScreen<Real>::judge_by_signs(std::size_t i, const Signs& signs, AskedSphereTriangle<Real>& look) {
+  const Answer answer = run_.answer(i);
+  const Query<Real>& q = look.query();
+  LazyDistance<Real>& depth = look.distance();
+  std::optional<RoundedBits> batched;
+  if (kernel_.formulae != Formulae::none && kernel_.is_reference) batched = reference_.rounded(i);
+  // A kernel that differs from the SIMD form is told so by the scalar reference itself.
+  if (answer.bits && batched && *answer.bits != batched->reference) batched.reset();
+  RepeatedJudgement* repeated = nullptr;
+  if (batched) {
+    const JudgementPattern pattern{signs,          batched->range_free,     batched->reference,
+                                   answer.verdict, answer.bits.has_value(), q.r == 0};
+    repeated = repeated_.find(pattern);
+    if (repeated && repeated->is_known) {
+      ++repeated->repetitions;
+      if (repeated->is_touching) depth.set_touching();
+      if (const auto flip = repeated->verdict_flip())
+        count_depth(tally_, run_.position(i), *flip, depth, run_.standing());
+      return;
+    }
+    if (repeated) repeated->pattern = pattern;
+  }
+  const Truth truth{verdict_of(signs), is_touching(signs, q.r == 0)};
+  std::optional<Reference> chain;
+  if (kernel_.formulae != Formulae::none) {
+    chain = Reference{outcome_of(signs.bits(kernel_.strictness)), std::nullopt, signs.ties};
+    if (batched) chain->rounded = batched->outcomes();
+    else if (kernel_.is_reference)
+      chain->rounded = rounded(kernel_.formulae, kernel_.arithmetic, kernel_.strictness, q);
+  }
+  const Judgement judgement = axiscert::judge(*kernel_.test, truth, chain, answer, kernel_.touching);
+  if (truth.touching) depth.set_touching();
+  count(tally_, run_.position(i), truth, chain ? signs.ties : ComparisonBits{0}, answer, judgement, depth,
+        run_.standing());
+  count_wrong_input(i, judgement, truth.touching, look);
+  if (repeated) *repeated = {repeated->pattern, truth.verdict, truth.touching, answer, judgement, true, 0};
+}
+
+template <class Real>
+void KernelScreen<Real>::look_at_judged(std::size_t i, const typename KernelRun<Real>::Judged& found, bool is_filtered,
+                                        AskedSphereTriangle<Real>& look) {
+  if (look.exact().verdict == Verdict::invalid) return;
+  count_wrong_input(i, found.judgement, look.exact().touching, look);
+  if (run_.answer(i).verdict == Verdict::unanswered) return;
+  const FormulaTruth* sides = look.claims().sides(kernel_.formulae);
+  if (sides != nullptr) check_sides(i, *sides, found.chain, is_filtered && by_signs_, look.query());
+}
+
+template <class Real>
+void KernelScreen<Real>::count_wrong_input(std::size_t i, const Judgement& judgement, bool is_touching,
+                                           AskedSphereTriangle<Real>& look) {
+  if (!has_classes_ || !judgement.verdict_flip) return;
+  count_class(tally_.classes, run_.position(i), *judgement.verdict_flip, look.query(), is_touching, look.distance(),
+              !exact_only_);
+}
+
+template <class Real>
+void KernelScreen<Real>::check_sides(std::size_t i, const FormulaTruth& exact, const std::optional<Reference>& chain,
+                                     bool is_checked, const Query<Real>& q) {
+  if (is_checked && kernel_.is_reference) {
+    const auto batched = reference_.rounded(i);
+    const Rounded& scalar = *chain->rounded;
+    if (batched && (batched->reference != scalar.reference.bits || batched->range_free != scalar.range_free.bits)) {
+      throw OracleDisagreement(
+          fmt::format("{}: the SIMD reference has the comparisons {:016b} and with an unbounded exponent {:016b}, the "
+                      "scalar one {:016b} and {:016b} (bit 0 is the first comparison)",
+                      kernel_.id, batched->reference, batched->range_free, *scalar.reference.bits,
+                      *scalar.range_free.bits),
+          Numbers<Real>(q));
+    }
+  }
+  if (!run_.shows_sides()) return;
+  const Sides<Real> computed = sides_at(run_.reply().answers, i);
+  AxisBits failing = 0;
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    const ComparisonError error(computed.lhs[k], computed.rhs[k], exact.comparison(k));
+    if (count_error(tally_.comparisons[k], run_.position(i), error, tolerances_[k])) {
+      failing |= one_bit<AxisBits>(comparisons[k].axis);
+    }
+  }
+  for (std::size_t k = 0; k < axis_count; ++k) tally_.axes[k].tolerance_failures += has_bit(failing, k);
+  if (!is_checked) return;
+  for (std::size_t k = 0; k < comparison_count; ++k) {
+    const ComparisonError error(computed.lhs[k], computed.rhs[k], exact.comparison(k));
+    if (const std::string wrong = errors_.contradiction(i, k, error); !wrong.empty()) {
+      throw OracleDisagreement(kernel_.id + ": " + wrong, Numbers<Real>(q));
+    }
+  }
+}
+
+template <class Real>
+void KernelScreen<Real>::measure_margins(const Query<Real>& q, std::size_t i, Claims<Real>& claims) {
+  const Answer said = run_.answer(i);
+  if (!said.bits || !is_within(kernel_.limits, q)) return;
+  const FormulaTruth* sides = claims.sides(kernel_.formulae);
+  if (sides == nullptr) return;
+  count_margins<Real>(tally_.margins, *sides, sides->bits(kernel_.strictness), *said.bits);
+}
+
+template <class Real>
+void KernelScreen<Real>::sample(const Query<Real>& q, std::size_t i, LazyDistance<Real>& distance) {
+  if (!run_.is_answered(i) || !is_within(kernel_.limits, q)) return;
+  if (const auto within = distance.within(radii_)) {
+    sampled_.push_back(q);
+    distances_.push_back(*within);
+  }
+}
+
+// The critical radii of the unit's sample at once: a kernel in another process takes longer to ask than to answer.
+template <class Real>
+void KernelScreen<Real>::finish() {
+  errors_.settle();
+  clean_.add_to(tally_);
+  repeated_.add_to(tally_);
+  CriticalRadiusTally& tally = tally_.critical_radius;
+  const auto critical = critical_radii(run_.implementation(), sampled_, radii_);
+  for (std::size_t i = 0; i < critical.size(); ++i) {
+    const CriticalRadiusError error = critical_radius_error(critical[i], distances_[i]);
+    if (!error.answered) ++tally.unanswered;
+    else if (error.not_decided) ++(*error.not_decided == Verdict::invalid ? tally.invalid : tally.undecided);
+    else if (std::isfinite(*error.ulps))
+      tally.errors_ulps.push_back(*critical[i].radius < distances_[i] ? -*error.ulps : *error.ulps);
+    else ++tally.unbounded;
+  }
+}
+
+template class KernelScreen<float>;
+template class KernelScreen<double>;
+
+}  // namespace axiscert

@@ -1,0 +1,104 @@
+#include "fuzz/sphere_triangle/screen.h"
+
+#include <algorithm>
+
+#include "exact/sphere_triangle/measures/engine_like.h"
+#include "exact/sphere_triangle/oracles/formula_oracle.h"
+#include "fuzz/campaign/counts/margins.h"
+
+namespace axiscert {
+
+template <class Real>
+SphereTriangleScreen<Real>::SphereTriangleScreen(const Screened<Real>& of)
+    : plan_(of.plan),
+      has_replies_(of.plan.replies != nullptr),
+      mode_(of.plan.planted == FilterFault::rounding_mode),
+      decider_(of.plan, of.steps, of.second_opinions) {
+  for (KernelRun<Real>& run : of.runs) kernels_.emplace_back(run, of.plan, decider_.filter(), of.first_position);
+}
+
+template <class Real>
+void SphereTriangleScreen<Real>::decide(const MadeBatch<Real>& made) {
+  look_.reset();
+  batch_.emplace(decider_.decide(made));
+}
+
+template <class Real>
+void SphereTriangleScreen<Real>::look_at_errors() {
+  for (KernelScreen<Real>& kernel : kernels_) kernel.look_at_errors(*batch_);
+}
+
+template <class Real>
+void SphereTriangleScreen<Real>::count_clear() {
+  open_.assign(batch_->size(), false);
+  const std::uint64_t engine_like = engine_like_queries(batch_->queries.columns());
+  for (KernelScreen<Real>& kernel : kernels_) {
+    kernel.count_engine_like(engine_like);
+    kernel.count_clear(*batch_);
+    for (std::size_t i = 0; i < open_.size(); ++i) open_[i] |= static_cast<char>(!kernel.has_counted(i));
+  }
+}
+
+template <class Real>
+CheckedQuery<Real>& SphereTriangleScreen<Real>::look(std::size_t i) {
+  if (!look_ || look_->index() != i) look_.emplace(decider_, *batch_, i);
+  return *look_;
+}
+
+template <class Real>
+bool SphereTriangleScreen<Real>::try_judge(std::size_t k, std::size_t i) {
+  KernelScreen<Real>& kernel = kernels_[k];
+  if (kernel.has_counted(i)) return true;
+  if (batch_->is_exact(i) || !kernel.judges_by_signs()) return false;
+  const bool radius_is_zero = batch_->queries.columns().column[coordinate_count - 1][i] == 0;
+  const Signs& signs = batch_->signs[i].signs;
+  if (!kernel.count_if_clean(i, signs, radius_is_zero)) kernel.judge_by_signs(i, signs, look(i));
+  return true;
+}
+
+template <class Real>
+void SphereTriangleScreen<Real>::judged(std::size_t k, std::size_t i, const typename KernelRun<Real>::Judged& found) {
+  if (!found.is_counted) return;
+  const bool is_filtered = batch_->is_filtered(i) && batch_->is_exact(i);
+  kernels_[k].look_at_judged(i, found, is_filtered, look(i));
+}
+
+template <class Real>
+void SphereTriangleScreen<Real>::sample() {
+  if (!has_replies_) sample_critical_radii();
+  if (has_margins(batch_->position)) measure_margins();
+}
+
+template <class Real>
+void SphereTriangleScreen<Real>::sample_critical_radii() {
+  for (std::size_t i = 0; i < batch_->size(); ++i) {
+    if (!has_critical_radius(batch_->position + i)) continue;
+    const Query<Real> q = query_from(batch_->queries[i]);
+    if (!is_valid(q)) continue;
+    LazyDistance<Real> distance(q, plan_.exact_only);
+    for (KernelScreen<Real>& kernel : kernels_) kernel.sample(q, i, distance);
+  }
+}
+
+template <class Real>
+void SphereTriangleScreen<Real>::measure_margins() {
+  if (std::none_of(kernels_.begin(), kernels_.end(), [](const auto& one) { return one.shows_comparisons(); })) return;
+  for (std::size_t i = 0; i < batch_->size() && has_margins(batch_->position + i); ++i) {
+    const Query<Real> q = query_from(batch_->queries[i]);
+    if (!is_valid(q)) continue;
+    const FormulaTruth published = formula_truth(q);
+    Claims<Real> claims(q, published);
+    for (KernelScreen<Real>& kernel : kernels_) kernel.measure_margins(q, i, claims);
+  }
+}
+
+template <class Real>
+void SphereTriangleScreen<Real>::finish() {
+  for (KernelScreen<Real>& kernel : kernels_) kernel.finish();
+  decider_.count_times();
+}
+
+template class SphereTriangleScreen<float>;
+template class SphereTriangleScreen<double>;
+
+}  // namespace axiscert

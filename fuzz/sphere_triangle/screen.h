@@ -1,0 +1,78 @@
+// sphere-triangle's screen: filters decide nearly every query, and each kernel's answer to it is judged by the signs
+// that they found; the oracles judge the rest, and a sample that checks the filters.
+#pragma once
+
+#include <cfenv>
+#include <deque>
+#include <optional>
+
+#include "exact/sphere_triangle/claims/asked_sphere_triangle.h"
+#include "fuzz/campaign/stages/screen.h"
+#include "fuzz/sphere_triangle/decider.h"
+#include "fuzz/sphere_triangle/kernel_screen.h"
+
+namespace axiscert {
+
+// A query that the oracles are asked about: what a filter decided of it is compared with what they say.
+template <class Real>
+class CheckedQuery final : public AskedSphereTriangle<Real> {
+ public:
+  CheckedQuery(Decider<Real>& decider, const DecidedBatch<Real>& batch, std::size_t index)
+      : AskedSphereTriangle<Real>(query_from(batch.queries[index]), decider.opinion_on(batch.position + index)),
+        decider_(decider),
+        batch_(batch),
+        index_(index) {}
+  std::size_t index() const { return index_; }  // in the batch
+
+ private:
+  void found(const ExactTruth& truth) override { decider_.check(batch_, index_, this->query(), truth); }
+
+  Decider<Real>& decider_;
+  const DecidedBatch<Real>& batch_;
+  std::size_t index_;
+};
+
+// The fault that is planted in the mode and not in the filter.
+class StaleRounding {
+ public:
+  explicit StaleRounding(bool is_planted) : before_(std::fegetround()) {
+    if (is_planted) std::fesetround(FE_UPWARD);
+  }
+  ~StaleRounding() { std::fesetround(before_); }
+
+ private:
+  int before_;
+};
+
+template <class Real>
+class SphereTriangleScreen final : public Screen<Real> {
+ public:
+  explicit SphereTriangleScreen(const Screened<Real>& of);
+
+  void decide(const MadeBatch<Real>& batch) override;
+  void look_at_errors() override;
+  void count_clear() override;
+  bool is_open(std::size_t i) const override { return open_[i]; }
+  bool try_judge(std::size_t k, std::size_t i) override;
+  AskedQuery& about(std::size_t i) override { return look(i); }
+  void judged(std::size_t k, std::size_t i, const typename KernelRun<Real>::Judged& found) override;
+  void sample() override;
+  void finish() override;
+
+ private:
+  // The query at hand; the one before ends where another is asked for.
+  CheckedQuery<Real>& look(std::size_t i);
+  void sample_critical_radii();
+  void measure_margins();
+
+  const Plan& plan_;
+  const bool has_replies_;
+  StaleRounding mode_;
+  Decider<Real> decider_;
+  std::deque<KernelScreen<Real>> kernels_;
+  std::optional<DecidedBatch<Real>> batch_;
+  std::vector<char> open_;  // by query of the batch: some kernel's answer is not counted yet
+  std::optional<CheckedQuery<Real>> look_;
+};
+
+}  // namespace axiscert
