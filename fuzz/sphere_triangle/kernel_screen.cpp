@@ -177,7 +177,7 @@ void KernelScreen<Real>::check_sides(std::size_t i, const FormulaTruth& exact, c
   AxisBits failing = 0;
   for (std::size_t k = 0; k < comparison_count; ++k) {
     const ComparisonError error(computed.lhs[k], computed.rhs[k], exact.comparison(k));
-    if (count_error(tally_.comparisons[k], run_.position(i), error, tolerances_[k])) {
+    if (count_side_error(tally_.comparisons[k], run_.position(i), error, tolerances_[k])) {
       failing |= one_bit<AxisBits>(comparisons[k].axis);
     }
   }

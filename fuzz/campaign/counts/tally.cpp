@@ -257,7 +257,7 @@ void count_errors(Tally& tally, std::uint64_t position, const TestDescription& t
                                              exact.rhs[i]) < least_of_interest(tally.comparisons[i]))
       continue;
     const SideError error(computed.lhs[i][index], computed.rhs[i][index], exact.lhs[i], exact.rhs[i]);
-    if (count_error(tally.comparisons[i], position, error, tolerances[i])) {
+    if (count_side_error(tally.comparisons[i], position, error, tolerances[i])) {
       failing |= one_bit<ClauseBits>(test.comparisons[i].clause);
     }
   }

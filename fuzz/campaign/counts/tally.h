@@ -146,8 +146,8 @@ inline double least_of_interest(const ComparisonTally& comparison) {
 // Counts the error of one comparison's sides: a SideError, or a ComparisonError of sphere-triangle. Returns whether it
 // exceeds what is tolerated.
 template <class Error>
-bool count_error(ComparisonTally& comparison, std::uint64_t position, const Error& error,
-                 const std::optional<Rational>& tolerated);
+bool count_side_error(ComparisonTally& comparison, std::uint64_t position, const Error& error,
+                      const std::optional<Rational>& tolerated);
 
 // Counts the errors of the sides of query `index` of a batch, whose answers are `computed`, against its exact sides.
 template <class Real>
@@ -155,8 +155,8 @@ void count_errors(Tally& tally, std::uint64_t position, const TestDescription& t
                   const Answers<Real>& computed, std::size_t index, const Tolerances& tolerances);
 
 template <class Error>
-bool count_error(ComparisonTally& comparison, std::uint64_t position, const Error& error,
-                 const std::optional<Rational>& tolerated) {
+bool count_side_error(ComparisonTally& comparison, std::uint64_t position, const Error& error,
+                      const std::optional<Rational>& tolerated) {
   switch (error.kind()) {
     case Error::Kind::range_event:
       ++comparison.range_events;
