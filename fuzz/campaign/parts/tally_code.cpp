@@ -134,6 +134,11 @@ class Encoder {
   void put(const std::array<Value, n>& values) {
     for (const Value& value : values) put(value);
   }
+  template <class Enum, class Value>
+  void put(const std::vector<EnumArray<Enum, Value>>& by_comparison) {
+    put(by_comparison.size());
+    for (const auto& values : by_comparison) put(values);
+  }
   void put(const MarginTally& margins) {
     put(margins.counts().size());
     for (const auto& [key, count] : margins.counts()) (*this)(key.first, key.second, count.right, count.wrong);
@@ -192,6 +197,14 @@ class Decoder {
   template <class Value, std::size_t n>
   void get(std::array<Value, n>& values) {
     for (Value& value : values) get(value);
+  }
+  template <class Enum, class Value>
+  void get(std::vector<EnumArray<Enum, Value>>& by_comparison) {
+    std::size_t count = 0;
+    get(count);
+    if (count > most_comparisons) throw Error(fmt::format("the bytes are not a tally: {} comparisons", count));
+    by_comparison.resize(count);
+    for (auto& values : by_comparison) get(values);
   }
   void get(MarginTally& margins) {
     std::size_t size = 0;
