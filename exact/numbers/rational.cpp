@@ -3,6 +3,7 @@
 #include <mpfr.h>
 
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <string>
@@ -105,6 +106,19 @@ Real nearest_sqrt(const mpz_class& numerator, const mpz_class& denominator) {
 }
 template float nearest_sqrt<float>(const mpz_class&, const mpz_class&);
 template double nearest_sqrt<double>(const mpz_class&, const mpz_class&);
+
+template <class Real>
+std::optional<Real> sqrt_rounded_up(const Rational& q) {
+  constexpr Real greatest = std::numeric_limits<Real>::max();
+  const Real root = nearest_sqrt<Real>(q);
+  if (!std::isfinite(root)) return std::nullopt;
+  const Rational r = exact(root);
+  if (r * r >= q) return root;
+  if (root == greatest) return std::nullopt;
+  return std::nextafter(root, greatest);
+}
+template std::optional<float> sqrt_rounded_up<float>(const Rational&);
+template std::optional<double> sqrt_rounded_up<double>(const Rational&);
 
 Rational rational(const BinaryNumber& x) {
   return x.as_mpz([](mpz_srcptr whole, long exponent) {

@@ -3,6 +3,7 @@
 
 #include <gmpxx.h>
 
+#include <optional>
 #include <string_view>
 
 namespace axiscert {
@@ -26,5 +27,8 @@ template <class Real>
 Real nearest_sqrt(const Rational& q) {
   return nearest_sqrt<Real>(q.get_num(), q.get_den());
 }
+// The least Real that is not below sqrt(q), q >= 0; empty beyond the greatest.
+template <class Real>
+std::optional<Real> sqrt_rounded_up(const Rational& q);
 
 }  // namespace axiscert

@@ -155,12 +155,7 @@ CriticalRadius<Real> critical_radius(const Implementation<Real>& kernel, const Q
 
 template <class Real>
 std::optional<Real> exact_critical_radius(const Rational& squared_distance) {
-  const Real distance = nearest_sqrt<Real>(squared_distance);
-  if (!std::isfinite(distance)) return std::nullopt;
-  const Rational d = exact(distance);
-  if (d * d >= squared_distance) return distance;
-  if (distance == greatest<Real>) return std::nullopt;
-  return std::nextafter(distance, greatest<Real>);
+  return sqrt_rounded_up<Real>(squared_distance);
 }
 
 template <class Real>
