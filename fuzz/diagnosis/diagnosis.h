@@ -48,7 +48,7 @@ struct Property {
 
 struct Diagnosis {
   std::string kernel;  // id
-  const TestDescription* test = &first_test();
+  const TestDescription* test = nullptr;
   Precision precision = Precision::binary32;
   std::uint64_t seed = 1;
   bool may_decline = false;               // the kernel declares that it may answer `undecided`

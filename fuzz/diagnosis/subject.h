@@ -34,7 +34,6 @@ class Subject {
   const Kernel& kernel() const { return kernel_; }
   const TestDescription& test() const { return *kernel_.test; }
   const TestEntry& entry() const { return test().entries[kernel_.entry]; }
-  bool is_first_test() const { return kernel_.test == &first_test(); }
   bool is_built_in() const { return kernel_.file.empty(); }
   std::uint64_t seed() const { return options_.seed; }
   const std::string& target() const { return options_.target; }

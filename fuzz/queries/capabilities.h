@@ -6,11 +6,18 @@
 
 namespace axiscert {
 
-class Screens;  // fuzz/campaign/stages/screen.h
+class Screens;
+namespace diagnosis {
+struct DiagnosisScenes;
+}
 
 struct Capabilities {
-  const Screens* screens = nullptr;  // filters, which judge nearly every answer of a run
-  bool has_input_classes = false;    // a screen that counts wrong verdicts by the class of their input
+  // fuzz/campaign/stages/screen.h: filters, which judge nearly every answer of a run.
+  const Screens* screens = nullptr;
+  // A screen that counts wrong verdicts by the class of their input.
+  bool has_input_classes = false;
+  // fuzz/diagnosis/scenes/scenes.h
+  const diagnosis::DiagnosisScenes* diagnosis_scenes = nullptr;
 };
 
 // Those of a test on the list of kernel/test_list.h: NAME_capabilities() of its room in fuzz/.

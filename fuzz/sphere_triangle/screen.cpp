@@ -101,4 +101,23 @@ void SphereTriangleScreen<Real>::finish() {
 template class SphereTriangleScreen<float>;
 template class SphereTriangleScreen<double>;
 
+namespace {
+
+class SphereTriangleScreens final : public Screens {
+ public:
+  std::unique_ptr<Screen<float>> screen(const Screened<float>& of) const override {
+    return std::make_unique<SphereTriangleScreen<float>>(of);
+  }
+  std::unique_ptr<Screen<double>> screen(const Screened<double>& of) const override {
+    return std::make_unique<SphereTriangleScreen<double>>(of);
+  }
+};
+
+}  // namespace
+
+const Screens& sphere_triangle_screens() {
+  static const SphereTriangleScreens screens;
+  return screens;
+}
+
 }  // namespace axiscert

@@ -75,4 +75,6 @@ class SphereTriangleScreen final : public Screen<Real> {
   std::optional<CheckedQuery<Real>> look_;
 };
 
+const Screens& sphere_triangle_screens();
+
 }  // namespace axiscert

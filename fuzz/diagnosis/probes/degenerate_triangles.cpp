@@ -11,15 +11,6 @@ namespace {
 
 constexpr std::size_t flat_of_each = 64, least_of_each = 16;
 
-template <class Real>
-std::vector<FlatQuery<Real>> flat_scenes_of(Subject<Real>& subject) {
-  if (!subject.is_first_test()) return flat_queries(subject, flat_of_each);
-  std::vector<FlatQuery<Real>> found;
-  for (const auto& scene : flat_scenes<Real>(subject.seed(), flat_of_each))
-    found.push_back({scene.query, scene.flat, scene.is_contact});
-  return found;
-}
-
 struct FlatCounts {
   std::size_t right = 0, hit = 0, missed = 0, refused = 0, unanswered = 0;
   std::size_t all() const { return right + hit + missed + refused + unanswered; }
@@ -64,11 +55,12 @@ template <class Real>
 Found degenerate_triangles(Subject<Real>& subject) {
   if (!vertex_columns(subject.kernel())) return unasked("This test has no triangle.");
   if (const auto why = why_not_sound(subject)) return undecided(*why);
-  const auto scenes = flat_scenes_of(subject);
+  const FlatScenes<Real> flat = scenes_of<Real>(subject.test()).flat(subject, flat_of_each);
+  const std::vector<FlatQuery<Real>>& scenes = flat.queries;
   Queries<Real> queries;
   for (const auto& scene : scenes) queries.push_back(scene.query);
-  for (const Flat flat : {Flat::point, Flat::two_equal, Flat::collinear}) {
-    if (std::ranges::count(scenes, flat, &FlatQuery<Real>::flat) < std::ptrdiff_t{least_of_each})
+  for (const Flat kind : {Flat::point, Flat::two_equal, Flat::collinear}) {
+    if (std::ranges::count(scenes, kind, &FlatQuery<Real>::flat) < std::ptrdiff_t{least_of_each})
       return unasked("Too few triangles without area were made on which the kernel promises an answer.");
   }
   const auto said = subject.ask(queries);
@@ -98,14 +90,12 @@ Found degenerate_triangles(Subject<Real>& subject) {
   }
   if (!known) return undecided("It leaves triangles without area undecided, or gives no answer.", measured);
   std::vector<DiagnosisWitness> witnesses;
-  const auto show = [&](const std::optional<std::size_t>& i, const char* what) {
-    if (i) witnesses.push_back(subject.witness(queries[*i], said[*i], what));
+  const auto show = [&](const std::optional<std::size_t>& i, const std::string& what) {
+    if (i) witnesses.push_back(subject.witness(queries[*i], said[*i], "the triangle has no area" + what));
   };
-  const bool is_sphere = subject.is_first_test();
-  show(phantom, is_sphere ? "the triangle has no area, and is far away" : "the triangle has no area, and is apart");
-  show(missed, is_sphere ? "the triangle has no area, and is well inside the sphere"
-                         : "the triangle has no area, and is in contact");
-  if (witnesses.empty()) show(right, "the triangle has no area");
+  show(phantom, fmt::format(", and {}", flat.apart));
+  show(missed, fmt::format(", and {}", flat.contact));
+  if (witnesses.empty()) show(right, "");
   const Degenerate value = same ? *kinds[0].value() : Degenerate::wrong_on_some;
   return decided(value, flat_sentence(value), std::move(witnesses), measured);
 }

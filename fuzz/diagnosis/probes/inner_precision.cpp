@@ -3,11 +3,8 @@
 #include <bit>
 #include <cmath>
 
-#include "exact/sphere_triangle/measures/critical_radius.h"
 #include "fuzz/diagnosis/probes/probes.h"
 #include "fuzz/diagnosis/scenes/clear_queries.h"
-#include "fuzz/diagnosis/scenes/near_ties.h"
-#include "fuzz/diagnosis/scenes/scenes_by_trait.h"
 #include "fuzz/instruments/critical_distance.h"
 #include "fuzz/queries/boundary.h"
 
@@ -17,42 +14,9 @@ namespace {
 constexpr std::size_t turning_scenes = 64;
 // The median error of a turning point, in ulps, for a kernel that computes in the query's own precision.
 constexpr std::int64_t own_ulps = 256;
-// Radii are sought within this part of the distance.
-constexpr double turning_range = 0x1p-10;
-// Queries of another test's plain family that are looked at.
-constexpr std::uint64_t turning_positions = 8192;
 
 template <class Real>
 using Word = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
-
-// Scenes with the column of the radius, which is the distance, rounded.
-template <class Real>
-struct TurningScenes {
-  Queries<Real> queries;
-  std::size_t radius;
-  std::vector<bool> is_of_first, is_of_second;  // by column: the numbers of the two places that are read as floats
-  std::string_view first, second;               // what these are
-};
-
-// Those of sphere-triangle that are not flat, thin, or nearly in contact.
-template <class Real>
-TurningScenes<Real> plump_scenes(std::uint64_t seed) {
-  TurningScenes<Real> scenes{{}, coordinate_count - 1, {}, {}, "the vertices", "the centre"};
-  for (std::size_t k = 0; k < coordinate_count; ++k) {
-    scenes.is_of_first.push_back(k < 9);
-    scenes.is_of_second.push_back(k >= 9 && k < 12);
-  }
-  for (std::uint64_t position = 0; scenes.queries.size() < turning_scenes; ++position) {
-    Stream random = stream_of(seed, "turning", precision_of<Real>, position);
-    Query<Real> q = random_scene<Real>(random);
-    q.r = radius_at_distance(q);
-    const Vec3<Real> ab = q.b - q.a, ac = q.c - q.a, bc = q.c - q.b, normal = cross(ab, ac);
-    const Real longest = std::max({dot(ab, ab), dot(ac, ac), dot(bc, bc)});
-    if (q.r < Real(0.125) || dot(normal, normal) < Real(0.0625) * longest * longest) continue;
-    scenes.queries.push_back(q);
-  }
-  return scenes;
-}
 
 // The points of a query whose digits below binary32 are changed.
 enum class Changed : std::uint8_t { vertices, centre, all_points };
@@ -105,45 +69,6 @@ std::vector<std::optional<Real>> turning_radii(Subject<Real>& subject, const Que
   return radii;
 }
 
-// Those of another test: queries of its plain family whose answer turns at a radius between 1/8 and 4, or half extent,
-// and does not near it.
-template <class Real>
-TurningScenes<Real> scenes_of_other_test(Subject<Real>& subject) {
-  const Kernel& kernel = subject.kernel();
-  const CriticalDistance distance = critical_distance_of(*kernel.test, kernel.entry);
-  const Oracles& oracles = oracles_of(kernel);
-  TurningScenes<Real> scenes{{}, distance.radius, {}, {}, "the vertices", "the motion"};
-  const auto vertices = vertex_columns(kernel);
-  if (!vertices) scenes.first = "A's place", scenes.second = "B's place";
-  const std::vector<TestColumn>& columns = kernel.test->entries[kernel.entry].columns;
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    const bool is_of_first = vertices ? k < 9 : columns[k].name.starts_with("a.");
-    const bool is_place = columns[k].role == Role::coordinate || (vertices && columns[k].role == Role::direction);
-    scenes.is_of_first.push_back(is_place && is_of_first);
-    scenes.is_of_second.push_back(is_place && !is_of_first);
-  }
-  const Family* family = plain_family(kernel);
-  for (std::uint64_t i = 0; family && i < turning_positions && scenes.queries.size() < turning_scenes; ++i) {
-    Numbers<Real> query = family->make<Real>(subject.seed(), i);
-    if (!is_plump(kernel, query)) continue;
-    Numbers<double> wide(query.size());
-    std::copy(query.begin(), query.end(), wide.begin());
-    const std::optional<Rational> squared = distance.squared(wide);
-    const auto critical = squared ? exact_critical_radius<Real>(*squared) : std::nullopt;
-    if (!critical || *critical < Real(0.125) || *critical > Real(4)) continue;
-    const auto at = [&](double factor) {
-      Numbers<Real> other = query;
-      other[distance.radius] = *critical * static_cast<Real>(factor);
-      return other;
-    };
-    const Numbers<Real> low = at(1 - turning_range), high = at(1 + turning_range);
-    if (oracles.truth(low).verdict != Verdict::separated || oracles.truth(high).verdict != Verdict::contact) continue;
-    if (oracles.is_promised(kernel.motion, low) && oracles.is_promised(kernel.motion, high))
-      scenes.queries.push_back(at(1));
-  }
-  return scenes;
-}
-
 struct TurningCounts {
   std::size_t answered = 0, exact = 0, early = 0, late = 0;
   std::size_t at_float = 0;           // between numbers that are different floats
@@ -192,13 +117,14 @@ Found concluded(Subject<Real>& subject, const TurningScenes<Real>& scenes, const
   }
   if (counts.early >= 3 && counts.late >= 3 && counts.median <= own_ulps) {
     // A float kernel shows the same where a computation in double stops early; its roundings show in their order.
-    if (sizeof(Real) == 4 && !subject.is_first_test()) {
+    const std::string order = sizeof(Real) == 4 ? operation_order(subject).value : std::string();
+    if (order == not_asked) {
       return undecided(fmt::format("Its answer turns too early in {} and too late in {} of {} scenes; in this test no "
                                    "order of operations is asked, by which these would be roundings.",
                                    counts.early, counts.late, counts.answered),
                        measured);
     }
-    if (sizeof(Real) == 4 && operation_order(subject).value == not_known) {
+    if (order == not_known) {
       return undecided(fmt::format("Its answer turns too early in {} and too late in {} of {} scenes, but no order of "
                                    "operations is seen by which these would be roundings.",
                                    counts.early, counts.late, counts.answered),
@@ -226,9 +152,8 @@ Found inner_precision(Subject<Real>& subject) {
   if (std::ranges::find(with_distance, kernel.test) == with_distance.end() ||
       (is_of_motions(*kernel.test) && kernel.entry != 0))
     return unasked("Queries of this entry have no radius at which the answer turns, by which digits are seen.");
-  if (const auto why = subject.is_first_test() ? std::nullopt : why_not_sound(subject)) return undecided(*why);
-  const TurningScenes<Real> scenes =
-      subject.is_first_test() ? plump_scenes<Real>(subject.seed()) : scenes_of_other_test(subject);
+  const TurningScenes<Real> scenes = scenes_of<Real>(*kernel.test).turning(subject, turning_scenes);
+  if (scenes.why_none) return undecided(*scenes.why_none);
   const std::size_t radius = scenes.radius;
   const auto radii = turning_radii(subject, scenes.queries, radius);
   std::array<std::vector<std::optional<Real>>, 3> of_floats;  // by Changed

@@ -3,7 +3,6 @@
 
 #include "fuzz/diagnosis/probes/probes.h"
 #include "fuzz/diagnosis/scenes/clear_queries.h"
-#include "fuzz/diagnosis/scenes/near_ties.h"
 #include "fuzz/queries/image_groups.h"
 
 namespace axiscert::diagnosis {
@@ -26,7 +25,7 @@ Queries<Real> telling_queries(Subject<Real>& subject) {
   Queries<Real> queries = sharp_queries<Real>(kernel, subject.seed(), sharp_count);
   const Queries<Real> plain = plain_queries<Real>(kernel, subject.seed(), plain_count);
   queries.insert(queries.end(), plain.begin(), plain.end());
-  if (!subject.is_first_test()) return queries;
+  if (!scenes_of<Real>(subject.test()).near_tie) return queries;  // the sharp ones are of the families already
   for (const Family* family : families_of(subject.test())) {
     if (image_group(family->name) != nullptr || family->cost > 1) continue;
     for (std::uint64_t i = 0; i < family_count; ++i) queries.push_back(family->make<Real>(subject.seed(), i));

@@ -5,11 +5,13 @@
 // x and y, no answer changes under (x, y, z) -> (y, x, -z). Where another pair is first, answers near touching do
 // change. Where everything has z = 0 they do not, whatever the order: if they change there, one of the two products is
 // not rounded. No answer of such a kernel changes where two coordinates change their sign.
+#include <fmt/ranges.h>
+
 #include <array>
 
 #include "fuzz/diagnosis/probes/probes.h"
-#include "fuzz/diagnosis/scenes/near_ties.h"
-#include "fuzz/files/symmetry.h"
+#include "fuzz/diagnosis/scenes/scenes.h"
+#include "fuzz/queries/exact_images.h"
 
 namespace axiscert::diagnosis {
 namespace {
@@ -27,24 +29,24 @@ struct Exchange {
 constexpr std::array<Exchange, 3> exchanges = {{{"x+y", {1, 0, 2}, 2}, {"y+z", {0, 2, 1}, 0}, {"x+z", {2, 1, 0}, 1}}};
 
 template <class Real>
-Query<Real> exchanged(const Query<Real>& q, const Exchange& how) {
-  Query<Real> turned = image(q, Symmetry{{0, 1, 2}, how.axes, one_bit<std::uint8_t>(how.third)});
-  // Not -0.
-  for (Vec3<Real>* v : {&turned.a, &turned.b, &turned.c, &turned.p}) *v = *v + Vec3<Real>{0, 0, 0};
+Numbers<Real> exchanged(const Numbers<Real>& query, const TestEntry& entry, const Exchange& how) {
+  Numbers<Real> turned = exact_images::with_axes(query, entry, how.axes, one_bit<std::uint8_t>(how.third));
+  for (Real& x : turned) x = x + Real(0);  // not -0
   return turned;
 }
 
 template <class Real>
 class OrderProbe {
  public:
-  explicit OrderProbe(Subject<Real>& subject) : subject_(subject) {}
+  explicit OrderProbe(Subject<Real>& subject)
+      : subject_(subject), near_tie_(scenes_of<Real>(subject.test()).near_tie) {}
 
   // The pairs of a query and its image with different verdicts; both have to be decided.
   template <class Image>
   std::size_t differences(const Queries<Real>& queries, const Image& image_of, std::optional<DiagnosisWitness>* shows,
                           std::string_view how) {
     Queries<Real> images;
-    for (const Numbers<Real>& q : queries) images.push_back(image_of(Query<Real>(q)));
+    for (const Numbers<Real>& q : queries) images.push_back(image_of(q));
     const auto said = subject_.ask(queries), of_images = subject_.ask(images);
     std::size_t differing = 0;
     for (std::size_t i = 0; i < said.size(); ++i) {
@@ -62,13 +64,14 @@ class OrderProbe {
 
   Found found() {
     Queries<Real> general;
-    for (std::uint64_t i = 0; i < order_queries; ++i) general.push_back(near_tie<Real>(subject_.seed(), "order", i));
+    for (std::uint64_t i = 0; i < order_queries; ++i)
+      general.push_back(near_tie_(subject_.seed(), "order", i, no_axis));
     std::size_t by_signs = 0;
     for (const std::uint8_t signs : {std::uint8_t{3}, std::uint8_t{5}, std::uint8_t{6}}) {
       by_signs += differences(
           general,
-          [&](const Query<Real>& q) {
-            return image(q, Symmetry{{0, 1, 2}, {0, 1, 2}, signs});
+          [&](const Numbers<Real>& q) {
+            return exact_images::with_axes(q, subject_.entry(), {0, 1, 2}, signs);
           },
           nullptr, "");
     }
@@ -77,11 +80,11 @@ class OrderProbe {
     Json pairs = Json::object(), planes = Json::object();
     for (std::size_t k = 0; k < exchanges.size(); ++k) {
       const Exchange& how = exchanges[k];
-      const auto turn = [&](const Query<Real>& q) { return exchanged(q, how); };
+      const auto turn = [&](const Numbers<Real>& q) { return exchanged(q, subject_.entry(), how); };
       by_pair[k] = differences(general, turn, &general_witness, fmt::format("with {} exchanged", how.name));
       Queries<Real> flat;
       for (std::uint64_t i = 0; i < flat_queries; ++i) {
-        flat.push_back(near_tie<Real>(subject_.seed(), "flat order", i, how.third));
+        flat.push_back(near_tie_(subject_.seed(), "flat order", i, how.third));
       }
       in_plane[k] = differences(flat, turn, &flat_witness, fmt::format("with {} exchanged; the third is 0", how.name));
       pairs[std::string(how.name)] = by_pair[k];
@@ -136,6 +139,7 @@ class OrderProbe {
   }
 
   Subject<Real>& subject_;
+  const decltype(Scenes<Real>::near_tie) near_tie_;
   std::size_t answered_ = 0;
 };
 
@@ -143,8 +147,14 @@ class OrderProbe {
 
 template <class Real>
 Found operation_order(Subject<Real>& subject) {
-  if (!subject.is_first_test())
-    return unasked("Near ties in a plane, by which the order shows, are made of sphere-triangle alone.");
+  if (!scenes_of<Real>(subject.test()).near_tie) {
+    std::vector<std::string_view> with_near_ties;
+    for (const TestDescription* test : tests()) {
+      if (scenes_of<Real>(*test).near_tie) with_near_ties.push_back(test->id);
+    }
+    return unasked(fmt::format("Near ties in a plane, by which the order shows, are made of {} alone.",
+                               fmt::join(with_near_ties, " and ")));
+  }
   return OrderProbe<Real>(subject).found();
 }
 template Found operation_order(Subject<float>&);

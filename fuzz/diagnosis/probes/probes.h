@@ -6,9 +6,8 @@
 
 namespace axiscert::diagnosis {
 
-// Probes whose scenes are those of sphere-triangle, or made of another test's families and columns
-// (scenes_by_trait.h); operation_order is of sphere-triangle
-// alone, overlap_at_start of motions.
+// Probes whose scenes are the test's own, or made of its families and columns (scenes/scenes.h); operation_order is of
+// tests with near ties alone, overlap_at_start of motions.
 template <class Real>
 Found at_touching(Subject<Real>& subject);
 template <class Real>

@@ -3,7 +3,6 @@
 
 #include "fuzz/diagnosis/probes/probes.h"
 #include "fuzz/diagnosis/scenes/clear_queries.h"
-#include "fuzz/instruments/exponent_window.h"
 
 namespace axiscert::diagnosis {
 namespace {
@@ -53,14 +52,6 @@ class WindowScan {
   std::vector<Verdict> at_one_;
 };
 
-// The exponents that are scanned: those times which the numbers, of sizes near 1, are exact.
-ExponentWindow scanned_in(const TestDescription& test, Precision precision) {
-  ExponentWindow scanned = scanned_exponents(precision);
-  // Other families have numbers up to 16, and last bits below those of 1.
-  if (&test != &first_test()) scanned = {scanned.low + 30, scanned.high - 5};
-  return scanned;
-}
-
 }  // namespace
 
 template <class Real>
@@ -69,7 +60,7 @@ Found range_window(Subject<Real>& subject) {
   if (scan.size() == 0) return unasked("This test has no queries here that are known to be far from every boundary.");
   if (!scan.tells())
     return undecided("At scale 1 it does not give both answers to queries that are far from touching.");
-  const ExponentWindow scanned = scanned_in(subject.test(), precision_of<Real>);
+  const ExponentWindow scanned = scenes_of<Real>(subject.test()).scanned(precision_of<Real>);
   std::optional<DiagnosisWitness> above, below;
   const int high = scan.last(scanned.high, above), low = scan.last(scanned.low, below);
   const Json measured = {{"low", low}, {"high", high}, {"scanned_low", scanned.low}, {"scanned_high", scanned.high}};

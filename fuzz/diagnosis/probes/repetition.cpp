@@ -1,7 +1,7 @@
 // Whether a kernel gives the same answer to the same query: again, in another lane, in a batch of another length, among
 // other queries.
 #include "fuzz/diagnosis/probes/probes.h"
-#include "fuzz/diagnosis/scenes/near_ties.h"
+#include "fuzz/diagnosis/scenes/scenes.h"
 
 namespace axiscert::diagnosis {
 namespace {

@@ -11,32 +11,6 @@ namespace {
 
 constexpr std::size_t sided_count = 128, least_of_each_side = 16;
 
-// Contacts, and how they are spoken of.
-template <class Real>
-struct SidedContacts {
-  std::vector<SidedQuery<Real>> queries;
-  std::string_view what, front, behind;
-};
-
-template <class Real>
-SidedContacts<Real> sided_contacts(Subject<Real>& subject) {
-  if (!subject.is_first_test()) {
-    const auto queries = sided_queries(subject, sided_count);
-    if (is_of_motions(subject.test()))
-      return {queries, "motions", "the motion comes from in front of the face",
-              "the motion comes from behind the face"};
-    return {queries, "boxes", "the centre of the box is in front of the face",
-            "the centre of the box is behind the face"};
-  }
-  SidedContacts<Real> found{{},
-                            "spheres",
-                            "the centre is in front of the face, at half the radius",
-                            "the centre is behind the face, at half the radius"};
-  for (const auto& scene : sided_scenes<Real>(subject.seed(), sided_count))
-    found.queries.push_back({scene.query, scene.is_front});
-  return found;
-}
-
 // Whether it says separated on nine in ten of the queries that clearly are: else it says contact whatever the side.
 template <class Real>
 bool separates(Subject<Real>& subject) {
@@ -54,22 +28,19 @@ template <class Real>
 Found sides_hit(Subject<Real>& subject) {
   const Kernel& kernel = subject.kernel();
   if (!vertex_columns(kernel)) return unasked("This test has no triangle that could be hit from one side.");
-  const SidedContacts<Real> scenes = sided_contacts(subject);
-  Queries<Real> hits, quarter;
-  for (const auto& scene : scenes.queries) {
-    hits.push_back(scene.query);
-    if (subject.is_first_test()) quarter.push_back(with_lengths_times(kernel, scene.query, Real(0.25)));
-  }
-  if (!subject.is_first_test() && !separates(subject))
+  const SidedScenes<Real> scenes = scenes_of<Real>(*kernel.test).sided(subject, sided_count);
+  Queries<Real> hits;
+  for (const auto& scene : scenes.queries) hits.push_back(scene.query);
+  if (scenes.apart.empty() && !separates(subject))
     return undecided("It says contact on queries that are far from it: its contacts say nothing of sides.");
   const auto said = subject.ask(hits);
-  // A sphere whose answer does not turn where the radius is a quarter says nothing: there the answer is known.
-  const auto smaller = subject.is_first_test() ? subject.ask(quarter) : std::vector(hits.size(), Verdict::separated);
+  // A scene whose answer is the same where it is known to be apart says nothing.
+  const auto of_apart = scenes.apart.empty() ? std::vector(hits.size(), Verdict::separated) : subject.ask(scenes.apart);
   Tallied front, back;
   std::array<std::optional<std::size_t>, 2> first, first_missed;  // back, front
   std::size_t answered = 0;
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    if (smaller[i] != Verdict::separated || !is_decided(said[i])) continue;
+    if (of_apart[i] != Verdict::separated || !is_decided(said[i])) continue;
     ++answered;
     const bool is_front = scenes.queries[i].is_front;
     (is_front ? front : back).add(said[i]);
@@ -90,19 +61,18 @@ Found sides_hit(Subject<Real>& subject) {
   if (is_answered && front.separated == 0 && back.separated == 0) {
     return decided(Sides::both, "It hits triangles from both sides: " + counts + ".", std::move(witnesses), measured);
   }
-  const std::string_view whose = subject.is_first_test() ? "a sphere whose centre is" : "what comes from";
   if (is_answered && front.separated == 0 && back.contact == 0) {
     return decided(Sides::front_only,
                    fmt::format("It is one-sided: {} behind the face, seen from where A, B, C run counterclockwise, is "
                                "never a contact: {}.",
-                               whose, counts),
+                               scenes.whose, counts),
                    std::move(witnesses), measured);
   }
   if (is_answered && front.contact == 0 && back.separated == 0) {
     return decided(Sides::back_only,
                    fmt::format("It is one-sided: {} in front of the face, where A, B, C run counterclockwise, is never "
                                "a contact: {}.",
-                               whose, counts),
+                               scenes.whose, counts),
                    std::move(witnesses), measured);
   }
   return undecided(fmt::format("It says contact on {}, all of which are contacts: no rule of sides.", counts),

@@ -9,29 +9,9 @@
 namespace axiscert::diagnosis {
 namespace {
 
-constexpr std::size_t small_scenes = 32;
+constexpr std::size_t subnormal_scenes = 64;
 // Queries that tell a form from the same with subnormal numbers flushed.
 constexpr std::size_t least_telling = 16;
-
-// Clear scenes times powers of two at which intermediate results, but not the query's numbers, become subnormal; of
-// other tests also some in which the lengths are.
-template <class Real>
-Queries<Real> small_queries(const Kernel& kernel) {
-  using Limits = std::numeric_limits<Real>;
-  constexpr int least = Limits::min_exponent + Limits::digits + 2, step = sizeof(Real) == 4 ? 1 : 3;
-  Queries<Real> queries;
-  const auto add = [&](std::size_t count, int first, int last) {
-    const auto clear = clear_queries<Real>(kernel, count);
-    for (int exponent = first; exponent <= last; exponent += step) {
-      for (const auto& query : clear) queries.push_back(in_unit(kernel, query.numbers, exponent));
-    }
-  };
-  add(small_scenes, least, 0);
-  // Comparisons of boxes are of degree 1 in lengths: nothing becomes subnormal before these do. Where all lengths are
-  // zero every answer is contact, so only separated scenes tell, which may be one in six.
-  if (kernel.test != &first_test()) add(8 * small_scenes, Limits::min_exponent - 3, Limits::min_exponent - 3);
-  return queries;
-}
 
 // A kernel is as a form where the two agree on every small scene, from those that every form has right down to those
 // that none has: else something else, such as a threshold, may give the answers of a form whose small numbers are zero.
@@ -46,7 +26,9 @@ template <class Real>
 class SubnormalProbe {
  public:
   explicit SubnormalProbe(Subject<Real>& subject)
-      : subject_(subject), queries_(small_queries<Real>(subject.kernel())), said_(subject.ask(queries_)) {}
+      : subject_(subject),
+        queries_(scenes_of<Real>(subject.test()).small(subject.kernel())),
+        said_(subject.ask(queries_)) {}
 
   Found found() {
     if (auto kept = by_subnormal_queries()) return *kept;
@@ -91,7 +73,7 @@ class SubnormalProbe {
   std::optional<Found> by_subnormal_queries() {
     Queries<Real> queries;
     std::vector<Verdict> truths;
-    for (const auto& query : clear_queries<Real>(subject_.kernel(), 2 * small_scenes)) {
+    for (const auto& query : clear_queries<Real>(subject_.kernel(), subnormal_scenes)) {
       queries.push_back(in_unit(subject_.kernel(), query.numbers, std::numeric_limits<Real>::min_exponent - 3));
       truths.push_back(subject_.truth(queries.back()).verdict);
     }

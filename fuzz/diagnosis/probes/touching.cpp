@@ -1,5 +1,5 @@
 // The answer of a kernel at touching.
-#include <array>
+#include <cctype>
 
 #include "fuzz/diagnosis/probes/probes.h"
 #include "fuzz/diagnosis/probes/tallied.h"
@@ -12,39 +12,12 @@ namespace {
 
 // Beyond rounding where the numbers are small integers, and within the slack of what stops at a tolerance.
 constexpr double near_touching = 0x1p-16;
-constexpr std::size_t touching_of_each = 32, touching_of_other_tests = 96, least_of_other_tests = 16;
+constexpr std::size_t touching_count = 96;
 
-// Queries that touch, with the part of the triangle that is touched where that is known.
-template <class Real>
-struct TouchingQueries {
-  Queries<Real> queries;
-  std::vector<std::size_t> part;  // among the names
-  std::vector<std::string_view> parts;
-  std::size_t least;  // answers from which on something is said
-  std::string_view what, length;
-};
-
-template <class Real>
-TouchingQueries<Real> touching_of(Subject<Real>& subject) {
-  TouchingQueries<Real> found;
-  if (subject.is_first_test()) {
-    for (const auto& scene : touching_scenes<Real>(subject.seed(), touching_of_each)) {
-      found.queries.push_back(scene.query);
-      found.part.push_back(static_cast<std::size_t>(scene.part));
-    }
-    found.parts = {"face", "edge", "vertex"};
-    found.least = (3 * found.queries.size() + 3) / 4;
-    found.what = "spheres";
-    found.length = "radius";
-    return found;
-  }
-  found.queries = touching_queries(subject, touching_of_other_tests);
-  found.part.assign(found.queries.size(), 0);
-  found.parts = {"all"};
-  found.least = std::max(least_of_other_tests, (found.queries.size() + 1) / 2);
-  found.what = is_of_motions(subject.test()) ? "motions" : "pairs";
-  found.length = is_of_motions(subject.test()) ? "radius" : "half extents";
-  return found;
+std::string capitalised(std::string_view text) {
+  std::string capital(text);
+  capital[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(capital[0])));
+  return capital;
 }
 
 }  // namespace
@@ -54,7 +27,7 @@ Found at_touching(Subject<Real>& subject) {
   const Kernel& kernel = subject.kernel();
   if (!has_lengths(kernel))
     return unasked("No length of this entry could grow, by which touching is told from a slack.");
-  const TouchingQueries<Real> scenes = touching_of(subject);
+  const TouchingScenes<Real> scenes = scenes_of<Real>(*kernel.test).touching(subject, touching_count);
   const Queries<Real>& touching = scenes.queries;
   if (touching.empty())
     return unasked("No family of this entry touches without a rounding where the kernel promises an answer.");
@@ -90,10 +63,10 @@ Found at_touching(Subject<Real>& subject) {
                      measured);
   }
   std::vector<DiagnosisWitness> witnesses;
-  const std::string shows = subject.is_first_test() ? "the distance is the radius" : "the two touch, exactly";
+  const std::string shows(scenes.touches);
   if (contact) witnesses.push_back(subject.witness(touching[*contact], Verdict::contact, shows));
   if (apart) witnesses.push_back(subject.witness(touching[*apart], Verdict::separated, shows));
-  const char* where = subject.is_first_test() ? "At a distance of exactly r" : "Where the two touch, exactly,";
+  const std::string where = capitalised(scenes.where);
   if (apart && contact) {
     return decided(AtTouching::neither,
                    fmt::format("{} it says contact {} times and separated {} times, although hardly an operation is "
@@ -107,9 +80,9 @@ Found at_touching(Subject<Real>& subject) {
   std::size_t turned = 0;
   for (std::size_t i = 0; i < nearby.size(); ++i)
     turned +=
-        (subject.is_first_test() || is_counted[i]) && nearby[i] == (is_closed ? Verdict::separated : Verdict::contact);
+        (scenes.all_tell_of_slack || is_counted[i]) && nearby[i] == (is_closed ? Verdict::separated : Verdict::contact);
   const char* said_there = is_closed ? "contact" : "separated";
-  const std::size_t of = subject.is_first_test() ? touching.size() : counted;
+  const std::size_t of = scenes.all_tell_of_slack ? touching.size() : counted;
   if (4 * turned < 3 * of) {
     return undecided(
         fmt::format("{} it says {}, and so it does of {} of {} {} whose {} is {} by a part in 65536: a "
@@ -117,14 +90,10 @@ Found at_touching(Subject<Real>& subject) {
                     where, said_there, of - turned, of, scenes.what, scenes.length, is_closed ? "less" : "more"),
         measured);
   }
-  return decided(
-      is_closed ? AtTouching::closed : AtTouching::open,
-      subject.is_first_test()
-          ? fmt::format("The sphere is {}: at a distance of exactly r it says {}, {} times of {}.",
-                        is_closed ? "closed" : "open", said_there, counted, counted)
-          : fmt::format("What is asked about is {}: where the two touch, exactly, it says {}, {} times of {}.",
-                        is_closed ? "closed" : "open", said_there, counted, counted),
-      std::move(witnesses), measured);
+  return decided(is_closed ? AtTouching::closed : AtTouching::open,
+                 fmt::format("{} is {}: {} it says {}, {} times of {}.", scenes.whole, is_closed ? "closed" : "open",
+                             scenes.where, said_there, counted, counted),
+                 std::move(witnesses), measured);
 }
 template Found at_touching(Subject<float>&);
 template Found at_touching(Subject<double>&);

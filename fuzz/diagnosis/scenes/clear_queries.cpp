@@ -1,14 +1,26 @@
 #include "fuzz/diagnosis/scenes/clear_queries.h"
 
 #include <cmath>
-
-#include "fuzz/instruments/exponent_window.h"
+#include <limits>
 
 namespace axiscert::diagnosis {
 namespace {
 
 // Positions that are looked at for each query that is wanted.
 constexpr std::uint64_t most_positions = 64;
+constexpr std::size_t small_scenes = 32;
+
+// Clear queries in every unit between two, or in every third where there are many.
+template <class Real>
+Queries<Real> clear_in_units(const Kernel& kernel, std::size_t count, int first, int last) {
+  constexpr int step = sizeof(Real) == 4 ? 1 : 3;
+  Queries<Real> queries;
+  const auto clear = clear_queries<Real>(kernel, count);
+  for (int exponent = first; exponent <= last; exponent += step) {
+    for (const auto& query : clear) queries.push_back(in_unit(kernel, query.numbers, exponent));
+  }
+  return queries;
+}
 
 }  // namespace
 
@@ -26,14 +38,13 @@ const Family* plain_family(const Kernel& kernel) {
 
 template <class Real>
 std::vector<ClearQuery<Real>> clear_queries(const Kernel& kernel, std::size_t count) {
+  return scenes_of<Real>(*kernel.test).clear(kernel, count);
+}
+
+template <class Real>
+std::vector<ClearQuery<Real>> clear_by_depth(const Kernel& kernel, std::size_t count) {
   std::vector<ClearQuery<Real>> found;
   const Oracles& oracles = oracles_of(kernel);
-  if (kernel.test == &first_test()) {
-    for (const Query<Real>& q : window_queries<Real>()) {
-      if (found.size() < count) found.push_back({q, oracles.truth(Numbers<Real>(q)).verdict});
-    }
-    return found;
-  }
   const Family* family = plain_family(kernel);
   if (!family || !oracles.has_depth()) return found;
   for (std::uint64_t position = 0; found.size() < count && position < count * most_positions; ++position) {
@@ -60,6 +71,28 @@ Numbers<Real> in_unit(const Kernel& kernel, const Numbers<Real>& numbers, int ex
 }
 
 template <class Real>
+Queries<Real> small_of_high_degree(const Kernel& kernel) {
+  using Limits = std::numeric_limits<Real>;
+  return clear_in_units<Real>(kernel, small_scenes, Limits::min_exponent + Limits::digits + 2, 0);
+}
+
+template <class Real>
+Queries<Real> small_of_any_degree(const Kernel& kernel) {
+  constexpr int subnormal = std::numeric_limits<Real>::min_exponent - 3;
+  Queries<Real> queries = small_of_high_degree<Real>(kernel);
+  // Where all lengths are zero every answer is contact, so only separated scenes tell, which may be one in six.
+  const Queries<Real> lengths = clear_in_units<Real>(kernel, 8 * small_scenes, subnormal, subnormal);
+  queries.insert(queries.end(), lengths.begin(), lengths.end());
+  return queries;
+}
+
+// Families have numbers up to 16, and last bits below those of 1.
+ExponentWindow scanned_of_families(Precision precision) {
+  const ExponentWindow all = scanned_exponents(precision);
+  return {all.low + 30, all.high - 5};
+}
+
+template <class Real>
 std::optional<std::string> why_not_sound(Subject<Real>& subject) {
   const auto clear = clear_queries<Real>(subject.kernel(), 128);
   if (clear.empty()) return std::nullopt;
@@ -79,9 +112,12 @@ std::optional<std::string> why_not_sound(Subject<Real>& subject) {
       right, said.size(), contacts);
 }
 
-#define AXISCERT_INSTANCES(Real)                                                          \
-  template std::vector<ClearQuery<Real>> clear_queries<Real>(const Kernel&, std::size_t); \
-  template Numbers<Real> in_unit(const Kernel&, const Numbers<Real>&, int);               \
+#define AXISCERT_INSTANCES(Real)                                                           \
+  template std::vector<ClearQuery<Real>> clear_queries<Real>(const Kernel&, std::size_t);  \
+  template std::vector<ClearQuery<Real>> clear_by_depth<Real>(const Kernel&, std::size_t); \
+  template Queries<Real> small_of_high_degree<Real>(const Kernel&);                        \
+  template Queries<Real> small_of_any_degree<Real>(const Kernel&);                         \
+  template Numbers<Real> in_unit(const Kernel&, const Numbers<Real>&, int);                \
   template std::optional<std::string> why_not_sound(Subject<Real>&);
 AXISCERT_INSTANCES(float)
 AXISCERT_INSTANCES(double)

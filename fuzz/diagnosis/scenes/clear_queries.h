@@ -1,7 +1,7 @@
 // Queries of a kernel's test on which no rounding is to blame for a wrong answer, and their images in another unit.
 #pragma once
 
-#include "fuzz/diagnosis/subject.h"
+#include "fuzz/diagnosis/scenes/scenes.h"
 #include "fuzz/queries/family.h"
 
 namespace axiscert::diagnosis {
@@ -13,14 +13,8 @@ inline constexpr double clear_depth = 0x1p-6;
 // ("ends_general", "general_minmax"); null where there is none.
 const Family* plain_family(const Kernel& kernel);
 
-template <class Real>
-struct ClearQuery {
-  Numbers<Real> numbers;
-  Verdict truth;
-};
-
-// The first `count` queries of the test's plain family whose depth is above 2^-6; of sphere-triangle, those of the
-// ladder's range windows. The numbers are of the kernel's entry. Empty where the test has no depth or no such family.
+// The test's own, or the first `count` queries of its plain family whose depth is above 2^-6. The numbers are of the
+// kernel's entry. Empty where the test has no depth or no such family.
 template <class Real>
 std::vector<ClearQuery<Real>> clear_queries(const Kernel& kernel, std::size_t count);
 
@@ -30,6 +24,12 @@ bool is_of_motions(const TestDescription& test);
 // The query in another unit of length: places, lengths and displacements times 2^exponent. The axes of a box stay.
 template <class Real>
 Numbers<Real> in_unit(const Kernel& kernel, const Numbers<Real>& numbers, int exponent);
+
+// Clear queries times powers of two at which intermediate results, but not the query's numbers, become subnormal:
+// enough where comparisons are of a degree above 1. Those of boxes are not, and nothing becomes subnormal before their
+// lengths do.
+template <class Real>
+Queries<Real> small_of_high_degree(const Kernel& kernel);
 
 // Whether the kernel is right on clear queries of both verdicts at least two times in three: of one that is not, little
 // can be said by its answers. The sentence says how often it is right where it is not;

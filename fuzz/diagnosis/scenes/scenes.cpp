@@ -1,138 +1,49 @@
 #include "fuzz/diagnosis/scenes/scenes.h"
 
-#include <cmath>
-
-#include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "fuzz/files/symmetry.h"
+#include "fuzz/diagnosis/scenes/clear_queries.h"
+#include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/image_groups.h"
 
 namespace axiscert::diagnosis {
-namespace {
-
-using Whole = Vec3<int>;
 
 template <class Real>
-Vec3<Real> in_reals(const Whole& v) {
-  return {static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z)};
-}
-
-bool is_zero(const Whole& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
-
-Whole drawn(Stream& random, int greatest) {
-  const auto draw = [&] { return static_cast<int>(random.integer(-greatest, greatest)); };
-  const int x = draw(), y = draw(), z = draw();
-  return {x, y, z};
-}
-
-// A scene in another place: axes and vertices in another order, moved by small integers, times 1/2, 1 or 2.
-template <class Real>
-Query<Real> placed(Stream& random, const Query<Real>& q) {
-  const Query<Real> turned = image(q, symmetries()[static_cast<std::size_t>(random.below(symmetry_count))]);
-  const Vec3<Real> by = in_reals<Real>(drawn(random, 8));
-  const Query<Real> moved{turned.a + by, turned.b + by, turned.c + by, turned.p + by, turned.r};
-  return times_power(moved, static_cast<int>(random.integer(-1, 1)));
-}
-
-// Legs of length 8 along the axes.
-template <class Real>
-Query<Real> right_angled(const Whole& centre, int radius) {
-  return {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, in_reals<Real>(centre), static_cast<Real>(radius)};
+const Scenes<Real>& scenes_of(const TestDescription& test) {
+  static const DiagnosisScenes by_trait;
+  const DiagnosisScenes* own = capabilities_of(test).diagnosis_scenes;
+  const DiagnosisScenes& scenes = own ? *own : by_trait;
+  if constexpr (sizeof(Real) == 4) return scenes.binary32;
+  else return scenes.binary64;
 }
 
 template <class Real>
-Query<Real> touching(Stream& random, Part part) {
-  const int sign = random.coin() ? 1 : -1;
-  const auto from = [&](int least, int greatest) { return static_cast<int>(random.integer(least, greatest)); };
-  if (part == Part::face) {
-    const int x = from(1, 3), y = from(1, 3), h = from(1, 6);
-    return right_angled<Real>({x, y, sign * h}, h);
+Queries<Real> sharp_queries(const Kernel& kernel, std::uint64_t seed, std::size_t count) {
+  Queries<Real> queries;
+  if (const auto near_tie = scenes_of<Real>(*kernel.test).near_tie) {
+    for (std::uint64_t i = 0; i < count; ++i) queries.push_back(near_tie(seed, "sharp", i, no_axis));
+    return queries;
   }
-  if (part == Part::edge) {
-    const int k = from(1, 2), along = from(1, 7);
-    // Beside the edge AB, or in the plane.
-    constexpr int sides[][2] = {{3, 4}, {4, 3}, {5, 0}};
-    const auto& side = sides[random.below(3)];
-    return right_angled<Real>({along, -side[0] * k, sign * side[1] * k}, 5 * k);
+  std::vector<const Family*> families;
+  for (const Family* family : families_of(*kernel.test)) {
+    if (family->entry == kernel.entry && image_group(family->name) == nullptr) families.push_back(family);
   }
-  constexpr int vectors[][4] = {{1, 2, 2, 3}, {2, 3, 6, 7}, {4, 4, 7, 9}, {3, 4, 0, 5}, {6, 2, 3, 7}};
-  const auto& v = vectors[random.below(5)];
-  return right_angled<Real>({-v[0], -v[1], sign * v[2]}, v[3]);
+  for (std::uint64_t i = 0; i < count && !families.empty(); ++i) {
+    queries.push_back(families[i % families.size()]->make<Real>(seed, i / families.size()));
+  }
+  return queries;
 }
 
 template <class Real>
-Query<Real> flat(Stream& random, Flat kind, bool is_contact) {
-  for (;;) {
-    const Whole a = drawn(random, 4), d = drawn(random, 3), beside = drawn(random, 6);
-    if (is_zero(d) || is_zero(beside)) continue;
-    const auto at = [&](int t) { return in_reals<Real>(Whole{a.x + t * d.x, a.y + t * d.y, a.z + t * d.z}); };
-    std::array<Vec3<Real>, 3> vertices;
-    if (kind == Flat::point) vertices = {at(0), at(0), at(0)};
-    else if (kind == Flat::two_equal) vertices = {at(0), at(0), at(2)};
-    else vertices = {at(0), at(1), at(3)};
-    const auto turn = static_cast<std::size_t>(random.below(3));
-    Query<Real> q{vertices[turn], vertices[(turn + 1) % 3], vertices[(turn + 2) % 3], {}, 0};
-    // Near a point of the segment or, apart, also beyond its ends.
-    q.p = at(kind == Flat::point ? 0 : static_cast<int>(random.integer(is_contact ? 0 : -4, is_contact ? 2 : 6)));
-    const int scale = is_contact ? 1 : 2;
-    q.p = q.p + in_reals<Real>(Whole{scale * beside.x, scale * beside.y, scale * beside.z});
-    q.r = 1;
-    const double squared = nearest<double>(squared_distance(q));
-    if (squared == 0) continue;
-    // A power of two near four distances, or a quarter of one.
-    const int exponent = std::ilogb(std::sqrt(squared));
-    q.r = std::ldexp(Real(1), is_contact ? exponent + 3 : exponent - 2);
-    return q;
-  }
+Queries<Real> plain_queries(const Kernel& kernel, std::uint64_t seed, std::size_t count) {
+  Queries<Real> queries;
+  const Family* family = plain_family(kernel);
+  for (std::uint64_t i = 0; i < count && family; ++i) queries.push_back(family->make<Real>(seed, i));
+  return queries;
 }
 
-}  // namespace
-
-template <class Real>
-std::vector<TouchingScene<Real>> touching_scenes(std::uint64_t seed, std::size_t of_each) {
-  std::vector<TouchingScene<Real>> scenes;
-  for (const Part part : {Part::face, Part::edge, Part::vertex}) {
-    for (std::size_t i = 0; i < of_each; ++i) {
-      Stream random = stream_of(seed, "touching", precision_of<Real>, scenes.size());
-      const Query<Real> q = touching<Real>(random, part);
-      scenes.push_back({placed(random, q), part});
-    }
-  }
-  return scenes;
-}
-
-template <class Real>
-std::vector<SidedScene<Real>> sided_scenes(std::uint64_t seed, std::size_t count) {
-  std::vector<SidedScene<Real>> scenes;
-  while (scenes.size() < count) {
-    Stream random = stream_of(seed, "sides", precision_of<Real>, scenes.size());
-    const int x = static_cast<int>(random.integer(1, 3)), y = static_cast<int>(random.integer(1, 3)),
-              h = static_cast<int>(random.integer(1, 4));
-    const int sign = scenes.size() % 2 == 0 ? 1 : -1;
-    const Query<Real> q = placed(random, right_angled<Real>({x, y, sign * h}, 2 * h));
-    // Small integers over 2: exact in any precision.
-    const Real offset = dot(q.p - q.a, cross(q.b - q.a, q.c - q.a));
-    scenes.push_back({q, offset > 0});
-  }
-  return scenes;
-}
-
-template <class Real>
-std::vector<FlatScene<Real>> flat_scenes(std::uint64_t seed, std::size_t of_each) {
-  std::vector<FlatScene<Real>> scenes;
-  for (const Flat kind : {Flat::point, Flat::two_equal, Flat::collinear}) {
-    for (std::size_t i = 0; i < of_each; ++i) {
-      Stream random = stream_of(seed, "flat", precision_of<Real>, scenes.size());
-      const bool is_contact = i % 2 == 0;
-      scenes.push_back({flat<Real>(random, kind, is_contact), kind, is_contact});
-    }
-  }
-  return scenes;
-}
-
-#define AXISCERT_INSTANCES(Real)                                                               \
-  template std::vector<TouchingScene<Real>> touching_scenes<Real>(std::uint64_t, std::size_t); \
-  template std::vector<SidedScene<Real>> sided_scenes<Real>(std::uint64_t, std::size_t);       \
-  template std::vector<FlatScene<Real>> flat_scenes<Real>(std::uint64_t, std::size_t);
+#define AXISCERT_INSTANCES(Real)                                                         \
+  template const Scenes<Real>& scenes_of(const TestDescription&);                        \
+  template Queries<Real> sharp_queries<Real>(const Kernel&, std::uint64_t, std::size_t); \
+  template Queries<Real> plain_queries<Real>(const Kernel&, std::uint64_t, std::size_t);
 AXISCERT_INSTANCES(float)
 AXISCERT_INSTANCES(double)
 #undef AXISCERT_INSTANCES

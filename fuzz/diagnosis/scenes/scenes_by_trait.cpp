@@ -3,13 +3,17 @@
 #include <cmath>
 
 #include "fuzz/diagnosis/scenes/clear_queries.h"
+#include "fuzz/instruments/critical_distance.h"
 #include "fuzz/queries/image_groups.h"
 
 namespace axiscert::diagnosis {
 namespace {
 
 // Positions that are looked at, of each family.
-constexpr std::uint64_t touching_positions = 16384, sided_positions = 4096, flat_positions = 8192;
+constexpr std::uint64_t touching_positions = 16384, sided_positions = 4096, flat_positions = 8192,
+                        turning_positions = 8192;
+// Answers at touching from which on something is said.
+constexpr std::size_t least_touching = 16;
 // Coordinates of vertices of flat triangles are multiples of this, so that the middle of two is a number.
 constexpr double vertex_grid = 0x1p-6;
 
@@ -117,8 +121,9 @@ Numbers<Real> with_lengths_times(const Kernel& kernel, Numbers<Real> query, Real
   return query;
 }
 
+// Queries of the families whose arithmetic is exact; plump.
 template <class Real>
-Queries<Real> touching_queries(Subject<Real>& subject, std::size_t count) {
+TouchingScenes<Real> touching_by_trait(Subject<Real>& subject, std::size_t count) {
   const Kernel& kernel = subject.kernel();
   const Oracles& oracles = oracles_of(kernel);
   Queries<Real> found;
@@ -136,16 +141,36 @@ Queries<Real> touching_queries(Subject<Real>& subject, std::size_t count) {
       if (oracles.is_promised(kernel.motion, larger)) found.push_back(query);
     }
   }
-  return found;
+  const bool motions = is_of_motions(subject.test());
+  return {.queries = found,
+          .part = std::vector<std::size_t>(found.size(), 0),
+          .parts = {"all"},
+          .least = std::max(least_touching, (found.size() + 1) / 2),
+          .all_tell_of_slack = false,
+          .what = motions ? "motions" : "pairs",
+          .length = motions ? "radius" : "half extents",
+          .whole = "What is asked about",
+          .where = "where the two touch, exactly,",
+          .touches = "the two touch, exactly"};
 }
 
+// From where the box's centre is, or the moving centre before the motion, which goes to the other side and is clear of
+// the triangle at first.
 template <class Real>
-std::vector<SidedQuery<Real>> sided_queries(Subject<Real>& subject, std::size_t count) {
-  std::vector<SidedQuery<Real>> found;
+SidedScenes<Real> sided_by_trait(Subject<Real>& subject, std::size_t count) {
+  const bool motions = is_of_motions(subject.test());
+  SidedScenes<Real> scenes = {
+      .queries = {},
+      .apart = {},
+      .what = motions ? "motions" : "boxes",
+      .whose = "what comes from",
+      .front = motions ? "the motion comes from in front of the face" : "the centre of the box is in front of the face",
+      .behind = motions ? "the motion comes from behind the face" : "the centre of the box is behind the face"};
+  std::vector<SidedQuery<Real>>& found = scenes.queries;
   const Kernel& kernel = subject.kernel();
   const Family* family = plain_family(kernel);
   const Oracles& oracles = oracles_of(kernel);
-  if (!family || !oracles.has_depth()) return found;
+  if (!family || !oracles.has_depth()) return scenes;
   std::array<std::size_t, 2> of_side{};
   for (std::uint64_t position = 0; position < sided_positions && found.size() < count; ++position) {
     const Numbers<Real> query = family->make<Real>(subject.seed(), position);
@@ -162,16 +187,18 @@ std::vector<SidedQuery<Real>> sided_queries(Subject<Real>& subject, std::size_t 
     ++of_side[is_front];
     found.push_back({query, is_front});
   }
-  return found;
+  return scenes;
 }
 
+// Queries of the plain family, clear of touching. What the kernel does not promise is left out.
 template <class Real>
-std::vector<FlatQuery<Real>> flat_queries(Subject<Real>& subject, std::size_t of_each) {
-  std::vector<FlatQuery<Real>> found;
+FlatScenes<Real> flat_by_trait(Subject<Real>& subject, std::size_t of_each) {
+  FlatScenes<Real> scenes = {.queries = {}, .apart = "is apart", .contact = "is in contact"};
+  std::vector<FlatQuery<Real>>& found = scenes.queries;
   const Kernel& kernel = subject.kernel();
   const Family* family = plain_family(kernel);
   const Oracles& oracles = oracles_of(kernel);
-  if (!family || !oracles.has_depth() || !vertex_columns(kernel)) return found;
+  if (!family || !oracles.has_depth() || !vertex_columns(kernel)) return scenes;
   for (const Flat flat : {Flat::point, Flat::two_equal, Flat::collinear}) {
     std::array<std::vector<Numbers<Real>>, 2> by_contact;
     const auto is_full = [&](const auto& queries) { return queries.size() >= of_each / 2; };
@@ -188,16 +215,56 @@ std::vector<FlatQuery<Real>> flat_queries(Subject<Real>& subject, std::size_t of
       for (std::size_t i = 0; i < pairs; ++i) found.push_back({by_contact[is_contact][i], flat, is_contact});
     }
   }
-  return found;
+  return scenes;
 }
 
-#define AXISCERT_INSTANCES(Real)                                                     \
-  template Numbers<Real> without_motion(const Kernel&, Numbers<Real>);               \
-  template bool is_plump(const Kernel&, const Numbers<Real>&);                       \
-  template Numbers<Real> with_lengths_times(const Kernel&, Numbers<Real>, Real);     \
-  template Queries<Real> touching_queries(Subject<Real>&, std::size_t);              \
-  template std::vector<SidedQuery<Real>> sided_queries(Subject<Real>&, std::size_t); \
-  template std::vector<FlatQuery<Real>> flat_queries(Subject<Real>&, std::size_t);
+// Queries of the plain family whose answer turns at a radius between 1/8 and 4, or half extent, and does not near it.
+template <class Real>
+TurningScenes<Real> turning_by_trait(Subject<Real>& subject, std::size_t count) {
+  const Kernel& kernel = subject.kernel();
+  const CriticalDistance distance = critical_distance_of(*kernel.test, kernel.entry);
+  const Oracles& oracles = oracles_of(kernel);
+  TurningScenes<Real> scenes{{}, distance.radius, {}, {}, "the vertices", "the motion", why_not_sound(subject)};
+  if (scenes.why_none) return scenes;
+  const auto vertices = vertex_columns(kernel);
+  if (!vertices) scenes.first = "A's place", scenes.second = "B's place";
+  const std::vector<TestColumn>& columns = kernel.test->entries[kernel.entry].columns;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const bool is_of_first = vertices ? k < 9 : columns[k].name.starts_with("a.");
+    const bool is_place = columns[k].role == Role::coordinate || (vertices && columns[k].role == Role::direction);
+    scenes.is_of_first.push_back(is_place && is_of_first);
+    scenes.is_of_second.push_back(is_place && !is_of_first);
+  }
+  const Family* family = plain_family(kernel);
+  for (std::uint64_t i = 0; family && i < turning_positions && scenes.queries.size() < count; ++i) {
+    Numbers<Real> query = family->make<Real>(subject.seed(), i);
+    if (!is_plump(kernel, query)) continue;
+    Numbers<double> wide(query.size());
+    std::copy(query.begin(), query.end(), wide.begin());
+    const std::optional<Rational> squared = distance.squared(wide);
+    const auto critical = squared ? sqrt_rounded_up<Real>(*squared) : std::nullopt;
+    if (!critical || *critical < Real(0.125) || *critical > Real(4)) continue;
+    const auto at = [&](double factor) {
+      Numbers<Real> other = query;
+      other[distance.radius] = *critical * static_cast<Real>(factor);
+      return other;
+    };
+    const Numbers<Real> low = at(1 - turning_range), high = at(1 + turning_range);
+    if (oracles.truth(low).verdict != Verdict::separated || oracles.truth(high).verdict != Verdict::contact) continue;
+    if (oracles.is_promised(kernel.motion, low) && oracles.is_promised(kernel.motion, high))
+      scenes.queries.push_back(at(1));
+  }
+  return scenes;
+}
+
+#define AXISCERT_INSTANCES(Real)                                                 \
+  template Numbers<Real> without_motion(const Kernel&, Numbers<Real>);           \
+  template bool is_plump(const Kernel&, const Numbers<Real>&);                   \
+  template Numbers<Real> with_lengths_times(const Kernel&, Numbers<Real>, Real); \
+  template TouchingScenes<Real> touching_by_trait(Subject<Real>&, std::size_t);  \
+  template SidedScenes<Real> sided_by_trait(Subject<Real>&, std::size_t);        \
+  template FlatScenes<Real> flat_by_trait(Subject<Real>&, std::size_t);          \
+  template TurningScenes<Real> turning_by_trait(Subject<Real>&, std::size_t);
 AXISCERT_INSTANCES(float)
 AXISCERT_INSTANCES(double)
 #undef AXISCERT_INSTANCES
