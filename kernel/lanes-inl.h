@@ -122,9 +122,8 @@ AXISCERT_INLINE void verdicts_in_lanes(const QueryColumns<Real>& batch, Verdict*
 
 // Calls one_vector(from, at, i, count) for each vector of a batch: the lanes from query `at` of `from` on, of which
 // `count` are queries i, i + 1, ... of the batch.
-template <class Real, class OneVector>
+template <class Real, std::size_t lanes = hn::MaxLanes(hn::ScalableTag<Real>()), class OneVector>
 AXISCERT_INLINE void for_each_vector(const QueryColumns<Real>& batch, OneVector&& one_vector) {
-  constexpr std::size_t lanes = hn::MaxLanes(hn::ScalableTag<Real>());
   std::size_t i = 0;
   for (; i + lanes <= batch.size; i += lanes) one_vector(batch, i, i, lanes);
   if (i == batch.size) return;

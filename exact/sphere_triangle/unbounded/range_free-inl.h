@@ -1,7 +1,5 @@
 // Number types of R-infinity over Highway vectors of doubles, one query per lane, and the pass over a batch. No guard:
 // included once for each of Highway's instruction sets.
-#include <cstring>
-
 HWY_BEFORE_NAMESPACE();
 namespace axiscert {
 namespace HWY_NAMESPACE {
@@ -129,21 +127,16 @@ template <class F, class Real, Strictness strictness>
 void range_free_bits(const QueryColumns<Real>& batch, ComparisonBits* out) {
   using T = RangeFree<Real>;
   constexpr std::size_t lanes = hn::MaxLanes(D());
-  const auto one_vector = [](const QueryColumns<Real>& from, std::size_t at, ComparisonBits* to,
-                             std::size_t count) HWY_ATTR {
-    const auto number = [&](std::size_t k) HWY_ATTR { return T::of(load_wide(from.column[k] + at)); };
-    const auto vec = [&](std::size_t k) HWY_ATTR { return Vec3<T>{number(k), number(k + 1), number(k + 2)}; };
-    RangeFreeSink<strictness> sink{hn::Zero(Words())};
-    F::comparisons(Problem<T>{vec(0), vec(3), vec(6), vec(9), number(12), T::of(hn::Zero(D()))}, sink);
-    std::uint64_t each[lanes];
-    hn::StoreU(sink.words, Words(), each);
-    for (std::size_t j = 0; j < count; ++j) to[j] = static_cast<ComparisonBits>(each[j]);
-  };
-  std::size_t i = 0;
-  for (; i + lanes <= batch.size; i += lanes) one_vector(batch, i, out + i, lanes);
-  if (i == batch.size) return;
-  with_padded_tail<Real, lanes>(
-      batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR { one_vector(tail, 0, out + i, tail.size); });
+  for_each_vector<Real, lanes>(
+      batch, [out](const QueryColumns<Real>& from, std::size_t at, std::size_t i, std::size_t count) HWY_ATTR {
+        const auto number = [&](std::size_t k) HWY_ATTR { return T::of(load_wide(from.column[k] + at)); };
+        const auto vec = [&](std::size_t k) HWY_ATTR { return Vec3<T>{number(k), number(k + 1), number(k + 2)}; };
+        RangeFreeSink<strictness> sink{hn::Zero(Words())};
+        F::comparisons(Problem<T>{vec(0), vec(3), vec(6), vec(9), number(12), T::of(hn::Zero(D()))}, sink);
+        std::uint64_t each[lanes];
+        hn::StoreU(sink.words, Words(), each);
+        for (std::size_t j = 0; j < count; ++j) out[i + j] = static_cast<ComparisonBits>(each[j]);
+      });
 }
 
 template <class F, class Real>

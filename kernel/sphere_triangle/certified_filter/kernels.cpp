@@ -1,8 +1,6 @@
 // The filters on every instruction set, one query per lane, and one query at a time.
 #include "kernel/sphere_triangle/certified_filter/kernels.h"
 
-#include <cstring>
-
 #include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/sphere_triangle/certified_filter/scalar.h"
 #include "kernel/sphere_triangle/forms/simd.h"
@@ -39,43 +37,27 @@ struct FilterForms {
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
 
-// The operations of a number type that kernel/sphere_triangle/certified_filter/filter.h requires.
-template <class V>
-AXISCERT_INLINE Lanes<V> magnitude(const Lanes<V>& x) {
-  return {hn::Abs(x.v)};
-}
+// The operations of a number type that kernel/sphere_triangle/certified_filter/filter.h requires beside those of
+// kernel/lanes-inl.h.
 template <class V>
 AXISCERT_INLINE Lanes<V> negated(const Lanes<V>& x) {
   return {hn::Neg(x.v)};
 }
 template <class V>
 AXISCERT_INLINE Lanes<V> greater_of(const Lanes<V>& x, const Lanes<V>& y) {
-  return {hn::IfThenElse(hn::Lt(x.v, y.v), y.v, x.v)};
+  return chosen(y > x, y, x);
 }
 template <class V>
 AXISCERT_INLINE Lanes<V> constant_as(const Lanes<V>&, hn::TFromV<V> c) {
   return {hn::Set(hn::DFromV<V>(), c)};
 }
-// A relation by lane; it is in this namespace so that templates find its operations.
-template <class M>
-struct LaneMask {
-  M m;
-};
 template <class V>
-AXISCERT_INLINE auto less(const Lanes<V>& x, const Lanes<V>& y) {
-  return LaneMask<decltype(hn::Lt(x.v, y.v))>{hn::Lt(x.v, y.v)};
+AXISCERT_INLINE HeldLanes<V> less(const Lanes<V>& x, const Lanes<V>& y) {
+  return y > x;
 }
 template <class V>
-AXISCERT_INLINE auto at_most(const Lanes<V>& x, const Lanes<V>& y) {
-  return LaneMask<decltype(hn::Le(x.v, y.v))>{hn::Le(x.v, y.v)};
-}
-template <class M>
-AXISCERT_INLINE LaneMask<M> both(const LaneMask<M>& p, const LaneMask<M>& q) {
-  return {hn::And(p.m, q.m)};
-}
-template <class M>
-AXISCERT_INLINE LaneMask<M> either(const LaneMask<M>& p, const LaneMask<M>& q) {
-  return {hn::Or(p.m, q.m)};
+AXISCERT_INLINE HeldLanes<V> at_most(const Lanes<V>& x, const Lanes<V>& y) {
+  return y >= x;
 }
 
 // Filters the vector that begins at query `at` of `from`, and writes the first `count` verdicts to `out`.
@@ -96,13 +78,8 @@ AXISCERT_INLINE void filter_vector(const QueryColumns<Real>& from, std::size_t a
 
 template <class Filter, class Real>
 void filter_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
-  constexpr std::size_t lanes = hn::MaxLanes(hn::ScalableTag<Real>());
-  std::size_t i = 0;
-  for (; i + lanes <= batch.size; i += lanes) filter_vector<Filter, Real>(batch, i, lanes, out + i);
-  if (i == batch.size) return;
-  with_padded_tail<Real, lanes>(batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR {
-    filter_vector<Filter, Real>(tail, 0, tail.size, out + i);
-  });
+  for_each_vector(batch, [out](const QueryColumns<Real>& from, std::size_t at, std::size_t i, std::size_t count)
+                             HWY_ATTR { filter_vector<Filter, Real>(from, at, count, out + i); });
 }
 
 FilterForms filter_forms() {

@@ -1,26 +1,11 @@
 // A set of ring formulae over Highway vectors, one query per lane, for the instruction set that foreach_target is
 // compiling. The including file has defined AXISCERT_PER_TARGET and included the formulae.
-#include <cstring>
-
+#include "kernel/lanes-inl.h"
 #include "kernel/sphere_triangle/query.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-// The number type of the formulae: N queries at once, one rounding per operation.
-template <class V>
-struct Lanes {
-  V v;
-  AXISCERT_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) { return {hn::Add(a.v, b.v)}; }
-  AXISCERT_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) { return {hn::Sub(a.v, b.v)}; }
-  AXISCERT_INLINE friend Lanes operator*(const Lanes& a, const Lanes& b) { return {hn::Mul(a.v, b.v)}; }
-  AXISCERT_INLINE friend Lanes operator/(const Lanes& a, const Lanes& b) { return {hn::Div(a.v, b.v)}; }
-};
-
-template <class D>
-using LanesOf = Lanes<hn::Vec<D>>;
 
 template <class D, class Real = hn::TFromD<D>>
 AXISCERT_INLINE Problem<LanesOf<D>> load(D d, const QueryColumns<Real>& batch, std::size_t i) {
@@ -34,78 +19,42 @@ AXISCERT_INLINE Problem<LanesOf<D>> load(D d, const QueryColumns<Real>& batch, s
           T{hn::Zero(d)}};
 }
 
+// `which` is a constant to the compiler wherever a sink is called.
 template <Strictness strictness, class T>
 AXISCERT_INLINE auto lanes_hold(Comparison which, const T& lhs, const T& rhs) {
   const bool nonstrict = strictness == Strictness::nonstrict && !info(which).is_radius;
-  return nonstrict ? hn::Ge(lhs.v, rhs.v) : hn::Gt(lhs.v, rhs.v);
+  return nonstrict ? lhs >= rhs : lhs > rhs;
 }
 
 // Keeps, for the current axis, the lanes in which every comparison so far holds, and the lanes in which some axis
 // separates. The comparisons of an axis are emitted one after the other.
 template <class D, Strictness strictness>
 struct VerdictSink {
-  using M = hn::Mask<D>;
-  M any, axis;
+  HeldLanes<hn::Vec<D>> any, axis;
   template <class T>
   AXISCERT_INLINE void operator()(Comparison which, const T& lhs, const T& rhs) {
-    const M m = lanes_hold<strictness>(which, lhs, rhs);
-    axis = info(which).is_radius ? m : hn::And(axis, m);
+    const auto holds = lanes_hold<strictness>(which, lhs, rhs);
+    axis = info(which).is_radius ? holds : both(axis, holds);
     const bool last = index_of(which) + 1 == comparison_count || comparisons[index_of(which) + 1].is_radius;
-    if (last) any = hn::Or(any, axis);
+    if (last) any = either(any, axis);
   }
 };
 
-// Spreads the low eight bits over eight bytes of 0 or 1: the verdicts `contact` and `separated`.
-AXISCERT_INLINE void store_verdicts(std::uint8_t bits, Verdict* out) {
-  const std::uint64_t each = (bits * 0x0101010101010101ull) & 0x8040201008040201ull;
-  const std::uint64_t ones = ((each + 0x7f7f7f7f7f7f7f7full) >> 7) & 0x0101010101010101ull;
-  std::memcpy(out, &ones, sizeof ones);
-}
-
-template <class F, class Real, Strictness strictness>
-AXISCERT_INLINE std::uint64_t separated_mask(const QueryColumns<Real>& batch, std::size_t i) {
-  const hn::ScalableTag<Real> d;
-  const auto none = hn::MaskFromVec(hn::Zero(d));
-  VerdictSink<decltype(d), strictness> sink{none, none};
-  F::comparisons(load(d, batch, i), sink);
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(d, sink.any, bytes);
-  std::uint64_t bits;
-  std::memcpy(&bits, bytes, sizeof bits);
-  return bits;
-}
-
-// Runs body on a padded copy of the queries after the last whole block, so that no lane reads outside the batch.
-template <class Real, std::size_t block, class Body>
-void with_padded_tail(const QueryColumns<Real>& batch, std::size_t begin, Body&& body) {
-  Real storage[coordinate_count][block] = {};
-  QueryColumns<Real> tail;
-  tail.size = batch.size - begin;
-  tail.count = coordinate_count;
-  for (std::size_t k = 0; k < coordinate_count; ++k) {
-    std::memcpy(storage[k], batch.column[k] + begin, tail.size * sizeof(Real));
-    tail.column[k] = storage[k];
+template <class F, Strictness strictness>
+struct SeparatedByAxes {
+  template <class Real>
+  AXISCERT_INLINE static std::uint64_t separated(const QueryColumns<Real>& batch, std::size_t i) {
+    const hn::ScalableTag<Real> d;
+    const auto none = hn::MaskFromVec(hn::Zero(d));
+    VerdictSink<decltype(d), strictness> sink{{none}, {none}};
+    F::comparisons(load(d, batch, i), sink);
+    return bits_of_mask(d, sink.any.m);
   }
-  body(tail);
-}
+};
 
 template <class F, class Real, Strictness strictness>
 void verdicts(const QueryColumns<Real>& batch, Verdict* out) {
-  constexpr std::size_t lanes = hn::MaxLanes(hn::ScalableTag<Real>());
-  constexpr std::size_t block = lanes > 8 ? lanes : 8;
-  const auto one_block = [](const QueryColumns<Real>& from, std::size_t i, Verdict* to) HWY_ATTR {
-    std::uint64_t bits = 0;
-    for (std::size_t k = 0; k < block; k += lanes) bits |= separated_mask<F, Real, strictness>(from, i + k) << k;
-    for (std::size_t k = 0; k < block; k += 8) store_verdicts(static_cast<std::uint8_t>(bits >> k), to + k);
-  };
-  std::size_t i = 0;
-  for (; i + block <= batch.size; i += block) one_block(batch, i, out + i);
-  if (i == batch.size) return;
-  with_padded_tail<Real, block>(batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR {
-    Verdict padded[block];
-    one_block(tail, 0, padded);
-    std::memcpy(out + i, padded, tail.size * sizeof(Verdict));
-  });
+  verdicts_in_lanes<SeparatedByAxes<F, strictness>>(batch, out);
 }
 
 // Collects the comparison bits of each lane in a word of the lane's width.
@@ -120,7 +69,7 @@ struct BitsSink {
   template <class T>
   AXISCERT_INLINE void operator()(Comparison which, const T& lhs, const T& rhs) {
     const auto bit = hn::Set(Words(), one_bit<hn::TFromD<Words>>(which));
-    const auto held = hn::IfThenElseZero(lanes_hold<strictness>(which, lhs, rhs), hn::BitCast(D(), bit));
+    const auto held = hn::IfThenElseZero(lanes_hold<strictness>(which, lhs, rhs).m, hn::BitCast(D(), bit));
     words = hn::Or(words, hn::BitCast(Words(), held));
   }
   AXISCERT_INLINE void store(ComparisonBits* out, std::size_t count) const {
@@ -133,18 +82,12 @@ struct BitsSink {
 template <class F, class Real, Strictness strictness>
 void comparison_bits(const QueryColumns<Real>& batch, ComparisonBits* out) {
   using D = hn::ScalableTag<Real>;
-  constexpr std::size_t lanes = hn::MaxLanes(D());
-  const auto one_vector = [](const QueryColumns<Real>& from, std::size_t at, ComparisonBits* to, std::size_t count)
-                              HWY_ATTR {
-                                BitsSink<D, strictness> sink;
-                                F::comparisons(load(D(), from, at), sink);
-                                sink.store(to, count);
-                              };
-  std::size_t i = 0;
-  for (; i + lanes <= batch.size; i += lanes) one_vector(batch, i, out + i, lanes);
-  if (i == batch.size) return;
-  with_padded_tail<Real, lanes>(
-      batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR { one_vector(tail, 0, out + i, tail.size); });
+  for_each_vector(batch,
+                  [out](const QueryColumns<Real>& from, std::size_t at, std::size_t i, std::size_t count) HWY_ATTR {
+                    BitsSink<D, strictness> sink;
+                    F::comparisons(load(D(), from, at), sink);
+                    sink.store(out + i, count);
+                  });
 }
 
 template <class D, Strictness strictness>
@@ -159,41 +102,21 @@ struct ExplainSink : BitsSink<D, strictness> {
   template <class T>
   AXISCERT_INLINE void operator()(Comparison which, const T& lhs, const T& rhs) {
     const auto k = index_of(which);
-    store_side(lhs.v, out.lhs[k]);
-    store_side(rhs.v, out.rhs[k]);
+    store_lanes(D(), lhs.v, count, out.lhs[k].data() + i);
+    store_lanes(D(), rhs.v, count, out.rhs[k].data() + i);
     Base::operator()(which, lhs, rhs);
-  }
-  template <class V>
-  AXISCERT_INLINE void store_side(const V& v, std::vector<Real>& column) {
-    if (count == Base::lanes) {
-      hn::StoreU(v, D(), column.data() + i);
-      return;
-    }
-    Real buffer[Base::lanes];
-    hn::StoreU(v, D(), buffer);
-    std::memcpy(column.data() + i, buffer, count * sizeof(Real));
   }
 };
 
-// Evaluates the vector that begins at query `at` of `from` and writes it to entries i to i + count of `out`.
-template <class F, class Real, Strictness strictness>
-AXISCERT_INLINE void explain_vector(const QueryColumns<Real>& from, std::size_t at, std::size_t i, std::size_t count,
-                                    Answers<Real>& out) {
-  using D = hn::ScalableTag<Real>;
-  ExplainSink<D, strictness> sink(out, i, count);
-  F::comparisons(load(D(), from, at), sink);
-  sink.store(out.bits.data() + i, count);
-}
-
 template <class F, class Real, Strictness strictness>
 void explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
-  constexpr std::size_t lanes = hn::MaxLanes(hn::ScalableTag<Real>());
-  std::size_t i = 0;
-  for (; i + lanes <= batch.size; i += lanes) explain_vector<F, Real, strictness>(batch, i, i, lanes, out);
-  if (i == batch.size) return;
-  with_padded_tail<Real, lanes>(batch, i, [&](const QueryColumns<Real>& tail) HWY_ATTR {
-    explain_vector<F, Real, strictness>(tail, 0, i, tail.size, out);
-  });
+  using D = hn::ScalableTag<Real>;
+  for_each_vector(batch,
+                  [&out](const QueryColumns<Real>& from, std::size_t at, std::size_t i, std::size_t count) HWY_ATTR {
+                    ExplainSink<D, strictness> sink(out, i, count);
+                    F::comparisons(load(D(), from, at), sink);
+                    sink.store(out.bits.data() + i, count);
+                  });
 }
 
 template <class F, class Real>
