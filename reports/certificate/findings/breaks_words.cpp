@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fuzz/diagnosis/diagnosis.h"
+#include "reports/certificate/findings/test_words.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -43,19 +44,12 @@ constexpr Peculiarity peculiarities[] = {
     {"neighbours", "depends", "depends on the other queries of the batch"},
 };
 
-// The part of the documents on what the built-in kernels of a test answer.
-std::string_view section_of_forms(const Json& test) {
-  if (test == "moving-sphere") return "docs/moving.md#what-each-method-gets-wrong-over-the-reals";
-  if (test == "sphere-triangle") return "docs/kernels.md#what-each-answers";
-  return "docs/boxes.md#from-the-definition-to-the-books";
-}
-
 // A property of a kernel in words, where others were said before or not; empty where there is nothing to say.
 std::string said_of(const Json& property, const Json& kernel, bool has_others) {
   const std::string value = property["value"];
   if (property["name"] == "nearest_form" && value != not_known && value != not_asked && kernel["id"] != value)
     return fmt::format("{}answers as {} does, see {}", has_others ? "otherwise " : "", value,
-                       section_of_forms(kernel["test"]));
+                       words_of(find_test(kernel["test"].get<std::string>())).section_of_forms);
   for (const Peculiarity& known : peculiarities) {
     if (property["name"] == known.property && value == known.value) return std::string(known.says);
   }

@@ -1,8 +1,6 @@
-// Situations: what the family of a query says of a wrong answer, where nothing but the verdict is seen. Of tests other
-// than sphere-triangle, whose wrong verdicts have the class of their input instead.
+// Situations: what the family of a query says of a wrong answer, where nothing but the verdict is seen.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,16 +17,12 @@ struct Situation {
   std::string_view families;  // their names without the test's id, separated by blanks
 };
 
-// Those of a test, the most everyday ones first; none of sphere-triangle. The last takes queries of no family, as those
-// of a mesh are.
-std::span<const Situation> situations_of(std::string_view test);
-
 // A depth, relative to the scene, from which on roundings near touching are not to blame.
 inline constexpr double visible_depth = 0.001;
 
 // The situations in which a kernel is wrong, an entry for each precision: precision, situation, meaning, families
 // (those with a wrong verdict, the deepest first), missed, deepest_missed, phantom, deepest_phantom, advice, section.
-// In the order of situations_of(). Depths are numbers here.
+// In the order of TestWords::situations. Depths are numbers here.
 Json situations_json(const Json& record, const std::string& kernel);
 
 // The entry of these that breaks first: the most everyday one with missed contacts of a visible depth, else with such
