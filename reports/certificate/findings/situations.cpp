@@ -46,7 +46,7 @@ struct WrongVerdicts {
 
 Json situations_json(const Json& record, const std::string& kernel) {
   Json found = Json::array();
-  const std::span<const Situation> situations = words_of(test_of(record["plan"])).situations;
+  const std::span<const Situation> situations = test_words_of(test_of(record["plan"])).situations;
   for (const Situation& situation : situations) {
     for (const Json& entry : record["kernels"]) {
       if (entry["id"] != kernel) continue;

@@ -49,7 +49,7 @@ bool is_there(std::string_view section) {
 
 TEST(Situations, HaveEveryFamilyOfOtherTestsOnce) {
   for (const TestDescription* test : tests()) {
-    const auto situations = words_of(*test).situations;
+    const auto situations = test_words_of(*test).situations;
     EXPECT_EQ(situations.empty(), test == &first_test()) << test->id;
     std::multiset<std::string> named;
     for (const Situation& situation : situations) {
@@ -66,7 +66,7 @@ TEST(Situations, HaveEveryFamilyOfOtherTestsOnce) {
 TEST(Situations, AndCausesPointToSectionsThatAreThere) {
   EXPECT_FALSE(is_there("docs/moving.md#nowhere"));
   for (const TestDescription* test : tests()) {
-    for (const Situation& situation : words_of(*test).situations)
+    for (const Situation& situation : test_words_of(*test).situations)
       EXPECT_TRUE(is_there(situation.section)) << situation.section;
   }
   for (const std::string_view section : advised_sections()) EXPECT_TRUE(is_there(section)) << section;

@@ -13,7 +13,7 @@ namespace axiscert {
 AXISCERT_TESTS(AXISCERT_DECLARE)
 #undef AXISCERT_DECLARE
 
-const TestWords& words_of(const TestDescription& test) {
+const TestWords& test_words_of(const TestDescription& test) {
 #define AXISCERT_FIND(name) \
   if (&test == &name##_test()) return name##_words();
   AXISCERT_TESTS(AXISCERT_FIND)

@@ -18,6 +18,6 @@ struct TestWords {
 };
 
 // Of a test on the list of kernel/test_list.h: NAME_words() of its room.
-const TestWords& words_of(const TestDescription& test);
+const TestWords& test_words_of(const TestDescription& test);
 
 }  // namespace axiscert
