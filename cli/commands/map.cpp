@@ -14,9 +14,7 @@
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
-#include "kernel/moving_sphere/moving_sphere.h"
 #include "kernel/registry/self_check.h"
-#include "kernel/sphere_triangle/description.h"
 #include "fuzz/confirm/finding_record.h"
 #include "reports/instrument/map.h"
 #include "reports/wording/reproduce.h"
@@ -37,9 +35,8 @@ struct MapOptions {
 
 // The pixels each way of a map with filters, and of one that is drawn by oracles alone.
 constexpr std::size_t filtered_size = 256, exact_size = 64;
-std::size_t default_size(const StoredQuery& witness) {
-  return witness.test == &first_test() ? filtered_size : exact_size;
-}
+bool has_filters(const StoredQuery& witness) { return oracles_of(*witness.test, witness.entry).has_filters(); }
+std::size_t default_size(const StoredQuery& witness) { return has_filters(witness) ? filtered_size : exact_size; }
 
 // The query of the file, or the one that --id chooses.
 StoredQuery witness_of(const MapOptions& options) {
@@ -105,7 +102,7 @@ Plane plane_of(const MapOptions& options, const StoredQuery& witness) {
   const MovedNumbers along = given(options.along, "scene");
   return std::visit(
       [&](const auto& q) {
-        const std::size_t most = witness.test == &first_test() ? greatest_map : exact_size;
+        const std::size_t most = has_filters(witness) ? greatest_map : exact_size;
         return exponent_plane(q, along, across, options.size.value_or(most));
       },
       witness.numbers);

@@ -80,6 +80,8 @@ class Oracles {
   virtual std::string why_invalid(const Numbers<double>&) const { return {}; }
   // The names of the formulae that a kernel can claim.
   virtual std::vector<std::string_view> formulae() const = 0;
+  // Whether batches() decides nearly all queries by filters, at a hundredth of the cost of exact arithmetic.
+  virtual bool has_filters() const { return false; }
 
   // The truths of batches, by filters on this instruction set where the test has them.
   virtual std::unique_ptr<BatchOracle<float>> batches(std::string_view target, std::type_identity<float>) const;

@@ -7,115 +7,181 @@
 #include <cmath>
 #include <limits>
 
-#include "fuzz/files/sphere_triangle_query.h"
-#include "fuzz/map/canvas.h"
-#include "kernel/sphere_triangle/reference/scalar.h"
-#include "exact/sphere_triangle/measures/limits.h"
-#include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/sphere_triangle/filters/decided_check.h"
+#include "exact/trait/oracles.h"
 #include "fuzz/search/moves/moves.h"
 #include "fuzz/search/proved.h"
 #include "kernel/ask.h"
-#include "kernel/sphere_triangle/shown_sides.h"
 
 namespace axiscert {
 namespace {
 
-constexpr std::size_t second_opinion_pixels = 4096;
+// A new foreign process is begun for each block, as for a unit of a run. Some microseconds a pixel with filters are
+// some hundred without.
+constexpr std::size_t filtered_block = std::size_t{1} << 14, exact_block = filtered_block / 16;
+constexpr std::size_t batch_pixels = 256, second_opinion_pixels = 4096;
+
+// The content of one pixel of one picture.
+struct Shown {
+  bool yes, tie, certain;
+  std::optional<bool> said;   // empty: the kernel gave no such answer
+  std::optional<bool> right;  // empty: neither answer is wrong
+  bool not_finite = false;
+  Verdict answer = Verdict::unanswered;  // the verdict, which says why `said` is empty
+  bool outside = false;                  // of the kernel's limits
+};
+
+PixelClass class_of(const Shown& s) {
+  if (s.outside) return PixelClass::outside_limits;
+  if (!s.said) {
+    if (s.answer == Verdict::undecided) return PixelClass::undecided;
+    return s.answer == Verdict::invalid ? PixelClass::invalid : PixelClass::unanswered;
+  }
+  if (s.right && *s.said != *s.right) {
+    return *s.said ? PixelClass::false_separation : PixelClass::missed_separation;
+  }
+  if (s.not_finite) return PixelClass::not_finite;
+  if (s.tie) return PixelClass::tie;
+  if (s.yes) return s.certain ? PixelClass::yes : PixelClass::yes_uncertain;
+  return s.certain ? PixelClass::no : PixelClass::no_uncertain;
+}
+
+// A verdict in the form of an answer: whether it is `separated`; empty where it is neither that nor contact.
+std::optional<bool> said_by(const Outcome& said) {
+  if (said.verdict != Verdict::separated && said.verdict != Verdict::contact) return std::nullopt;
+  return said.verdict == Verdict::separated;
+}
+
+// The classes of a picture, and for each pixel whether the exact answer is yes.
+struct Canvas {
+  std::vector<PixelClass> pixels;
+  std::vector<char> yes;
+
+  void put(std::size_t pixel, const Shown& shown) {
+    pixels[pixel] = class_of(shown);
+    yes[pixel] = static_cast<char>(shown.yes);
+  }
+};
 
 // The truth about one pixel's query, and the kernel's answer to it.
 struct Pixel {
-  Truth truth;  // truth of a valid query; without formulae
-  ComparisonBits exact, ties;
-  ComparisonBits certain;     // comparisons for which the sign of the published one is certain
-  ComparisonBits all_exact;   // the published comparisons with non-strict sides: equal to the truth's
-  ComparisonBits not_finite;  // comparisons with a computed side that is not finite
+  Truth truth;
+  ComparisonBits of_truth = 0;         // the comparisons that hold where the truth follows from them
+  ComparisonBits exact = 0, ties = 0;  // of the formulae that the kernel claims
+  ComparisonBits certain = 0;          // comparisons whose sign a bound determines
+  ComparisonBits not_finite = 0;       // comparisons with a computed side that is not finite
   Outcome said;
   std::optional<Verdict> right;
   bool outside = false;
 };
 
-bool holds(AxisBits axes, std::size_t axis) { return has_bit(axes, axis); }
-
-// Whether the certain comparisons settle the axis: all of its comparisons are certain, or a certain one fails.
-bool is_axis_settled(std::size_t axis, ComparisonBits bits, ComparisonBits certain) {
-  const ComparisonBits all = axis_comparisons[axis];
-  return (all & ~certain) == 0 || (all & certain & ~bits) != 0;
-}
-
-// Settled if an axis is certain to separate, or if it is certain that none does.
-bool is_verdict_settled(ComparisonBits bits, ComparisonBits certain) {
-  bool every_axis = true;
-  for (std::size_t axis = 0; axis < axis_count; ++axis) {
-    const bool settled = is_axis_settled(axis, bits, certain);
-    if (settled && holds(axes_of(bits), axis)) return true;
-    every_axis = every_axis && settled;
+// The content of the pictures at a pixel.
+class PixelShown {
+ public:
+  PixelShown(const TestDescription& test, const Pixel& pixel)
+      : test_(test),
+        p_(pixel),
+        exact_(clauses_of(test, p_.exact)),
+        strictly_(clauses_of(test, p_.exact & ~p_.ties)),
+        with_ties_(clauses_of(test, p_.exact | p_.ties)) {
+    if (p_.said.bits) said_ = clauses_of(test, *p_.said.bits);
   }
-  return every_axis;
-}
 
-Shown verdict_shown(const Pixel& p) {
-  std::optional<bool> right;
-  if (p.right) right = *p.right == Verdict::separated;
-  return {p.truth.verdict == Verdict::separated,
-          p.truth.touching,
-          is_verdict_settled(p.all_exact, p.certain),
-          said_by(p.said),
-          right,
-          false,
-          p.said.verdict,
-          p.outside};
-}
-
-Shown axis_shown(const Pixel& p, std::size_t axis) {
-  const bool yes = holds(axes_of(p.exact), axis);
-  const bool strictly = holds(axes_of(static_cast<ComparisonBits>(p.exact & ~p.ties)), axis);
-  const bool with_ties = holds(axes_of(static_cast<ComparisonBits>(p.exact | p.ties)), axis);
-  std::optional<bool> said;
-  if (p.said.bits) said = holds(axes_of(*p.said.bits), axis);
-  return {yes,      strictly != with_ties, is_axis_settled(axis, p.exact, p.certain), said, yes, false, p.said.verdict,
-          p.outside};
-}
-
-Shown comparison_shown(const Pixel& p, std::size_t k) {
-  const bool yes = has_bit(p.exact, k);
-  std::optional<bool> said;
-  if (p.said.bits) said = has_bit(*p.said.bits, k);
-  return {yes, has_bit(p.ties, k),       has_bit(p.certain, k), said,
-          yes, has_bit(p.not_finite, k), p.said.verdict,        p.outside};
-}
-
-Shown subject_shown(const MapSubject& subject, const Pixel& p) {
-  switch (subject.level) {
-    case Level::verdict:
-      return verdict_shown(p);
-    case Level::axis:
-      return axis_shown(p, subject.index);
-    case Level::comparison:
-      return comparison_shown(p, subject.index);
+  Shown of(const MapSubject& subject) const {
+    switch (subject.level) {
+      case Level::verdict:
+        return verdict();
+      case Level::axis:
+        return clause(subject.index);
+      case Level::comparison:
+        return comparison(subject.index);
+    }
+    return {};
   }
-  return {};
-}
+
+ private:
+  Shown verdict() const {
+    std::optional<bool> right;
+    if (p_.right) right = *p_.right == Verdict::separated;
+    return {p_.truth.verdict == Verdict::separated,
+            p_.truth.touching,
+            is_verdict_settled(),
+            said_by(p_.said),
+            right,
+            false,
+            p_.said.verdict,
+            p_.outside};
+  }
+  // A clause ties where it holds with its ties and not without them.
+  Shown clause(std::size_t i) const {
+    const bool yes = has_bit(exact_, i);
+    std::optional<bool> said;
+    if (said_) said = has_bit(*said_, i);
+    return {yes,
+            has_bit(strictly_, i) != has_bit(with_ties_, i),
+            is_clause_settled(i, p_.exact),
+            said,
+            yes,
+            false,
+            p_.said.verdict,
+            p_.outside};
+  }
+  Shown comparison(std::size_t k) const {
+    const bool yes = has_bit(p_.exact, k);
+    std::optional<bool> said;
+    if (p_.said.bits) said = has_bit(*p_.said.bits, k);
+    return {yes, has_bit(p_.ties, k),       has_bit(p_.certain, k), said,
+            yes, has_bit(p_.not_finite, k), p_.said.verdict,        p_.outside};
+  }
+
+  // Whether the certain comparisons settle the clause: all of its comparisons are certain, or a certain one fails.
+  bool is_clause_settled(std::size_t i, ComparisonBits bits) const {
+    const ComparisonBits all = test_.clauses[i].comparisons;
+    return (all & ~p_.certain) == 0 || (all & p_.certain & ~bits) != 0;
+  }
+  // Settled if a clause is certain to separate, or if every one is settled.
+  bool is_verdict_settled() const {
+    const ClauseBits holding = clauses_of(test_, p_.of_truth);
+    bool every_clause = true;
+    for (std::size_t i = 0; i < test_.clauses.size(); ++i) {
+      const bool settled = is_clause_settled(i, p_.of_truth);
+      if (settled && has_bit(holding, i)) return true;
+      every_clause = every_clause && settled;
+    }
+    return every_clause;
+  }
+
+  const TestDescription& test_;
+  const Pixel& p_;
+  const ClauseBits exact_, strictly_, with_ties_;
+  std::optional<ClauseBits> said_;
+};
 
 template <class Real>
 class Drawing {
  public:
   Drawing(const MapPlan& plan, std::vector<Canvas>& canvases)
-      : plan_(plan), witness_(sphere_triangle_query_in<Real>(plan.witness)), canvases_(canvases) {
+      : plan_(plan),
+        witness_(std::get<Numbers<Real>>(plan.witness.numbers)),
+        oracles_(oracles_of(*plan.kernel)),
+        canvases_(canvases),
+        bounds_(test().comparisons.size()),
+        proved_(capabilities_of(test()).proved_bounds) {
     constexpr double u = std::numeric_limits<Real>::epsilon() / 2;
-    for (std::size_t k = 0; k < comparison_count; ++k) {
-      const auto proved = proved_error(*plan.kernel, precision_of<Real>, static_cast<Comparison>(k));
+    for (std::size_t k = 0; k < bounds_.size(); ++k) {
+      const auto proved = proved_error(*plan.kernel, precision_of<Real>, k);
       // The double nearest to a decimal may be below it; the product with a power of two is exact.
       if (proved) bounds_[k] = std::nextafter(proved->value(), std::numeric_limits<double>::infinity()) * u;
     }
     has_bounds_ = std::any_of(bounds_.begin(), bounds_.end(), [](const auto& b) { return b.has_value(); });
   }
 
+  std::size_t pixels_at_once() const { return oracles_.has_filters() ? filtered_block : exact_block; }
+
   // Draws the pixels from `first` to before `last`, row by row.
   void draw(std::size_t first, std::size_t last, ProgressCount& progress) const {
     const Implementation<Real> kernel = plan_.kernel->on<Real>(plan_.target);
-    Cascade<Real> cascade(filter_on<Real>(plan_.target));
-    QueryBatch<Real> batch(batch_pixels, coordinate_count);
+    const std::unique_ptr<BatchOracle<Real>> known = batches_of<Real>(oracles_, plan_.target);
+    QueryBatch<Real> batch(batch_pixels, witness_.size());
     Reply<Real> reply;
     for (std::size_t at = first; at < last; at += batch.size()) {
       batch.clear();
@@ -123,87 +189,80 @@ class Drawing {
         batch.push_back(query_at(plan_.plane, witness_, i % plan_.plane.columns(), i / plan_.plane.columns()));
       }
       ask(kernel, batch.columns(), reply);
-      const std::vector<DecidedSigns>& decided = cascade.decide(batch);
+      known->decide(batch);
       for (std::size_t i = 0; i < batch.size(); ++i) {
-        const Query<Real> q = batch[i];
-        if (!is_valid(q)) continue;  // remains no_query, as initialised
-        check(at + i, decided[i], q);
-        put(at + i, pixel(decided[i], reply, i, q));
+        known->check(i, at + i, second_opinion_pixels);
+        put(at + i, pixel(*known, reply, i, batch[i]));
       }
       progress.asked(batch.size());
     }
   }
 
  private:
-  void check(std::size_t position, const DecidedSigns& decided, const Query<Real>& q) const {
-    const bool hardest = decided.step == Step::integers && position % integer_check_stride == 0;
-    if (hardest || position % second_opinion_pixels == 0) require_same(decided, exact_truth(q, true), q);
-  }
+  const TestDescription& test() const { return *plan_.kernel->test; }
 
-  Pixel pixel(const DecidedSigns& decided, const Reply<Real>& reply, std::size_t i, const Query<Real>& q) const {
-    const Signs& signs = decided.signs;
+  // By filters where these know, else by the oracles.
+  Pixel pixel(const BatchOracle<Real>& known, const Reply<Real>& reply, std::size_t i, const Numbers<Real>& q) const {
     const Kernel& kernel = *plan_.kernel;
-    Pixel p{{verdict_of(signs), is_touching(signs, q.r == 0)},
-            0,
-            0,
-            decided.certain_in_lanes,
-            signs.bits(Strictness::nonstrict),
-            0,
-            reply.outcome(i),
-            std::nullopt};
+    std::unique_ptr<AskedQuery> asked;
+    const auto about = [&]() -> AskedQuery& {
+      if (!asked) asked = oracles_.about(q);
+      return *asked;
+    };
+    const std::optional<Truth> truth = known.known(i);
+    Pixel p{.truth = truth ? *truth : about().truth(), .said = reply.outcome(i), .right = std::nullopt};
+    if (p.truth.verdict == Verdict::invalid) return p;
     p.right = right_verdict(p.truth, kernel.touching);
-    p.outside = !is_within(kernel.limits, q);
+    p.outside = !is_promised(kernel, q);
+    const std::optional<KnownSigns> signs = known.signs(i);
+    p.of_truth = signs ? signs->holds : 0;
+    p.certain = signs ? signs->certain : all_comparisons(test());
     if (!has_comparison_maps(kernel)) return p;
-    if (kind_of(kernel.formulae) == FormulaeKind::rung) {  // rungs have the published signs on every query
-      p.exact = signs.bits(kernel.strictness);
-      p.ties = signs.ties;
-    } else {
-      const FormulaTruth own = formula_truth(kernel.formulae, q);
-      p.exact = own.bits(kernel.strictness);
-      p.ties = own.ties;
+    if (const std::optional<KnownSigns> claimed = known.claimed(i, kernel)) {
+      p.exact = claimed->holds;
+      p.ties = claimed->ties;
+    } else if (const std::optional<Claimed> claim = about().claimed(kernel)) {
+      p.exact = claim->chain.exact.bits.value_or(0);
+      p.ties = claim->chain.ties;
     }
-    if (kernel.exposes == Exposure::sides && p.said.bits) look_at_sides(sides_at(reply.answers, i), q, p);
+    if (kernel.exposes == Exposure::sides && p.said.bits) look_at_sides(reply.answers, i, q, p);
     return p;
   }
 
-  bool are_as_claimed(const Sides<Real>& sides, const Query<Real>& q) const {
-    const Kernel& kernel = *plan_.kernel;
-    Sides<Real> claimed;
-    reference(kernel.formulae, kernel.arithmetic, kernel.strictness, q, &claimed);
-    return claimed.lhs == sides.lhs && claimed.rhs == sides.rhs;
-  }
-
-  void look_at_sides(const Sides<Real>& sides, const Query<Real>& q, Pixel& p) const {
-    const bool in_box = has_bounds_ && is_in_box(q);
-    for (std::size_t k = 0; k < comparison_count; ++k) {
+  void look_at_sides(const Answers<Real>& answers, std::size_t i, const Numbers<Real>& q, Pixel& p) const {
+    const bool is_covered = has_bounds_ && proved_->cover(q);
+    for (std::size_t k = 0; k < bounds_.size(); ++k) {
       const auto bit = one_bit<ComparisonBits>(k);
-      const double lhs = sides.lhs[k], rhs = sides.rhs[k];
+      const double lhs = answers.lhs[k][i], rhs = answers.rhs[k][i];
       if (!std::isfinite(lhs) || !std::isfinite(rhs)) p.not_finite |= bit;
-      if (!in_box || !bounds_[k]) continue;
+      if (!is_covered || !bounds_[k]) continue;
       // Rounding is monotone: if the rounded difference exceeds a double, so does the exact one.
       bool certain = std::fabs(lhs - rhs) > *bounds_[k];
       const bool is_wrong = has_bit(*p.said.bits, k) != has_bit(p.exact, k);
       // The bound is for the sides that the kernel claims to compute; those of foreign code may be others.
-      if (certain && is_wrong && !are_as_claimed(sides, q)) certain = false;
-      p.certain = static_cast<ComparisonBits>(certain ? p.certain | bit : p.certain & ~bit);
+      if (certain && is_wrong && !proved_->are_as_claimed(*plan_.kernel, q, answers, i)) certain = false;
+      p.certain = certain ? p.certain | bit : p.certain & ~bit;
       if (certain && is_wrong) {
-        throw HarnessFault(fmt::format("{}: the proved bound of {} is refuted by {}", plan_.kernel->id,
-                                       comparisons[k].name, query_line({"refuted", precision_of<Real>, q})));
+        throw HarnessFault(
+            fmt::format("{}: the proved bound of {} is refuted by {}", plan_.kernel->id, test().comparisons[k].name,
+                        query_line({"refuted", precision_of<Real>, q, 0, &test(), plan_.kernel->entry})));
       }
     }
   }
 
   void put(std::size_t position, const Pixel& p) const {
-    for (std::size_t s = 0; s < plan_.subjects.size(); ++s) {
-      canvases_[s].put(position, subject_shown(plan_.subjects[s], p));
-    }
+    if (p.truth.verdict == Verdict::invalid) return;  // remains no_query, as initialised
+    const PixelShown shown(test(), p);
+    for (std::size_t s = 0; s < plan_.subjects.size(); ++s) canvases_[s].put(position, shown.of(plan_.subjects[s]));
   }
 
   const MapPlan& plan_;
-  const Query<Real> witness_;
+  const Numbers<Real> witness_;
+  const Oracles& oracles_;
   std::vector<Canvas>& canvases_;
   // bound of |computed lhs - rhs| if the sign may be wrong
-  std::array<std::optional<double>, comparison_count> bounds_;
+  std::vector<std::optional<double>> bounds_;
+  const ProvedBounds* proved_;
   bool has_bounds_ = false;
 };
 
@@ -227,35 +286,15 @@ template <class Real>
 void draw(const MapPlan& plan, std::vector<Canvas>& canvases, const ShowProgress& report) {
   const Drawing<Real> drawing(plan, canvases);
   const std::size_t pixels = plan.plane.columns() * plan.plane.rows();
-  const std::size_t blocks = (pixels + block_pixels - 1) / block_pixels;
+  const std::size_t at_once = drawing.pixels_at_once(), blocks = (pixels + at_once - 1) / at_once;
   ProgressCount progress(report, blocks);
   tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
-    drawing.draw(block * block_pixels, std::min(pixels, (block + 1) * block_pixels), progress);
+    drawing.draw(block * at_once, std::min(pixels, (block + 1) * at_once), progress);
     progress.finished();
   });
 }
 
 }  // namespace
-
-PixelClass class_of(const Shown& s) {
-  if (s.outside) return PixelClass::outside_limits;
-  if (!s.said) {
-    if (s.answer == Verdict::undecided) return PixelClass::undecided;
-    return s.answer == Verdict::invalid ? PixelClass::invalid : PixelClass::unanswered;
-  }
-  if (s.right && *s.said != *s.right) {
-    return *s.said ? PixelClass::false_separation : PixelClass::missed_separation;
-  }
-  if (s.not_finite) return PixelClass::not_finite;
-  if (s.tie) return PixelClass::tie;
-  if (s.yes) return s.certain ? PixelClass::yes : PixelClass::yes_uncertain;
-  return s.certain ? PixelClass::no : PixelClass::no_uncertain;
-}
-
-std::optional<bool> said_by(const Outcome& said) {
-  if (said.verdict != Verdict::separated && said.verdict != Verdict::contact) return std::nullopt;
-  return said.verdict == Verdict::separated;
-}
 
 std::string_view name(const MapSubject& subject, const TestDescription& test) {
   return name(test, Flip{subject.level, subject.index, FlipKind::false_separation, false, {}});
@@ -272,7 +311,7 @@ std::vector<MapSubject> map_subjects(const TestDescription& test) {
 }
 
 bool has_comparison_maps(const Kernel& kernel) {
-  const bool has_formulae = kernel.test == &first_test() ? has_comparisons(kernel.formulae) : !kernel.claims.empty();
+  const bool has_formulae = has_comparisons(kernel.formulae) || !kernel.claims.empty();
   return kernel.exposes != Exposure::verdict && has_formulae;
 }
 
@@ -280,8 +319,7 @@ std::vector<MapPicture> draw_map(const MapPlan& plan, const ShowProgress& report
   const std::size_t pixels = plan.plane.columns() * plan.plane.rows();
   const Canvas empty{std::vector<PixelClass>(pixels, PixelClass::no_query), std::vector<char>(pixels, 0)};
   std::vector<Canvas> canvases(plan.subjects.size(), empty);
-  if (plan.kernel->test != &first_test()) draw_by_oracles(plan, canvases, report);
-  else if (plan.witness.precision == Precision::binary32) draw<float>(plan, canvases, report);
+  if (plan.witness.precision == Precision::binary32) draw<float>(plan, canvases, report);
   else draw<double>(plan, canvases, report);
   std::vector<MapPicture> pictures;
   for (std::size_t s = 0; s < canvases.size(); ++s) {

@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "exact/sphere_triangle/filters/cascade.h"
 #include "exact/judge/judge.h"
 #include "fuzz/campaign/progress.h"
 #include "fuzz/map/plane.h"
@@ -59,9 +58,9 @@ struct MapSubject {
   std::uint8_t index;  // 0 for the verdict
   bool operator==(const MapSubject&) const = default;
 };
-std::string_view name(const MapSubject& subject, const TestDescription& test = first_test());
+std::string_view name(const MapSubject& subject, const TestDescription& test);
 // The verdict, the axes and the comparisons, in this order; a comparison that is an axis by itself, of its name, once.
-std::vector<MapSubject> map_subjects(const TestDescription& test = first_test());
+std::vector<MapSubject> map_subjects(const TestDescription& test);
 
 struct MapPlan {
   const Kernel* kernel;  // has to exist in the witness's precision
@@ -89,13 +88,13 @@ struct MapPicture {
 // 4096th pixel, and for every 64th of those that needed integers of any size, the signs are decided again by CGAL, the
 // exact formulae and MPFR: throws OracleDisagreement.
 //
-// A test without filters is drawn by its oracles at every pixel, some hundred times as slowly, and has no uncertain
-// band.
+// A test without filters (Oracles::has_filters) is drawn by its oracles at every pixel, some hundred times as slowly,
+// and has no uncertain band.
 //
 // The uncertain band of a comparison is the region where a bound does not determine its sign: the proved bound for the
-// kernel's own sides if there is one and the query is in its box (fuzz/search/proved.h), otherwise that of the lanes of
-// the filter (docs/error_model.md). For an axis and for a verdict, it is the region where the certain comparisons do
-// not settle it.
+// kernel's own sides if there is one and it covers the query (fuzz/search/proved.h), otherwise that of the quickest
+// filter (docs/error_model.md). For an axis and for a verdict, it is the region where the certain comparisons do not
+// settle it.
 std::vector<MapPicture> draw_map(const MapPlan& plan, const ShowProgress& report = {});
 
 }  // namespace axiscert

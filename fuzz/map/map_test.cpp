@@ -14,6 +14,7 @@
 #include "fuzz/files/query_testing.h"
 #include "kernel/ask.h"
 #include "kernel/moving_sphere/moving_sphere.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -30,6 +31,19 @@ StoredQuery stored(const Query<Real>& q) {
   return {"q", precision_of<Real>, q, 0};
 }
 
+MovedNumbers numbers_named(std::string_view name) {
+  return parse_numbers(name, sphere_triangle_test().entries.front());
+}
+template <class Real>
+Query<Real> query_at(const Plane& plane, const Query<Real>& witness, std::size_t column, std::size_t row) {
+  return query_from(axiscert::query_at(plane, Numbers<Real>(witness), column, row));
+}
+template <class Real>
+Plane exponent_plane(const Query<Real>& witness, const MovedNumbers& along, const MovedNumbers& across,
+                     std::size_t size) {
+  return axiscert::exponent_plane(Numbers<Real>(witness), along, across, size);
+}
+
 // The number of steps of nextafter from one float to another, at most `most`.
 template <class Real>
 int steps_between(Real from, Real to, int most) {
@@ -42,7 +56,7 @@ TYPED_TEST(Maps, APixelIsSoManyUlpsFromTheWitness) {
   using Real = TypeParam;
   Query<Real> witness = find_family("tangent").make<Real>(seed, 3);
   witness.b.y = std::numeric_limits<Real>::denorm_min() * 3;  // the plane goes through zero
-  const Plane plane = ulp_plane(parse_numbers("b.y"), parse_numbers("r"), 16, 2);
+  const Plane plane = ulp_plane(numbers_named("b.y"), numbers_named("r"), 16, 2);
   expect_same_bits(query_at(plane, witness, plane.along.origin(), plane.rows() - 1 - plane.across.origin()), witness);
   for (std::size_t row = 0; row < plane.rows(); ++row) {
     for (std::size_t column = 0; column < plane.columns(); ++column) {
@@ -60,7 +74,7 @@ TYPED_TEST(Maps, FarFromTheWitnessAreNoNumbersAndNoOthers) {
   using Real = TypeParam;
   constexpr Real most = std::numeric_limits<Real>::max();
   const Query<Real> witness = {{most, 0, 0}, {-most, 1, 0}, {0, 0, 1}, {0, 0, 0}, 0};
-  const Plane plane = ulp_plane(parse_numbers("a.x"), parse_numbers("b.x"), greatest_map, greatest_ulps);
+  const Plane plane = ulp_plane(numbers_named("a.x"), numbers_named("b.x"), greatest_map, greatest_ulps);
   for (const std::size_t pixel : {plane.along.origin() + 1, plane.columns() - 1}) {
     EXPECT_FALSE(std::isfinite(query_at(plane, witness, pixel, 0).a.x));
     EXPECT_FALSE(std::isfinite(query_at(plane, witness, 0, plane.rows() - 1 - (plane.across.origin() - 1)).b.x));
@@ -72,7 +86,7 @@ TYPED_TEST(Maps, ExponentsReachFromTheLeastSubnormalToTheGreatestBinade) {
   using Real = TypeParam;
   using Limits = std::numeric_limits<Real>;
   const Query<Real> witness = {{1, 3, 0}, {-1, 0.5, 0}, {0, 0, -0.0}, {0, 0, 0}, 1.5};
-  const Plane plane = exponent_plane(witness, parse_numbers("triangle"), parse_numbers("r"), greatest_map);
+  const Plane plane = exponent_plane(witness, numbers_named("triangle"), numbers_named("r"), greatest_map);
   const std::size_t all = Limits::max_exponent - Limits::min_exponent + Limits::digits;
   EXPECT_EQ(plane.columns(), all);
   EXPECT_EQ(plane.rows(), all);
@@ -87,19 +101,19 @@ TYPED_TEST(Maps, ExponentsReachFromTheLeastSubnormalToTheGreatestBinade) {
     EXPECT_TRUE(std::signbit(q.c.z) || plane.along.offset(i) != 0);
   }
   EXPECT_EQ(finite, all);
-  const Plane coarse = exponent_plane(witness, parse_numbers("scene"), parse_numbers("r"), 50);
+  const Plane coarse = exponent_plane(witness, numbers_named("scene"), numbers_named("r"), 50);
   EXPECT_LE(coarse.columns(), 50u);
   EXPECT_EQ(coarse.along.offset(coarse.along.origin()), 0);
 }
 
 TEST(MapNumbers, AreNamedOrRefused) {
-  EXPECT_EQ(parse_numbers("p.z").places, one_bit<std::uint16_t>(11));
-  EXPECT_EQ(parse_numbers("b").places, 7u << 3);
-  EXPECT_EQ(parse_numbers("triangle").places, 0x1ffu);
-  for (const char* wrong : {"", "a.w", "d", "a.", "r.x", "ax"}) EXPECT_THROW(parse_numbers(wrong), Error) << wrong;
-  EXPECT_THROW(ulp_plane(parse_numbers("a"), parse_numbers("r"), 4, 1), Error);
-  EXPECT_THROW(ulp_plane(parse_numbers("r"), parse_numbers("r"), 4, 1), Error);
-  EXPECT_THROW(exponent_plane(Query<float>{}, parse_numbers("a"), parse_numbers("r"), 4), Error);
+  EXPECT_EQ(numbers_named("p.z").places, one_bit<std::uint16_t>(11));
+  EXPECT_EQ(numbers_named("b").places, 7u << 3);
+  EXPECT_EQ(numbers_named("triangle").places, 0x1ffu);
+  for (const char* wrong : {"", "a.w", "d", "a.", "r.x", "ax"}) EXPECT_THROW(numbers_named(wrong), Error) << wrong;
+  EXPECT_THROW(ulp_plane(numbers_named("a"), numbers_named("r"), 4, 1), Error);
+  EXPECT_THROW(ulp_plane(numbers_named("r"), numbers_named("r"), 4, 1), Error);
+  EXPECT_THROW(exponent_plane(Query<float>{}, numbers_named("a"), numbers_named("r"), 4), Error);
 }
 
 // The class that a picture has to show for one query, by everything that `check` asks: CGAL and exact sides, no filter.
@@ -129,7 +143,8 @@ class Checked {
 template <class Real>
 std::size_t expect_as_checked(const Kernel& kernel, const Query<Real>& witness, const Plane& plane) {
   const MapPlan plan{&kernel, resolve_target("auto"), stored(witness), plane,
-                     has_comparison_maps(kernel) ? map_subjects() : std::vector<MapSubject>{{Level::verdict, 0}}};
+                     has_comparison_maps(kernel) ? map_subjects(sphere_triangle_test())
+                                                 : std::vector<MapSubject>{{Level::verdict, 0}}};
   std::size_t wrong = 0;
   const auto pictures = draw_map(plan);
   for (std::size_t i = 0; i < plane.columns() * plane.rows(); ++i) {
@@ -139,14 +154,15 @@ std::size_t expect_as_checked(const Kernel& kernel, const Query<Real>& witness, 
       const PixelClass shown = picture.pixels[i];
       const auto due = checked.expected(picture.subject);
       const bool as_due = due ? shown == *due : shown > PixelClass::missed_separation;
-      EXPECT_TRUE(as_due) << kernel.id << " " << name(picture.subject) << ", pixel " << i << ", seed " << seed;
+      EXPECT_TRUE(as_due) << kernel.id << " " << name(picture.subject, sphere_triangle_test()) << ", pixel " << i
+                          << ", seed " << seed;
     }
   }
   return wrong;
 }
 
 TYPED_TEST(Maps, ShowWhatCheckSays) {
-  const Plane plane = ulp_plane(parse_numbers("p.x"), parse_numbers("r"), 8, 1);
+  const Plane plane = ulp_plane(numbers_named("p.x"), numbers_named("r"), 8, 1);
   for (const char* id : {"published", "ladder-0", "closest-point"}) {
     std::size_t wrong = 0;
     for (const std::uint64_t position : {0, 1, 4}) {  // beside the plane, a vertex, an edge
@@ -156,20 +172,21 @@ TYPED_TEST(Maps, ShowWhatCheckSays) {
     EXPECT_GT(wrong, 0u) << id << ", seed " << seed;
   }
   const Query<TypeParam> tangent = find_family("tangent").make<TypeParam>(seed, 4);
-  const Plane scales = exponent_plane(tangent, parse_numbers("scene"), parse_numbers("r"), 8);
+  const Plane scales = exponent_plane(tangent, numbers_named("scene"), numbers_named("r"), 8);
   EXPECT_GT(expect_as_checked(find_kernel("published"), tangent, scales), 0u);
 }
 
 TEST(MapsOfAVariant, AreHeldAgainstItsOwnFormulae) {
   const Query<float> q = {{1, 0, 0}, {1, 0, 0}, {3, 1, 0}, {0, 0, 0}, 1};
-  expect_as_checked(find_kernel("first-publication"), q, ulp_plane(parse_numbers("a.x"), parse_numbers("r"), 8, 1));
+  expect_as_checked(find_kernel("first-publication"), q, ulp_plane(numbers_named("a.x"), numbers_named("r"), 8, 1));
 }
 
 // Expected from the geometry alone: a sphere that touches the vertex A of a triangle that is otherwise far from it.
 TEST(MapPictures, ShowTheBoundaryTiesAndTheWrongBit) {
   const Query<float> q = {{1, 0, 0}, {2, 1, 0}, {2, -1, 1}, {0, 0, 0}, 1};
-  const Plane plane = ulp_plane(parse_numbers("a.x"), parse_numbers("r"), 8, 1);
-  MapPlan plan{&find_kernel("published"), resolve_target("auto"), stored(q), plane, map_subjects()};
+  const Plane plane = ulp_plane(numbers_named("a.x"), numbers_named("r"), 8, 1);
+  MapPlan plan{&find_kernel("published"), resolve_target("auto"), stored(q), plane,
+               map_subjects(sphere_triangle_test())};
   const auto verdict = draw_map(plan).front();
   for (std::size_t row = 0; row < 8; ++row) {
     for (std::size_t column = 0; column < 8; ++column) {
@@ -188,9 +205,9 @@ TEST(MapPictures, ShowTheBoundaryTiesAndTheWrongBit) {
   plan.kernel = &wrong;
   for (const MapPicture& picture : draw_map(plan)) {
     const auto count = [&](PixelClass c) { return picture.counts[c]; };
-    const bool is_it = name(picture.subject) == "edge_bc.radius";
+    const bool is_it = name(picture.subject, sphere_triangle_test()) == "edge_bc.radius";
     EXPECT_EQ(count(PixelClass::false_separation) + count(PixelClass::missed_separation) == 64, is_it)
-        << name(picture.subject);
+        << name(picture.subject, sphere_triangle_test());
   }
 }
 
@@ -239,7 +256,7 @@ TEST(MapPictures, ShowWhereRangeEnds) {
   const MapPlan plan{&find_kernel("published"),
                      resolve_target("auto"),
                      stored(q),
-                     exponent_plane(q, parse_numbers("scene"), parse_numbers("r"), greatest_map),
+                     exponent_plane(q, numbers_named("scene"), numbers_named("r"), greatest_map),
                      {{Level::comparison, static_cast<std::uint8_t>(Comparison::edge_ab_radius)}}};
   const MapPicture picture = draw_map(plan).front();
   const std::size_t row = plan.plane.rows() - 1 - plan.plane.across.origin(), at = plan.plane.along.origin();
@@ -252,7 +269,7 @@ TEST(MapPictures, ShowWhereRangeEnds) {
 
 MapPicture verdict_picture(const Kernel& kernel) {
   const Query<float> witness = {{1, 0, 0}, {2, 1, 0}, {2, -1, 1}, {0, 0, 0}, 1};
-  const Plane plane = ulp_plane(parse_numbers("a.x"), parse_numbers("r"), 16, 1 << 16);
+  const Plane plane = ulp_plane(numbers_named("a.x"), numbers_named("r"), 16, 1 << 16);
   return draw_map({&kernel, std::string(scalar_target), stored(witness), plane, {{Level::verdict, 0}}}).front();
 }
 

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "kernel/query.h"
-#include "kernel/sphere_triangle/query.h"
 #include "kernel/test.h"
 
 namespace axiscert {
@@ -18,7 +17,7 @@ struct MovedNumbers {
 };
 // One number of the entry, by its group and x, y or z where the group has three; a group; the triangle (a, b and c) or
 // the scene (all of them). Throws Error that lists the valid names.
-MovedNumbers parse_numbers(std::string_view name, const TestEntry& entry = first_test().entries[0]);
+MovedNumbers parse_numbers(std::string_view name, const TestEntry& entry);
 
 // From pixel to pixel a number changes by ulps, through zero to the other sign; or by powers of two.
 enum class PlaneKind : std::uint8_t { ulps, exponents };
@@ -59,19 +58,10 @@ Plane ulp_plane(const MovedNumbers& along, const MovedNumbers& across, std::size
 template <class Real>
 Plane exponent_plane(const Numbers<Real>& witness, const MovedNumbers& along, const MovedNumbers& across,
                      std::size_t size);
-template <class Real>
-Plane exponent_plane(const Query<Real>& witness, const MovedNumbers& along, const MovedNumbers& across,
-                     std::size_t size) {
-  return exponent_plane(Numbers<Real>(witness), along, across, size);
-}
 
 // The query of a pixel. It is not valid beyond the numbers of the precision, or if the radius is below zero; a number
 // that a power of two moves into the subnormals is rounded to nearest, once.
 template <class Real>
 Numbers<Real> query_at(const Plane& plane, const Numbers<Real>& witness, std::size_t column, std::size_t row);
-template <class Real>
-Query<Real> query_at(const Plane& plane, const Query<Real>& witness, std::size_t column, std::size_t row) {
-  return query_from(query_at(plane, Numbers<Real>(witness), column, row));
-}
 
 }  // namespace axiscert

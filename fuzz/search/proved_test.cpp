@@ -22,7 +22,7 @@ TEST(Proved, NowhereDoesASearchExceedIt) {
     std::size_t errors = 0;
     for (const Find& find : result.finds) {
       if (find.aim.goal != Goal::error) continue;
-      const auto proved = proved_error(*plan.kernel, plan.precision, find.aim.which);
+      const auto proved = proved_error(*plan.kernel, plan.precision, index_of(find.aim.which));
       ASSERT_TRUE(proved) << id;
       EXPECT_LE(find.value, *proved) << id << " " << info(find.aim.which).name;
       ++errors;
@@ -34,9 +34,10 @@ TEST(Proved, NowhereDoesASearchExceedIt) {
 // Other forms, and arithmetics that round differently, have other errors.
 TEST(Proved, OnlyOfTheProgramsThatWereRecorded) {
   for (const char* id : {"reduced-along", "published+kahan", "ladder-0", "published+up"}) {
-    EXPECT_FALSE(proved_error(find_kernel(id), Precision::binary32, Comparison::plane_radius)) << id;
+    EXPECT_FALSE(proved_error(find_kernel(id), Precision::binary32, index_of(Comparison::plane_radius))) << id;
   }
-  EXPECT_EQ(proved_error(find_kernel("published"), Precision::binary64, Comparison::vertex_a_radius)->value(), 8);
+  EXPECT_EQ(proved_error(find_kernel("published"), Precision::binary64, index_of(Comparison::vertex_a_radius))->value(),
+            8);
 }
 
 }  // namespace

@@ -153,7 +153,7 @@ class SearchReport {
                           {"comparison", "attained, u", "proved, u", "relative, u", "overflow, 2^m", "underflow, 2^m"},
                           {}};
     for (const Comparison which : comparisons_asked()) {
-      const auto proved = proved_error(*plan_.kernel, plan_.precision, which);
+      const auto proved = proved_error(*plan_.kernel, plan_.precision, index_of(which));
       table.rows.push_back({std::string(info(which).name), error_cell({Goal::error, which}),
                             proved ? shown(*proved) : "open", error_cell({Goal::relative_error, which}),
                             range_cell({Goal::overflow, which}), range_cell({Goal::underflow, which})});
@@ -184,7 +184,7 @@ class SearchReport {
     Json comparisons_json = Json::array(), verdict = Json::object(), families = Json::array();
     for (const Comparison which : comparisons_asked()) {
       const Find *error = find({Goal::error, which}), *relative = find({Goal::relative_error, which});
-      const auto proved = proved_error(*plan_.kernel, plan_.precision, which);
+      const auto proved = proved_error(*plan_.kernel, plan_.precision, index_of(which));
       comparisons_json.push_back({{"name", info(which).name},
                                   {"attained_u", error_json(error)},
                                   {"proved_u", proved ? number_json(*proved) : Json(nullptr)},

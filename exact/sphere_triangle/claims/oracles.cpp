@@ -3,6 +3,7 @@
 
 #include "exact/sphere_triangle/claims/asked_sphere_triangle.h"
 #include "exact/sphere_triangle/filters/cascade.h"
+#include "exact/sphere_triangle/filters/decided_check.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/measures/limits.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
@@ -23,12 +24,35 @@ class FilteredSphereTriangles final : public BatchOracle<Real> {
     decided_ = &cascade_.decide(batch);
   }
   std::optional<Truth> known(std::size_t i) const override {
-    if ((*decided_)[i].step == Step::exact) return std::nullopt;
+    if (!is_known(i)) return std::nullopt;
     const Signs& signs = (*decided_)[i].signs;
-    return Truth{verdict_of(signs), is_touching(signs, query_from((*batch_)[i]).r == 0)};
+    return Truth{verdict_of(signs), is_touching(signs, query(i).r == 0)};
+  }
+  std::optional<KnownSigns> signs(std::size_t i) const override {
+    if (!is_known(i)) return std::nullopt;
+    return known_signs(i, Strictness::nonstrict);
+  }
+  std::optional<KnownSigns> claimed(std::size_t i, const Kernel& kernel) const override {
+    if (!is_known(i) || !has_comparisons(kernel.formulae)) return std::nullopt;
+    // Rungs have the published signs on every query.
+    if (kind_of(kernel.formulae) == FormulaeKind::rung) return known_signs(i, kernel.strictness);
+    const FormulaTruth own = formula_truth(kernel.formulae, query(i));
+    return KnownSigns{own.bits(kernel.strictness), own.ties, (*decided_)[i].certain_in_lanes};
+  }
+  void check(std::size_t i, std::uint64_t position, std::uint64_t stride) const override {
+    if (!is_known(i)) return;
+    const bool is_hardest = (*decided_)[i].step == Step::integers && position % integer_check_stride == 0;
+    if (is_hardest || position % stride == 0) require_same((*decided_)[i], exact_truth(query(i), true), query(i));
   }
 
  private:
+  bool is_known(std::size_t i) const { return (*decided_)[i].step != Step::exact; }
+  Query<Real> query(std::size_t i) const { return query_from((*batch_)[i]); }
+  KnownSigns known_signs(std::size_t i, Strictness strictness) const {
+    const Signs& signs = (*decided_)[i].signs;
+    return {signs.bits(strictness), signs.ties, (*decided_)[i].certain_in_lanes};
+  }
+
   Cascade<Real> cascade_;
   const QueryBatch<Real>* batch_ = nullptr;
   const std::vector<DecidedSigns>* decided_ = nullptr;
@@ -39,6 +63,7 @@ class SphereTriangleOracles final : public Oracles {
   const TestDescription& test() const override { return sphere_triangle_test(); }
   std::vector<std::string_view> formulae() const override { return {}; }  // a kernel claims them by Kernel::formulae
 
+  bool has_filters() const override { return true; }
   std::unique_ptr<BatchOracle<float>> batches(std::string_view target, std::type_identity<float>) const override {
     return std::make_unique<FilteredSphereTriangles<float>>(target);
   }

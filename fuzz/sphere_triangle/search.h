@@ -1,0 +1,10 @@
+// What a search and a map have of sphere-triangle.
+#pragma once
+
+#include "fuzz/search/proved.h"
+
+namespace axiscert {
+
+const ProvedBounds& sphere_triangle_proved_bounds();
+
+}  // namespace axiscert
