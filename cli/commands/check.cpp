@@ -7,8 +7,6 @@
 #include "cli/progress_line.h"
 #include "cli/commands.h"
 #include "cli/options/test_options.h"
-#include "exact/sphere_triangle/claims/examine.h"
-#include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/confirm/finding_record.h"
@@ -23,19 +21,19 @@ struct CheckOptions {
 };
 
 std::optional<SideErrors> errors_of(const StoredQuery& stored, const Kernel& kernel, const std::string& target) {
-  return std::visit([&]<class Real>(const Query<Real>& q) { return Confirmer<Real>(kernel, target).errors(q); },
-                    sphere_triangle_query(stored));
+  return std::visit([&]<class Real>(const Numbers<Real>& q) { return Confirmer<Real>(kernel, target).errors(q); },
+                    stored.numbers);
 }
 
 template <class Real>
-Checked checked_by_oracles(OracleExaminer& examiner, const Numbers<Real>& q) {
-  const OracleExamination found = examiner.examine(q);
+Checked checked(Examiner& examiner, const Numbers<Real>& q) {
+  const Examination found = examiner.examine(q);
   const TestDescription& test = *examiner.kernel().test;
   const Oracles& oracles = oracles_of(examiner.kernel());
   if (found.truth.verdict != Verdict::invalid) return checked_of(test, found, oracles.details(q));
-  Checked checked = checked_of(test, found, {});
-  checked.why_invalid = oracles.why_invalid(q);
-  return checked;
+  Checked invalid = checked_of(test, found);
+  invalid.why_invalid = oracles.why_invalid(q);
+  return invalid;
 }
 
 void require_query_of(const Kernel& kernel, const StoredQuery& stored, const std::string& file) {
@@ -68,9 +66,7 @@ int check(const CheckOptions& options) {
                          : queries.empty() ? default_kernel(first_test())
                                            : default_kernel(*queries.front().test, queries.front().entry);
   if (options.errors) require_served("--errors", *kernel.test);
-  const bool is_first = kernel.test == &first_test();
   Examiner examiner(kernel, target);
-  OracleExaminer oracle_examiner(kernel, target);
   ProgressLine progress("check");
   const ShowProgress show = progress.report();
   ProgressCount count(show, queries.size());
@@ -81,19 +77,16 @@ int check(const CheckOptions& options) {
                               name(stored.precision), kernel.id));
     }
     require_query_of(kernel, stored, options.file);
-    const Checked found =
-        is_first
-            ? std::visit([&](const auto& q) { return checked_of(examiner.examine(q)); }, sphere_triangle_query(stored))
-            : std::visit([&](const auto& q) { return checked_by_oracles(oracle_examiner, q); }, stored.numbers);
+    const Checked found = std::visit([&](const auto& q) { return checked(examiner, q); }, stored.numbers);
     ++standings[standing_of(kernel, found)];
     count.finished();
     progress.clear();
     if (options.format == "text") {
       fmt::print("{}\n", check_text(stored.id, kernel, found));
-      if (options.errors) fmt::print("{}\n", errors_text(errors_of(stored, kernel, target)));
+      if (options.errors) fmt::print("{}\n", errors_text(*kernel.test, errors_of(stored, kernel, target)));
     } else {
       Json json = check_json(stored.id, kernel, found);
-      if (options.errors) json["errors"] = errors_json(errors_of(stored, kernel, target));
+      if (options.errors) json["errors"] = errors_json(*kernel.test, errors_of(stored, kernel, target));
       fmt::print("{}\n", headed("axiscert-check/1", json).dump());
     }
   }

@@ -39,7 +39,7 @@ std::string details_text(const std::vector<Detail>& details) {
 Json exact_json(const TestDescription& test, const Checked& found) {
   Json json = {{"verdict", name(found.truth.verdict)}, {"touching", found.truth.touching}};
   if (!found.why_invalid.empty()) json["reason"] = found.why_invalid;
-  if (&test == &first_test()) json["squared_distance"] = nullptr;
+  if (oracles_of(test).has_squared_distance()) json["squared_distance"] = nullptr;
   if (found.squared_distance) {
     const Rational& d = *found.squared_distance;
     json["squared_distance"] = d.get_num().get_str() + "/" + d.get_den().get_str();
@@ -109,7 +109,7 @@ std::string time_text(const MotionJudgement& motion) {
 
 // " (time 0.25, feature 3, ...; late by 2.5 ulps, ...)": beside a contact that is right, and of a missed one its
 // tunnel.
-std::string measures_text(const TestDescription& test, const OracleExamination& found) {
+std::string measures_text(const TestDescription& test, const Examination& found) {
   if (found.missed) return fmt::format(" (tunnel {})", found.missed->depth.text());
   if (!found.motion || found.measures.empty()) return "";
   std::vector<std::string> given, wrong;
@@ -153,25 +153,15 @@ std::string_view standing_of(const Kernel& kernel, const Checked& found) {
   return "unanswered";
 }
 
-Checked checked_of(const Examination& found) {
-  Checked checked{found.truth,         found.squared_distance, {}, {}, found.answer, found.judgement, found.depth,
-                  found.within_limits, found.findings};
-  if (const auto& formula = found.truth.formula) {
-    checked.exact = formula->strict;
-    checked.ties = formula->ties;
-  }
-  return checked;
-}
-
-Checked checked_of(const TestDescription& test, const OracleExamination& found, std::vector<Detail> details) {
-  Checked checked{
-      found.truth,       {}, {}, {}, found.answer, found.judgement, found.depth, found.is_promised, found.findings,
-      std::move(details)};
+Checked checked_of(const TestDescription& test, const Examination& found, std::vector<Detail> details) {
+  Checked checked{found.truth,    found.squared_distance, {},          {},
+                  found.answer,   found.judgement,        found.depth, found.is_promised,
+                  found.findings, std::move(details)};
   if (!test.measures.empty()) checked.measures = measures_json(test, found);
   checked.measures_text = measures_text(test, found);
-  if (found.claim && found.claim->sides) {
-    checked.exact = found.claim->sides->holds;
-    checked.ties = found.claim->sides->ties;
+  if (found.exact) {
+    checked.exact = found.exact->holds;
+    checked.ties = found.exact->ties;
   }
   return checked;
 }
@@ -209,24 +199,24 @@ Json check_json(const std::string& id, const Kernel& kernel, const Checked& foun
   return json;
 }
 
-std::string errors_text(const std::optional<SideErrors>& errors) {
+std::string errors_text(const TestDescription& test, const std::optional<SideErrors>& errors) {
   if (!errors) return "  no computed sides to measure";
   std::string text;
   const auto amount = [](const std::optional<Decimal6>& error) { return error ? error->text() : "none"; };
-  for (std::size_t k = 0; k < comparison_count; ++k) {
-    text += fmt::format("{}  {}: error {} u, relative {} u", k == 0 ? "" : "\n", comparisons[k].name,
+  for (std::size_t k = 0; k < test.comparisons.size(); ++k) {
+    text += fmt::format("{}  {}: error {} u, relative {} u", k == 0 ? "" : "\n", test.comparisons[k].name,
                         amount(errors->absolute[k]), amount(errors->relative[k]));
   }
   return text;
 }
 
-Json errors_json(const std::optional<SideErrors>& errors) {
+Json errors_json(const TestDescription& test, const std::optional<SideErrors>& errors) {
   if (!errors) return nullptr;
   Json all = Json::object();
   const auto amount = [](const std::optional<Decimal6>& error) { return error ? number_json(*error) : Json(nullptr); };
-  for (std::size_t k = 0; k < comparison_count; ++k) {
-    all[std::string(comparisons[k].name)] = {{"absolute_u", amount(errors->absolute[k])},
-                                             {"relative_u", amount(errors->relative[k])}};
+  for (std::size_t k = 0; k < test.comparisons.size(); ++k) {
+    all[std::string(test.comparisons[k].name)] = {{"absolute_u", amount(errors->absolute[k])},
+                                                  {"relative_u", amount(errors->relative[k])}};
   }
   return all;
 }

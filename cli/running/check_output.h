@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "exact/sphere_triangle/claims/examine.h"
 #include "exact/trait/examine.h"
 #include "fuzz/search/confirm.h"
 #include "fuzz/confirm/record.h"
@@ -13,7 +12,7 @@ namespace axiscert {
 // A query of any test as `check` shows it.
 struct Checked {
   Truth truth;
-  std::optional<Rational> squared_distance;   // of sphere-triangle
+  std::optional<Rational> squared_distance;   // of a test that compares one; empty if the truth is `invalid`
   std::optional<ComparisonBits> exact, ties;  // of the formulae; empty without formulae, or if the truth is `invalid`
   Answer answer;
   Judgement judgement;
@@ -26,8 +25,7 @@ struct Checked {
   Json measures = {};
   std::string measures_text = {};
 };
-Checked checked_of(const Examination& found);
-Checked checked_of(const TestDescription& test, const OracleExamination& found, std::vector<Detail> details);
+Checked checked_of(const TestDescription& test, const Examination& found, std::vector<Detail> details = {});
 
 // The standing of the query is "decided", "declined", "undeclared_decline", "called_invalid", "unanswered",
 // "outside_limits" or "no_query". Only the first shows whether the kernel is right; the three after `declined` are
@@ -42,7 +40,7 @@ Json check_json(const std::string& id, const Kernel& kernel, const Checked& foun
 
 // The errors of the computed sides: as text, one line for each comparison, to follow check_text's; as JSON, for
 // check_json, an object of "absolute_u" and "relative_u" by comparison, null where there is none.
-std::string errors_text(const std::optional<SideErrors>& errors);
-Json errors_json(const std::optional<SideErrors>& errors);
+std::string errors_text(const TestDescription& test, const std::optional<SideErrors>& errors);
+Json errors_json(const TestDescription& test, const std::optional<SideErrors>& errors);
 
 }  // namespace axiscert

@@ -26,14 +26,14 @@ void crash(const Query<double>&, std::size_t i, Verdict& verdict, std::vector<Fi
 }
 
 std::string line_of(const Kernel& kernel, const Query<float>& q) {
-  return check_text("q", kernel, checked_of(Examiner(kernel, scalar_target).examine(q)));
+  return check_text("q", kernel, checked_of(*kernel.test, Examiner(kernel, scalar_target).examine(q)));
 }
 
 TEST(CheckOutput, NoAnswerIsSaidWithTheFinding) {
   const Kernel kernel = supervised_kernel("mine", crash);
   EXPECT_EQ(line_of(kernel, apart),
             "q: exact separated, mine gave no answer (a fault: the query is valid); crash: signal 11");
-  const Json json = check_json("q", kernel, checked_of(Examiner(kernel, scalar_target).examine(apart)));
+  const Json json = check_json("q", kernel, checked_of(*kernel.test, Examiner(kernel, scalar_target).examine(apart)));
   EXPECT_EQ(json["computed"]["verdict"], "unanswered");
   EXPECT_TRUE(json["computed"]["comparisons"].is_null());
   EXPECT_EQ(json["findings"][0]["kind"], "crash");
@@ -71,7 +71,8 @@ TEST(CheckOutput, AQueryWithoutAVerdictSaysWhatThatMeans) {
     return black_box("mine", [said](const Query<double>&, auto, Verdict& verdict, auto&) { verdict = said; });
   };
   const auto standing = [](const Kernel& kernel) {
-    return check_json("q", kernel, checked_of(Examiner(kernel, scalar_target).examine(apart)))["standing"];
+    return check_json("q", kernel,
+                      checked_of(*kernel.test, Examiner(kernel, scalar_target).examine(apart)))["standing"];
   };
   Kernel declining = saying(Verdict::undecided);
   EXPECT_EQ(line_of(declining, apart),

@@ -3,34 +3,35 @@
 #include "kernel/ask.h"
 
 namespace axiscert {
+namespace {
 
 template <class Real>
-OracleExamination OracleExaminer::examine(const Numbers<Real>& q) {
-  auto& implementation = std::get<std::optional<Implementation<Real>>>(begun_);
-  if (!implementation) implementation = kernel_.on<Real>(target_);
-  Reply<Real> reply = ask(*implementation, q);
-  OracleExamination out = examine_by_oracles(q, kernel_, reply.outcome(0), reply.measures(0));
-  out.findings = std::move(reply.findings);
-  if (out.answer.verdict == Verdict::unanswered) implementation.reset();
-  return out;
+ShownSides sides_in(const Answers<Real>& answers) {
+  ShownSides sides;
+  for (const std::vector<Real>& column : answers.lhs) sides.lhs.push_back(column[0]);
+  for (const std::vector<Real>& column : answers.rhs) sides.rhs.push_back(column[0]);
+  return sides;
 }
-template OracleExamination OracleExaminer::examine(const Numbers<float>&);
-template OracleExamination OracleExaminer::examine(const Numbers<double>&);
 
 template <class Real>
-OracleExamination examine_by_oracles(const Numbers<Real>& q, const Kernel& kernel, const Answer& answer,
-                                     std::vector<double> measures) {
+Examination examination(const Numbers<Real>& q, const Kernel& kernel, const Answer& answer,
+                        std::vector<double> measures) {
   const Oracles& oracles = oracles_of(kernel);
-  OracleExamination out;
+  Examination out;
   const std::unique_ptr<AskedQuery> asked = oracles.about(q);
   out.truth = asked->truth();
   out.answer = answer;
   out.measures = std::move(measures);
-  if (out.truth.verdict != Verdict::invalid) out.is_promised = is_promised(kernel, q);
   std::optional<Reference> chain;
   if (out.truth.verdict != Verdict::invalid) {
     out.claim = asked->claimed(kernel);
     if (out.claim) chain = out.claim->chain;
+    out.exact = asked->published_signs();
+    if (!out.exact && out.claim && out.claim->sides) {
+      out.exact = ExactSigns{out.claim->sides->holds, out.claim->sides->ties};
+    }
+    out.squared_distance = asked->squared_distance();
+    out.is_promised = is_promised(kernel, q);
   }
   out.judgement = judge(*kernel.test, out.truth, chain, answer, kernel.touching);
   if (out.judgement.verdict_flip) out.depth = oracles.depth(q);
@@ -41,8 +42,30 @@ OracleExamination examine_by_oracles(const Numbers<Real>& q, const Kernel& kerne
   }
   return out;
 }
-template OracleExamination examine_by_oracles(const Numbers<float>&, const Kernel&, const Answer&, std::vector<double>);
-template OracleExamination examine_by_oracles(const Numbers<double>&, const Kernel&, const Answer&,
-                                              std::vector<double>);
+
+}  // namespace
+
+template <class Real>
+Examination Examiner::examined(const Numbers<Real>& q) {
+  auto& implementation = std::get<std::optional<Implementation<Real>>>(begun_);
+  if (!implementation) implementation = kernel_.on<Real>(target_);
+  Reply<Real> reply = ask(*implementation, q);
+  Examination out = axiscert::examine(q, kernel_, reply.outcome(0), reply.measures(0));
+  const bool is_answered = out.answer.verdict != Verdict::unanswered;
+  if (kernel_.exposes == Exposure::sides && is_answered) out.sides = sides_in(reply.answers);
+  out.findings = std::move(reply.findings);
+  if (!is_answered) implementation.reset();
+  return out;
+}
+template Examination Examiner::examined(const Numbers<float>&);
+template Examination Examiner::examined(const Numbers<double>&);
+
+Examination examine(const Numbers<float>& q, const Kernel& kernel, const Answer& answer, std::vector<double> measures) {
+  return examination(q, kernel, answer, std::move(measures));
+}
+Examination examine(const Numbers<double>& q, const Kernel& kernel, const Answer& answer,
+                    std::vector<double> measures) {
+  return examination(q, kernel, answer, std::move(measures));
+}
 
 }  // namespace axiscert

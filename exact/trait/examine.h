@@ -1,4 +1,5 @@
-// One query with one kernel of any test, examined by the test's oracles: the content of a witness.
+// The full examination of one query with one kernel by the oracles of its test: the output of `check` and the content
+// of a witness.
 #pragma once
 
 #include <optional>
@@ -8,40 +9,54 @@
 
 namespace axiscert {
 
-struct OracleExamination {
+// The sides that a kernel shows, by comparison; a binary64 holds either precision.
+struct ShownSides {
+  std::vector<double> lhs, rhs;
+};
+
+struct Examination {
   Truth truth;
   Answer answer;
-  std::optional<Claimed> claim;  // empty without formulae, and if the truth is `invalid`
+  // Of a valid query: what the kernel claims, if it claims formulae; the signs of the formulae that the test publishes
+  // or, where it publishes none, of the claim; and the exact squared distance, in a test that compares one.
+  std::optional<Claimed> claim;
+  std::optional<ExactSigns> exact;
+  std::optional<Rational> squared_distance;
   Judgement judgement;
   std::optional<double> depth;            // of the query, if the verdict is wrong and the test has a depth
+  std::optional<ShownSides> sides;        // as computed, if the kernel exposes them and was asked now
   std::vector<double> measures;           // that the kernel gave, the first of the test's
   std::optional<MotionJudgement> motion;  // of these, beside a contact that is right
   std::optional<Tunnel> missed;           // of a missed contact, in a test with measures
-  bool is_promised = true;                // the query is one on which the kernel promises to be right
+  bool is_promised = true;                // the query is one on which the kernel promises to be right, or is invalid
   std::vector<Finding> findings;          // faults of the kernel other than a wrong answer
 };
 
-// Examines queries of the kernel's test. The kernel is begun once in each precision, and again after a query that it
-// did not answer.
-class OracleExaminer {
+// Examines queries of the kernel's test. The kernel is begun once in each precision, since a plug-in is a process of
+// its own, and again after a query that it did not answer.
+class Examiner {
  public:
   // The kernel and the string must outlive the examiner.
-  OracleExaminer(const Kernel& kernel, std::string_view target) : kernel_(kernel), target_(target) {}
+  Examiner(const Kernel& kernel, std::string_view target) : kernel_(kernel), target_(target) {}
   const Kernel& kernel() const { return kernel_; }
 
   // Precondition: the kernel exists in this precision. Throws OracleDisagreement.
-  template <class Real>
-  OracleExamination examine(const Numbers<Real>& q);
+  Examination examine(const Numbers<float>& q) { return examined(q); }
+  Examination examine(const Numbers<double>& q) { return examined(q); }
 
  private:
+  template <class Real>
+  Examination examined(const Numbers<Real>& q);
+
   const Kernel& kernel_;
   std::string_view target_;
   std::tuple<std::optional<Implementation<float>>, std::optional<Implementation<double>>> begun_;
 };
 
 // Examines an answer that a kernel gave earlier, and the measures that it gave with it.
-template <class Real>
-OracleExamination examine_by_oracles(const Numbers<Real>& q, const Kernel& kernel, const Answer& answer,
-                                     std::vector<double> measures = {});
+Examination examine(const Numbers<float>& q, const Kernel& kernel, const Answer& answer,
+                    std::vector<double> measures = {});
+Examination examine(const Numbers<double>& q, const Kernel& kernel, const Answer& answer,
+                    std::vector<double> measures = {});
 
 }  // namespace axiscert

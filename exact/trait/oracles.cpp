@@ -21,6 +21,40 @@ const Oracles& oracles_of(const TestDescription& test, std::size_t entry) {
   throw HarnessFault(fmt::format("the test '{}' is not on the list of kernel/test_list.h", test.id));
 }
 
+namespace {
+
+template <class Real>
+std::optional<Verdict> verdict_beyond_rounded(const Oracles& oracles, double threshold, const Numbers<Real>& numbers) {
+  const Truth truth = oracles.truth(numbers);
+  if (truth.verdict == Verdict::invalid) return std::nullopt;
+  const std::optional<double> depth = oracles.depth(numbers);
+  return depth && *depth > threshold ? std::optional(truth.verdict) : std::nullopt;
+}
+
+// 0/0 gives 0.
+Rational margin_of(const Rational& lhs, const Rational& rhs) {
+  const Rational scale = abs(lhs) + abs(rhs);
+  return sgn(scale) == 0 ? Rational(0) : Rational((lhs - rhs) / scale);
+}
+
+}  // namespace
+
+std::vector<Rational> AskedQuery::relative_margins(const Kernel& kernel, ComparisonBits comparisons) {
+  std::vector<Rational> margins;
+  const ExactSides* found = sides(kernel);
+  if (found == nullptr) return margins;
+  for_each_bit(comparisons,
+               [&](std::size_t k) { margins.push_back(margin_of(rational(found->lhs[k]), rational(found->rhs[k]))); });
+  return margins;
+}
+
+std::optional<Verdict> Oracles::verdict_beyond(double depth, const Numbers<float>& numbers) const {
+  return verdict_beyond_rounded(*this, depth, numbers);
+}
+std::optional<Verdict> Oracles::verdict_beyond(double depth, const Numbers<double>& numbers) const {
+  return verdict_beyond_rounded(*this, depth, numbers);
+}
+
 std::unique_ptr<BatchOracle<float>> Oracles::batches(std::string_view, std::type_identity<float>) const {
   return std::make_unique<AskedOneByOne<float>>();
 }

@@ -13,6 +13,8 @@
 #include "exact/judge/judge.h"
 #include "exact/judge/motion_judgement.h"
 #include "exact/numbers/binary_fraction.h"
+#include "exact/numbers/decimal6.h"
+#include "exact/numbers/exact_depth.h"
 #include "exact/trait/batch_oracle.h"
 #include "kernel/kernel.h"
 
@@ -29,6 +31,17 @@ struct ExactSides {
 struct Claimed {
   Reference chain;
   std::optional<ExactSides> sides;
+};
+
+// The signs of formulae in exact arithmetic, by comparison: those that hold, and those with lhs == rhs.
+struct ExactSigns {
+  ComparisonBits holds = 0, ties = 0;
+};
+
+// The error of a computed comparison, in u: |(l^ - r^) - (l - r)| / (u (|l| + |r|)), with the computed sides l^, r^.
+struct SideErrorSize {
+  Decimal6 rounded_up;
+  std::optional<Rational> exact;  // empty if a side is a root
 };
 
 // A fact about a query besides its truth: a number of the query's precision, a word, a list of names, or, where the
@@ -67,6 +80,24 @@ class AskedQuery {
     return Claimed{std::move(*found), exact ? std::optional(*exact) : std::nullopt};
   }
   virtual DepthOf& depth() = 0;
+
+  // All that follow are empty where the test does not tell them.
+  // The signs of the formulae that the test publishes, with strict relations, whatever a kernel claims.
+  virtual std::optional<ExactSigns> published_signs() { return std::nullopt; }
+  // The square of the distance that the test compares.
+  virtual std::optional<Rational> squared_distance() { return std::nullopt; }
+  // The depth before it is rounded.
+  virtual std::optional<ExactDepth> exact_depth() { return std::nullopt; }
+  // (lhs - rhs) / (|lhs| + |rhs|) of the exact sides of the kernel's claim, for these comparisons in their order; if
+  // lhs is a root, the same with the signed squares of the sides. 0 where both are 0, or undefined. Empty for a kernel
+  // that claims no comparisons.
+  virtual std::vector<Rational> relative_margins(const Kernel& kernel, ComparisonBits comparisons);
+  // The error of sides that the kernel computed for its claim in the query's precision. Empty too where it is not
+  // finite.
+  virtual std::optional<SideErrorSize> side_error(const Kernel&, std::size_t /*comparison*/, double /*lhs*/,
+                                                  double /*rhs*/) {
+    return std::nullopt;
+  }
 };
 
 // Stateless: any thread may ask at any time. `numbers` are of one entry of the test, whose oracles these are. Each
@@ -87,6 +118,9 @@ class Oracles {
   virtual std::unique_ptr<BatchOracle<float>> batches(std::string_view target, std::type_identity<float>) const;
   virtual std::unique_ptr<BatchOracle<double>> batches(std::string_view target, std::type_identity<double>) const;
 
+  // Whether batches() decides nearly all queries by filters, at a hundredth of the cost of exact arithmetic.
+  virtual bool has_filters() const { return false; }
+
   // The query, to be asked more than once. Another arithmetic repeats the decisions of the truth where the test has a
   // second oracle and `opinion` says so.
   virtual std::unique_ptr<AskedQuery> about(const Numbers<float>& numbers, Opinion opinion = Opinion::second) const = 0;
@@ -105,6 +139,12 @@ class Oracles {
   // The distance of a valid query from touching, relative to its scene and rounded once; empty if the test has none.
   virtual std::optional<double> depth(const Numbers<float>& numbers) const = 0;
   virtual std::optional<double> depth(const Numbers<double>& numbers) const = 0;
+  // The verdict of numbers whose depth exceeds this; empty on any others. By the rounded depth, or exactly where the
+  // test has quick bounds of it.
+  virtual std::optional<Verdict> verdict_beyond(double depth, const Numbers<float>& numbers) const;
+  virtual std::optional<Verdict> verdict_beyond(double depth, const Numbers<double>& numbers) const;
+  // Whether the test compares a distance (AskedQuery::squared_distance).
+  virtual bool has_squared_distance() const { return false; }
 
   // Facts about a valid query besides its truth, in the order in which `check` shows them; most tests have none.
   virtual std::vector<Detail> details(const Numbers<float>&) const { return {}; }

@@ -3,76 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/image_groups.h"
 #include "kernel/ask.h"
 
 namespace axiscert {
 namespace {
 
-using QuantityValues = std::array<double, quantities.size()>;
-
-double length_of(const Vec3<double>& v) { return std::sqrt(dot(v, v)); }
-
-double squared_distance_to(const Vec3<double>& u, const Vec3<double>& v) {
-  const Vec3<double> w = v - u;
-  const double along = -dot(u, w), whole = dot(w, w);
-  const double t = along <= 0 ? 0 : along >= whole ? 1 : along / whole;
-  const Vec3<double> nearest = u + w * t;
-  return dot(nearest, nearest);
-}
-
-// The quantities of the base, in the order of `quantities`, in plain double: four digits would do.
-template <class Real>
-QuantityValues values_of(const Query<Real>& base) {
-  const Query<double> q = widened(base);
-  const Rational exact_square = squared_distance(base), radius = exact(q.r);
-  const double dd = nearest<double>(exact_square), d = std::sqrt(dd);
-  const double gap = std::abs(nearest<double>(Rational(exact_square - radius * radius)));
-  const std::array<Vec3<double>, 3> v = {q.a - q.p, q.b - q.p, q.c - q.p};
-  const Vec3<double> normal = cross(v[1] - v[0], v[2] - v[0]);
-  std::array<double, 3> edges, vertices, sides;
-  std::size_t next_to = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t to = (i + 1) % 3, last = next_to;
-    edges[i] = length_of(v[to] - v[i]);
-    vertices[i] = length_of(v[i]);
-    sides[i] = dot(cross(v[i], v[to]), normal);
-    if (squared_distance_to(v[i], v[to]) < squared_distance_to(v[last], v[(last + 1) % 3])) next_to = i;
-  }
-  double greatest = 0;
-  for (const auto& point : {q.a, q.b, q.c, q.p}) {
-    greatest = std::max({greatest, std::abs(point.x), std::abs(point.y), std::abs(point.z)});
-  }
-  const double offset = dot(v[0], normal), ee = dot(normal, normal);
-  const auto [least_edge, greatest_edge] = std::minmax_element(edges.begin(), edges.end());
-  const auto [least_vertex, greatest_vertex] = std::minmax_element(vertices.begin(), vertices.end());
-  return {d,
-          q.r,
-          d + q.r > 0 ? gap / (d + q.r) : 0,
-          gap,
-          std::sqrt(ee),
-          *least_edge,
-          edges[next_to],
-          *greatest_edge,
-          *least_vertex,
-          *greatest_vertex,
-          greatest,
-          *std::min_element(sides.begin(), sides.end()),
-          std::abs(offset),
-          std::abs(offset * offset - q.r * q.r * ee),
-          ee > 0 ? std::abs(offset) / std::sqrt(ee) : 0,
-          edges[0],
-          edges[1],
-          edges[2]};
-}
-
 struct Interval {
   double low, high;
 };
 
 // The first place where most of the closed intervals overlap.
-AbsoluteSize overlap(std::size_t quantity, const std::vector<Interval>& intervals) {
+AbsoluteSize overlap(const Quantity& quantity, const std::vector<Interval>& intervals) {
   struct End {
     double at;
     bool is_upper;
@@ -124,10 +67,12 @@ void narrow_in(const Plan& plan, const Kernel& kernel, const Source& source, std
 }
 
 template <class Real>
-std::vector<AbsoluteSize> sizes_in(const Plan& plan, const Source& source, std::span<const UnitFlip> flips) {
-  std::array<std::vector<Interval>, quantities.size()> intervals;
+std::vector<AbsoluteSize> sizes_in(const Plan& plan, const Source& source, std::span<const UnitFlip> flips,
+                                   const Quantities& of) {
+  const std::span<const Quantity> quantities = of.all();
+  std::vector<std::vector<Interval>> intervals(quantities.size());
   for (const UnitFlip& flip : flips) {
-    const QuantityValues values = values_of<Real>(source.make<Real>(plan.seed, flip.base));
+    const std::vector<double> values = of.values(source.make<Real>(plan.seed, flip.base));
     const auto [low, high] = std::minmax(flip.right, flip.wrong);
     for (std::size_t k = 0; k < quantities.size(); ++k) {
       const int degree = quantities[k].degree;
@@ -138,7 +83,7 @@ std::vector<AbsoluteSize> sizes_in(const Plan& plan, const Source& source, std::
   }
   std::vector<AbsoluteSize> sizes;
   for (std::size_t k = 0; k < quantities.size(); ++k) {
-    const AbsoluteSize size = overlap(k, intervals[k]);
+    const AbsoluteSize size = overlap(quantities[k], intervals[k]);
     if (size.explains * 4 >= flips.size() * 3 && size.explains > 0) sizes.push_back(size);
   }
   std::stable_sort(sizes.begin(), sizes.end(), [](const auto& x, const auto& y) { return x.explains > y.explains; });
@@ -161,9 +106,10 @@ void narrow(const Plan& plan, const Kernel& kernel, const Source& source, Precis
 
 std::vector<AbsoluteSize> absolute_sizes(const Plan& plan, const Source& source, Precision precision,
                                          std::span<const UnitFlip> flips) {
-  if (&source.test() != &first_test()) return {};
-  return precision == Precision::binary32 ? sizes_in<float>(plan, source, flips)
-                                          : sizes_in<double>(plan, source, flips);
+  const Quantities* const quantities = capabilities_of(source.test()).quantities;
+  if (quantities == nullptr) return {};
+  return precision == Precision::binary32 ? sizes_in<float>(plan, source, flips, *quantities)
+                                          : sizes_in<double>(plan, source, flips, *quantities);
 }
 
 }  // namespace axiscert

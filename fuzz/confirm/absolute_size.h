@@ -2,7 +2,6 @@
 // at one scale and wrong at another. A message needs it; no count depends on it.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -29,34 +28,26 @@ struct Quantity {
   std::string_view text;
   int degree;
 };
-inline constexpr std::array<Quantity, 18> quantities = {{{"the distance d", 1},
-                                                         {"r", 1},
-                                                         {"|d - r|", 1},
-                                                         {"|d^2 - r^2|", 2},
-                                                         {"|AB x AC|", 2},
-                                                         {"the shortest edge", 1},
-                                                         {"the edge next to P", 1},
-                                                         {"the longest edge", 1},
-                                                         {"the distance from P to the nearest vertex", 1},
-                                                         {"the distance from P to the farthest vertex", 1},
-                                                         {"the greatest coordinate", 1},
-                                                         {"the least determinant of P with an edge and the normal", 4},
-                                                         {"AP . (AB x AC)", 3},
-                                                         {"(AP . V)^2 - r^2 V^2, with V = AB x AC", 6},
-                                                         {"the distance to the plane", 1},
-                                                         {"AB", 1},
-                                                         {"BC", 1},
-                                                         {"CA", 1}}};
+class Quantities {
+ public:
+  virtual std::span<const Quantity> all() const = 0;
+  // Of a valid query, in that order and in plain double: four digits would do.
+  virtual std::vector<double> values(const Numbers<float>& query) const = 0;
+  virtual std::vector<double> values(const Numbers<double>& query) const = 0;
+
+ protected:
+  ~Quantities() = default;
+};
 
 // A number with which the quantity was compared: all that is known is that it lies between two values.
 struct AbsoluteSize {
-  std::size_t quantity;
+  Quantity quantity;
   double least, greatest;
   std::uint64_t explains;  // flips for which the quantity passes the number between `right` and `wrong`
 };
 
 // The quantities that explain most of the flips, at least three quarters of them; three at most, in the order above.
-// None for a test other than the first, whose quantities these are.
+// None for a test that names no quantities (fuzz/queries/capabilities.h).
 std::vector<AbsoluteSize> absolute_sizes(const Plan& plan, const Source& source, Precision precision,
                                          std::span<const UnitFlip> flips);
 

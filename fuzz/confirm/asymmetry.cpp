@@ -7,7 +7,6 @@
 
 #include "exact/trait/oracles.h"
 #include "kernel/ask.h"
-#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

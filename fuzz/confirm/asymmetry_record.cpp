@@ -25,8 +25,8 @@ Json changes_json(const ImageChanges& changes, const AddressOf& address) {
 Json sizes_json(const std::vector<UnitFlip>& flips, const std::vector<AbsoluteSize>& sizes) {
   Json json = {{"bases", flips.size()}, {"compared", Json::array()}};
   for (const AbsoluteSize& size : sizes) {
-    json["compared"].push_back({{"quantity", quantities[size.quantity].text},
-                                {"degree", quantities[size.quantity].degree},
+    json["compared"].push_back({{"quantity", size.quantity.text},
+                                {"degree", size.quantity.degree},
                                 {"least", size.least},
                                 {"greatest", size.greatest},
                                 {"explains", size.explains}});

@@ -4,10 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "exact/sphere_triangle/measures/depth.h"
-#include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/trait/oracles.h"
-#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {
@@ -24,29 +21,6 @@ int image_size(ImageKind kind, const AnsweredGroup<Real>& answered, std::size_t 
     if (columns[k].role == Role::coordinate) greatest = std::max(greatest, std::abs(moved[k] - base[k]));
   }
   return greatest == 0 ? 0 : std::ilogb(greatest);
-}
-
-// The right verdict on a clear query; empty if it is not clear. A test of which no quick bounds of a depth are known
-// goes by its depth rounded once.
-template <class Real>
-std::optional<Verdict> clear_verdict(const TestDescription& test, const Numbers<Real>& numbers) {
-  if (&test != &first_test()) {
-    const Oracles& oracles = oracles_of(test);
-    const Truth truth = oracles.truth(numbers);
-    if (truth.verdict == Verdict::invalid) return std::nullopt;
-    const std::optional<double> depth = oracles.depth(numbers);
-    if (!depth || *depth <= std::ldexp(1.0, clear_depth_exponent)) return std::nullopt;
-    return truth.verdict;
-  }
-  const Query<Real> q = numbers;
-  const DepthRange range = depth_range(q);
-  const double threshold = std::ldexp(1.0, clear_depth_exponent);
-  if (range.high <= threshold) return std::nullopt;
-  if (!(range.low > threshold)) {
-    const ExactDepth least{0, 1, Rational(mpz_class(1) << (-2 * clear_depth_exponent))};
-    if (compare(exact_depth(q, squared_distance(q)), least) <= 0) return std::nullopt;
-  }
-  return distance_order(q) > 0 ? Verdict::separated : Verdict::contact;
 }
 
 struct ScaledAnswer {
@@ -69,7 +43,8 @@ void keep_flip(UnitFaults& faults, std::uint64_t position, Verdict right, std::s
 
 template <class Real>
 void count_units(UnitFaults& faults, const AnsweredGroup<Real>& answered) {
-  const std::optional<Verdict> right = clear_verdict(answered.group.test(), answered.queries[0]);
+  const std::optional<Verdict> right =
+      oracles_of(answered.group.test()).verdict_beyond(std::ldexp(1.0, clear_depth_exponent), answered.queries[0]);
   if (!right) return;
   std::vector<ScaledAnswer> answers;
   const bool base_is_right = *answered.verdicts[0] == *right;

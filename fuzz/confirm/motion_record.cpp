@@ -71,7 +71,7 @@ Json motion_json(const MotionTally& tally, const Kernel& kernel) {
   return json;
 }
 
-Json measures_json(const TestDescription& test, const OracleExamination& found) {
+Json measures_json(const TestDescription& test, const Examination& found) {
   const bool is_contact = found.answer.verdict == Verdict::contact && !found.measures.empty();
   if (!is_contact && !found.missed) return nullptr;
   Json json = Json::object(), given = Json::object();

@@ -18,7 +18,7 @@ Json motion_json(const MotionTally& tally, const Kernel& kernel);
 
 // The measures that a kernel gave beside a contact, by name, numbers as a query has them, and how they are wrong, where
 // that contact is right; of a missed contact its tunnel. Null where there is neither.
-Json measures_json(const TestDescription& test, const OracleExamination& found);
+Json measures_json(const TestDescription& test, const Examination& found);
 
 // The exact first contact of a query whose verdict is `truth`, by name: the details of the oracles of its entry and,
 // where there is contact, its point and normal as numbers of binary64. Null of a query that is invalid.

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "exact/sphere_triangle/filters/cascade.h"
-#include "exact/sphere_triangle/measures/limits.h"
-#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/trait/oracles.h"
+#include "fuzz/queries/query_shape.h"
 
 namespace axiscert {
 namespace {
@@ -38,9 +37,16 @@ template <class Real>
 class NearestSearch {
  public:
   NearestSearch(const Plan& plan, const Kernel& kernel)
-      : plan_(plan), kernel_(kernel), cascade_(filter_on<Real>(plan.target)), batch_(most_at_once, coordinate_count) {
+      : plan_(plan),
+        kernel_(kernel),
+        oracles_(oracles_of(kernel)),
+        shape_(shape_of(kernel.test->entries[kernel.entry])),
+        truths_(batches_of<Real>(oracles_, plan.target)),
+        batch_(most_at_once, shape_.numbers) {
     for (const Kernel& other : kernels()) {
-      if (other.id == kernel.id || other.test != kernel.test || !other.has(precision_of<Real>)) continue;
+      if (other.id == kernel.id || other.test != kernel.test || other.entry != kernel.entry ||
+          !other.has(precision_of<Real>))
+        continue;
       others_.push_back({&other, other.on<Real>(plan.target)});
     }
   }
@@ -68,8 +74,8 @@ class NearestSearch {
 
  private:
   void add(const Source& source, std::uint64_t position, bool is_wrong) {
-    const Query<Real> q = source.make<Real>(plan_.seed, position);
-    if (!is_valid(q) || !is_within(kernel_.limits, q)) return;
+    const Numbers<Real> q = source.make<Real>(plan_.seed, position);
+    if (!may_be_valid(shape_, q) || !is_promised(kernel_, q)) return;
     batch_.push_back(q);
     is_wrong_.push_back(is_wrong);
     if (batch_.size() == batch_.capacity()) compare_batch();
@@ -95,18 +101,20 @@ class NearestSearch {
   }
 
   std::vector<Verdict> truths() {
-    const std::vector<DecidedSigns>& decided = cascade_.decide(batch_);
+    truths_->decide(batch_);
     std::vector<Verdict> truth(batch_.size());
     for (std::size_t i = 0; i < truth.size(); ++i) {
-      truth[i] = decided[i].step != Step::exact ? verdict_of(decided[i].signs)
-                                                : exact_truth(query_from(batch_[i]), false).verdict;
+      const std::optional<Truth> known = truths_->known(i);
+      truth[i] = known ? known->verdict : oracles_.about(batch_[i], Opinion::first)->truth().verdict;
     }
     return truth;
   }
 
   const Plan& plan_;
   const Kernel& kernel_;
-  Cascade<Real> cascade_;
+  const Oracles& oracles_;
+  const QueryShape shape_;
+  std::unique_ptr<BatchOracle<Real>> truths_;
   QueryBatch<Real> batch_;
   std::vector<bool> is_wrong_;  // by query of the batch: the given kernel
   std::vector<Other<Real>> others_;

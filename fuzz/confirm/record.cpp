@@ -8,6 +8,7 @@
 
 #include "exact/trait/oracles.h"
 #include "fuzz/queries/address.h"
+#include "fuzz/queries/capabilities.h"
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/confirm/asymmetry_record.h"
 #include "fuzz/confirm/class_record.h"
@@ -152,7 +153,7 @@ Json verdict_json(const VerdictTally& v, const Kernel& kernel) {
           {"touching_links", link_counts(v.touching_links, 0, last)},
           {"outside_limits", is_limited ? outside_json(v.outside_limits) : Json(nullptr)},
           {"depths", oracles_of(test).has_depth() ? depths_json(v.depths) : Json(nullptr)},
-          {"engine_like", &test == &first_test() ? engine_json(v.engine) : Json(nullptr)}};
+          {"engine_like", capabilities_of(test).has_engine_queries ? engine_json(v.engine) : Json(nullptr)}};
 }
 
 Json truth_json(const Tally& tally) {

@@ -3,12 +3,28 @@
 #include <fmt/format.h>
 
 #include "fuzz/queries/address.h"
+#include "fuzz/queries/capabilities.h"
+#include "fuzz/queries/input_classes.h"
 #include "fuzz/text/number_text.h"
 #include "fuzz/confirm/motion_record.h"
 #include "fuzz/confirm/witness_sides.h"
-#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
+namespace {
+
+// The class of a query with a wrong verdict, which was counted as this one if as any. Throws OracleDisagreement.
+template <class Real>
+std::string_view class_of_wrong(const TestDescription& test, const Numbers<Real>& numbers,
+                                std::optional<InputClass> counted) {
+  const std::string_view found = capabilities_of(test).input_classes->of(numbers).front();
+  if (counted && found != input_class_names[*counted]) {
+    throw OracleDisagreement(fmt::format("the input was counted as {}, and is {}", input_class_names[*counted], found),
+                             numbers, test);
+  }
+  return found;
+}
+
+}  // namespace
 
 template <class Real>
 void put_query(Json& into, const TestEntry& entry, const Numbers<Real>& numbers) {
@@ -76,10 +92,7 @@ void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision pr
   }
   note_motion(tally.motion, shown);
   if (asymmetry) add_pairs(source, precision, *asymmetry, shown);
-  if (!examiner_ || &examiner_->kernel() != &kernel) {
-    examiner_.emplace(kernel, plan_.target);
-    oracle_examiner_.emplace(kernel, plan_.target);
-  }
+  if (!examiner_ || &examiner_->kernel() != &kernel) examiner_.emplace(kernel, plan_.target);
   if (precision == Precision::binary32) write<float>(kernel, source, shown);
   else write<double>(kernel, source, shown);
 }
@@ -141,39 +154,20 @@ void WitnessWriter::note_motion(const MotionTally& motion, Shown& shown) {
 }
 
 template <class Real>
-WitnessWriter::Examined WitnessWriter::examined(const Kernel& kernel, const Source& source, std::uint64_t position,
-                                                const Numbers<Real>& numbers, const Reasons& why) {
-  std::optional<Answer> reply;
-  if (plan_.replies) reply = plan_.replies->at(source, precision_of<Real>, position);
-  if (plan_.test != &sphere_triangle_test()) {
-    const OracleExamination found =
-        reply
-            ? examine_by_oracles(numbers, kernel, *reply, plan_.replies->measures(source, precision_of<Real>, position))
-            : oracle_examiner_->examine(numbers);
-    return {found.truth, found.answer, found.judgement, found.depth, {}, nullptr, measures_json(*plan_.test, found)};
-  }
-  const Query<Real> q = numbers;
-  const Examination found = reply ? examine(q, kernel, *reply) : examiner_->examine(q);
-  std::optional<InputClass> input_class;
-  if (has_input_classes(kernel) && found.judgement.verdict_flip) {
-    input_class = class_of(input_classes(q, *found.squared_distance));
-    if (why.input_class && input_class != why.input_class) {
-      throw OracleDisagreement(fmt::format("the input was counted as {}, and is {}",
-                                           input_class_names[*why.input_class], input_class_names[*input_class]),
-                               numbers);
-    }
-  }
-  return {found.truth, found.answer, found.judgement,
-          found.depth, input_class,  sides_json(q, kernel, found, why.largest_errors),
-          nullptr};
+Examination WitnessWriter::examined(const Kernel& kernel, const Source& source, std::uint64_t position,
+                                    const Numbers<Real>& numbers) {
+  if (!plan_.replies) return examiner_->examine(numbers);
+  const Answer reply = plan_.replies->at(source, precision_of<Real>, position);
+  return examine(numbers, kernel, reply, plan_.replies->measures(source, precision_of<Real>, position));
 }
 
 template <class Real>
 void WitnessWriter::write(const Kernel& kernel, const Source& source, const Shown& shown) {
   const TestDescription& test = *plan_.test;
+  const WitnessSides* const sides = capabilities_of(test).witness_sides;
   for (const auto& [position, what] : shown) {
     const Numbers<Real> numbers = source.make<Real>(plan_.seed, position);
-    Examined found = examined(kernel, source, position, numbers, what);
+    const Examination found = examined(kernel, source, position, numbers);
     Json witness = {{"id", fmt::format("w{}", witnesses_.size() + 1)}, {"precision", name(precision_of<Real>)}};
     put_query(witness, source.test().entries[source.entry()], numbers);
     witness["kernel"] = kernel.id;
@@ -183,16 +177,18 @@ void WitnessWriter::write(const Kernel& kernel, const Source& source, const Show
     witness["computed"] = name(found.answer.verdict);
     witness["touching"] = found.truth.touching;
     witness["depth"] = found.depth ? Json(*found.depth) : Json(nullptr);
-    if (found.input_class) witness["class"] = input_class_names[*found.input_class];
+    if (has_input_classes(kernel) && found.judgement.verdict_flip) {
+      witness["class"] = class_of_wrong(test, numbers, what.input_class);
+    }
     witness["exact_comparisons"] =
         found.judgement.exact ? Json(bit_string(*found.judgement.exact, test.comparisons.size())) : Json(nullptr);
     witness["computed_comparisons"] =
         found.answer.bits ? Json(bit_string(*found.answer.bits, test.comparisons.size())) : Json(nullptr);
     witness["shows"] = what.texts;
     witness["flips"] = flips_json(test, found.judgement);
-    witness["sides"] = std::move(found.sides);
+    witness["sides"] = sides == nullptr ? Json(nullptr) : sides->of(numbers, kernel, found, what.largest_errors);
     if (!test.measures.empty()) {
-      witness["measures"] = std::move(found.measures);
+      witness["measures"] = measures_json(test, found);
       witness["first_contact"] = first_contact_json(oracles_of(test, source.entry()), found.truth, numbers);
     }
     witnesses_.push_back(std::move(witness));

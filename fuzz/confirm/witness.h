@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "exact/sphere_triangle/claims/examine.h"
-#include "exact/sphere_triangle/measures/input_class.h"
 #include "exact/trait/examine.h"
+#include "exact/sphere_triangle/measures/input_class.h"
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/confirm/record.h"
 
@@ -34,28 +33,16 @@ class WitnessWriter {
     std::optional<InputClass> input_class = {};  // as which it was counted
   };
   using Shown = std::map<std::uint64_t, Reasons>;  // by position
-  // A query's examination by all oracles, as far as a witness of any test has it.
-  struct Examined {
-    Truth truth;
-    Answer answer;
-    Judgement judgement;
-    std::optional<double> depth;
-    std::optional<InputClass> input_class;  // of a wrong verdict of a kernel with classes
-    Json sides;
-    Json measures;  // of a test with measures
-  };
   static void note_motion(const MotionTally& motion, Shown& shown);
   void add_pairs(const Source& source, Precision precision, const Asymmetry& asymmetry, Shown& shown) const;
   template <class Real>
-  Examined examined(const Kernel& kernel, const Source& source, std::uint64_t position, const Numbers<Real>& numbers,
-                    const Reasons& why);
+  Examination examined(const Kernel& kernel, const Source& source, std::uint64_t position,
+                       const Numbers<Real>& numbers);
   template <class Real>
   void write(const Kernel& kernel, const Source& source, const Shown& shown);
 
   const Plan& plan_;
-  // For the kernel that was added last; the second is for a test other than sphere-triangle.
-  std::optional<Examiner> examiner_;
-  std::optional<OracleExaminer> oracle_examiner_;
+  std::optional<Examiner> examiner_;  // for the kernel that was added last
   Json witnesses_ = Json::array();
 };
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/sphere_triangle/claims/examine.h"
+#include "exact/trait/examine.h"
 #include "exact/numbers/rational.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/queries/family.h"

@@ -77,8 +77,8 @@ class MutationRun {
                   bool in_exact_arithmetic) const {
     const Numbers<Real> q = asked.batch[i];
     Kernel kernel = mutants::kernel_of(mutant);
-    const OracleExamination found = examine_by_oracles(q, kernel, answer);
-    const auto require = [&](const OracleExamination& examined, Link link) {
+    const Examination found = examine(q, kernel, answer);
+    const auto require = [&](const Examination& examined, Link link) {
       if (examined.judgement.verdict_flip && examined.judgement.verdict_links.contains(link)) return;
       throw HarnessFault(fmt::format("{} is wrong on {} at {}, but the judge does not attribute that to {}", mutant.id,
                                      asked.family->name, first_ + i, link_names[link]));
@@ -86,7 +86,7 @@ class MutationRun {
     require(found, Link::implementation);
     if (in_exact_arithmetic) {
       kernel.is_reference = false;
-      require(examine_by_oracles(q, kernel, answer), Link::unattributed);
+      require(examine(q, kernel, answer), Link::unattributed);
     }
     return {asked.family, first_ + i, 0, *found.judgement.verdict_flip, *found.depth};
   }

@@ -89,9 +89,9 @@ TEST(SearchBoxes, EveryEntryIsServed) {
     const SearchPlan plan = box_plan(kernel, {family}, 1024);
     const SearchResult result = boxes_found(plan);
     ASSERT_FALSE(result.finds.empty()) << kernel;
-    OracleExaminer examiner(*plan.kernel, plan.target);
+    Examiner examiner(*plan.kernel, plan.target);
     for (const Find& find : result.finds) {
-      const OracleExamination again = examiner.examine(std::get<Numbers<float>>(find.witness.numbers));
+      const Examination again = examiner.examine(std::get<Numbers<float>>(find.witness.numbers));
       EXPECT_TRUE(again.judgement.verdict_flip) << kernel << ' ' << query_line(find.witness);
       EXPECT_EQ(find.witness.entry, plan.kernel->entry);
     }

@@ -59,7 +59,7 @@ TEST(Confirm, ErrorsAreThoseOfTheFormulaeInRationals) {
       ASSERT_TRUE(found);
       for (const auto& [which, margin] : margins(q)) {
         const Rational error = abs(exact(computed.lhs[which]) - exact(computed.rhs[which]) - margin) * (1 << 24);
-        EXPECT_EQ(found->absolute[which], round_up(error))
+        EXPECT_EQ(found->absolute[index_of(which)], round_up(error))
             << family << " " << i << " " << info(which).name << ", seed " << seed;
       }
     }

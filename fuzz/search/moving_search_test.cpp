@@ -33,11 +33,11 @@ SearchResult motions_found(const SearchPlan& plan, const std::optional<std::stri
 
 // The deepest wrong verdict of the run from which the search begins.
 double deepest_of_run(const SearchPlan& plan, FlipKind kind) {
-  OracleExaminer examiner(*plan.kernel, plan.target);
+  Examiner examiner(*plan.kernel, plan.target);
   double deepest = 0;
   for (const SourcePtr& source : plan.first_sources) {
     for (std::uint64_t n = 0; n < plan.first_queries; ++n) {
-      const OracleExamination found = examiner.examine(source->make<float>(plan.seed, n));
+      const Examination found = examiner.examine(source->make<float>(plan.seed, n));
       if (found.judgement.verdict_flip == kind) deepest = std::max(deepest, *found.depth);
     }
   }
@@ -51,8 +51,8 @@ TEST(SearchMotions, FindsDeeperFaultsThanTheRunFromWhichItBegins) {
   ASSERT_EQ(result.finds.size(), 2u);
   for (const Find& find : result.finds) {
     const FlipKind kind = find.aim.goal == Goal::missed_contact ? FlipKind::false_separation : FlipKind::false_contact;
-    OracleExaminer examiner(*plan.kernel, plan.target);
-    const OracleExamination again = examiner.examine(std::get<Numbers<float>>(find.witness.numbers));
+    Examiner examiner(*plan.kernel, plan.target);
+    const Examination again = examiner.examine(std::get<Numbers<float>>(find.witness.numbers));
     EXPECT_EQ(again.judgement.verdict_flip, kind) << query_line(find.witness);
     EXPECT_NEAR(find.value.value(), *again.depth, 1e-5 * *again.depth);
     EXPECT_GE(find.value.value(), deepest_of_run(plan, kind)) << "seed " << motions_seed;

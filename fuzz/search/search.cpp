@@ -320,7 +320,7 @@ class Search {
         find.range_exponent = range_exponent(aim.goal, plan_.precision, value.value());
         find.witness.numbers = times_power(query, find.range_exponent);
       } else if (!is_about_a_comparison(aim.goal)) {
-        find.links = confirmer.verdict_links(query);
+        find.links = confirmer.examine(query).judgement.verdict_links;
       }
       result.finds.push_back(find);
     }

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "exact/sphere_triangle/claims/examine.h"
+#include "exact/trait/examine.h"
 #include "fuzz/campaign/supervised_testing.h"
 #include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/instruments/instruments_testing.h"

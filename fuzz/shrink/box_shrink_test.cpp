@@ -30,8 +30,8 @@ void expect_the_same_fault_of_boxes(const char* kernel_id, const char* family) {
   const Symptom symptom = finder.flips(q).front();
   const auto found = shrink<Real>(q, symptom, kernel, scalar_target, 400);
   ASSERT_GT(found.sizes.size(), 1u);
-  OracleExaminer examiner(kernel, scalar_target);
-  const OracleExamination before = examiner.examine(q), after = examiner.examine(found.query);
+  Examiner examiner(kernel, scalar_target);
+  const Examination before = examiner.examine(q), after = examiner.examine(found.query);
   EXPECT_EQ(after.judgement.verdict_flip, before.judgement.verdict_flip);
   EXPECT_EQ(after.judgement.verdict_links, before.judgement.verdict_links);
   EXPECT_GE(*after.depth, *before.depth);

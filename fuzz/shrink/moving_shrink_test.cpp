@@ -35,8 +35,8 @@ void expect_the_same_fault(const char* kernel_id, const char* family) {
   const auto found = shrink<Real>(q, symptom, kernel, scalar_target, 600);
   ASSERT_GT(found.sizes.size(), 1u);
   for (std::size_t i = 1; i < found.sizes.size(); ++i) ASSERT_LT(found.sizes[i], found.sizes[i - 1]);
-  OracleExaminer examiner(kernel, scalar_target);
-  const OracleExamination before = examiner.examine(q), after = examiner.examine(found.query);
+  Examiner examiner(kernel, scalar_target);
+  const Examination before = examiner.examine(q), after = examiner.examine(found.query);
   EXPECT_EQ(after.judgement.verdict_flip, before.judgement.verdict_flip);
   EXPECT_EQ(after.judgement.verdict_links, before.judgement.verdict_links);
   EXPECT_GE(*after.depth, *before.depth);

@@ -119,7 +119,7 @@ template <class Real>
 Judgement SymptomFinder<Real>::judgement(const Numbers<Real>& q) {
   const Answer answer = asked(q).outcome(0);
   if (kernel_.test == &first_test()) return examine(query_from(q), kernel_, answer).judgement;
-  return examine_by_oracles(q, kernel_, answer).judgement;
+  return examine(q, kernel_, answer).judgement;
 }
 
 template <class Real>
@@ -158,7 +158,7 @@ template <class Real>
 std::optional<Severity> SymptomFinder<Real>::severity_by_oracles(const Numbers<Real>& q, const Symptom& symptom) {
   const Answer answer = asked(q).outcome(0);
   if (!can_show(symptom, answer) || !symptom.kind) return std::nullopt;
-  const OracleExamination found = examine_by_oracles(q, kernel_, answer);
+  const Examination found = examine(q, kernel_, answer);
   if (!shows(found.judgement, symptom)) return std::nullopt;
   if (symptom.level == Level::verdict) {
     if (!found.depth) return Severity{RoundedDepth{0}, "no depth: the test has none"};

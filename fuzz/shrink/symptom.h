@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "exact/sphere_triangle/measures/depth.h"
-#include "exact/sphere_triangle/claims/examine.h"
+#include "exact/trait/examine.h"
 #include "exact/trait/oracles.h"
 #include "kernel/ask.h"
 

@@ -46,7 +46,7 @@ void add_sizes(UnitFindings& into, Subject<Real>& subject, const Plan& plan, con
     return floats.contains(flip.right) && floats.contains(flip.wrong);
   }));
   for (const AbsoluteSize& size : absolute_sizes(plan, source, precision_of<Real>, flips)) {
-    const Quantity& quantity = quantities[size.quantity];
+    const Quantity& quantity = size.quantity;
     into.compared.push_back({{"family", source.name()},
                              {"wrong_where", is_small ? "small" : "large"},
                              {"quantity", quantity.text},

@@ -7,16 +7,13 @@
 #include <map>
 #include <memory>
 
-#include "exact/sphere_triangle/claims/examine.h"
 #include "exact/trait/examine.h"
 #include "fuzz/confirm/motion_record.h"
 #include "fuzz/files/query_line.h"
-#include "fuzz/files/sphere_triangle_query.h"
 #include "kernel/base/error.h"
 #include "fuzz/confirm/finding_record.h"
 #include "fuzz/confirm/record.h"
 #include "kernel/plugin/load.h"
-#include "kernel/sphere_triangle/description.h"
 #include "reports/comparison/promise.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/reproduce.h"
@@ -80,8 +77,7 @@ std::string wrongs_text(const Wrongs& wrongs) {
 
 // One kernel of the record, started once; where that is not possible, `absent` says why.
 struct Asked {
-  std::unique_ptr<Examiner> examiner;  // of sphere-triangle; the other of any other test
-  std::unique_ptr<OracleExaminer> oracle_examiner;
+  std::unique_ptr<Examiner> examiner;
   const Kernel* kernel = nullptr;
   std::string absent;
 
@@ -96,8 +92,7 @@ struct Asked {
     try {
       kernel = &find_kernel(named == trusted.end() ? id : named->second);
       require_loaded(*kernel);
-      if (kernel->test == &sphere_triangle_test()) examiner = std::make_unique<Examiner>(*kernel, target);
-      else oracle_examiner = std::make_unique<OracleExaminer>(*kernel, target);
+      examiner = std::make_unique<Examiner>(*kernel, target);
     } catch (const Error& none) {
       absent = none.what();
       kernel = nullptr;
@@ -118,23 +113,13 @@ struct Asked {
       return std::visit([&](const auto& q) { return is_promised(oracles_of(*kernel), p.limits, motion, q); },
                         stored.numbers);
     };
-    const auto said = [&](const auto& found, const Json& measures) {
-      const std::string verdict(name(found.answer.verdict));
-      Said all{wrongs_of(flips_json(*kernel->test, found.judgement), measures, verdict, kernel->may_decline)};
-      all.was_promised = is_within_promise(then, found.truth.touching);
-      all.is_promised = is_within_promise(now, found.truth.touching);
-      return all;
-    };
-    if (examiner) {
-      return std::visit([&](const auto& q) { return said(examiner->examine(q), nullptr); },
-                        sphere_triangle_query(stored));
-    }
-    return std::visit(
-        [&](const auto& q) {
-          const OracleExamination found = oracle_examiner->examine(q);
-          return said(found, measures_json(*kernel->test, found));
-        },
-        stored.numbers);
+    const Examination found = std::visit([&](const auto& q) { return examiner->examine(q); }, stored.numbers);
+    const std::string verdict(name(found.answer.verdict));
+    Said all{wrongs_of(flips_json(*kernel->test, found.judgement), measures_json(*kernel->test, found), verdict,
+                       kernel->may_decline)};
+    all.was_promised = is_within_promise(then, found.truth.touching);
+    all.is_promised = is_within_promise(now, found.truth.touching);
+    return all;
   }
 };
 

@@ -22,6 +22,12 @@ class AskedSphereTriangle : public AskedQuery {
   std::optional<Reference> chain(const Kernel& kernel) override;
   const ExactSides* sides(const Kernel& kernel) override;
   DepthOf& depth() override { return distance_; }
+  std::optional<ExactSigns> published_signs() override;
+  std::optional<Rational> squared_distance() override { return distance_.squared(); }
+  std::optional<ExactDepth> exact_depth() override;
+  std::vector<Rational> relative_margins(const Kernel& kernel, ComparisonBits comparisons) override;
+  std::optional<SideErrorSize> side_error(const Kernel& kernel, std::size_t comparison, double lhs,
+                                          double rhs) override;
 
   const Query<Real>& query() const { return query_; }
   LazyDistance<Real>& distance() { return distance_; }

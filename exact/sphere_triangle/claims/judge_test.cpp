@@ -6,8 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/sphere_triangle/claims/examine.h"
+#include "exact/trait/examine.h"
 #include "exact/sphere_triangle/claims/claim.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
 
 namespace axiscert {
 namespace {
@@ -91,7 +92,7 @@ TEST(HandWorked, AFlipThatChangesNothingIsMasked) {
 TEST(HandWorked, TouchingIsContact) {
   const auto found = judged({{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 1});
   EXPECT_TRUE(found.truth.touching);
-  EXPECT_TRUE(has_bit(found.truth.formula->ties, Comparison::vertex_a_radius));
+  EXPECT_TRUE(has_bit(found.exact->ties, Comparison::vertex_a_radius));
   EXPECT_TRUE(found.judgement.flips().empty());
 }
 

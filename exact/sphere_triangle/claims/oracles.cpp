@@ -5,6 +5,7 @@
 #include "exact/sphere_triangle/filters/cascade.h"
 #include "exact/sphere_triangle/filters/decided_check.h"
 #include "exact/sphere_triangle/measures/depth.h"
+#include "exact/sphere_triangle/measures/error_measure.h"
 #include "exact/sphere_triangle/measures/limits.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
@@ -76,9 +77,17 @@ class SphereTriangleOracles final : public Oracles {
   std::unique_ptr<AskedQuery> about(const Numbers<double>& q, Opinion opinion) const override {
     return std::make_unique<AskedSphereTriangle<double>>(query_from(q), opinion);
   }
+  bool has_filters() const override { return true; }
   bool has_depth() const override { return true; }
+  bool has_squared_distance() const override { return true; }
   std::optional<double> depth(const Numbers<float>& q) const override { return depth_of<float>(q); }
   std::optional<double> depth(const Numbers<double>& q) const override { return depth_of<double>(q); }
+  std::optional<Verdict> verdict_beyond(double depth, const Numbers<float>& q) const override {
+    return beyond<float>(depth, q);
+  }
+  std::optional<Verdict> verdict_beyond(double depth, const Numbers<double>& q) const override {
+    return beyond<double>(depth, q);
+  }
   bool is_within(const Limits& limits, const Numbers<float>& q) const override {
     return axiscert::is_within(limits, query_from(q));
   }
@@ -90,6 +99,18 @@ class SphereTriangleOracles final : public Oracles {
   template <class Real>
   static double depth_of(const Query<Real>& q) {
     return axiscert::depth(q, squared_distance(q));
+  }
+  // By bounds of the depth where they tell.
+  template <class Real>
+  static std::optional<Verdict> beyond(double threshold, const Query<Real>& q) {
+    if (!is_valid(q)) return std::nullopt;
+    const DepthRange range = depth_range(q);
+    if (range.high <= threshold) return std::nullopt;
+    if (!(range.low > threshold)) {
+      const ExactDepth least{0, exact(threshold), 1};
+      if (compare(exact_depth(q, squared_distance(q)), least) <= 0) return std::nullopt;
+    }
+    return distance_order(q) > 0 ? Verdict::separated : Verdict::contact;
   }
 };
 

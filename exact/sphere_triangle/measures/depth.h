@@ -1,7 +1,7 @@
 // The relative distance of a query from the boundary between contact and separation; a number without a unit.
 #pragma once
 
-#include "exact/numbers/rational.h"
+#include "exact/numbers/exact_depth.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
@@ -11,16 +11,9 @@ namespace axiscert {
 template <class Real>
 double depth(const Query<Real>& q, const Rational& squared_distance);
 
-// The same before rounding, |sqrt(dd) - r| / sqrt(ss), as the rationals in that expression; ss > 0.
-struct ExactDepth {
-  Rational dd, r, ss;
-};
+// The same before rounding.
 template <class Real>
 ExactDepth exact_depth(const Query<Real>& q, const Rational& squared_distance);
-// Rounded once, to the nearest binary64.
-double rounded_depth(const ExactDepth& depth);
-// The sign of x - y.
-int compare(const ExactDepth& x, const ExactDepth& y);
 
 // Bounds of the result of depth(), from an enclosure of d; nothing exact is computed. No depth exceeds 1, since d is at
 // most |A-P|: the bounds are [0, 1] if no tighter ones are certain.

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "exact/sphere_triangle/measures/error_measure.h"
+#include "fuzz/sphere_triangle/confirm.h"
 #include "fuzz/text/number_text.h"
 
 namespace axiscert {
@@ -78,7 +79,7 @@ Json error_ulps(double computed, const Rational& exact_side) {
 }
 
 template <class Real>
-Json side_json(const ExactComparison& truth, const std::optional<Sides<double>>& computed, std::size_t i) {
+Json side_json(const ExactComparison& truth, const std::optional<ShownSides>& computed, std::size_t i) {
   Json json = {
       {"exact", nullptr}, {"computed", nullptr}, {"lhs_ulps", nullptr}, {"rhs_ulps", nullptr}, {"error_u", nullptr}};
   const Rational lhs = rational(truth.lhs), rhs = rational(truth.rhs), denominator = rational(truth.denominator);
@@ -107,22 +108,39 @@ ComparisonBits worth_showing(const Judgement& judgement, ComparisonBits largest_
   return which == 0 && judgement.verdict_flip ? ComparisonBits{0xFFFF} : which;
 }
 
+class SphereTriangleSides final : public WitnessSides {
+ public:
+  Json of(const Numbers<float>& q, const Kernel& kernel, const Examination& found,
+          ComparisonBits largest_errors) const override {
+    return sides<float>(q, kernel, found, largest_errors);
+  }
+  Json of(const Numbers<double>& q, const Kernel& kernel, const Examination& found,
+          ComparisonBits largest_errors) const override {
+    return sides<double>(q, kernel, found, largest_errors);
+  }
+
+ private:
+  template <class Real>
+  static Json sides(const Query<Real>& q, const Kernel& kernel, const Examination& found,
+                    ComparisonBits largest_errors) {
+    if (found.truth.verdict == Verdict::invalid || !has_comparisons(kernel.formulae)) return nullptr;
+    const FormulaTruth truth = formula_truth(kernel.formulae, q);
+    Json json = Json::object();
+    const ComparisonBits which = worth_showing(found.judgement, largest_errors);
+    for (std::size_t i = 0; i < comparison_count; ++i) {
+      if (has_bit(which, i)) {
+        json[std::string(comparisons[i].name)] = side_json<Real>(truth.comparison(i), found.sides, i);
+      }
+    }
+    return json;
+  }
+};
+
 }  // namespace
 
-template <class Real>
-Json sides_json(const Query<Real>& q, const Kernel& kernel, const Examination& found, ComparisonBits largest_errors) {
-  if (found.truth.verdict == Verdict::invalid || !has_comparisons(kernel.formulae)) return nullptr;
-  const FormulaTruth truth = formula_truth(kernel.formulae, q);
-  Json json = Json::object();
-  const ComparisonBits which = worth_showing(found.judgement, largest_errors);
-  for (std::size_t i = 0; i < comparison_count; ++i) {
-    if (has_bit(which, i)) {
-      json[std::string(comparisons[i].name)] = side_json<Real>(truth.comparison(i), found.sides, i);
-    }
-  }
-  return json;
+const WitnessSides& sphere_triangle_witness_sides() {
+  static const SphereTriangleSides sides;
+  return sides;
 }
-template Json sides_json(const Query<float>&, const Kernel&, const Examination&, ComparisonBits);
-template Json sides_json(const Query<double>&, const Kernel&, const Examination&, ComparisonBits);
 
 }  // namespace axiscert
