@@ -178,17 +178,9 @@ void shrink_as_pair(const Pair<Real>& pair, const StoredQuery& stored, const Shr
   const auto found = shrink_pair(pair, kernel, target, options.evaluations, keeping(options), evaluated);
   progress.clear();
   const StoredQuery smaller = smaller_query(stored, found.query.query);
-  const StoredQuery image{smaller.id + "-image", stored.precision, found.image};
+  const StoredQuery image = image_of(smaller, found.image);
   if (options.format == "text") print_pair(stored, smaller, image, pair.symptom, found, kernel);
   else fmt::print("{}\n", headed("axiscert-shrink/1", shrunk_pair_json(stored, pair, found, kernel)).dump());
-}
-
-// The pair of which the query is half; only sphere-triangle has families of images.
-template <class Real>
-std::optional<Pair<Real>> pair_of(const Numbers<Real>& q, const StoredQuery& stored, const Kernel& kernel,
-                                  std::string_view target) {
-  if (kernel.test != &first_test()) return std::nullopt;
-  return asymmetric_pair(query_from(q), stored.address, kernel, target);
 }
 
 template <class Real>
@@ -205,7 +197,7 @@ void shrink_one(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkO
     return may_be_valid(shape_of(stored.columns()), q) && SymptomFinder<Real>(kernel, target).flips(q).empty();
   };
   if (wants_pair || (options.what.empty() && is_right())) {
-    if (const auto pair = pair_of(q, stored, kernel, target)) {
+    if (const auto pair = asymmetric_pair(q, stored.address, kernel, target)) {
       shrink_as_pair(*pair, stored, options, kernel, target, progress, evaluated);
       std::fflush(stdout);
       return;

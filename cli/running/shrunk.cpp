@@ -40,6 +40,10 @@ StoredQuery smaller_query(const StoredQuery& stored, AnyNumbers numbers) {
   return {"shrunk-" + stored.id, stored.precision, std::move(numbers), 0, stored.test, stored.entry};
 }
 
+StoredQuery image_of(const StoredQuery& stored, AnyNumbers image) {
+  return {stored.id + "-image", stored.precision, std::move(image), 0, stored.test, stored.entry};
+}
+
 template <class Real>
 Json shrunk_json(const StoredQuery& stored, const Symptom& kept, const Shrunk<Real>& found, const Kernel& kernel) {
   return line_of(stored, kept_json(kept), found, kernel);
@@ -54,13 +58,13 @@ Json shrunk_pair_json(const StoredQuery& stored, const Pair<Real>& pair, const S
   const Level level = symptom.which ? Level::comparison : Level::verdict;
   Json line = line_of(stored,
                       {{"level", level_names[level]},
-                       {"name", symptom.which ? info(*symptom.which).name : "verdict"},
+                       {"name", symptom.which ? symptom.test->comparisons[*symptom.which].name : "verdict"},
                        {"kind", "asymmetry"},
                        {"links", Json::array()}},
                       found.query, kernel);
   line["answers"] = {name(symptom.of_query), name(symptom.of_image)};
-  line["image"] = Json::parse(query_line({"shrunk-" + stored.id + "-image", stored.precision, found.image}));
-  line["before"]["image"] = Json::parse(query_line({stored.id + "-image", stored.precision, pair.image}));
+  line["image"] = Json::parse(query_line(image_of(smaller_query(stored, found.query.query), found.image)));
+  line["before"]["image"] = Json::parse(query_line(image_of(stored, pair.image)));
   return line;
 }
 template Json shrunk_pair_json(const StoredQuery&, const Pair<float>&, const ShrunkPair<float>&, const Kernel&);
@@ -80,8 +84,7 @@ std::string shrunk_witnesses(const Json& record, const std::string& target, std:
     std::visit(
         [&]<class Real>(const Numbers<Real>& q) {
           if (witness["flips"].empty()) {  // half of a pair, or kept as an extreme
-            if (kernel.test != &first_test()) return;
-            if (const auto pair = asymmetric_pair(query_from(q), stored.address, kernel, target)) {
+            if (const auto pair = asymmetric_pair(q, stored.address, kernel, target)) {
               const auto found = shrink_pair(*pair, kernel, target, evaluations);
               text += shrunk_pair_json(stored, *pair, found, kernel).dump() + "\n";
             }

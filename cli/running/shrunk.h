@@ -13,6 +13,8 @@ namespace axiscert {
 
 // The smaller query as a stored one, named "shrunk-" and the name of the given one.
 StoredQuery smaller_query(const StoredQuery& stored, AnyNumbers numbers);
+// The image of a stored query as one, with "-image" after its name.
+StoredQuery image_of(const StoredQuery& stored, AnyNumbers image);
 
 // The smaller query, named "shrunk-" and the name of the given one, together with the symptom that it keeps and the
 // given query.

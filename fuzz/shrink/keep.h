@@ -30,7 +30,7 @@ class Keep {
   const std::optional<std::vector<std::string_view>>& classes() const { return classes_; }
 
  private:
-  const TestDescription* test_ = &first_test();
+  const TestDescription* test_ = nullptr;
   std::size_t entry_ = 0;
   std::optional<std::vector<std::string_view>> classes_;
   std::optional<Severity> greatest_;

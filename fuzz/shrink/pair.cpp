@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "exact/sphere_triangle/measures/limits.h"
-#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include <algorithm>
+
 #include "fuzz/queries/address.h"
+#include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/image_groups.h"
 #include "kernel/base/error.h"
 
@@ -15,28 +16,29 @@ namespace axiscert {
 template <class Real>
 class PairSymptomFinder {
  public:
-  PairSymptomFinder(const Kernel& kernel, std::string_view target) : kernel_(kernel), target_(target) {}
+  PairSymptomFinder(const Kernel& kernel, std::string_view target)
+      : kernel_(kernel), target_(target), shape_(shape_of(kernel.test->entries[kernel.entry])) {}
 
   // Empty if the answers do not differ, or one is missing or declined.
-  std::optional<PairSymptom> symptom(const Query<Real>& q, const Query<Real>& image_of_it, const ImageMap& map) {
-    for (const Query<Real>* each : {&q, &image_of_it}) {
-      if (!is_valid(*each) || !is_within(kernel_.limits, *each)) return std::nullopt;
+  std::optional<PairSymptom> symptom(const Numbers<Real>& q, const Numbers<Real>& image_of_it,
+                                     const ImageMap<Real>& map) {
+    for (const Numbers<Real>* each : {&q, &image_of_it}) {
+      if (!may_be_valid(shape_, *each) || !is_promised(kernel_, *each)) return std::nullopt;
     }
     const Outcome of_query = answer(q), of_image = answer(image_of_it);
     if (of_query.verdict == Verdict::unanswered || of_image.verdict == Verdict::unanswered) return std::nullopt;
     if (of_query.verdict == Verdict::undecided || of_image.verdict == Verdict::undecided) return std::nullopt;
-    PairSymptom found{of_query.verdict, of_image.verdict, std::nullopt};
+    PairSymptom found{of_query.verdict, of_image.verdict, std::nullopt, kernel_.test};
     if (of_query.verdict != of_image.verdict) return found;
     if (!of_query.bits || !of_image.bits) return std::nullopt;
-    const auto differing = static_cast<ComparisonBits>(
-        bits_of_base(static_cast<SignBits>(*of_image.bits), map.symmetry.vertices) ^ *of_query.bits);
+    const ComparisonBits differing = map.of_query(*of_image.bits) ^ *of_query.bits;
     if (differing == 0) return std::nullopt;
-    found.which = static_cast<Comparison>(first_bit(differing));
+    found.which = first_bit(differing);
     return found;
   }
 
  private:
-  Outcome answer(const Query<Real>& q) {
+  Outcome answer(const Numbers<Real>& q) {
     if (!implementation_) implementation_ = kernel_.on<Real>(target_);
     const Reply<Real> reply = ask(*implementation_, q);
     if (reply.verdicts[0] == Verdict::unanswered) implementation_.reset();
@@ -45,6 +47,7 @@ class PairSymptomFinder {
 
   const Kernel& kernel_;
   std::string_view target_;
+  QueryShape shape_;
   std::optional<Implementation<Real>> implementation_;
 };
 
@@ -55,10 +58,10 @@ bool is_same(const PairSymptom& x, const PairSymptom& y) {
 }
 
 template <class Real>
-Severity severity_of(const Query<Real>& q, const PairSymptom& symptom) {
+Severity severity_of(const Kernel& kernel, const Numbers<Real>& q, const PairSymptom& symptom) {
   if (symptom.which) return {Rational(0), "no depth: the verdicts are the same"};
-  const Rational squared = squared_distance(q);
-  return {exact_depth(q, squared), fmt::format("{:.6g} of the scene", depth(q, squared))};
+  const Oracles& oracles = oracles_of(kernel);
+  return depth_severity(oracles, *oracles.about(q, Opinion::first), q);
 }
 
 // A query file may state anything as its address.
@@ -74,7 +77,8 @@ std::optional<Address> address_in(const std::string& given) {
 
 std::string text(const PairSymptom& symptom) {
   if (!symptom.which) return fmt::format("{}, and {} of its image", name(symptom.of_query), name(symptom.of_image));
-  return fmt::format("{} of both, but {} differs", name(symptom.of_query), info(*symptom.which).name);
+  return fmt::format("{} of both, but {} differs", name(symptom.of_query),
+                     symptom.test->comparisons[*symptom.which].name);
 }
 
 template <class Real>
@@ -82,21 +86,25 @@ std::optional<Pair<Real>> asymmetric_pair(const std::string& given, const Kernel
   const std::optional<Address> address = address_in(given);
   if (!address) return std::nullopt;
   const ImageGroup* group = image_group(address->name);
-  if (group == nullptr || &group->test() != &first_test() || address->precision != precision_of<Real>)
-    return std::nullopt;
+  if (group == nullptr || address->precision != precision_of<Real>) return std::nullopt;
+  const ImageMaps* const maps = capabilities_of(group->test()).image_maps;
+  if (maps == nullptr) return std::nullopt;
   const SourcePtr source = family_source(find_family(address->name));
-  if (source->version() != address->version || source->test().id != kernel.test->id) return std::nullopt;
+  if (source->version() != address->version || source->test().id != kernel.test->id || source->entry() != kernel.entry)
+    return std::nullopt;
+  const QueryShape shape = shape_of(source->test().entries[source->entry()]);
   const std::uint64_t position = address->position(), base = position - position % group->size;
-  const Query<Real> q = source->template make<Real>(address->seed, position);
+  const Numbers<Real> q = source->template make<Real>(address->seed, position);
   PairSymptomFinder<Real> finder(kernel, target);
   for (std::uint64_t other = base; other < base + group->size; ++other) {
     if (other == position) continue;
     if (position != base && other != base) break;
-    const Query<Real> image_of_it = source->template make<Real>(address->seed, other);
-    if (!is_valid(q) || !is_valid(image_of_it)) continue;
-    const auto map = map_between(q, image_of_it);
+    const Numbers<Real> image_of_it = source->template make<Real>(address->seed, other);
+    if (!may_be_valid(shape, q) || !may_be_valid(shape, image_of_it)) continue;
+    std::unique_ptr<ImageMap<Real>> map = maps->between(q, image_of_it);
     if (!map) continue;
-    if (const auto symptom = finder.symptom(q, image_of_it, *map)) return Pair<Real>{q, image_of_it, *map, *symptom};
+    if (const auto symptom = finder.symptom(q, image_of_it, *map))
+      return Pair<Real>{q, image_of_it, std::move(map), *symptom};
   }
   return std::nullopt;
 }
@@ -104,37 +112,36 @@ template std::optional<Pair<float>> asymmetric_pair(const std::string&, const Ke
 template std::optional<Pair<double>> asymmetric_pair(const std::string&, const Kernel&, std::string_view);
 
 template <class Real>
-std::optional<Pair<Real>> asymmetric_pair(const Query<Real>& q, const std::string& stated, const Kernel& kernel,
+std::optional<Pair<Real>> asymmetric_pair(const Numbers<Real>& q, const std::string& stated, const Kernel& kernel,
                                           std::string_view target) {
   auto pair = asymmetric_pair<Real>(stated, kernel, target);
-  if (pair && coordinates(pair->query) != coordinates(q)) return std::nullopt;
+  if (pair && !std::equal(q.begin(), q.end(), pair->query.begin(), pair->query.end())) return std::nullopt;
   return pair;
 }
-template std::optional<Pair<float>> asymmetric_pair(const Query<float>&, const std::string&, const Kernel&,
+template std::optional<Pair<float>> asymmetric_pair(const Numbers<float>&, const std::string&, const Kernel&,
                                                     std::string_view);
-template std::optional<Pair<double>> asymmetric_pair(const Query<double>&, const std::string&, const Kernel&,
+template std::optional<Pair<double>> asymmetric_pair(const Numbers<double>&, const std::string&, const Kernel&,
                                                      std::string_view);
 
 template <class Real>
 ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::string_view target, std::uint64_t limit,
                              Keeping keeping, const Evaluated& evaluated) {
   PairSymptomFinder<Real> finder(kernel, target);
-  const auto severity = [&](const Numbers<Real>& numbers) -> std::optional<Severity> {
-    const Query<Real> q = numbers;
-    const auto image_of_it = image_by(pair.map, q);
+  const auto severity = [&](const Numbers<Real>& q) -> std::optional<Severity> {
+    const auto image_of_it = pair.map->image(q);
     if (!image_of_it) return std::nullopt;
-    const auto symptom = finder.symptom(q, *image_of_it, pair.map);
+    const auto symptom = finder.symptom(q, *image_of_it, *pair.map);
     if (!symptom || !is_same(*symptom, pair.symptom)) return std::nullopt;
-    return severity_of(q, *symptom);
+    return severity_of(kernel, q, *symptom);
   };
   if (!severity(pair.query)) {
     throw Error(
         fmt::format("{} does not answer the query and its image differently: {}", kernel.id, text(pair.symptom)));
   }
-  ShrunkPair<Real> found{shrink<Real>(first_test(), pair.query, SeverityOn<Real>(severity), keeping, limit, evaluated),
-                         {}};
-  found.image = *image_by(pair.map, query_from(found.query.query));
-  return found;
+  Shrunk<Real> found =
+      shrink<Real>(*kernel.test, pair.query, SeverityOn<Real>(severity), keeping, limit, evaluated, kernel.entry);
+  const Numbers<Real> image_of_it = *pair.map->image(found.query);
+  return {std::move(found), image_of_it};
 }
 template ShrunkPair<float> shrink_pair(const Pair<float>&, const Kernel&, std::string_view, std::uint64_t, Keeping,
                                        const Evaluated&);

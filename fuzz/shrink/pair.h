@@ -1,46 +1,69 @@
-// A query of sphere-triangle and an image of it that a kernel answers differently, and a smaller pair of which the same
-// is true.
+// A query and an image of it that a kernel answers differently, and a smaller pair of which the same is true.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "fuzz/shrink/image_map.h"
 #include "fuzz/shrink/shrink.h"
 
 namespace axiscert {
 
+// The exact map from a query to an image of it: no exact answer changes, except for the names of comparisons.
+template <class Real>
+class ImageMap {
+ public:
+  virtual ~ImageMap() = default;
+  // The image of a valid query; empty if the precision cannot represent it.
+  virtual std::optional<Numbers<Real>> image(const Numbers<Real>& query) const = 0;
+  // The comparisons of the image by their names in the query.
+  virtual ComparisonBits of_query(ComparisonBits image) const = 0;
+};
+
+// The maps of a test.
+class ImageMaps {
+ public:
+  // The first that makes `image` of `query`, exactly; both are valid. Null if none does.
+  virtual std::unique_ptr<ImageMap<float>> between(const Numbers<float>& query, const Numbers<float>& image) const = 0;
+  virtual std::unique_ptr<ImageMap<double>> between(const Numbers<double>& query,
+                                                    const Numbers<double>& image) const = 0;
+
+ protected:
+  ~ImageMaps() = default;
+};
+
 // The difference: the verdict or, if both verdicts are the same, a comparison by the name that it has in the query.
 struct PairSymptom {
   Verdict of_query, of_image;
-  std::optional<Comparison> which;
+  std::optional<std::size_t> which;
+  const TestDescription* test;
 };
 // "separated, and contact of its image"; "contact of both, but edge_ab.side_c differs".
 std::string text(const PairSymptom& symptom);
 
 template <class Real>
 struct Pair {
-  Query<Real> query, image;
-  ImageMap map;
+  Numbers<Real> query, image;
+  std::unique_ptr<ImageMap<Real>> map;
   PairSymptom symptom;
 };
 
 // The pair of a query of a family of images (fuzz/queries/image_groups.h) with its base or, if it is a base, with the
-// first of its images that the kernel answers differently. Empty if the address is of no such query, or there is no
-// such image, or one of the two is not valid or outside the kernel's limits.
+// first of its images that the kernel answers differently. Empty if the address is of no such query, the test has no
+// ImageMaps, there is no such image, or one of the two is not valid or outside the kernel's limits.
 template <class Real>
 std::optional<Pair<Real>> asymmetric_pair(const std::string& address, const Kernel& kernel, std::string_view target);
 
 // The same for a query that states its address in a file; empty too if its numbers are not those of the address.
 template <class Real>
-std::optional<Pair<Real>> asymmetric_pair(const Query<Real>& q, const std::string& stated, const Kernel& kernel,
+std::optional<Pair<Real>> asymmetric_pair(const Numbers<Real>& q, const std::string& stated, const Kernel& kernel,
                                           std::string_view target);
 
 template <class Real>
 struct ShrunkPair {
   Shrunk<Real> query;
-  Query<Real> image;
+  Numbers<Real> image;
 };
 
 // A smaller query whose image by the same map is exact too, and on which the kernel's two answers differ in the same

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/sphere_triangle/measures/input_class.h"
-#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "exact/numbers/input_scale.h"
+#include "exact/numbers/rational.h"
 #include "exact/trait/oracles.h"
+#include "fuzz/queries/capabilities.h"
+#include "fuzz/queries/input_classes.h"
 
 namespace axiscert {
 namespace {
@@ -98,18 +100,11 @@ class ExactParts {
   Rational extent_;
 };
 
-template <class Real>
-std::vector<std::string_view> of_first_test(const Query<Real>& q) {
-  std::vector<std::string_view> names;
-  for (const InputClass which : input_classes(q, squared_distance(q))) names.push_back(input_class_names[which]);
-  return names;
-}
-
 }  // namespace
 
 template <class Real>
 std::vector<std::string_view> classes_of(const TestDescription& test, const Numbers<Real>& q, std::size_t entry) {
-  if (&test == &first_test()) return of_first_test(query_from(q));
+  if (const InputClasses* const own = capabilities_of(test).input_classes) return own->of(q);
   const QueryShape shape = shape_of(test.entries[entry]);
   const ExactParts parts(shape, q);
   std::vector<std::string_view> names;

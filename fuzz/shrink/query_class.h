@@ -8,9 +8,9 @@
 
 namespace axiscert {
 
-// The names of the definitions that a valid query of this entry meets, in their order; the first is its class. For
-// sphere-triangle they are those of exact/sphere_triangle/measures/input_class.h; for any other test these, which its
-// description and its oracles serve, decided exactly:
+// The names of the definitions that a valid query of this entry meets, in their order; the first is its class. They are
+// the test's own (fuzz/queries/input_classes.h) or, where it has none, these, which its description and its oracles
+// serve, decided exactly:
 //
 //   tie        the depth is 0
 //   near_tie   the depth, rounded once, is at most 64 u

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/queries/random.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/shrink/shrink_moves.h"
@@ -15,8 +14,8 @@ namespace {
 // When no single move helps, this many attempts are made with several moves and with small changes that may repair
 // their effect. The attempts are determined by this seed and their number alone.
 constexpr std::uint64_t seed = 1, most_moves = 6, most_nudges = 6;
-// The truth of the other tests has no quick filter before exact arithmetic, and takes as many times as long.
-std::uint64_t attempts_of(const TestDescription& test) { return &test == &first_test() ? 400000 : 20000; }
+// Without filters the truth takes as many times as long.
+std::uint64_t attempts_of(const Oracles& oracles) { return oracles.has_filters() ? 400000 : 20000; }
 
 template <class Real>
 class Walk {
@@ -32,9 +31,8 @@ class Walk {
   Shrunk<Real> run() && {
     do singly();
     while (out_.complete && several());
-    // MPFR checks the result before it is returned, where it has a part in the truth.
-    if (&test_ == &first_test()) exact_truth(query_from(out_.query), true);
-    else oracles_of(test_, entry_).truth(out_.query);
+    // The second oracle, where the test has one, checks the result before it is returned.
+    oracles_of(test_, entry_).truth(out_.query);
     return std::move(out_);
   }
 
@@ -48,7 +46,8 @@ class Walk {
 
   // Returns whether a combination was accepted.
   bool several() {
-    for (std::uint64_t n = 0; n < attempts_of(test_) && out_.complete; ++n) {
+    const std::uint64_t attempts = attempts_of(oracles_of(test_, entry_));
+    for (std::uint64_t n = 0; n < attempts && out_.complete; ++n) {
       Stream random(seed, name_hash("shrink"), 1, precision_of<Real>, n);
       std::optional<Numbers<Real>> q = out_.query;
       const auto change = [&](const std::vector<Move>& moves, std::uint64_t times) {

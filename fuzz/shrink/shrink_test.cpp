@@ -8,6 +8,7 @@
 #include <cmath>
 #include <deque>
 
+#include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/measures/input_class.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/supervised_testing.h"
@@ -17,6 +18,7 @@
 #include "fuzz/queries/source.h"
 #include "fuzz/shrink/pair.h"
 #include "fuzz/shrink/shrink_moves.h"
+#include "fuzz/sphere_triangle/image_map.h"
 
 namespace axiscert {
 namespace {
@@ -225,7 +227,7 @@ TEST(ImageMaps, AreFoundFromThePairAlone) {
 
 TEST(ImageMaps, AnImageThatThePrecisionCannotHoldIsNone) {
   const Query<float> q = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, 0x1p-24f};
-  ImageMap map{symmetries()[0], 0, {Rational(1), Rational(1), Rational(1)}};
+  TriangleMap map{symmetries()[0], 0, {Rational(1), Rational(1), Rational(1)}};
   EXPECT_TRUE(image_by(map, q));
   map.by[1] = Rational(1, 3);
   EXPECT_FALSE(image_by(map, q));
@@ -253,9 +255,10 @@ TEST(ShrinkPairs, TheAnswersToTheSmallerQueryAndItsImageStillDiffer) {
     const auto found = shrink_pair(*pair, kernel, scalar_target, 3000);
     EXPECT_LT(found.query.sizes.back(), found.query.sizes.front()) << address;
     Examiner examiner(kernel, scalar_target);
-    EXPECT_EQ(examiner.examine(query_from(found.query.query)).answer.verdict, pair->symptom.of_query);
+    EXPECT_EQ(examiner.examine(found.query.query).answer.verdict, pair->symptom.of_query);
     EXPECT_EQ(examiner.examine(found.image).answer.verdict, pair->symptom.of_image);
-    EXPECT_EQ(map_between(query_from(found.query.query), found.image)->exponent, pair->map.exponent);
+    EXPECT_EQ(map_between<float>(found.query.query, found.image)->exponent,
+              map_between<float>(pair->query, pair->image)->exponent);
     n += group.size;
   }
   EXPECT_EQ(pairs, 4) << "seed " << seed;

@@ -5,40 +5,25 @@
 
 #include <algorithm>
 
-#include "exact/sphere_triangle/measures/error_measure.h"
-#include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "exact/sphere_triangle/measures/limits.h"
-#include "exact/trait/examine.h"
-#include "kernel/sphere_triangle/shown_sides.h"
-
 namespace axiscert {
 namespace {
 
-// (lhs - rhs) / (|lhs| + |rhs|); 0/0 gives 0.
-Rational margin_of(const Rational& lhs, const Rational& rhs) {
-  const Rational scale = abs(lhs) + abs(rhs);
-  return sgn(scale) == 0 ? Rational(0) : Rational((lhs - rhs) / scale);
+// An axis separates if all of its comparisons hold: the least margin decides. Empty where the oracles tell none.
+std::optional<Severity> margin_severity(const std::vector<Rational>& margins) {
+  if (margins.empty()) return std::nullopt;
+  const Rational& least = *std::min_element(margins.begin(), margins.end());
+  return Severity{Rational(abs(least)), fmt::format("relative margin {:.6g}", std::abs(least.get_d()))};
 }
 
-// The same, or with the signed squares; undefined values give 0.
-Rational relative_margin(const ExactComparison& sides) {
-  if (sides.undefined) return 0;
-  Rational lhs = rational(sides.lhs), rhs = rational(sides.rhs);
-  if (sides.rooted) rhs = rhs * abs(rhs);
-  return margin_of(lhs, rhs);
-}
-
-// An axis separates if all of its comparisons hold: the least margin decides. relative(k) is that of comparison k.
-template <class Relative>
-Rational axis_margin(const TestDescription& test, std::size_t axis, Relative&& relative) {
-  Rational least = 1;
-  for_each_bit(test.clauses[axis].comparisons, [&](std::size_t k) { least = std::min(least, Rational(relative(k))); });
-  return least;
-}
-
-Severity of_margin(const Rational& margin) {
-  return {Rational(abs(margin)), fmt::format("relative margin {:.6g}", std::abs(margin.get_d()))};
+// The error of a comparison; empty where it is not finite, the kernel shows no sides or the oracles tell none.
+template <class Real>
+std::optional<Severity> error_severity(const Kernel& kernel, AskedQuery& about, const Answers<Real>& answers,
+                                       std::size_t comparison) {
+  if (kernel.exposes != Exposure::sides) return std::nullopt;
+  const auto error = about.side_error(kernel, comparison, answers.lhs[comparison][0], answers.rhs[comparison][0]);
+  if (!error) return std::nullopt;
+  const std::string shown = error->rounded_up.text() + " u";
+  return error->exact ? Severity{*error->exact, shown} : Severity{error->rounded_up, shown};
 }
 
 // Whether the kernel's answer permits the symptom: cheap to check before anything exact is computed.
@@ -108,6 +93,17 @@ bool is_no_less(const Severity& now, const Severity& then) {
 }
 
 template <class Real>
+Severity depth_severity(const Oracles& oracles, AskedQuery& asked, const Numbers<Real>& q) {
+  if (const std::optional<ExactDepth> exact = asked.exact_depth())
+    return {*exact, fmt::format("{:.6g} of the scene", rounded_depth(*exact))};
+  if (const std::optional<double> rounded = oracles.depth(q))
+    return {RoundedDepth{*rounded}, fmt::format("{:.6g} of the scene", *rounded)};
+  return {RoundedDepth{0}, "no depth: the test has none"};
+}
+template Severity depth_severity(const Oracles&, AskedQuery&, const Numbers<float>&);
+template Severity depth_severity(const Oracles&, AskedQuery&, const Numbers<double>&);
+
+template <class Real>
 Reply<Real> SymptomFinder<Real>::asked(const Numbers<Real>& q) {
   if (!implementation_) implementation_ = kernel_.on<Real>(target_);
   Reply<Real> reply = ask(*implementation_, q);
@@ -117,9 +113,7 @@ Reply<Real> SymptomFinder<Real>::asked(const Numbers<Real>& q) {
 
 template <class Real>
 Judgement SymptomFinder<Real>::judgement(const Numbers<Real>& q) {
-  const Answer answer = asked(q).outcome(0);
-  if (kernel_.test == &first_test()) return examine(query_from(q), kernel_, answer).judgement;
-  return examine(q, kernel_, answer).judgement;
+  return examine(q, kernel_, asked(q).outcome(0)).judgement;
 }
 
 template <class Real>
@@ -150,62 +144,24 @@ std::optional<std::string> SymptomFinder<Real>::why_no_verdict(const Numbers<Rea
 
 template <class Real>
 std::optional<Severity> SymptomFinder<Real>::severity(const Numbers<Real>& q, const Symptom& symptom) {
-  if (kernel_.test == &first_test()) return severity_of_first_test(query_from(q), symptom);
-  return severity_by_oracles(q, symptom);
-}
-
-template <class Real>
-std::optional<Severity> SymptomFinder<Real>::severity_by_oracles(const Numbers<Real>& q, const Symptom& symptom) {
-  const Answer answer = asked(q).outcome(0);
-  if (!can_show(symptom, answer) || !symptom.kind) return std::nullopt;
-  const Examination found = examine(q, kernel_, answer);
-  if (!shows(found.judgement, symptom)) return std::nullopt;
-  if (symptom.level == Level::verdict) {
-    if (!found.depth) return Severity{RoundedDepth{0}, "no depth: the test has none"};
-    return Severity{RoundedDepth{*found.depth}, fmt::format("{:.6g} of the scene", *found.depth)};
-  }
-  const auto relative = [&](std::size_t k) {
-    return margin_of(rational(found.claim->sides->lhs[k]), rational(found.claim->sides->rhs[k]));
-  };
-  if (!found.claim || !found.claim->sides) return std::nullopt;
-  return of_margin(symptom.level == Level::axis ? axis_margin(*symptom.test, symptom.index, relative)
-                                                : relative(symptom.index));
-}
-
-template <class Real>
-std::optional<Severity> SymptomFinder<Real>::severity_of_first_test(const Query<Real>& q, const Symptom& symptom) {
-  if (!is_valid(q) || !is_within(kernel_.limits, q)) return std::nullopt;
+  const Oracles& oracles = oracles_of(kernel_);
+  if (!may_be_valid(shape_, q) || !oracles.is_within(kernel_.limits, q)) return std::nullopt;
   const Reply<Real> reply = asked(q);
   const Answer answer = reply.outcome(0);
   if (!can_show(symptom, answer)) return std::nullopt;
-  const ExactTruth truth = exact_truth(q, false);
-  Claims<Real> claims(q, *truth.formula);
-  if (!symptom.kind) {
-    const FormulaTruth* own = claims.sides(kernel_.formulae);
-    if (own == nullptr || kernel_.exposes != Exposure::sides) return std::nullopt;
-    const Sides<Real> sides = sides_at(reply.answers, 0);
-    const auto exact = own->comparison(symptom.index);
-    const ComparisonError error(sides.lhs[symptom.index], sides.rhs[symptom.index], exact);
-    if (error.kind() != ComparisonError::Kind::finite) return std::nullopt;
-    const Decimal6 digits = error.rounded_up();
-    const std::string shown = digits.text() + " u";
-    if (exact.rooted) return Severity{digits, shown};
-    const Fraction fraction = error.exact();
-    return Severity{Rational(fraction.numerator) / Rational(fraction.denominator), shown};
-  }
-  const Judgement judgement = judge(first_test(), truth, claims.chain(kernel_), answer, kernel_.touching);
-  if (!shows(judgement, symptom)) return std::nullopt;
+  const std::unique_ptr<AskedQuery> about = oracles.about(q, Opinion::first);
+  const Truth truth = about->truth();
+  if (truth.verdict == Verdict::invalid) return std::nullopt;
+  if (!symptom.kind) return error_severity(kernel_, *about, reply.answers, symptom.index);
+  if (!shows(judge(*kernel_.test, truth, about->chain(kernel_), answer, kernel_.touching), symptom))
+    return std::nullopt;
   switch (symptom.level) {
-    case Level::verdict: {
-      const Rational distance = squared_distance(q);
-      return Severity{exact_depth(q, distance), fmt::format("{:.6g} of the scene", depth(q, distance))};
-    }
+    case Level::verdict:
+      return depth_severity(oracles, *about, q);
     case Level::axis:
-      return of_margin(axis_margin(*symptom.test, symptom.index, [&](std::size_t k) {
-        return relative_margin(claims.sides(kernel_.formulae)->comparison(k));
-      }));
+      return margin_severity(about->relative_margins(kernel_, symptom.test->clauses[symptom.index].comparisons));
     case Level::comparison:
-      return of_margin(relative_margin(claims.sides(kernel_.formulae)->comparison(symptom.index)));
+      return margin_severity(about->relative_margins(kernel_, one_bit<ComparisonBits>(symptom.index)));
   }
   return std::nullopt;
 }

@@ -3,14 +3,15 @@
 
 #include <variant>
 
-#include "exact/sphere_triangle/measures/depth.h"
 #include "exact/trait/examine.h"
 #include "exact/trait/oracles.h"
+#include "fuzz/queries/query_shape.h"
 #include "kernel/ask.h"
 
 namespace axiscert {
 
-// A flip; or, if `kind` is empty, the error of a comparison, whatever its sign: for sphere-triangle alone.
+// A flip; or, if `kind` is empty, the error of a comparison, whatever its sign, in a test whose
+// oracles tell it (AskedQuery::side_error).
 struct Symptom {
   Level level = Level::verdict;
   std::uint8_t index = 0;  // index of the axis or comparison
@@ -32,11 +33,11 @@ struct RoundedDepth {
 };
 
 // Exact, without a unit:
-//   for a wrong verdict, its depth: of a test other than sphere-triangle as its oracles round it, once, and 0 where
-//   they have none; for a comparison's flip, |lhs - rhs| / (|lhs| + |rhs|) of the exact sides, 0 where both are 0; if
-//   lhs is a root, the same with the signed squares of the sides, which orders queries in the same way; for an axis,
-//   the value of the comparison that decides: the least one if all of them hold, otherwise that of the comparison
-//   farthest from holding; for a comparison's error, that error in u; rounded up to six digits if a side is a root.
+//   for a wrong verdict, its depth: where the oracles have it only rounded, so, and 0 where the test has none; for a
+//   comparison's flip, |lhs - rhs| / (|lhs| + |rhs|) of the exact sides, 0 where both are 0; if lhs is a root, the same
+//   with the signed squares of the sides, which orders queries in the same way; for an axis, the value of the
+//   comparison that decides: the least one if all of them hold, otherwise that of the comparison farthest from holding;
+//   for a comparison's error, that error in u; rounded up to six digits if a side is a root.
 struct Severity {
   std::variant<ExactDepth, RoundedDepth, Rational, Decimal6> exact;
   std::string text;  // "0.68 of the scene", "relative margin 1.2e-05", "961.012 u"
@@ -44,6 +45,9 @@ struct Severity {
 // Only if certain: two rounded errors that are equal are not decisive, so the result is false. Two rounded depths that
 // are equal are no less: a scene at another scale has the same depth.
 bool is_no_less(const Severity& now, const Severity& then);
+// The depth of a valid query, about which the oracles are asked.
+template <class Real>
+Severity depth_severity(const Oracles& oracles, AskedQuery& asked, const Numbers<Real>& q);
 
 // Asks one kernel about queries of its test, by the test's oracles. A foreign kernel's process is begun once, and again
 // after a query that it did not answer.
@@ -51,7 +55,8 @@ template <class Real>
 class SymptomFinder {
  public:
   // The kernel and the string must outlive the finder. The kernel exists in this precision.
-  SymptomFinder(const Kernel& kernel, std::string_view target) : kernel_(kernel), target_(target) {}
+  SymptomFinder(const Kernel& kernel, std::string_view target)
+      : kernel_(kernel), target_(target), shape_(shape_of(kernel.test->entries[kernel.entry])) {}
 
   // Every flip, in the order verdict, axes, comparisons. Throws OracleDisagreement.
   std::vector<Symptom> flips(const Numbers<Real>& q);
@@ -64,11 +69,10 @@ class SymptomFinder {
  private:
   Reply<Real> asked(const Numbers<Real>& q);
   Judgement judgement(const Numbers<Real>& q);
-  std::optional<Severity> severity_of_first_test(const Query<Real>& q, const Symptom& symptom);
-  std::optional<Severity> severity_by_oracles(const Numbers<Real>& q, const Symptom& symptom);
 
   const Kernel& kernel_;
   std::string_view target_;
+  QueryShape shape_;
   std::optional<Implementation<Real>> implementation_;
 };
 

@@ -1,7 +1,10 @@
-#include "fuzz/shrink/image_map.h"
+#include "fuzz/sphere_triangle/image_map.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "fuzz/queries/image_groups.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -37,7 +40,7 @@ std::optional<int> log2_of(const Rational& x) {
   return x == two_to(exponent) ? std::optional(exponent) : std::nullopt;
 }
 
-Query<Rational> mapped(const ImageMap& map, const Query<Rational>& q) {
+Query<Rational> mapped(const TriangleMap& map, const Query<Rational>& q) {
   auto v = coordinates(image(q, map.symmetry));
   const Rational factor = two_to(map.exponent);
   for (std::size_t k = 0; k < coordinate_count; ++k) {
@@ -50,7 +53,7 @@ Query<Rational> mapped(const ImageMap& map, const Query<Rational>& q) {
 }  // namespace
 
 template <class Real>
-std::optional<ImageMap> map_between(const Query<Real>& base, const Query<Real>& image_of_it) {
+std::optional<TriangleMap> map_between(const Query<Real>& base, const Query<Real>& image_of_it) {
   const Query<Rational> from = in_rationals(widened(base)), to = in_rationals(widened(image_of_it));
   const Rational extent = extent_of(from), other = extent_of(to);
   if ((sgn(extent) == 0) != (sgn(other) == 0)) return std::nullopt;
@@ -58,18 +61,18 @@ std::optional<ImageMap> map_between(const Query<Real>& base, const Query<Real>& 
   if (sgn(extent) != 0) exponent = log2_of(Rational(other / extent));
   if (!exponent) return std::nullopt;
   for (const Symmetry& symmetry : symmetries()) {
-    ImageMap map{symmetry, *exponent, {}};
+    TriangleMap map{symmetry, *exponent, {}};
     const Query<Rational> moved = mapped(map, from);
     map.by = {Rational(to.p.x - moved.p.x), Rational(to.p.y - moved.p.y), Rational(to.p.z - moved.p.z)};
     if (coordinates(mapped(map, from)) == coordinates(to)) return map;
   }
   return std::nullopt;
 }
-template std::optional<ImageMap> map_between(const Query<float>&, const Query<float>&);
-template std::optional<ImageMap> map_between(const Query<double>&, const Query<double>&);
+template std::optional<TriangleMap> map_between(const Query<float>&, const Query<float>&);
+template std::optional<TriangleMap> map_between(const Query<double>&, const Query<double>&);
 
 template <class Real>
-std::optional<Query<Real>> image_by(const ImageMap& map, const Query<Real>& q) {
+std::optional<Query<Real>> image_by(const TriangleMap& map, const Query<Real>& q) {
   const auto exact_numbers = coordinates(mapped(map, in_rationals(widened(q))));
   std::array<Real, coordinate_count> v;
   for (std::size_t k = 0; k < coordinate_count; ++k) {
@@ -78,7 +81,49 @@ std::optional<Query<Real>> image_by(const ImageMap& map, const Query<Real>& q) {
   }
   return from_coordinates(v);
 }
-template std::optional<Query<float>> image_by(const ImageMap&, const Query<float>&);
-template std::optional<Query<double>> image_by(const ImageMap&, const Query<double>&);
+template std::optional<Query<float>> image_by(const TriangleMap&, const Query<float>&);
+template std::optional<Query<double>> image_by(const TriangleMap&, const Query<double>&);
+
+namespace {
+
+template <class Real>
+class MapOfTriangle final : public ImageMap<Real> {
+ public:
+  explicit MapOfTriangle(const TriangleMap& map)
+      : map_(map), of_query_(sphere_triangle_test(), map.symmetry.vertices) {}
+  std::optional<Numbers<Real>> image(const Numbers<Real>& q) const override {
+    const auto found = image_by(map_, query_from(q));
+    return found ? std::optional<Numbers<Real>>(*found) : std::nullopt;
+  }
+  ComparisonBits of_query(ComparisonBits image) const override { return of_query_(image); }
+
+ private:
+  TriangleMap map_;
+  ComparisonsOfBase of_query_;
+};
+
+class MapsOfTriangles final : public ImageMaps {
+ public:
+  std::unique_ptr<ImageMap<float>> between(const Numbers<float>& query, const Numbers<float>& image) const override {
+    return found<float>(query, image);
+  }
+  std::unique_ptr<ImageMap<double>> between(const Numbers<double>& query, const Numbers<double>& image) const override {
+    return found<double>(query, image);
+  }
+
+ private:
+  template <class Real>
+  static std::unique_ptr<ImageMap<Real>> found(const Query<Real>& query, const Query<Real>& image) {
+    const auto map = map_between(query, image);
+    return map ? std::make_unique<MapOfTriangle<Real>>(*map) : nullptr;
+  }
+};
+
+}  // namespace
+
+const ImageMaps& sphere_triangle_image_maps() {
+  static const MapsOfTriangles maps;
+  return maps;
+}
 
 }  // namespace axiscert

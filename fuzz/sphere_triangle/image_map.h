@@ -7,11 +7,12 @@
 
 #include "exact/numbers/rational.h"
 #include "fuzz/files/symmetry.h"
+#include "fuzz/shrink/pair.h"
 
 namespace axiscert {
 
 // image = 2^exponent symmetry(query) + by, the translation for points only.
-struct ImageMap {
+struct TriangleMap {
   Symmetry symmetry;
   int exponent = 0;
   std::array<Rational, 3> by;
@@ -20,10 +21,12 @@ struct ImageMap {
 // The first map, in the order of symmetries(), that makes `image` of `base`, exactly; both are valid. Empty if none
 // does.
 template <class Real>
-std::optional<ImageMap> map_between(const Query<Real>& base, const Query<Real>& image);
+std::optional<TriangleMap> map_between(const Query<Real>& base, const Query<Real>& image);
 
 // The image of a valid query; empty if the precision cannot represent it.
 template <class Real>
-std::optional<Query<Real>> image_by(const ImageMap& map, const Query<Real>& q);
+std::optional<Query<Real>> image_by(const TriangleMap& map, const Query<Real>& q);
+
+const ImageMaps& sphere_triangle_image_maps();
 
 }  // namespace axiscert
