@@ -118,8 +118,6 @@ class Oracles {
   virtual std::unique_ptr<BatchOracle<float>> batches(std::string_view target, std::type_identity<float>) const;
   virtual std::unique_ptr<BatchOracle<double>> batches(std::string_view target, std::type_identity<double>) const;
 
-  // Whether batches() decides nearly all queries by filters, at a hundredth of the cost of exact arithmetic.
-  virtual bool has_filters() const { return false; }
 
   // The query, to be asked more than once. Another arithmetic repeats the decisions of the truth where the test has a
   // second oracle and `opinion` says so.

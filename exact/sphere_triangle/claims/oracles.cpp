@@ -77,7 +77,6 @@ class SphereTriangleOracles final : public Oracles {
   std::unique_ptr<AskedQuery> about(const Numbers<double>& q, Opinion opinion) const override {
     return std::make_unique<AskedSphereTriangle<double>>(query_from(q), opinion);
   }
-  bool has_filters() const override { return true; }
   bool has_depth() const override { return true; }
   bool has_squared_distance() const override { return true; }
   std::optional<double> depth(const Numbers<float>& q) const override { return depth_of<float>(q); }
