@@ -9,6 +9,7 @@
 #include "fuzz/confirm/finding_record.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/queries/entry_families.h"
+#include "fuzz/search/method.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
@@ -16,18 +17,11 @@
 namespace axiscert {
 namespace {
 
-// The number of evaluations where none is given: a few seconds.
-constexpr std::uint64_t default_evaluations = std::uint64_t{1} << 24;
-// Queries of each family in the run from which a search begins: together a second or two.
-constexpr std::uint64_t first_queries = std::uint64_t{1} << 13;
-// The same for a test other than sphere-triangle, whose oracles have no quick estimate.
-constexpr std::uint64_t evaluations_by_oracles = std::uint64_t{1} << 14, first_by_oracles = std::uint64_t{1} << 9;
-
-Comparison parse_comparison(const std::string& given) {
+std::size_t parse_comparison(const std::string& given, const TestDescription& test) {
   std::vector<std::string_view> known;
-  for (std::size_t k = 0; k < comparison_count; ++k) {
-    if (comparisons[k].name == given) return static_cast<Comparison>(k);
-    known.push_back(comparisons[k].name);
+  for (std::size_t k = 0; k < test.comparisons.size(); ++k) {
+    if (test.comparisons[k].name == given) return k;
+    known.push_back(test.comparisons[k].name);
   }
   throw Error(fmt::format("--comparison {}: {}", given, unknown_name("comparison", "comparisons", given, known)));
 }
@@ -40,11 +34,10 @@ const Kernel& kernel_of(const SearchOptions& options) {
   return kernel;
 }
 
-// The families that islands start from: those that were given; else of sphere-triangle some, of another test all.
-std::vector<SourcePtr> beginning_sources(const SearchOptions& options, const Kernel& kernel) {
-  std::vector<std::string> names = options.families;
-  if (names.empty() && kernel.test == &first_test())
-    names = {"general", "tangent", "seam", "sliver", "needle", "collinear", "repeated", "far", "ratio"};
+// The families that islands start from: those that were given, or the defaults.
+std::vector<SourcePtr> beginning_sources(const SearchOptions& options, const Kernel& kernel,
+                                         const SearchDefaults& defaults) {
+  const std::vector<std::string>& names = options.families.empty() ? defaults.families : options.families;
   std::vector<SourcePtr> sources;
   for (const std::string& name : names) sources.push_back(family_source(find_family(name)));
   if (names.empty()) {
@@ -59,7 +52,8 @@ std::vector<SourcePtr> beginning_sources(const SearchOptions& options, const Ker
 SearchPlan search_plan_of(const SearchOptions& options) {
   SearchPlan plan;
   plan.kernel = &kernel_of(options);
-  const bool is_first = plan.kernel->test == &first_test();
+  const SearchMethod& method = search_method_of(*plan.kernel->test);
+  const SearchDefaults& defaults = method.defaults();
   require_loaded(*plan.kernel);
   plan.precision = parse_precision(options.precision);
   if (!plan.kernel->has(plan.precision)) {
@@ -67,19 +61,18 @@ SearchPlan search_plan_of(const SearchOptions& options) {
   }
   if (!options.comparisons.empty()) require_served("--comparison", *plan.kernel->test);
   for (const std::string& given : options.comparisons) {
-    const Comparison which = parse_comparison(given);
+    const std::size_t which = parse_comparison(given, *plan.kernel->test);
     const auto& so_far = plan.comparisons;
     if (std::find(so_far.begin(), so_far.end(), which) == so_far.end()) plan.comparisons.push_back(which);
   }
-  if (!plan.comparisons.empty() && aims_of(*plan.kernel, plan.comparisons).empty()) {
+  if (!plan.comparisons.empty() && method.aims(*plan.kernel, plan.comparisons).empty()) {
     throw Error(
         fmt::format("--comparison: kernel {} does not show the computed sides of its own formulae", plan.kernel->id));
   }
   std::sort(plan.comparisons.begin(), plan.comparisons.end());
-  plan.sources = beginning_sources(options, *plan.kernel);
+  plan.sources = beginning_sources(options, *plan.kernel, defaults);
   // The run from which it begins has every family, as `axiscert run` does, unless some are given.
-  plan.first_queries = is_first ? first_queries : first_by_oracles;
-  if (options.first_queries != 0) plan.first_queries = options.first_queries;
+  plan.first_queries = options.first_queries != 0 ? options.first_queries : defaults.first_queries;
   if (!options.families.empty()) plan.first_sources = plan.sources;
   else
     for (const Family* family : families_of(*plan.kernel->test, plan.kernel->entry))
@@ -87,7 +80,7 @@ SearchPlan search_plan_of(const SearchOptions& options) {
   plan.seed = options.seed;
   plan.seconds = options.seconds;
   plan.evaluations = options.evaluations;
-  if (!plan.seconds && !plan.evaluations) plan.evaluations = is_first ? default_evaluations : evaluations_by_oracles;
+  if (!plan.seconds && !plan.evaluations) plan.evaluations = defaults.evaluations;
   plan.target = resolve_target(options.target);
   plan.threads = threads_of(options.threads);
   return plan;

@@ -64,10 +64,10 @@ Json searched(const Staged& staged, Precision precision, Stages& stages, const s
   }
   Json finds = Json::object();
   for (const Aim& aim : result.aims) {
-    if (!is_about_a_comparison(aim.goal)) finds[name(aim)] = nullptr;
+    if (!is_about_a_comparison(aim.goal)) finds[name(aim, *plan.kernel->test)] = nullptr;
   }
   for (const Find& find : result.finds) {
-    if (!is_about_a_comparison(find.aim.goal)) finds[name(find.aim)] = find_json(find);
+    if (!is_about_a_comparison(find.aim.goal)) finds[name(find.aim, *plan.kernel->test)] = find_json(find);
   }
   return {{"evaluations", result.evaluations}, {"begun_from", plan.first_queries}, {"finds", finds}};
 }

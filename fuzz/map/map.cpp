@@ -213,7 +213,7 @@ class Drawing {
     Pixel p{.truth = truth ? *truth : about().truth(), .said = reply.outcome(i), .right = std::nullopt};
     if (p.truth.verdict == Verdict::invalid) return p;
     p.right = right_verdict(p.truth, kernel.touching);
-    p.outside = !is_promised(kernel, q);
+    p.outside = !is_promised(oracles_, kernel.limits, kernel.motion, q);
     const std::optional<KnownSigns> signs = known.signs(i);
     p.of_truth = signs ? signs->holds : 0;
     p.certain = signs ? signs->certain : all_comparisons(test());

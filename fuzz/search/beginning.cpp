@@ -63,7 +63,7 @@ Beginning<Real> first_found(const SearchPlan& plan, const std::vector<Aim>& aims
         add(wrong, tally.verdict.deepest_false_contact, source);
       }
       if (aim.goal == Goal::error || aim.goal == Goal::relative_error) {
-        add(errors, tally.comparisons[index_of(aim.which)].largest_error, source);
+        add(errors, tally.comparisons[aim.which].largest_error, source);
       }
     }
     beginning.found[i] = is_about_a_comparison(aim.goal) ? most_severe<Real>(std::move(errors), plan.seed)

@@ -6,9 +6,10 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
-#include "fuzz/search/evaluator.h"
-#include "fuzz/search/moves/moves.h"
-#include "fuzz/search/range.h"
+#include "fuzz/search/method.h"
+#include "fuzz/sphere_triangle/search_box.h"
+#include "fuzz/sphere_triangle/search_evaluator.h"
+#include "fuzz/sphere_triangle/search_range.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 
 namespace axiscert {
@@ -94,7 +95,7 @@ TEST(Confirm, TheGuideIsNearTheTruth) {
     }
     std::vector<double> scores;
     std::vector<Verdict> said;
-    for (const Aim& aim : aims_of(kernel, {})) {
+    for (const Aim& aim : search_method_of(*kernel.test).aims(kernel, {})) {
       if (aim.goal == Goal::critical_radius) continue;  // estimated only to a fraction of an ulp
       QueryBatch<Real> solved = batch;
       evaluator.evaluate(aim, solved, scores, said);
@@ -102,9 +103,10 @@ TEST(Confirm, TheGuideIsNearTheTruth) {
         if (scores[i] == 0) continue;
         const auto found = confirmer.value(aim, solved[i]);
         const bool tiny = !is_about_a_comparison(aim.goal) && scores[i] < 1e-6;  // within the estimate's own error
-        ASSERT_TRUE(found || tiny) << name(aim) << " " << i << ": " << scores[i];
+        ASSERT_TRUE(found || tiny) << name(aim, *kernel.test) << " " << i << ": " << scores[i];
         if (tiny) continue;
-        EXPECT_NEAR(found->value(), scores[i], 1e-3 * scores[i]) << name(aim) << " " << i << ", seed " << seed;
+        EXPECT_NEAR(found->value(), scores[i], 1e-3 * scores[i])
+            << name(aim, *kernel.test) << " " << i << ", seed " << seed;
       }
     }
   };
@@ -120,7 +122,8 @@ TEST(Confirm, RangeIsLeftAtTheExponentsOfTheFormulae) {
   QueryBatch<float> one(1, coordinate_count);
   one.push_back(q);
   const auto implementation = find_kernel("published").on<float>(scalar_target);
-  const Aim up{Goal::overflow, Comparison::vertex_a_radius}, down{Goal::underflow, Comparison::vertex_a_radius};
+  const Aim up{Goal::overflow, index_of(Comparison::vertex_a_radius)},
+      down{Goal::underflow, index_of(Comparison::vertex_a_radius)};
   EXPECT_EQ(range_left(implementation, up, one).front(), 65);
   ASSERT_TRUE(range_left(implementation, down, one).front());
   const int least = *range_left(implementation, down, one).front();

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <mutex>
@@ -12,37 +13,14 @@
 #include "fuzz/queries/image_groups.h"
 #include "fuzz/search/beginning.h"
 #include "fuzz/search/confirm.h"
-#include "fuzz/search/evaluator.h"
 #include "fuzz/search/island.h"
-#include "fuzz/search/moves/moves.h"
+#include "fuzz/search/method.h"
 #include "fuzz/search/pool.h"
-#include "fuzz/search/range.h"
 #include "fuzz/search/state.h"
-#include "fuzz/search/verdict_guide.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
 namespace {
-
-// The number of islands of an aim in every epoch, and the evaluations of each. Errors of vertex comparisons soon reach
-// their maximum; those of edges profit from each other; the plane's has no such partner. An estimate for a verdict
-// takes thirty questions to the kernel, one for range a hundred and exact signs; range is also soon exhausted.
-struct Share {
-  std::size_t islands;
-  std::uint64_t evaluations;
-};
-constexpr std::size_t most_islands = 12;
-// The truth of another test than sphere-triangle has no quick estimate.
-constexpr Share share_of(const Aim& aim, bool is_first_test) {
-  if (!is_first_test) return {1, 1 << 10};
-  const Axis axis = info(aim.which).axis;
-  if (aim.goal == Goal::error && axis == Axis::plane) return {most_islands, 1 << 16};
-  if (aim.goal == Goal::error && axis >= Axis::edge_ab) return {6, 1 << 16};
-  if (aim.goal == Goal::error) return {1, 1 << 16};
-  if (aim.goal == Goal::relative_error) return {1, 1 << 13};
-  if (is_about_range(aim.goal)) return {1, 1 << 9};
-  return {1, 1 << 14};
-}
 
 // One island: the aim it serves, and how long it climbs.
 struct Slot {
@@ -50,11 +28,11 @@ struct Slot {
   std::uint64_t evaluations;
 };
 // The islands of an epoch, with the aims in turn.
-std::vector<Slot> slots_of(const std::vector<Aim>& aims, bool is_first_test) {
+std::vector<Slot> slots_of(const std::vector<Aim>& aims, const SearchMethod& method) {
   std::vector<Slot> slots;
   for (std::size_t round = 0; round < most_islands; ++round) {
     for (std::size_t i = 0; i < aims.size(); ++i) {
-      const Share share = share_of(aims[i], is_first_test);
+      const IslandShare share = method.share(aims[i]);
       if (round < share.islands) slots.push_back({i, share.evaluations});
     }
   }
@@ -96,10 +74,11 @@ class Search {
   using Entry = typename Pool<Real>::Entry;
 
   explicit Search(const SearchPlan& plan)
-      : plan_(plan), aims_(aims_of(*plan.kernel, plan.comparisons)), slots_(slots_of(aims_, is_first_test())) {
-    if (aims_.empty() && !is_first_test())
-      throw Error(fmt::format("the test {} has no depth, by which wrong verdicts are compared", plan.kernel->test->id));
-    if (aims_.empty()) throw Error(fmt::format("kernel {} exposes none of these comparisons", plan.kernel->id));
+      : plan_(plan),
+        method_(search_method_of(*plan.kernel->test)),
+        aims_(method_.aims(*plan.kernel, plan.comparisons)),
+        slots_(slots_of(aims_, method_)) {
+    if (aims_.empty()) throw Error(method_.why_no_aims(*plan_.kernel));
     known_.resize(aims_.size());
     looked_at_.resize(aims_.size());
   }
@@ -167,13 +146,11 @@ class Search {
     return pool;
   }
 
-  bool is_first_test() const { return plan_.kernel->test == &first_test(); }
   StoredQuery stored_query(std::string id, const Numbers<Real>& q) const {
     return {std::move(id), plan_.precision, q, 0, plan_.kernel->test, plan_.kernel->entry};
   }
   std::unique_ptr<Guide<Real>> made_guide() const {
-    if (is_first_test()) return std::make_unique<Evaluator<Real>>(*plan_.kernel, plan_.target);
-    return std::make_unique<VerdictGuide<Real>>(*plan_.kernel, plan_.target);
+    return method_.guide(*plan_.kernel, plan_.target, std::type_identity<Real>());
   }
 
   double elapsed() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
@@ -262,28 +239,27 @@ class Search {
     return all;
   }
 
-  // Tries the best queries of every comparison on each other one, in all six orders of the vertices.
+  // Tries the best queries of every comparison, and their images, on each other one.
   void share(std::vector<Known<Real>>& known) const {
-    if (!is_first_test()) return;
-    Evaluator<Real> evaluator(*plan_.kernel, plan_.target);
+    if (std::none_of(aims_.begin(), aims_.end(), [](const Aim& aim) { return is_about_a_comparison(aim.goal); }))
+      return;
+    const auto guide = made_guide();
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
-    for (const Goal goal : {Goal::error, Goal::relative_error, Goal::overflow, Goal::underflow}) {
-      QueryBatch<Real> images(6 * comparison_count, coordinate_count);
+    for (const Goal goal : enumerators<Goal>) {
+      if (!is_about_a_comparison(goal)) continue;
+      std::vector<Numbers<Real>> all;
       for (std::size_t i = 0; i < aims_.size(); ++i) {
         if (aims_[i].goal != goal || known[i].best.empty()) continue;
-        const Query<Real> q = known[i].best.best().query;
-        for (const auto& [a, b, c] :
-             {std::tuple(q.a, q.b, q.c), std::tuple(q.a, q.c, q.b), std::tuple(q.b, q.a, q.c),
-              std::tuple(q.b, q.c, q.a), std::tuple(q.c, q.a, q.b), std::tuple(q.c, q.b, q.a)}) {
-          images.push_back(Query<Real>{a, b, c, q.p, q.r});
-        }
+        for (const Numbers<Real>& image : guide->images(known[i].best.best().query)) all.push_back(image);
       }
-      if (images.size() == 0) continue;
+      if (all.empty()) continue;
+      QueryBatch<Real> images(all.size(), guide->shape().numbers);
+      for (const Numbers<Real>& image : all) images.push_back(image);
       std::vector<double> scores;
       std::vector<Verdict> said;  // not counted: these are no evaluations
       for (std::size_t i = 0; i < aims_.size(); ++i) {
         if (aims_[i].goal != goal) continue;
-        evaluator.evaluate(aims_[i], images, scores, said);
+        guide->evaluate(aims_[i], images, scores, said);
         const auto best = std::max_element(scores.begin(), scores.end());
         if (*best <= (known[i].best.empty() ? 0 : known[i].best.best().value.value())) continue;
         const Numbers<Real> q = images[static_cast<std::size_t>(best - scores.begin())];
@@ -315,9 +291,9 @@ class Search {
       if (known[i].best.empty()) continue;
       const Aim& aim = aims_[i];
       const auto& [value, query] = known[i].best.best();
-      Find find{aim, value, stored_query(name(aim), query)};
+      Find find{aim, value, stored_query(name(aim, *plan_.kernel->test), query)};
       if (is_about_range(aim.goal)) {
-        find.range_exponent = range_exponent(aim.goal, plan_.precision, value.value());
+        find.range_exponent = method_.exponent(aim.goal, plan_.precision, value.value());
         find.witness.numbers = times_power(query, find.range_exponent);
       } else if (!is_about_a_comparison(aim.goal)) {
         find.links = confirmer.examine(query).judgement.verdict_links;
@@ -327,6 +303,7 @@ class Search {
   }
 
   const SearchPlan& plan_;
+  const SearchMethod& method_;
   std::vector<Aim> aims_;
   std::vector<Slot> slots_;
   std::uint64_t islands_ = 0, resumed_from_ = 0, epoch_begin_ = 0, evaluations_ = 0;

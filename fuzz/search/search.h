@@ -14,15 +14,15 @@
 #include "fuzz/search/goal.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/queries/source.h"
-#include "kernel/sphere_triangle/names.h"
+#include "kernel/kernel.h"
 
 namespace axiscert {
 
 struct SearchPlan {
   const Kernel* kernel;
   Precision precision = Precision::binary32;
-  std::vector<Comparison> comparisons;  // empty: all, and the verdict
-  std::vector<SourcePtr> sources;       // families that islands start from
+  std::vector<std::size_t> comparisons;  // of the kernel's test; empty: all, and the verdict
+  std::vector<SourcePtr> sources;        // families that islands start from
   std::uint64_t seed = 1;
   // A search without an island so far begins with a run of so many queries of each of these sources, which are not
   // counted as evaluations, and reports nothing less severe than that run found; 0: with none.

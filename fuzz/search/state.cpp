@@ -22,7 +22,9 @@ Json search_plan_json(const SearchPlan& plan) {
     for (const SourcePtr& source : sources) all.push_back(fmt::format("{}:{}", source->name(), source->version()));
     return all;
   };
-  for (const Comparison which : plan.comparisons) comparison_names.push_back(info(which).name);
+  for (const std::size_t which : plan.comparisons) {
+    comparison_names.push_back(plan.kernel->test->comparisons[which].name);
+  }
   return {{"schema", "axiscert-search-state/2"},
           {"search_version", search_version},
           {"kernel", plan.kernel->id},
@@ -98,7 +100,7 @@ std::string state_text(const SearchPlan& plan, const std::vector<Aim>& aims, con
   for (std::size_t i = 0; i < aims.size(); ++i) {
     for (const Kind& kind : kinds) {
       for (StoredQuery stored : state.pools[i].*kind.queries) {
-        stored.id = std::string(kind.prefix) + name(aims[i]);
+        stored.id = std::string(kind.prefix) + name(aims[i], *plan.kernel->test);
         text += query_line(stored) + "\n";
       }
     }
@@ -143,7 +145,7 @@ SearchState parse_state(std::string_view text, const SearchPlan& plan, const std
     for (std::size_t i = 0; i < aims.size(); ++i) {
       for (const Kind& kind : kinds) {
         if (found || stored.precision != plan.precision || stored.test != plan.kernel->test ||
-            stored.id != std::string(kind.prefix) + name(aims[i]))
+            stored.id != std::string(kind.prefix) + name(aims[i], *plan.kernel->test))
           continue;
         (state.pools[i].*kind.queries).push_back(stored);
         found = true;

@@ -13,8 +13,8 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/unbounded/unbounded.h"
 #include "fuzz/queries/image_groups.h"
-#include "fuzz/search/moves/moves.h"
-#include "fuzz/search/range.h"
+#include "fuzz/sphere_triangle/search_box.h"
+#include "fuzz/sphere_triangle/search_range.h"
 #include "kernel/ask.h"
 #include "kernel/sphere_triangle/shown_sides.h"
 
@@ -72,7 +72,7 @@ std::optional<Decimal6> range_value(const Aim& aim, const Kernel& kernel, const 
   if (!m) return std::nullopt;
   const Query<Real> there = times_power(q, *m);
   const Reply<Real> reply = ask(implementation, there);
-  const std::size_t k = index_of(aim.which);
+  const std::size_t k = aim.which;
   const bool finite = std::isfinite(reply.answers.lhs[k][0]) && std::isfinite(reply.answers.rhs[k][0]);
   const ComparisonBits expected = *unbounded(kernel.formulae, kernel.arithmetic, kernel.strictness, there).bits;
   if (finite && !has_bit(reply.answers.bits[0] ^ expected, k)) return std::nullopt;
@@ -101,7 +101,7 @@ std::optional<Decimal6> aim_value(const Aim& aim, const Kernel& kernel, const Im
       if (aim.goal == Goal::error && !is_in_box(q)) return std::nullopt;
       const auto all = side_errors(kernel, implementation, q);
       if (!all) return std::nullopt;
-      return (aim.goal == Goal::error ? all->absolute : all->relative)[index_of(aim.which)];
+      return (aim.goal == Goal::error ? all->absolute : all->relative)[aim.which];
     }
     case Goal::overflow:
     case Goal::underflow:

@@ -1,5 +1,5 @@
-#include "fuzz/search/moves/moves.h"
 #include "fuzz/sphere_triangle/search.h"
+#include "fuzz/sphere_triangle/search_box.h"
 #include "kernel/sphere_triangle/proved_bounds.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/sphere_triangle/shown_sides.h"

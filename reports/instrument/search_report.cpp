@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "fuzz/search/method.h"
 #include "fuzz/search/proved.h"
 #include "reports/instrument/figures.h"
 #include "reports/instrument/looked_at.h"
@@ -22,8 +23,7 @@ class SearchReport {
     report.name = "search";
     report.title = title();
     report.command = command;
-    if (plan_.kernel->test == &first_test()) report.notes = notes_of_first_test();
-    else report.notes = notes_by_oracles();
+    report.notes = search_method_of(test()).notes();
     if (plan_.first_queries != 0) {
       report.notes.push_back(
           fmt::format("It began from a run of {} queries of each of {} families, and reports nothing less severe than "
@@ -41,31 +41,7 @@ class SearchReport {
   }
 
  private:
-  static std::vector<std::string> notes_by_oracles() {
-    return {
-        "A depth is in units of the scene. Queries are of numbers up to 2^8; a length is set to where the kernel's own "
-        "verdict changes. Every witness was confirmed by all oracles of the test. These are lower bounds of the worst: "
-        "a search proves nothing about what it does not find."};
-  }
-  static std::vector<std::string> notes_of_first_test() {
-    return {
-        "Attained: |(l^ - r^) - (l - r)| in u, the greatest found where every coordinate of A - P, B - P, C - P is in "
-        "[-1, 1] and r in [0, 1], the rounding of the translation included. Proved: a bound that a checker accepted; "
-        "open "
-        "where there is none. Relative: the same over |l| + |r|, of any query; looked for up to 2^40 u, and without a "
-        "bound "
-        "where both sides vanish.",
-        "Overflow and underflow: the exponent m of the first 2^m at which a comparison leaves the range, of queries of "
-        "size 1/2 to 1 that are far from every change of sign and whose radius, edges and distances to the vertices "
-        "are "
-        "at least 1/8 of the greatest.",
-        "A depth is in units of the scene, the error of the critical radius in ulps of the exact distance. Every "
-        "witness was "
-        "confirmed by exact arithmetic. All of these are lower bounds of the worst: a search proves nothing about what "
-        "it "
-        "does not find."};
-  }
-
+  const TestDescription& test() const { return *plan_.kernel->test; }
   bool may_decline() const { return plan_.kernel->may_decline; }
 
   // Its first words say how much was looked at: of nothing, there is no worst.
@@ -102,8 +78,8 @@ class SearchReport {
     return nullptr;
   }
   // The comparisons that were searched, in their order.
-  std::vector<Comparison> comparisons_asked() const {
-    std::vector<Comparison> all;
+  std::vector<std::size_t> comparisons_asked() const {
+    std::vector<std::size_t> all;
     for (const Aim& aim : result_.aims) {
       if (aim.goal == Goal::error) all.push_back(aim.which);
     }
@@ -152,9 +128,9 @@ class SearchReport {
     InstrumentTable table{"Errors of the computed sides, and the scales at which range fails",
                           {"comparison", "attained, u", "proved, u", "relative, u", "overflow, 2^m", "underflow, 2^m"},
                           {}};
-    for (const Comparison which : comparisons_asked()) {
-      const auto proved = proved_error(*plan_.kernel, plan_.precision, index_of(which));
-      table.rows.push_back({std::string(info(which).name), error_cell({Goal::error, which}),
+    for (const std::size_t which : comparisons_asked()) {
+      const auto proved = proved_error(*plan_.kernel, plan_.precision, which);
+      table.rows.push_back({std::string(test().comparisons[which].name), error_cell({Goal::error, which}),
                             proved ? shown(*proved) : "open", error_cell({Goal::relative_error, which}),
                             range_cell({Goal::overflow, which}), range_cell({Goal::underflow, which})});
     }
@@ -167,7 +143,7 @@ class SearchReport {
     InstrumentTable table{"Verdicts", {"what", "worst", "unit", "broken links"}, {}};
     for (const Goal goal : verdict_goals()) {
       const Find* found = find({goal});
-      table.rows.push_back({name(Aim{goal}), error_cell({goal}), unit(goal),
+      table.rows.push_back({name(Aim{goal}, test()), error_cell({goal}), unit(goal),
                             found ? fmt::format("{}", fmt::join(names(found->links), " ")) : ""});
     }
     return table;
@@ -182,10 +158,10 @@ class SearchReport {
 
   Json data() const {
     Json comparisons_json = Json::array(), verdict = Json::object(), families = Json::array();
-    for (const Comparison which : comparisons_asked()) {
+    for (const std::size_t which : comparisons_asked()) {
       const Find *error = find({Goal::error, which}), *relative = find({Goal::relative_error, which});
-      const auto proved = proved_error(*plan_.kernel, plan_.precision, index_of(which));
-      comparisons_json.push_back({{"name", info(which).name},
+      const auto proved = proved_error(*plan_.kernel, plan_.precision, which);
+      comparisons_json.push_back({{"name", test().comparisons[which].name},
                                   {"attained_u", error_json(error)},
                                   {"proved_u", proved ? number_json(*proved) : Json(nullptr)},
                                   {"witness", error ? witness_json(*error) : Json(nullptr)},
@@ -196,7 +172,7 @@ class SearchReport {
     }
     for (const Goal goal : verdict_goals()) {
       const Find* found = find({goal});
-      Json& entry = verdict[name(Aim{goal})] = nullptr;
+      Json& entry = verdict[name(Aim{goal}, test())] = nullptr;
       if (!found) continue;
       entry = {{unit(goal), number_json(found->value)}};
       if (goal != Goal::critical_radius) entry["links"] = names(found->links);
@@ -205,7 +181,7 @@ class SearchReport {
     for (const SourcePtr& source : plan_.sources) families.push_back(source->name());
     Json first_families = Json::array(), by_goal = Json::object();
     for (std::size_t i = 0; i < result_.aims.size(); ++i) {
-      by_goal[name(result_.aims[i])] = looked_at_json(result_.looked_at[i]);
+      by_goal[name(result_.aims[i], test())] = looked_at_json(result_.looked_at[i]);
     }
     for (const SourcePtr& source : plan_.first_sources) first_families.push_back(source->name());
     return {{"schema", search_schema},

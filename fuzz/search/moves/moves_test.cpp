@@ -7,6 +7,8 @@
 
 #include "exact/numbers/rational.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/sphere_triangle/search_box.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -21,6 +23,14 @@ TYPED_TEST_SUITE(Moves, Reals);
 Dice dice(std::uint64_t position) {
   Stream stream(moves_seed, name_hash("moves_test"), 1, Precision::binary32, position);
   return Dice(stream);
+}
+
+template <class Real>
+void move(Dice& random, Query<Real>& q, const Query<Real>& other) {
+  static const QueryShape shape = shape_of(sphere_triangle_test().entries.front());
+  Numbers<Real> v = q;
+  move(random, shape, v, Numbers<Real>(other));
+  q = query_from(v);
 }
 
 // Computed by GMP: |a - p| <= 1.

@@ -1,15 +1,17 @@
-#include "fuzz/search/evaluator.h"
+#include "fuzz/sphere_triangle/search_evaluator.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/numbers/double_double.h"
 #include "exact/sphere_triangle/oracles/feature_walk.h"
 #include "exact/numbers/floating.h"
 #include "fuzz/search/moves/moves.h"
-#include "fuzz/search/range.h"
+#include "fuzz/sphere_triangle/search_box.h"
+#include "fuzz/sphere_triangle/search_range.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 #include "kernel/sphere_triangle/reference/formulae_types.h"
@@ -45,7 +47,7 @@ struct Lanes {
 
 // Margins of the queries in a vector's lanes, those from `first` on, in twice binary64. The last vector may have fewer.
 template <Formulae formulae>
-void margins_in_lanes(Comparison which, const QueryColumns<double>& columns, std::size_t first, WideMargin* margins) {
+void margins_in_lanes(std::size_t which, const QueryColumns<double>& columns, std::size_t first, WideMargin* margins) {
   using T = DoubleDouble<Lanes>;
   const std::size_t lanes = std::min(lane_count, columns.size - first);
   const auto number = [&](std::size_t k) {
@@ -64,7 +66,7 @@ void margins_in_lanes(Comparison which, const QueryColumns<double>& columns, std
 
 // Margins of a batch of binary64 queries: rings in twice binary64, forms with roots or divisions by MPFR.
 template <Formulae formulae>
-void twice_wide(Comparison which, const QueryBatch<double>& batch, std::vector<WideMargin>& margins) {
+void twice_wide(std::size_t which, const QueryBatch<double>& batch, std::vector<WideMargin>& margins) {
   using F = FormulaeType<formulae>;
   margins.assign(batch.size(), {0, 0, 0});
   if constexpr (!has_comparisons(formulae)) {
@@ -82,7 +84,7 @@ void twice_wide(Comparison which, const QueryBatch<double>& batch, std::vector<W
   }
 }
 
-using WideFunction = void (*)(Comparison, const QueryBatch<double>&, std::vector<WideMargin>&);
+using WideFunction = void (*)(std::size_t, const QueryBatch<double>&, std::vector<WideMargin>&);
 constexpr EnumArray<Formulae, WideFunction> twice_wide_of = {
 #define AXISCERT_WIDE(name, type, kind) twice_wide<Formulae::name>,
     AXISCERT_FORMULAE(AXISCERT_WIDE)
@@ -138,7 +140,9 @@ Distances distances(const Query<Real>& q) {
 
 template <class Real>
 Evaluator<Real>::Evaluator(const Kernel& kernel, std::string_view target)
-    : Guide<Real>(sphere_triangle_shape()), kernel_(kernel), implementation_(kernel.on<Real>(target)) {
+    : Guide<Real>(shape_of(kernel.test->entries[kernel.entry])),
+      kernel_(kernel),
+      implementation_(kernel.on<Real>(target)) {
   if constexpr (sizeof(Real) == 4) {
     if (const SimdForms* forms = kernel.formulae == Formulae::none ? nullptr : simd_forms(kernel.formulae);
         forms && !simd_targets().empty()) {
@@ -160,7 +164,7 @@ void Evaluator<Real>::evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vec
 
 template <class Real>
 void Evaluator<Real>::evaluate_error(const Aim& aim, const QueryBatch<Real>& batch, std::vector<double>& scores) {
-  const auto k = index_of(aim.which);
+  const std::size_t k = aim.which;
   if (implementation_.explain) {
     reply_.answers.resize(batch.size(), comparison_count);
     implementation_.explain(batch.columns(), reply_.answers);
@@ -246,10 +250,10 @@ void Evaluator<Real>::evaluate_range(const Aim& aim, const QueryBatch<Real>& bat
 }
 
 template <class Real>
-double Evaluator<Real>::vanishing(Comparison which, const Query<Real>& q) const {
+double Evaluator<Real>::vanishing(std::size_t which, const Query<Real>& q) const {
   Sides<double> sides;
   reference(kernel_.formulae, Arithmetic::plain, Strictness::strict, widened(q), &sides);
-  return info(which).is_radius ? sides.lhs[which] : sides.lhs[which] - sides.rhs[which];
+  return comparisons[which].is_radius ? sides.lhs[which] : sides.lhs[which] - sides.rhs[which];
 }
 
 template <class Real>
@@ -273,6 +277,17 @@ bool Evaluator<Real>::step(const Aim& aim, Dice& random, Numbers<Real>& q) const
   const double root = start - here / slope;
   x = std::fabs(root) <= 4 ? moved_by_ulps(static_cast<Real>(root), random.integer(-3, 3)) : start;
   return true;
+}
+
+template <class Real>
+std::vector<Numbers<Real>> Evaluator<Real>::images(const Numbers<Real>& numbers) const {
+  const Query<Real> q = numbers;
+  std::vector<Numbers<Real>> all;
+  for (const auto& [a, b, c] : {std::tuple(q.a, q.b, q.c), std::tuple(q.a, q.c, q.b), std::tuple(q.b, q.a, q.c),
+                                std::tuple(q.b, q.c, q.a), std::tuple(q.c, q.a, q.b), std::tuple(q.c, q.b, q.a)}) {
+    all.push_back(Query<Real>{a, b, c, q.p, q.r});
+  }
+  return all;
 }
 
 template class Evaluator<float>;

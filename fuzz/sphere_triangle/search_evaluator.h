@@ -21,10 +21,12 @@ class Evaluator final : public Guide<Real> {
   void settle(Numbers<Real>& q) const override;
   // For a relative error now and then a step to where the comparison's scale vanishes.
   bool step(const Aim& aim, Dice& random, Numbers<Real>& q) const override;
+  // The six orders of the vertices.
+  std::vector<Numbers<Real>> images(const Numbers<Real>& q) const override;
 
   // The quantity that vanishes where a comparison loses its scale, in binary64: l for a radius comparison, l - r for a
   // side comparison. Guides Newton's steps.
-  double vanishing(Comparison which, const Query<Real>& q) const;
+  double vanishing(std::size_t which, const Query<Real>& q) const;
 
  private:
   void evaluate_error(const Aim& aim, const QueryBatch<Real>& batch, std::vector<double>& scores);

@@ -1,4 +1,4 @@
-#include "fuzz/search/range.h"
+#include "fuzz/sphere_triangle/search_range.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ template bool has_good_shape(const Query<double>&);
 template <class Real>
 std::vector<std::optional<int>> range_left(const Implementation<Real>& kernel, const Aim& aim,
                                            const QueryBatch<Real>& batch) {
-  const std::size_t k = index_of(aim.which);
+  const std::size_t k = aim.which;
   const auto bit = one_bit<ComparisonBits>(k);
   struct Scan {
     std::size_t query;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fuzz/search/goal.h"
+#include "kernel/kernel.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
