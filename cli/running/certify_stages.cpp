@@ -10,7 +10,6 @@
 #include "cli/progress_line.h"
 #include "fuzz/certify/safe_margin.h"
 #include "fuzz/diagnosis/diagnosis.h"
-#include "fuzz/instruments/critical_distance.h"
 #include "fuzz/mutation/black_box.h"
 #include "fuzz/text/file_bytes.h"
 #include "reports/certificate/findings/margin.h"

@@ -62,6 +62,16 @@ struct BoxTrait : Boxes {
 
   static double depth(const Numbers<double>& numbers) { return depth_of(exactly(numbers)); }
 
+  // That of the half extent of A's first axis at which the boxes touch.
+  static std::optional<Rational> squared_critical_length(const Numbers<double>& numbers) {
+    Numbers<double> any = numbers;
+    any[3] = 0;  // the extent that is not read
+    if (!is_valid(any)) return std::nullopt;
+    const std::optional<Rational> extent = critical_extent(exactly(any));
+    if (!extent) return std::nullopt;
+    return Rational(*extent * *extent);
+  }
+
   // The penetration or the distance, as a length rounded to nearest; the axes that decide: those on which the
   // penetration is least, or those that separate; and of matrices how far they are from orthonormal, the worse of both,
   // in halves of an ulp of 1.

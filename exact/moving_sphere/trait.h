@@ -13,6 +13,7 @@
 #include "exact/moving_sphere/sizes.h"
 #include "exact/moving_sphere/swept_distance.h"
 #include "exact/sphere_triangle/measures/depth.h"
+#include "exact/sphere_triangle/measures/input_class.h"
 #include "exact/trait/oracles.h"
 #include "exact/trait/trait.h"
 #include "kernel/moving_sphere/twenty.h"
@@ -80,6 +81,17 @@ struct MotionTrait : Entry {
     return {time, features, start};
   }
 
+  // Of the sphere before the motion.
+  template <class Real>
+  static bool is_degenerate(const Numbers<double>& numbers) {
+    const GivenMotion q = query(numbers);
+    const auto point = [](const portable::Vec3<double>& v) {
+      return Vec3<Real>{static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z)};
+    };
+    return axiscert::is_degenerate(
+        axiscert::Query<Real>{point(q.a), point(q.b), point(q.c), point(q.p), static_cast<Real>(q.r)});
+  }
+
   static bool is_promised(const MotionPolicy& policy, const Numbers<double>& numbers) {
     return moving_sphere::is_promised(policy, query(numbers));
   }
@@ -90,7 +102,12 @@ struct MotionTrait : Entry {
   }
 };
 
-using MovingSphereTrait = MotionTrait<MovingSphere>;
+struct MovingSphereTrait : MotionTrait<MovingSphere> {
+  // The least distance of the moving centre.
+  static std::optional<Rational> squared_critical_length(const Numbers<double>& numbers) {
+    return least_distance(query(numbers)).squared;
+  }
+};
 using MovingEndsTrait = MotionTrait<MovingEnds>;
 
 }  // namespace axiscert::moving_sphere

@@ -15,6 +15,7 @@
 #include "exact/numbers/binary_fraction.h"
 #include "exact/numbers/decimal6.h"
 #include "exact/numbers/exact_depth.h"
+#include "exact/numbers/rational.h"
 #include "exact/trait/batch_oracle.h"
 #include "kernel/kernel.h"
 
@@ -49,6 +50,15 @@ struct SideErrorSize {
 struct Detail {
   std::string_view name;
   std::variant<std::monostate, double, std::string_view, std::vector<std::string_view>> value;
+};
+
+// A length in each query that turns the answer: separated below its critical value, contact from that on. It is the
+// radius of a sphere, or a half extent of a box.
+struct CriticalLength {
+  std::size_t column;
+  // The square of the critical value, exact, of finite numbers; the length is not read. Empty for what is no query with
+  // any length, or has contact at none.
+  std::optional<Rational> (*squared)(const Numbers<double>& query);
 };
 
 // By what a query is decided.
@@ -118,7 +128,6 @@ class Oracles {
   virtual std::unique_ptr<BatchOracle<float>> batches(std::string_view target, std::type_identity<float>) const;
   virtual std::unique_ptr<BatchOracle<double>> batches(std::string_view target, std::type_identity<double>) const;
 
-
   // The query, to be asked more than once. Another arithmetic repeats the decisions of the truth where the test has a
   // second oracle and `opinion` says so.
   virtual std::unique_ptr<AskedQuery> about(const Numbers<float>& numbers, Opinion opinion = Opinion::second) const = 0;
@@ -144,10 +153,19 @@ class Oracles {
   // Whether the test compares a distance (AskedQuery::squared_distance).
   virtual bool has_squared_distance() const { return false; }
 
+  // Empty where the answer depends on no length in this way.
+  virtual std::optional<CriticalLength> critical_length() const { return std::nullopt; }
+  // Of finite numbers: whether the shape is so extreme that a kernel may be wrong there by its formulae alone, by as
+  // much as the scene is large. `false` where the test has no such notion.
+  virtual bool is_degenerate(const Numbers<float>&) const { return false; }
+  virtual bool is_degenerate(const Numbers<double>&) const { return false; }
+
   // Facts about a valid query besides its truth, in the order in which `check` shows them; most tests have none.
   virtual std::vector<Detail> details(const Numbers<float>&) const { return {}; }
   virtual std::vector<Detail> details(const Numbers<double>&) const { return {}; }
 
+  // Whether kernels of the test can promise to be right within limits alone; else every query is within them.
+  virtual bool has_limits() const { return false; }
   // Whether a valid query lies within a kernel's limits, and whether a kernel with this policy promises to be right on
   // it. A test has one of the two, or neither.
   virtual bool is_within(const Limits&, const Numbers<float>&) const { return true; }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <forward_list>
 #include <limits>
 #include <type_traits>
@@ -46,6 +47,12 @@ class OraclesOf final : public Oracles {
   bool has_depth() const override { return HasDepth<Test>; }
   std::optional<double> depth(const Numbers<float>& q) const override { return depth_of(q); }
   std::optional<double> depth(const Numbers<double>& q) const override { return depth_of(q); }
+  std::optional<CriticalLength> critical_length() const override {
+    if constexpr (HasCriticalLength<Test>) return CriticalLength{first_length(), Test::squared_critical_length};
+    else return std::nullopt;
+  }
+  bool is_degenerate(const Numbers<float>& q) const override { return says_degenerate(q); }
+  bool is_degenerate(const Numbers<double>& q) const override { return says_degenerate(q); }
   std::vector<Detail> details(const Numbers<float>& q) const override { return details_of(q); }
   std::vector<Detail> details(const Numbers<double>& q) const override { return details_of(q); }
   bool is_promised(const MotionPolicy& policy, const Numbers<float>& q) const override { return promises(policy, q); }
@@ -267,6 +274,16 @@ class OraclesOf final : public Oracles {
   static std::optional<double> depth_of(const Numbers<Real>& q) {
     if constexpr (HasDepth<Test>) return Test::depth(widened(q));
     else return std::nullopt;
+  }
+  static std::size_t first_length() {
+    const std::vector<TestColumn>& columns = Test::description().entries[entry_of<Test>()].columns;
+    const auto is_length = [](const TestColumn& column) { return column.role == Role::length; };
+    return static_cast<std::size_t>(std::find_if(columns.begin(), columns.end(), is_length) - columns.begin());
+  }
+  template <class Real>
+  static bool says_degenerate(const Numbers<Real>& q) {
+    if constexpr (SaysDegenerate<Test, Real>) return Test::template is_degenerate<Real>(widened(q));
+    else return false;
   }
   template <class Real>
   static std::vector<Detail> details_of(const Numbers<Real>& q) {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <concepts>
+#include <optional>
 #include <string>
 
 #include "exact/judge/truth.h"
+#include "exact/numbers/rational.h"
 #include "exact/trait/exact_number.h"
 #include "kernel/motion_policy.h"
 #include "kernel/plain_kernel.h"
@@ -26,6 +28,11 @@ namespace axiscert {
 //   contradiction      the theorem that ties the first formulae to the geometry. `holds` and `ties` are their exact
 //                      signs, lhs > rhs and lhs == rhs; the result says what the theorem excludes, or is empty
 //   depth              optional: how far the query is from touching, relative to its scene: exact, rounded once
+//   squared_critical_length
+//                      optional: that of the entry's first length (CriticalLength::squared); numbers are finite
+//   is_degenerate<Real>
+//                      optional: whether the shape is extreme in this precision (Oracles::is_degenerate); numbers are
+//                      finite
 //   details<Real>      optional: further facts about a query in this precision (exact/trait/oracles.h)
 //   is_promised        of a test of motions, optional: whether a kernel with this policy promises to be right on a
 //   query motion_judge<Real> of a test with measures: the judge of those of a query that has contact
@@ -42,6 +49,16 @@ concept TestTrait = requires(const Numbers<double>& numbers, ComparisonBits hold
 template <class Test>
 concept HasDepth = requires(const Numbers<double>& numbers) {
   { Test::depth(numbers) } -> std::same_as<double>;
+};
+
+template <class Test>
+concept HasCriticalLength = requires(const Numbers<double>& numbers) {
+  { Test::squared_critical_length(numbers) } -> std::same_as<std::optional<Rational>>;
+};
+
+template <class Test, class Real>
+concept SaysDegenerate = requires(const Numbers<double>& numbers) {
+  { Test::template is_degenerate<Real>(numbers) } -> std::same_as<bool>;
 };
 
 template <class Test>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "exact/trait/oracles.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 
@@ -21,9 +22,9 @@ constexpr EnumArray<Effort, EffortSize> effort_sizes = {EffortSize{two_to(8), tw
 
 // A query of a test without filters costs a hundred times as much; a kernel in another process some ten microseconds.
 constexpr std::uint64_t divisor_without_filters = 64, divisor_if_slow = 8, least_asked = 16;
-// Fewer than 59 right answers are no evidence about a family (reports/evidence/evidence.h). In the first test a third
-// of the queries of `nonfinite` are queries.
-constexpr std::uint64_t least_trials = two_to(6), least_trials_of_first = two_to(8);
+// Fewer than 59 right answers are no evidence about a family (reports/evidence/evidence.h). Four times as many cost
+// next to nothing with filters, and are enough for a family of which a third is queries, as `nonfinite`.
+constexpr std::uint64_t least_trials = two_to(6), least_trials_with_filters = two_to(8);
 
 // A family whose queries take the oracles many times as long is asked less.
 constexpr int dear_cost = 10;
@@ -40,12 +41,12 @@ Effort parse_effort(std::string_view text) {
 
 EffortSize size_of(Effort effort, const TestDescription& test, bool is_slow) {
   EffortSize size = effort_sizes[effort];
-  const std::uint64_t divisor =
-      (&test == &first_test() ? 1 : divisor_without_filters) * (is_slow ? divisor_if_slow : 1);
-  size.trials = std::max(&test == &first_test() ? least_trials_of_first : least_trials, size.trials / divisor);
+  const bool has_filters = oracles_of(test).has_filters();
+  const std::uint64_t divisor = (has_filters ? 1 : divisor_without_filters) * (is_slow ? divisor_if_slow : 1);
+  size.trials = std::max(has_filters ? least_trials_with_filters : least_trials, size.trials / divisor);
   size.evaluations = std::max(least_asked, size.evaluations / divisor);
   size.probes = std::max(least_asked, size.probes / (is_slow ? divisor_if_slow : 1));
-  if (&test != &first_test()) size.mutant_trials = std::max(least_asked, size.mutant_trials / 8);
+  if (!has_filters) size.mutant_trials = std::max(least_asked, size.mutant_trials / 8);
   return size;
 }
 

@@ -7,9 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "exact/sphere_triangle/measures/input_class.h"
 #include "fuzz/text/number_text.h"
-#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {
@@ -37,16 +35,14 @@ int scene_decade(double size) {
 
 }  // namespace
 
-SceneMeasure::SceneMeasure(const TestDescription& test) : columns_(test.entries[0].columns), centre_(columns_.size()) {
+SceneMeasure::SceneMeasure(const TestDescription& test)
+    : oracles_(oracles_of(test)), columns_(test.entries[0].columns), centre_(columns_.size()) {
   const std::vector<ColumnGroup> groups = groups_of(test.entries[0]);
-  for (const ColumnGroup& group : groups) {
-    for (const auto& [name, first] : {std::pair("a", &a_), {"b", &b_}, {"c", &c_}, {"p", &p_}, {"r", &r_}})
-      if (group.name == name) *first = group.first;
-  }
-  if (!p_) return;
+  const auto centre = std::ranges::find(groups, "p", &ColumnGroup::name);
+  if (centre == groups.end()) return;
   for (const ColumnGroup& group : groups) {
     for (std::size_t k = 0; k < group.size && group.size == 3; ++k)
-      if (columns_[group.first + k].role == Role::coordinate) centre_[group.first + k] = *p_ + k;
+      if (columns_[group.first + k].role == Role::coordinate) centre_[group.first + k] = centre->first + k;
   }
 }
 
@@ -65,12 +61,7 @@ template double SceneMeasure::size(const Numbers<double>&) const;
 
 template <class Real>
 MarginScene SceneMeasure::of(const Numbers<Real>& query) const {
-  MarginScene scene{false, scene_decade(size(query))};
-  if (!(a_ && b_ && c_ && p_ && r_)) return scene;
-  const auto point = [&](std::size_t first) { return Vec3<Real>{query[first], query[first + 1], query[first + 2]}; };
-  for (const InputClass which : shape_classes(Query<Real>{point(*a_), point(*b_), point(*c_), point(*p_), query[*r_]}))
-    scene.is_degenerate |= which != InputClass::far;
-  return scene;
+  return {oracles_.is_degenerate(query), scene_decade(size(query))};
 }
 template MarginScene SceneMeasure::of(const Numbers<float>&) const;
 template MarginScene SceneMeasure::of(const Numbers<double>&) const;

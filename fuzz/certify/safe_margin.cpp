@@ -8,13 +8,14 @@
 #include <map>
 
 #include "exact/sphere_triangle/measures/critical_radius.h"
+#include "exact/trait/oracles.h"
 #include "fuzz/certify/truths.h"
 #include "fuzz/instruments/blocks.h"
-#include "fuzz/instruments/critical_distance.h"
 #include "fuzz/instruments/on_threads.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/ask.h"
+#include "kernel/base/error.h"
 
 namespace axiscert {
 namespace {
@@ -59,13 +60,18 @@ void merge(SafeMargin& all, const SafeMargin& later) {
   all.complete &= later.complete;
 }
 
+CriticalLength critical_length_of(const Kernel& kernel) {
+  if (const auto length = oracles_of(*kernel.test).critical_length()) return *length;
+  throw HarnessFault(fmt::format("{} has no critical length", kernel.test->id));
+}
+
 // Finds, for queries that the kernel misses, the growth that each needs.
 template <class Real>
 class MarginFinder {
  public:
   MarginFinder(const SafeMarginPlan& plan, SafeMargin& into)
       : plan_(plan),
-        distance_(critical_distance_of(*plan.kernel->test)),
+        length_(critical_length_of(*plan.kernel)),
         scene_(*plan.kernel->test),
         range_(radii_within<Real>(plan.kernel->limits)),
         kernel_(plan.kernel->on<Real>(plan.run->target)),
@@ -75,7 +81,7 @@ class MarginFinder {
   Truths<Real>& truths() { return truths_; }
   const Implementation<Real>& kernel() const { return kernel_; }
   MarginScene scene(const Numbers<Real>& query) const { return scene_.of(query); }
-  std::size_t radius() const { return distance_.radius; }
+  std::size_t radius() const { return length_.column; }
   Real greatest() const { return range_.greatest; }
 
   // Counts a query that is a contact, in the part of its scene. One that the kernel calls separated is for add_missed.
@@ -138,7 +144,7 @@ class MarginFinder {
     if (!(query[radius()] >= 0) || !std::all_of(query.begin(), query.end(), is_finite)) return;
     Numbers<double> wide(query.size());
     std::copy(query.begin(), query.end(), wide.begin());
-    const std::optional<Rational> squared = distance_.squared(wide);
+    const std::optional<Rational> squared = length_.squared(wide);
     if (!squared) return;
     const auto least = exact_critical_radius<Real>(*squared);
     if (!least || *least < range_.least || *least > range_.greatest) return;
@@ -158,7 +164,7 @@ class MarginFinder {
 
  private:
   const SafeMarginPlan& plan_;
-  const CriticalDistance distance_;
+  const CriticalLength length_;
   const SceneMeasure scene_;
   const RadiusRange<Real> range_;
   const Implementation<Real> kernel_;
@@ -329,6 +335,11 @@ MarginPart SafeMargin::total() const {
   MarginPart all;
   for (const auto& [scene, part] : parts) merge(all, part);
   return all;
+}
+
+bool has_sphere_radius(const TestDescription& test, std::size_t entry) {
+  const std::optional<CriticalLength> length = oracles_of(test, entry).critical_length();
+  return length && test.entries[entry].columns[length->column].name == "r";
 }
 
 SafeMargin safe_margin(const SafeMarginPlan& plan, const std::atomic<bool>& interrupted, const ShowProgress& report) {

@@ -18,7 +18,7 @@
 namespace axiscert {
 
 struct SafeMarginPlan {
-  const Plan* run;       // its sources, seed, target and threads; its test has a critical distance
+  const Plan* run;       // its sources, seed, target and threads; its test has a sphere's radius
   const Kernel* kernel;  // of the run's test, in the first entry
   Precision precision = Precision::binary32;
   // How many of the source's queries were run: those from the first on.
@@ -85,12 +85,16 @@ struct SafeMargin {
 // is like: 1e38 for an r of 1e-38 in a scene of size 1.
 inline constexpr EnumArray<Precision, int> tiny_radius_exponent = {12, 26};
 
+// Whether the answer depends on the radius of a sphere, which may grow; the half extent of a box, which has a critical
+// value too, is none.
+bool has_sphere_radius(const TestDescription& test, std::size_t entry);
+
 // The least number of the precision that is not below `value`; the greatest finite one where none is.
 template <class Real>
 Real rounded_up_to(const Rational& value);
 
 // Depends on the plan alone, not on its threads. `interrupted` is polled between blocks. Throws OracleDisagreement, and
-// HarnessFault for a test without a critical distance.
+// HarnessFault for a test without a critical length.
 SafeMargin safe_margin(const SafeMarginPlan& plan, const std::atomic<bool>& interrupted, const ShowProgress& report);
 
 }  // namespace axiscert

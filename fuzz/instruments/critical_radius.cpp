@@ -7,9 +7,9 @@
 
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/measures/limits.h"
+#include "exact/trait/oracles.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/instruments/blocks.h"
-#include "fuzz/instruments/critical_distance.h"
 #include "fuzz/instruments/on_threads.h"
 #include "fuzz/files/query_file.h"
 
@@ -34,9 +34,10 @@ ReversalWitness witness_of(const RadiusReversal<Real>& reversal, QueryWithRadius
 // The radii that the kernel promises anything about; empty where the query at its exact critical radius is none such.
 template <class Real>
 std::optional<RadiusRange<Real>> promised_radii(const Kernel& kernel, QueryWithRadius<Real> q, Real exact_radius) {
-  if (kernel.test != &first_test() || !kernel.limits.any()) return RadiusRange<Real>{};
+  const Oracles& oracles = oracles_of(kernel);
+  if (!oracles.has_limits() || !kernel.limits.any()) return RadiusRange<Real>{};
   q.numbers[q.column] = exact_radius;
-  if (!is_within(kernel.limits, query_from(q.numbers))) return std::nullopt;
+  if (!oracles.is_within(kernel.limits, q.numbers)) return std::nullopt;
   return radii_within<Real>(kernel.limits);
 }
 
@@ -105,14 +106,14 @@ BlockResult run(const CriticalRadiusPlan& plan, const QueryBlock& block, Progres
   for (const Kernel* kernel : plan.kernels) kernels.push_back(kernel->on<Real>(scalar_target));
   BlockResult result{0, std::vector<CriticalRadii>(kernels.size())};
   const Source& source = *plan.sources[block.source];
-  const CriticalDistance distance = critical_distance_of(source.test(), source.entry());
+  const CriticalLength length = *oracles_of(source.test(), source.entry()).critical_length();
   for (std::uint64_t position = block.first; position < block.first + block.size; ++position) {
-    const QueryWithRadius<Real> q = {source.make<Real>(plan.seed, position), distance.radius};
+    const QueryWithRadius<Real> q = {source.make<Real>(plan.seed, position), length.column};
     progress.asked(1);
     std::optional<Rational> squared;
     std::optional<Real> exact_radius;
     if (is_measurable(q)) {
-      squared = distance.squared(in_doubles(q.numbers));
+      squared = length.squared(in_doubles(q.numbers));
       if (squared) exact_radius = exact_critical_radius<Real>(*squared);
     }
     if (!exact_radius) {

@@ -13,7 +13,7 @@
 
 namespace axiscert {
 
-// Kernels and sources are of one test, which has a critical distance (critical_distance.h).
+// Kernels and sources are of one test, whose answer turns at a critical length (exact/trait/oracles.h).
 struct CriticalRadiusPlan {
   std::vector<const Kernel*> kernels;
   std::vector<SourcePtr> sources;

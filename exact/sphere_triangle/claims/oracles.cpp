@@ -5,7 +5,7 @@
 #include "exact/sphere_triangle/filters/cascade.h"
 #include "exact/sphere_triangle/filters/decided_check.h"
 #include "exact/sphere_triangle/measures/depth.h"
-#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/sphere_triangle/measures/input_class.h"
 #include "exact/sphere_triangle/measures/limits.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
@@ -87,6 +87,12 @@ class SphereTriangleOracles final : public Oracles {
   std::optional<Verdict> verdict_beyond(double depth, const Numbers<double>& q) const override {
     return beyond<double>(depth, q);
   }
+  std::optional<CriticalLength> critical_length() const override {
+    return CriticalLength{coordinate_count - 1, squared_critical_radius};
+  }
+  bool is_degenerate(const Numbers<float>& q) const override { return axiscert::is_degenerate(query_from(q)); }
+  bool is_degenerate(const Numbers<double>& q) const override { return axiscert::is_degenerate(query_from(q)); }
+  bool has_limits() const override { return true; }
   bool is_within(const Limits& limits, const Numbers<float>& q) const override {
     return axiscert::is_within(limits, query_from(q));
   }
@@ -110,6 +116,9 @@ class SphereTriangleOracles final : public Oracles {
       if (compare(exact_depth(q, squared_distance(q)), least) <= 0) return std::nullopt;
     }
     return distance_order(q) > 0 ? Verdict::separated : Verdict::contact;
+  }
+  static std::optional<Rational> squared_critical_radius(const Numbers<double>& q) {
+    return squared_distance(query_from(q));
   }
 };
 

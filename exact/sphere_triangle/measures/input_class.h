@@ -50,4 +50,16 @@ InputClassSet input_classes(const Query<Real>& q, const Rational& squared_distan
 template <class Real>
 InputClassSet shape_classes(const Query<Real>& q, bool use_filter = true);
 
+// A degenerate query has a triangle without area, or one whose least height is below 2^-10 of its longest edge, or
+// lengths outside those for which formulae of degree 6 keep to the normal numbers: `scale`, `repeated`, `collinear` and
+// `sliver`. There a kernel may miss by its formulae as much as it likes, and r would have to grow to the size of the
+// triangle. Precondition: every number is finite.
+template <class Real>
+bool is_degenerate(const Query<Real>& q) {
+  for (const InputClass which : shape_classes(q)) {
+    if (which != InputClass::far) return true;
+  }
+  return false;
+}
+
 }  // namespace axiscert

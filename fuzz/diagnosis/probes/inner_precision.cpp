@@ -5,7 +5,6 @@
 
 #include "fuzz/diagnosis/probes/probes.h"
 #include "fuzz/diagnosis/scenes/clear_queries.h"
-#include "fuzz/instruments/critical_distance.h"
 #include "fuzz/queries/boundary.h"
 
 namespace axiscert::diagnosis {
@@ -147,10 +146,7 @@ Found concluded(Subject<Real>& subject, const TurningScenes<Real>& scenes, const
 template <class Real>
 Found inner_precision(Subject<Real>& subject) {
   const Kernel& kernel = subject.kernel();
-  const auto with_distance = tests_with_critical_distance();
-  // The distance of a motion is that of one by its displacement.
-  if (std::ranges::find(with_distance, kernel.test) == with_distance.end() ||
-      (is_of_motions(*kernel.test) && kernel.entry != 0))
+  if (!oracles_of(kernel).critical_length())
     return unasked("Queries of this entry have no radius at which the answer turns, by which digits are seen.");
   const TurningScenes<Real> scenes = scenes_of<Real>(*kernel.test).turning(subject, turning_scenes);
   if (scenes.why_none) return undecided(*scenes.why_none);

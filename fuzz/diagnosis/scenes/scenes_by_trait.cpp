@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "fuzz/diagnosis/scenes/clear_queries.h"
-#include "fuzz/instruments/critical_distance.h"
 #include "fuzz/queries/image_groups.h"
 
 namespace axiscert::diagnosis {
@@ -222,9 +221,9 @@ FlatScenes<Real> flat_by_trait(Subject<Real>& subject, std::size_t of_each) {
 template <class Real>
 TurningScenes<Real> turning_by_trait(Subject<Real>& subject, std::size_t count) {
   const Kernel& kernel = subject.kernel();
-  const CriticalDistance distance = critical_distance_of(*kernel.test, kernel.entry);
+  const CriticalLength distance = *oracles_of(kernel).critical_length();
   const Oracles& oracles = oracles_of(kernel);
-  TurningScenes<Real> scenes{{}, distance.radius, {}, {}, "the vertices", "the motion", why_not_sound(subject)};
+  TurningScenes<Real> scenes{{}, distance.column, {}, {}, "the vertices", "the motion", why_not_sound(subject)};
   if (scenes.why_none) return scenes;
   const auto vertices = vertex_columns(kernel);
   if (!vertices) scenes.first = "A's place", scenes.second = "B's place";
@@ -246,7 +245,7 @@ TurningScenes<Real> turning_by_trait(Subject<Real>& subject, std::size_t count) 
     if (!critical || *critical < Real(0.125) || *critical > Real(4)) continue;
     const auto at = [&](double factor) {
       Numbers<Real> other = query;
-      other[distance.radius] = *critical * static_cast<Real>(factor);
+      other[distance.column] = *critical * static_cast<Real>(factor);
       return other;
     };
     const Numbers<Real> low = at(1 - turning_range), high = at(1 + turning_range);

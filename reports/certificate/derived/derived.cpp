@@ -8,7 +8,7 @@
 
 #include "exact/sphere_triangle/measures/input_class.h"
 #include "fuzz/certify/effort.h"
-#include "fuzz/instruments/critical_distance.h"
+#include "fuzz/certify/safe_margin.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/base/version.h"
