@@ -85,6 +85,7 @@ struct TestDescription {
   std::vector<TestClause> clauses;
   std::vector<TestMeasure> measures;
   VerdictRule rule = any_clause_separates;
+  std::string_view certified = {};  // its kernel that is proved to be right on every query; empty: it has none
 };
 
 // Returns the description unchanged. Throws HarnessFault if it has no entry, too many of anything, the same name twice,

@@ -1,8 +1,8 @@
 #include "cli/options/instrument_options.h"
 #include "cli/options/test_options.h"
 #include "cli/progress_line.h"
-#include "fuzz/instruments/critical_distance.h"
 #include "fuzz/queries/address.h"
+#include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/entry_families.h"
 #include "fuzz/queries/image_groups.h"
 #include "reports/instrument/precision/critical_radius_report.h"
@@ -10,18 +10,10 @@
 namespace axiscert {
 namespace {
 
-struct Defaults {
-  std::vector<std::string> kernels, families;
-};
-
-// All kernels and families of the entry of a test other than the first, but images, which are the same radius again.
-Defaults defaults_of(const TestDescription& test, std::size_t entry) {
-  if (&test == &first_test()) {
-    return {
-        {"published", "nonstrict", "reduced", "ladder-0", "minkowski", "closest-point", "segments", "packed-nonstrict"},
-        {"general", "far", "sliver", "needle", "collinear", "repeated", "ratio", "scale"}};
-  }
-  Defaults all;
+// Those that the test names; else all kernels and families of the entry but images, which are the same radius again.
+CriticalRadiusDefaults defaults_of(const TestDescription& test, std::size_t entry) {
+  if (const CriticalRadiusDefaults* chosen = capabilities_of(test).critical_radius_defaults) return *chosen;
+  CriticalRadiusDefaults all;
   for (const Kernel& kernel : kernels()) {
     if (kernel.test == &test && kernel.entry == entry) all.kernels.push_back(kernel.id);
   }
@@ -43,11 +35,10 @@ std::pair<const TestDescription*, std::size_t> asked_of(const InstrumentOptions&
 }
 
 int measure(const InstrumentOptions& options) {
-  const std::vector<const TestDescription*> served = tests_with_critical_distance();
+  const std::vector<const TestDescription*> served = tests_with(has_critical_length);
   const auto [test, entry] = asked_of(options);
-  require_served(options.command, *test, served);
-  require_columns(options.command, *test, entry);
-  const Defaults defaults = defaults_of(*test, entry);
+  require_capability(has_critical_length, options.command, *test, entry);
+  const CriticalRadiusDefaults defaults = defaults_of(*test, entry);
   const CriticalRadiusPlan plan{instrument_kernels(options, defaults.kernels, Measures::verdicts, served),
                                 instrument_sources(options, defaults.families, served),
                                 parse_precision(options.precision),

@@ -24,10 +24,6 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   if (!file) throw Error(fmt::format("{}: cannot be written", path.string()));
 }
 
-std::vector<const TestDescription*> served_or_first(const std::vector<const TestDescription*>& served) {
-  return served.empty() ? std::vector<const TestDescription*>{&first_test()} : served;
-}
-
 }  // namespace
 
 void add_instrument_options(CLI::App& command, InstrumentOptions& o, std::uint64_t trials) {
@@ -55,7 +51,7 @@ std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, 
   std::vector<const Kernel*> kernels;
   for (const std::string& id : options.kernels.empty() ? defaults : options.kernels) {
     const Kernel& kernel = find_kernel(id);
-    require_served(options.command, *kernel.test, served_or_first(served));
+    require_served(options.command, *kernel.test, served);
     if (measures == Measures::formulae && !kernel.file.empty()) {
       throw Error(
           fmt::format("--kernel {}: this command measures built-in formulae; plug-ins are accepted by run, check, "
@@ -80,7 +76,7 @@ std::vector<SourcePtr> instrument_sources(const InstrumentOptions& options, std:
   std::vector<SourcePtr> sources;
   for (const std::string& name : options.families.empty() ? defaults : options.families) {
     const Family& family = find_family(name);
-    require_served(options.command, family.test(), served_or_first(served));
+    require_served(options.command, family.test(), served);
     sources.push_back(family_source(family));
   }
   return sources;

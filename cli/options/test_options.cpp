@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <fmt/ranges.h>
 
+#include "exact/trait/oracles.h"
+#include "fuzz/queries/capabilities.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -45,7 +46,6 @@ const TestDescription& test_of_kernels(const std::string& test, const std::vecto
 }
 
 const Kernel& default_kernel(const TestDescription& test, std::size_t entry) {
-  if (&test == &first_test()) return find_kernel("published");
   for (const Kernel& kernel : kernels()) {
     if (kernel.test == &test && kernel.entry == entry) return kernel;
   }
@@ -91,30 +91,48 @@ const TestDescription& test_of_sources(const std::string& test, const std::vecto
   return given;
 }
 
-bool has_columns(const TestDescription& test, std::size_t entry) { return entry == 0 || test.id != "moving-sphere"; }
-
-void require_columns(std::string_view command, const TestDescription& test, std::size_t entry) {
-  if (has_columns(test, entry)) return;
-  throw Error(fmt::format("{} does not serve the entry {} of the test {} yet; it serves {}", command,
-                          entry_name(test, entry), test.id, entry_name(test, 0)));
-}
-
-std::vector<const TestDescription*> tests_with_moves() {
-  return {&sphere_triangle_test(), &find_test("moving-sphere"), &find_test("box-box"), &find_test("box-triangle")};
+bool has_critical_length(const TestDescription& test, std::size_t entry) {
+  return oracles_of(test, entry).critical_length().has_value();
 }
 
 bool has_moves(const TestDescription& test, std::size_t entry) {
-  const auto served = tests_with_moves();
-  return std::find(served.begin(), served.end(), &test) != served.end() && has_columns(test, entry);
+  return std::ranges::count(capabilities_of(test).moved_entries, entry) != 0;
+}
+
+bool has_formulae(const TestDescription& test, std::size_t entry) {
+  return std::ranges::any_of(kernels(), [&](const Kernel& kernel) {
+    return kernel.test == &test && kernel.entry == entry && kernel.formulae != Formulae::none;
+  });
+}
+
+std::vector<const TestDescription*> tests_with(Capability& capability) {
+  std::vector<const TestDescription*> able;
+  for (const TestDescription* test : tests()) {
+    std::size_t entry = 0;
+    while (entry < test->entries.size() && !capability(*test, entry)) ++entry;
+    if (entry < test->entries.size()) able.push_back(test);
+  }
+  return able;
+}
+
+void require_capability(Capability& capability, std::string_view command, const TestDescription& test,
+                        std::size_t entry) {
+  require_served(command, test, tests_with(capability));
+  if (capability(test, entry)) return;
+  std::vector<std::string_view> able;
+  for (std::size_t other = 0; other < test.entries.size(); ++other) {
+    if (capability(test, other)) able.push_back(entry_name(test, other));
+  }
+  throw Error(fmt::format("{} does not serve the entry {} of the test {} yet; it serves {}", command,
+                          entry_name(test, entry), test.id, fmt::join(able, ", ")));
 }
 
 void require_moves(std::string_view command, const TestDescription& test, std::size_t entry) {
-  require_served(command, test, tests_with_moves());
-  require_columns(command, test, entry);
+  require_capability(has_moves, command, test, entry);
 }
 
 void require_served(std::string_view command, const TestDescription& test) {
-  require_served(command, test, {&sphere_triangle_test()});
+  require_served(command, test, tests_with(has_formulae));
 }
 
 void require_served(std::string_view command, const TestDescription& test,

@@ -1,4 +1,4 @@
-// The test of a command: `--test`, kernels and queries that have to be of one test, and commands that serve one alone.
+// The test of a command: `--test`, kernels and queries that have to be of one test, and what commands need of a test.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -29,17 +29,23 @@ void require_one_test(const std::vector<const Kernel*>& kernels, const std::vect
 // another test.
 const TestDescription& test_of_sources(const std::string& test, const std::vector<SourcePtr>& sources);
 
-// Whether the numbers of an entry can be changed one by one; of `endpoints`, the second entry of motions, they cannot
-// yet.
-bool has_columns(const TestDescription& test, std::size_t entry);
+// What commands need of an entry of a test.
+using Capability = bool(const TestDescription& test, std::size_t entry);
+bool has_critical_length(const TestDescription& test, std::size_t entry);
 // Whether search, shrink and map can move its queries.
 bool has_moves(const TestDescription& test, std::size_t entry);
-// For a command, or an option of one, that needs the one or the other: throws Error where it is not so.
-void require_columns(std::string_view command, const TestDescription& test, std::size_t entry);
+// Whether a kernel of the test has formulae of kernel/formulae_list.h.
+bool has_formulae(const TestDescription& test, std::size_t entry);
+// The tests that have it in some entry.
+std::vector<const TestDescription*> tests_with(Capability& capability);
+
+// For a command, or an option of one, that needs a capability: throws Error where the test, or its entry, has it not.
+void require_capability(Capability& capability, std::string_view command, const TestDescription& test,
+                        std::size_t entry);
 void require_moves(std::string_view command, const TestDescription& test, std::size_t entry);
 
-// For a command, or an option of one, that serves sphere-triangle alone, or the given tests: throws Error for any
-// other.
+// For a command, or an option of one, that measures formulae of kernel/formulae_list.h, or serves the given tests:
+// throws Error for any other.
 void require_served(std::string_view command, const TestDescription& test);
 void require_served(std::string_view command, const TestDescription& test,
                     const std::vector<const TestDescription*>& served);

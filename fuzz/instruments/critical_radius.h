@@ -22,6 +22,12 @@ struct CriticalRadiusPlan {
   int threads = 0;                     // 0: one per core
 };
 
+// What `axiscert critical-radius` measures of a test where nothing is named. A test that has none of these: all of its
+// kernels and families.
+struct CriticalRadiusDefaults {
+  std::vector<std::string> kernels, families;
+};
+
 // The first reversal of a kernel on a source: two lines of a query file that differ only in r.
 struct ReversalWitness {
   std::uint64_t position;

@@ -27,6 +27,7 @@ TestDescription described() {
       .comparisons = {},
       .clauses = {},
       .measures = {},
+      .certified = "certified",
   };
   for (const ComparisonInfo& comparison : comparisons) {
     test.comparisons.push_back({comparison.name, index_of(comparison.axis), comparison.is_radius});
