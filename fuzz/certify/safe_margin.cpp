@@ -1,7 +1,6 @@
 #include "fuzz/certify/safe_margin.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +8,7 @@
 
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/trait/oracles.h"
-#include "fuzz/certify/truths.h"
-#include "fuzz/instruments/blocks.h"
-#include "fuzz/instruments/on_threads.h"
+#include "fuzz/judging/for_each_judged.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/ask.h"
@@ -20,8 +17,8 @@
 namespace axiscert {
 namespace {
 
-constexpr std::size_t margin_batch = 1024;
-constexpr std::uint64_t margin_block = 4 * margin_batch;
+constexpr std::uint64_t margin_batch = 1024, margin_block = 4 * margin_batch;
+
 void keep(std::optional<MissedContact>& kept, const std::optional<MissedContact>& other) {
   if (other && (!kept || other->value > kept->value)) kept = other;
 }
@@ -57,7 +54,6 @@ void merge(SafeMargin& all, const SafeMargin& later) {
   keep(all.factor, later.factor);
   keep(all.amount, later.amount);
   if (!all.hopeless) all.hopeless = later.hopeless;
-  all.complete &= later.complete;
 }
 
 CriticalLength critical_length_of(const Kernel& kernel) {
@@ -65,21 +61,27 @@ CriticalLength critical_length_of(const Kernel& kernel) {
   throw HarnessFault(fmt::format("{} has no critical length", kernel.test->id));
 }
 
+// The right verdict, as the kernel's convention has it; empty where neither is wrong, where the numbers are no query,
+// and where the kernel promises nothing.
+template <class Real>
+std::optional<Verdict> promised_verdict(const Kernel& kernel, const Truth& truth, const Numbers<Real>& query) {
+  if (truth.verdict == Verdict::invalid || !is_promised(kernel, query)) return std::nullopt;
+  return right_verdict(truth, kernel.touching);
+}
+
 // Finds, for queries that the kernel misses, the growth that each needs.
 template <class Real>
 class MarginFinder {
  public:
-  MarginFinder(const SafeMarginPlan& plan, SafeMargin& into)
+  // `kernel` is that of the plan, begun.
+  MarginFinder(const SafeMarginPlan& plan, const Implementation<Real>& kernel, SafeMargin& into)
       : plan_(plan),
         length_(critical_length_of(*plan.kernel)),
         scene_(*plan.kernel->test),
         range_(radii_within<Real>(plan.kernel->limits)),
-        kernel_(plan.kernel->on<Real>(plan.run->target)),
-        truths_(*plan.kernel, plan.run->target),
+        kernel_(kernel),
         into_(into) {}
 
-  Truths<Real>& truths() { return truths_; }
-  const Implementation<Real>& kernel() const { return kernel_; }
   MarginScene scene(const Numbers<Real>& query) const { return scene_.of(query); }
   std::size_t radius() const { return length_.column; }
   Real greatest() const { return range_.greatest; }
@@ -153,7 +155,8 @@ class MarginFinder {
   }
   void add_if_missed(const Numbers<Real>& query, const std::string& family, const std::string& id,
                      std::uint64_t& asked) {
-    const std::optional<Verdict> right = truths_.of(query);
+    const Truth truth = oracles_of(*plan_.kernel).about(query, Opinion::first)->truth();
+    const std::optional<Verdict> right = promised_verdict(*plan_.kernel, truth, query);
     if (!right) return;
     ++asked;
     if (*right != Verdict::contact) return;
@@ -167,63 +170,34 @@ class MarginFinder {
   const CriticalLength length_;
   const SceneMeasure scene_;
   const RadiusRange<Real> range_;
-  const Implementation<Real> kernel_;
-  Truths<Real> truths_;
+  const Implementation<Real>& kernel_;
   SafeMargin& into_;
 };
-
-std::vector<QueryBlock> margin_blocks(const SafeMarginPlan& plan) {
-  std::vector<QueryBlock> blocks;
-  for (std::size_t source = 0; source < plan.run->sources.size(); ++source) {
-    const std::uint64_t queries = plan.queries(*plan.run->sources[source]);
-    for (std::uint64_t first = 0; first < queries; first += margin_block)
-      blocks.push_back({source, first, std::min(margin_block, queries - first)});
-  }
-  return blocks;
-}
-
-// Calls visit(batch, first position, verdicts) for the queries of a block, batch by batch.
-template <class Real, class Visit>
-void ask_block(const SafeMarginPlan& plan, const QueryBlock& block, const Implementation<Real>& kernel, Visit&& visit) {
-  const Source& source = *plan.run->sources[block.source];
-  QueryBatch<Real> batch(margin_batch, source.columns().size());
-  Reply<Real> reply;
-  for (std::uint64_t done = 0; done < block.size; done += margin_batch) {
-    const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(margin_batch, block.size - done));
-    source.fill(plan.run->seed, block.first + done, size, batch);
-    ask(kernel, batch.columns(), reply);
-    visit(batch, block.first + done, reply.verdicts);
-  }
-}
 
 std::string margin_address(const SafeMarginPlan& plan, const Source& source, std::uint64_t position) {
   return text(address_of(source, plan.run->seed, plan.precision, position));
 }
 
 template <class Real>
-SafeMargin find_in(const SafeMarginPlan& plan, const QueryBlock& block) {
-  SafeMargin found{plan.precision};
-  MarginFinder<Real> finder(plan, found);
-  const Source& source = *plan.run->sources[block.source];
-  ask_block<Real>(plan, block, finder.kernel(),
-                  [&](const QueryBatch<Real>& batch, std::uint64_t first, const std::vector<Verdict>& verdicts) {
-                    const std::vector<std::optional<Verdict>>& right = finder.truths().of(batch);
-                    for (std::size_t i = 0; i < batch.size(); ++i) {
-                      if (right[i]) {
-                        MarginPart& part = found.parts[finder.scene(batch[i])];
-                        ++found.queries;
-                        ++part.queries;
-                        if (*right[i] == Verdict::separated) found.phantoms += verdicts[i] == Verdict::contact;
-                        else finder.count_contact(part, verdicts[i], found.of_run);
-                        if (*right[i] == Verdict::contact && verdicts[i] == Verdict::separated)
-                          finder.add_missed(batch[i], source.name(), margin_address(plan, source, first + i));
-                      }
-                      if (first + i < plan.probes)
-                        finder.probe(batch[i], source.name(),
-                                     margin_address(plan, source, first + i) + " at the least radius");
-                    }
-                  });
-  return found;
+void find_in(const SafeMarginPlan& plan, JudgedBatch<Real>& batch, SafeMargin& found) {
+  MarginFinder<Real> finder(plan, batch.kernel(0), found);
+  const std::string family = batch.source().name();
+  const std::vector<Verdict>& said = batch.reply(0).verdicts;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const Numbers<Real> query = batch[i];
+    if (const auto right = promised_verdict(*plan.kernel, batch.truth(i), query)) {
+      MarginPart& part = found.parts[finder.scene(query)];
+      ++found.queries;
+      ++part.queries;
+      if (*right == Verdict::separated) found.phantoms += said[i] == Verdict::contact;
+      else finder.count_contact(part, said[i], found.of_run);
+      if (*right == Verdict::contact && said[i] == Verdict::separated)
+        finder.add_missed(query, family, margin_address(plan, batch.source(), batch.position(i)));
+    }
+    if (batch.position(i) < plan.probes) {
+      finder.probe(query, family, margin_address(plan, batch.source(), batch.position(i)) + " at the least radius");
+    }
+  }
 }
 
 // How r is grown in the scenes of one decade and kind.
@@ -241,81 +215,81 @@ Growths growths_of(const SafeMargin& margin) {
   return growths;
 }
 
-// The queries of a block that the kernel calls separated, with r grown in two ways.
+// The queries of a batch that the kernel calls separated, with r grown in two ways.
 template <class Real>
-SafeMargin grow_in(const SafeMarginPlan& plan, const QueryBlock& block, const Growths& growths) {
-  SafeMargin found{plan.precision};
-  MarginFinder<Real> finder(plan, found);
-  ask_block<Real>(
-      plan, block, finder.kernel(),
-      [&](const QueryBatch<Real>& batch, std::uint64_t, const std::vector<Verdict>& verdicts) {
-        const std::vector<std::optional<Verdict>>& right = finder.truths().of(batch);
-        std::vector<std::size_t> separated;
-        QueryBatch<Real> by_factor(batch.size(), batch.column_count()), by_amount(batch.size(), batch.column_count());
-        std::vector<MarginScene> scenes;
-        for (std::size_t i = 0; i < batch.size(); ++i) {
-          Numbers<Real> query = batch[i];
-          const Real r = query[finder.radius()];
-          if (verdicts[i] != Verdict::separated || !right[i]) continue;
-          const MarginScene scene = finder.scene(query);
-          const Growth& growth = growths.at(scene);  // every query with a truth is in one
-          separated.push_back(i);
-          scenes.push_back(scene);
-          query[finder.radius()] = std::min(finder.greatest(), rounded_up_to<Real>(exact(r) * growth.factor));
-          by_factor.push_back(query);
-          query[finder.radius()] = std::min(finder.greatest(), rounded_up_to<Real>(exact(r) + growth.amount));
-          by_amount.push_back(query);
-        }
-        if (separated.empty()) return;
-        const auto count = [&](const QueryBatch<Real>& grown, std::uint64_t MarginPart::*phantoms,
-                               std::uint64_t MarginPart::*missed) {
-          Reply<Real> reply;
-          ask(finder.kernel(), grown.columns(), reply);
-          for (std::size_t k = 0; k < separated.size(); ++k) {
-            const bool is_contact = reply.verdicts[k] == Verdict::contact;
-            if (*right[separated[k]] == Verdict::separated) found.parts[scenes[k]].*phantoms += is_contact;
-            else found.parts[scenes[k]].*missed += reply.verdicts[k] == Verdict::separated;
-          }
-        };
-        count(by_factor, &MarginPart::phantoms_by_factor, &MarginPart::still_missed_by_factor);
-        count(by_amount, &MarginPart::phantoms_by_amount, &MarginPart::still_missed_by_amount);
-      });
-  return found;
-}
-
-// Does `work` for each block on all threads, and merges what it finds in their order.
-template <class Work>
-void each_block(const SafeMarginPlan& plan, const std::atomic<bool>& interrupted, const ShowProgress& report,
-                std::string_view stage, SafeMargin& into, Work&& work) {
-  const std::vector<QueryBlock> blocks = margin_blocks(plan);
-  std::vector<SafeMargin> results(blocks.size(), SafeMargin{plan.precision});
-  ProgressCount progress(report, blocks.size(), stage);
-  on_threads(plan.run->threads, [&] {
-    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
-      if (interrupted) results[i].complete = false;
-      else results[i] = work(blocks[i]);
-      progress.finished(blocks[i].size);
-    });
-  });
-  for (const SafeMargin& result : results) merge(into, result);
+void grow_in(const SafeMarginPlan& plan, const Growths& growths, JudgedBatch<Real>& batch, SafeMargin& found) {
+  const MarginFinder<Real> finder(plan, batch.kernel(0), found);
+  struct Separated {
+    Verdict right;
+    MarginScene scene;
+  };
+  std::vector<Separated> separated;
+  const std::size_t columns = batch.queries().column_count();
+  QueryBatch<Real> by_factor(batch.size(), columns), by_amount(batch.size(), columns);
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (batch.reply(0).verdicts[i] != Verdict::separated) continue;
+    Numbers<Real> query = batch[i];
+    const auto right = promised_verdict(*plan.kernel, batch.truth(i), query);
+    if (!right) continue;
+    const MarginScene scene = finder.scene(query);
+    const Growth& growth = growths.at(scene);  // every query with a truth is in one
+    separated.push_back({*right, scene});
+    const Real r = query[finder.radius()];
+    query[finder.radius()] = std::min(finder.greatest(), rounded_up_to<Real>(exact(r) * growth.factor));
+    by_factor.push_back(query);
+    query[finder.radius()] = std::min(finder.greatest(), rounded_up_to<Real>(exact(r) + growth.amount));
+    by_amount.push_back(query);
+  }
+  if (separated.empty()) return;
+  const auto count = [&](const QueryBatch<Real>& grown, std::uint64_t MarginPart::*phantoms,
+                         std::uint64_t MarginPart::*missed) {
+    Reply<Real> reply;
+    ask(batch.kernel(0), grown.columns(), reply);
+    for (std::size_t k = 0; k < separated.size(); ++k) {
+      MarginPart& part = found.parts[separated[k].scene];
+      if (separated[k].right == Verdict::separated) part.*phantoms += reply.verdicts[k] == Verdict::contact;
+      else part.*missed += reply.verdicts[k] == Verdict::separated;
+    }
+  };
+  count(by_factor, &MarginPart::phantoms_by_factor, &MarginPart::still_missed_by_factor);
+  count(by_amount, &MarginPart::phantoms_by_amount, &MarginPart::still_missed_by_amount);
 }
 
 template <class Real>
 SafeMargin margin_of(const SafeMarginPlan& plan, const std::atomic<bool>& interrupted, const ShowProgress& report) {
   SafeMargin margin{plan.precision};
   {
-    MarginFinder<Real> finder(plan, margin);
+    const Implementation<Real> kernel = plan.kernel->on<Real>(plan.run->target);
+    MarginFinder<Real> finder(plan, kernel, margin);
     for (const StoredQuery& stored : plan.found) {
       if (const auto* query = std::get_if<Numbers<Real>>(&stored.numbers))
         finder.add_if_missed(*query, "search", stored.id, margin.found);
     }
   }
-  each_block(plan, interrupted, report, "the radius that each missed contact needs", margin,
-             [&](const QueryBlock& block) { return find_in<Real>(plan, block); });
+  JudgedPlan judged;
+  judged.sources = plan.run->sources;
+  for (const SourcePtr& source : judged.sources) judged.trials.push_back(plan.queries(*source));
+  judged.seed = plan.run->seed;
+  judged.block_size = margin_block;
+  judged.batch_size = margin_batch;
+  judged.kernels = {plan.kernel};
+  judged.target = plan.run->target;
+  judged.by_filters = true;
+  judged.second_opinion_stride = 0;
+  judged.threads = plan.run->threads;
+  judged.interrupted = &interrupted;
+  const auto add = [&](std::string_view stage, const auto& visit) {
+    const auto in_order = [](SafeMargin& all, const SafeMargin& later) { merge(all, later); };
+    const auto found = for_each_judged<Real>(judged, SafeMargin{plan.precision}, report, stage, visit, in_order);
+    merge(margin, found.counts);
+    margin.complete &= found.complete;
+  };
+  add("the radius that each missed contact needs",
+      [&](JudgedBatch<Real>& batch, SafeMargin& found) { find_in(plan, batch, found); });
   if (!margin.factor && !margin.amount) return margin;
   const Growths growths = growths_of(margin);
-  each_block(plan, interrupted, report, "the queries again with r grown", margin,
-             [&](const QueryBlock& block) { return grow_in<Real>(plan, block, growths); });
+  add("the queries again with r grown",
+      [&](JudgedBatch<Real>& batch, SafeMargin& found) { grow_in(plan, growths, batch, found); });
   return margin;
 }
 

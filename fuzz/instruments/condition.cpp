@@ -3,16 +3,15 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "exact/sphere_triangle/unbounded/unbounded.h"
-#include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/sphere_triangle/claims/claim.h"
 #include "exact/sphere_triangle/measures/condition_number.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/instruments/blocks.h"
-#include "fuzz/instruments/on_threads.h"
+#include "fuzz/instruments/valid_queries.h"
+#include "fuzz/judging/for_each_judged.h"
 
 namespace axiscert {
 namespace {
@@ -33,6 +32,7 @@ struct KernelFindings {
 };
 
 struct Findings {
+  std::size_t source;
   std::uint64_t invalid = 0;
   std::vector<KernelFindings> kernels;
 };
@@ -47,44 +47,22 @@ ComparisonBits within_limit(ComparisonBits flips, std::uint64_t limit, ByCompari
   return flips;
 }
 
-template <class Real>
-std::pair<Verdict, ComparisonBits> answer_of(const Implementation<Real>& kernel, const Query<Real>& q,
-                                             QueryBatch<Real>& one, Answers<Real>& answers) {
-  one.clear();
-  one.push_back(q);
-  Verdict verdict;
-  kernel.verdicts(one.columns(), &verdict);
-  kernel.explain(one.columns(), answers);
-  return {verdict, answers.bits[0]};
-}
-
 // Every flip and every wrong verdict among the queries of a block.
 template <class Real>
-Findings search_block(const ConditionPlan& plan, const std::vector<Implementation<Real>>& kernels,
-                      const QueryBlock& block, ProgressCount& progress) {
-  Findings found{0, std::vector<KernelFindings>(kernels.size())};
-  const Source& source = *plan.sources[block.source];
+Findings search_block(const ConditionPlan& plan, JudgedBatch<Real>& batch) {
+  Findings found{batch.source_index(), 0, std::vector<KernelFindings>(plan.kernels.size())};
   const std::uint64_t stride = plan.sample == 0 ? 0 : (plan.trials + plan.sample - 1) / plan.sample;
-  std::vector<ByComparison> taken(kernels.size());
-  QueryBatch<Real> one(1, coordinate_count);
-  Answers<Real> answers;
-  answers.resize(1, comparison_count);
-  for (std::uint64_t position = block.first; position < block.first + block.size; ++position) {
-    const Query<Real> q = source.make<Real>(plan.seed, position);
-    progress.asked(1);
-    const ExactTruth truth = exact_truth(q, position % second_opinion_stride == 0);
-    if (!truth.formula) {
-      ++found.invalid;
-      continue;
-    }
-    Claims<Real> claims(q, *truth.formula);
+  std::vector<ByComparison> taken(plan.kernels.size());
+  const auto search = [&](std::size_t i, const Query<Real>& q, const ExactTruth& truth, Claims<Real>& claims) {
+    const std::uint64_t position = batch.position(i);
     std::optional<double> depth;
-    for (std::size_t k = 0; k < kernels.size(); ++k) {
+    for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
       const Kernel& kernel = *plan.kernels[k];
       KernelFindings& findings = found.kernels[k];
-      const auto [verdict, bits] = answer_of(kernels[k], q, one, answers);
+      const Verdict verdict = batch.reply(k).verdicts[i];
+      const ComparisonBits bits = batch.reply(k).answers.bits[i];
       const auto flips = static_cast<ComparisonBits>(bits ^ claims.sides(kernel.formulae)->bits(kernel.strictness));
-      for (std::size_t i = 0; i < comparison_count; ++i) findings.flips[i] += has_bit(flips, i);
+      for (std::size_t c = 0; c < comparison_count; ++c) findings.flips[c] += has_bit(flips, c);
       const bool sampled = stride != 0 && position % stride == 0;
       const Request request{position, within_limit(flips, plan.flip_limit, taken[k]),
                             sampled ? static_cast<ComparisonBits>(~flips) : ComparisonBits{0}};
@@ -94,8 +72,24 @@ Findings search_block(const ConditionPlan& plan, const std::vector<Implementatio
       if (!depth) depth = axiscert::depth(q, squared_distance(q));
       findings.wrong.push_back({*depth, position});
     }
-  }
+  };
+  found.invalid = for_each_valid(batch, search);
   return found;
+}
+
+// Block by block, in the plan's order.
+template <class Real>
+std::vector<Findings> search_all(const ConditionPlan& plan, const ShowProgress& report) {
+  JudgedPlan judged = judged_plan(plan.sources, plan.trials, plan.seed, 512, plan.threads);
+  judged.kernels = plan.kernels;
+  judged.second_opinion_stride = second_opinion_stride;
+  const auto visit = [&](JudgedBatch<Real>& batch, std::vector<Findings>& found) {
+    found.push_back(search_block(plan, batch));
+  };
+  const auto append = [](std::vector<Findings>& found, std::vector<Findings>&& later) {
+    std::ranges::move(later, std::back_inserter(found));
+  };
+  return for_each_judged<Real>(judged, std::vector<Findings>(), report, "flips are searched for", visit, append).counts;
 }
 
 // One evaluated request: its contribution to its cell.
@@ -144,8 +138,9 @@ struct Job {
   Request request;
 };
 
-void merge(const Findings& found, std::size_t source, const ConditionPlan& plan,
-           std::vector<std::vector<ByComparison>>& taken, ConditionResult& result, std::vector<Job>& jobs) {
+void merge(const Findings& found, const ConditionPlan& plan, std::vector<std::vector<ByComparison>>& taken,
+           ConditionResult& result, std::vector<Job>& jobs) {
+  const std::size_t source = found.source;
   result.invalid[source] += found.invalid;
   for (std::size_t k = 0; k < found.kernels.size(); ++k) {
     const KernelFindings& findings = found.kernels[k];
@@ -166,31 +161,24 @@ void merge(const Findings& found, std::size_t source, const ConditionPlan& plan,
 
 template <class Real>
 ConditionResult measure(const ConditionPlan& plan, const ShowProgress& report) {
-  std::vector<Implementation<Real>> kernels;
-  for (const Kernel* kernel : plan.kernels) kernels.push_back(kernel->on<Real>(scalar_target));
-  const std::vector<QueryBlock> blocks = blocks_of(plan.sources.size(), plan.trials, 512);
-  std::vector<Findings> findings(blocks.size());
-  ProgressCount searched(report, blocks.size(), "flips are searched for");
-  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
-    findings[i] = search_block(plan, kernels, blocks[i], searched);
-    searched.finished();
-  });
-
+  const std::vector<Findings> findings = search_all<Real>(plan, report);
   ConditionResult result;
   result.invalid.resize(plan.sources.size());
-  result.cells.assign(kernels.size(), std::vector<ConditionCell>(plan.sources.size()));
-  result.flip_kappa_u.resize(kernels.size());
-  std::vector<std::vector<ByComparison>> taken(kernels.size());
+  result.cells.assign(plan.kernels.size(), std::vector<ConditionCell>(plan.sources.size()));
+  result.flip_kappa_u.resize(plan.kernels.size());
+  std::vector<std::vector<ByComparison>> taken(plan.kernels.size());
   for (auto& by_source : taken) by_source.resize(plan.sources.size());
   std::vector<Job> jobs;
-  for (std::size_t i = 0; i < blocks.size(); ++i) merge(findings[i], blocks[i].source, plan, taken, result, jobs);
+  for (const Findings& found : findings) merge(found, plan, taken, result, jobs);
 
   std::vector<Evaluated> evaluated(jobs.size());
   ProgressCount conditioned(report, jobs.size(), "conditions");
-  tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
-    const Job& job = jobs[i];
-    evaluated[i] = evaluate<Real>(plan, *plan.kernels[job.kernel], *plan.sources[job.source], job.request);
-    conditioned.finished();
+  on_threads(plan.threads, [&] {
+    tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
+      const Job& job = jobs[i];
+      evaluated[i] = evaluate<Real>(plan, *plan.kernels[job.kernel], *plan.sources[job.source], job.request);
+      conditioned.finished();
+    });
   });
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     ConditionCell& cell = result.cells[jobs[i].kernel][jobs[i].source];
@@ -228,11 +216,7 @@ ConditionCounts ConditionCell::total() const {
 }
 
 ConditionResult measure_condition(const ConditionPlan& plan, const ShowProgress& report) {
-  ConditionResult result;
-  on_threads(plan.threads, [&] {
-    result = plan.precision == Precision::binary32 ? measure<float>(plan, report) : measure<double>(plan, report);
-  });
-  return result;
+  return plan.precision == Precision::binary32 ? measure<float>(plan, report) : measure<double>(plan, report);
 }
 
 }  // namespace axiscert

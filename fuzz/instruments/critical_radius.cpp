@@ -1,7 +1,5 @@
 #include "fuzz/instruments/critical_radius.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,17 +7,11 @@
 #include "exact/sphere_triangle/measures/limits.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/queries/address.h"
-#include "fuzz/instruments/blocks.h"
-#include "fuzz/instruments/on_threads.h"
 #include "fuzz/files/query_file.h"
+#include "fuzz/judging/for_each_judged.h"
 
 namespace axiscert {
 namespace {
-
-struct BlockResult {
-  std::uint64_t left_out = 0;
-  std::vector<CriticalRadii> cells;  // by kernel
-};
 
 template <class Real>
 ReversalWitness witness_of(const RadiusReversal<Real>& reversal, QueryWithRadius<Real> q, const Source& source,
@@ -100,16 +92,11 @@ Numbers<double> in_doubles(const Numbers<Real>& q) {
 }
 
 template <class Real>
-BlockResult run(const CriticalRadiusPlan& plan, const QueryBlock& block, ProgressCount& progress) {
-  // Each block begins its own kernels: the behaviour of foreign code in one block does not influence another.
-  std::vector<Implementation<Real>> kernels;
-  for (const Kernel* kernel : plan.kernels) kernels.push_back(kernel->on<Real>(scalar_target));
-  BlockResult result{0, std::vector<CriticalRadii>(kernels.size())};
-  const Source& source = *plan.sources[block.source];
-  const CriticalLength length = *oracles_of(source.test(), source.entry()).critical_length();
-  for (std::uint64_t position = block.first; position < block.first + block.size; ++position) {
-    const QueryWithRadius<Real> q = {source.make<Real>(plan.seed, position), length.column};
-    progress.asked(1);
+void measure_batch(const CriticalRadiusPlan& plan, JudgedBatch<Real>& batch, CriticalRadiusResult& result) {
+  const CriticalLength length = *batch.oracles().critical_length();
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const QueryWithRadius<Real> q = {batch[i], length.column};
+    batch.count_progress();
     std::optional<Rational> squared;
     std::optional<Real> exact_radius;
     if (is_measurable(q)) {
@@ -117,37 +104,34 @@ BlockResult run(const CriticalRadiusPlan& plan, const QueryBlock& block, Progres
       if (squared) exact_radius = exact_critical_radius<Real>(*squared);
     }
     if (!exact_radius) {
-      ++result.left_out;
+      ++result.left_out[batch.source_index()];
       continue;
     }
-    const Address address = address_of(source, plan.seed, plan.precision, position);
-    for (std::size_t k = 0; k < kernels.size(); ++k) {
-      measure(*plan.kernels[k], kernels[k], q, *squared, *exact_radius, source, address, result.cells[k]);
+    const Address address = address_of(batch.source(), plan.seed, plan.precision, batch.position(i));
+    for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+      measure(*plan.kernels[k], batch.kernel(k), q, *squared, *exact_radius, batch.source(), address,
+              result.cells[k][batch.source_index()]);
     }
   }
-  return result;
 }
 
 template <class Real>
 CriticalRadiusResult measure_all(const CriticalRadiusPlan& plan, const ShowProgress& report) {
-  const std::vector<QueryBlock> blocks = blocks_of(plan.sources.size(), plan.trials, 256);
-  std::vector<BlockResult> results(blocks.size());
-  ProgressCount progress(report, blocks.size());
-  on_threads(plan.threads, [&] {
-    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
-      results[i] = run<Real>(plan, blocks[i], progress);
-      progress.finished();
-    });
-  });
-
-  CriticalRadiusResult merged;
-  merged.left_out.resize(plan.sources.size());
-  merged.cells.assign(plan.kernels.size(), std::vector<CriticalRadii>(plan.sources.size()));
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    merged.left_out[blocks[i].source] += results[i].left_out;
-    for (std::size_t k = 0; k < plan.kernels.size(); ++k) merged.cells[k][blocks[i].source].merge(results[i].cells[k]);
-  }
-  return merged;
+  JudgedPlan judged = judged_plan(plan.sources, plan.trials, plan.seed, 256, plan.threads);
+  judged.kernels = plan.kernels;
+  CriticalRadiusResult none;
+  none.left_out.resize(plan.sources.size());
+  none.cells.assign(plan.kernels.size(), std::vector<CriticalRadii>(plan.sources.size()));
+  const auto visit = [&](JudgedBatch<Real>& batch, CriticalRadiusResult& result) {
+    measure_batch(plan, batch, result);
+  };
+  const auto merge = [](CriticalRadiusResult& result, const CriticalRadiusResult& later) {
+    for (std::size_t s = 0; s < result.left_out.size(); ++s) {
+      result.left_out[s] += later.left_out[s];
+      for (std::size_t k = 0; k < result.cells.size(); ++k) result.cells[k][s].merge(later.cells[k][s]);
+    }
+  };
+  return for_each_judged<Real>(judged, none, report, {}, visit, merge).counts;
 }
 
 }  // namespace

@@ -1,41 +1,22 @@
 #include "fuzz/instruments/ladder.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "exact/sphere_triangle/unbounded/unbounded.h"
 #include "exact/sphere_triangle/measures/error_measure.h"
-#include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/sphere_triangle/claims/claim.h"
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/instruments/blocks.h"
-#include "fuzz/instruments/on_threads.h"
+#include "fuzz/instruments/valid_queries.h"
+#include "fuzz/judging/for_each_judged.h"
 
 namespace axiscert {
 namespace {
 
 using Accuracies = std::vector<KernelAccuracy>;  // source by source, the kernels in each
-
-// A kernel on a block of queries.
-template <class Real>
-struct Answered {
-  Implementation<Real> implementation;
-  std::vector<Verdict> verdicts;
-  Answers<Real> answers;
-
-  Answered(const Kernel& kernel, const QueryColumns<Real>& block)
-      : implementation(kernel.on<Real>(scalar_target)), verdicts(block.size) {
-    answers.resize(block.size, comparison_count);
-    implementation.verdicts(block, verdicts.data());
-    implementation.explain(block, answers);
-  }
-};
 
 void count_verdict(KernelAccuracy& into, const Truth& truth, Verdict verdict) {
   ++into.queries;
@@ -54,8 +35,8 @@ ComparisonBits flips_by_range(ComparisonBits flips, const Kernel& kernel, Compar
 
 template <class Real>
 void count_comparisons(KernelAccuracy& into, const Kernel& kernel, const FormulaTruth& truth, const Query<Real>& q,
-                       const Answered<Real>& answered, std::size_t i) {
-  const ComparisonBits computed = answered.answers.bits[i], exact = truth.bits(kernel.strictness);
+                       const Answers<Real>& answers, std::size_t i) {
+  const ComparisonBits computed = answers.bits[i], exact = truth.bits(kernel.strictness);
   const auto flips = static_cast<ComparisonBits>(computed ^ exact);
   const ComparisonBits by_range = flips_by_range(flips, kernel, exact, q);
   for (std::size_t k = 0; k < comparison_count; ++k) {
@@ -63,7 +44,7 @@ void count_comparisons(KernelAccuracy& into, const Kernel& kernel, const Formula
     if (has_bit(flips, k)) ++(has_bit(computed, k) ? comparison.false_separation : comparison.missed_separation);
     comparison.by_range += has_bit(by_range, k);
     if (kernel.exposes != Exposure::sides) continue;
-    const ComparisonError error(answered.answers.lhs[k][i], answered.answers.rhs[k][i], truth.comparison(k));
+    const ComparisonError error(answers.lhs[k][i], answers.rhs[k][i], truth.comparison(k));
     switch (error.kind()) {
       case ComparisonError::Kind::range_event:
         ++comparison.range_events;
@@ -86,48 +67,34 @@ void count_critical_radius(KernelAccuracy& into, const Implementation<Real>& ker
   else if (error) ++into.radius_unbounded;
 }
 
-// `into` points to the kernels' results on the block's source.
+// `into` points to the kernels' results on the batch's source.
 template <class Real>
-void judge_block(const LadderPlan& plan, const QueryBlock& block, KernelAccuracy* into, ProgressCount& progress) {
-  QueryBatch<Real> batch(block.size, coordinate_count);
-  plan.sources[block.source]->fill(plan.seed, block.first, block.size, batch);
-  std::vector<Answered<Real>> answered;
-  for (const Kernel* kernel : plan.kernels) answered.emplace_back(*kernel, batch.columns());
-  for (std::uint64_t i = 0; i < block.size; ++i) {
-    const std::uint64_t position = block.first + i;
-    const Query<Real> q = batch[i];
-    progress.asked(1);
-    const ExactTruth truth = exact_truth(q, position % second_opinion_stride == 0);
-    if (!truth.formula) continue;
-    Claims<Real> claims(q, *truth.formula);
+void judge_formulae(const LadderPlan& plan, JudgedBatch<Real>& batch, KernelAccuracy* into) {
+  for_each_valid(batch, [&](std::size_t i, const Query<Real>& q, const ExactTruth& truth, Claims<Real>& claims) {
     std::optional<Rational> distance;
-    if (has_critical_radius(position)) distance = squared_distance(q);
+    if (has_critical_radius(batch.position(i))) distance = squared_distance(q);
     for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
-      count_verdict(into[k], truth, answered[k].verdicts[i]);
-      count_comparisons(into[k], *plan.kernels[k], *claims.sides(plan.kernels[k]->formulae), q, answered[k], i);
-      if (distance) count_critical_radius(into[k], answered[k].implementation, q, *distance);
+      const Reply<Real>& reply = batch.reply(k);
+      count_verdict(into[k], truth, reply.verdicts[i]);
+      count_comparisons(into[k], *plan.kernels[k], *claims.sides(plan.kernels[k]->formulae), q, reply.answers, i);
+      if (distance) count_critical_radius(into[k], batch.kernel(k), q, *distance);
     }
-  }
+  });
 }
 
+template <class Real>
 Accuracies accuracies(const LadderPlan& plan, const ShowProgress& report) {
-  const std::vector<QueryBlock> blocks = blocks_of(plan.sources.size(), plan.trials, 1024);
-  ProgressCount progress(report, blocks.size(), "accuracy");
+  JudgedPlan judged = judged_plan(plan.sources, plan.trials, plan.seed, 1024, plan.threads);
+  judged.kernels = plan.kernels;
+  judged.second_opinion_stride = second_opinion_stride;
+  const auto visit = [&](JudgedBatch<Real>& batch, Accuracies& found) {
+    judge_formulae(plan, batch, found.data() + batch.source_index() * plan.kernels.size());
+  };
+  const auto merge = [](Accuracies& all, const Accuracies& later) {
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].merge(later[i]);
+  };
   const Accuracies none(plan.sources.size() * plan.kernels.size());
-  const auto judge = [&](const tbb::blocked_range<std::size_t>& range, Accuracies found) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      KernelAccuracy* into = found.data() + blocks[i].source * plan.kernels.size();
-      if (plan.precision == Precision::binary32) judge_block<float>(plan, blocks[i], into, progress);
-      else judge_block<double>(plan, blocks[i], into, progress);
-      progress.finished();
-    }
-    return found;
-  };
-  const auto merge = [](Accuracies a, const Accuracies& b) {
-    for (std::size_t i = 0; i < a.size(); ++i) a[i].merge(b[i]);
-    return a;
-  };
-  return tbb::parallel_deterministic_reduce(tbb::blocked_range<std::size_t>(0, blocks.size(), 4), none, judge, merge);
+  return for_each_judged<Real>(judged, none, report, "accuracy", visit, merge).counts;
 }
 
 template <class Real>
@@ -172,8 +139,8 @@ void KernelAccuracy::merge(const KernelAccuracy& other) {
 }
 
 std::vector<LadderEntry> measure_ladder(const LadderPlan& plan, const ShowProgress& report) {
-  Accuracies found;
-  on_threads(plan.threads, [&] { found = accuracies(plan, report); });
+  Accuracies found =
+      plan.precision == Precision::binary32 ? accuracies<float>(plan, report) : accuracies<double>(plan, report);
   std::vector<LadderEntry> entries;
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     LadderEntry& entry = entries.emplace_back();

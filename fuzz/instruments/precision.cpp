@@ -1,16 +1,13 @@
 #include "fuzz/instruments/precision.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <limits>
 
-#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/unbounded/at_precision.h"
-#include "exact/sphere_triangle/claims/claim.h"
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/instruments/on_threads.h"
+#include "fuzz/instruments/valid_queries.h"
+#include "fuzz/judging/for_each_judged.h"
 
 namespace axiscert {
 namespace {
@@ -62,36 +59,33 @@ void measure_kernel(const PrecisionPlan& plan, const Kernel& kernel, const Query
 }
 
 template <class Real>
-void measure_query(const PrecisionPlan& plan, const Source& source, std::uint64_t position, PrecisionTally& tally) {
-  const Query<Real> q = source.make<Real>(plan.seed, position);
-  const ExactTruth truth = exact_truth(q, position % second_opinion_stride == 0);
-  if (!truth.formula) return;
-  ++tally.queries;
-  Claims<Real> claims(q, *truth.formula);
-  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
-    const Kernel& kernel = *plan.kernels[k];
-    const FormulaTruth* own = claims.sides(kernel.formulae);
-    const Outcome exact =
-        own ? outcome_of(own->bits(kernel.strictness)) : Outcome{exact_verdict(kernel.formulae, q), std::nullopt};
-    measure_kernel(plan, kernel, q, exact, truth.verdict, tally.kernels[k]);
-  }
+void measure_batch(const PrecisionPlan& plan, JudgedBatch<Real>& batch, PrecisionTally& tally) {
+  for_each_valid(batch, [&](std::size_t, const Query<Real>& q, const ExactTruth& truth, Claims<Real>& claims) {
+    ++tally.queries;
+    for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+      const Kernel& kernel = *plan.kernels[k];
+      const FormulaTruth* own = claims.sides(kernel.formulae);
+      const Outcome exact =
+          own ? outcome_of(own->bits(kernel.strictness)) : Outcome{exact_verdict(kernel.formulae, q), std::nullopt};
+      measure_kernel(plan, kernel, q, exact, truth.verdict, tally.kernels[k]);
+    }
+  });
 }
 
-PrecisionTally measure_source(const PrecisionPlan& plan, const Source& source, ProgressCount& progress) {
-  const auto measure_range = [&](const tbb::blocked_range<std::uint64_t>& positions, PrecisionTally tally) {
-    for (std::uint64_t position = positions.begin(); position != positions.end(); ++position) {
-      if (plan.precision == Precision::binary32) measure_query<float>(plan, source, position, tally);
-      else measure_query<double>(plan, source, position, tally);
-      progress.finished(1);
-    }
-    return tally;
+using PrecisionTallies = std::vector<PrecisionTally>;  // by source
+
+template <class Real>
+PrecisionTallies measure_sources(const PrecisionPlan& plan, const ShowProgress& report) {
+  JudgedPlan judged = judged_plan(plan.sources, plan.trials, plan.seed, block, plan.threads);
+  judged.second_opinion_stride = second_opinion_stride;
+  const auto visit = [&](JudgedBatch<Real>& batch, PrecisionTallies& tallies) {
+    measure_batch(plan, batch, tallies[batch.source_index()]);
   };
-  const auto join = [](PrecisionTally a, const PrecisionTally& b) {
-    a.merge(b);
-    return a;
+  const auto merge = [](PrecisionTallies& all, const PrecisionTallies& later) {
+    for (std::size_t s = 0; s < all.size(); ++s) all[s].merge(later[s]);
   };
-  return tbb::parallel_reduce(tbb::blocked_range<std::uint64_t>(0, plan.trials, block), empty_tally(plan),
-                              measure_range, join);
+  const PrecisionTallies none(plan.sources.size(), empty_tally(plan));
+  return for_each_judged<Real>(judged, none, report, {}, visit, merge).counts;
 }
 
 void merge(VerdictFlips& into, const VerdictFlips& other) {
@@ -146,12 +140,8 @@ std::vector<PrecisionTally> measure_precision(const PrecisionPlan& plan, const S
                       kernel->id));
     }
   }
-  std::vector<PrecisionTally> tallies;
-  ProgressCount progress(report, plan.trials * plan.sources.size());  // a query takes milliseconds
-  on_threads(plan.threads, [&] {
-    for (const SourcePtr& source : plan.sources) tallies.push_back(measure_source(plan, *source, progress));
-  });
-  return tallies;
+  return plan.precision == Precision::binary32 ? measure_sources<float>(plan, report)
+                                               : measure_sources<double>(plan, report);
 }
 
 PrecisionTally total(const std::vector<PrecisionTally>& tallies) {
