@@ -8,7 +8,7 @@
 
 #include "fuzz/campaign/unit.h"
 #include "fuzz/confirm/record.h"
-#include "fuzz/mutation/asked.h"
+#include "fuzz/judging/for_each_judged.h"
 
 namespace axiscert {
 namespace {
@@ -65,53 +65,61 @@ bool is_lost(const mutants::Mutant& mutant, Precision precision) {
   return mutant.magnitude <= (precision == Precision::binary32 ? 0x1p-26 : 0x1p-55);
 }
 
+using Survivals = std::vector<Survival>;  // by survivor
+
+// Compares survivors with the kernel that they are made from on a batch of one family.
 template <class Real>
-class BaseComparison {
- public:
-  BaseComparison(const MutationPlan& plan, std::vector<BlackBoxResult*> results)
-      : plan_(plan), results_(std::move(results)) {
-    base_.id = plan.base;
-    for (const Family* family : plan.families) asked_.emplace_back(family);
-  }
-
-  void run_batch(std::uint64_t first) {
-    const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(batch_size, plan_.trials - first));
-    tbb::parallel_for(std::size_t{0}, asked_.size(),
-                      [&](std::size_t f) { asked_[f].prepare(base_, plan_.seed, first, size); });
-    tbb::parallel_for(std::size_t{0}, results_.size(), [&](std::size_t m) {
-      for (Asked<Real>& asked : asked_) compare(*results_[m], asked, first);
-    });
-  }
-
- private:
-  void compare(BlackBoxResult& result, Asked<Real>& asked, std::uint64_t first) {
-    std::array<ComparisonBits, batch_size> bits;
-    mutants::mutant_bits(*result.mutant, asked.batch.columns(), bits.data());
-    Survival& counts = *result.survival;
-    counts.queries += asked.batch.size();
+void compare(const MutationPlan& plan, const std::vector<BlackBoxResult*>& survivors, JudgedBatch<Real>& batch,
+             Survivals& found) {
+  const Family& family = *plan.families[batch.source_index()];
+  const auto bits_of = [&](const mutants::Mutant& mutant) {
+    std::vector<ComparisonBits> bits(batch.size());
+    mutants::mutant_bits(mutant, batch.queries().columns(), bits.data());
+    return bits;
+  };
+  mutants::Mutant without_fault;
+  without_fault.id = plan.base;
+  std::vector<Verdict> base;
+  for (const ComparisonBits bits : bits_of(without_fault)) base.push_back(verdict_of(family.test(), bits));
+  for (std::size_t m = 0; m < survivors.size(); ++m) {
+    const std::vector<ComparisonBits> bits = bits_of(*survivors[m]->mutant);
+    Survival& counts = found[m];
+    counts.queries += batch.size();
     int depths = 0;
-    for (std::size_t i = 0; i < asked.batch.size(); ++i) {
-      const Verdict verdict = verdict_of(asked.test(), bits[i]);
-      if (verdict == asked.base_verdicts[i]) continue;
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const Verdict verdict = verdict_of(family.test(), bits[i]);
+      if (verdict == base[i]) continue;
       ++counts.other_verdicts;
-      if (!asked.is_wrong(i, verdict)) continue;
+      const Truth& truth = batch.truth(i);
+      if (truth.verdict == Verdict::invalid || truth.verdict == verdict) continue;
       ++counts.wrong;
-      const bool touches = asked.order_of(i) == 0;
-      if (asked.family->exact_arithmetic) ++(touches ? counts.touching_in_exact : counts.wrong_in_exact);
-      if (touches || depths++ >= depths_each) continue;
-      const double deep = asked.oracles->depth(asked.batch[i]).value_or(0);
+      if (family.exact_arithmetic) ++(truth.touching ? counts.touching_in_exact : counts.wrong_in_exact);
+      if (truth.touching || depths++ >= depths_each) continue;
+      const double deep = batch.oracles().depth(batch[i]).value_or(0);
       if (counts.deepest_family != nullptr && deep <= counts.deepest) continue;
-      counts.deepest_family = asked.family;
-      counts.deepest_position = first + i;
+      counts.deepest_family = &family;
+      counts.deepest_position = batch.position(i);
       counts.deepest = deep;
     }
   }
+}
 
-  const MutationPlan& plan_;
-  std::vector<BlackBoxResult*> results_;
-  mutants::Mutant base_;
-  std::deque<Asked<Real>> asked_;
-};
+void merge_survivals(Survivals& all, const Survivals& later) {
+  for (std::size_t m = 0; m < all.size(); ++m) {
+    Survival& counts = all[m];
+    const Survival& more = later[m];
+    counts.queries += more.queries;
+    counts.other_verdicts += more.other_verdicts;
+    counts.wrong += more.wrong;
+    counts.wrong_in_exact += more.wrong_in_exact;
+    counts.touching_in_exact += more.touching_in_exact;
+    if (more.deepest_family == nullptr) continue;
+    if (counts.deepest_family != nullptr && more.deepest <= counts.deepest) continue;
+    counts.deepest_family = more.deepest_family;
+    counts.deepest_position = more.deepest_position;
+    counts.deepest = more.deepest;
+  }
+}
 
 class Judge {
  public:
@@ -199,16 +207,18 @@ class Judge {
   void explain() {
     std::vector<BlackBoxResult*> survivors;
     for (BlackBoxResult& result : score_.mutants) {
-      if (result.precision != precision_of<Real> || result.refused || result.is_as_base) continue;
-      result.survival.emplace();
-      survivors.push_back(&result);
+      if (result.precision == precision_of<Real> && !result.refused && !result.is_as_base) survivors.push_back(&result);
     }
-    BaseComparison<Real> comparison(plan_, survivors);
-    ProgressCount progress(report_, (plan_.trials + batch_size - 1) / batch_size, "survivors compared");
-    for (std::uint64_t first = 0; first < plan_.trials && !interrupted_; first += batch_size) {
-      comparison.run_batch(first);
-      progress.finished();
-    }
+    std::vector<SourcePtr> sources;
+    for (const Family* family : plan_.families) sources.push_back(family_source(*family));
+    JudgedPlan judged = judged_plan(std::move(sources), plan_.trials, plan_.seed, batch_size, plan_.threads);
+    judged.order = BlockOrder::by_position;
+    judged.interrupted = &interrupted_;
+    const auto visit = [&](JudgedBatch<Real>& batch, Survivals& found) { compare(plan_, survivors, batch, found); };
+    const Survivals found = for_each_judged<Real>(judged, Survivals(survivors.size()), report_, "survivors compared",
+                                                  visit, merge_survivals)
+                                .counts;
+    for (std::size_t m = 0; m < survivors.size(); ++m) survivors[m]->survival = found[m];
   }
 
   const MutationPlan& plan_;

@@ -5,14 +5,64 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <deque>
 
 #include "exact/trait/examine.h"
-#include "fuzz/mutation/asked.h"
+#include "fuzz/campaign/unit.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
 namespace {
+
+// A batch of one family, and the truth known about it, which is found when it is first needed: few queries need it.
+template <class Real>
+struct FamilyBatch {
+  const Family* family;
+  const Oracles* oracles = &oracles_of(family->test(), family->entry);
+  QueryBatch<Real> batch{batch_size, family->column_count()};
+  std::vector<ComparisonBits> base;
+  std::vector<Verdict> base_verdicts;
+  // For each query: -1, 0, 1 where the two overlap, touch or are apart, or one of these. Threads that ask at the same
+  // time find the same.
+  static constexpr signed char unknown = 2, invalid = 3;
+  std::vector<std::atomic<signed char>> order = std::vector<std::atomic<signed char>>(batch_size);
+
+  explicit FamilyBatch(const Family* of) : family(of) {}
+  const TestDescription& test() const { return family->test(); }
+
+  // Makes `size` queries of the family from position `first` on, and the answers of the kernel without a fault.
+  void prepare(const mutants::Mutant& without_fault, std::uint64_t seed, std::uint64_t first, std::size_t size) {
+    batch.resize(size);
+    family->fill(seed, first, batch.mutable_columns());
+    base.resize(size);
+    mutants::mutant_bits(without_fault, batch.columns(), base.data());
+    base_verdicts.resize(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      base_verdicts[i] = verdict_of(test(), base[i]);
+      order[i].store(unknown, std::memory_order_relaxed);
+    }
+  }
+
+  bool shows_formulae() const { return axiscert::shows_formulae(family->name, family->exact_arithmetic); }
+
+  signed char order_of(std::size_t i) {
+    signed char known = order[i].load(std::memory_order_relaxed);
+    if (known != unknown) return known;
+    const Truth truth = oracles->truth(batch[i]);
+    known = truth.verdict == Verdict::invalid     ? invalid
+            : truth.touching                      ? 0
+            : truth.verdict == Verdict::separated ? 1
+                                                  : -1;
+    order[i].store(known, std::memory_order_relaxed);
+    return known;
+  }
+  // Whether that verdict is wrong, touching being contact.
+  bool is_wrong(std::size_t i, Verdict verdict) {
+    const signed char known = order_of(i);
+    return known != invalid && (known > 0) != (verdict == Verdict::separated);
+  }
+};
 
 template <class Real>
 class MutationRun {
@@ -40,7 +90,7 @@ class MutationRun {
   void ask(MutantResult& result) {
     std::array<ComparisonBits, batch_size> bits;
     std::uint64_t before = first_ * asked_.size(), before_exact = first_ * exact_families_;
-    for (Asked<Real>& asked : asked_) {
+    for (FamilyBatch<Real>& asked : asked_) {
       const bool is_exact = asked.shows_formulae();
       if (!result.by_bits || (is_exact && !result.by_formulae)) {
         mutants::mutant_bits(*result.mutant, asked.batch.columns(), bits.data());
@@ -55,7 +105,7 @@ class MutationRun {
     }
   }
 
-  void look(MutantResult& result, Asked<Real>& asked, std::size_t i, ComparisonBits bits, std::uint64_t queries,
+  void look(MutantResult& result, FamilyBatch<Real>& asked, std::size_t i, ComparisonBits bits, std::uint64_t queries,
             std::uint64_t exact_queries) {
     const Verdict verdict = verdict_of(asked.test(), bits);
     if (verdict == asked.base_verdicts[i]) return;
@@ -73,7 +123,7 @@ class MutationRun {
     }
   }
 
-  Catch confirmed(const mutants::Mutant& mutant, const Asked<Real>& asked, std::size_t i, const Answer& answer,
+  Catch confirmed(const mutants::Mutant& mutant, const FamilyBatch<Real>& asked, std::size_t i, const Answer& answer,
                   bool in_exact_arithmetic) const {
     const Numbers<Real> q = asked.batch[i];
     Kernel kernel = mutants::kernel_of(mutant);
@@ -94,7 +144,7 @@ class MutationRun {
   const MutationPlan& plan_;
   std::vector<MutantResult*> results_;
   mutants::Mutant base_;  // the base without a fault
-  std::deque<Asked<Real>> asked_;
+  std::deque<FamilyBatch<Real>> asked_;
   std::uint64_t first_ = 0, exact_families_ = 0;
 };
 

@@ -11,6 +11,7 @@
 #include "exact/judge/judge.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/queries/image_groups.h"
 #include "kernel/mutants/mutant.h"
 
 namespace axiscert {
@@ -56,6 +57,13 @@ struct MutationResult {
 // not on its threads. Every catch is confirmed by all oracles. Throws OracleDisagreement, and HarnessFault if the judge
 // does not confirm a catch.
 MutationResult run_mutation(const MutationPlan& plan, const std::atomic<bool>& interrupted, const ShowProgress& report);
+
+// Whether a wrong verdict on a family counts against a kernel that claims formulae, but not how it rounds: arithmetic
+// is exact there, and in one unit of length, as `--require logic` has it. In others a kernel that computes in a
+// narrower precision may leave its range.
+inline bool shows_formulae(std::string_view family, bool exact_arithmetic) {
+  return exact_arithmetic && image_group(family) == nullptr;
+}
 
 // A correct kernel in another form, judged in the same way as a mutant.
 struct Control {

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <array>
-
-#include "fuzz/mutation/asked.h"
-
 namespace axiscert {
 namespace {
 
