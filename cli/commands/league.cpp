@@ -9,7 +9,7 @@
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"
 #include "fuzz/queries/address.h"
-#include "fuzz/instruments/kernel_speed.h"
+#include "fuzz/sphere_triangle/formulae/kernel_speed.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
 #include "fuzz/confirm/finding_record.h"

@@ -1,7 +1,7 @@
 // The report of `axiscert condition`.
 #pragma once
 
-#include "fuzz/instruments/condition.h"
+#include "fuzz/sphere_triangle/formulae/condition.h"
 #include "reports/instrument/instrument.h"
 
 namespace axiscert {

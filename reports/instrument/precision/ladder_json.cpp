@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "fuzz/instruments/ladder_steps.h"
+#include "fuzz/sphere_triangle/formulae/ladder_steps.h"
 #include "reports/instrument/data.h"
 #include "reports/instrument/precision/ladder_report.h"
 

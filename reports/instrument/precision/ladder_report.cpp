@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/instruments/ladder_steps.h"
+#include "fuzz/sphere_triangle/formulae/ladder_steps.h"
 
 namespace axiscert {
 namespace {

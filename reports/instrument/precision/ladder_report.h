@@ -1,7 +1,7 @@
 // The report of `axiscert ladder`.
 #pragma once
 
-#include "fuzz/instruments/ladder.h"
+#include "fuzz/sphere_triangle/formulae/ladder.h"
 #include "reports/instrument/instrument.h"
 
 namespace axiscert {

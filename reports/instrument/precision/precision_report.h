@@ -1,7 +1,7 @@
 // The report of `axiscert precision`.
 #pragma once
 
-#include "fuzz/instruments/precision.h"
+#include "fuzz/sphere_triangle/formulae/precision.h"
 #include "reports/instrument/instrument.h"
 
 namespace axiscert {

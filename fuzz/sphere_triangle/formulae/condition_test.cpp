@@ -1,5 +1,5 @@
 // The attribution of flips, on families where the cause is known, and for a planted fault.
-#include "fuzz/instruments/condition.h"
+#include "fuzz/sphere_triangle/formulae/condition.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "fuzz/instruments/ladder.h"
+#include "fuzz/sphere_triangle/formulae/ladder.h"
 
 namespace axiscert {
 

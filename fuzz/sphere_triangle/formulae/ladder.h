@@ -2,9 +2,9 @@
 #pragma once
 
 #include "fuzz/campaign/progress.h"
-#include "fuzz/instruments/error_spread.h"
+#include "fuzz/sphere_triangle/formulae/error_spread.h"
 #include "fuzz/instruments/exponent_window.h"
-#include "fuzz/instruments/kernel_speed.h"
+#include "fuzz/sphere_triangle/formulae/kernel_speed.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
 

@@ -1,12 +1,12 @@
 // The ladder: a row contains the results of one kernel only; windows equal the known ones; the number of threads has no
 // influence.
 #include "exact/sphere_triangle/measures/error_measure.h"
-#include "fuzz/instruments/ladder.h"
+#include "fuzz/sphere_triangle/formulae/ladder.h"
 
 #include <gtest/gtest.h>
 
 #include "exact/sphere_triangle/unbounded/unbounded.h"
-#include "fuzz/instruments/ladder_steps.h"
+#include "fuzz/sphere_triangle/formulae/ladder_steps.h"
 #include "kernel/sphere_triangle/reference/scalar_kernel.h"
 
 namespace axiscert {

@@ -1,6 +1,6 @@
 // Evaluation at any precision: the scalar reference's bits if the formats agree, no flip if there are enough bits, and
 // tallies that depend on the plan alone.
-#include "fuzz/instruments/precision.h"
+#include "fuzz/sphere_triangle/formulae/precision.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

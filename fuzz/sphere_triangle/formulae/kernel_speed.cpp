@@ -1,4 +1,4 @@
-#include "fuzz/instruments/kernel_speed.h"
+#include "fuzz/sphere_triangle/formulae/kernel_speed.h"
 
 #include <algorithm>
 #include <chrono>

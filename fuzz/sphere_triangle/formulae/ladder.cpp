@@ -1,4 +1,4 @@
-#include "fuzz/instruments/ladder.h"
+#include "fuzz/sphere_triangle/formulae/ladder.h"
 
 #include <tbb/parallel_for.h>
 
@@ -10,7 +10,7 @@
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/instruments/valid_queries.h"
+#include "fuzz/sphere_triangle/formulae/valid_queries.h"
 #include "fuzz/judging/for_each_judged.h"
 
 namespace axiscert {

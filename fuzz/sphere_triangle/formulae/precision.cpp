@@ -1,4 +1,4 @@
-#include "fuzz/instruments/precision.h"
+#include "fuzz/sphere_triangle/formulae/precision.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "exact/sphere_triangle/unbounded/at_precision.h"
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/instruments/valid_queries.h"
+#include "fuzz/sphere_triangle/formulae/valid_queries.h"
 #include "fuzz/judging/for_each_judged.h"
 
 namespace axiscert {

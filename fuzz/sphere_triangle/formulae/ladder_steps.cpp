@@ -1,4 +1,4 @@
-#include "fuzz/instruments/ladder_steps.h"
+#include "fuzz/sphere_triangle/formulae/ladder_steps.h"
 
 #include <algorithm>
 #include <cmath>
