@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "exact/sphere_triangle/measures/critical_radius.h"
+#include "exact/trait/critical_radius.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/judging/for_each_judged.h"
 #include "fuzz/queries/address.h"
@@ -148,7 +148,7 @@ class MarginFinder {
     std::copy(query.begin(), query.end(), wide.begin());
     const std::optional<Rational> squared = length_.squared(wide);
     if (!squared) return;
-    const auto least = exact_critical_radius<Real>(*squared);
+    const auto least = sqrt_rounded_up<Real>(*squared);
     if (!least || *least < range_.least || *least > range_.greatest) return;
     query[radius()] = *least;
     add_if_missed(query, family, id, into_.probed);

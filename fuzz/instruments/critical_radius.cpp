@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/sphere_triangle/measures/critical_radius.h"
-#include "exact/sphere_triangle/measures/limits.h"
+#include "exact/trait/critical_radius.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/query_file.h"
@@ -101,7 +100,7 @@ void measure_batch(const CriticalRadiusPlan& plan, JudgedBatch<Real>& batch, Cri
     std::optional<Real> exact_radius;
     if (is_measurable(q)) {
       squared = length.squared(in_doubles(q.numbers));
-      if (squared) exact_radius = exact_critical_radius<Real>(*squared);
+      if (squared) exact_radius = sqrt_rounded_up<Real>(*squared);
     }
     if (!exact_radius) {
       ++result.left_out[batch.source_index()];

@@ -25,16 +25,16 @@ Implementation<float> by_radius(Contact contact) {
 const Query<float> at_distance_two{{2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {0, 0, 0}, 0};
 
 TEST(CriticalRadius, TheExactOneIsTheLeastFloatNotBelowTheDistance) {
-  EXPECT_EQ(exact_critical_radius<float>(4), 2.f);
+  EXPECT_EQ(sqrt_rounded_up<float>(4), 2.f);
   const float root = std::sqrt(3.f);  // rounded down or up: the exact critical radius is not below the root
-  const float exact_root = *exact_critical_radius<float>(3);
+  const float exact_root = *sqrt_rounded_up<float>(3);
   EXPECT_TRUE(exact_root == root || exact_root == std::nextafter(root, 2.f));
   EXPECT_GE(exact(exact_root) * exact(exact_root), 3);
   const float below = std::nextafter(exact_root, 0.f);
   EXPECT_LT(exact(below) * exact(below), 3);
   const Rational greatest = exact(std::numeric_limits<float>::max());
-  EXPECT_EQ(exact_critical_radius<float>(greatest * greatest), std::numeric_limits<float>::max());
-  EXPECT_FALSE(exact_critical_radius<float>(greatest * greatest + 1)) << "rounds to the greatest, lies beyond it";
+  EXPECT_EQ(sqrt_rounded_up<float>(greatest * greatest), std::numeric_limits<float>::max());
+  EXPECT_FALSE(sqrt_rounded_up<float>(greatest * greatest + 1)) << "rounds to the greatest, lies beyond it";
 }
 
 TEST(CriticalRadius, ErrorsAreInUlpsOfTheDistance) {
@@ -117,7 +117,7 @@ TEST(CriticalRadius, MonotoneKernelsAreNotAccused) {
       std::array<float, coordinate_count> x;
       for (float& v : x) v = std::ldexp(static_cast<float>(static_cast<std::int32_t>(random() >> 32)), -31);
       const auto q = from_coordinates(x);
-      const auto exact_radius = exact_critical_radius<float>(squared_distance(q));
+      const auto exact_radius = sqrt_rounded_up<float>(squared_distance(q));
       EXPECT_FALSE(radius_reversal<float>(kernel, q, critical_radius(kernel, q).radius, exact_radius))
           << id << ", query " << trial << " of seed 31";
     }

@@ -35,18 +35,4 @@ bool is_within(const Limits& limits, const Query<Real>& q) {
 template bool is_within<float>(const Limits&, const Query<float>&);
 template bool is_within<double>(const Limits&, const Query<double>&);
 
-template <class Real>
-RadiusRange<Real> radii_within(const Limits& limits) {
-  constexpr Real max = std::numeric_limits<Real>::max(), infinity = std::numeric_limits<Real>::infinity();
-  RadiusRange<Real> range;
-  range.least = limits.least_radius > max ? infinity : static_cast<Real>(std::abs(limits.least_radius));
-  if (range.least < limits.least_radius) range.least = std::nextafter(range.least, infinity);
-  if (limits.greatest_radius == 0) return range;
-  range.greatest = static_cast<Real>(std::min(limits.greatest_radius, double(max)));
-  if (range.greatest > limits.greatest_radius) range.greatest = std::nextafter(range.greatest, Real(0));
-  return range;
-}
-template RadiusRange<float> radii_within<float>(const Limits&);
-template RadiusRange<double> radii_within<double>(const Limits&);
-
 }  // namespace axiscert

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "exact/trait/critical_radius.h"
 #include "exact/trait/oracles.h"
 
 namespace axiscert {
