@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -86,6 +87,7 @@ struct TestDescription {
   std::vector<TestMeasure> measures;
   VerdictRule rule = any_clause_separates;
   std::string_view certified = {};  // its kernel that is proved to be right on every query; empty: it has none
+  bool is_implied = false;  // files, plans, programs and ids that name no test are about this one
 };
 
 // Returns the description unchanged. Throws HarnessFault if it has no entry, too many of anything, the same name twice,
@@ -104,6 +106,13 @@ std::size_t find_entry(const TestDescription& test, std::string_view name);
 // The tests that exist; defined in kernel/registry/tests.cpp. find_test throws Error as find_entry does.
 std::span<const TestDescription* const> tests();
 const TestDescription& find_test(std::string_view id, std::span<const TestDescription* const> known = tests());
+
+// What a file, plan or program says of a test: its id, and nothing of the implied one. test_named reads that back; it
+// throws Error as find_test does.
+std::string_view written_name(const TestDescription& test);
+const TestDescription& test_named(std::string_view written, std::span<const TestDescription* const> known = tests());
+// "TEST/", with which ids and folders of a test begin; empty where its name is left out.
+std::string id_prefix(const TestDescription& test);
 // The test of a kernel that names none.
 const TestDescription& first_test();
 

@@ -20,9 +20,10 @@ std::string folder_of(const CorpusOptions& options) {
   return options.folder.empty() ? default_corpus_folder() : options.folder;
 }
 
-// One file for each kind of provenance; for each test but the first one of its own.
+// One file for each test that its lines name, and for the others one of each kind of provenance.
 std::string file_for(const StoredQuery& stored, const Provenance& provenance) {
-  return (stored.test == &first_test() ? provenance.kind : std::string(stored.test->id)) + ".jsonl";
+  const std::string_view test = written_name(*stored.test);
+  return fmt::format("{}.jsonl", test.empty() ? provenance.kind : test);
 }
 
 int list(const CorpusOptions& options) {

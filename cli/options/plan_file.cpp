@@ -10,7 +10,6 @@
 #include "fuzz/text/whole_number.h"
 #include "kernel/base/error.h"
 #include "kernel/base/utf8.h"
-#include "kernel/sphere_triangle/description.h"
 #include "reports/run_folder/parsed_json.h"
 #include "fuzz/confirm/plan.h"
 
@@ -165,7 +164,7 @@ PlanFile read_plan_file(const std::string& path) {
       for_each_option_of_effort(file.options, [&](const char* name, auto& value) { get_member(options, name, value); });
     }
     get_required(options, file.options.required);
-    if (file.options.test.empty()) file.options.test = sphere_triangle_test().id;
+    if (file.options.test.empty()) file.options.test = test_named("").id;
     get_member(json, "units_per_stretch", file.units_each);
     std::uint64_t counted;  // computed again where the plan is taken
     for (const char* count : {"queries", "units", "stretches"}) get_member(json, count, counted);

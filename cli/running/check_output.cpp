@@ -195,7 +195,7 @@ Json check_json(const std::string& id, const Kernel& kernel, const Checked& foun
                {"findings", findings_json(found.findings)},
                {"flips", flips_json(test, found.judgement)}};
   if (!test.measures.empty()) json["computed"]["measures"] = found.measures;
-  if (&test != &first_test()) json["test"] = test.id;
+  if (const std::string_view name = written_name(test); !name.empty()) json["test"] = name;
   return json;
 }
 

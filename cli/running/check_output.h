@@ -35,7 +35,7 @@ std::string_view standing_of(const Kernel& kernel, const Checked& found);
 // One line, without its line end.
 std::string check_text(const std::string& id, const Kernel& kernel, const Checked& found);
 // An object with "id", "kernel", "standing", "exact" (the details of the test among its members), "computed",
-// "within_limits", "findings" and "flips"; of another test than the first with "test".
+// "within_limits", "findings" and "flips"; with "test" where a query file names it.
 Json check_json(const std::string& id, const Kernel& kernel, const Checked& found);
 
 // The errors of the computed sides: as text, one line for each comparison, to follow check_text's; as JSON, for

@@ -1,6 +1,7 @@
 // Compares the bytes that families make with the committed digests, which are those of every compiler and machine.
 #pragma once
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,8 +31,7 @@ inline void expect_committed_digests(const TestDescription& test, const std::str
     if (is_of(families_of(test), line)) committed.push_back(line);
   }
   const std::vector<std::string> made = digest_lines(test);
-  const std::string command = "build/release/write_digests" +
-                              (&test == &first_test() ? std::string() : " " + std::string(test.id)) + " > " + path;
+  const std::string command = fmt::format("build/release/write_digests {} > {}", test.id, path);
   for (const std::string& line : made) {
     if (std::count(committed.begin(), committed.end(), line) == 1) continue;
     const std::string name(name_in(line));

@@ -101,7 +101,7 @@ void refuse_other_csv(std::string_view line, const Place& place, KnownTests know
 
 }  // namespace
 
-std::string csv_columns(KnownTests known) { return columns_text(known.front()->entries.front()); }
+std::string csv_columns(KnownTests known) { return columns_text(test_named("", known).entries.front()); }
 
 std::optional<CsvHeader> csv_header(std::string_view line, const Place& place, KnownTests known) {
   const auto cells = csv_cells(line);

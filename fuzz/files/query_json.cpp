@@ -165,9 +165,9 @@ class QueryOfMembers {
       wrong_kind("test", test.kind, "the id of a test");
     if (entry.kind != JsonKind::absent && entry.kind != JsonKind::string)
       wrong_kind("entry", entry.kind, "an entry's name");
-    EntryOfTest of{known_.front(), 0};
+    EntryOfTest of{nullptr, 0};
     try {
-      if (test.kind == JsonKind::string) of.test = &find_test(shown(test.text), known_);
+      of.test = test.kind == JsonKind::string ? &find_test(shown(test.text), known_) : &test_named("", known_);
     } catch (const Error& unknown) {
       place_.fail("test", unknown.what());
     }
@@ -262,7 +262,8 @@ std::string query_line(const StoredQuery& stored) {
   // An id from a CSV file may not be UTF-8.
   const std::string id = nlohmann::json(stored.id).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   std::string of;
-  if (stored.test != &first_test()) of += fmt::format(R"(,"test":"{}")", stored.test->id);
+  if (const std::string_view test = written_name(*stored.test); !test.empty())
+    of += fmt::format(R"(,"test":"{}")", test);
   if (stored.entry != 0) of += fmt::format(R"(,"entry":"{}")", stored.columns().name);
   return fmt::format(
       R"({{"id":{},"precision":"{}"{}{}}})", id, name(stored.precision), of,

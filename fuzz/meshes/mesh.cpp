@@ -60,9 +60,7 @@ class MeshSource final : public ColumnSource<MeshSource> {
   }
 
   std::string name() const override { return "mesh/" + file_.name; }
-  std::string address_name() const override {
-    return (&test_ == &first_test() ? std::string() : std::string(test_.id) + "/") + "mesh-" + file_.sha256;
-  }
+  std::string address_name() const override { return id_prefix(test_) + "mesh-" + file_.sha256; }
   std::string purpose() const override {
     if (&test_ == &box_triangle_test()) return "a real mesh's triangles against the cells of a grid";
     if (&test_ == &moving_sphere_test()) {

@@ -164,11 +164,11 @@ class Reader {
     return plan;
   }
 
-  // The test that the plan names, or the first, whose streams have another version than all others.
   const TestDescription& test_of(const Json& json) const {
-    const TestDescription* test = &first_test();
+    const TestDescription* test = nullptr;
     try {
-      if (json.contains("test")) test = &find_test(shown(json.at("test").get<std::string>()), known_);
+      test = json.contains("test") ? &find_test(shown(json.at("test").get<std::string>()), known_)
+                                   : &test_named("", known_);
     } catch (const Error& unknown) {
       fail(unknown.what());
     }

@@ -22,7 +22,7 @@ struct PipePlan {
   std::vector<Part> parts;   // in the stream's order; their queries have one test and one entry
   std::size_t measures = 0;  // so many of the test's measures, from the first on, follow each reply
 
-  const TestDescription& test() const { return parts.empty() ? first_test() : parts.front().source->test(); }
+  const TestDescription& test() const { return parts.empty() ? test_named("") : parts.front().source->test(); }
   std::size_t entry() const { return parts.empty() ? 0 : parts.front().source->entry(); }
   const TestEntry& columns() const { return test().entries[entry()]; }
   // The queries of all parts together. Throws Error if the stream cannot count them.

@@ -44,7 +44,7 @@ Description described(const Manifest& manifest, Precision precision) {
   d.exposes = static_cast<std::uint32_t>(manifest.exposes);
   d.touching = static_cast<std::uint32_t>(manifest.touching);
   d.size = d.least_size = sizeof(axiscert_kernel);
-  const TestDescription& test = manifest.test.empty() ? first_test() : find_test(manifest.test);
+  const TestDescription& test = test_named(manifest.test);
   d.column_count = test.entries[find_entry(test, manifest.entry)].columns.size();
   d.measure_count = manifest.measures;
   d.start = static_cast<std::uint32_t>(manifest.motion.start);

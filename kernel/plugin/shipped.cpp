@@ -15,7 +15,7 @@
 namespace axiscert::plugin {
 namespace {
 
-constexpr std::string_view peers_folder = "peers";
+constexpr std::string_view peers_folder = "peers", faults_folder = "faults";
 constexpr std::string_view programs_folder = "npm";  // in that of the peers
 
 // The command that brings the packages of the programs in `folder`, which in a build tree is a link to the source's.
@@ -24,7 +24,7 @@ std::string engines_command(const std::filesystem::path& folder) {
   return fmt::format("npm ci --ignore-scripts --prefix {}", std::filesystem::weakly_canonical(folder).string());
 }
 
-// Plug-ins of a test: in `folder`, for a test other than the first in a folder of its name there.
+// Plug-ins of a test, in `folder`; where ids name the test, in a folder of its name there.
 struct Kind {
   const TestDescription* test;
   std::string prefix;
@@ -33,10 +33,11 @@ struct Kind {
 };
 
 std::vector<Kind> kinds() {
-  std::vector<Kind> all = {{&first_test(), "peer/", peers_folder, ""}, {&first_test(), "fault/", "faults", ""}};
+  std::vector<Kind> all;
   for (const TestDescription* test : tests()) {
-    if (test == &first_test()) continue;
-    all.push_back({test, fmt::format("{}/peer/", test->id), peers_folder, fmt::format("{}/", test->id)});
+    const std::string inside = id_prefix(*test);
+    all.push_back({test, inside + "peer/", peers_folder, inside});
+    all.push_back({test, inside + "fault/", faults_folder, inside});
   }
   return all;
 }

@@ -122,7 +122,7 @@ class ManifestReader {
   // loaded.
   static const TestEntry* entry_of(const Manifest& manifest) {
     for (const TestDescription* test : tests()) {
-      if (manifest.test.empty() ? test != &first_test() : test->id != manifest.test) continue;
+      if (written_name(*test) != manifest.test && test->id != manifest.test) continue;
       for (const TestEntry& entry : test->entries) {
         if (manifest.entry.empty() || entry.name == manifest.entry) return &entry;
       }

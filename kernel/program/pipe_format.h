@@ -5,8 +5,8 @@
 //   reply stream   the same header unchanged, then `count` reply records
 //
 // All numbers are little-endian. A query record is the numbers of one query in the order of the test's columns: for
-// sphere-triangle the thirteen ax ay az bx by bz cx cy cz px py pz r. Streams of sphere-triangle have version 1, and
-// those of every other test version 2, whose plan names the test and its entry and whose replies are wider.
+// sphere-triangle the thirteen ax ay az bx by bz cx cy cz px py pz r. The plan of a stream of version 1 names no test,
+// which means sphere-triangle; that of version 2 names the test and its entry, and its replies are wider.
 #pragma once
 
 #include <array>
@@ -65,7 +65,7 @@ constexpr std::uint32_t record_size_of(Precision precision, std::size_t columns)
   return static_cast<std::uint32_t>(columns) * code_of(precision) / 8;
 }
 inline std::uint32_t version_of(const TestDescription& test) {
-  return &test == &first_test() ? first_version : general_version;
+  return written_name(test).empty() ? first_version : general_version;
 }
 
 }  // namespace axiscert::pipe

@@ -28,6 +28,7 @@ TestDescription described() {
       .clauses = {},
       .measures = {},
       .certified = "certified",
+      .is_implied = true,
   };
   for (const ComparisonInfo& comparison : comparisons) {
     test.comparisons.push_back({comparison.name, index_of(comparison.axis), comparison.is_radius});

@@ -66,7 +66,7 @@ Json witness_card(const Json& witness, const Json& plan) {
     else
       for (const Json& number : numbers) decimals[member].push_back(decimal(number, witness["precision"]));
   }
-  if (&test != &first_test()) card["test"] = test.id;
+  if (const std::string_view name = written_name(test); !name.empty()) card["test"] = name;
   if (&entry != &test.entries.front()) card["entry"] = entry.name;
   card["command"] = replay_command(witness, plan);
   return card;

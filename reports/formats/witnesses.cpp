@@ -13,7 +13,7 @@ std::string render_witnesses(const Run& run) {
   for (const Json& witness : run.record["witnesses"]) {
     Json query = {{"id", witness["id"]}, {"precision", witness["precision"]}};
     const TestEntry& entry = *entry_of(test, witness);
-    if (&test != &first_test()) query["test"] = test.id;
+    if (const std::string_view name = written_name(test); !name.empty()) query["test"] = name;
     if (&entry != &test.entries.front()) query["entry"] = entry.name;
     for (const ColumnGroup& group : groups_of(entry)) {
       member_at(query, group.name) = witness[std::string(group.name)];

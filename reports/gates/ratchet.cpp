@@ -86,7 +86,7 @@ class Holder {
       return x.severity != y.severity ? x.severity < y.severity : x.excess > y.excess;
     });
     for (Ranked& ranked : failures_) outcome_.failures.push_back(std::move(ranked.failure));
-    outcome_.accepted = ratchet_file(ratchet_.plan, ratchet_.test, promises_, accepted_, digests_);
+    outcome_.accepted = ratchet_file(ratchet_.plan, test_of(record_["plan"]), promises_, accepted_, digests_);
     return std::move(outcome_);
   }
 
@@ -355,7 +355,7 @@ std::string ratchet_text(const Json& record) {
   for (const auto& [id, identity] : identities) {
     if (Json digest = digest_of(record, id); !digest.is_null()) digests[identity] = std::move(digest);
   }
-  return ratchet_file(plan, std::string(test_of(record["plan"]).id), promises, entries, digests);
+  return ratchet_file(plan, test_of(record["plan"]), promises, entries, digests);
 }
 
 }  // namespace axiscert

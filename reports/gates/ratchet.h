@@ -41,7 +41,7 @@ const HeldPromise* find_promise(const std::vector<HeldPromise>& all, const std::
 
 struct Ratchet {
   std::string name, plan;
-  std::string test = std::string(first_test().id);
+  std::string test;  // its id
   std::vector<HeldPromise> promises;
   std::map<std::string, RatchetEntry> entries;  // by fingerprint
   std::map<std::string, Json> digests;          // of the kernels' files, by the kernel as the keys have it

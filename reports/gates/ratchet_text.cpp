@@ -246,7 +246,7 @@ Ratchet parse_ratchet(std::string_view text, const std::string& name) {
                         words[0].substr(0, 80), ratchet_schema));
       }
       ratchet.plan = words[1];
-      if (words.size() == 3) ratchet.test = words[2];
+      ratchet.test = words.size() == 3 ? words[2] : std::string(test_named("").id);
     } else {
       lines.add(words, line);
     }
@@ -276,11 +276,12 @@ Ratchet read_ratchet(const std::string& path) {
   return parse_ratchet(text.view(), as_utf8(path));
 }
 
-std::string ratchet_file(const std::string& plan, const std::string& test, const std::vector<HeldPromise>& promises,
+std::string ratchet_file(const std::string& plan, const TestDescription& test, const std::vector<HeldPromise>& promises,
                          const std::vector<RatchetEntry>& entries, const std::map<std::string, Json>& digests) {
+  const std::string_view named = written_name(test);
   std::string text = fmt::format(
       "{} {}{}\n# promise: on what each kernel is held to be right; accept: until when, by whom, why; docs/ci.md\n",
-      ratchet_schema, plan, test == first_test().id ? "" : " " + word(test));
+      ratchet_schema, plan, named.empty() ? "" : " " + word(std::string(named)));
   std::set<std::string> written;  // kernels whose digests are there
   const auto kernel_line = [&](const std::string& kernel) {
     std::string line = "kernel: " + word(kernel);

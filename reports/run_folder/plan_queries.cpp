@@ -31,8 +31,7 @@ Json queries_of(const Json& plan, const std::string& family, const std::string& 
 std::string plan_fingerprint(const Json& plan) {
   if (!plan["units_done"].is_null()) return "";
   Json all = {{"tolerance", plan["tolerance"]}, {"families", Json::object()}};
-  // Fingerprints of the first test are in ratchets that were written before there was another.
-  if (const TestDescription& test = test_of(plan); &test != &first_test()) all["test"] = test.id;
+  if (const std::string_view name = written_name(test_of(plan)); !name.empty()) all["test"] = name;
   for (const Json& name : plan["families"]) {
     const std::string family = name;
     for (const Json& precision : plan["precisions"]) {

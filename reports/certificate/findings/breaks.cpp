@@ -120,7 +120,7 @@ std::optional<Cause> deepest_cause(const Json& record, const Json& entry, bool m
 // The query alone, by the groups of its test's columns in whichever entry it is.
 Json query_of(const Json& witness, const TestDescription& test) {
   Json query = Json::object();
-  if (&test != &first_test()) query["test"] = test.id;
+  if (const std::string_view name = written_name(test); !name.empty()) query["test"] = name;
   for (const TestEntry& entry : test.entries) {
     for (const ColumnGroup& group : groups_of(entry)) {
       if (const auto numbers = witness.find(std::string(group.name)); numbers != witness.end())
