@@ -276,7 +276,8 @@ Plan plan_of(const RunOptions& given) {
   plan.test = &test_of_kernels(options.test, plan.kernels);
   if (plan.kernels.empty()) {
     const bool is_of_a_mesh = options.families.empty() && !options.meshes.empty();
-    const std::size_t entry = is_of_a_mesh ? mesh_entry(*plan.test) : entry_of_families(*plan.test, options.families);
+    const std::size_t entry =
+        is_of_a_mesh ? mesh_queries_of(*plan.test).entry : entry_of_families(*plan.test, options.families);
     plan.kernels.push_back(&default_kernel(*plan.test, entry));
   }
   if (options.planted != RunOptions().planted) require_served("--plant", *plan.test);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fuzz/meshes/mesh.h"
+#include "kernel/sphere_triangle/query.h"
 #include "kernel/include/axiscert/certified.h"
 
 namespace axiscert::character {

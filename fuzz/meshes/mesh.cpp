@@ -6,13 +6,12 @@
 #include <cmath>
 #include <span>
 
-#include "exact/sphere_triangle/oracles/formula_oracle.h"
+#include "exact/numbers/surd.h"
+#include "fuzz/queries/capabilities.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/sha256.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
-#include "kernel/boxes/box_triangle.h"
-#include "kernel/moving_sphere/moving_sphere.h"
 
 namespace axiscert {
 namespace {
@@ -47,7 +46,7 @@ double box_diagonal(const std::vector<MeshTriangle>& triangles) {
 class MeshSource final : public ColumnSource<MeshSource> {
  public:
   MeshSource(const std::string& path, const std::string& bytes, const TestDescription& test)
-      : mesh_(load_mesh(path, bytes.size())), test_(test) {
+      : mesh_(load_mesh(path, bytes.size())), test_(test), queries_(mesh_queries_of(test)) {
     file_.path = path;
     file_.name = base_name(path);
     file_.kind = "mesh";
@@ -61,17 +60,9 @@ class MeshSource final : public ColumnSource<MeshSource> {
 
   std::string name() const override { return "mesh/" + file_.name; }
   std::string address_name() const override { return id_prefix(test_) + "mesh-" + file_.sha256; }
-  std::string purpose() const override {
-    if (&test_ == &box_triangle_test()) return "a real mesh's triangles against the cells of a grid";
-    if (&test_ == &moving_sphere_test()) {
-      return "a real mesh's triangles: steps of a walking sphere, balls dropped on edges and vertices, bullets, "
-             "arrivals from afar, a shaking camera";
-    }
-    return "a real mesh's triangles: spheres resting on them, sinking in, hovering, grazing edges and vertices, "
-           "centred on them, far";
-  }
-  int version() const override { return &test_ == &first_test() ? placements_version : 1; }
-  std::size_t entry() const override { return mesh_entry(test_); }
+  std::string purpose() const override { return std::string(queries_.purpose); }
+  int version() const override { return queries_.version; }
+  std::size_t entry() const override { return queries_.entry; }
   const TestDescription& test() const override { return test_; }
   std::uint64_t base_triangles(Precision, std::uint64_t trials) const override {
     return std::min(trials, file_.triangles);
@@ -81,16 +72,15 @@ class MeshSource final : public ColumnSource<MeshSource> {
   template <class Real>
   void fill_columns(std::uint64_t seed, std::uint64_t first, const MutableColumns<Real>& out) const {
     const StreamName placed(seed, placements_, placements_version, precision_of<Real>);
-    if (&test_ == &first_test()) return mesh_queries(mesh_, placed, first, out);
     const StreamName own(seed, generator_, version(), precision_of<Real>);
-    if (&test_ == &box_triangle_test()) return mesh_voxels(mesh_, placed, own, first, out);
-    mesh_motions(mesh_, placed, own, first, out);
+    if constexpr (sizeof(Real) == 4) queries_.in_binary32(mesh_, placed, own, first, out);
+    else queries_.in_binary64(mesh_, placed, own, first, out);
   }
 
  private:
-  static constexpr int placements_version = 2;
   Mesh mesh_;
   const TestDescription& test_;
+  const MeshQueries& queries_;
   FileInfo file_;
   std::uint64_t generator_ = 0, placements_ = 0;  // names of streams, hashed
 };
@@ -113,16 +103,21 @@ Mesh load_mesh(const std::string& path, std::uint64_t file_size) {
 }
 
 std::vector<const TestDescription*> mesh_tests() {
-  return {&first_test(), &moving_sphere_test(), &box_triangle_test()};
+  std::vector<const TestDescription*> served;
+  for (const TestDescription* test : tests()) {
+    if (capabilities_of(*test).mesh != nullptr) served.push_back(test);
+  }
+  return served;
 }
 
-std::size_t mesh_entry(const TestDescription& test) {
-  return &test == &box_triangle_test() ? boxes::MinmaxEntry::entry : 0;
+const MeshQueries& mesh_queries_of(const TestDescription& test) {
+  const MeshQueries* const queries = capabilities_of(test).mesh;
+  if (queries == nullptr) throw Error(fmt::format("a mesh has no queries of the test {}", test.id));
+  return *queries;
 }
 
 SourcePtr mesh_source(const std::string& path, const TestDescription& test) {
-  const std::vector<const TestDescription*> served = mesh_tests();
-  if (std::find(served.begin(), served.end(), &test) == served.end()) {
+  if (capabilities_of(test).mesh == nullptr) {
     throw Error(fmt::format("{}: a mesh has no queries of the test {}", path, test.id));
   }
   return std::make_shared<MeshSource>(path, read_bytes(path), test);

@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "kernel/sphere_triangle/query.h"
+#include "kernel/base/geometry.h"
 
 namespace axiscert {
 
+using portable::Vec3;
 using MeshTriangle = std::array<Vec3<float>, 3>;
 
 struct ImportedMesh {

@@ -10,9 +10,10 @@
 #include <vector>
 
 #include "exact/trait/oracles.h"
-#include "fuzz/meshes/mesh.h"
+#include "fuzz/moving_sphere/mesh_motion.h"
 #include "fuzz/meshes/mesh_testing.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/sphere_triangle/mesh_queries.h"
 #include "kernel/base/sha256.h"
 #include "kernel/moving_sphere/moving_sphere.h"
 

@@ -16,6 +16,7 @@
 #include "fuzz/queries/lane_testing.h"
 #include "kernel/base/sha256.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/sphere_triangle/mesh_queries.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

@@ -11,6 +11,7 @@
 #include "fuzz/queries/source.h"
 #include "kernel/boxes/box_triangle.h"
 #include "kernel/kernel.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -18,8 +19,8 @@ namespace {
 TEST(MeshVoxels, AreCellsBesideTheFilesTriangles) {
   const SourcePtr spheres = mesh_source(model("OBJ/spider.obj")),
                   voxels = mesh_source(model("OBJ/spider.obj"), box_triangle_test());
-  EXPECT_EQ(voxels->entry(), mesh_entry(box_triangle_test()));
-  EXPECT_EQ(mesh_entry(first_test()), 0u);
+  EXPECT_EQ(voxels->entry(), mesh_queries_of(box_triangle_test()).entry);
+  EXPECT_EQ(mesh_queries_of(sphere_triangle_test()).entry, 0u);
   EXPECT_TRUE(voxels->address_name().starts_with("box-triangle/mesh-"));
   const Oracles& oracles = oracles_of(box_triangle_test(), voxels->entry());
   std::size_t contacts = 0;

@@ -12,6 +12,8 @@
 #include "fuzz/queries/family.h"
 #include "fuzz/meshes/mesh.h"
 #include "fuzz/meshes/mesh_import.h"
+#include "fuzz/sphere_triangle/mesh_queries.h"
+#include "kernel/sphere_triangle/query.h"
 #include "fuzz/queries/random.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/targets/target.h"

@@ -1,5 +1,5 @@
 // Placement of spheres about the triangles of a mesh, in lanes of binary64: one placement per vector, one triangle per
-// lane. Included once for each instruction set, by mesh_query.cpp.
+// lane. Included once for each instruction set, by mesh_queries.cpp.
 #include "fuzz/families/sphere_triangle/parts/lane_shapes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -7,7 +7,8 @@
 #include <limits>
 
 #include "fuzz/families/sphere_triangle/parts/shapes.h"
-#include "fuzz/meshes/mesh.h"
+#include "fuzz/moving_sphere/mesh_motion.h"
+#include "fuzz/sphere_triangle/mesh_queries.h"
 #include "kernel/moving_sphere/moving_sphere.h"
 
 namespace axiscert {
@@ -190,5 +191,10 @@ template void mesh_motions<float>(const Mesh&, const StreamName&, const StreamNa
                                   const MutableColumns<float>&);
 template void mesh_motions<double>(const Mesh&, const StreamName&, const StreamName&, std::uint64_t,
                                    const MutableColumns<double>&);
+
+extern const MeshQueries moving_sphere_mesh = {
+    "a real mesh's triangles: steps of a walking sphere, balls dropped on edges and vertices, bullets, arrivals from "
+    "afar, a shaking camera",
+    1, 0, mesh_motions<float>, mesh_motions<double>};
 
 }  // namespace axiscert

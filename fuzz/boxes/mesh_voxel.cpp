@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "fuzz/meshes/mesh.h"
+#include "fuzz/boxes/mesh_voxel.h"
+#include "fuzz/sphere_triangle/mesh_queries.h"
 #include "kernel/boxes/box_triangle.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace mesh_voxel {
@@ -71,5 +73,8 @@ template void mesh_voxels<float>(const Mesh&, const StreamName&, const StreamNam
                                  const MutableColumns<float>&);
 template void mesh_voxels<double>(const Mesh&, const StreamName&, const StreamName&, std::uint64_t,
                                   const MutableColumns<double>&);
+
+extern const MeshQueries box_triangle_mesh = {"a real mesh's triangles against the cells of a grid", 1,
+                                              boxes::MinmaxEntry::entry, mesh_voxels<float>, mesh_voxels<double>};
 
 }  // namespace axiscert

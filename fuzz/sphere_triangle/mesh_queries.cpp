@@ -3,15 +3,15 @@
 // precision enters only with the last rounding.
 #include "fuzz/queries/boundary.h"
 #include "fuzz/families/sphere_triangle/parts/lanes.h"
-#include "fuzz/meshes/mesh.h"
+#include "fuzz/sphere_triangle/mesh_queries.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "fuzz/meshes/mesh_query.cpp"
+#define HWY_TARGET_INCLUDE "fuzz/sphere_triangle/mesh_queries.cpp"
 #include "hwy/foreach_target.h"
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "fuzz/meshes/mesh_placement-inl.h"
+#include "fuzz/sphere_triangle/mesh_placement-inl.h"
 
 #ifndef AXISCERT_MESH_QUERY_H
 #define AXISCERT_MESH_QUERY_H
@@ -140,6 +140,21 @@ void mesh_queries(const Mesh& mesh, const StreamName& name, std::uint64_t first,
 }
 template void mesh_queries<float>(const Mesh&, const StreamName&, std::uint64_t, const MutableColumns<float>&);
 template void mesh_queries<double>(const Mesh&, const StreamName&, std::uint64_t, const MutableColumns<double>&);
+
+namespace {
+
+template <class Real>
+void mesh_placements(const Mesh& mesh, const StreamName& placed, const StreamName&, std::uint64_t first,
+                     const MutableColumns<Real>& out) {
+  mesh_queries(mesh, placed, first, out);
+}
+
+}  // namespace
+
+extern const MeshQueries sphere_triangle_mesh = {
+    "a real mesh's triangles: spheres resting on them, sinking in, hovering, grazing edges and vertices, centred on "
+    "them, far",
+    placements_version, 0, mesh_placements<float>, mesh_placements<double>};
 
 }  // namespace axiscert
 #endif
