@@ -32,6 +32,8 @@ struct TestEntry {
   std::string_view name;
   std::string_view validity;  // the condition for a query; other numbers are `invalid`
   std::vector<TestColumn> columns;
+  // Queries of a file that share so many numbers, the first ones, are not independent of each other; 0: all numbers.
+  std::size_t shared_columns = 0;
 };
 
 // Neighbouring columns of one group: `size` of them from column `first` on.

@@ -8,15 +8,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/files/details.h"
-#include "fuzz/files/sphere_triangle_query.h"
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"
 #include "fuzz/files/query_line.h"
-#include "fuzz/files/symmetry.h"
+#include "fuzz/queries/capabilities.h"
 
 namespace axiscert {
 namespace {
@@ -72,10 +69,10 @@ class EntryReader {
     const json& touching = member(given, "touching");
     if (!touching.is_boolean()) place_.fail("touching", "true or false belongs here");
     out.touching = touching.get<bool>();
-    if (out.verdict == Verdict::invalid || &test != &first_test()) return out;
+    if (out.verdict == Verdict::invalid || capabilities_of(test).kept_answers == nullptr) return out;
     out.squared_distance = fraction(text(given, "squared_distance"));
-    out.comparisons = bits(given, "comparisons");
-    out.ties = bits(given, "ties");
+    out.comparisons = bits(given, "comparisons", test.comparisons.size());
+    out.ties = bits(given, "ties", test.comparisons.size());
     return out;
   }
 
@@ -104,13 +101,13 @@ class EntryReader {
     value.canonicalize();
     return value;
   }
-  ComparisonBits bits(const json& from, const char* name) const {
+  ComparisonBits bits(const json& from, const char* name, std::size_t count) const {
     const std::string given = text(from, name);
-    if (given.size() != comparison_count || given.find_first_not_of("01") != given.npos) {
-      place_.fail(name, fmt::format("'{}'; {} digits 0 or 1 belong here", given, comparison_count));
+    if (given.size() != count || given.find_first_not_of("01") != given.npos) {
+      place_.fail(name, fmt::format("'{}'; {} digits 0 or 1 belong here", given, count));
     }
     ComparisonBits out = 0;
-    for (std::size_t i = 0; i < comparison_count; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
       if (given[i] == '1') out |= one_bit<ComparisonBits>(i);
     }
     return out;
@@ -174,18 +171,21 @@ void require_distinct(const std::vector<CorpusEntry>& entries) {
 }  // namespace
 
 ExactAnswers exact_answers(const StoredQuery& stored) {
-  if (stored.test != &first_test()) {
-    const Truth truth =
-        std::visit([&](const auto& q) { return oracles_of(*stored.test, stored.entry).truth(q); }, stored.numbers);
-    return {truth.verdict, truth.touching};
-  }
-  return std::visit(
-      [](const auto& q) -> ExactAnswers {
-        const ExactTruth truth = exact_truth(q, true);
-        if (!truth.formula) return {truth.verdict, truth.touching};
-        return {truth.verdict, truth.touching, squared_distance(q), truth.formula->strict, truth.formula->ties};
+  if (const KeptAnswers* kept = capabilities_of(*stored.test).kept_answers) return kept->of(stored);
+  const Truth truth =
+      std::visit([&](const auto& q) { return oracles_of(*stored.test, stored.entry).truth(q); }, stored.numbers);
+  return {truth.verdict, truth.touching};
+}
+
+std::string canonical_form(const StoredQuery& stored) {
+  if (const ImagesOfQuery* images = capabilities_of(*stored.test).images) return images->canonical_form(stored);
+  std::string text = fmt::format("{} {}", stored.test->id, name(stored.precision));
+  std::visit(
+      [&](const auto& q) {
+        for (const auto x : q) text += " " + format_number(x == 0 ? x - x : x);
       },
-      sphere_triangle_query(stored));
+      stored.numbers);
+  return text;
 }
 
 std::vector<CorpusEntry> read_corpus(const std::string& folder) {
@@ -200,7 +200,7 @@ std::string corpus_line(const CorpusEntry& entry) {
   nlohmann::ordered_json provenance = {{"kind", entry.provenance.kind}, {"where", entry.provenance.where}};
   if (!entry.provenance.about.empty()) provenance["about"] = entry.provenance.about;
   nlohmann::ordered_json expected = {{"verdict", name(entry.expected.verdict)}, {"touching", entry.expected.touching}};
-  if (entry.stored.test == &first_test()) {
+  if (capabilities_of(*entry.stored.test).kept_answers != nullptr) {
     for (const char* member : {"squared_distance", "comparisons", "ties"}) expected[member] = nullptr;
   } else if (entry.expected.verdict != Verdict::invalid) {
     const Oracles& oracles = oracles_of(*entry.stored.test, entry.stored.entry);
@@ -210,8 +210,9 @@ std::string corpus_line(const CorpusEntry& entry) {
   }
   if (const auto& d = entry.expected.squared_distance) {
     expected["squared_distance"] = d->get_num().get_str() + "/" + d->get_den().get_str();
-    expected["comparisons"] = bit_string(*entry.expected.comparisons, comparison_count);
-    expected["ties"] = bit_string(*entry.expected.ties, comparison_count);
+    const std::size_t count = entry.stored.test->comparisons.size();
+    expected["comparisons"] = bit_string(*entry.expected.comparisons, count);
+    expected["ties"] = bit_string(*entry.expected.ties, count);
   }
   std::string line = query_line(entry.stored);
   line.pop_back();

@@ -5,8 +5,8 @@
 //                 "about": "static" | "sweep" | "other", the subject of the report
 //   "note": TEXT, optional
 //   "expected": {"verdict", "touching", "squared_distance", "comparisons", "ties"}, as the `exact` of `axiscert check`;
-//   the last three are null if the verdict is `invalid`. For a query of another test than sphere-triangle the first
-//   two, and whatever else `exact` has for that test.
+//   the last three are null if the verdict is `invalid`. For a query of a test without KeptAnswers the first two, and
+//   whatever else `exact` has for that test.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct Provenance {
   std::string kind, where, about;
 };
 
-// The exact answers to a query; the last three are empty if the verdict is `invalid`, or the test another one.
+// The exact answers to a query; the last three are empty if the verdict is `invalid`, or the test has no KeptAnswers.
 struct ExactAnswers {
   Verdict verdict = Verdict::invalid;
   bool touching = false;
@@ -29,8 +29,20 @@ struct ExactAnswers {
   std::optional<ComparisonBits> comparisons = {}, ties = {};  // those of the published formulae, strict
   bool operator==(const ExactAnswers&) const = default;
 };
-// Computed by CGAL, the exact formulae and MPFR; of another test by all of its oracles. Throws OracleDisagreement.
+// Computed by all oracles of the test. Throws OracleDisagreement.
 ExactAnswers exact_answers(const StoredQuery& stored);
+
+// A test whose entries state all of ExactAnswers: a capability (fuzz/queries/capabilities.h).
+struct KeptAnswers {
+  ExactAnswers (*of)(const StoredQuery& stored);
+};
+// The images of a query, for a test that has symmetries: a capability.
+struct ImagesOfQuery {
+  // Text that two queries of one precision share if and only if one is an image of the other.
+  std::string (*canonical_form)(const StoredQuery& stored);
+};
+// That text; of a test without the capability each query has its own. Zeros have no sign.
+std::string canonical_form(const StoredQuery& stored);
 
 struct CorpusEntry {
   StoredQuery stored;  // its id is the entry's name, its line the line in its file

@@ -14,8 +14,8 @@
 #include "exact/sphere_triangle/oracles/second_oracle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/files/query_testing.h"
-#include "fuzz/files/sphere_triangle_query.h"
-#include "fuzz/files/symmetry.h"
+#include "fuzz/families/sphere_triangle/parts/sphere_triangle_query.h"
+#include "fuzz/families/sphere_triangle/parts/symmetry.h"
 #include "kernel/base/temporary_folder.h"
 
 namespace axiscert {

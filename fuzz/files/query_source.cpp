@@ -11,7 +11,6 @@
 #include "kernel/base/sha256.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -79,9 +78,8 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
           break;
       }
     }
-    // Queries of sphere-triangle that share the triangle, their first nine numbers, are not independent; those of
-    // another test only where they are the same.
-    const std::size_t columns = &test_ == &sphere_triangle_test() ? 9 : queries.front().columns().columns.size();
+    const TestEntry& entry = queries.front().columns();
+    const std::size_t columns = entry.shared_columns != 0 ? entry.shared_columns : entry.columns.size();
     independent32_ = distinct(binary32_, columns);
     independent64_ = distinct(binary64_, columns);
     file_.kind = "queries";

@@ -8,7 +8,7 @@
 
 #include "fuzz/files/query_file.h"
 #include "fuzz/files/query_testing.h"
-#include "fuzz/files/sphere_triangle_query.h"
+#include "fuzz/families/sphere_triangle/parts/sphere_triangle_query.h"
 #include "fuzz/queries/random.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"

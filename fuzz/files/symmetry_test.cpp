@@ -1,5 +1,5 @@
 // The canonical form: the same for all images of a query, and different for other queries.
-#include "fuzz/files/symmetry.h"
+#include "fuzz/families/sphere_triangle/parts/symmetry.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include <set>
 
 #include "exact/sphere_triangle/oracles/second_oracle.h"
+#include "fuzz/files/corpus.h"
 #include "fuzz/files/query_testing.h"
 #include "fuzz/queries/random.h"
 

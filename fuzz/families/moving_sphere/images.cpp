@@ -6,7 +6,7 @@
 
 #include "fuzz/families/moving_sphere/parts.h"
 #include "fuzz/families/sphere_triangle/parts/image_fill.h"
-#include "fuzz/files/symmetry.h"
+#include "fuzz/families/sphere_triangle/parts/symmetry.h"
 #include "fuzz/queries/exact_images.h"
 #include "fuzz/queries/images.h"
 

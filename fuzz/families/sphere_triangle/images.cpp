@@ -10,7 +10,7 @@
 #include "fuzz/families/sphere_triangle/parts/shapes.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
-#include "fuzz/files/symmetry.h"
+#include "fuzz/families/sphere_triangle/parts/symmetry.h"
 
 namespace axiscert {
 namespace {

@@ -1,4 +1,4 @@
-#include "fuzz/files/symmetry.h"
+#include "fuzz/sphere_triangle/canonical_form.h"
 
 #include <fmt/format.h>
 
@@ -7,24 +7,12 @@
 #include <vector>
 
 #include "exact/numbers/rational.h"
-#include "fuzz/files/sphere_triangle_query.h"
+#include "fuzz/families/sphere_triangle/parts/sphere_triangle_query.h"
+#include "fuzz/families/sphere_triangle/parts/symmetry.h"
 #include "fuzz/text/number_text.h"
 
 namespace axiscert {
 namespace {
-
-std::array<Symmetry, symmetry_count> all_symmetries() {
-  std::array<Symmetry, symmetry_count> all;
-  std::size_t n = 0;
-  std::array<std::uint8_t, 3> vertices = {0, 1, 2};
-  do {
-    std::array<std::uint8_t, 3> axes = {0, 1, 2};
-    do {
-      for (std::uint8_t signs = 0; signs < 8; ++signs) all[n++] = {vertices, axes, signs};
-    } while (std::next_permutation(axes.begin(), axes.end()));
-  } while (std::next_permutation(vertices.begin(), vertices.end()));
-  return all;
-}
 
 // P at the origin, and everything multiplied by the power of two that makes all numbers integers and at least one odd,
 // unless all are zero.
@@ -107,22 +95,7 @@ std::string joined(Precision precision, const std::array<T, coordinate_count>& n
 
 }  // namespace
 
-std::span<const Symmetry> symmetries() {
-  static const std::array<Symmetry, symmetry_count> all = all_symmetries();
-  return all;
-}
-
-std::string canonical_form(const StoredQuery& stored) {
-  if (stored.test != &first_test()) {
-    std::string text(stored.test->id);
-    text += " " + std::string(name(stored.precision));
-    std::visit(
-        [&](const auto& q) {
-          for (const auto x : q) text += " " + format_number(x == 0 ? x - x : x);
-        },
-        stored.numbers);
-    return text;
-  }
+std::string least_image_text(const StoredQuery& stored) {
   return std::visit(
       [&](const auto& q) {
         const auto v = coordinates(q);

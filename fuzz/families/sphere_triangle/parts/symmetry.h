@@ -2,10 +2,10 @@
 // vertices.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
-#include <string>
 
-#include "fuzz/files/query_file.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
@@ -36,11 +36,5 @@ Query<T> image(const Query<T>& q, const Symmetry& symmetry) {
   const auto at = [&](std::size_t i) { return mapped(*vertex[symmetry.vertices[i]]); };
   return {at(0), at(1), at(2), mapped(q.p), q.r};
 }
-
-// Text that two queries share if and only if they have the same precision and one is the image of the other by a
-// symmetry, an exact translation and a power of two: the least of the 288 images of A-P, B-P, C-P and r, as integers of
-// which at least one is odd. Zeros have no sign. If a number is not finite, only the 288 images share a text; of a test
-// other than sphere-triangle each query has its own.
-std::string canonical_form(const StoredQuery& stored);
 
 }  // namespace axiscert

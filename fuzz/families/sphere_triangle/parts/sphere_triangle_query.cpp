@@ -1,4 +1,4 @@
-#include "fuzz/files/sphere_triangle_query.h"
+#include "fuzz/families/sphere_triangle/parts/sphere_triangle_query.h"
 
 #include <fmt/format.h>
 
