@@ -34,6 +34,7 @@ struct TestEntry {
   std::vector<TestColumn> columns;
   // Queries of a file that share so many numbers, the first ones, are not independent of each other; 0: all numbers.
   std::size_t shared_columns = 0;
+  bool has_free_numbers = true;  // each can be changed alone, as search, shrink and map do
 };
 
 // Neighbouring columns of one group: `size` of them from column `first` on.
@@ -89,7 +90,14 @@ struct TestDescription {
   std::vector<TestMeasure> measures;
   VerdictRule rule = any_clause_separates;
   std::string_view certified = {};  // its kernel that is proved to be right on every query; empty: it has none
-  bool is_implied = false;  // files, plans, programs and ids that name no test are about this one
+  // The built-in kernel whose formulae a plug-in or a program with comparisons has that names none; empty: it has to
+  // name one.
+  std::string_view usual_formulae = {};
+  // Kernel::strictness says how a kernel compares its sides where they do not tie at touching; there all compare by
+  // `>`.
+  bool has_strictness = false;
+  double greatest_depth = 1;  // of a wrong verdict (docs/error_model.md#depth), rounded up
+  bool is_implied = false;    // files, plans, programs and ids that name no test are about this one
 };
 
 // Returns the description unchanged. Throws HarnessFault if it has no entry, too many of anything, the same name twice,

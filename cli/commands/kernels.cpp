@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "cli/commands.h"
 #include "cli/options/test_options.h"
 #include "kernel/registry/called.h"
@@ -69,7 +71,10 @@ void print_kernels(const TestDescription& test) {
   for (const Kernel* kernel : built_in_kernels(test)) {
     print_kernel(*kernel, kernel->has_simd ? fmt::format("{}", fmt::join(targets, " ")) : std::string(scalar_target));
   }
-  if (&test == &first_test()) print_arithmetics();
+  const auto is_rung = [&](const Kernel& kernel) {
+    return kernel.test == &test && kernel.takes_arithmetic && kernel.formulae != Formulae::none;
+  };
+  if (std::any_of(kernels().begin(), kernels().end(), is_rung)) print_arithmetics();
   fmt::print(
       "\nKERNEL@CALL[,CALL...], for each of the above, is the kernel on a chosen instruction set ({}), or called in "
       "other "

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/options/test_options.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
@@ -20,10 +21,9 @@ const Family& family_of(const Address& address) {
   }
 }
 
-// The corpus's queries of the test and entry that have this address; of sphere-triangle where none have.
+// The corpus's queries of the test and entry that have this address; of the default test where none have.
 SourcePtr corpus_of(const Address& address, const std::string& folder) {
   for (const TestDescription* test : tests()) {
-    if (test == &first_test()) continue;
     for (std::size_t entry = 0; entry < test->entries.size(); ++entry) {
       try {
         if (SourcePtr source = corpus_source(folder, *test, entry); source->address_name() == address.name)
@@ -32,22 +32,23 @@ SourcePtr corpus_of(const Address& address, const std::string& folder) {
       }
     }
   }
-  return corpus_source(folder);
+  return corpus_source(folder, default_test());
 }
 
 // The source that an address names: a family, or the given file if its SHA-256 is the address's.
 SourcePtr source_of(const Address& address, const AddressFiles& files) {
-  // A mesh has queries of several tests: those of a test other than the first are TEST/mesh-SHA256.
-  const TestDescription* test = &first_test();
+  // A mesh has queries of several tests, [TEST/]mesh-SHA256.
+  const TestDescription* test = nullptr;
   std::string_view name = address.name;
   for (const TestDescription* other : mesh_tests()) {
-    const std::string own = std::string(other->id) + "/";
+    const std::string own = id_prefix(*other);
     if (!name.starts_with(own + "mesh-")) continue;
     test = other;
     name.remove_prefix(own.size());
+    break;
   }
   const auto is_into = [&](const char* kind) { return name.starts_with(kind); };
-  const bool is_mesh = is_into("mesh-"), is_corpus = is_into("corpus-");
+  const bool is_mesh = test != nullptr, is_corpus = is_into("corpus-");
   if (!is_mesh && !is_corpus && !is_into("queries-")) return family_source(family_of(address));
   const std::string& path = is_mesh ? files.mesh : is_corpus ? files.corpus : files.queries;
   const char* option = is_mesh ? "--mesh" : is_corpus ? "--corpus" : "--queries";

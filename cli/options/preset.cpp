@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "fuzz/files/corpus.h"
-#include "kernel/sphere_triangle/description.h"
+#include "fuzz/queries/capabilities.h"
 
 namespace axiscert {
 namespace {
@@ -30,7 +30,8 @@ void apply_preset(const std::string& name, const TestDescription& test, RunOptio
   const auto preset =
       std::find_if(std::begin(presets), std::end(presets), [&](const Preset& p) { return p.name == name; });
   if (options.families.empty() && options.meshes.empty() && options.queries.empty()) options.families = {"all"};
-  if (!options.corpus && &test == &sphere_triangle_test()) options.corpus = default_corpus_folder();
+  // A corpus that states the exact answers in full is part of every run of the preset.
+  if (!options.corpus && capabilities_of(test).kept_answers != nullptr) options.corpus = default_corpus_folder();
   if (!options.trials) options.trials = preset->trials;
 }
 

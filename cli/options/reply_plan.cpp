@@ -83,19 +83,19 @@ Kernel program(const ReplyOptions& options, const StoredReplies& replies) {
   for (const Kernel& kernel : kernels()) {
     if (kernel.id == options.id) throw Error(fmt::format("--as {}: that is a built-in kernel", options.id));
   }
-  // Replies with bits are of the first formulae of their test, unless the command says which.
-  const TestDescription& test = replies.sources().empty() ? first_test() : replies.sources().front()->test();
-  const bool published = replies.has_bits() && &test == &first_test();
-  const std::string claims(replies.has_bits() && !published ? oracles_of(test).formulae().front() : "");
+  // Replies with bits are of the usual or the first formulae of their test, unless the command says which.
+  const TestDescription& test = replies.sources().front()->test();
+  const bool is_usual = replies.has_bits() && !test.usual_formulae.empty();
+  const std::string claims(replies.has_bits() && !is_usual ? oracles_of(test).formulae().front() : "");
   Kernel kernel{.id = options.id,
                 .summary = "a program's replies, through a pipe",
-                .formulae = published ? Formulae::published : Formulae::none,
+                .formulae = is_usual ? find_kernel(test.usual_formulae).formulae : Formulae::none,
                 .claims = claims,
                 .exposes = replies.has_bits() ? Exposure::comparisons : Exposure::verdict,
                 .binary32 = {},
                 .binary64 = {},
                 .is_reference = false};
-  kernel.test = &replies.sources().front()->test();
+  kernel.test = &test;
   kernel.entry = replies.sources().front()->entry();
   kernel.measure_count = replies.measure_count();
   if (const std::string& id = options.claim.conforms_to; !id.empty()) {

@@ -10,20 +10,17 @@
 namespace axiscert {
 namespace {
 
-// The greatest depth of a wrong verdict (docs/error_model.md#depth), rounded up.
-double greatest_depth(const TestDescription& test) { return test.id == "box-box" ? 1.58 : 1; }
-
 // Any kernel meets a depth beyond the greatest; a record that requires one is read all the same.
 void require_depth_that_occurs(const std::string& level, const TestDescription& test) {
   const std::size_t equals = level.find('=');
   const std::string name = level.substr(0, equals);
   double depth = 0;
   if (equals == level.npos || (name != "conservative" && name != "depth") ||
-      !CLI::detail::lexical_cast(level.substr(equals + 1), depth) || !(depth > greatest_depth(test)))
+      !CLI::detail::lexical_cast(level.substr(equals + 1), depth) || !(depth > test.greatest_depth))
     return;
   throw Error(fmt::format(
       "--require {}: D is a depth, a share of the scene from 0 to {} in a test of {}, as in {}=0.001{}", level,
-      greatest_depth(test), test.id, name, name == "depth" ? "" : "; `conservative` alone sets no limit"));
+      test.greatest_depth, test.id, name, name == "depth" ? "" : "; `conservative` alone sets no limit"));
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "fuzz/files/corpus.h"
 #include "fuzz/queries/entry_families.h"
 #include "fuzz/meshes/mesh.h"
+#include "fuzz/queries/capabilities.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/sha256.h"
 #include "kernel/base/alike.h"
@@ -27,17 +28,16 @@
 namespace axiscert {
 namespace {
 
-// Queries per family: fewer in binary64, where exact arithmetic costs more, and fewest where a family says so. A test
-// without filters is judged by exact arithmetic alone, at a hundred times the cost.
+// Queries per family, and fewer in binary64 where a family says so.
 std::uint64_t default_trials(const Source& source, Precision precision) {
-  if (&source.test() != &first_test()) return std::uint64_t{1} << 12;
-  if (precision == Precision::binary32) return std::uint64_t{1} << 18;
-  return (std::uint64_t{1} << 16) / static_cast<std::uint64_t>(source.trial_divisor());
+  const DefaultTrials trials = capabilities_of(source.test()).trials;
+  if (precision == Precision::binary32) return trials.binary32;
+  return trials.binary64 / static_cast<std::uint64_t>(source.trial_divisor());
 }
 
 std::string default_trials_text() {
-  std::string text = fmt::format("2^18 in binary32, 2^16 in binary64, 2^12 of a test other than {}", first_test().id);
-  for (const Family* family : families_of(first_test())) {
+  std::string text = fmt::format("2^18 in binary32, 2^16 in binary64, 2^12 of a test other than {}", default_test().id);
+  for (const Family* family : families_of(default_test())) {
     if (family->trial_divisor > 1) text += fmt::format(", {} for {}", (1 << 16) / family->trial_divisor, family->name);
   }
   return text;

@@ -25,7 +25,9 @@ CLI::Option* add_test_option(CLI::App& command, std::string& test, const std::st
   return command.add_option("--test", test, use);
 }
 
-const TestDescription& test_given(const std::string& test) { return test.empty() ? first_test() : find_test(test); }
+const TestDescription& default_test() { return test_named(""); }
+
+const TestDescription& test_given(const std::string& test) { return test.empty() ? default_test() : find_test(test); }
 
 const TestDescription& test_of_kernels(const std::string& test, const std::vector<const Kernel*>& kernels) {
   if (!test.empty()) {
@@ -42,7 +44,7 @@ const TestDescription& test_of_kernels(const std::string& test, const std::vecto
     throw Error(fmt::format("kernel '{}' is of the test {}, and kernel '{}' of {}; a run judges kernels of one test",
                             kernels.front()->id, kernels.front()->test->id, kernel->id, kernel->test->id));
   }
-  return kernels.empty() ? first_test() : *kernels.front()->test;
+  return kernels.empty() ? default_test() : *kernels.front()->test;
 }
 
 const Kernel& default_kernel(const TestDescription& test, std::size_t entry) {

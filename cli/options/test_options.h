@@ -13,10 +13,12 @@ namespace axiscert {
 
 // Adds --test; `use` says what the command does with it.
 CLI::Option* add_test_option(CLI::App& command, std::string& test, const std::string& use);
-// The test that --test names; the first where it was not given. Throws Error that lists the tests.
+// The test of a command that names none, neither itself nor by a kernel or queries.
+const TestDescription& default_test();
+// The test that --test names; the default where it was not given. Throws Error that lists the tests.
 const TestDescription& test_given(const std::string& test);
 
-// The test that --test names; where it was not given that of the kernels, and of the first test where there are none.
+// The test that --test names; where it was not given that of the kernels, and the default where there are none.
 // Throws Error that names two kernels of different tests, or a kernel of another test than --test.
 const TestDescription& test_of_kernels(const std::string& test, const std::vector<const Kernel*>& kernels);
 // The kernel of a command that names none: the first that takes this entry of the test.

@@ -249,7 +249,7 @@ SearchResult resumable_search(SearchPlan plan, Stages& stages, const std::string
 Json search_stage(const Staged& staged, Stages& stages) {
   Json all = stage_of(staged, Json::object());
   if (!all["reason"].is_null()) return all;
-  if (!has_moves(*staged.kernel.test, staged.kernel.entry)) {
+  if (!staged.kernel.test->entries[staged.kernel.entry].has_free_numbers) {
     all["reason"] = fmt::format("the search does not move queries of the entry {} of {}",
                                 staged.kernel.test->entries[staged.kernel.entry].name, staged.kernel.test->id);
     return all;

@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::plugin {
 namespace {

@@ -110,8 +110,9 @@ void claim(const Description& d, Kernel& kernel) {
     kernel.claims = own.claims;
     require_same_question("conforms_to", own, kernel);
     if (!own.is_reference) refuse(fmt::format("it conforms_to '{}', whose bits depend on its target", own.id));
-  } else if (d.has_formulae || (kernel.exposes != Exposure::verdict && kernel.test == &first_test())) {
-    const Kernel& own = builtin("formulae", d.has_formulae ? text_of(d.formulae) : "published", precision);
+  } else if (d.has_formulae || (kernel.exposes != Exposure::verdict && !kernel.test->usual_formulae.empty())) {
+    const std::string named = d.has_formulae ? text_of(d.formulae) : std::string(kernel.test->usual_formulae);
+    const Kernel& own = builtin("formulae", named, precision);
     kernel.formulae = own.formulae;
     kernel.strictness = own.strictness;
     kernel.claims = own.claims;
@@ -123,11 +124,11 @@ void claim(const Description& d, Kernel& kernel) {
   }
   if (kernel.exposes != Exposure::verdict && kernel.claims.empty() && !has_comparisons(kernel.formulae)) {
     refuse(
-        kernel.test == &first_test()
-            ? fmt::format("it exposes comparisons, but formulae '{}' have none", name(kernel.formulae))
-            : fmt::format("it exposes comparisons of {}: give `formulae` or `conforms_to` a built-in kernel of it that "
+        kernel.test->usual_formulae.empty()
+            ? fmt::format("it exposes comparisons of {}: give `formulae` or `conforms_to` a built-in kernel of it that "
                           "has comparisons",
-                          kernel.test->id));
+                          kernel.test->id)
+            : fmt::format("it exposes comparisons, but formulae '{}' have none", name(kernel.formulae)));
   }
 }
 

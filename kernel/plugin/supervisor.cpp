@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "kernel/plugin/difference.h"
-#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert::plugin {
 namespace {
@@ -223,13 +222,22 @@ void Supervisor<Real>::look_for_changed_environment(const Chunk& chunk, std::uin
   tell(chunk, FindingKind::environment, which, "left changed: " + changed_modes(changed));
 }
 
-// Whether a comparison's bit is one that its computed sides allow. The relation is known of sphere-triangle's kernels;
-// in other tests equal sides allow both.
+// Whether a comparison's bit is one that its computed sides allow; equal sides allow both where the test does not say
+// how its kernels compare them.
 template <class Real>
 bool could_follow(const Supervised& kernel, std::size_t comparison, Real lhs, Real rhs, bool bit) {
-  if (kernel.callee.subject.test == &first_test())
-    return holds(kernel.strictness, static_cast<Comparison>(comparison), lhs, rhs) == bit;
-  return lhs == rhs || (lhs > rhs) == bit;
+  const TestDescription& test = *kernel.callee.subject.test;
+  if (!test.has_strictness) return lhs == rhs || (lhs > rhs) == bit;
+  if (test.comparisons[comparison].ties_at_touching) return (lhs > rhs) == bit;
+  switch (kernel.strictness) {
+    case Strictness::strict:
+      return (lhs > rhs) == bit;
+    case Strictness::nonstrict:
+      return (lhs >= rhs) == bit;
+    case Strictness::not_less:
+      return !(rhs > lhs) == bit;
+  }
+  return false;
 }
 
 template <class Real>

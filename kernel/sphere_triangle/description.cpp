@@ -29,6 +29,8 @@ TestDescription described() {
       .clauses = {},
       .measures = {},
       .certified = "certified",
+      .usual_formulae = "published",
+      .has_strictness = true,
       .is_implied = true,
   };
   for (const ComparisonInfo& comparison : comparisons) {
