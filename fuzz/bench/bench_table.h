@@ -11,6 +11,7 @@
 
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/source.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 
@@ -24,7 +25,7 @@ inline double median(std::vector<double> of) {
 inline std::vector<SourcePtr> sources_named(const std::vector<std::string_view>& names) {
   std::vector<SourcePtr> all, named;
   for (const Family* family : families_of(first_test())) all.push_back(family_source(*family));
-  all.push_back(mesh_source(TEST_MODELS "/OBJ/spider.obj"));
+  all.push_back(mesh_source(TEST_MODELS "/OBJ/spider.obj", sphere_triangle_test()));
   if (names.empty()) return all;
   for (const std::string_view name : names) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const SourcePtr& s) { return s->name() == name; });

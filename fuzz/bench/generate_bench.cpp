@@ -8,6 +8,7 @@
 #include "fuzz/queries/random.h"
 #include "fuzz/queries/source.h"
 #include "kernel/sphere_triangle/query.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -49,7 +50,7 @@ const bool added = [] {
   benchmark::RegisterBenchmark("one word of a Stream", time_words);
   for (const Family* family : families()) add(family_source(*family));
   const std::string model = "/usr/share/assimp/models/OBJ/spider.obj";  // from the package assimp-testmodels
-  if (std::filesystem::exists(model)) add(mesh_source(model));
+  if (std::filesystem::exists(model)) add(mesh_source(model, sphere_triangle_test()));
   return true;
 }();
 

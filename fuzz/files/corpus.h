@@ -68,6 +68,6 @@ std::string default_corpus_folder();
 
 // The corpus's queries of one entry of a test as a source named "corpus". Its address is "corpus-SHA256", the hash of
 // the queries' lines, one file after the other. Throws Error where it has none.
-SourcePtr corpus_source(const std::string& folder, const TestDescription& test = first_test(), std::size_t entry = 0);
+SourcePtr corpus_source(const std::string& folder, const TestDescription& test, std::size_t entry = 0);
 
 }  // namespace axiscert

@@ -17,6 +17,7 @@
 #include "fuzz/families/sphere_triangle/parts/sphere_triangle_query.h"
 #include "fuzz/families/sphere_triangle/parts/symmetry.h"
 #include "kernel/base/temporary_folder.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 
@@ -170,7 +171,7 @@ TEST(CorpusFiles, ABadOneIsNamedByFileLineAndField) {
 }
 
 TEST(CorpusSource, HasEveryQueryInItsPrecision) {
-  const auto source = corpus_source(SOURCE_FOLDER "/fuzz/corpus");
+  const auto source = corpus_source(SOURCE_FOLDER "/fuzz/corpus", sphere_triangle_test());
   EXPECT_EQ(source->name(), "corpus");
   std::size_t n32 = 0, n64 = 0;
   for (const CorpusEntry& entry : entries_or_none()) {

@@ -16,13 +16,14 @@
 #include "fuzz/sphere_triangle/mesh_queries.h"
 #include "kernel/base/sha256.h"
 #include "kernel/moving_sphere/moving_sphere.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
 
 // Motions past the same triangles and spheres.
 TEST(MeshMotions, AreOfTheFilesTrianglesAndAgreedUponByTheOracles) {
-  const SourcePtr still = mesh_source(model("OBJ/spider.obj")),
+  const SourcePtr still = mesh_source(model("OBJ/spider.obj"), sphere_triangle_test()),
                   moving = mesh_source(model("OBJ/spider.obj"), moving_sphere_test());
   const Oracles& oracles = oracles_of(moving_sphere_test());
   std::set<MeshMotion> met;
@@ -114,7 +115,8 @@ TEST(MeshMotions, OfExtremeCoordinatesAreFinite) {
 
 TEST(MeshSource, ItsAddressesNameATestOtherThanTheFirst) {
   const OwnMesh own("tests.obj", degenerate_obj);
-  const SourcePtr still = mesh_source(own.path), moving = mesh_source(own.path, moving_sphere_test());
+  const SourcePtr still = mesh_source(own.path, sphere_triangle_test()),
+                  moving = mesh_source(own.path, moving_sphere_test());
   EXPECT_EQ(moving->address_name(), "moving-sphere/" + still->address_name());
   EXPECT_EQ(moving->name(), still->name()) << "a record is of one test";
   EXPECT_EQ(&moving->test(), &moving_sphere_test());

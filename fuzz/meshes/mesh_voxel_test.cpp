@@ -17,7 +17,7 @@ namespace axiscert {
 namespace {
 
 TEST(MeshVoxels, AreCellsBesideTheFilesTriangles) {
-  const SourcePtr spheres = mesh_source(model("OBJ/spider.obj")),
+  const SourcePtr spheres = mesh_source(model("OBJ/spider.obj"), sphere_triangle_test()),
                   voxels = mesh_source(model("OBJ/spider.obj"), box_triangle_test());
   EXPECT_EQ(voxels->entry(), mesh_queries_of(box_triangle_test()).entry);
   EXPECT_EQ(mesh_queries_of(sphere_triangle_test()).entry, 0u);

@@ -10,6 +10,7 @@
 #include "kernel/include/axiscert/certified.hpp"
 #include "kernel/registry/called.h"
 #include "kernel/sphere_triangle/certified/kernels.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 std::vector<SourcePtr> all_sources() {
   std::vector<SourcePtr> sources;
   for (const Family* family : families_of(first_test())) sources.push_back(family_source(*family));
-  sources.push_back(mesh_source(TEST_MODELS "/OBJ/spider.obj"));
+  sources.push_back(mesh_source(TEST_MODELS "/OBJ/spider.obj", sphere_triangle_test()));
   return sources;
 }
 

@@ -14,6 +14,7 @@
 #include "kernel/base/error.h"
 #include "kernel/kernel.h"
 #include "kernel/testing/random.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -99,8 +100,8 @@ int main(int argc, char** argv) {
   try {
     std::vector<SourcePtr> sources;
     for (const Family* family : families_of(first_test())) sources.push_back(family_source(*family));
-    sources.push_back(corpus_source(argv[3]));
-    for (int i = 4; i < argc; ++i) sources.push_back(mesh_source(argv[i]));
+    sources.push_back(corpus_source(argv[3], sphere_triangle_test()));
+    for (int i = 4; i < argc; ++i) sources.push_back(mesh_source(argv[i], sphere_triangle_test()));
     write_file(argv[1], size, sources);
   } catch (const std::exception& error) {
     fmt::print(stderr, "write_certified_answers: {}\n", error.what());

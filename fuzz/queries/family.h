@@ -21,7 +21,8 @@ template <class Real>
 using Fill = void (*)(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out);
 
 struct Family {
-  // As reports, addresses and the command say it; TEST/NAME where the test is not the first.
+  const TestDescription& (*test)();  // whose queries these are
+  // As reports, addresses and the command say it; TEST/NAME where the test's own name is written.
   std::string_view name;
   std::string_view purpose;  // one line
   // Has to be raised whenever the same address would make another query; the committed digests fail until it is.
@@ -35,9 +36,7 @@ struct Family {
   int cost = 1;
   // Divides the number of queries in binary64 of a run that is given none (cli/options/run_options.cpp).
   int trial_divisor = 1;
-  // The test whose queries these are, and its entry in which their numbers are given.
-  const TestDescription& (*test)() = first_test;
-  std::size_t entry = 0;
+  std::size_t entry = 0;  // of the test, in which the numbers are given
 
   std::size_t column_count() const { return test().entries[entry].columns.size(); }
   template <class Real>

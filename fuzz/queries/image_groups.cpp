@@ -81,8 +81,4 @@ ComparisonBits ComparisonsOfBase::operator()(ComparisonBits image) const {
   return bits;
 }
 
-ComparisonBits bits_of_base(ComparisonBits image, const std::array<std::uint8_t, 3>& order) {
-  return ComparisonsOfBase(first_test(), order)(image);
-}
-
 }  // namespace axiscert

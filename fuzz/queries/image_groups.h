@@ -43,6 +43,7 @@ struct PowerRange {
 };
 
 struct ImageGroup {
+  const TestDescription& (*test)();
   std::string_view family;
   std::size_t size;  // queries that share a base, the base first: position p is image p % size of base p / size
   // Vertex i of the image is vertex order[i] of the base.
@@ -53,7 +54,6 @@ struct ImageGroup {
   // The powers of two times which no form of degree 6 in the base's differences overflows or underflows; null where
   // that is not known of every base.
   PowerRange (*range)(Precision precision) = nullptr;
-  const TestDescription& (*test)() = first_test;
   // So many queries after each other are one image: separated where all of them are, and in contact where any is.
   std::size_t parts = 1;
 };
@@ -74,9 +74,6 @@ class ComparisonsOfBase {
  private:
   std::vector<std::uint8_t> base_;  // by comparison of the image
 };
-
-// The same of one image of the first test.
-ComparisonBits bits_of_base(ComparisonBits image, const std::array<std::uint8_t, 3>& order);
 
 // The query in another unit of length: every number times 2^exponent, rounded where it leaves the range.
 template <class Real>

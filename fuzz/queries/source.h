@@ -42,7 +42,7 @@ class Source {
   virtual std::optional<FileInfo> file() const { return std::nullopt; }
 
   // The test whose queries these are, and its entry in which their numbers are given.
-  virtual const TestDescription& test() const { return first_test(); }
+  virtual const TestDescription& test() const = 0;
   virtual std::size_t entry() const { return 0; }
   const std::vector<TestColumn>& columns() const { return test().entries[entry()].columns; }
 
@@ -84,7 +84,7 @@ using SourcePtr = std::shared_ptr<const Source>;
 SourcePtr family_source(const Family& family);
 // Defined in fuzz/meshes/mesh.cpp: any format that assimp reads. Throws Error with the file and its fault, or for a
 // test that is not one of mesh_tests().
-SourcePtr mesh_source(const std::string& path, const TestDescription& test = first_test());
+SourcePtr mesh_source(const std::string& path, const TestDescription& test);
 // The tests of which a mesh has queries.
 std::vector<const TestDescription*> mesh_tests();
 // Defined in fuzz/files/query_source.cpp: JSON Lines or CSV, "-" for standard input; `csv_precision` applies to CSV,

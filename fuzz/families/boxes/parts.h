@@ -154,24 +154,24 @@ void fill_pairs(const StreamName& name, std::uint64_t first, const MutableColumn
 // The family in the entry `matrix`, and that of quaternions. The version changes with the queries of `Made`.
 template <class Made, std::uint32_t version = 1>
 constexpr Family matrix_family(std::string_view name, std::string_view purpose, bool exact_arithmetic = false) {
-  return {.name = name,
+  return {.test = box_box_test,
+          .name = name,
           .purpose = purpose,
           .version = version,
           .exact_arithmetic = exact_arithmetic,
           .binary32 = fill_pairs<Made, BoxPair<float>>,
           .binary64 = fill_pairs<Made, BoxPair<double>>,
-          .test = box_box_test,
           .entry = MatrixBoxes::entry};
 }
 template <class Made, std::uint32_t version = 1>
 constexpr Family turned_family(std::string_view name, std::string_view purpose, bool exact_arithmetic = false) {
-  return {.name = name,
+  return {.test = box_box_test,
+          .name = name,
           .purpose = purpose,
           .version = version,
           .exact_arithmetic = exact_arithmetic,
           .binary32 = fill_pairs<Made, TurnedPair<float>>,
           .binary64 = fill_pairs<Made, TurnedPair<double>>,
-          .test = box_box_test,
           .entry = QuaternionBoxes::entry};
 }
 

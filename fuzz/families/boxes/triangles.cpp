@@ -223,13 +223,13 @@ struct Voxel {
 template <class Made, class Entry>
 constexpr Family triangle_family(std::string_view name, std::string_view purpose, bool exact_arithmetic = false,
                                  int version = 1) {
-  return {.name = name,
+  return {.test = box_triangle_test,
+          .name = name,
           .purpose = purpose,
           .version = version,
           .exact_arithmetic = exact_arithmetic,
           .binary32 = fill_pairs<Made, typename Entry::template Problem<float>>,
           .binary64 = fill_pairs<Made, typename Entry::template Problem<double>>,
-          .test = box_triangle_test,
           .entry = Entry::entry};
 }
 

@@ -30,13 +30,13 @@ void fill_ends(const StreamName& stream, std::uint64_t first, const MutableColum
 
 template <const Family& motions, End end = End::as_it_is>
 constexpr Family ends_family(std::string_view name, std::string_view purpose, bool exact_arithmetic = false) {
-  return {.name = name,
+  return {.test = moving_sphere_test,
+          .name = name,
           .purpose = purpose,
           .version = 1,
           .exact_arithmetic = exact_arithmetic,
           .binary32 = fill_ends<motions, end, float>,
           .binary64 = fill_ends<motions, end, double>,
-          .test = moving_sphere_test,
           .entry = MovingEnds::entry};
 }
 

@@ -127,15 +127,14 @@ constexpr ImageKind every_image(std::size_t) {
 ImageKind mirror_or_axes(std::size_t image) { return image < 8 ? ImageKind::mirror : ImageKind::axes; }
 
 constexpr std::array<ImageGroup, 7> groups = {{
-    {"moving-sphere/orders", 6, [](std::size_t image) -> Order { return symmetries()[48 * image].vertices; },
-     every_image<ImageKind::order>, nullptr, nullptr, moving_sphere_test},
-    {"moving-sphere/axes", 48, as_in_base, mirror_or_axes, nullptr, nullptr, moving_sphere_test},
-    {"moving-sphere/inverted", 2, as_in_base, every_image<ImageKind::mirror>, nullptr, nullptr, moving_sphere_test},
-    {"moving-sphere/translated", 4, as_in_base, every_image<ImageKind::translation>, nullptr, nullptr,
-     moving_sphere_test},
-    {"moving-sphere/reversed", 2, as_in_base, every_image<ImageKind::reversal>, nullptr, nullptr, moving_sphere_test},
-    {"moving-sphere/split", 7, as_in_base, every_image<ImageKind::split>, nullptr, nullptr, moving_sphere_test, 2},
-    {"moving-sphere/halved", 4, as_in_base, every_image<ImageKind::halving>, nullptr, nullptr, moving_sphere_test},
+    {moving_sphere_test, "moving-sphere/orders", 6,
+     [](std::size_t image) -> Order { return symmetries()[48 * image].vertices; }, every_image<ImageKind::order>},
+    {moving_sphere_test, "moving-sphere/axes", 48, as_in_base, mirror_or_axes},
+    {moving_sphere_test, "moving-sphere/inverted", 2, as_in_base, every_image<ImageKind::mirror>},
+    {moving_sphere_test, "moving-sphere/translated", 4, as_in_base, every_image<ImageKind::translation>},
+    {moving_sphere_test, "moving-sphere/reversed", 2, as_in_base, every_image<ImageKind::reversal>},
+    {moving_sphere_test, "moving-sphere/split", 7, as_in_base, every_image<ImageKind::split>, nullptr, nullptr, 2},
+    {moving_sphere_test, "moving-sphere/halved", 4, as_in_base, every_image<ImageKind::halving>},
 }};
 
 template <class Real, std::size_t group, Numbers<Real> (*make_image)(const Numbers<Real>&, std::size_t, Stream&)>
@@ -147,13 +146,13 @@ void fill(const StreamName& name, std::uint64_t first, const MutableColumns<Real
 
 template <std::size_t group, auto image_binary32, auto image_binary64>
 constexpr Family family_of_images(std::string_view purpose) {
-  return {.name = groups[group].family,
+  return {.test = moving_sphere_test,
+          .name = groups[group].family,
           .purpose = purpose,
           .version = 1,
           .exact_arithmetic = false,
           .binary32 = fill<float, group, image_binary32>,
-          .binary64 = fill<double, group, image_binary64>,
-          .test = moving_sphere_test};
+          .binary64 = fill<double, group, image_binary64>};
 }
 
 }  // namespace

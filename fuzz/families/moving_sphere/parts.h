@@ -137,13 +137,13 @@ MovingQuery<Real> small_integers(Stream& random, std::int64_t m) {
 
 template <auto one32, auto one64>
 constexpr Family moving_family(std::string_view name, std::string_view purpose, bool exact_arithmetic = false) {
-  return {.name = name,
+  return {.test = moving_sphere_test,
+          .name = name,
           .purpose = purpose,
           .version = 1,
           .exact_arithmetic = exact_arithmetic,
           .binary32 = one_by_one<one32, float>,
-          .binary64 = one_by_one<one64, double>,
-          .test = moving_sphere_test};
+          .binary64 = one_by_one<one64, double>};
 }
 
 }  // namespace axiscert::moving_sphere

@@ -62,7 +62,8 @@ void units(const StreamName& name, std::uint64_t first, const MutableColumns<Rea
 
 }  // namespace
 
-extern const ImageGroup moving_sphere_units_group = {"moving-sphere/units",
+extern const ImageGroup moving_sphere_units_group = {moving_sphere_test,
+                                                     "moving-sphere/units",
                                                      unit_images::count,
                                                      [](std::size_t) {
                                                        return std::array<std::uint8_t, 3>{0, 1, 2};
@@ -71,18 +72,17 @@ extern const ImageGroup moving_sphere_units_group = {"moving-sphere/units",
                                                      [](Precision precision, std::uint64_t base, std::size_t i) {
                                                        return unit_images::exponent(units_range_in(precision), base, i);
                                                      },
-                                                     units_range_in,
-                                                     moving_sphere_test};
+                                                     units_range_in};
 
 extern const Family moving_sphere_units_family = {
+    .test = moving_sphere_test,
     .name = "moving-sphere/units",
     .purpose =
         "small integers, and times seven powers of two, 2^-20 to 2^16 or 2^-170 to 2^161: every operation is exact",
     .version = 1,
     .exact_arithmetic = true,
     .binary32 = units<float>,
-    .binary64 = units<double>,
-    .test = moving_sphere_test};
+    .binary64 = units<double>};
 extern const Family moving_sphere_scale_family = moving_family<clear_motion<float>, clear_motion<double>>(
     "moving-sphere/scale",
     "clear motions (r at most half the distance, or at least twice) times every power of two in turn");

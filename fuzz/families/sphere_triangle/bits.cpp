@@ -1,5 +1,6 @@
 // Uniform finite bit patterns: all exponents are equally likely, so a query has thirteen different magnitudes.
 #include "fuzz/families/sphere_triangle/parts/lanes.h"
+#include "kernel/sphere_triangle/description.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/bits.cpp"
@@ -58,7 +59,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(bits)
-extern const Family bits_family = {"bits",
+extern const Family bits_family = {sphere_triangle_test,
+                                   "bits",
                                    "uniform finite bit patterns, the radius without its sign",
                                    2,
                                    false,

@@ -3,6 +3,7 @@
 // The published formulae with strict sides answer most of these wrongly at some radius even in exact arithmetic, always
 // with a phantom contact; random floats are never collinear.
 #include "fuzz/queries/boundary.h"
+#include "kernel/sphere_triangle/description.h"
 #include "fuzz/families/sphere_triangle/parts/shapes.h"
 #include "fuzz/queries/one_by_one.h"
 #include "fuzz/queries/random.h"
@@ -42,6 +43,7 @@ Query<Real> collinear(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family collinear_family = {
+    sphere_triangle_test,
     "collinear",
     "three distinct vertices exactly on a line; radii below, at and above the distance",
     2,

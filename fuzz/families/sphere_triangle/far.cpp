@@ -1,5 +1,6 @@
 // Queries far from the origin, where the grid of the floats is coarse compared with the triangle.
 #include "fuzz/families/sphere_triangle/parts/lanes.h"
+#include "kernel/sphere_triangle/description.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/far.cpp"
@@ -38,6 +39,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(far)
 extern const Family far_family = {
+    sphere_triangle_test,
     "far",
     "triangles of size one at 10^2 to 10^6 from the origin, half of the radii near the distance",
     2,

@@ -1,5 +1,6 @@
 // Triangles and centres anywhere in a cube, any radius up to the cube's size: the queries of a uniform fuzzer.
 #include "fuzz/families/sphere_triangle/parts/lanes.h"
+#include "kernel/sphere_triangle/description.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/general.cpp"
@@ -34,6 +35,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(general)
 extern const Family general_family = {
+    sphere_triangle_test,
     "general",
     "uniform coordinates in [-1, 1), radius in [0, 2): finds nothing, and shows that it does",
     2,

@@ -2,6 +2,7 @@
 // determinants that `on` leaves to rounding are exactly zero here. Iterations that wait for a sign can then run for
 // ever.
 #include "fuzz/families/sphere_triangle/parts/shapes.h"
+#include "kernel/sphere_triangle/description.h"
 #include "fuzz/queries/one_by_one.h"
 #include "fuzz/queries/random.h"
 
@@ -28,6 +29,7 @@ Query<Real> grid(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family grid_family = {
+    sphere_triangle_test,
     "grid",
     "small integers, the centre exactly on the face, a vertex or an edge in turn; r 0, -0, 1 and small integers",
     2,

@@ -1,6 +1,7 @@
 // A query near tangency, and its images: in six vertex orders, in 48 permutations and reflections of the axes, with all
 // signs changed, times powers of two, and translated. Every image is exact, so that no exact answer differs.
 #include "fuzz/queries/images.h"
+#include "kernel/sphere_triangle/description.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,12 +102,12 @@ int power_of(Precision precision, std::uint64_t, std::size_t image) {
   return precision == Precision::binary32 ? powers<float>[image] : powers<double>[image];
 }
 constexpr std::array<ImageGroup, 5> groups = {{
-    {"orders", 6, [](std::size_t image) -> Order { return symmetries()[48 * image].vertices; },
+    {sphere_triangle_test, "orders", 6, [](std::size_t image) -> Order { return symmetries()[48 * image].vertices; },
      always<ImageKind::order>},
-    {"axes", 48, same_order, kind_on_axes},
-    {"inverted", 2, same_order, always<ImageKind::mirror>},
-    {"scaled", 8, same_order, always<ImageKind::scale>, power_of},
-    {"translated", 4, same_order, always<ImageKind::translation>},
+    {sphere_triangle_test, "axes", 48, same_order, kind_on_axes},
+    {sphere_triangle_test, "inverted", 2, same_order, always<ImageKind::mirror>},
+    {sphere_triangle_test, "scaled", 8, same_order, always<ImageKind::scale>, power_of},
+    {sphere_triangle_test, "translated", 4, same_order, always<ImageKind::translation>},
 }};
 
 // The images from `first` on.
@@ -119,8 +120,13 @@ void fill(const StreamName& name, std::uint64_t first, const MutableColumns<Real
 
 template <std::size_t group, auto image_binary32, auto image_binary64>
 constexpr Family family_of_images(std::string_view purpose) {
-  return {
-      groups[group].family, purpose, 1, false, fill<float, group, image_binary32>, fill<double, group, image_binary64>};
+  return {sphere_triangle_test,
+          groups[group].family,
+          purpose,
+          1,
+          false,
+          fill<float, group, image_binary32>,
+          fill<double, group, image_binary64>};
 }
 
 }  // namespace

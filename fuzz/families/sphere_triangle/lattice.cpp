@@ -1,6 +1,7 @@
 // Small integers on which the published formulae never round, so that any wrong answer is due to the formulae
 // themselves.
 #include "fuzz/families/sphere_triangle/parts/lanes.h"
+#include "kernel/sphere_triangle/description.h"
 #include "fuzz/families/sphere_triangle/parts/lattice_bounds.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -49,7 +50,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(lattice)
-extern const Family lattice_family = {"lattice",
+extern const Family lattice_family = {sphere_triangle_test,
+                                      "lattice",
                                       "small integers, radii in halves: every operation of the formulae is exact",
                                       2,
                                       true,

@@ -1,5 +1,6 @@
 // Triangles with two vertices very close to each other.
 #include "fuzz/families/sphere_triangle/parts/lanes.h"
+#include "kernel/sphere_triangle/description.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/needle.cpp"
@@ -38,6 +39,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(needle)
 extern const Family needle_family = {
+    sphere_triangle_test,
     "needle",
     "two vertices near each other, at 2^-1 to 2^-30 of the distance to the third (2^-60 in binary64)",
     2,

@@ -1,5 +1,6 @@
 // One number out of thirteen that is not finite, has the wrong sign, or is a zero of either sign.
 #include "fuzz/families/sphere_triangle/parts/lanes.h"
+#include "kernel/sphere_triangle/description.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/nonfinite.cpp"
@@ -81,6 +82,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(nonfinite)
 extern const Family nonfinite_family = {
+    sphere_triangle_test,
     "nonfinite",
     "NaN, infinities, negative numbers and zeros of both signs in each of the thirteen places in turn",
     2,

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "fuzz/families/sphere_triangle/parts/shapes.h"
+#include "kernel/sphere_triangle/description.h"
 #include "fuzz/queries/one_by_one.h"
 #include "fuzz/queries/random.h"
 
@@ -46,6 +47,7 @@ Query<Real> on(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family on_family = {
+    sphere_triangle_test,
     "on",
     "centre exactly on the face, a vertex or an edge in turn; r of 0, -0, the least, tiny and small",
     2,

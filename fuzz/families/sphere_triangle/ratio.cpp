@@ -1,5 +1,6 @@
 // Radius, distance and edge length of very different sizes, independently.
 #include "fuzz/families/sphere_triangle/parts/lanes.h"
+#include "kernel/sphere_triangle/description.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/ratio.cpp"
@@ -48,7 +49,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(ratio)
-extern const Family ratio_family = {"ratio",
+extern const Family ratio_family = {sphere_triangle_test,
+                                    "ratio",
                                     "r / edge and |A - P| / edge over 2^-40 to 2^40, independently, in turn; r = 0 too",
                                     2,
                                     false,

@@ -1,5 +1,6 @@
 // Triangles with equal vertices: each pair in turn, then all three.
 #include "fuzz/families/sphere_triangle/parts/lanes.h"
+#include "kernel/sphere_triangle/description.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/repeated.cpp"
@@ -38,6 +39,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(repeated)
 extern const Family repeated_family = {
+    sphere_triangle_test,
     "repeated",
     "two equal vertices (A = B, B = C, C = A) or three, in turn; otherwise arbitrary",
     2,

@@ -1,5 +1,6 @@
 // Clear queries at every power of two of the precision: faults are due to range, not rounding.
 #include "fuzz/queries/boundary.h"
+#include "kernel/sphere_triangle/description.h"
 #include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -60,6 +61,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(scale)
 extern const Family scale_family = {
+    sphere_triangle_test,
     "scale",
     "clear queries (r at most half the distance, or at least twice) times every power of two in turn",
     2,

@@ -2,6 +2,7 @@
 // next, and where an engine that loses both lets a character fall or stops it at nothing. The two are asked one after
 // the other, at an even position and the next.
 #include "fuzz/families/sphere_triangle/parts/scene.h"
+#include "kernel/sphere_triangle/description.h"
 #include "fuzz/queries/family.h"
 
 namespace axiscert {
@@ -82,7 +83,8 @@ void scene_edges(const StreamName& name, std::uint64_t first, const MutableColum
 
 }  // namespace
 
-extern const Family scene_edge_family = {"scene-edge",
+extern const Family scene_edge_family = {sphere_triangle_test,
+                                         "scene-edge",
                                          "metres: the same sphere at an edge or corner of two triangles: a floor's "
                                          "seam, a step, a wall of 100 m, a small prop",
                                          1,

@@ -1,5 +1,6 @@
 // A character's sphere on a floor or a ramp, in metres: the queries that a controller asks at every frame of a game.
 #include "fuzz/families/sphere_triangle/parts/scene.h"
+#include "kernel/sphere_triangle/description.h"
 #include "fuzz/queries/one_by_one.h"
 
 namespace axiscert {
@@ -21,6 +22,7 @@ Query<Real> scene_walk(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family scene_walk_family = {
+    sphere_triangle_test,
     "scene-walk",
     "metres: a character's sphere within 1 cm of resting on a floor or ramp, its triangles 1 cm to 100 m",
     1,

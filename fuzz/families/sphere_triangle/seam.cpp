@@ -4,6 +4,7 @@
 // feature's radius comparison, unless the radius is within rounding of the distance, where both can be wrong at once.
 // Hence half of the radii are chosen there.
 #include "fuzz/queries/boundary.h"
+#include "kernel/sphere_triangle/description.h"
 #include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -105,6 +106,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(seam)
 extern const Family seam_family = {
+    sphere_triangle_test,
     "seam",
     "centre on the boundary of each side comparison in turn, -4 to +4 ulp, half of the radii at the distance",
     2,

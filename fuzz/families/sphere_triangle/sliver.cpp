@@ -1,6 +1,7 @@
 // Triangles with one vertex almost on the segment of the other two, down to heights far below the rounding of their
 // coordinates.
 #include "fuzz/families/sphere_triangle/parts/lanes.h"
+#include "kernel/sphere_triangle/description.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/families/sphere_triangle/sliver.cpp"
@@ -49,6 +50,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(sliver)
 extern const Family sliver_family = {
+    sphere_triangle_test,
     "sliver",
     "one vertex near the segment of the other two, at 2^-1 to 2^-40 of its length (2^-80 in binary64)",
     2,

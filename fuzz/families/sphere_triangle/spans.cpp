@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "fuzz/families/sphere_triangle/parts/image_fill.h"
+#include "kernel/sphere_triangle/description.h"
 #include "fuzz/families/sphere_triangle/parts/lattice_bounds.h"
 #include "fuzz/families/sphere_triangle/parts/shapes.h"
 #include "fuzz/families/sphere_triangle/parts/unit_images.h"
@@ -108,6 +109,7 @@ void spans(const StreamName& name, std::uint64_t first, const MutableColumns<Rea
 }  // namespace
 
 extern const ImageGroup spans_group = {
+    sphere_triangle_test,
     "spans",
     group_size,
     [](std::size_t) {
@@ -120,6 +122,7 @@ extern const ImageGroup spans_group = {
     spans_range_in};
 
 extern const Family spans_family = {
+    sphere_triangle_test,
     "spans",
     "integers below 2^10 or 2^24, times seven powers of two in the range of degree 6, and moved four times, exactly",
     1,

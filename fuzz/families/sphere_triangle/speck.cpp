@@ -2,6 +2,7 @@
 // least number there is. The part that decides such a query, if any part does, lies hundreds of bits below all others,
 // where products underflow: arithmetic that is exact except for underflow answers as if the specks were absent.
 #include "fuzz/families/sphere_triangle/parts/shapes.h"
+#include "kernel/sphere_triangle/description.h"
 #include "fuzz/families/sphere_triangle/parts/ties.h"
 #include "fuzz/queries/one_by_one.h"
 #include "fuzz/queries/random.h"
@@ -42,6 +43,7 @@ Query<Real> specked_tie(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family speck_family = {
+    sphere_triangle_test,
     "speck",
     "exact ties times powers of two, with specks for zeros: a rounding of them down to the least numbers there are",
     1,

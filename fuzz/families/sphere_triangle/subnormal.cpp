@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "fuzz/families/sphere_triangle/parts/shapes.h"
+#include "kernel/sphere_triangle/description.h"
 #include "fuzz/queries/one_by_one.h"
 #include "fuzz/queries/random.h"
 
@@ -26,6 +27,7 @@ Query<Real> subnormal(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family subnormal_family = {
+    sphere_triangle_test,
     "subnormal",
     "all subnormal, or within 2^12 of the least normal number; a quarter of the radii at the distance",
     2,

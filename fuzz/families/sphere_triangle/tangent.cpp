@@ -1,5 +1,6 @@
 // Radii solved onto each of the seven radius boundaries, with the centre in the region where that axis decides.
 #include "fuzz/queries/boundary.h"
+#include "kernel/sphere_triangle/description.h"
 #include "fuzz/families/sphere_triangle/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -72,6 +73,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(tangent)
 extern const Family tangent_family = {
+    sphere_triangle_test,
     "tangent",
     "radius on the boundary of each radius comparison in turn, -4 to +4 ulp, where that axis decides",
     2,

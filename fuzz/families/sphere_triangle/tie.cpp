@@ -1,5 +1,6 @@
 // Integers that touch exactly: the distance equals r, on each of the seven features in turn.
 #include "fuzz/families/sphere_triangle/parts/shapes.h"
+#include "kernel/sphere_triangle/description.h"
 #include "fuzz/families/sphere_triangle/parts/ties.h"
 #include "fuzz/queries/one_by_one.h"
 #include "fuzz/queries/random.h"
@@ -94,6 +95,7 @@ template Query<float> touching_integers(Stream&, std::uint64_t);
 template Query<double> touching_integers(Stream&, std::uint64_t);
 
 extern const Family tie_family = {
+    sphere_triangle_test,
     "tie",
     "integers that touch exactly, on each of the seven features in turn; small ones and large ones",
     2,

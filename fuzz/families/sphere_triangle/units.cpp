@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fuzz/families/sphere_triangle/parts/image_fill.h"
+#include "kernel/sphere_triangle/description.h"
 #include "fuzz/families/sphere_triangle/parts/lattice_bounds.h"
 #include "fuzz/families/sphere_triangle/parts/shapes.h"
 #include "fuzz/families/sphere_triangle/parts/unit_images.h"
@@ -46,7 +47,8 @@ PowerRange units_range_in(Precision precision) {
 
 }  // namespace
 
-extern const ImageGroup units_group = {"units",
+extern const ImageGroup units_group = {sphere_triangle_test,
+                                       "units",
                                        unit_images::count,
                                        [](std::size_t) {
                                          return std::array<std::uint8_t, 3>{0, 1, 2};
@@ -58,6 +60,7 @@ extern const ImageGroup units_group = {"units",
                                        units_range_in};
 
 extern const Family units_family = {
+    sphere_triangle_test,
     "units",
     "small integers, and times seven powers of two, 2^-20 to 2^17 or 2^-170 to 2^161: every operation is exact",
     1,

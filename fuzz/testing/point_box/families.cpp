@@ -32,13 +32,13 @@ Numbers<Real> on_the_surface(Stream& random, std::uint64_t position) {
 
 template <auto one32, auto one64>
 constexpr Family family(std::string_view name, std::string_view purpose) {
-  return {.name = name,
+  return {.test = point_box_test,
+          .name = name,
           .purpose = purpose,
           .version = 1,
           .exact_arithmetic = true,
           .binary32 = one_by_one<one32, float>,
-          .binary64 = one_by_one<one64, double>,
-          .test = point_box_test};
+          .binary64 = one_by_one<one64, double>};
 }
 const Family general_point =
     family<point_and_box<float>, point_and_box<double>>("point-box/general", "point and box anywhere in [-1, 1]");
