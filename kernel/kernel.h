@@ -101,8 +101,8 @@ inline constexpr EnumArray<Exposure, std::string_view> exposure_names = {"verdic
 
 struct Kernel {
   std::string id;
-  std::string summary;  // one line
-  const TestDescription* test = &first_test();
+  std::string summary;                    // one line
+  const TestDescription* test = nullptr;  // never null in a kernel that is asked
   std::size_t entry = 0;  // index among the test's entries: the form in which the kernel takes the numbers
   // The kernel claims to compute these formulae, with these side comparisons, in this arithmetic.
   Formulae formulae = Formulae::published;

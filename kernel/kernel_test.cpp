@@ -15,6 +15,7 @@
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/registry/self_check.h"
 #include "kernel/testing/random.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -130,6 +131,7 @@ TEST(SelfCheck, AcceptsEveryKernelOnEveryTarget) {
 TEST(SelfCheck, RefusesAContractedKernel) {
   Kernel contracted;
   contracted.id = "contracted";
+  contracted.test = &sphere_triangle_test();
   contracted.binary64 = [](std::string_view) { return Implementation<double>{{}, contracted_explain<double>}; };
   const auto wrong = self_check<double>(contracted, "scalar");
   ASSERT_TRUE(wrong.has_value());

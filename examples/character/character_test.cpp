@@ -10,6 +10,7 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "kernel/base/sha256.h"
 #include "kernel/base/error.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert::character {
 namespace {
@@ -154,6 +155,7 @@ template <class Answer>
 Kernel kernel_of(const std::string& id, Touching touching, Answer answer) {
   Kernel kernel;
   kernel.id = id;
+  kernel.test = &sphere_triangle_test();
   kernel.touching = touching;
   kernel.binary32 = [answer](std::string_view) {
     Implementation<float> implementation;

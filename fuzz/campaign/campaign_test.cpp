@@ -8,6 +8,7 @@
 #include "fuzz/campaign/unit.h"
 #include "kernel/sphere_triangle/reference/contracted.h"
 #include "kernel/sphere_triangle/reference/scalar_kernel.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -87,6 +88,7 @@ Kernel planted(const char* id, Implementation<float> binary32, Implementation<do
   Kernel kernel;
   kernel.id = id;
   kernel.summary = "planted";
+  kernel.test = &sphere_triangle_test();
   kernel.binary32 = [=](std::string_view) { return binary32; };
   kernel.binary64 = [=](std::string_view) { return binary64; };
   return kernel;

@@ -5,6 +5,7 @@
 
 #include "kernel/ask.h"
 #include "kernel/sphere_triangle/query.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 
@@ -61,6 +62,7 @@ inline Kernel unloadable_kernel(const std::string& id, const std::string& why) {
   Kernel kernel;
   kernel.id = id;
   kernel.summary = "not loaded";
+  kernel.test = &sphere_triangle_test();
   kernel.formulae = Formulae::none;
   kernel.exposes = Exposure::verdict;
   kernel.is_reference = false;

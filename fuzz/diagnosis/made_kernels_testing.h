@@ -12,6 +12,7 @@
 #include "kernel/sphere_triangle/reference/contracted.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/sphere_triangle/reference/scalar_kernel.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert::made {
 
@@ -39,6 +40,7 @@ Kernel kernel_of(std::string id, Answer answer) {
   Kernel kernel;
   kernel.id = std::move(id);
   kernel.summary = "made for the tests";
+  kernel.test = &sphere_triangle_test();
   kernel.formulae = Formulae::none;
   kernel.exposes = Exposure::verdict;
   kernel.is_reference = false;

@@ -57,7 +57,7 @@ void check_sizes(const Description& d) {
 // The test and entry of the kernel. Refuses unknown ones, and counts that differ from theirs.
 void subject(const Description& d, Kernel& kernel) {
   try {
-    if (d.test[0] != 0) kernel.test = &find_test(text_of(d.test));
+    kernel.test = &test_named(text_of(d.test));
     kernel.entry = find_entry(*kernel.test, text_of(d.entry));
   } catch (const Error& unknown) {
     refuse(fmt::format("what it answers: {}; `axiscert tests` lists them", unknown.what()));

@@ -100,6 +100,7 @@ Kernel load_plugin(std::string id, const std::string& path) {
     unusable.id = std::move(id);
     unusable.file = path;
     unusable.summary = "not loaded";
+    unusable.test = &test_named("");
     unusable.formulae = Formulae::none;
     unusable.is_reference = false;
     unusable.exposes = Exposure::verdict;

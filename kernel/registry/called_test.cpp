@@ -9,6 +9,7 @@
 #include "kernel/base/error.h"
 #include "kernel/testing/queries.h"
 #include "kernel/testing/random.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -65,6 +66,7 @@ struct Seen {
 Kernel watching(Seen& seen) {
   Kernel kernel;
   kernel.id = "watching";
+  kernel.test = &sphere_triangle_test();
   kernel.has_simd = true;
   kernel.binary32 = [&seen](std::string_view target) {
     seen.target = target;

@@ -69,6 +69,7 @@ Kernel composed(std::string_view id, const Kernel& rung, const ArithmeticInfo& a
   Kernel kernel;
   kernel.id = id;
   kernel.summary = fmt::format("{}; {}", rung.summary, arithmetic.summary);
+  kernel.test = rung.test;
   kernel.formulae = rung.formulae;
   kernel.strictness = rung.strictness;
   kernel.arithmetic = arithmetic.arithmetic;

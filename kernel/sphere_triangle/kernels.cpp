@@ -2,6 +2,7 @@
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/certified/kernels.h"
 #include "kernel/sphere_triangle/certified_filter/kernels.h"
+#include "kernel/sphere_triangle/description.h"
 #include "kernel/sphere_triangle/forms/eigen.h"
 #include "kernel/sphere_triangle/forms/packed.h"
 #include "kernel/sphere_triangle/forms/simd.h"
@@ -17,6 +18,7 @@ template <Formulae formulae, Strictness strictness = strict>
 Kernel scalar(std::string id, std::string summary) {
   return {.id = std::move(id),
           .summary = std::move(summary),
+          .test = &sphere_triangle_test(),
           .formulae = formulae,
           .strictness = strictness,
           .exposes = has_comparisons(formulae) ? Exposure::sides : Exposure::verdict,
@@ -66,6 +68,7 @@ template <certified::Question question>
 Kernel certified_kernel(std::string id, std::string summary) {
   return {.id = std::move(id),
           .summary = std::move(summary),
+          .test = &sphere_triangle_test(),
           .formulae = Formulae::none,
           .exposes = Exposure::verdict,
           .binary32 = [](std::string_view target) { return certified_implementation<float>(target, question); },
@@ -80,6 +83,7 @@ template <FilterForm form>
 Kernel filter(std::string id, std::string summary) {
   return {.id = std::move(id),
           .summary = std::move(summary),
+          .test = &sphere_triangle_test(),
           .formulae = Formulae::none,
           .exposes = Exposure::verdict,
           .binary32 = [](std::string_view target) { return filter_implementation<float>(form, target); },
