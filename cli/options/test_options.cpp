@@ -98,7 +98,7 @@ bool has_critical_length(const TestDescription& test, std::size_t entry) {
 }
 
 bool has_moves(const TestDescription& test, std::size_t entry) {
-  return std::ranges::count(capabilities_of(test).moved_entries, entry) != 0;
+  return test.entries[entry].has_free_numbers;
 }
 
 bool has_formulae(const TestDescription& test, std::size_t entry) {

@@ -1,9 +1,11 @@
 #include "fuzz/queries/capabilities.h"
 
+#include "fuzz/moving_sphere/mesh_motion.h"
+
 namespace axiscert {
 
 const Capabilities& moving_sphere_capabilities() {
-  static const Capabilities all = {.moved_entries = {0}};  // the ends of a motion are not moved yet
+  static const Capabilities all = {.mesh = &moving_sphere_mesh};
   return all;
 }
 

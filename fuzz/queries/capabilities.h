@@ -2,22 +2,53 @@
 // test has no such thing. Code asks for the capability that it needs, and never which test it is.
 #pragma once
 
+#include <cstdint>
+
 #include "kernel/test.h"
 
 namespace axiscert {
 
+class AimValues;
+class ImageMaps;
+class InputClasses;
+class ProvedBounds;
+class Quantities;
 class Screens;
+class SearchMethod;
+class WitnessSides;
+struct CriticalRadiusDefaults;
+struct ImagesOfQuery;
+struct KeptAnswers;
+struct MeshQueries;
 namespace diagnosis {
 struct DiagnosisScenes;
 }
 
+// How many queries of a family a run asks for that is given no number: fewer in binary64, where exact arithmetic costs
+// more, and fewest where no filter decides before it, at a hundred times the cost.
+struct DefaultTrials {
+  std::uint64_t binary32, binary64;
+};
+inline constexpr DefaultTrials trials_without_filters = {std::uint64_t{1} << 12, std::uint64_t{1} << 12};
+
 struct Capabilities {
-  // fuzz/campaign/stages/screen.h: filters, which judge nearly every answer of a run.
-  const Screens* screens = nullptr;
-  // A screen that counts wrong verdicts by the class of their input.
-  bool has_input_classes = false;
-  // fuzz/diagnosis/scenes/scenes.h
-  const diagnosis::DiagnosisScenes* diagnosis_scenes = nullptr;
+  DefaultTrials trials = trials_without_filters;
+  const MeshQueries* mesh = nullptr;          // fuzz/meshes/mesh.h: queries for a mesh
+  const ImagesOfQuery* images = nullptr;      // fuzz/files/corpus.h: a corpus has one query of all its images
+  const KeptAnswers* kept_answers = nullptr;  // fuzz/files/corpus.h: what a corpus states beside verdict and touching
+
+  const Screens* screens = nullptr;             // fuzz/campaign/stages/screen.h: filters, which judge most answers
+  const InputClasses* input_classes = nullptr;  // fuzz/queries/input_classes.h
+  bool has_engine_queries = false;              // wrong verdicts on them are counted (fuzz/campaign/counts/depths.h)
+  const Quantities* quantities = nullptr;       // fuzz/confirm/absolute_size.h
+  const WitnessSides* witness_sides = nullptr;  // fuzz/confirm/witness_sides.h
+
+  const diagnosis::DiagnosisScenes* diagnosis_scenes = nullptr;      // fuzz/diagnosis/scenes/scenes.h
+  const CriticalRadiusDefaults* critical_radius_defaults = nullptr;  // fuzz/instruments/critical_radius.h
+  const ProvedBounds* proved_bounds = nullptr;                       // fuzz/search/proved.h
+  const SearchMethod* search_method = nullptr;                       // fuzz/search/method.h
+  const AimValues* aim_values = nullptr;                             // fuzz/search/confirm.h
+  const ImageMaps* image_maps = nullptr;                             // fuzz/shrink/pair.h
 };
 
 // Those of a test on the list of kernel/test_list.h: NAME_capabilities() of its room in fuzz/.

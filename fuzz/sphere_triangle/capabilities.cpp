@@ -1,15 +1,37 @@
 #include "fuzz/queries/capabilities.h"
 
+#include "fuzz/instruments/critical_radius.h"
+#include "fuzz/sphere_triangle/aim_values.h"
+#include "fuzz/sphere_triangle/canonical_form.h"
+#include "fuzz/sphere_triangle/confirm.h"
 #include "fuzz/sphere_triangle/diagnosis_scenes.h"
+#include "fuzz/sphere_triangle/image_map.h"
+#include "fuzz/sphere_triangle/mesh_queries.h"
 #include "fuzz/sphere_triangle/screen.h"
+#include "fuzz/sphere_triangle/search.h"
 
 namespace axiscert {
 
 const Capabilities& sphere_triangle_capabilities() {
+  static const CriticalRadiusDefaults critical_radius = {
+      {"published", "nonstrict", "reduced", "ladder-0", "minkowski", "closest-point", "segments", "packed-nonstrict"},
+      {"general", "far", "sliver", "needle", "collinear", "repeated", "ratio", "scale"}};
   static const Capabilities all = {
+      .trials = {std::uint64_t{1} << 18, std::uint64_t{1} << 16},
+      .mesh = &sphere_triangle_mesh,
+      .images = &sphere_triangle_images,
+      .kept_answers = &sphere_triangle_answers,
       .screens = &sphere_triangle_screens(),
-      .has_input_classes = true,
+      .input_classes = &sphere_triangle_input_classes(),
+      .has_engine_queries = true,
+      .quantities = &sphere_triangle_quantities(),
+      .witness_sides = &sphere_triangle_witness_sides(),
       .diagnosis_scenes = &diagnosis::sphere_triangle_scenes(),
+      .critical_radius_defaults = &critical_radius,
+      .proved_bounds = &sphere_triangle_proved_bounds(),
+      .search_method = &sphere_triangle_search(),
+      .aim_values = &sphere_triangle_aim_values(),
+      .image_maps = &sphere_triangle_image_maps(),
   };
   return all;
 }
