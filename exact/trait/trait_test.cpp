@@ -103,7 +103,8 @@ Kernel claiming(std::string formulae, bool is_reference = true) {
   return kernel;
 }
 
-const OraclesOf<SumTrait<0>> oracles;
+const OraclesOf<SumTrait<0>> of_sums;
+const Oracles& oracles = of_sums;
 
 TEST(Trait, TruthIsThatOfTheGeometry) {
   EXPECT_EQ(oracles.truth(Numbers<double>{2, 0, 3}).verdict, Verdict::separated);
