@@ -46,8 +46,8 @@ struct AbsoluteSize {
   std::uint64_t explains;  // flips for which the quantity passes the number between `right` and `wrong`
 };
 
-// The quantities that explain most of the flips, at least three quarters of them; three at most, in the order of Quantities.
-// None for a test that names no quantities (fuzz/queries/capabilities.h).
+// The quantities that explain most of the flips, at least three quarters of them; three at most, in the order of
+// Quantities. None for a test that names no quantities (fuzz/queries/capabilities.h).
 std::vector<AbsoluteSize> absolute_sizes(const Plan& plan, const Source& source, Precision precision,
                                          std::span<const UnitFlip> flips);
 
