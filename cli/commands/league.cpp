@@ -31,10 +31,13 @@ const std::vector<std::string> league_families = {"general", "tangent",   "tie",
                                                   "scale",   "far",       "subnormal"};
 constexpr int repetitions = 5;
 
+// That of our own kernels.
+const TestDescription& league_test() { return *find_kernel(own_kernels.front()).test; }
+
 // Those above, and every family of scenes.
 std::vector<std::string> default_families() {
   std::vector<std::string> names = league_families;
-  for (const Family* family : families_of(first_test())) {
+  for (const Family* family : families_of(league_test())) {
     if (is_scene(family->name)) names.emplace_back(family->name);
   }
   return names;
@@ -42,7 +45,7 @@ std::vector<std::string> default_families() {
 
 void add_kernel(League& league, const std::string& id) {
   const Kernel& kernel = find_kernel(id);
-  require_served("league", *kernel.test);
+  require_served("league", *kernel.test, {&league_test()});
   if (std::find(league.plan.kernels.begin(), league.plan.kernels.end(), &kernel) != league.plan.kernels.end()) return;
   league.plan.kernels.push_back(&kernel);
 }
@@ -52,7 +55,7 @@ void add_kernel(League& league, const std::string& id) {
 void add_all_kernels(League& league, bool engines) {
   for (const std::string& id : own_kernels) add_kernel(league, id);
   for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
-    if (shipped.test != &first_test()) continue;
+    if (shipped.test != &league_test()) continue;
     const bool competes = shipped.prefix == "peer/";
     for (const std::string& name : shipped.names) {
       const std::string id = shipped.prefix + name;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "kernel/base/error.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -55,14 +56,15 @@ Kernel kernel_of(const char* id, const TestDescription& test) {
   return kernel;
 }
 
-const Kernel published = kernel_of("published", first_test()), strict = kernel_of("point-box/strict", point_box());
-const SourcePtr tangent = source("tangent", first_test()), corners = source("point-box/corners", point_box());
+const Kernel published = kernel_of("published", sphere_triangle_test()),
+             strict = kernel_of("point-box/strict", point_box());
+const SourcePtr tangent = source("tangent", sphere_triangle_test()), corners = source("point-box/corners", point_box());
 
 TEST(TestOptions, TheTestIsThatOfTheKernelsUnlessItIsGiven) {
-  EXPECT_EQ(&test_of_kernels("", {}), &first_test());
+  EXPECT_EQ(&test_of_kernels("", {}), &sphere_triangle_test());
   EXPECT_EQ(&test_of_kernels("", {&strict}), &point_box());
-  EXPECT_EQ(&test_of_kernels("sphere-triangle", {&published}), &first_test());
-  EXPECT_EQ(&test_given(""), &first_test());
+  EXPECT_EQ(&test_of_kernels("sphere-triangle", {&published}), &sphere_triangle_test());
+  EXPECT_EQ(&test_given(""), &sphere_triangle_test());
   EXPECT_THAT([] { test_given("nosuch"); }, ThrowsMessage<Error>(HasSubstr("unknown test 'nosuch'; tests: ")));
 }
 
@@ -96,7 +98,7 @@ TEST(TestOptions, AKernelIsJudgedOnQueriesOfItsTestAndEntry) {
 
 TEST(TestOptions, QueriesOfTwoTestsAreRefused) {
   EXPECT_EQ(&test_of_sources("", {corners}), &point_box());
-  EXPECT_EQ(&test_of_sources("", {}), &first_test());
+  EXPECT_EQ(&test_of_sources("", {}), &sphere_triangle_test());
   EXPECT_THAT(
       [] {
         test_of_sources("", {tangent, corners});
@@ -110,7 +112,7 @@ TEST(TestOptions, QueriesOfTwoTestsAreRefused) {
 }
 
 TEST(TestOptions, ACommandOfOneTestSaysWhichItServes) {
-  EXPECT_NO_THROW(require_served("search", first_test()));
+  EXPECT_NO_THROW(require_served("search", sphere_triangle_test()));
   EXPECT_THAT([] { require_served("search", point_box()); },
               ThrowsMessage<Error>("search does not serve the test point-box yet; it serves sphere-triangle"));
 }

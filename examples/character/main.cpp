@@ -16,6 +16,7 @@
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert::character {
 namespace {
@@ -50,7 +51,7 @@ std::string whole_number(const std::string& text) {
 int run(const Options& options) {
   require_uncontracted(resolve_target("auto"));
   std::string not_checked;
-  const std::vector<const Kernel*> kernels = kernels_of(options, first_test(), walk_kernels, not_checked);
+  const std::vector<const Kernel*> kernels = kernels_of(options, sphere_triangle_test(), walk_kernels, not_checked);
   Mesh mesh = load_mesh(options.mesh, read_bytes(options.mesh).size());
   const WalkOptions walk_options{options.seed, options.steps, radius_of(options, mesh, walk_share)};
   const std::string words = mesh_words(options, mesh);

@@ -10,6 +10,7 @@
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert::character {
 namespace {
@@ -46,7 +47,7 @@ namespace {
 void require_of(const TestDescription& test, const Kernel& kernel) {
   if (kernel.test == &test) return;
   throw Error(fmt::format("--kernel {}: answers {}; {}", kernel.id, kernel.test->id,
-                          &test == &first_test()
+                          &test == &sphere_triangle_test()
                               ? "a walk by static tests asks sphere-triangle, and --sweep moving-sphere"
                               : "--sweep asks moving-sphere: axiscert kernels --test moving-sphere"));
 }

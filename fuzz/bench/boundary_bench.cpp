@@ -8,6 +8,7 @@
 #include "exact/sphere_triangle/measures/nearest_root.h"
 #include "fuzz/queries/boundary.h"
 #include "fuzz/queries/family.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -67,7 +68,7 @@ void measure_all(const Family& family) {
 }
 
 const bool registered = [] {
-  for (const Family* family : families_of(first_test())) {
+  for (const Family* family : families_of(sphere_triangle_test())) {
     measure_all<float>(*family);
     measure_all<double>(*family);
   }

@@ -7,6 +7,7 @@
 
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/query.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -78,7 +79,7 @@ void add() {
   benchmark::RegisterBenchmark(("plain loop/" + precision).c_str(), time_verdicts<Real>, plain_loop<Real>);
   for (const std::string& target : available_targets()) {
     for (const Kernel& kernel : kernels()) {
-      if (kernel.test != &first_test()) continue;
+      if (kernel.test != &sphere_triangle_test()) continue;
       if (target != scalar_target && !kernel.has_simd) continue;
       benchmark::RegisterBenchmark((std::string(kernel.id) + "/" + precision + "/" + target).c_str(),
                                    time_verdicts<Real>, kernel.on<Real>(target).verdicts);

@@ -5,6 +5,7 @@
 #include "fuzz/campaign/parts/journal.h"
 #include "fuzz/campaign/parts/stretch_testing.h"
 #include "kernel/base/temporary_folder.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -40,7 +41,7 @@ BENCHMARK(unit_with_standing)->Unit(benchmark::kMicrosecond);
 void entry(benchmark::State& state) {
   const Stretches stretches(plan(), 1);
   const Entry made = run_stretch(plan(), stretches, 0);
-  const Tally tally = decode_tally(made.tallies[0], first_test());
+  const Tally tally = decode_tally(made.tallies[0], sphere_triangle_test());
   const Costs costs = decode_costs(made.costs);
   const TemporaryFolder folder;
   Journal journal((folder.path() / "journal").string(), std::string(64, 'a'), [](std::string_view) {});

@@ -15,6 +15,7 @@
 #include "kernel/testing/sources.h"
 #include "kernel/base/error.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -48,7 +49,7 @@ TEST(Families, EveryOneThatIsDefinedIsListed) {
     for (const TestDescription* test : tests()) {
       std::string prefix = std::string(test->id) + "_";
       std::replace(prefix.begin(), prefix.end(), '-', '_');
-      if (test != &first_test() && defined.starts_with(prefix)) {
+      if (test != &sphere_triangle_test() && defined.starts_with(prefix)) {
         name = fmt::format("{}/{}", test->id, defined.substr(prefix.size()));
       }
     }
@@ -58,7 +59,7 @@ TEST(Families, EveryOneThatIsDefinedIsListed) {
 }
 
 TYPED_TEST(EveryFamily, RoundsNothingWhereItSaysSo) {
-  for (const Family* family : families_of(first_test())) {
+  for (const Family* family : families_of(sphere_triangle_test())) {
     if (!family->exact_arithmetic) continue;
     for_each_query<TypeParam>(family->name, 2000, [&](const Query<TypeParam>& q, std::uint64_t) {
       std::feclearexcept(FE_INEXACT);
@@ -70,7 +71,7 @@ TYPED_TEST(EveryFamily, RoundsNothingWhereItSaysSo) {
 }
 
 TYPED_TEST(EveryFamily, GivesAnAddressOneQueryAndAnotherSeedAnother) {
-  for (const Family* family : families_of(first_test())) {
+  for (const Family* family : families_of(sphere_triangle_test())) {
     const auto bytes = [&](std::uint64_t seed, std::uint64_t position) {
       const auto v = coordinates(query_from(family->make<TypeParam>(seed, position)));
       return std::string(reinterpret_cast<const char*>(v.data()), sizeof v);
@@ -87,7 +88,7 @@ TYPED_TEST(EveryFamily, GivesAnAddressOneQueryAndAnotherSeedAnother) {
 // CGAL and the exact formulae agree; exact_truth throws if they do not. The queries of all families but one are valid
 // throughout.
 TYPED_TEST(EveryFamily, IsAcceptedByTheOracles) {
-  for (const Family* family : families_of(first_test())) {
+  for (const Family* family : families_of(sphere_triangle_test())) {
     for_each_query<TypeParam>(family->name, 2000, [&](const Query<TypeParam>& q, std::uint64_t position) {
       EXPECT_NO_THROW(exact_truth(q, position % 512 == 0));
       EXPECT_TRUE(is_valid(q) || family->name == "nonfinite");
@@ -97,7 +98,7 @@ TYPED_TEST(EveryFamily, IsAcceptedByTheOracles) {
 
 // The generators solve with formulae of their own, which are compared here with the oracle's distance.
 TYPED_TEST(EveryFamily, RadiusAtDistanceIsTheOraclesDistance) {
-  for (const Family* family : families_of(first_test())) {
+  for (const Family* family : families_of(sphere_triangle_test())) {
     for_each_query<TypeParam>(family->name, 400, [&](const Query<TypeParam>& q, std::uint64_t) {
       if (is_valid(q)) {
         EXPECT_EQ(radius_at_distance(q), nearest_sqrt<TypeParam>(squared_distance(q)));
@@ -224,7 +225,7 @@ TEST(Families, AreOfOneTestEachAndAreNamedAfterItUnlessItIsTheFirst) {
   std::size_t sum = 0;
   for (const TestDescription* test : tests()) {
     for (const Family* family : families_of(*test)) {
-      const bool is_of_first = test == &first_test();
+      const bool is_of_first = test == &sphere_triangle_test();
       EXPECT_EQ(family->name.starts_with(std::string(test->id) + "/"), !is_of_first) << family->name;
       ASSERT_LT(family->entry, test->entries.size()) << family->name;
       EXPECT_EQ(family->make<float>(1, 0).size(), family->column_count()) << family->name;

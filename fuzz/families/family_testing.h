@@ -7,6 +7,7 @@
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/claims/claim.h"
 #include "fuzz/queries/family.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 
@@ -17,7 +18,7 @@ template <class Real>
 Judgement judge_published(const Query<Real>& q) {
   const ExactTruth truth = exact_truth(q, false);
   const Reference chain = *Claims(q, *truth.formula).chain(find_kernel("published"));
-  return judge(first_test(), truth, chain, chain.rounded->reference);
+  return judge(sphere_triangle_test(), truth, chain, chain.rounded->reference);
 }
 
 // How often the running test has failed.

@@ -1,6 +1,7 @@
 // Every entry of the corpus as a test of its own, and the messages about a corpus that is not valid.
 #include "fuzz/files/corpus.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -93,7 +94,7 @@ TEST_P(CorpusEntryTest, HasTheseExactAnswers) {
     EXPECT_EQ(sgn(Rational(squared - r * r)), order) << "feature by feature";
     return;
   }
-  if (entry.stored.test != &first_test()) return;  // exact_answers has compared the oracles of two boxes
+  if (entry.stored.test != &sphere_triangle_test()) return;  // exact_answers has compared the oracles of two boxes
   std::visit(
       [&](const auto& q) {
         // Checks each oracle separately.
@@ -135,7 +136,7 @@ class CorpusFolder {
 
 CorpusEntry touching_entry() {
   const Query<float> q = {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 0, 0}, 1};
-  StoredQuery stored{"touching", Precision::binary32, q, 1};
+  StoredQuery stored{"touching", Precision::binary32, q, 1, &sphere_triangle_test()};
   return {stored, {"made", "by hand", ""}, "", exact_answers(stored), "x.jsonl"};
 }
 
@@ -175,7 +176,7 @@ TEST(CorpusSource, HasEveryQueryInItsPrecision) {
   EXPECT_EQ(source->name(), "corpus");
   std::size_t n32 = 0, n64 = 0;
   for (const CorpusEntry& entry : entries_or_none()) {
-    if (entry.stored.test != &first_test()) continue;
+    if (entry.stored.test != &sphere_triangle_test()) continue;
     if (entry.stored.precision == Precision::binary32) {
       const Query<float> q = source->make<float>(1, n32++);
       expect_same_bits(q, sphere_triangle_query_in<float>(entry.stored));

@@ -35,10 +35,10 @@ struct StoredQuery {
   std::string id;
   Precision precision;  // precision of `numbers`
   AnyNumbers numbers;
-  std::size_t line = 0;  // in its file, from 1; 0 if it does not come from a file
-  const TestDescription* test = &first_test();
-  std::size_t entry = 0;     // of the test: that in which the numbers are given
-  std::string address = {};  // that a line of JSON states, as a witness does; not written again
+  std::size_t line = 0;                   // in its file, from 1; 0 if it does not come from a file
+  const TestDescription* test = nullptr;  // never null in a query that is used
+  std::size_t entry = 0;                  // of the test: that in which the numbers are given
+  std::string address = {};               // that a line of JSON states, as a witness does; not written again
 
   const TestEntry& columns() const { return test->entries[entry]; }
 };
@@ -50,7 +50,7 @@ void set_query_notes(QueryNotes notes);
 
 // Parses all queries or throws. The Error begins NAME:LINE: field 'FIELD': as far as these are known. `csv_precision`
 // is the precision of a CSV file, which does not state one; a line of JSON does. `known` are the tests of which queries
-// are understood, the first the one that a line of JSON need not name.
+// are understood.
 std::vector<StoredQuery> parse_queries(std::string_view bytes, std::string_view name, Precision csv_precision,
                                        std::span<const TestDescription* const> known = tests());
 std::vector<StoredQuery> read_queries(std::istream& in, std::string_view name, Precision csv_precision);

@@ -10,6 +10,7 @@
 #include "fuzz/files/query_testing.h"
 #include "fuzz/families/sphere_triangle/parts/sphere_triangle_query.h"
 #include "fuzz/queries/random.h"
+#include "kernel/sphere_triangle/description.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
 #include "kernel/base/temporary_folder.h"
@@ -32,7 +33,8 @@ void line_round_trip() {
   for (int i = 0; i < 500; ++i) {
     std::array<Real, coordinate_count> v;
     for (Real& x : v) x = std::bit_cast<Real>(static_cast<Bits>(random.bits()));
-    written.push_back({"say \"" + std::to_string(i) + "\"\\\n\xc3\xa4", precision_of<Real>, from_coordinates(v)});
+    written.push_back({"say \"" + std::to_string(i) + "\"\\\n\xc3\xa4", precision_of<Real>, from_coordinates(v), 0,
+                       &sphere_triangle_test()});
     file += query_line(written.back()) + "\n";
   }
   std::istringstream in(file);

@@ -11,6 +11,7 @@
 #include "fuzz/files/corpus.h"
 #include "fuzz/files/query_testing.h"
 #include "fuzz/queries/random.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -19,7 +20,7 @@ constexpr std::uint64_t symmetry_seed = 20260611;
 
 template <class Real>
 StoredQuery stored(const Query<Real>& q) {
-  return {"q", precision_of<Real>, q, 0};
+  return {"q", precision_of<Real>, q, 0, &sphere_triangle_test()};
 }
 
 // Small integers, sometimes equal or zero: translations by integers and powers of two are exact.

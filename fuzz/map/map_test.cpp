@@ -28,7 +28,7 @@ TYPED_TEST_SUITE(Maps, Reals);
 
 template <class Real>
 StoredQuery stored(const Query<Real>& q) {
-  return {"q", precision_of<Real>, q, 0};
+  return {"q", precision_of<Real>, q, 0, &sphere_triangle_test()};
 }
 
 MovedNumbers numbers_named(std::string_view name) {

@@ -2,6 +2,7 @@
 #include "exact/sphere_triangle/filters/grid_signs.h"
 
 #include "fuzz/families/family_testing.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -9,7 +10,7 @@ namespace {
 template <class Real>
 void expect_exact() {
   constexpr int queries = 4096;
-  for (const Family* family : families_of(first_test())) {
+  for (const Family* family : families_of(sphere_triangle_test())) {
     for_each_query<Real>(family->name, queries, [&](const Query<Real>& q, std::uint64_t) {
       if (!is_valid(q)) return;
       const Signs found = integer_signs(q);

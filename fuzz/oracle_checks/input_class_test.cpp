@@ -4,6 +4,7 @@
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/families/family_testing.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -13,7 +14,7 @@ class InputClassesOfFamilies : public testing::Test {};
 TYPED_TEST_SUITE(InputClassesOfFamilies, Reals);
 
 TYPED_TEST(InputClassesOfFamilies, AreTheSameWithAndWithoutTheFilter) {
-  for (const Family* family : families_of(first_test())) {
+  for (const Family* family : families_of(sphere_triangle_test())) {
     for_each_query<TypeParam>(family->name, 2000 / TRIAL_DIVISOR, [&](const Query<TypeParam>& q, std::uint64_t) {
       if (!is_valid(q)) return;
       EXPECT_EQ(shape_classes(q), shape_classes(q, false));

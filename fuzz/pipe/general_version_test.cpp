@@ -14,6 +14,7 @@
 #include "kernel/base/sha256.h"
 #include "kernel/base/error.h"
 #include "kernel/base/temporary_folder.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -40,7 +41,7 @@ const TestDescription& piped_test() {
   }();
   return test;
 }
-const TestDescription* const known[] = {&first_test(), &piped_test()};
+const TestDescription* const known[] = {&sphere_triangle_test(), &piped_test()};
 
 // Two queries, of the numbers 0 to 39 and 1000 to 1039.
 class WideStream : public testing::Test {

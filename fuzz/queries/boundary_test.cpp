@@ -9,6 +9,7 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/measures/nearest_root.h"
 #include "fuzz/families/family_testing.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -95,7 +96,7 @@ Allowed allowed(std::string_view family) {
 
 template <class Real>
 void expect_the_exact_answers(std::uint64_t count) {
-  for (const Family* family : families_of(first_test())) {
+  for (const Family* family : families_of(sphere_triangle_test())) {
     const Silent silent = compare_with_exact<Real>(*family, count);
     const Allowed most = allowed<Real>(family->name);
     const auto places = [count](std::uint64_t thousandths) { return count * thousandths / 1000 + count / 10000; };
@@ -125,7 +126,7 @@ TYPED_TEST(NearestRoots, OfZeroAreSeenWhereTheNumbersShowThem) {
 
 // The distance relative to which critical radii are measured, compared with CGAL's.
 TYPED_TEST(NearestRoots, AreTheRoundedDistanceOfTheOracle) {
-  for (const Family* family : families_of(first_test())) {
+  for (const Family* family : families_of(sphere_triangle_test())) {
     for_each_query<TypeParam>(family->name, 300, [](const Query<TypeParam>& q, std::uint64_t) {
       if (!is_valid(q)) return;
       const auto squared = squared_distance(q);

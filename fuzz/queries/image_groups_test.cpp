@@ -10,6 +10,7 @@
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/families/sphere_triangle/parts/symmetry.h"
 #include "fuzz/families/family_testing.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 // Those of the first test; of another, its own room has such tests.
 std::vector<const ImageGroup*> groups_of_first_test() {
   std::vector<const ImageGroup*> groups = image_groups();
-  std::erase_if(groups, [](const ImageGroup* group) { return &group->test() != &first_test(); });
+  std::erase_if(groups, [](const ImageGroup* group) { return &group->test() != &sphere_triangle_test(); });
   return groups;
 }
 
@@ -106,7 +107,7 @@ TEST(ImageGroups, HaveTheSizesTheyClaimAndAreAllDifferent) {
 }
 
 TEST(ImageGroups, NameTheComparisonsOfTheBase) {
-  const ComparisonsOfBase in_order(first_test(), {0, 1, 2}), turned(first_test(), {2, 0, 1});
+  const ComparisonsOfBase in_order(sphere_triangle_test(), {0, 1, 2}), turned(sphere_triangle_test(), {2, 0, 1});
   EXPECT_EQ(in_order(0xffff), 0xffffu);
   const auto bit = [](Comparison comparison) { return one_bit<ComparisonBits>(static_cast<std::size_t>(comparison)); };
   // The image's A is the base's C, its B the base's A, its C the base's B.

@@ -14,6 +14,7 @@
 #include "kernel/base/sha256.h"
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace {
 
@@ -61,7 +62,7 @@ std::string stream_of(std::string_view input) {
                         pipe::code_of(precision),
                         count,
                         static_cast<std::uint32_t>(sizeof(pipe::Head) + plan.size()),
-                        pipe::record_size_of(precision, first_test().entries.front().columns.size()),
+                        pipe::record_size_of(precision, sphere_triangle_test().entries.front().columns.size()),
                         sha256(std::as_bytes(std::span(plan)))};
   std::string stream(sizeof head, '\0');
   std::memcpy(stream.data(), &head, sizeof head);

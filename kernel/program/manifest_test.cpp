@@ -5,6 +5,7 @@
 #include "kernel/base/error.h"
 #include "kernel/program/code_lines.h"
 #include "kernel/program/manifest.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert::plugin {
 namespace {
@@ -57,7 +58,7 @@ TEST(ManifestFile, SaysHowItsEngineIsAskedByHand) {
       "{" + least + R"(,"code":["import { v } from 'x';","ask({a}, {cz}, {r}, ${}, {x: 1}, {R});"]})", "m.json");
   std::vector<std::string> numbers;
   for (int k = 1; k <= 13; ++k) numbers.push_back(std::to_string(k));
-  EXPECT_EQ(filled_code(manifest.code, first_test().entries[0], numbers),
+  EXPECT_EQ(filled_code(manifest.code, sphere_triangle_test().entries[0], numbers),
             "import { v } from 'x';\nask(1, 2, 3, 9, 13, ${}, {x: 1}, {R});\n");
 }
 
