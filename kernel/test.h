@@ -123,7 +123,5 @@ std::string_view written_name(const TestDescription& test);
 const TestDescription& test_named(std::string_view written, std::span<const TestDescription* const> known = tests());
 // "TEST/", with which ids and folders of a test begin; empty where its name is left out.
 std::string id_prefix(const TestDescription& test);
-// The test of a kernel that names none.
-const TestDescription& first_test();
 
 }  // namespace axiscert

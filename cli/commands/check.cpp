@@ -63,7 +63,7 @@ int check(const CheckOptions& options) {
   const std::string target = resolve_target(options.target);
   const auto queries = read_query_file(options.file, parse_precision(options.precision));
   const Kernel& kernel = given != nullptr  ? *given
-                         : queries.empty() ? default_kernel(first_test())
+                         : queries.empty() ? default_kernel(default_test())
                                            : default_kernel(*queries.front().test, queries.front().entry);
   if (options.errors) require_served("--errors", *kernel.test);
   Examiner examiner(kernel, target);

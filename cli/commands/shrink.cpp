@@ -222,7 +222,7 @@ void shrink_one(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkO
 // The kernel that was given; else that of the queries' test.
 const Kernel& kernel_for(const ShrinkOptions& options, const std::vector<StoredQuery>& queries) {
   if (!options.kernel.empty()) return find_kernel(options.kernel);
-  if (queries.empty()) return default_kernel(first_test());
+  if (queries.empty()) return default_kernel(default_test());
   return default_kernel(*queries.front().test, queries.front().entry);
 }
 

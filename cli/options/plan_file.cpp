@@ -106,7 +106,7 @@ PlanFile plan_file_of(const RunOptions& given, std::optional<std::uint64_t> unit
   }
   const Plan plan = plan_of(given);
   RunOptions options = given;
-  options.test = plan.test->id;
+  options.test = plan.test().id;
   const Stretches stretches(plan, units_each ? *units_each : Stretches::default_units_each(plan));
   PlanFile file{"the plan", {}, {}, options, stretches.units_each()};
   for (const auto* files : {&options.meshes, &options.queries}) {

@@ -163,7 +163,6 @@ ReplyPlan reply_plan(const ReplyOptions& options) {
   const auto replies = std::make_shared<const StoredReplies>(read(options));
   ReplyPlan made{std::make_shared<const Kernel>(program(options, *replies)), {}};
   Plan& plan = made.plan;
-  plan.test = made.kernel->test;
   plan.seed = replies->seed();
   plan.kernels = {made.kernel.get()};
   plan.sources = replies->sources();

@@ -57,7 +57,7 @@ void add_tolerance(const std::string& given, Plan& plan) {
   }
   if (sgn(*value) < 0) throw Error(fmt::format("--tolerance {}: a tolerance is not negative", given));
   bool found = false;
-  const std::vector<TestComparison>& comparisons = plan.test->comparisons;
+  const std::vector<TestComparison>& comparisons = plan.test().comparisons;
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     if (!which.empty() && comparisons[i].name != which) continue;
     plan.tolerances.set(i, *value);
@@ -273,16 +273,15 @@ Plan plan_of(const RunOptions& given) {
     plan.kernels.push_back(kernel);
     add_plugin(*kernel, plan);
   }
-  plan.test = &test_of_kernels(options.test, plan.kernels);
+  const TestDescription& test = test_of_kernels(options.test, plan.kernels);
   if (plan.kernels.empty()) {
     const bool is_of_a_mesh = options.families.empty() && !options.meshes.empty();
-    const std::size_t entry =
-        is_of_a_mesh ? mesh_queries_of(*plan.test).entry : entry_of_families(*plan.test, options.families);
-    plan.kernels.push_back(&default_kernel(*plan.test, entry));
+    const std::size_t entry = is_of_a_mesh ? mesh_queries_of(test).entry : entry_of_families(test, options.families);
+    plan.kernels.push_back(&default_kernel(test, entry));
   }
-  if (options.planted != RunOptions().planted) require_served("--plant", *plan.test);
-  if (options.shrink != 0) require_moves("--shrink", *plan.test, plan.kernels.front()->entry);
-  if (!options.preset.empty()) apply_preset(options.preset, *plan.test, options);
+  if (options.planted != RunOptions().planted) require_served("--plant", test);
+  if (options.shrink != 0) require_moves("--shrink", test, plan.kernels.front()->entry);
+  if (!options.preset.empty()) apply_preset(options.preset, test, options);
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};
   drop_idle_precisions(plan, options.precision);
@@ -293,7 +292,7 @@ Plan plan_of(const RunOptions& given) {
       std::find(filter_fault_names.begin(), filter_fault_names.end(), options.planted) - filter_fault_names.begin());
   plan.trials = [options](const Source& source, Precision precision) { return trials_of(options, source, precision); };
   plan.threads = threads_of(options.threads);
-  plan.sources = sources_of(options, *plan.test, plan.kernels.front()->entry,
+  plan.sources = sources_of(options, plan.test(), plan.kernels.front()->entry,
                             options.precision.empty() ? Precision::binary32 : parse_precision(options.precision));
   require_one_test(plan.kernels, plan.sources);
   check_required(options.required, plan);

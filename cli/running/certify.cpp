@@ -113,7 +113,7 @@ int write_certificate(const Judged& judged, const std::optional<SigningKey>& key
   const Kernel& kernel = judged.kernel();
   const OutputFolder folder(options.out);
   const Run run = read_run(fs::path(options.out) / "run");
-  const EffortSize size = size_of(parse_effort(options.effort), *judged.plan.test, judged.is_slow);
+  const EffortSize size = size_of(parse_effort(options.effort), judged.plan.test(), judged.is_slow);
   const Staged staged{options, kernel, judged.plan, run.record, size};
   Stages stages(folder, options.out, judged.digest, options.resume);
 

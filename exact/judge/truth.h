@@ -16,10 +16,10 @@ struct Truth {
 };
 
 // Two oracles differ, or one contradicts the theorem. Carries the query so that it can be saved (a float widens
-// exactly): the numbers of the first entry of `of`.
+// exactly): the numbers of an entry of `of`.
 struct OracleDisagreement : HarnessFault {
   template <class Real>
-  OracleDisagreement(const std::string& what, const Numbers<Real>& q, const TestDescription& of = first_test())
+  OracleDisagreement(const std::string& what, const Numbers<Real>& q, const TestDescription& of)
       : HarnessFault("the oracles disagree: " + what),
         test(&of),
         precision(precision_of<Real>),

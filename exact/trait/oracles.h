@@ -116,6 +116,9 @@ class Oracles {
  public:
   virtual ~Oracles() = default;
   virtual const TestDescription& test() const = 0;
+  // Whether the numbers are a query: the truth of others is `invalid`.
+  virtual bool is_valid(const Numbers<float>& numbers) const = 0;
+  virtual bool is_valid(const Numbers<double>& numbers) const = 0;
   // The reason for which numbers whose truth is `invalid` are no query; empty where the test says none.
   virtual std::string why_invalid(const Numbers<float>&) const { return {}; }
   virtual std::string why_invalid(const Numbers<double>&) const { return {}; }

@@ -35,6 +35,8 @@ class OraclesOf final : public Oracles {
   const TestDescription& test() const override { return Test::description(); }
   std::vector<std::string_view> formulae() const override { return names_of(typename Test::AllFormulae()); }
 
+  bool is_valid(const Numbers<float>& q) const override { return Test::is_valid(widened(q)); }
+  bool is_valid(const Numbers<double>& q) const override { return Test::is_valid(widened(q)); }
   std::string why_invalid(const Numbers<float>& q) const override { return reason(q); }
   std::string why_invalid(const Numbers<double>& q) const override { return reason(q); }
 

@@ -74,7 +74,7 @@ std::vector<CellResult> cells_of(const Plan& plan) {
   for (const Precision precision : {Precision::binary64, Precision::binary32}) {
     if (std::find(plan.precisions.begin(), plan.precisions.end(), precision) == plan.precisions.end()) continue;
     for (std::size_t s = 0; s < plan.sources.size(); ++s) {
-      cells.push_back({s, precision, 0, 0, 0, std::vector<Tally>(plan.kernels.size(), Tally(*plan.test)), {}});
+      cells.push_back({s, precision, 0, 0, 0, std::vector<Tally>(plan.kernels.size(), Tally(plan.test())), {}});
     }
   }
   return cells;

@@ -19,7 +19,6 @@
 namespace axiscert {
 
 struct Plan {
-  const TestDescription* test = &first_test();  // of all kernels and sources
   std::uint64_t seed = 1;
   std::vector<const Kernel*> kernels;
   std::vector<FileInfo> plugins;  // the files of kernels that were given by path, as they were loaded
@@ -38,6 +37,9 @@ struct Plan {
   // Everything by CGAL, arbitrary precision and MPFR: the record is the same.
   bool exact_only = false;
   FilterFault planted = FilterFault::none;  // for the tests of the cross-checks
+
+  // Of all kernels and sources; there is one of either.
+  const TestDescription& test() const { return kernels.empty() ? sources.front()->test() : *kernels.front()->test; }
 };
 
 // How the queries of a cell were decided; no record holds it.

@@ -99,7 +99,6 @@ Told other_feature(Real best, std::size_t) {
 
 Plan plan_of_motions(const Kernel& kernel) {
   Plan plan;
-  plan.test = &moving_sphere_test();
   plan.kernels = {&kernel};
   for (const char* name : {"moving-sphere/general", "moving-sphere/graze", "moving-sphere/point"}) {
     plan.sources.push_back(family_source(find_family(name)));

@@ -7,6 +7,7 @@
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/campaign.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -49,7 +50,7 @@ TEST(Supervised, FindingsHaveTheirPlaceInTheSource) {
 }
 
 TEST(Supervised, TheFirstFindingIsKeptInAnyOrderOfMerging) {
-  Tally early, late;
+  Tally early(sphere_triangle_test()), late(sphere_triangle_test());
   count_finding(early, FindingKind::hang, 7, "early");
   count_finding(late, FindingKind::hang, 70000, "late");
   count_finding(late, FindingKind::crash, 70001, "other");

@@ -29,7 +29,7 @@ void judge(const Oracles& oracles, const MadeBatch<Real>& batch, KernelRuns<Real
 template <class Real>
 void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint64_t size,
          const std::vector<Standing>& standing, const BatchDone& asked, UnitResult& out) {
-  const Standing nothing = standing_of(Tally(*plan.test));
+  const Standing nothing = standing_of(Tally(plan.test()));
   KernelRuns<Real> runs;
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     const Kernel& kernel = *plan.kernels[k];
@@ -39,7 +39,7 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
   if (runs.empty()) return;
   const bool any_process = std::any_of(runs.begin(), runs.end(), [](auto& run) { return run.is_in_another_process(); });
   const std::size_t most = any_process ? batch_size_for_processes : batch_size;
-  const Oracles& oracles = oracles_of(*plan.test, source.entry());
+  const Oracles& oracles = oracles_of(plan.test(), source.entry());
   StepCounts& steps = out.steps;
   const auto screen = screen_of<Real>({plan, oracles, runs, first, steps, out.second_opinions});
   QueryBatch<Real> queries(most, source.columns().size());
@@ -67,7 +67,7 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
 
 UnitResult run_unit(const Plan& plan, const Source& source, Precision precision, std::uint64_t number,
                     std::uint64_t size, const std::vector<Standing>& standing, const BatchDone& asked) {
-  UnitResult result{std::vector<Tally>(plan.kernels.size(), Tally(*plan.test)), 0, 0, {}};
+  UnitResult result{std::vector<Tally>(plan.kernels.size(), Tally(plan.test())), 0, 0, {}};
   const double start = thread_seconds();
   const std::uint64_t first = number * unit_size;
   if (precision == Precision::binary32) run<float>(plan, source, first, size, standing, asked, result);

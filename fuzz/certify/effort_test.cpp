@@ -8,6 +8,7 @@
 #include "fuzz/queries/entry_families.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -15,15 +16,16 @@ namespace {
 TEST(Effort, AsksFewerWhereAQueryCostsMore) {
   for (const Effort effort : enumerators<Effort>) {
     EXPECT_EQ(parse_effort(effort_names[effort]), effort);
-    const EffortSize first = size_of(effort, first_test(), false);
+    const EffortSize first = size_of(effort, sphere_triangle_test(), false);
     if (effort != Effort::smoke) {
-      EXPECT_LT(size_of(effort, first_test(), true).trials, first.trials);
+      EXPECT_LT(size_of(effort, sphere_triangle_test(), true).trials, first.trials);
     }
     EXPECT_LT(size_of(effort, find_test("box-box"), false).trials, first.trials);
     EXPECT_LT(trials_of(effort, *family_source(find_family("bits")), false),
               trials_of(effort, *family_source(find_family("general")), false));
   }
-  EXPECT_LT(size_of(Effort::quick, first_test(), false).trials, size_of(Effort::standard, first_test(), false).trials);
+  EXPECT_LT(size_of(Effort::quick, sphere_triangle_test(), false).trials,
+            size_of(Effort::standard, sphere_triangle_test(), false).trials);
   EXPECT_THROW(parse_effort("quickly"), Error);
 }
 
@@ -53,7 +55,7 @@ TEST(Effort, HasTheNumbersOfItsDocument) {
     return fmt::format("2^{}", exponent);
   };
   for (const Effort effort : enumerators<Effort>) {
-    const EffortSize size = size_of(effort, first_test(), false);
+    const EffortSize size = size_of(effort, sphere_triangle_test(), false);
     const std::string row =
         fmt::format("| `{}` | {} | {} | {} | one in {}, on {} queries |", effort_names[effort], power(size.trials),
                     power(size.evaluations), power(size.probes), power(size.mutant_stride), power(size.mutant_trials));

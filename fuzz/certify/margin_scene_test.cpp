@@ -15,12 +15,13 @@
 #include <string>
 
 #include "kernel/test.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
 
 const SceneMeasure& of_spheres() {
-  static const SceneMeasure measure(first_test());
+  static const SceneMeasure measure(sphere_triangle_test());
   return measure;
 }
 

@@ -25,7 +25,7 @@ Json require_json(const std::vector<std::string>& levels) {
 }  // namespace
 
 Json plan_json(const Plan& plan, const CampaignResult& result, const Required& required) {
-  Json json = {{"axiscert", axiscert_version}, {"test", plan.test->id}, {"seed", plan.seed}};
+  Json json = {{"axiscert", axiscert_version}, {"test", plan.test().id}, {"seed", plan.seed}};
   for (const char* list : {"kernels", "precisions", "families"}) json[list] = Json::array();
   for (const char* map : {"generators", "trials"}) json[map] = Json::object();
   json["files"] = Json::array();

@@ -180,11 +180,11 @@ Json family_json(const Plan& plan, const Source& source, Precision precision, co
     json["invariance"] = invariance_of(plan, source, precision, *asymmetry);
   }
   if (has_input_classes(kernel)) json["classes"] = classes_json(tally.classes, address);
-  if (!plan.test->measures.empty()) json["motion"] = motion_json(tally.motion, kernel);
+  if (!plan.test().measures.empty()) json["motion"] = motion_json(tally.motion, kernel);
   Json &axes = json["axes"], &all = json["comparisons"];
   if (kernel.exposes == Exposure::verdict) return json;
   axes = all = Json::object();
-  const TestDescription& test = *plan.test;
+  const TestDescription& test = plan.test();
   const std::uint64_t promised = tally.trials - tally.invalid - tally.verdict.outside_limits.trials;
   const bool has_sides = kernel.exposes == Exposure::sides && promised > tally.verdict.unanswered;
   for (std::size_t a = 0; a < test.clauses.size(); ++a) {

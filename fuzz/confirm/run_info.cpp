@@ -23,7 +23,7 @@ Json steps_json(const Plan& plan, const CellResult& cell) {
   };
   Json signs = Json::object();
   for (std::size_t k = 0; k < steps.signs.size() && !plan.exact_only; ++k) {
-    signs[std::string(plan.test->comparisons[k].name)] = by_step(steps.signs[k]);
+    signs[std::string(plan.test().comparisons[k].name)] = by_step(steps.signs[k]);
   }
   const auto each = [&](double nanoseconds) { return nanoseconds / static_cast<double>(cell.queries); };
   return {{"family", plan.sources[cell.source]->name()},

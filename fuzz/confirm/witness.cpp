@@ -73,7 +73,7 @@ void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision pr
       shown[candidate.position].input_class = which;
     }
   }
-  const TestDescription& test = *plan_.test;
+  const TestDescription& test = plan_.test();
   for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
     const ComparisonTally& comparison = tally.comparisons[i];
     const auto flip = [&](const char* kind) {
@@ -163,7 +163,7 @@ Examination WitnessWriter::examined(const Kernel& kernel, const Source& source, 
 
 template <class Real>
 void WitnessWriter::write(const Kernel& kernel, const Source& source, const Shown& shown) {
-  const TestDescription& test = *plan_.test;
+  const TestDescription& test = plan_.test();
   const WitnessSides* const sides = capabilities_of(test).witness_sides;
   for (const auto& [position, what] : shown) {
     const Numbers<Real> numbers = source.make<Real>(plan_.seed, position);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "kernel/test.h"
 
@@ -17,6 +18,7 @@ class Screens;
 class SearchMethod;
 class WitnessSides;
 struct CriticalRadiusDefaults;
+struct ImageGroup;
 struct ImagesOfQuery;
 struct KeptAnswers;
 struct MeshQueries;
@@ -33,7 +35,8 @@ inline constexpr DefaultTrials trials_without_filters = {std::uint64_t{1} << 12,
 
 struct Capabilities {
   DefaultTrials trials = trials_without_filters;
-  const MeshQueries* mesh = nullptr;          // fuzz/meshes/mesh.h: queries for a mesh
+  std::span<const ImageGroup* const> image_groups = {};  // fuzz/queries/image_groups.h: families of images
+  const MeshQueries* mesh = nullptr;                     // fuzz/meshes/mesh.h: queries for a mesh
   const ImagesOfQuery* images = nullptr;      // fuzz/files/corpus.h: a corpus has one query of all its images
   const KeptAnswers* kept_answers = nullptr;  // fuzz/files/corpus.h: what a corpus states beside verdict and touching
 

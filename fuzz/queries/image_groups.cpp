@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "fuzz/queries/images.h"
+#include "fuzz/queries/capabilities.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -47,19 +47,17 @@ std::string name_in_base(std::string_view name, const std::array<std::uint8_t, 3
 
 std::vector<const ImageGroup*> image_groups() {
   std::vector<const ImageGroup*> all;
-  for (const auto groups : {sphere_triangle_image_groups(), moving_sphere_image_groups()}) {
+  for (const TestDescription* test : tests()) {
+    const auto groups = capabilities_of(*test).image_groups;
     all.insert(all.end(), groups.begin(), groups.end());
   }
   return all;
 }
 
 const ImageGroup* image_group(std::string_view family) {
-  for (const auto groups : {sphere_triangle_image_groups(), moving_sphere_image_groups()}) {
-    for (const ImageGroup* group : groups) {
-      if (group->family == family) return group;
-    }
-  }
-  return nullptr;
+  const std::vector<const ImageGroup*> all = image_groups();
+  const auto found = std::ranges::find(all, family, &ImageGroup::family);
+  return found == all.end() ? nullptr : *found;
 }
 
 ComparisonsOfBase::ComparisonsOfBase(const TestDescription& test, const std::array<std::uint8_t, 3>& order) {

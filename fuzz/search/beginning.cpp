@@ -41,7 +41,6 @@ Beginning<Real> first_found(const SearchPlan& plan, const std::vector<Aim>& aims
   Plan run;
   run.seed = plan.seed;
   run.kernels = {plan.kernel};
-  run.test = plan.kernel->test;
   run.sources = plan.first_sources;
   run.precisions = {plan.precision};
   run.trials = [&](const Source&, Precision) { return plan.first_queries; };

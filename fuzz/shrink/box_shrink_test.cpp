@@ -7,6 +7,7 @@
 #include "fuzz/queries/family.h"
 #include "fuzz/shrink/shrink.h"
 #include "fuzz/shrink/shrink_moves.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -66,7 +67,7 @@ TEST(ShrinkBoxes, TheMovesOfAFrame) {
   EXPECT_EQ((*moved(shape, q, {MoveKind::upright, 0, 0}))[6], 1);
   EXPECT_EQ((*moved(shape, q, {MoveKind::copy_frame, 1, 0}))[22], 1);
   // Without frames the list is that of before.
-  EXPECT_EQ(moves<float>(shape_of(first_test().entries.front())).size(), 1961u);
+  EXPECT_EQ(moves<float>(shape_of(sphere_triangle_test().entries.front())).size(), 1961u);
 }
 
 TEST(ShrinkBoxes, AxesThatAreNoRotationAreAClass) {

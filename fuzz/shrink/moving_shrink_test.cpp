@@ -5,6 +5,7 @@
 #include "fuzz/queries/family.h"
 #include "fuzz/shrink/shrink.h"
 #include "fuzz/shrink/shrink_moves.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -72,7 +73,7 @@ TEST(ShrinkMotions, TheMovesFollowFromTheDescription) {
 
 // The list, by which combined steps are drawn, decides what a shrunk query is, to the byte.
 TEST(ShrinkMotions, WithoutDirectionsTheMovesAreThoseThatTheyWere) {
-  const QueryShape shape = shape_of(first_test().entries.front());
+  const QueryShape shape = shape_of(sphere_triangle_test().entries.front());
   EXPECT_EQ(moves<float>(shape).size(), 1961u);
   EXPECT_EQ(moves<double>(shape).size(), 2744u);
   for (const Move& move : moves<float>(shape)) EXPECT_LT(move.kind, MoveKind::zero_direction);

@@ -21,7 +21,7 @@ struct Symptom {
   // For a wrong verdict the decisive comparison flips, for an axis its comparison flips: some of these have to remain,
   // if there are any, and no others may be added.
   ComparisonBits causes = 0;
-  const TestDescription* test = &first_test();
+  const TestDescription* test = nullptr;
 };
 std::string_view name(const Symptom& symptom);  // "verdict", "edge_ab", "edge_ab.radius"
 // "verdict false_separation [rounding]", "edge_ab.radius error".

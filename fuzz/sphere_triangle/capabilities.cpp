@@ -1,6 +1,7 @@
 #include "fuzz/queries/capabilities.h"
 
 #include "fuzz/instruments/critical_radius.h"
+#include "fuzz/queries/images.h"
 #include "fuzz/sphere_triangle/aim_values.h"
 #include "fuzz/sphere_triangle/canonical_form.h"
 #include "fuzz/sphere_triangle/confirm.h"
@@ -18,6 +19,7 @@ const Capabilities& sphere_triangle_capabilities() {
       {"general", "far", "sliver", "needle", "collinear", "repeated", "ratio", "scale"}};
   static const Capabilities all = {
       .trials = {std::uint64_t{1} << 18, std::uint64_t{1} << 16},
+      .image_groups = sphere_triangle_image_groups(),
       .mesh = &sphere_triangle_mesh,
       .images = &sphere_triangle_images,
       .kept_answers = &sphere_triangle_answers,

@@ -169,7 +169,7 @@ void KernelScreen<Real>::check_sides(std::size_t i, const FormulaTruth& exact, c
                       "scalar one {:016b} and {:016b} (bit 0 is the first comparison)",
                       kernel_.id, batched->reference, batched->range_free, *scalar.reference.bits,
                       *scalar.range_free.bits),
-          Numbers<Real>(q));
+          Numbers<Real>(q), *kernel_.test);
     }
   }
   if (!run_.shows_sides()) return;
@@ -186,7 +186,7 @@ void KernelScreen<Real>::check_sides(std::size_t i, const FormulaTruth& exact, c
   for (std::size_t k = 0; k < comparison_count; ++k) {
     const ComparisonError error(computed.lhs[k], computed.rhs[k], exact.comparison(k));
     if (const std::string wrong = errors_.contradiction(i, k, error); !wrong.empty()) {
-      throw OracleDisagreement(kernel_.id + ": " + wrong, Numbers<Real>(q));
+      throw OracleDisagreement(kernel_.id + ": " + wrong, Numbers<Real>(q), *kernel_.test);
     }
   }
 }

@@ -25,8 +25,6 @@ const std::vector<const TestDescription*>& all_tests() {
 
 std::span<const TestDescription* const> tests() { return all_tests(); }
 
-const TestDescription& first_test() { return *all_tests().front(); }
-
 const TestDescription& find_test(std::string_view id, std::span<const TestDescription* const> known) {
   std::vector<std::string_view> ids;
   for (const TestDescription* test : known) {

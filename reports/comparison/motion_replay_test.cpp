@@ -15,7 +15,6 @@ constexpr std::uint64_t replay_seed = 3;
 Json record_of_motions(const char* kernel, std::initializer_list<const char*> families) {
   Plan plan;
   plan.seed = replay_seed;
-  plan.test = &find_test("moving-sphere");
   plan.kernels = {&find_kernel(kernel)};
   plan.precisions = {Precision::binary32, Precision::binary64};
   for (const char* name : families) plan.sources.push_back(family_source(find_family(name)));

@@ -244,7 +244,7 @@ class LeagueReport {
   }
 
   Tally sum(std::size_t k, Precision precision) const {
-    Tally all;
+    Tally all(*plan_.kernels[k]->test);
     for_each_cell(k, precision, [&](const Source&, const Tally& tally) { all.merge(tally); });
     return all;
   }

@@ -8,13 +8,14 @@
 #include "reports/league/league_trust.h"
 #include "reports/league/league_worst.h"
 #include "reports/testing/test_run.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
 
 // Half of the queries are contacts, one more where their number is odd.
 Tally tally_of(std::uint64_t trials, std::uint64_t missed, std::uint64_t invented) {
-  Tally tally;
+  Tally tally(sphere_triangle_test());
   tally.trials = trials;
   tally.separated = trials / 2;
   tally.contact = trials - tally.separated;

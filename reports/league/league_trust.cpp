@@ -92,7 +92,7 @@ Trust trust_in(const Kernel& kernel, const Tally& tally) {
 
 Tally tally_of_group(const League& league, const CampaignResult& result, std::size_t k, Precision precision,
                      const TrustGroup* group) {
-  Tally all;
+  Tally all(*league.plan.kernels[k]->test);
   for (const CellResult& cell : result.cells) {
     if (cell.precision != precision) continue;
     if (group == nullptr || group->has(league.plan.sources[cell.source]->name())) all.merge(cell.tallies[k]);

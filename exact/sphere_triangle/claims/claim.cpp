@@ -4,6 +4,7 @@
 
 #include "exact/sphere_triangle/unbounded/unbounded.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -31,7 +32,8 @@ const FormulaTruth* Claims<Real>::sides(Formulae formulae) {
   const FormulaTruth& truth = others_.emplace_back(formulae, formula_truth(formulae, query_)).second;
   if (kind_of(formulae) == FormulaeKind::rung) {
     if (const auto wrong = contradiction(truth, published_)) {
-      throw OracleDisagreement(fmt::format("formulae {}: {}", name(formulae), *wrong), Numbers<Real>(query_));
+      throw OracleDisagreement(fmt::format("formulae {}: {}", name(formulae), *wrong), Numbers<Real>(query_),
+                               sphere_triangle_test());
     }
   }
   return &truth;

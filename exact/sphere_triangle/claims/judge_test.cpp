@@ -9,6 +9,7 @@
 #include "exact/trait/examine.h"
 #include "exact/sphere_triangle/claims/claim.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -21,7 +22,7 @@ Examination judged(const Query<float>& q, const char* kernel = "published") {
 std::vector<std::string> told(const Judgement& judgement) {
   std::vector<std::string> lines;
   for (const Flip& flip : judgement.flips()) {
-    std::string line(name(first_test(), flip));
+    std::string line(name(sphere_triangle_test(), flip));
     line += " " + std::string(flip_kind_names[flip.kind]);
     line += flip.decisive ? " decisive" : " masked";
     for (const Link link : flip.links) line += " " + std::string(link_names[link]);
@@ -103,7 +104,7 @@ TEST(HandWorked, BitsThatAreNotTheReferencesAreAnImplementationFault) {
   const Reference chain = *Claims(q, *truth.formula).chain(find_kernel("published"));
   EXPECT_EQ(chain.exact, chain.rounded->reference);
   const auto wrong = static_cast<ComparisonBits>(*chain.rounded->reference.bits | comparisons_of(Axis::plane));
-  const Judgement judgement = judge(first_test(), truth, chain, outcome_of(wrong));
+  const Judgement judgement = judge(sphere_triangle_test(), truth, chain, outcome_of(wrong));
   EXPECT_EQ(told(judgement),
             (Lines{"verdict false_separation decisive implementation", "plane false_separation decisive implementation",
                    "plane.radius false_separation decisive implementation"}));
@@ -115,7 +116,7 @@ TEST(HandWorked, LinksThatCancelLeaveTheVerdictRight) {
   const ExactTruth truth = exact_truth(q, true);
   const auto separated = static_cast<ComparisonBits>(truth.formula->strict | comparisons_of(Axis::vertex_a));
   const Judgement judgement =
-      judge(first_test(), truth,
+      judge(sphere_triangle_test(), truth,
             Reference{outcome_of(truth.formula->strict), Rounded{outcome_of(separated), outcome_of(separated)}},
             outcome_of(separated));
   EXPECT_FALSE(judgement.verdict_flip);
@@ -133,8 +134,8 @@ TEST(HandWorked, AFlipTheOtherWayIsMasked) {
   const ComparisonBits kernel = (exact & ~one_bit<ComparisonBits>(Comparison::edge_ab_radius)) |
                                 one_bit<ComparisonBits>(Comparison::vertex_c_side_a);
   const Judgement judgement =
-      judge(first_test(), truth, Reference{outcome_of(exact), Rounded{outcome_of(kernel), outcome_of(kernel)}},
-            outcome_of(kernel));
+      judge(sphere_triangle_test(), truth,
+            Reference{outcome_of(exact), Rounded{outcome_of(kernel), outcome_of(kernel)}}, outcome_of(kernel));
   EXPECT_EQ(told(judgement),
             (Lines{"verdict false_contact decisive rounding", "edge_ab missed_separation decisive rounding",
                    "vertex_c.side_a false_separation masked rounding",
@@ -151,14 +152,15 @@ TEST(Judge, InvalidTruthHasNoFlips) {
 TEST(Judge, AKernelWithoutAReferenceIsUnattributed) {
   const Query<float> q{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 2};
   const Judgement judgement =
-      judge(first_test(), exact_truth(q, true), std::nullopt, {Verdict::separated, std::nullopt});
+      judge(sphere_triangle_test(), exact_truth(q, true), std::nullopt, {Verdict::separated, std::nullopt});
   EXPECT_EQ(told(judgement), Lines{"verdict false_separation decisive unattributed"});
 }
 
 TEST(Judge, AnUndecidedKernelDoesNotFlip) {
   const Query<float> q{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 2};
-  EXPECT_TRUE(
-      judge(first_test(), exact_truth(q, true), std::nullopt, {Verdict::undecided, std::nullopt}).flips().empty());
+  EXPECT_TRUE(judge(sphere_triangle_test(), exact_truth(q, true), std::nullopt, {Verdict::undecided, std::nullopt})
+                  .flips()
+                  .empty());
 }
 
 }  // namespace

@@ -62,6 +62,8 @@ class FilteredSphereTriangles final : public BatchOracle<Real> {
 class SphereTriangleOracles final : public Oracles {
  public:
   const TestDescription& test() const override { return sphere_triangle_test(); }
+  bool is_valid(const Numbers<float>& q) const override { return axiscert::is_valid(query_from(q)); }
+  bool is_valid(const Numbers<double>& q) const override { return axiscert::is_valid(query_from(q)); }
   std::vector<std::string_view> formulae() const override { return {}; }  // a kernel claims them by Kernel::formulae
 
   bool has_filters() const override { return true; }
@@ -108,7 +110,7 @@ class SphereTriangleOracles final : public Oracles {
   // By bounds of the depth where they tell.
   template <class Real>
   static std::optional<Verdict> beyond(double threshold, const Query<Real>& q) {
-    if (!is_valid(q)) return std::nullopt;
+    if (!axiscert::is_valid(q)) return std::nullopt;
     const DepthRange range = depth_range(q);
     if (range.high <= threshold) return std::nullopt;
     if (!(range.low > threshold)) {

@@ -3,6 +3,7 @@
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/claims/claim.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -18,10 +19,10 @@ Judgement judged(const Query<float>& q, Touching touching, const Answer& answer,
   Kernel kernel = find_kernel("published");
   kernel.is_reference = is_reference;
   const ExactTruth truth = exact_truth(q, true);
-  return judge(first_test(), truth, Claims(q, *truth.formula).chain(kernel), answer, touching);
+  return judge(sphere_triangle_test(), truth, Claims(q, *truth.formula).chain(kernel), answer, touching);
 }
 Judgement judged_by_verdict(const Query<float>& q, Touching touching, Verdict verdict) {
-  return judge(first_test(), exact_truth(q, true), std::nullopt, {verdict, std::nullopt}, touching);
+  return judge(sphere_triangle_test(), exact_truth(q, true), std::nullopt, {verdict, std::nullopt}, touching);
 }
 
 ComparisonBits exact_bits(const Query<float>& q) { return exact_truth(q, true).formula->strict; }
@@ -101,12 +102,15 @@ TEST(Touching, AMethodFollowsTheConventionToo) {
   kernel.is_reference = false;
   const ExactTruth truth = exact_truth(touching, true);
   const auto chain = Claims(touching, *truth.formula).chain(kernel);
-  EXPECT_EQ(judge(first_test(), truth, chain, {Verdict::separated, std::nullopt}, Touching::separated).verdict_links,
+  EXPECT_EQ(judge(sphere_triangle_test(), truth, chain, {Verdict::separated, std::nullopt}, Touching::separated)
+                .verdict_links,
             LinkSet{});
-  EXPECT_EQ(judge(first_test(), truth, chain, {Verdict::contact, std::nullopt}, Touching::separated).verdict_links,
-            LinkSet{Link::unattributed});
+  EXPECT_EQ(
+      judge(sphere_triangle_test(), truth, chain, {Verdict::contact, std::nullopt}, Touching::separated).verdict_links,
+      LinkSet{Link::unattributed});
   for (const Verdict verdict : {Verdict::contact, Verdict::separated}) {
-    EXPECT_EQ(judge(first_test(), truth, chain, {verdict, std::nullopt}, Touching::either).verdict_links, LinkSet{});
+    EXPECT_EQ(judge(sphere_triangle_test(), truth, chain, {verdict, std::nullopt}, Touching::either).verdict_links,
+              LinkSet{});
   }
 }
 

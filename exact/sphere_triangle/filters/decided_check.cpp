@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 
@@ -17,7 +18,7 @@ void require_same(const DecidedSigns& decided, const ExactTruth& truth, const Qu
                   "exact arithmetic {:016b} ties {:016b}, {}{}",
                   step_names[decided.step], decided.signs.strict, decided.signs.ties, exact.strict, exact.ties,
                   name(truth.verdict), truth.touching ? ", touching" : ""),
-      Numbers<Real>(q));
+      Numbers<Real>(q), sphere_triangle_test());
 }
 template void require_same(const DecidedSigns&, const ExactTruth&, const Query<float>&);
 template void require_same(const DecidedSigns&, const ExactTruth&, const Query<double>&);

@@ -5,6 +5,7 @@
 #include "exact/sphere_triangle/oracles/area.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/second_oracle.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -60,7 +61,7 @@ ExactTruth exact_truth(const Query<Real>& q, bool with_second_opinion) {
     const SecondOpinion mpfr = second_opinion(q);
     throw OracleDisagreement(
         fmt::format("{}; MPFR's own verdict is {}", *wrong, name(separated_if(mpfr.distance_order > 0))),
-        Numbers<Real>(q));
+        Numbers<Real>(q), sphere_triangle_test());
   }
   return {{separated_if(geometric_order > 0), geometric_order == 0}, std::move(formula)};
 }

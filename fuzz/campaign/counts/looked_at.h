@@ -115,10 +115,7 @@ class AnswerCounter {
   }
 
  private:
-  // In sphere-triangle what may be valid is.
-  bool is_no_query(const Numbers<Real>& q) const {
-    return !are_valid_ && kernel_.test != &first_test() && oracles_of(kernel_).truth(q).verdict == Verdict::invalid;
-  }
+  bool is_no_query(const Numbers<Real>& q) const { return !are_valid_ && !oracles_of(kernel_).is_valid(q); }
 
   const Kernel& kernel_;
   bool are_valid_;

@@ -80,8 +80,7 @@ struct FindingTally {
 };
 
 struct Tally {
-  explicit Tally(const TestDescription& test = first_test())
-      : axes(test.clauses.size()), comparisons(test.comparisons.size()) {}
+  explicit Tally(const TestDescription& test) : axes(test.clauses.size()), comparisons(test.comparisons.size()) {}
 
   std::uint64_t trials = 0;
   std::uint64_t separated = 0, contact = 0, touching = 0, invalid = 0;  // the truth; touching is part of contact

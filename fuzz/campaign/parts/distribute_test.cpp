@@ -9,6 +9,7 @@
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "kernel/base/error.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -123,11 +124,12 @@ void expect_told(const Fault& fault, const std::function<void(const Fault&)>& ch
 TEST(Distribute, AFaultOfAnotherRankIsToldHere) {
   Query<float> q{};
   q.r = 0x1.8p-140f;
-  expect_told<OracleDisagreement>({"two of them", Numbers<float>(q)}, [&](const OracleDisagreement& told) {
-    EXPECT_EQ(told.test, &first_test());
-    EXPECT_EQ(told.precision, Precision::binary32);
-    EXPECT_THAT(told.query, testing::ElementsAreArray(coordinates(widened(q))));
-  });
+  expect_told<OracleDisagreement>({"two of them", Numbers<float>(q), sphere_triangle_test()},
+                                  [&](const OracleDisagreement& told) {
+                                    EXPECT_EQ(told.test, &sphere_triangle_test());
+                                    EXPECT_EQ(told.precision, Precision::binary32);
+                                    EXPECT_THAT(told.query, testing::ElementsAreArray(coordinates(widened(q))));
+                                  });
   expect_told<HarnessFault>(HarnessFault("it is"), [](const HarnessFault&) {});
   expect_told<Error>(Error("bad"), [](const Error&) {});
 }

@@ -22,7 +22,7 @@ std::optional<Entry> finished_in(std::string_view content) {
 }
 
 Gathered::Gathered(const Plan& plan, const Stretches& stretches)
-    : test_(plan.test), stretches_(stretches), is_done_(stretches.count()) {
+    : test_(&plan.test()), stretches_(stretches), is_done_(stretches.count()) {
   result_.cells = cells_of(plan);
 }
 

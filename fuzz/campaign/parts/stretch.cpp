@@ -152,7 +152,7 @@ Entry decode_entry(std::string_view bytes) {
 
 Entry run_stretch(const Plan& plan, const Stretches& stretches, std::uint64_t number) {
   const Stretch stretch = stretches.at(number);
-  std::vector<Tally> tallies(plan.kernels.size(), Tally(*plan.test));
+  std::vector<Tally> tallies(plan.kernels.size(), Tally(plan.test()));
   Costs costs;
   std::vector<Standing> standing;
   for (std::uint64_t done = 0; done < stretch.queries; done += unit_size) {

@@ -11,6 +11,7 @@
 #include "fuzz/campaign/parts/stretch_testing.h"
 #include "fuzz/campaign/parts/tally_code.h"
 #include "kernel/sphere_triangle/reference/scalar_kernel.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -85,7 +86,7 @@ TEST(Stretch, IsItsUnitsMerged) {
   ASSERT_EQ(stretches.count(), 1u);
   const Entry entry = run_stretch(plan, stretches, 0);
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
-    Tally merged;
+    Tally merged(sphere_triangle_test());
     for (std::uint64_t unit = 3; unit-- > 0;) {
       merged.merge(run_unit(plan, *plan.sources[0], Precision::binary32, unit, unit == 2 ? 100 : unit_size).tallies[k]);
     }
@@ -98,12 +99,11 @@ TEST(Stretch, IsItsUnitsMerged) {
 
 TEST(Stretch, OfAnotherTestHasTheCountsOfItsComparisons) {
   Plan plan = small_plan({"moving-sphere/twenty", "moving-sphere/rounded"}, {"moving-sphere/approach"}, 200);
-  plan.test = &find_test("moving-sphere");
   plan.precisions = {Precision::binary32};
   const Entry entry = run_stretch(plan, Stretches(plan, 1), 0);
   const UnitResult unit = run_unit(plan, *plan.sources[0], Precision::binary32, 0, 200);
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
-    const Tally tally = decode_tally(entry.tallies[k], *plan.test);
+    const Tally tally = decode_tally(entry.tallies[k], plan.test());
     EXPECT_EQ(tally.comparisons.size(), 61u) << plan.kernels[k]->id;
     EXPECT_EQ(encode(tally), encode(unit.tallies[k])) << plan.kernels[k]->id;
     EXPECT_EQ(tally.trials, 200u) << plan.kernels[k]->id;
@@ -123,7 +123,6 @@ TEST(Stretch, OfAnotherTestHasAsManyTalliesAsThatHasClauses) {
   for (const auto& [kernel, family] : {std::pair("moving-sphere/twenty", "moving-sphere/lattice"),
                                        std::pair("box-box/projected", "box-box/lattice")}) {
     Plan plan = small_plan({kernel}, {family}, 40);
-    plan.test = plan.kernels.front()->test;
     const Stretches stretches(plan, 1);
     for (std::uint64_t number = 0; number < stretches.count(); ++number) {
       const Stretch stretch = stretches.at(number);

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "fuzz/campaign/parts/stretch_testing.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -41,7 +42,7 @@ const std::vector<Tally>& tallies() {
 TEST(TallyCode, BytesGiveTheTallyAgain) {
   for (const Tally& tally : tallies()) {
     const std::string bytes = encode(tally);
-    EXPECT_EQ(encode(decode_tally(bytes, first_test())), bytes);
+    EXPECT_EQ(encode(decode_tally(bytes, sphere_triangle_test())), bytes);
   }
 }
 
@@ -76,7 +77,7 @@ TEST(TallyCode, EveryTreeOfMergesGivesTheSameBytes) {
     std::vector<Tally> parts = tallies();
     while (parts.size() > 1) {
       std::swap(parts[random() % parts.size()], parts.back());
-      Tally last = random() % 2 == 0 ? parts.back() : decode_tally(encode(parts.back()), first_test());
+      Tally last = random() % 2 == 0 ? parts.back() : decode_tally(encode(parts.back()), sphere_triangle_test());
       parts.pop_back();
       parts[random() % parts.size()].merge(last);
     }
@@ -87,9 +88,9 @@ TEST(TallyCode, EveryTreeOfMergesGivesTheSameBytes) {
 
 TEST(TallyCode, OtherBytesAreRefused) {
   const std::string bytes = encode(tallies()[0]);
-  EXPECT_THROW(decode_tally(bytes.substr(0, bytes.size() / 2), first_test()), Error);
-  EXPECT_THROW(decode_tally("", first_test()), Error);
-  EXPECT_THROW(decode_tally(encode(Costs{}), first_test()), Error);
+  EXPECT_THROW(decode_tally(bytes.substr(0, bytes.size() / 2), sphere_triangle_test()), Error);
+  EXPECT_THROW(decode_tally("", sphere_triangle_test()), Error);
+  EXPECT_THROW(decode_tally(encode(Costs{}), sphere_triangle_test()), Error);
   EXPECT_THROW(decode_costs(bytes), Error);
 }
 

@@ -38,7 +38,7 @@ class NoScreen final : public Screen<Real> {
 
 template <class Real>
 std::unique_ptr<Screen<Real>> screen_of(const Screened<Real>& of) {
-  if (const Screens* screens = capabilities_of(*of.plan.test).screens) return screens->screen(of);
+  if (const Screens* screens = capabilities_of(of.plan.test()).screens) return screens->screen(of);
   return std::make_unique<NoScreen<Real>>(of);
 }
 template std::unique_ptr<Screen<float>> screen_of(const Screened<float>&);

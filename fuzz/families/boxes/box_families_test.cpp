@@ -138,7 +138,6 @@ TYPED_TEST(BoxFamilies, FlatBoxesHaveAnExtentOfZero) {
 
 Tally tally_of(const char* kernel, const char* family, std::uint64_t queries) {
   Plan plan;
-  plan.test = &box_box_test();
   plan.kernels = {&find_kernel(kernel)};
   plan.sources = {family_source(find_family(family))};
   plan.precisions = {Precision::binary32};

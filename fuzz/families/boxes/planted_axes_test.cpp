@@ -69,7 +69,6 @@ double deepest(const Tally& tally) {
 
 std::vector<Tally> tallies_of(const std::deque<Kernel>& kernels, std::uint64_t queries) {
   Plan plan;
-  plan.test = &box_box_test();
   for (const Kernel& kernel : kernels) plan.kernels.push_back(&kernel);
   plan.kernels.push_back(&find_kernel("box-box/projected"));
   plan.sources = {family_source(find_family("box-box/pile")), family_source(find_family("box-box/general"))};

@@ -64,7 +64,6 @@ TYPED_TEST(TriangleFamilies, RoundNothingWhereTheySaySo) {
 // Over the reals the axis-aligned textbook is right: what is wrong is rounding; and on small integers nothing is.
 TEST(TriangleKernelsOnFamilies, TheTextbookIsWrongByRoundingAlone) {
   Plan plan;
-  plan.test = &box_triangle_test();
   plan.kernels = {&find_kernel("box-triangle/textbook-minmax")};
   for (const char* family : {"touching_minmax", "voxel", "lattice_minmax"}) {
     plan.sources.push_back(family_source(find_family("box-triangle/" + std::string(family))));

@@ -257,7 +257,6 @@ TYPED_TEST(MovingFamilies, OfOneAxisAreSeparatedByItAlone) {
 // The verdicts of the kernels on the lattice, where nothing is rounded: only the theorem is left.
 TEST(MovingSphereKernels, WhereNothingIsRoundedTheNonstrictAreRightAndTheStrictInventContacts) {
   Plan plan;
-  plan.test = &moving_sphere_test();
   plan.kernels = {&find_kernel("moving-sphere/twenty"), &find_kernel("moving-sphere/twenty-nonstrict")};
   plan.sources = {family_source(find_family("moving-sphere/lattice"))};
   plan.precisions = {Precision::binary64};

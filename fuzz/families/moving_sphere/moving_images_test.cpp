@@ -106,7 +106,6 @@ TYPED_TEST(MovingImages, AreAllDifferentAndAsManyAsTheySay) {
 
 Asymmetry counted_on(const Kernel& kernel, const char* family, std::uint64_t queries) {
   Plan plan;
-  plan.test = &moving_sphere_test();
   plan.kernels = {&kernel};
   plan.target = std::string(scalar_target);
   return *asymmetry_of(plan, kernel, *family_source(find_family(family)), Precision::binary32, queries);

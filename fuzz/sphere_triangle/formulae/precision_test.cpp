@@ -14,6 +14,7 @@
 #include "exact/sphere_triangle/unbounded/unbounded.h"
 #include "fuzz/families/family_testing.h"
 #include "kernel/base/error.h"
+#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
@@ -27,7 +28,7 @@ constexpr std::array<Strictness, 3> strictnesses = {Strictness::strict, Strictne
 // Families in which most operations leave the range get the greater number of queries.
 template <class Real, class Check>
 void for_each_family(std::uint64_t few, std::uint64_t many, Check&& check) {
-  for (const Family* family : families_of(first_test())) {
+  for (const Family* family : families_of(sphere_triangle_test())) {
     const bool at_the_ends = family->name == "bits" || family->name == "subnormal" || family->name == "scale";
     for_each_query<Real>(family->name, at_the_ends ? many : few, check);
   }

@@ -26,7 +26,6 @@ constexpr std::uint64_t queries_of_each = 3000;
 
 Plan toy_plan(std::vector<const Kernel*> kernels) {
   Plan plan;
-  plan.test = &point_box_test();
   plan.kernels = std::move(kernels);
   for (const Family* family : families_of(point_box_test())) plan.sources.push_back(family_source(*family));
   plan.precisions = {Precision::binary32, Precision::binary64};

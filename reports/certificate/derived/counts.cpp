@@ -48,7 +48,7 @@ Json stretch_json(const Plan& plan, const Stretches& stretches, const Entry& ent
     const Kernel& kernel = *plan.kernels[k];
     digests.push_back(sha256_hex(std::as_bytes(std::span(entry.tallies[k]))));
     counts.push_back(kernel.has(precision)
-                         ? sparse_counts(counts_json(kernel, decode_tally(entry.tallies[k], *plan.test)))
+                         ? sparse_counts(counts_json(kernel, decode_tally(entry.tallies[k], plan.test())))
                          : Json::object());
   }
   return {{"stretch", entry.stretch}, {"of", stretches.text(entry.stretch)}, {"sha256", digests}, {"counts", counts}};

@@ -30,10 +30,9 @@ struct Certified {
 Certified certified(const std::vector<std::string>& ids, const std::vector<std::string>& families) {
   Plan plan;
   for (const std::string& id : ids) plan.kernels.push_back(&find_kernel(id));
-  plan.test = plan.kernels.front()->test;
   for (const std::string& family : families) plan.sources.push_back(family_source(find_family(family)));
   plan.precisions = {Precision::binary32, Precision::binary64};
-  plan.trials = [&](const Source&, Precision) { return plan.test == &sphere_triangle_test() ? trials : 64; };
+  plan.trials = [&](const Source&, Precision) { return &plan.test() == &sphere_triangle_test() ? trials : 64; };
   plan.target = resolve_target("auto");
   const Stretches stretches(plan, Stretches::default_units_each(plan));
   Gathered gathered(plan, stretches);
@@ -47,7 +46,7 @@ Certified certified(const std::vector<std::string>& ids, const std::vector<std::
   made.record = record_of(plan, std::move(gathered).take(), {});
   Json& p = made.predicate;
   p["kernel"] = {
-      {"id", ids.front()}, {"kind", "built-in"}, {"test", plan.test->id}, {"entry", plan.test->entries[0].name}};
+      {"id", ids.front()}, {"kind", "built-in"}, {"test", plan.test().id}, {"entry", plan.test().entries[0].name}};
   p["asked"]["effort"] = "smoke";
   p["materials"] = {
       {"axiscert", {{"version", axiscert_version}, {"sources", source_digests().sources}}},
