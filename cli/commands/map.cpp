@@ -50,8 +50,9 @@ StoredQuery witness_of(const MapOptions& options) {
   }
   const StoredQuery& only = queries.front();
   require_moves("map", *only.test, only.entry);
-  const bool valid = std::visit(
-      [&](const auto& q) { return oracles_of(*only.test).truth(q).verdict != Verdict::invalid; }, only.numbers);
+  const bool valid =
+      std::visit([&](const auto& q) { return oracles_of(*only.test, only.entry).truth(q).verdict != Verdict::invalid; },
+                 only.numbers);
   if (!valid) throw Error(fmt::format("query '{}': not a valid query to draw a map around", queries.front().id));
   return queries.front();
 }
