@@ -15,8 +15,8 @@
 #include "exact/sphere_triangle/oracles/second_oracle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/files/query_testing.h"
-#include "fuzz/families/sphere_triangle/parts/sphere_triangle_query.h"
-#include "fuzz/families/sphere_triangle/parts/symmetry.h"
+#include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
+#include "fuzz/sphere_triangle/families/parts/symmetry.h"
 #include "kernel/base/temporary_folder.h"
 #include "kernel/sphere_triangle/description.h"
 

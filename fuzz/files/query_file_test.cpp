@@ -12,7 +12,7 @@
 #include <limits>
 #include <sstream>
 
-#include "fuzz/families/sphere_triangle/parts/sphere_triangle_query.h"
+#include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
 #include "fuzz/queries/random.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"

@@ -7,7 +7,7 @@
 #include <deque>
 
 #include "fuzz/files/query_file.h"
-#include "fuzz/families/sphere_triangle/parts/sphere_triangle_query.h"
+#include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
 #include "kernel/base/temporary_folder.h"

@@ -8,7 +8,7 @@
 
 #include "fuzz/files/query_file.h"
 #include "fuzz/files/query_testing.h"
-#include "fuzz/families/sphere_triangle/parts/sphere_triangle_query.h"
+#include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
 #include "fuzz/queries/random.h"
 #include "kernel/sphere_triangle/description.h"
 #include "fuzz/queries/source.h"

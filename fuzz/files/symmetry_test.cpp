@@ -1,5 +1,5 @@
 // The canonical form: the same for all images of a query, and different for other queries.
-#include "fuzz/families/sphere_triangle/parts/symmetry.h"
+#include "fuzz/sphere_triangle/families/parts/symmetry.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "fuzz/families/sphere_triangle/parts/sphere_triangle_query.h"
+#include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
 #include "fuzz/queries/family.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/instruments/instruments_testing.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fuzz/families/sphere_triangle/parts/shapes.h"
+#include "fuzz/sphere_triangle/families/parts/shapes.h"
 #include "fuzz/moving_sphere/mesh_motion.h"
 #include "fuzz/sphere_triangle/mesh_queries.h"
 #include "kernel/moving_sphere/moving_sphere.h"

@@ -8,7 +8,7 @@
 #include "exact/numbers/rational.h"
 #include "exact/sphere_triangle/oracles/second_oracle.h"
 #include "fuzz/confirm/asymmetry.h"
-#include "fuzz/families/sphere_triangle/parts/symmetry.h"
+#include "fuzz/sphere_triangle/families/parts/symmetry.h"
 #include "fuzz/families/family_testing.h"
 #include "kernel/sphere_triangle/description.h"
 

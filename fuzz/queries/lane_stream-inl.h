@@ -1,7 +1,7 @@
 // Stream over Highway vectors: lane i draws the same numbers as Stream at position first + i, bit for bit, on every
 // instruction set. Draws are in lockstep, so that their number cannot depend on the content of a lane. Compiled for the
 // current instruction set of foreach_target; the including file has to include
-// fuzz/families/sphere_triangle/parts/lanes.h and then define AXISCERT_PER_TARGET.
+// fuzz/sphere_triangle/families/parts/lanes.h and then define AXISCERT_PER_TARGET.
 #include "kernel/base/geometry.h"
 #include "kernel/sphere_triangle/forms/simd-inl.h"
 

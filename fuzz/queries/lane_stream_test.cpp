@@ -2,7 +2,7 @@
 // on each instruction set of this machine.
 #include <gtest/gtest.h>
 
-#include "fuzz/families/sphere_triangle/parts/lanes.h"
+#include "fuzz/sphere_triangle/families/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/queries/lane_stream_test.cpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "fuzz/families/sphere_triangle/parts/lanes.h"
+#include "fuzz/sphere_triangle/families/parts/lanes.h"
 
 #include "hwy/targets.h"
 

@@ -6,7 +6,7 @@
 
 #include "exact/trait/examine.h"
 #include "fuzz/campaign/supervised_testing.h"
-#include "fuzz/families/sphere_triangle/parts/sphere_triangle_query.h"
+#include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
 #include "fuzz/instruments/instruments_testing.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/search/confirm.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "exact/numbers/rational.h"
-#include "fuzz/families/sphere_triangle/parts/sphere_triangle_query.h"
-#include "fuzz/families/sphere_triangle/parts/symmetry.h"
+#include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
+#include "fuzz/sphere_triangle/families/parts/symmetry.h"
 #include "fuzz/text/number_text.h"
 
 namespace axiscert {

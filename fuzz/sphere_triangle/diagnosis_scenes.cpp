@@ -6,7 +6,7 @@
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/diagnosis/scenes/clear_queries.h"
-#include "fuzz/families/sphere_triangle/parts/symmetry.h"
+#include "fuzz/sphere_triangle/families/parts/symmetry.h"
 #include "fuzz/queries/image_groups.h"
 #include "kernel/sphere_triangle/query.h"
 

@@ -3,7 +3,7 @@
 
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/diagnosis/probes/probes.h"
-#include "fuzz/families/sphere_triangle/parts/lattice_bounds.h"
+#include "fuzz/sphere_triangle/families/parts/lattice_bounds.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
 #include "fuzz/sphere_triangle/diagnosis_scenes.h"

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "exact/numbers/rational.h"
-#include "fuzz/families/sphere_triangle/parts/symmetry.h"
+#include "fuzz/sphere_triangle/families/parts/symmetry.h"
 #include "fuzz/shrink/pair.h"
 
 namespace axiscert {

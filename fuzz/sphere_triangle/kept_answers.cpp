@@ -1,7 +1,7 @@
 // What the corpus keeps of sphere-triangle: the exact answers, and one query of all its images.
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "fuzz/families/sphere_triangle/parts/sphere_triangle_query.h"
+#include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
 #include "fuzz/sphere_triangle/canonical_form.h"
 
 namespace axiscert {

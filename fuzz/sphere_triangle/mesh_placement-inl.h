@@ -1,6 +1,6 @@
 // Placement of spheres about the triangles of a mesh, in lanes of binary64: one placement per vector, one triangle per
 // lane. Included once for each instruction set, by mesh_queries.cpp.
-#include "fuzz/families/sphere_triangle/parts/lane_shapes-inl.h"
+#include "fuzz/sphere_triangle/families/parts/lane_shapes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert {

@@ -2,7 +2,7 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/second_oracle.h"
 #include "fuzz/files/query_file.h"
-#include "fuzz/families/sphere_triangle/parts/sphere_triangle_query.h"
+#include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
 #include "kernel/peers/peers_testing.h"
 
 namespace axiscert {

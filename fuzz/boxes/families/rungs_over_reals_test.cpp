@@ -1,0 +1,133 @@
+// The table of docs/boxes.md with what each rung gets wrong over the reals, where nothing is rounded but the numbers
+// given; and the furthest that an epsilon reaches, beside 2 sqrt(epsilon s l).
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "exact/boxes/boxes_testing.h"
+#include "fuzz/boxes/families/parts.h"
+#include "kernel/boxes/epsilon.h"
+#include "kernel/boxes/projected.h"
+
+namespace axiscert::boxes {
+namespace {
+
+constexpr std::uint64_t reals_seed = 1;
+constexpr const char* reals_families[] = {"general", "tangent",  "stacked", "resting", "level",
+                                          "crossed", "parallel", "thin",    "flat"};
+
+// By rung, in the order of `rungs_on`.
+struct RungCounts {
+  std::array<Wrong, 9> wrong;
+};
+
+template <class... F>
+void count_rungs(const BoxPair<ExactNumber>& problem, const ExactPair& exact, bool apart, RungCounts& counts) {
+  std::size_t k = 0;
+  const auto one = [&]<class Rung>() {
+    Wrong& wrong = counts.wrong[k++];
+    const bool said_apart = separates<Rung, ExactNumber>(problem);
+    wrong.count(said_apart, apart);
+    if (said_apart && !apart) wrong.deepest_miss = std::max(wrong.deepest_miss, depth_of(exact));
+  };
+  (one.template operator()<F>(), ...);
+}
+
+RungCounts rungs_on(const char* family, std::uint64_t queries) {
+  RungCounts counts;
+  const Family& made = find_family(std::string("box-box/") + family);
+  for (std::uint64_t position = 0; position < queries; ++position) {
+    const Numbers<float> numbers = made.make<float>(reals_seed, position);
+    const auto problem = exact_problem<MatrixBoxes>(numbers);
+    const ExactPair exact = exactly(MatrixBoxes::problem<float>([&](std::size_t k) { return numbers[k]; }));
+    count_rungs<Projected, Columns, Dropped, Framed, Textbook, Rtcd, Gottschalk, Bullet, Cofactor>(
+        problem, exact, are_apart(exact), counts);
+  }
+  return counts;
+}
+
+std::string short_number(double depth) {
+  std::string text = fmt::format("{:.2g}", depth);
+  if (const std::size_t at = text.find("e-0"); at != text.npos) text.erase(at + 2, 1);
+  return text;
+}
+std::string cell_of(const Wrong& wrong) {
+  if (wrong.all() == 0) return "0";
+  std::string text = wrong.missed == 0 ? "0" : fmt::format("{} ({})", wrong.missed, short_number(wrong.deepest_miss));
+  return wrong.phantom == 0 ? text : fmt::format("{}, {}", text, wrong.phantom);
+}
+
+TEST(RungsOverTheReals, ProjectedIsRightAndOnlyTheTextbookMissesDeeply) {
+  const RungCounts resting = rungs_on("resting", 60);
+  EXPECT_EQ(resting.wrong[0].all(), 0);
+  EXPECT_GT(resting.wrong[4].missed, 3);
+  EXPECT_EQ(resting.wrong[8].all(), 0);
+  EXPECT_EQ(rungs_on("level", 60).wrong[4].all(), 0) << "upright, the textbook is right";
+}
+
+TEST(RungsOverTheRealsLong, TheTableOfDocsBoxes) {
+  if (TRIAL_DIVISOR != 1) return;
+  const std::string head =
+      "| over the reals | `projected` | `columns` | `dropped` | `framed` | `textbook` | `rtcd` | `gottschalk` | "
+      "`bullet` | "
+      "`cofactor` |";
+  std::string table = head + "\n|---|";
+  for (int k = 0; k < 9; ++k) table += "---:|";
+  table += "\n";
+  for (const char* family : reals_families) {
+    const RungCounts counts = rungs_on(family, 2500);
+    table += fmt::format("| `{}` |", family);
+    for (const Wrong& wrong : counts.wrong) table += " " + cell_of(wrong) + " |";
+    table += "\n";
+  }
+  EXPECT_EQ(docs_table(head), table);
+}
+
+// Both boxes stand on an edge, of half length l along x; B is turned about z, and its lowest edge crosses A's highest
+// one in the middle, `gap` above it. In doubles, whose roundings are nothing beside the band.
+BoxPair<double> crossing(double s, double l, double angle, double gap) {
+  const double h = std::sqrt(0.5), c = std::cos(angle), n = std::sin(angle);
+  return {{{0, 0, 0}, {l, s, s}, {{{1, 0, 0}, {0, h, h}, {0, -h, h}}}},
+          {{0, 0, 2 * s * std::sqrt(2.0) + gap}, {l, s, s}, {{{c, n, 0}, {-n * h, c * h, h}, {n * h, -c * h, h}}}}};
+}
+
+// The widest gap that F still calls contact, over angles of 2^-16 to 1/2.
+template <class F>
+double band_of(double s, double l) {
+  double widest = 0;
+  for (double angle = 0x1p-16; angle < 0.5; angle *= 1.01) {
+    double contact = 0, apart = 0.25;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (contact + apart) / 2;
+      (separates<F>(crossing(s, l, angle, middle)) ? apart : contact) = middle;
+    }
+    widest = std::max(widest, contact);
+  }
+  return widest;
+}
+
+TEST(EpsilonBand, IsAsWideAsTheTableOfDocsBoxesSays) {
+  const std::string head =
+      "| half width s, half length l | `rtcd` | 2 sqrt(e s l) | `gottschalk` | 2 sqrt(e s l) | `bullet` | 2 sqrt(e s "
+      "l) |";
+  std::string table = head + "\n|---|---:|---:|---:|---:|---:|---:|\n";
+  for (const auto& [s, l] : {std::pair{1.0, 1.0}, std::pair{1.0, 8.0}, std::pair{1.0, 64.0}, std::pair{0.125, 8.0}}) {
+    table += fmt::format("| {}, {} |", s, l);
+    const auto add = [&](double band, double epsilon) {
+      const double expected = 2 * std::sqrt(epsilon * s * l);
+      EXPECT_GT(band, expected * 0.9) << s << ' ' << l;
+      EXPECT_LT(band, expected * 1.1) << s << ' ' << l;
+      table += fmt::format(" {} | {} |", short_number(band), short_number(expected));
+    };
+    add(band_of<Rtcd>(s, l), 0x1p-23);
+    add(band_of<Gottschalk>(s, l), 1e-6);
+    add(band_of<Bullet>(s, l), 1e-5);
+    table += "\n";
+    EXPECT_LT(band_of<Cofactor>(s, l), 1e-12);
+  }
+  EXPECT_EQ(docs_table(head), table);
+}
+
+}  // namespace
+}  // namespace axiscert::boxes

@@ -1,0 +1,90 @@
+// Motions at every power of two: clear ones, whose faults are of range and not of rounding, and small integers in other
+// units of length, on which nothing is rounded.
+#include <limits>
+
+#include "exact/moving_sphere/least_distance.h"
+#include "fuzz/moving_sphere/families/parts.h"
+#include "fuzz/sphere_triangle/families/parts/image_fill.h"
+#include "fuzz/sphere_triangle/families/parts/lattice_bounds.h"
+#include "fuzz/sphere_triangle/families/parts/unit_images.h"
+
+namespace axiscert::moving_sphere {
+namespace {
+
+// From the power that leaves one bit of a subnormal to that at which numbers below 2 just remain finite.
+template <class Real>
+int power_in_turn(std::uint64_t position) {
+  using Limits = std::numeric_limits<Real>;
+  constexpr int least = Limits::min_exponent - Limits::digits, greatest = Limits::max_exponent - 1;
+  return least + static_cast<int>(position % (greatest - least + 1));
+}
+
+// The radius is half the least distance of the motion or less, or twice it or more, and below two; a motion through the
+// triangle has a radius other than 0.
+template <class Real>
+Numbers<Real> clear_motion(Stream& random, std::uint64_t position) {
+  const auto [a, b, c] = shapes::vertices_in_cube<Real>(random);
+  const Vec3<Real> p = shapes::in_cube<Real>(random), d = shapes::in_cube<Real>(random);
+  MovingQuery<Real> q{a, b, c, p, d, 0};
+  const auto wide = [](const Vec3<Real>& v) {
+    return Vec3<double>{static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+  };
+  const Real distance =
+      nearest_sqrt<Real>(least_distance(MovingQuery<double>{wide(a), wide(b), wide(c), wide(p), wide(d), 0}).squared);
+  const Real share = random.unit<Real>() * Real(0.5);
+  const bool wants_separated = random.coin(), is_separated = distance > 0 && (wants_separated || distance >= Real(0.5));
+  q.r = is_separated ? distance * share : distance * 2 + share;
+  return times_power<Real>(q, power_in_turn<Real>(position));
+}
+
+// As in `lattice`. Every difference of points is below 2 m and, seen from the end of the motion, below 3 m: as that of
+// integers up to 3/2 m, for which the range of forms of degree 6 is known.
+template <class Real>
+constexpr std::int64_t lattice_bound = sizeof(Real) == 4 ? 3 : 90;
+template <class Real>
+constexpr PowerRange units_range = range_of_degree_6<Real>((3 * lattice_bound<Real> + 1) / 2);
+PowerRange units_range_in(Precision precision) {
+  return precision == Precision::binary32 ? units_range<float> : units_range<double>;
+}
+
+template <class Real>
+Numbers<Real> lattice_base(Stream& random, std::uint64_t base) {
+  return small_integers<Real>(random, std::array{std::int64_t{1}, std::int64_t{2}, lattice_bound<Real>}[base % 3]);
+}
+
+template <class Real>
+void units(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) {
+  fill_groups(name, first, out, unit_images::count, lattice_base<Real>,
+              [](Stream&, const Numbers<Real>& q, std::uint64_t base, std::size_t i) {
+                return times_power(q, unit_images::exponent(units_range<Real>, base, i));
+              });
+}
+
+}  // namespace
+
+extern const ImageGroup moving_sphere_units_group = {moving_sphere_test,
+                                                     "moving-sphere/units",
+                                                     unit_images::count,
+                                                     [](std::size_t) {
+                                                       return std::array<std::uint8_t, 3>{0, 1, 2};
+                                                     },
+                                                     [](std::size_t) { return ImageKind::scale; },
+                                                     [](Precision precision, std::uint64_t base, std::size_t i) {
+                                                       return unit_images::exponent(units_range_in(precision), base, i);
+                                                     },
+                                                     units_range_in};
+
+extern const Family moving_sphere_units_family = {
+    .test = moving_sphere_test,
+    .name = "moving-sphere/units",
+    .purpose =
+        "small integers, and times seven powers of two, 2^-20 to 2^16 or 2^-170 to 2^161: every operation is exact",
+    .version = 1,
+    .exact_arithmetic = true,
+    .binary32 = units<float>,
+    .binary64 = units<double>};
+extern const Family moving_sphere_scale_family = moving_family<clear_motion<float>, clear_motion<double>>(
+    "moving-sphere/scale",
+    "clear motions (r at most half the distance, or at least twice) times every power of two in turn");
+
+}  // namespace axiscert::moving_sphere
