@@ -26,7 +26,6 @@ Json record_of_kernels(const MutationPlan& plan, Precision precision, std::uint6
                        std::vector<const Kernel*> kernels) {
   Plan campaign;
   campaign.seed = plan.seed;
-  campaign.test = kernels.front()->test;
   campaign.kernels = std::move(kernels);
   for (const Family* family : plan.families) campaign.sources.push_back(family_source(*family));
   campaign.precisions = {precision};

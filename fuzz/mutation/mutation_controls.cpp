@@ -56,7 +56,6 @@ std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials
   }
   Plan campaign;
   campaign.seed = plan.seed;
-  campaign.test = kernels.front().test;
   for (const Kernel& kernel : kernels) campaign.kernels.push_back(&kernel);
   for (const Family* family : plan.families) campaign.sources.push_back(family_source(*family));
   campaign.precisions = plan.precisions;
