@@ -229,13 +229,14 @@ class PredicateCase(Case):
         for queries, header, _ in self.streams():
             right = verdicts([query.truth() for query in queries])
             for planted in (False, True):
-                said = [{"contact": "separated", "separated": "contact"}.get(one, one) if planted and i % 7 == 3 else one for i, one in enumerate(right)]
+                other = {"contact": "separated", "separated": "contact"} if planted else {}
+                said = [other.get(one, one) if i % 7 == 3 else one for i, one in enumerate(right)]
                 reply = "<BB2x" if header[8] == 1 else "<BB6x8x"
                 (self.folder / "replies.bin").write_bytes(header + b"".join(struct.pack(reply, CODES[one], 0) for one in said))
                 self.said("judge", self.folder / "replies.bin", "--quiet", "--threads", 1, "--out", self.folder / "judged")
                 (kernel,) = self.record("judged")["kernels"]
-                self.assertEqual(sum(sum(f["verdict"][kind] for kind in ("false_separation", "false_contact")) for f in kernel["families"].values()),
-                                 sum(a != b for a, b in zip(said, right)))
+                found = [family["verdict"][kind] for family in kernel["families"].values() for kind in ("false_separation", "false_contact")]
+                self.assertEqual(sum(found), sum(a != b for a, b in zip(said, right)))
                 first = 0
                 for name, family in kernel["families"].items():
                     last = first + family["trials"]
@@ -292,7 +293,8 @@ class PredicateCase(Case):
     def ask_merge(self):
         list(self.ask_plan())
         for part in (1, 2):
-            self.said("run", "--plan", self.folder / "plan.json", "--shard", f"{part}/2", "--threads", 1, "--quiet", "--out", self.folder / f"part{part}")
+            self.said("run", "--plan", self.folder / "plan.json", "--shard", f"{part}/2", "--threads", 1, "--quiet",
+                      "--out", self.folder / f"part{part}")
         self.said("merge", self.folder / "part1", self.folder / "part2", "--out", self.folder / "merged")
         merged = self.record("merged")
         self.assertEqual(merged, self.record(self.run_folder))
@@ -352,8 +354,8 @@ class PredicateCase(Case):
         yield Told(family, pairs, (row["right"], row["early"], row["late"]), counted)
 
     def ask_mutate(self):
-        found = self.json("mutate", "--kernel", self.plan.mutated, "--verdict-only", "--mutant", "operator", "--family", self.plan.family, "--trials", 48,
-                          "--precision", "binary32", "--no-controls", "--threads", 1)
+        found = self.json("mutate", "--kernel", self.plan.mutated, "--verdict-only", "--mutant", "operator", "--no-controls",
+                          "--family", self.plan.family, "--trials", 48, "--precision", "binary32", "--threads", 1)
         queries = self.queries([self.plan.family], 48)
         planted = [one for one in found["mutants"] if one["survival"]["wrong"]]
         self.assertTrue(planted)
