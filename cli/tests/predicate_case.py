@@ -7,7 +7,7 @@ from functools import cached_property
 from PIL import Image
 
 from command import Case, axiscert
-from predicate_queries import Query, Told, counted_in, counts, moved, pixels, verdicts, wrong
+from predicate_queries import Query, Told, counted_in, counts, moved, named, pixels, verdicts, wrong
 
 # A kernel of each entry; the first is wrong on many queries of `family`, and `axes` are two numbers that a map changes there.
 # `mutated` is a kernel that mutants are made of.
@@ -140,8 +140,7 @@ class PredicateCase(Case):
                 (query,) = self.read(json.dumps(witness["query"]))
                 if witness["answered"] in CODES:  # else two answers, of two ways to call it
                     self.assertEqual(self.answers([query]), [witness["answered"]], one["name"])
-                yield Told(one["name"], [query], witness["truth"],
-                           lambda truths, shown=witness["truth"]: "touching" if shown == "touching" and truths[0][1] else truths[0][0])
+                yield Told(one["name"], [query], witness["truth"], named(witness["truth"]))
 
     @cached_property
     def certificate(self):
@@ -161,7 +160,8 @@ class PredicateCase(Case):
         yield from self.told_by_record({"kernels": own}, families)
         for witness in self.certificate["witnesses"]:
             (query,) = self.read(self.said("query", witness["address"]))
-            yield Told(witness["title"], [query], witness["sentence"].split(",")[0], lambda truths: f"The truth is {truths[0][0]}")
+            shown, _ = witness["sentence"].removeprefix("The truth is ").split(",", 1)
+            yield Told(witness["title"], [query], shown, named(shown))
 
     def ask_verify(self):
         self.assertTrue(self.certificate)

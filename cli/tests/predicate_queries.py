@@ -37,6 +37,11 @@ def verdicts(truths):
     return [verdict for verdict, _ in truths]
 
 
+def named(shown):
+    """The one truth, as texts name it: "touching", or the verdict of what may touch."""
+    return lambda truths: "touching" if shown == "touching" and truths[0][1] else truths[0][0]
+
+
 def pixels(said):
     """The classes of a map's pixels, those apart that differ in the truth or the kernel's answer alone."""
     def classed(truths):
