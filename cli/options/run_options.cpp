@@ -276,6 +276,7 @@ Plan plan_of(const RunOptions& given) {
   const TestDescription& test = test_of_kernels(options.test, plan.kernels);
   if (plan.kernels.empty()) {
     const bool is_of_a_mesh = options.families.empty() && !options.meshes.empty();
+    if (is_of_a_mesh) require_served("--mesh", test, mesh_tests());
     const std::size_t entry = is_of_a_mesh ? mesh_queries_of(test).entry : entry_of_families(test, options.families);
     plan.kernels.push_back(&default_kernel(test, entry));
   }

@@ -23,9 +23,9 @@ class CommittedBytes : public testing::TestWithParam<const TestDescription*> {};
 
 // Each test's digests.txt is beside the list of its families, in the room that the test may share with others.
 TEST_P(CommittedBytes, AreMadeByEveryFamily) {
-  const auto lists = testing_support::defined_in("fuzz/families", R"((\w+)_families\(\) \{)");
+  const auto lists = testing_support::defined_in("fuzz", R"((\w+)_families\(\) \{)");
   const std::string name = name_in_sources(*GetParam());
-  ASSERT_TRUE(lists.contains(name)) << "no source in fuzz/families defines " << name << "_families()";
+  ASSERT_TRUE(lists.contains(name)) << "no source in fuzz defines " << name << "_families()";
   const std::string& list = lists.at(name);
   expect_committed_digests(*GetParam(), list.substr(0, list.rfind('/')) + "/digests.txt");
 }

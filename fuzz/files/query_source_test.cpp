@@ -50,13 +50,14 @@ void line_round_trip() {
 TEST(QueryFile, AWrittenLineReadsBackTheSame) {
   line_round_trip<float>();
   line_round_trip<double>();
-  EXPECT_EQ(query_line({"parry-76", Precision::binary32, Query<float>{{1, 0, 0}, {0, -0.0f, 0}, {}, {}, 0.2f}}),
+  EXPECT_EQ(query_line({"parry-76", Precision::binary32, Query<float>{{1, 0, 0}, {0, -0.0f, 0}, {}, {}, 0.2f}, 0,
+                        &sphere_triangle_test()}),
             R"({"id":"parry-76","precision":"binary32","a":["0x1p+0","0x0p+0","0x0p+0"],)"
             R"("b":["0x0p+0","-0x0p+0","0x0p+0"],"c":["0x0p+0","0x0p+0","0x0p+0"],)"
             R"("p":["0x0p+0","0x0p+0","0x0p+0"],"r":"0x1.99999ap-3"})");
   // An id that is not UTF-8 cannot be JSON; the query must not be lost with it.
-  EXPECT_NO_THROW(
-      parse_queries(query_line({"\xff", Precision::binary64, Query<double>{}}), "f.jsonl", Precision::binary32));
+  EXPECT_NO_THROW(parse_queries(query_line({"\xff", Precision::binary64, Query<double>{}, 0, &sphere_triangle_test()}),
+                                "f.jsonl", Precision::binary32));
 }
 
 TEST(QueryFile, AFileThatCannotBeReadIsNamed) {
