@@ -60,7 +60,7 @@ class Output {
 };
 
 // The test and the entry that `all` and the default mean: those of the first family that is named; where there is none,
-// the first entry of --test or of the first test.
+// the first entry of --test or of the default test.
 struct Meant {
   const TestDescription& test;
   std::size_t entry;

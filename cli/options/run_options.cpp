@@ -280,7 +280,7 @@ Plan plan_of(const RunOptions& given) {
     const std::size_t entry = is_of_a_mesh ? mesh_queries_of(test).entry : entry_of_families(test, options.families);
     plan.kernels.push_back(&default_kernel(test, entry));
   }
-  if (options.planted != RunOptions().planted) require_served("--plant", test);
+  if (options.planted != RunOptions().planted) require_served("--plant", test, tests_with(has_screen));
   if (options.shrink != 0) require_moves("--shrink", test, plan.kernels.front()->entry);
   if (!options.preset.empty()) apply_preset(options.preset, test, options);
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};

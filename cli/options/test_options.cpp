@@ -97,9 +97,9 @@ bool has_critical_length(const TestDescription& test, std::size_t entry) {
   return oracles_of(test, entry).critical_length().has_value();
 }
 
-bool has_moves(const TestDescription& test, std::size_t entry) {
-  return test.entries[entry].has_free_numbers;
-}
+bool has_screen(const TestDescription& test, std::size_t) { return capabilities_of(test).screens != nullptr; }
+
+bool has_moves(const TestDescription& test, std::size_t entry) { return test.entries[entry].has_free_numbers; }
 
 bool has_formulae(const TestDescription& test, std::size_t entry) {
   return std::ranges::any_of(kernels(), [&](const Kernel& kernel) {

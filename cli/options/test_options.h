@@ -34,6 +34,7 @@ const TestDescription& test_of_sources(const std::string& test, const std::vecto
 // What commands need of an entry of a test.
 using Capability = bool(const TestDescription& test, std::size_t entry);
 bool has_critical_length(const TestDescription& test, std::size_t entry);
+bool has_screen(const TestDescription& test, std::size_t entry);  // filters, in which --plant plants faults
 // Whether search, shrink and map can move its queries.
 bool has_moves(const TestDescription& test, std::size_t entry);
 // Whether a kernel of the test has formulae of kernel/formulae_list.h.

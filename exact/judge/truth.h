@@ -16,15 +16,18 @@ struct Truth {
 };
 
 // Two oracles differ, or one contradicts the theorem. Carries the query so that it can be saved (a float widens
-// exactly): the numbers of an entry of `of`.
+// exactly): the numbers of this entry of `of`.
 struct OracleDisagreement : HarnessFault {
   template <class Real>
-  OracleDisagreement(const std::string& what, const Numbers<Real>& q, const TestDescription& of)
+  OracleDisagreement(const std::string& what, const Numbers<Real>& q, const TestDescription& of,
+                     std::size_t of_entry = 0)
       : HarnessFault("the oracles disagree: " + what),
         test(&of),
+        entry(of_entry),
         precision(precision_of<Real>),
         query(q.begin(), q.end()) {}
   const TestDescription* test;
+  std::size_t entry;
   Precision precision;
   std::vector<double> query;
 };

@@ -31,7 +31,7 @@ class BatchOracle {
   // (AskedQuery::claimed).
   virtual std::optional<KnownSigns> claimed(std::size_t, const Kernel&) const { return std::nullopt; }
   // Has exact arithmetic and a second opinion repeat a sample of what filters decided, by the query's position in a
-  // longer sequence: one in `stride`, and more of the hardest. Throws OracleDisagreement.
+  // longer sequence: one in `stride` (0: none but the hardest), and more of the hardest. Throws OracleDisagreement.
   virtual void check(std::size_t /*i*/, std::uint64_t /*position*/, std::uint64_t /*stride*/) const {}
 };
 

@@ -24,11 +24,10 @@ Examination examination(const Numbers<Real>& q, const Kernel& kernel, const Answ
   out.measures = std::move(measures);
   std::optional<Reference> chain;
   if (out.truth.verdict != Verdict::invalid) {
-    out.claim = asked->claimed(kernel);
-    if (out.claim) chain = out.claim->chain;
+    chain = asked->chain(kernel);
     out.exact = asked->published_signs();
-    if (!out.exact && out.claim && out.claim->sides) {
-      out.exact = ExactSigns{out.claim->sides->holds, out.claim->sides->ties};
+    if (!out.exact) {
+      if (const ExactSides* own = asked->sides(kernel)) out.exact = ExactSigns{own->holds, own->ties};
     }
     out.squared_distance = asked->squared_distance();
     out.is_promised = is_promised(kernel, q);
@@ -52,7 +51,7 @@ Examination Examiner::examined(const Numbers<Real>& q) {
   Reply<Real> reply = ask(*implementation, q);
   Examination out = axiscert::examine(q, kernel_, reply.outcome(0), reply.measures(0));
   const bool is_answered = out.answer.verdict != Verdict::unanswered;
-  if (kernel_.exposes == Exposure::sides && is_answered) out.sides = sides_in(reply.answers);
+  if (kernel_.exposes == Exposure::sides && is_answered && reply.has_bits) out.sides = sides_in(reply.answers);
   out.findings = std::move(reply.findings);
   if (!is_answered) implementation.reset();
   return out;

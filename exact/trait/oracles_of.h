@@ -178,7 +178,8 @@ class OraclesOf final : public Oracles {
       const auto truth = Test::geometric_truth(wide);
       const std::string wrong = Test::contradiction(wide, truth, signs().holds, signs().ties);
       if (!wrong.empty()) {
-        throw OracleDisagreement(fmt::format("{}: {}", Test::description().id, wrong), q_, Test::description());
+        throw OracleDisagreement(fmt::format("{}: {}", Test::description().id, wrong), q_, Test::description(),
+                                 entry_of<Test>());
       }
       return truth;
     }
@@ -260,7 +261,7 @@ class OraclesOf final : public Oracles {
               "{}: formulae {} have the exact signs {:#b} ties {:#b}, the first formulae {:#b} ties {:#b} (bit 0 "
               "is the first comparison)",
               Test::description().id, name, strict(rung), rung.ties, strict(signs()), signs().ties),
-          q_, Test::description());
+          q_, Test::description(), entry_of<Test>());
     }
 
     const Numbers<Real> q_;

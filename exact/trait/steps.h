@@ -30,7 +30,6 @@ enum class FilterFault : std::uint8_t {
 };
 template <>
 inline constexpr std::size_t enum_count<FilterFault> = 5;
-inline constexpr std::size_t filter_fault_count = enum_count<FilterFault>;
 inline constexpr EnumArray<FilterFault, std::string_view> filter_fault_names = {
     "none", "small-bound", "no-underflow-guard", "swapped-sign", "rounding-mode"};
 

@@ -8,6 +8,7 @@
 int main(int count, char** words) {
   using namespace axiscert;
   try {
+    if (count < 2) throw Error("name the tests whose digests are to be printed, as sphere-triangle");
     for (int i = 1; i < count; ++i) {
       for (const std::string& line : digest_lines(find_test(words[i]))) fmt::print("{}\n", line);
     }

@@ -10,9 +10,9 @@
 // characters of a JSON number. `id` is optional (default "line-N") and need not be unique. Fields that are not read,
 // since a witness is a query too, and that axiscert does not itself write beside a query are told (set_query_notes);
 // inside an object of the query, as a box is, they are refused.
-// CSV begins with a header of column names, [id,]ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r for the first test, in this
-// order; which names they are tells test and entry. Cells are not quoted.
-// Either format may begin with a UTF-8 byte order mark, end its lines in CRLF and contain blank lines.
+// CSV begins with a header of column names, [id,]ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r for the test that files imply,
+// in this order; which names they are tells test and entry. Cells are not quoted. Either format may begin with a UTF-8
+// byte order mark, end its lines in CRLF and contain blank lines.
 #pragma once
 
 #include <cstddef>

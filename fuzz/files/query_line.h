@@ -13,7 +13,7 @@ namespace axiscert {
 
 using KnownTests = std::span<const TestDescription* const>;
 
-// The numbers' columns of a CSV header, as messages show them: those of the first test's first entry.
+// The numbers' columns of a CSV header, as messages show them: those of the first entry of the test that files imply.
 std::string csv_columns(KnownTests known);
 
 // The position of a line, for messages.

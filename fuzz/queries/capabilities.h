@@ -42,7 +42,7 @@ struct Capabilities {
 
   const Screens* screens = nullptr;             // fuzz/campaign/stages/screen.h: filters, which judge most answers
   const InputClasses* input_classes = nullptr;  // fuzz/queries/input_classes.h
-  bool has_engine_queries = false;              // wrong verdicts on them are counted (fuzz/campaign/counts/depths.h)
+  bool has_engine_queries = false;              // which the screen counts (fuzz/campaign/counts/depths.h)
   const Quantities* quantities = nullptr;       // fuzz/confirm/absolute_size.h
   const WitnessSides* witness_sides = nullptr;  // fuzz/confirm/witness_sides.h
 

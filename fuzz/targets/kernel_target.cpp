@@ -208,7 +208,7 @@ std::size_t put(const FuzzedQuery& fuzzed, std::uint8_t* data, std::size_t room)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   FuzzedQuery fuzzed = given(data, size);
-  // Kernels of the first test, which are listed first.
+  // Kernels of sphere-triangle, which are listed first.
   static const auto known = static_cast<std::size_t>(std::count_if(
       kernels().begin(), kernels().end(), [](const Kernel& kernel) { return kernel.test == &sphere_triangle_test(); }));
   const Kernel& chosen = kernels()[fuzzed.kernel % std::min(known, most_kernels)];

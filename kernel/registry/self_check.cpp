@@ -133,7 +133,7 @@ template std::optional<std::string> self_check<double>(const Kernel&, std::strin
 
 void require_uncontracted(std::string_view target) {
   for (const Kernel& kernel : kernels()) {
-    // Kernels of the first test alone: its formulae are compiled in every form.
+    // Kernels of sphere-triangle alone: its formulae are compiled in every form.
     if (!kernel.is_reference || kernel.exposes != Exposure::sides || kernel.formulae == Formulae::none) continue;
     if (target != scalar_target && !kernel.has_simd) continue;
     auto wrong = self_check<float>(kernel, target);

@@ -43,7 +43,8 @@ class FilteredSphereTriangles final : public BatchOracle<Real> {
   void check(std::size_t i, std::uint64_t position, std::uint64_t stride) const override {
     if (!is_known(i)) return;
     const bool is_hardest = (*decided_)[i].step == Step::integers && position % integer_check_stride == 0;
-    if (is_hardest || position % stride == 0) require_same((*decided_)[i], exact_truth(query(i), true), query(i));
+    if (is_hardest || (stride != 0 && position % stride == 0))
+      require_same((*decided_)[i], exact_truth(query(i), true), query(i));
   }
 
  private:

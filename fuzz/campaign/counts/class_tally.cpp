@@ -25,7 +25,8 @@ InputClass class_of_wrong(const Query<Real>& q, bool is_touching, DepthOf& depth
 }  // namespace
 
 bool has_input_classes(const Kernel& kernel) {
-  return capabilities_of(*kernel.test).input_classes != nullptr &&
+  const Capabilities& has = capabilities_of(*kernel.test);  // a screen counts them
+  return has.input_classes != nullptr && has.screens != nullptr &&
          (kernel.formulae == Formulae::none || !kernel.is_reference);
 }
 

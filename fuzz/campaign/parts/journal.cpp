@@ -46,7 +46,7 @@ std::uint64_t content_check(std::uint64_t offset, std::string_view content) {
   return first_bytes<std::uint64_t>(fmt::format("{}{}", raw(offset), content));
 }
 
-std::string first_line(const std::string& plan_digest) { return "axiscert-journal/1 " + plan_digest + "\n"; }
+std::string first_line(const std::string& plan_digest) { return "axiscert-journal/2 " + plan_digest + "\n"; }
 
 // Reads a file from its start, some bytes at a time: a journal may be larger than memory.
 class JournalReader {
