@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "exact/trait/oracles.h"
 #include "fuzz/files/corpus.h"
-#include "fuzz/queries/capabilities.h"
 
 namespace axiscert {
 namespace {
@@ -31,7 +31,7 @@ void apply_preset(const std::string& name, const TestDescription& test, RunOptio
       std::find_if(std::begin(presets), std::end(presets), [&](const Preset& p) { return p.name == name; });
   if (options.families.empty() && options.meshes.empty() && options.queries.empty()) options.families = {"all"};
   // A corpus that states the exact answers in full is part of every run of the preset.
-  if (!options.corpus && capabilities_of(test).kept_answers != nullptr) options.corpus = default_corpus_folder();
+  if (!options.corpus && oracles_of(test).has_squared_distance()) options.corpus = default_corpus_folder();
   if (!options.trials) options.trials = preset->trials;
 }
 

@@ -31,7 +31,7 @@ void require_one_test(const std::vector<const Kernel*>& kernels, const std::vect
 // another test.
 const TestDescription& test_of_sources(const std::string& test, const std::vector<SourcePtr>& sources);
 
-// What commands need of an entry of a test.
+// Commands ask whether an entry of a test has something that they need.
 using Capability = bool(const TestDescription& test, std::size_t entry);
 bool has_critical_length(const TestDescription& test, std::size_t entry);
 bool has_screen(const TestDescription& test, std::size_t entry);  // filters, in which --plant plants faults

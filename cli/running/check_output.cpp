@@ -7,7 +7,6 @@
 
 #include "fuzz/confirm/motion_record.h"
 #include "fuzz/files/details.h"
-#include "fuzz/queries/capabilities.h"
 #include "fuzz/text/number_text.h"
 #include "reports/instrument/figures.h"
 

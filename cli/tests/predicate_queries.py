@@ -6,7 +6,7 @@ from itertools import groupby
 
 from exact_predicates import truth
 
-# What a command says, `shown`, of these queries, and the function of their truths that it has to be.
+# The statement of a command, `shown`, about these queries, and the function of their truths that it has to be.
 Told = namedtuple("Told", "what queries shown expected")
 
 

@@ -81,7 +81,7 @@ struct MotionTrait : Entry {
     return {time, features, start};
   }
 
-  // Of the sphere before the motion.
+  // The sphere before the motion decides.
   template <class Real>
   static bool is_degenerate(const Numbers<double>& numbers) {
     const GivenMotion q = query(numbers);

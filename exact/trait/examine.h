@@ -17,8 +17,8 @@ struct ShownSides {
 struct Examination {
   Truth truth;
   Answer answer;
-  // Of a valid query: the signs of the formulae that the test publishes or, where it publishes none, of the kernel's
-  // claim; and the exact squared distance, in a test that compares one.
+  // The signs of the formulae that the test publishes or, where it publishes none, of the kernel's claim; and the exact
+  // squared distance, in a test that compares one. Empty for an invalid query.
   std::optional<ExactSigns> exact;
   std::optional<Rational> squared_distance;
   Judgement judgement;

@@ -153,12 +153,12 @@ class Oracles {
   // test has quick bounds of it.
   virtual std::optional<Verdict> verdict_beyond(double depth, const Numbers<float>& numbers) const;
   virtual std::optional<Verdict> verdict_beyond(double depth, const Numbers<double>& numbers) const;
-  // Whether the test compares a distance (AskedQuery::squared_distance).
+  // Whether the test compares a distance: then AskedQuery tells its square and the published signs.
   virtual bool has_squared_distance() const { return false; }
 
   // Empty where the answer depends on no length in this way.
   virtual std::optional<CriticalLength> critical_length() const { return std::nullopt; }
-  // Of finite numbers: whether the shape is so extreme that a kernel may be wrong there by its formulae alone, by as
+  // Whether the shape of finite numbers is so extreme that a kernel may be wrong there by its formulae alone, by as
   // much as the scene is large. `false` where the test has no such notion.
   virtual bool is_degenerate(const Numbers<float>&) const { return false; }
   virtual bool is_degenerate(const Numbers<double>&) const { return false; }

@@ -38,7 +38,7 @@ struct Plan {
   bool exact_only = false;
   FilterFault planted = FilterFault::none;  // for the tests of the cross-checks
 
-  // Of all kernels and sources; there is one of either.
+  // The test of all kernels and sources; there is one of either.
   const TestDescription& test() const { return kernels.empty() ? sources.front()->test() : *kernels.front()->test; }
 };
 

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "exact/trait/oracles.h"
-#include "fuzz/queries/query_shape.h"
 
 namespace axiscert {
 namespace {
@@ -40,9 +39,8 @@ class NearestSearch {
       : plan_(plan),
         kernel_(kernel),
         oracles_(oracles_of(kernel)),
-        shape_(shape_of(kernel.test->entries[kernel.entry])),
         truths_(batches_of<Real>(oracles_, plan.target)),
-        batch_(most_at_once, shape_.numbers) {
+        batch_(most_at_once, kernel.test->entries[kernel.entry].columns.size()) {
     for (const Kernel& other : kernels()) {
       if (other.id == kernel.id || other.test != kernel.test || other.entry != kernel.entry ||
           !other.has(precision_of<Real>))
@@ -75,7 +73,7 @@ class NearestSearch {
  private:
   void add(const Source& source, std::uint64_t position, bool is_wrong) {
     const Numbers<Real> q = source.make<Real>(plan_.seed, position);
-    if (!may_be_valid(shape_, q) || !is_promised(kernel_, q)) return;
+    if (!oracles_.is_valid(q) || !is_promised(kernel_, q)) return;
     batch_.push_back(q);
     is_wrong_.push_back(is_wrong);
     if (batch_.size() == batch_.capacity()) compare_batch();
@@ -113,7 +111,6 @@ class NearestSearch {
   const Plan& plan_;
   const Kernel& kernel_;
   const Oracles& oracles_;
-  const QueryShape shape_;
   std::unique_ptr<BatchOracle<Real>> truths_;
   QueryBatch<Real> batch_;
   std::vector<bool> is_wrong_;  // by query of the batch: the given kernel

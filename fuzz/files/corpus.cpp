@@ -69,7 +69,7 @@ class EntryReader {
     const json& touching = member(given, "touching");
     if (!touching.is_boolean()) place_.fail("touching", "true or false belongs here");
     out.touching = touching.get<bool>();
-    if (out.verdict == Verdict::invalid || capabilities_of(test).kept_answers == nullptr) return out;
+    if (out.verdict == Verdict::invalid || !oracles_of(test).has_squared_distance()) return out;
     out.squared_distance = fraction(text(given, "squared_distance"));
     out.comparisons = bits(given, "comparisons", test.comparisons.size());
     out.ties = bits(given, "ties", test.comparisons.size());
@@ -171,10 +171,16 @@ void require_distinct(const std::vector<CorpusEntry>& entries) {
 }  // namespace
 
 ExactAnswers exact_answers(const StoredQuery& stored) {
-  if (const KeptAnswers* kept = capabilities_of(*stored.test).kept_answers) return kept->of(stored);
-  const Truth truth =
-      std::visit([&](const auto& q) { return oracles_of(*stored.test, stored.entry).truth(q); }, stored.numbers);
-  return {truth.verdict, truth.touching};
+  const Oracles& oracles = oracles_of(*stored.test, stored.entry);
+  const auto asked = std::visit([&](const auto& q) { return oracles.about(q); }, stored.numbers);
+  const Truth truth = asked->truth();
+  ExactAnswers answers{truth.verdict, truth.touching};
+  if (truth.verdict == Verdict::invalid || !oracles.has_squared_distance()) return answers;
+  answers.squared_distance = asked->squared_distance();
+  const std::optional<ExactSigns> signs = asked->published_signs();
+  answers.comparisons = signs->holds;
+  answers.ties = signs->ties;
+  return answers;
 }
 
 std::string canonical_form(const StoredQuery& stored) {
@@ -200,7 +206,7 @@ std::string corpus_line(const CorpusEntry& entry) {
   nlohmann::ordered_json provenance = {{"kind", entry.provenance.kind}, {"where", entry.provenance.where}};
   if (!entry.provenance.about.empty()) provenance["about"] = entry.provenance.about;
   nlohmann::ordered_json expected = {{"verdict", name(entry.expected.verdict)}, {"touching", entry.expected.touching}};
-  if (capabilities_of(*entry.stored.test).kept_answers != nullptr) {
+  if (oracles_of(*entry.stored.test).has_squared_distance()) {
     for (const char* member : {"squared_distance", "comparisons", "ties"}) expected[member] = nullptr;
   } else if (entry.expected.verdict != Verdict::invalid) {
     const Oracles& oracles = oracles_of(*entry.stored.test, entry.stored.entry);

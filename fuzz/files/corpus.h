@@ -5,8 +5,8 @@
 //                 "about": "static" | "sweep" | "other", the subject of the report
 //   "note": TEXT, optional
 //   "expected": {"verdict", "touching", "squared_distance", "comparisons", "ties"}, as the `exact` of `axiscert check`;
-//   the last three are null if the verdict is `invalid`. For a query of a test without KeptAnswers the first two, and
-//   whatever else `exact` has for that test.
+//   the last three are null if the verdict is `invalid`. For a query of a test that compares no distance the first two,
+//   and whatever else `exact` has for that test.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct Provenance {
   std::string kind, where, about;
 };
 
-// The exact answers to a query; the last three are empty if the verdict is `invalid`, or the test has no KeptAnswers.
+// The exact answers to a query; the last three are empty if the verdict is `invalid`, or the test compares no distance.
 struct ExactAnswers {
   Verdict verdict = Verdict::invalid;
   bool touching = false;
@@ -32,10 +32,6 @@ struct ExactAnswers {
 // Computed by all oracles of the test. Throws OracleDisagreement.
 ExactAnswers exact_answers(const StoredQuery& stored);
 
-// A test whose entries state all of ExactAnswers: a capability (fuzz/queries/capabilities.h).
-struct KeptAnswers {
-  ExactAnswers (*of)(const StoredQuery& stored);
-};
 // The images of a query, for a test that has symmetries: a capability.
 struct ImagesOfQuery {
   // Text that two queries of one precision share if and only if one is an image of the other.

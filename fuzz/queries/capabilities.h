@@ -20,7 +20,6 @@ class WitnessSides;
 struct CriticalRadiusDefaults;
 struct ImageGroup;
 struct ImagesOfQuery;
-struct KeptAnswers;
 struct MeshQueries;
 namespace diagnosis {
 struct DiagnosisScenes;
@@ -37,8 +36,7 @@ struct Capabilities {
   DefaultTrials trials = trials_without_filters;
   std::span<const ImageGroup* const> image_groups = {};  // fuzz/queries/image_groups.h: families of images
   const MeshQueries* mesh = nullptr;                     // fuzz/meshes/mesh.h: queries for a mesh
-  const ImagesOfQuery* images = nullptr;      // fuzz/files/corpus.h: a corpus has one query of all its images
-  const KeptAnswers* kept_answers = nullptr;  // fuzz/files/corpus.h: what a corpus states beside verdict and touching
+  const ImagesOfQuery* images = nullptr;  // fuzz/files/corpus.h: a corpus has one query of all its images
 
   const Screens* screens = nullptr;             // fuzz/campaign/stages/screen.h: filters, which judge most answers
   const InputClasses* input_classes = nullptr;  // fuzz/queries/input_classes.h

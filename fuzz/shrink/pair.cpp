@@ -16,14 +16,13 @@ namespace axiscert {
 template <class Real>
 class PairSymptomFinder {
  public:
-  PairSymptomFinder(const Kernel& kernel, std::string_view target)
-      : kernel_(kernel), target_(target), shape_(shape_of(kernel.test->entries[kernel.entry])) {}
+  PairSymptomFinder(const Kernel& kernel, std::string_view target) : kernel_(kernel), target_(target) {}
 
   // Empty if the answers do not differ, or one is missing or declined.
   std::optional<PairSymptom> symptom(const Numbers<Real>& q, const Numbers<Real>& image_of_it,
                                      const ImageMap<Real>& map) {
     for (const Numbers<Real>* each : {&q, &image_of_it}) {
-      if (!may_be_valid(shape_, *each) || !is_promised(kernel_, *each)) return std::nullopt;
+      if (!oracles_of(kernel_).is_valid(*each) || !is_promised(kernel_, *each)) return std::nullopt;
     }
     const Outcome of_query = answer(q), of_image = answer(image_of_it);
     if (of_query.verdict == Verdict::unanswered || of_image.verdict == Verdict::unanswered) return std::nullopt;
@@ -47,7 +46,6 @@ class PairSymptomFinder {
 
   const Kernel& kernel_;
   std::string_view target_;
-  QueryShape shape_;
   std::optional<Implementation<Real>> implementation_;
 };
 
@@ -92,7 +90,7 @@ std::optional<Pair<Real>> asymmetric_pair(const std::string& given, const Kernel
   const SourcePtr source = family_source(find_family(address->name));
   if (source->version() != address->version || source->test().id != kernel.test->id || source->entry() != kernel.entry)
     return std::nullopt;
-  const QueryShape shape = shape_of(source->test().entries[source->entry()]);
+  const Oracles& oracles = oracles_of(kernel);
   const std::uint64_t position = address->position(), base = position - position % group->size;
   const Numbers<Real> q = source->template make<Real>(address->seed, position);
   PairSymptomFinder<Real> finder(kernel, target);
@@ -100,7 +98,7 @@ std::optional<Pair<Real>> asymmetric_pair(const std::string& given, const Kernel
     if (other == position) continue;
     if (position != base && other != base) break;
     const Numbers<Real> image_of_it = source->template make<Real>(address->seed, other);
-    if (!may_be_valid(shape, q) || !may_be_valid(shape, image_of_it)) continue;
+    if (!oracles.is_valid(q) || !oracles.is_valid(image_of_it)) continue;
     std::unique_ptr<ImageMap<Real>> map = maps->between(q, image_of_it);
     if (!map) continue;
     if (const auto symptom = finder.symptom(q, image_of_it, *map))

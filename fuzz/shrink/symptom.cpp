@@ -145,7 +145,7 @@ std::optional<std::string> SymptomFinder<Real>::why_no_verdict(const Numbers<Rea
 template <class Real>
 std::optional<Severity> SymptomFinder<Real>::severity(const Numbers<Real>& q, const Symptom& symptom) {
   const Oracles& oracles = oracles_of(kernel_);
-  if (!may_be_valid(shape_, q) || !oracles.is_within(kernel_.limits, q)) return std::nullopt;
+  if (!oracles.is_valid(q) || !oracles.is_within(kernel_.limits, q)) return std::nullopt;
   const Reply<Real> reply = asked(q);
   const Answer answer = reply.outcome(0);
   if (!can_show(symptom, answer)) return std::nullopt;

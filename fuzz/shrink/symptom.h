@@ -5,7 +5,6 @@
 
 #include "exact/trait/examine.h"
 #include "exact/trait/oracles.h"
-#include "fuzz/queries/query_shape.h"
 #include "kernel/ask.h"
 
 namespace axiscert {
@@ -55,8 +54,7 @@ template <class Real>
 class SymptomFinder {
  public:
   // The kernel and the string must outlive the finder. The kernel exists in this precision.
-  SymptomFinder(const Kernel& kernel, std::string_view target)
-      : kernel_(kernel), target_(target), shape_(shape_of(kernel.test->entries[kernel.entry])) {}
+  SymptomFinder(const Kernel& kernel, std::string_view target) : kernel_(kernel), target_(target) {}
 
   // Every flip, in the order verdict, axes, comparisons. Throws OracleDisagreement.
   std::vector<Symptom> flips(const Numbers<Real>& q);
@@ -72,7 +70,6 @@ class SymptomFinder {
 
   const Kernel& kernel_;
   std::string_view target_;
-  QueryShape shape_;
   std::optional<Implementation<Real>> implementation_;
 };
 

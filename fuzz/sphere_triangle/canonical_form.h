@@ -12,7 +12,6 @@ namespace axiscert {
 // only the 288 images share it.
 std::string least_image_text(const StoredQuery& stored);
 
-extern const KeptAnswers sphere_triangle_answers;
 extern const ImagesOfQuery sphere_triangle_images;
 
 }  // namespace axiscert

@@ -22,7 +22,6 @@ const Capabilities& sphere_triangle_capabilities() {
       .image_groups = sphere_triangle_image_groups(),
       .mesh = &sphere_triangle_mesh,
       .images = &sphere_triangle_images,
-      .kept_answers = &sphere_triangle_answers,
       .screens = &sphere_triangle_screens(),
       .input_classes = &sphere_triangle_input_classes(),
       .has_engine_queries = true,

@@ -29,7 +29,6 @@ void require_ieee_modes() {
 template <class Real>
 DecidedBatch<Real> Decider<Real>::decide(const MadeBatch<Real>& made) {
   const std::size_t size = made.size();
-  steps_.signs.resize(comparison_count);
   attention_.assign(size, Attention::none);
   if (exact_only_) {
     steps_.queries[Step::exact] += size;

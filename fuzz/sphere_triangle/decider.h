@@ -17,7 +17,9 @@ class Decider {
         filter_(filter_on<Real>(plan.target, plan.planted)),
         cascade_(filter_),
         steps_(steps),
-        second_opinions_(second_opinions) {}
+        second_opinions_(second_opinions) {
+    steps_.signs.resize(comparison_count);
+  }
 
   const Filter<Real>& filter() const { return filter_; }
   // Good until the next call.

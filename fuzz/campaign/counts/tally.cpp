@@ -2,7 +2,6 @@
 
 #include <bit>
 
-#include "exact/sphere_triangle/measures/error_measure.h"
 #include "exact/trait/oracles.h"
 #include "exact/trait/side_error.h"
 

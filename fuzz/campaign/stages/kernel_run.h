@@ -28,7 +28,7 @@ class KernelRun {
   // Asks the kernel; where the plan has stored replies, they are its answers.
   void ask_about(const MadeBatch<Real>& batch);
 
-  // Of the batch asked last.
+  // These are about the batch asked last.
   std::uint64_t position(std::size_t i) const { return position_ + i; }
   const Reply<Real>& reply() const { return reply_; }
   Answer answer(std::size_t i) const;

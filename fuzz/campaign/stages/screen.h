@@ -1,4 +1,4 @@
-// What stands between the kernels' answers to a batch and the oracles. A test with filters has a screen that judges
+// Screens stand between the kernels' answers to a batch and the oracles. A test with filters has a screen that judges
 // nearly every answer itself (fuzz/sphere_triangle/screen.h); for all others the oracles are asked about every query.
 #pragma once
 
