@@ -11,6 +11,7 @@
 #include "exact/boxes/box_measures.h"
 #include "fuzz/queries/boundary.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/queries/one_by_one.h"
 #include "fuzz/queries/random.h"
 #include "kernel/boxes/turned.h"
 
@@ -142,13 +143,10 @@ void solve_tangent(Pair& q, const Rational& times = 1) {
   q.b.centre = rounded_point<RealOf<Pair>>(exact.a.centre + u * factor);
 }
 
-// The query in the order of the columns, one after the other.
+// The query in the order of the columns.
 template <class Made, class Pair>
-void fill_pairs(const StreamName& name, std::uint64_t first, const MutableColumns<RealOf<Pair>>& out) {
-  for (std::size_t i = 0; i < out.size; ++i) {
-    Stream random(name, first + i);
-    out.set(i, numbers_of(Made::template make<Pair>(random, first + i)));
-  }
+Numbers<RealOf<Pair>> numbers_by(Stream& random, std::uint64_t position) {
+  return numbers_of(Made::template make<Pair>(random, position));
 }
 
 // The family in the entry `matrix`, and that of quaternions. The version changes with the queries of `Made`.
@@ -159,8 +157,8 @@ constexpr Family matrix_family(std::string_view name, std::string_view purpose, 
           .purpose = purpose,
           .version = version,
           .exact_arithmetic = exact_arithmetic,
-          .binary32 = fill_pairs<Made, BoxPair<float>>,
-          .binary64 = fill_pairs<Made, BoxPair<double>>,
+          .binary32 = one_by_one<numbers_by<Made, BoxPair<float>>, float>,
+          .binary64 = one_by_one<numbers_by<Made, BoxPair<double>>, double>,
           .entry = MatrixBoxes::entry};
 }
 template <class Made, std::uint32_t version = 1>
@@ -170,8 +168,8 @@ constexpr Family turned_family(std::string_view name, std::string_view purpose, 
           .purpose = purpose,
           .version = version,
           .exact_arithmetic = exact_arithmetic,
-          .binary32 = fill_pairs<Made, TurnedPair<float>>,
-          .binary64 = fill_pairs<Made, TurnedPair<double>>,
+          .binary32 = one_by_one<numbers_by<Made, TurnedPair<float>>, float>,
+          .binary64 = one_by_one<numbers_by<Made, TurnedPair<double>>, double>,
           .entry = QuaternionBoxes::entry};
 }
 

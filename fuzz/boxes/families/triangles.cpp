@@ -228,8 +228,8 @@ constexpr Family triangle_family(std::string_view name, std::string_view purpose
           .purpose = purpose,
           .version = version,
           .exact_arithmetic = exact_arithmetic,
-          .binary32 = fill_pairs<Made, typename Entry::template Problem<float>>,
-          .binary64 = fill_pairs<Made, typename Entry::template Problem<double>>,
+          .binary32 = one_by_one<numbers_by<Made, typename Entry::template Problem<float>>, float>,
+          .binary64 = one_by_one<numbers_by<Made, typename Entry::template Problem<double>>, double>,
           .entry = Entry::entry};
 }
 
