@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "exact/sphere_triangle/filters/cascade.h"
-#include "fuzz/campaign/stages/stages.h"
+#include "fuzz/campaign/stages/kernel_run.h"
 
 namespace axiscert {
 

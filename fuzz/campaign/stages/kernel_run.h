@@ -1,14 +1,61 @@
-// One kernel at work on the batches of one unit.
+// One kernel at work on the batches of one unit, and a query looked at closely for it.
 #pragma once
 
 #include <deque>
+#include <memory>
+#include <span>
 
+#include "exact/trait/oracles.h"
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/campaign/stages/close_look.h"
-#include "fuzz/campaign/stages/stages.h"
+#include "fuzz/campaign/counts/motion_tally.h"
 #include "kernel/ask.h"
 
 namespace axiscert {
+
+// Queries as their source made them.
+template <class Real>
+struct MadeBatch {
+  const QueryBatch<Real>& queries;
+  std::uint64_t position;  // of the first one, in its source
+
+  std::size_t size() const { return queries.size(); }
+};
+
+// A query of a batch: what its oracles say, for all kernels of the unit.
+template <class Real>
+class CloseLook {
+ public:
+  // `asked` is about `numbers`; all have to outlive this.
+  CloseLook(const Oracles& oracles, const Numbers<Real>& numbers, AskedQuery& asked)
+      : oracles_(oracles), numbers_(numbers), asked_(asked), truth_(asked.truth()) {}
+
+  const Truth& truth() const { return truth_; }
+  bool is_valid() const { return truth_.verdict != Verdict::invalid; }
+  DepthOf& depth() { return asked_.depth(); }
+  // Empty without a claim or a truth.
+  std::optional<Reference> chain(const Kernel& kernel) { return is_valid() ? asked_.chain(kernel) : std::nullopt; }
+  bool is_promised_by(const Kernel& kernel) const {
+    return !is_valid() || is_promised(oracles_, kernel.limits, kernel.motion, numbers_);
+  }
+
+  // Counts what the answer says of a motion, where the query has contact and touching is contact for the kernel.
+  void count_motion(const Kernel& kernel, std::uint64_t position, Verdict said, std::span<const double> measures,
+                    MotionTally& tally) {
+    const bool is_contact = right_verdict(truth_, kernel.touching) == Verdict::contact;
+    const bool is_hit = said == Verdict::contact;
+    if (!is_contact || (!is_hit && said != Verdict::separated)) return;
+    if (!motion_judge_) motion_judge_ = oracles_.motion_judge(numbers_);
+    if (is_hit) count_hit(tally, position, motion_judge_->hit(measures));
+    else count_missed(tally, position, motion_judge_->missed());
+  }
+
+ private:
+  const Oracles& oracles_;
+  const Numbers<Real>& numbers_;
+  AskedQuery& asked_;
+  Truth truth_;
+  std::unique_ptr<MotionJudge> motion_judge_;
+};
 
 // A plug-in is a process, begun with the unit: what it does depends on the unit alone, and not on what the thread did
 // before. The arguments of the constructor have to outlive the object, which does not move.
