@@ -191,7 +191,9 @@ def first_entries(command, addresses):
         stop = os.WSTOPSIG(status)
         at = libc.ptrace(PEEKUSER, thread, RIP, None) - 1
         if stop == signal.SIGTRAP and status >> 16 == 0 and at in planted:
-            os.pwrite(memory, planted[at], at)  # again where two threads hit it at once
+            with open(f"/proc/{thread}/mem", "rb+", buffering=0) as own:  # that of a child, which has the breakpoints too
+                own.seek(at)
+                own.write(planted[at])
             returns_to = os.pread(memory, 8, libc.ptrace(PEEKUSER, thread, RSP, None))
             entered.setdefault(at - base, int.from_bytes(returns_to, "little") - base)
             libc.ptrace(POKEUSER, thread, RIP, at)
