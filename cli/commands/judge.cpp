@@ -13,9 +13,9 @@ int judge_replies(const JudgeOptions& options) {
   std::optional<ProgressLine> reading(std::in_place, "judge: the replies are read", options.quiet);
   ReplyPlan replies = reply_plan(options);
   reading.reset();
-  replies.plan.threads = threads_of(options.threads);
+  replies.plan.running.threads = threads_of(options.threads);
   check_required(options.required, replies.plan);
-  return judged_run(replies.plan, options, replies.plan.target);
+  return judged_run(replies.plan, options, replies.plan.running.target);
 }
 
 }  // namespace

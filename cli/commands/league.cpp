@@ -46,8 +46,8 @@ std::vector<std::string> default_families() {
 void add_kernel(League& league, const std::string& id) {
   const Kernel& kernel = find_kernel(id);
   require_served("league", *kernel.test, {&league_test()});
-  if (std::find(league.plan.kernels.begin(), league.plan.kernels.end(), &kernel) != league.plan.kernels.end()) return;
-  league.plan.kernels.push_back(&kernel);
+  if (std::find(league.kernels.begin(), league.kernels.end(), &kernel) != league.kernels.end()) return;
+  league.kernels.push_back(&kernel);
 }
 
 // Our own kernels and every peer, those from npm only with `engines`; every kernel with a planted fault is kept apart
@@ -61,7 +61,7 @@ void add_all_kernels(League& league, bool engines) {
       const std::string id = shipped.prefix + name;
       if (engines || !plugin::is_program(find_kernel(id))) add_kernel(league, id);
     }
-    if (competes) league.contenders = league.plan.kernels.size();
+    if (competes) league.contenders = league.kernels.size();
     if (shipped.names.empty()) {
       league.not_checked.push_back(
           fmt::format("NOT CHECKED: {}*: this axiscert was built without them.", shipped.prefix));
@@ -86,8 +86,8 @@ void take_times(League& league, const ShowProgress& report) {
   std::vector<std::size_t> places;
   for (std::size_t k = 0; k < league.contenders; ++k) {
     // The time of a program would be that of the pipe.
-    if (!league.plan.kernels[k]->has(precision_of<Real>) || plugin::is_program(*league.plan.kernels[k])) continue;
-    timed.push_back(league.plan.kernels[k]);
+    if (!league.kernels[k]->has(precision_of<Real>) || plugin::is_program(*league.kernels[k])) continue;
+    timed.push_back(league.kernels[k]);
     places.push_back(k);
   }
   const auto speeds = measure_speed<Real>(timed, repetitions, report);
@@ -99,36 +99,38 @@ void take_times(League& league, const ShowProgress& report) {
 
 int run_league(const LeagueOptions& options) {
   League league;
-  Plan& plan = league.plan;
+  Questions& questions = league.questions;
   if (options.kernels.empty()) {
     add_all_kernels(league, !options.no_engines);
   } else {
     for (const std::string& id : options.kernels) add_kernel(league, id);
-    league.contenders = plan.kernels.size();
+    league.contenders = league.kernels.size();
   }
-  plan.sources = instrument_sources(options, default_families());
-  if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
-  else plan.precisions = {parse_precision(options.precision)};
+  questions.sources = instrument_sources(options, default_families());
+  if (options.precision.empty()) questions.precisions = {Precision::binary32, Precision::binary64};
+  else questions.precisions = {parse_precision(options.precision)};
   // An empty table would say nothing of a kernel that was asked for.
   for (std::size_t k = 0; !options.kernels.empty() && k < league.contenders; ++k) {
-    const Kernel& kernel = *plan.kernels[k];
+    const Kernel& kernel = *league.kernels[k];
     require_loaded(kernel);
-    if (std::ranges::none_of(plan.precisions, [&](Precision precision) { return kernel.has(precision); })) {
+    if (std::ranges::none_of(questions.precisions, [&](Precision precision) { return kernel.has(precision); })) {
       throw Error(fmt::format("--precision {}: kernel {} does not exist in it",
                               options.precision.empty() ? "both" : options.precision, kernel.id));
     }
   }
-  plan.seed = options.seed;
-  plan.trials = [&](const Source&, Precision) { return options.trials; };
-  plan.target = resolve_target("auto");
-  plan.threads = threads_of(options.threads);
-  for (const std::string& target : targets_of(plan)) require_uncontracted(target);
+  questions.seed = options.seed;
+  questions.trials = [&](const Source&, Precision) { return options.trials; };
+  Plan plan;
+  plan.questions = questions;
+  plan.answerers.kernels = league.kernels;
+  plan.running = {resolve_target("auto"), threads_of(options.threads)};
+  for (const std::string& target : targets_of(league.kernels, plan.running.target)) require_uncontracted(target);
 
   const std::atomic<bool> interrupted = false;
   const CampaignResult result = with_progress("league", [&](const ShowProgress& show) {
     CampaignResult found = run_campaign(plan, interrupted, show);
     if (options.no_speed) return found;
-    for (const Precision precision : plan.precisions) {
+    for (const Precision precision : questions.precisions) {
       if (precision == Precision::binary32) take_times<float>(league, show);
       else take_times<double>(league, show);
     }

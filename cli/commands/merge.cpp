@@ -47,13 +47,13 @@ int merge(const MergeOptions& options) {
   const PlanFile file = read_plan_file(options.plan.empty() ? in(options.folders.front(), plan_copy) : options.plan);
   for (const std::string& folder : options.folders) require_same_plan(file, folder);
   Plan plan = plan_of(file);
-  plan.target = resolve_target("auto");
-  const Stretches stretches(plan, file.units_each);
+  plan.running.target = resolve_target("auto");
+  const Stretches stretches(plan.questions, file.units_each);
   const OutputFolder folder(options.out);
   const auto started = std::chrono::system_clock::now();
 
   std::optional<ProgressLine> reading(std::in_place, "merge: the journals are read");
-  Gathered gathered(plan, stretches);
+  Gathered gathered(plan.questions, plan.answerers.kernels.size(), stretches);
   std::vector<std::uint32_t> from(stretches.count());  // for each stretch, the folder it is from
   std::uint64_t bytes = 0;
   for (std::uint32_t i = 0; i < options.folders.size(); ++i) {

@@ -56,16 +56,16 @@ PlanOfAbsent certified_plan_of(const CertifiedRun& run, const AbsentKernel& kern
   if (run_here.empty())
     run_here = {default_kernel(*kernel.test, kernel.entry).id};  // in place of the one that is absent
   Plan plan = plan_of(certified_options(run, *kernel.test, kernel.entry, run_here, kernel.is_slow));
-  plan.precisions.clear();
+  plan.questions.precisions.clear();
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {
     const bool has = std::ranges::find(kernel.precisions, precision) != kernel.precisions.end();
     if (has || std::ranges::any_of(yardsticks, [&](const std::string& id) { return find_kernel(id).has(precision); }))
-      plan.precisions.push_back(precision);
+      plan.questions.precisions.push_back(precision);
   }
-  Json json = plan_json(plan, planned(plan), {});
+  Json json = plan_json(plan, planned(plan.questions), {});
   json["kernels"] = yardsticks;
   json["kernels"].insert(json["kernels"].begin(), run.kernel);
-  return {std::move(plan), std::move(json)};
+  return {std::move(plan.questions), std::move(json)};
 }
 
 }  // namespace axiscert

@@ -29,10 +29,9 @@ struct AbsentKernel {
   std::vector<Precision> precisions;
   bool is_slow;  // not built in
 };
-// The same plan without the kernel that run.kernel names, and as a record has it, with it. Where no other kernel
-// answers the queries besides, the plan has the default kernel of the test in its place.
+// What the same plan asks, and the plan as a record has it, with the kernel that run.kernel names.
 struct PlanOfAbsent {
-  Plan plan;
+  Questions questions;
   Json json;
 };
 PlanOfAbsent certified_plan_of(const CertifiedRun& run, const AbsentKernel& kernel);

@@ -85,7 +85,9 @@ std::string digest_of(Json json) {
 }
 
 // The plan as the record of a run with these options has it.
-Json plan_of_record(const Plan& plan, const Required& required) { return plan_json(plan, planned(plan), required); }
+Json plan_of_record(const Plan& plan, const Required& required) {
+  return plan_json(plan, planned(plan.questions), required);
+}
 
 // Replaces each file that does not exist by the file of the same base name next to the plan, where that exists.
 void look_beside(const std::string& plan_path, std::vector<std::string>& files) {
@@ -106,8 +108,8 @@ PlanFile plan_file_of(const RunOptions& given, std::optional<std::uint64_t> unit
   }
   const Plan plan = plan_of(given);
   RunOptions options = given;
-  options.test = plan.test().id;
-  const Stretches stretches(plan, units_each ? *units_each : Stretches::default_units_each(plan));
+  options.test = plan.questions.test().id;
+  const Stretches stretches(plan.questions, units_each ? *units_each : Stretches::default_units_each(plan.questions));
   PlanFile file{"the plan", {}, {}, options, stretches.units_each()};
   for (const auto* files : {&options.meshes, &options.queries}) {
     for (const std::string& path : *files) require_utf8(path, "file");

@@ -34,7 +34,7 @@ void check(const std::string& text) {
   }
   if (names_a_file(plan.options)) return;
   accepts([&] { plan_of(plan); });  // nearly always differs from the plan stored with the options
-  accepts([&] { Stretches(plan_of(plan.options), plan.units_each); });
+  accepts([&] { Stretches(plan_of(plan.options).questions, plan.units_each); });
 }
 
 // The same digest that plan_file.cpp makes.

@@ -163,13 +163,16 @@ ReplyPlan reply_plan(const ReplyOptions& options) {
   const auto replies = std::make_shared<const StoredReplies>(read(options));
   ReplyPlan made{std::make_shared<const Kernel>(program(options, *replies)), {}};
   Plan& plan = made.plan;
-  plan.seed = replies->seed();
-  plan.kernels = {made.kernel.get()};
-  plan.sources = replies->sources();
-  plan.precisions = replies->precisions();
-  plan.target = scalar_target;  // the target of the claim's reference
-  plan.replies = replies;
-  plan.claim = options.claim;
+  plan.questions.seed = replies->seed();
+  plan.answerers.kernels = {made.kernel.get()};
+  plan.questions.sources = replies->sources();
+  plan.questions.precisions = replies->precisions();
+  plan.questions.fixed_size = [replies](const Source& source, Precision precision) {
+    return replies->size(source, precision);
+  };
+  plan.running.target = scalar_target;  // the target of the claim's reference
+  plan.answerers.replies = replies;
+  plan.answerers.claim = options.claim;
   return made;
 }
 

@@ -37,15 +37,15 @@ void add_require_options(CLI::App& command, Required& required) {
 }
 
 void check_required(const Required& required, const Plan& plan) {
-  for (const std::string& level : required.levels) require_depth_that_occurs(level, plan.test());
+  for (const std::string& level : required.levels) require_depth_that_occurs(level, plan.questions.test());
   const Json stated = plan_json(plan, CampaignResult(), required);
   requirements_of(stated);
   for (const std::string& id : yardsticks_of(stated)) {
-    const bool is_run =
-        std::any_of(plan.kernels.begin(), plan.kernels.end(), [&](const Kernel* kernel) { return kernel->id == id; });
+    const bool is_run = std::any_of(plan.answerers.kernels.begin(), plan.answerers.kernels.end(),
+                                    [&](const Kernel* kernel) { return kernel->id == id; });
     if (is_run) continue;
     throw Error(fmt::format("--require no-worse-than={}: {}", id,
-                            plan.replies
+                            plan.answerers.replies
                                 ? "replies are of one program; only `run` judges two kernels on the same queries"
                                 : fmt::format("that kernel is not in this run; add --kernel {}", id)));
   }

@@ -44,7 +44,7 @@ std::string default_trials_text() {
 }
 
 // Parses "T" for all comparisons or "COMPARISON=T" for one; a later one overrides.
-void add_tolerance(const std::string& given, Plan& plan) {
+void add_tolerance(const std::string& given, const TestDescription& test, Judging& judging) {
   const std::size_t equals = given.find('=');
   const std::string which = equals == given.npos ? "" : given.substr(0, equals);
   const std::string number = equals == given.npos ? given : given.substr(equals + 1);
@@ -57,11 +57,11 @@ void add_tolerance(const std::string& given, Plan& plan) {
   }
   if (sgn(*value) < 0) throw Error(fmt::format("--tolerance {}: a tolerance is not negative", given));
   bool found = false;
-  const std::vector<TestComparison>& comparisons = plan.test().comparisons;
+  const std::vector<TestComparison>& comparisons = test.comparisons;
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     if (!which.empty() && comparisons[i].name != which) continue;
-    plan.tolerances.set(i, *value);
-    plan.tolerance_texts[std::string(comparisons[i].name)] = number;
+    judging.tolerances.set(i, *value);
+    judging.tolerance_texts[std::string(comparisons[i].name)] = number;
     found = true;
   }
   if (found) return;
@@ -72,10 +72,10 @@ void add_tolerance(const std::string& given, Plan& plan) {
 
 // Adds the record's entries for the files of a plug-in or a program that was given by its path. A plug-in that cannot
 // be read has no hash: a finding reports that it could not be loaded.
-void add_plugin(const Kernel& kernel, Plan& plan) {
+void add_plugin(const Kernel& kernel, std::vector<FileInfo>& plugins) {
   if (!plugin::is_given_by_file(kernel.id) || kernel.file.empty()) return;
   for (const auto& [kind, path] : plugin::files_of(kernel)) {
-    FileInfo& file = plan.plugins.emplace_back();
+    FileInfo& file = plugins.emplace_back();
     file.name = base_name(path);
     file.kind = kind;
     file.kernel = kernel.id;
@@ -88,10 +88,10 @@ void add_plugin(const Kernel& kernel, Plan& plan) {
   }
 }
 
-// Whether the file of a plug-in or a program is already one of the plan's, by another spelling of its path.
-bool is_file_of(const Kernel& kernel, const Plan& plan) {
+// Whether the file of a plug-in or a program is already that of one of the kernels, by another spelling of its path.
+bool is_file_of(const Kernel& kernel, const std::vector<const Kernel*>& kernels) {
   if (!plugin::is_given_by_file(kernel.id)) return false;
-  for (const Kernel* other : plan.kernels) {
+  for (const Kernel* other : kernels) {
     std::error_code none;
     if (!plugin::is_given_by_file(other->id) || !std::filesystem::equivalent(kernel.file, other->file, none)) continue;
     fmt::print(stderr, "axiscert: --kernel {}: the file of {}, which is judged once\n", kernel.id, other->id);
@@ -102,15 +102,15 @@ bool is_file_of(const Kernel& kernel, const Plan& plan) {
 
 // A precision in which no kernel exists is left out of the plan; one that was requested by name is an error for each
 // kernel that lacks it. A plug-in that cannot be loaded exists in none, which its findings report.
-void drop_idle_precisions(Plan& plan, const std::string& asked) {
-  for (const Kernel* kernel : plan.kernels) {
-    if (asked.empty() || is_unloadable(*kernel) || kernel->has(plan.precisions.front())) continue;
+void drop_idle_precisions(std::vector<Precision>& precisions, const std::vector<const Kernel*>& kernels,
+                          const std::string& asked) {
+  for (const Kernel* kernel : kernels) {
+    if (asked.empty() || is_unloadable(*kernel) || kernel->has(precisions.front())) continue;
     throw Error(fmt::format("--precision {}: kernel {} exists in {} only", asked, kernel->id,
                             kernel->has(Precision::binary32) ? "binary32" : "binary64"));
   }
-  std::erase_if(plan.precisions, [&](Precision precision) {
-    return std::none_of(plan.kernels.begin(), plan.kernels.end(),
-                        [&](const Kernel* kernel) { return kernel->has(precision); });
+  std::erase_if(precisions, [&](Precision precision) {
+    return std::ranges::none_of(kernels, [&](const Kernel* kernel) { return kernel->has(precision); });
   });
 }
 
@@ -264,43 +264,47 @@ Plan plan_of(const RunOptions& given) {
     }
   }
   Plan plan;
-  plan.seed = options.seed;
-  plan.target = resolve_target(options.target);
+  auto& [questions, answerers, judging, running] = plan;
+  std::vector<const Kernel*>& kernels = answerers.kernels;
+  questions.seed = options.seed;
+  running.target = resolve_target(options.target);
   for (const std::string& id : options.kernels) {
     const Kernel* kernel = &find_kernel(id);
-    if (std::find(plan.kernels.begin(), plan.kernels.end(), kernel) != plan.kernels.end()) continue;
-    if (is_file_of(*kernel, plan)) continue;
-    plan.kernels.push_back(kernel);
-    add_plugin(*kernel, plan);
+    if (std::find(kernels.begin(), kernels.end(), kernel) != kernels.end()) continue;
+    if (is_file_of(*kernel, kernels)) continue;
+    kernels.push_back(kernel);
+    add_plugin(*kernel, answerers.plugins);
   }
-  const TestDescription& test = test_of_kernels(options.test, plan.kernels);
-  if (plan.kernels.empty()) {
+  const TestDescription& test = test_of_kernels(options.test, kernels);
+  if (kernels.empty()) {
     const bool is_of_a_mesh = options.families.empty() && !options.meshes.empty();
     if (is_of_a_mesh) require_served("--mesh", test, mesh_tests());
     const std::size_t entry = is_of_a_mesh ? mesh_queries_of(test).entry : entry_of_families(test, options.families);
-    plan.kernels.push_back(&default_kernel(test, entry));
+    kernels.push_back(&default_kernel(test, entry));
   }
   if (options.planted != RunOptions().planted) require_served("--plant", test, tests_with(has_screen));
-  if (options.shrink != 0) require_moves("--shrink", test, plan.kernels.front()->entry);
+  if (options.shrink != 0) require_moves("--shrink", test, kernels.front()->entry);
   if (!options.preset.empty()) apply_preset(options.preset, test, options);
-  if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
-  else plan.precisions = {parse_precision(options.precision)};
-  drop_idle_precisions(plan, options.precision);
-  for (const std::string& tolerance : options.tolerances) add_tolerance(tolerance, plan);
-  plan.seconds = options.seconds;
-  plan.exact_only = options.exact_only;
-  plan.planted = static_cast<FilterFault>(
+  if (options.precision.empty()) questions.precisions = {Precision::binary32, Precision::binary64};
+  else questions.precisions = {parse_precision(options.precision)};
+  drop_idle_precisions(questions.precisions, kernels, options.precision);
+  for (const std::string& tolerance : options.tolerances) add_tolerance(tolerance, test, judging);
+  questions.seconds = options.seconds;
+  judging.exact_only = options.exact_only;
+  judging.planted = static_cast<FilterFault>(
       std::find(filter_fault_names.begin(), filter_fault_names.end(), options.planted) - filter_fault_names.begin());
-  plan.trials = [options](const Source& source, Precision precision) { return trials_of(options, source, precision); };
-  plan.threads = threads_of(options.threads);
-  plan.sources = sources_of(options, plan.test(), plan.kernels.front()->entry,
-                            options.precision.empty() ? Precision::binary32 : parse_precision(options.precision));
-  require_one_test(plan.kernels, plan.sources);
+  questions.trials = [options](const Source& source, Precision precision) {
+    return trials_of(options, source, precision);
+  };
+  running.threads = threads_of(options.threads);
+  questions.sources = sources_of(options, test, kernels.front()->entry,
+                                 options.precision.empty() ? Precision::binary32 : parse_precision(options.precision));
+  require_one_test(kernels, questions.sources);
   check_required(options.required, plan);
   // Only of files that were asked for: the corpus of a preset was not.
-  std::vector<SourcePtr> asked = plan.sources;
+  std::vector<SourcePtr> asked = questions.sources;
   if (!given.corpus) std::erase_if(asked, [](const SourcePtr& source) { return source->name() == "corpus"; });
-  say_what_is_left_out(asked, plan.precisions,
+  say_what_is_left_out(asked, questions.precisions,
                        options.precision.empty() ? "no kernel of this run takes the" : "--precision leaves out");
   return plan;
 }

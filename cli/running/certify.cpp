@@ -57,7 +57,7 @@ struct Judged {
   std::string kind, effort, digest;  // of the kernel; the plan's digest
   bool is_slow;
 
-  const Kernel& kernel() const { return *plan.kernels.front(); }
+  const Kernel& kernel() const { return *plan.answerers.kernels.front(); }
 };
 
 Json materials_json(const Judged& judged, const Json& record) {
@@ -113,8 +113,8 @@ int write_certificate(const Judged& judged, const std::optional<SigningKey>& key
   const Kernel& kernel = judged.kernel();
   const OutputFolder folder(options.out);
   const Run run = read_run(fs::path(options.out) / "run");
-  const EffortSize size = size_of(parse_effort(options.effort), judged.plan.test(), judged.is_slow);
-  const Staged staged{options, kernel, judged.plan, run.record, size};
+  const EffortSize size = size_of(parse_effort(options.effort), *kernel.test, judged.is_slow);
+  const Staged staged{options, kernel, judged.plan.questions, judged.plan.running, run.record, size};
   Stages stages(folder, options.out, judged.digest, options.resume);
 
   Json predicate = {{"schema", certificate_schema}, {"signed_at", nullptr}, {"signed_by", nullptr}};
@@ -201,8 +201,8 @@ int certify_kernel(const CertifyOptions& options, const std::optional<SigningKey
     if (interrupted) return interrupted_in(options);
     if (code == exit_harness_fault || code == exit_bad_input) return code;
     const Plan plan = plan_of(file);
-    const Stretches stretches(plan, file.units_each);
-    const Kernel& kernel = *plan.kernels.front();
+    const Stretches stretches(plan.questions, file.units_each);
+    const Kernel& kernel = *plan.answerers.kernels.front();
     Judged judged{options,
                   plan,
                   stretches,
@@ -215,7 +215,7 @@ int certify_kernel(const CertifyOptions& options, const std::optional<SigningKey
                   file.options.is_slow};
     read_journal(journal, file.digest, [&](std::string_view content) {
       if (const auto entry = finished_in(content))
-        judged.tallies[entry->stretch] = stretch_json(plan, stretches, *entry);
+        judged.tallies[entry->stretch] = stretch_json(plan.answerers.kernels, stretches, *entry);
     });
     if (judged.tallies.size() != stretches.count())
       return unfinished_in(options, judged.tallies.size(), stretches.count());
@@ -232,11 +232,12 @@ int certify_kernel(const CertifyOptions& options, const std::optional<SigningKey
 int certify_replies(const CertifyOptions& options, const std::optional<SigningKey>& key) {
   ReplyPlan replies = reply_plan(options.replies);
   Plan& plan = replies.plan;
-  plan.threads = threads_of(options.threads);
-  for (const std::string& target : targets_of(plan)) require_uncontracted(target);
-  const Stretches stretches(plan, Stretches::default_units_each(plan));
-  Gathered gathered(plan, stretches);
-  Judged judged{options,       plan,      stretches, {}, plan_json(plan, planned(plan), {}),
+  plan.running.threads = threads_of(options.threads);
+  for (const std::string& target : targets_of(plan.answerers.kernels, plan.running.target))
+    require_uncontracted(target);
+  const Stretches stretches(plan.questions, Stretches::default_units_each(plan.questions));
+  Gathered gathered(plan.questions, plan.answerers.kernels.size(), stretches);
+  Judged judged{options,       plan,      stretches, {}, plan_json(plan, planned(plan.questions), {}),
                 Json::array(), "replies", "replies", "", true};
   for (const std::string& path : options.replies.replies) judged.subjects.push_back(file_subject(path, "replies"));
   judged.digest = digest_of_json(judged.subjects);
@@ -246,7 +247,7 @@ int certify_replies(const CertifyOptions& options, const std::optional<SigningKe
   try {
     ProgressLine progress("certify: the replies are judged", options.quiet);
     run_stretches(plan, stretches, gathered.missing(), interrupted, progress.report(), [&](const Entry& entry) {
-      judged.tallies[entry.stretch] = stretch_json(plan, stretches, entry);
+      judged.tallies[entry.stretch] = stretch_json(plan.answerers.kernels, stretches, entry);
       gathered.add(entry);
     });
   } catch (const OracleDisagreement& disagreement) {
@@ -257,7 +258,7 @@ int certify_replies(const CertifyOptions& options, const std::optional<SigningKe
   output.out = run_folder_of(options);
   output.quiet = options.quiet;
   output.has_summary = false;
-  put_result(folder, plan, std::move(gathered).take(), output, std::nullopt, plan.target, started);
+  put_result(folder, plan, std::move(gathered).take(), output, std::nullopt, plan.running.target, started);
   try {
     return write_certificate(judged, key);
   } catch (const StageInterrupted&) {

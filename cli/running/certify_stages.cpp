@@ -100,9 +100,13 @@ std::function<std::uint64_t(const Source&)> queries_run(const Json& record, Prec
 }
 
 Json margin_in(const Staged& staged, const Json& search, Precision precision) {
-  SafeMarginPlan plan{&staged.plan,       &staged.kernel,
-                      precision,          queries_run(staged.record, precision),
-                      staged.size.probes, found_queries(search, precision)};
+  SafeMarginPlan plan{&staged.questions,
+                      &staged.running,
+                      &staged.kernel,
+                      precision,
+                      queries_run(staged.record, precision),
+                      staged.size.probes,
+                      found_queries(search, precision)};
   ProgressLine progress(fmt::format("certify: safe margin, {}", name(precision)), staged.options.quiet);
   const SafeMargin margin = safe_margin(plan, interrupts(), progress.report());
   if (!margin.complete) throw StageInterrupted();
@@ -115,7 +119,7 @@ Json diagnosed(const Staged& staged, Precision precision) {
   DiagnosisOptions options;
   options.precision = precision;
   options.seed = staged.options.seed;
-  options.target = staged.plan.target;
+  options.target = staged.running.target;
   options.interrupted = &interrupts();
   options.report = progress.report();
   const Diagnosis found = diagnose(staged.kernel, options);
@@ -155,7 +159,7 @@ Json harness_score(const Staged& staged, std::string_view base) {
   plan.precisions = staged.precisions();
   plan.trials = staged.size.mutant_trials;
   plan.seed = staged.options.seed;
-  plan.threads = staged.plan.threads;
+  plan.threads = staged.running.threads;
   plan.controls = false;
   ProgressLine progress("certify: faults planted in a right kernel", staged.options.quiet);
   Json score;
@@ -188,7 +192,7 @@ Json harness_score(const Staged& staged, std::string_view base) {
 
 std::vector<Precision> Staged::precisions() const {
   std::vector<Precision> all;
-  for (const Precision precision : plan.precisions) {
+  for (const Precision precision : questions.precisions) {
     if (kernel.has(precision)) all.push_back(precision);
   }
   return all;

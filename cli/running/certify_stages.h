@@ -36,7 +36,8 @@ class Stages {
 struct Staged {
   const CertifyOptions& options;
   const Kernel& kernel;
-  const Plan& plan;    // of the run
+  const Questions& questions;  // of the run
+  const Running& running;
   const Json& record;  // of the run
   EffortSize size;
 

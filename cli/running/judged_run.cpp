@@ -89,8 +89,8 @@ std::optional<Ratchet> ratchet_of(const OutputOptions& output, const Plan& plan)
                             output.ratchet, output.out));
   }
   // Where no kernel could be loaded, there is nothing to hold, and the run is no pass.
-  if (plan.precisions.empty()) return std::nullopt;
-  require_plan(ratchet, plan_json(plan, planned(plan), output.required));
+  if (plan.questions.precisions.empty()) return std::nullopt;
+  require_plan(ratchet, plan_json(plan, planned(plan.questions), output.required));
   return ratchet;
 }
 
@@ -99,10 +99,11 @@ HarnessFault saved(const OutputFolder& folder, const OracleDisagreement& disagre
 }
 
 int judged_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked) {
-  source_places(plan.kernels, output.sources);  // refuses what cannot be one, before anything runs
+  source_places(plan.answerers.kernels, output.sources);  // refuses what cannot be one, before anything runs
   const std::optional<Ratchet> ratchet = ratchet_of(output, plan);
   const OutputFolder folder(output.out);
-  for (const std::string& target : targets_of(plan)) require_uncontracted(target);
+  for (const std::string& target : targets_of(plan.answerers.kernels, plan.running.target))
+    require_uncontracted(target);
 
   const std::atomic<bool>& interrupted = watch_for_interrupts();
   const auto started = std::chrono::system_clock::now();
@@ -113,9 +114,9 @@ int judged_run(const Plan& plan, const OutputOptions& output, const std::string&
   } catch (const OracleDisagreement& disagreement) {
     throw saved(folder, disagreement);
   }
-  if (plan.planted != FilterFault::none) {
-    throw HarnessFault(
-        fmt::format("--plant {}: the cross-checks did not find it in this run", filter_fault_names[plan.planted]));
+  if (plan.judging.planted != FilterFault::none) {
+    throw HarnessFault(fmt::format("--plant {}: the cross-checks did not find it in this run",
+                                   filter_fault_names[plan.judging.planted]));
   }
   return put_result(folder, plan, result, output, ratchet, target_asked, started);
 }
@@ -136,12 +137,12 @@ int put_result(const OutputFolder& folder, const Plan& plan, const CampaignResul
   if (held) folder.write(ratchet_outcome_file, outcome_json(*ratchet, *held));
   Json info = run_info(plan, result, target_asked, iso_time(started), seconds);
   if (!scale.is_null()) info["scale"] = scale;
-  info["sources"] = source_places(plan.kernels, output.sources);
+  info["sources"] = source_places(plan.answerers.kernels, output.sources);
   const std::vector<LevelOutcome> outcomes = outcomes_of(record);
   if (!outcomes.empty()) info["requirements"] = outcomes_json(outcomes);
   folder.write("run.json", info);
   if (output.shrink != 0 && result.complete)
-    folder.write_text(shrunk_file, shrunk_witnesses(record, plan.target, output.shrink, progress->report()));
+    folder.write_text(shrunk_file, shrunk_witnesses(record, plan.running.target, output.shrink, progress->report()));
   progress->stage("the reports are written");
   render_reports(output.out);
   progress.reset();  // before the summary

@@ -63,11 +63,11 @@ class Lead {
         stretches_(stretches),
         ratchet_(ratchet_of(output, plan)),
         folder_(output.out),
-        gathered_(plan, stretches),
+        gathered_(plan.questions, plan.answerers.kernels.size(), stretches),
         distributor_(crew, ranks),
         is_whole_(options.shard.empty() && options.stretches.empty()),
         is_selected_([](std::uint64_t) { return true; }) {
-    source_places(plan.kernels, output.sources);  // refuses what cannot be one, before anything runs
+    source_places(plan.answerers.kernels, output.sources);  // refuses what cannot be one, before anything runs
     if (!options.shard.empty()) is_selected_ = shard_of(options.shard);
     if (!options.stretches.empty()) is_selected_ = listed_in(options.stretches, stretches.count());
   }
@@ -79,7 +79,8 @@ class Lead {
     try {
       do_what_is_missing();
       if (options_.recheck > 0 && !interrupted_) {
-        recheck(options_, file_, {plan_, stretches_, path(journal_file), output_, plan_.threads}, distributor_);
+        recheck(options_, file_, {plan_.answerers.kernels, plan_.running, stretches_, path(journal_file), output_},
+                distributor_);
       }
       uses = distributor_.finish();
     } catch (const OracleDisagreement& disagreement) {
@@ -184,7 +185,7 @@ class Lead {
                gathered_.units(), stretches_.units());
     if (interrupted_) return exit_interrupted;
     int code = exit_done;
-    for (const Kernel* kernel : plan_.kernels) {
+    for (const Kernel* kernel : plan_.answerers.kernels) {
       if (!is_unloadable(*kernel)) continue;
       fmt::print(stderr, "axiscert: {}: NOT JUDGED: it could not be loaded\n", kernel->id);
       code = exit_requirement_failed;
@@ -213,17 +214,17 @@ class Lead {
 int run_as(Ranks* ranks, const PlannedOptions& options, const RunOptions& run) {
   const PlanFile file = options.made ? *options.made : read_plan_file(options.plan);
   Plan plan = plan_of(file);
-  plan.target = resolve_target(run.target);
-  plan.exact_only = run.exact_only;
+  plan.running.target = resolve_target(run.target);
+  plan.judging.exact_only = run.exact_only;
   // A launcher starts one rank for each core, unless told otherwise.
-  plan.threads = ranks && run.threads == 0 ? 1 : threads_of(run.threads);
+  plan.running.threads = ranks && run.threads == 0 ? 1 : threads_of(run.threads);
   Plan again = plan;
-  if (options.recheck > 0) again.target = recheck_target(options, plan.target);
-  std::set<std::string> targets = targets_of(plan);
-  targets.insert(again.target);
+  if (options.recheck > 0) again.running.target = recheck_target(options, plan.running.target);
+  std::set<std::string> targets = targets_of(plan.answerers.kernels, plan.running.target);
+  targets.insert(again.running.target);
   for (const std::string& target : targets) require_uncontracted(target);
-  const Stretches stretches(plan, file.units_each);
-  Crew crew(plan.threads,
+  const Stretches stretches(plan.questions, file.units_each);
+  Crew crew(plan.running.threads,
             [&](Task task) { return encode(run_stretch(is_again(task) ? again : plan, stretches, stretch_of(task))); });
   if (ranks && ranks->rank() != 0) {
     watch_for_interrupts();  // rank 0 decides when to stop

@@ -73,7 +73,7 @@ void do_with_another_build(const std::string& program, const PlanFile& file, con
   for (const std::uint64_t stretch : sample) numbers += fmt::format("{}\n", stretch);
   folder.write_text("stretches", numbers);
   run_program({program, "run", "--plan", file.path, "--stretches", scratch.path() + "/stretches", "--out",
-               scratch.path(), "--threads", std::to_string(run.threads)});
+               scratch.path(), "--threads", std::to_string(run.on.threads)});
   read_journal(scratch.path() + "/" + journal_file, file.digest, [&](std::string_view content) {
     if (const auto entry = finished_in(content)) recheck.again(*entry);
   });
@@ -94,13 +94,13 @@ void recheck(const PlannedOptions& options, const PlanFile& file, const Rechecke
   std::sort(finished.begin(), finished.end());
   const std::uint64_t seed = options.recheck_seed ? *options.recheck_seed : std::random_device()();
   const std::vector<std::uint64_t> sample = sample_of(finished, options.recheck, seed);
-  Recheck compared(run.plan, run.stretches, sample);
+  Recheck compared(run.kernels, run.stretches, sample);
   read_journal(run.journal, file.digest, [&](std::string_view content) {
     if (const auto entry = finished_in(content); entry && compared.is_in(entry->stretch)) compared.first(*entry);
   });
 
   const std::string another =
-      options.recheck_with.empty() ? "on " + recheck_target(options, run.plan.target) : "by " + options.recheck_with;
+      options.recheck_with.empty() ? "on " + recheck_target(options, run.on.target) : "by " + options.recheck_with;
   if (!options.recheck_with.empty()) do_with_another_build(options.recheck_with, file, run, sample, compared);
   else {
     ProgressLine progress("--recheck", run.output.quiet);

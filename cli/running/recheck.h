@@ -16,11 +16,11 @@ constexpr bool is_again(Task task) { return task % 2 != 0; }
 std::string recheck_target(const PlannedOptions& options, const std::string& first);
 
 struct Rechecked {
-  const Plan& plan;
+  const std::vector<const Kernel*>& kernels;
+  const Running& on;
   const Stretches& stretches;
   std::string journal;
   const OutputOptions& output;
-  int threads;
 };
 // Prints what was compared; throws HarnessFault where something differs.
 void recheck(const PlannedOptions& options, const PlanFile& file, const Rechecked& run, Distributor& distributor);

@@ -64,8 +64,8 @@ PlanHere plan_here(const Certificate& certificate, const VerifyOptions& options,
   if (predicate["kernel"]["kind"] == "replies") {
     here.replies = reply_plan(with_claim(options.replies, predicate));
     here.plan = here.replies.plan;
-    here.units_each = Stretches::default_units_each(here.plan);
-    json = plan_json(here.plan, planned(here.plan), {});
+    here.units_each = Stretches::default_units_each(here.plan.questions);
+    json = plan_json(here.plan, planned(here.plan.questions), {});
   } else {
     const PlanFile file =
         certified_plan({id, predicate["asked"]["effort"], predicate["asked"]["seed"].get<std::uint64_t>(),
@@ -83,8 +83,9 @@ PlanHere plan_here(const Certificate& certificate, const VerifyOptions& options,
         differs.empty() ? ""
                         : fmt::format("; here {} (files of its plan are given by --mesh and --queries)", differs)));
   }
-  here.plan.threads = threads_of(options.threads);
-  for (const std::string& target : targets_of(here.plan)) require_uncontracted(target);
+  here.plan.running.threads = threads_of(options.threads);
+  for (const std::string& target : targets_of(here.plan.answerers.kernels, here.plan.running.target))
+    require_uncontracted(target);
   return here;
 }
 
@@ -100,9 +101,9 @@ std::vector<std::uint64_t> sample_taken(const Certificate& certificate, double s
 }
 
 // How a stretch that was done again differs from what is stated of it; empty where it does not.
-std::string difference_of_tally(const Json& stated, const Json& again, const Plan& plan) {
-  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
-    const std::string who = fmt::format("the tally of {} on {}", plan.kernels[k]->id, again["of"].get<std::string>());
+std::string difference_of_tally(const Json& stated, const Json& again, const std::vector<const Kernel*>& kernels) {
+  for (std::size_t k = 0; k < kernels.size(); ++k) {
+    const std::string who = fmt::format("the tally of {} on {}", kernels[k]->id, again["of"].get<std::string>());
     if (canonical_json(stated["counts"][k]) != canonical_json(again["counts"][k])) {
       const std::string differs = difference(Json::parse(canonical_json(again["counts"][k])), stated["counts"][k]);
       return fmt::format("{} has other counts: here {}", who, differs);
@@ -116,23 +117,26 @@ std::string difference_of_tally(const Json& stated, const Json& again, const Pla
 }
 
 // A kernel's entry in the certificate; the first kernel has another id there.
-const Json& stated_entry(const Json& predicate, const Plan& plan, std::size_t k, Precision precision) {
+const Json& stated_entry(const Json& predicate, const std::vector<const Kernel*>& kernels, std::size_t k,
+                         Precision precision) {
   const Json& plan_stated = predicate["materials"]["plan"]["plan"]["kernels"];
   for (const Json& entry : predicate["materials"]["kernels"]) {
     if (entry["id"] == plan_stated[k] && entry["precision"] == name(precision)) return entry;
   }
-  throw NotValid(fmt::format("it has no counts of {} in {}", plan.kernels[k]->id, name(precision)));
+  throw NotValid(fmt::format("it has no counts of {} in {}", kernels[k]->id, name(precision)));
 }
 
 // Compares what each kernel says of itself, as it was loaded here, and how many triangles its queries share: levels
 // rest on both.
-void recheck_entries(const Json& predicate, const Plan& plan, std::vector<std::string>& differences) {
+void recheck_entries(const Json& predicate, const Questions& questions, const Answerers& answerers,
+                     std::vector<std::string>& differences) {
   const auto add = [&](const std::vector<std::string>& found) {
     differences.insert(differences.end(), found.begin(), found.end());
   };
-  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+  const std::vector<const Kernel*>& kernels = answerers.kernels;
+  for (std::size_t k = 0; k < kernels.size(); ++k) {
     Json found = Json::array(), stated_findings = Json::array();
-    put_loading_findings(found, *plan.kernels[k]);
+    put_loading_findings(found, *kernels[k]);
     for (const Json& finding : predicate["materials"]["findings"]) {
       const Json& id = predicate["materials"]["plan"]["plan"]["kernels"][k];
       const bool is_its = finding["kernel"] == id || (k == 0 && finding["kernel"] == predicate["kernel"]["id"]);
@@ -141,37 +145,41 @@ void recheck_entries(const Json& predicate, const Plan& plan, std::vector<std::s
     Json details = Json::array();
     for (const Json& finding : found) details.push_back(finding["detail"]);
     if (canonical_json(details) != canonical_json(stated_findings)) {
-      differences.push_back(fmt::format("{} has other findings of loading: here {}, in it {}", plan.kernels[k]->id,
+      differences.push_back(fmt::format("{} has other findings of loading: here {}, in it {}", kernels[k]->id,
                                         details.dump(), axiscert::shown(stated_findings.dump())));
     }
-    for (const Precision precision : plan.precisions) {
-      if (plan.kernels[k]->has(precision))
-        add(declared_differences(stated_entry(predicate, plan, k, precision), plan, *plan.kernels[k], precision));
+    for (const Precision precision : questions.precisions) {
+      if (kernels[k]->has(precision))
+        add(declared_differences(stated_entry(predicate, kernels, k, precision), answerers.plugins, *kernels[k],
+                                 precision));
     }
   }
-  add(triangle_differences(predicate, plan));
+  add(triangle_differences(predicate, questions));
 }
 
 // Asks about the images of each family of the sample again. Returns how many families those are.
 std::size_t recheck_images(const Json& predicate, const Plan& plan, const Stretches& stretches,
                            const std::vector<std::uint64_t>& sample, std::vector<std::string>& differences) {
+  const auto& [questions, answerers, judging, running] = plan;
+  const std::vector<const Kernel*>& kernels = answerers.kernels;
   std::set<std::size_t> cells;
   for (const std::uint64_t number : sample) {
     const Stretch stretch = stretches.at(number);
-    if (image_group(plan.sources[stretch.source]->name()) != nullptr) cells.insert(stretch.cell);
+    if (image_group(questions.sources[stretch.source]->name()) != nullptr) cells.insert(stretch.cell);
   }
-  const CampaignResult all = planned(plan);
+  const CampaignResult all = planned(questions);
   for (const std::size_t c : cells) {
     const CellResult& cell = all.cells[c];
-    const Source& source = *plan.sources[cell.source];
-    for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
-      const auto asymmetry = asymmetry_of(plan, *plan.kernels[k], source, cell.precision, cell.queries);
+    const SeededSource of{*questions.sources[cell.source], questions.seed, cell.precision};
+    for (std::size_t k = 0; k < kernels.size(); ++k) {
+      const auto asymmetry = asymmetry_of(of, cell.queries, *kernels[k], answerers.replies.get(), running);
       if (!asymmetry) continue;
-      const Json here = without_fractions(invariance_of(plan, source, cell.precision, *asymmetry));
-      const Json stated = stated_entry(predicate, plan, k, cell.precision)["families"][source.name()]["invariance"];
+      const Json here = without_fractions(invariance_of(of, *asymmetry));
+      const Json stated =
+          stated_entry(predicate, kernels, k, cell.precision)["families"][of.source.name()]["invariance"];
       if (canonical_json(here) == canonical_json(stated)) continue;
       differences.push_back(fmt::format("the images of {} in {}, asked of {}, come to something else: here {}",
-                                        source.name(), name(cell.precision), plan.kernels[k]->id,
+                                        of.source.name(), name(cell.precision), kernels[k]->id,
                                         difference(Json::parse(canonical_json(here)), stated)));
     }
   }
@@ -179,20 +187,21 @@ std::size_t recheck_images(const Json& predicate, const Plan& plan, const Stretc
 }
 
 // Compares what of a critical radius does not add up by stretch; the result is of all stretches.
-void recheck_radii(const Json& predicate, const Plan& plan, const CampaignResult& result,
+void recheck_radii(const Json& predicate, const std::vector<Precision>& precisions,
+                   const std::vector<const Kernel*>& kernels, const CampaignResult& result,
                    std::vector<std::string>& differences) {
-  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
-    for (const Precision precision : plan.precisions) {
-      if (!plan.kernels[k]->has(precision)) continue;
+  for (std::size_t k = 0; k < kernels.size(); ++k) {
+    for (const Precision precision : precisions) {
+      if (!kernels[k]->has(precision)) continue;
       CriticalRadiusTally radii;
       for (const CellResult& cell : result.cells) {
         if (cell.precision == precision) radii.merge(cell.tallies[k].critical_radius);
       }
       const Json here = without_fractions(critical_radius_json(std::move(radii)));
-      const Json& stated = stated_entry(predicate, plan, k, precision)["critical_radius"];
+      const Json& stated = stated_entry(predicate, kernels, k, precision)["critical_radius"];
       if (canonical_json(here) == canonical_json(stated)) continue;
-      differences.push_back(fmt::format("the critical radius of {} in {}: here {}", plan.kernels[k]->id,
-                                        name(precision), difference(Json::parse(canonical_json(here)), stated)));
+      differences.push_back(fmt::format("the critical radius of {} in {}: here {}", kernels[k]->id, name(precision),
+                                        difference(Json::parse(canonical_json(here)), stated)));
     }
   }
 }
@@ -221,21 +230,22 @@ void recheck_certificate(const Certificate& certificate, const VerifyOptions& op
   std::fflush(stdout);
 
   const PlanHere here = plan_here(certificate, options, id);
-  const Stretches stretches(here.plan, here.units_each);
+  const Stretches stretches(here.plan.questions, here.units_each);
   if (stretches.count() != tallies.size())
     throw Error(fmt::format("{}: its plan has {} stretches here, and {} in it", options.certificate, stretches.count(),
                             tallies.size()));
   const bool is_whole = sample.size() == tallies.size();
-  Gathered gathered(here.plan, stretches);
+  const std::vector<const Kernel*>& kernels = here.plan.answerers.kernels;
+  Gathered gathered(here.plan.questions, kernels.size(), stretches);
   std::vector<std::string> differences;
-  recheck_entries(predicate, here.plan, differences);
+  recheck_entries(predicate, here.plan.questions, here.plan.answerers, differences);
   std::size_t done = 0, images = 0;
   {
     ProgressLine progress("verify: recheck");
     const std::atomic<bool>& interrupted = watch_for_interrupts();
     run_stretches(here.plan, stretches, sample, interrupted, progress.report(), [&](const Entry& entry) {
       std::string differs =
-          difference_of_tally(tallies[entry.stretch], stretch_json(here.plan, stretches, entry), here.plan);
+          difference_of_tally(tallies[entry.stretch], stretch_json(kernels, stretches, entry), kernels);
       if (!differs.empty()) differences.push_back(std::move(differs));
       if (is_whole) gathered.add(entry);
       ++done;
@@ -245,7 +255,8 @@ void recheck_certificate(const Certificate& certificate, const VerifyOptions& op
     throw Error(fmt::format("--recheck: interrupted after {} of {} stretches", done, sample.size()));
   std::sort(differences.begin(), differences.end());
   if (differences.empty()) images = recheck_images(predicate, here.plan, stretches, sample, differences);
-  if (is_whole && differences.empty()) recheck_radii(predicate, here.plan, std::move(gathered).take(), differences);
+  if (is_whole && differences.empty())
+    recheck_radii(predicate, here.plan.questions.precisions, kernels, std::move(gathered).take(), differences);
   if (!differences.empty()) {
     throw NotValid(fmt::format("{}: the recheck comes out otherwise: {}{} (--recheck-seed {} takes the same sample)",
                                options.certificate, differences.front(),

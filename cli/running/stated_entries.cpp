@@ -10,10 +10,10 @@
 
 namespace axiscert {
 
-std::vector<std::string> declared_differences(const Json& stated, const Plan& plan, const Kernel& kernel,
-                                              Precision precision) {
+std::vector<std::string> declared_differences(const Json& stated, const std::vector<FileInfo>& plugins,
+                                              const Kernel& kernel, Precision precision) {
   std::vector<std::string> differences;
-  const Json entry = without_fractions(entry_json(plan, kernel, precision));
+  const Json entry = without_fractions(entry_json(plugins, kernel, precision));
   for (const auto& [member, here] : entry.items()) {
     const bool is_elsewhere = member == "id" || member == "families" || member == "critical_radius";
     const Json said = stated.value(member, Json());
@@ -24,11 +24,11 @@ std::vector<std::string> declared_differences(const Json& stated, const Plan& pl
   return differences;
 }
 
-std::vector<std::string> triangle_differences(const Json& predicate, const Plan& plan) {
+std::vector<std::string> triangle_differences(const Json& predicate, const Questions& questions) {
   std::vector<std::string> differences;
-  const CampaignResult all = planned(plan);
+  const CampaignResult all = planned(questions);
   for (const CellResult& cell : all.cells) {
-    const Source& source = *plan.sources[cell.source];
+    const Source& source = *questions.sources[cell.source];
     const std::uint64_t triangles = source.base_triangles(cell.precision, cell.queries);
     for (const Json& entry : predicate["materials"]["kernels"]) {
       const auto family = entry["families"].find(source.name());

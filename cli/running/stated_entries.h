@@ -9,13 +9,13 @@
 
 namespace axiscert {
 
-// How a kernel's entry in a certificate differs from what the kernel declares: a sentence for each part of it that
-// does.
-std::vector<std::string> declared_differences(const Json& stated, const Plan& plan, const Kernel& kernel,
-                                              Precision precision);
+// How a kernel's entry in a certificate differs from what the kernel declares, given by these files or built in: a
+// sentence for each part of it that does.
+std::vector<std::string> declared_differences(const Json& stated, const std::vector<FileInfo>& plugins,
+                                              const Kernel& kernel, Precision precision);
 
-// How the numbers of triangles of the kernels' entries differ from those of the plan's families. A family that the plan
-// does not have is left out.
-std::vector<std::string> triangle_differences(const Json& predicate, const Plan& plan);
+// How the numbers of triangles of the kernels' entries differ from those of the families asked. A family that was not
+// asked is left out.
+std::vector<std::string> triangle_differences(const Json& predicate, const Questions& questions);
 
 }  // namespace axiscert

@@ -7,7 +7,7 @@ namespace axiscert {
 void run_stretches(const Plan& plan, const Stretches& stretches, const std::vector<std::uint64_t>& numbers,
                    const std::atomic<bool>& interrupted, const ShowProgress& show,
                    const std::function<void(const Entry&)>& done) {
-  Crew crew(plan.threads, [&](Task task) { return encode(run_stretch(plan, stretches, task)); });
+  Crew crew(plan.running.threads, [&](Task task) { return encode(run_stretch(plan, stretches, task)); });
   Distributor distributor(crew, nullptr);
   ProgressCount count(show, numbers.size());
   auto next = numbers.begin();

@@ -153,8 +153,8 @@ void require_none(std::vector<std::string> differences, const std::string& name)
 
 struct CheckedPlan {
   std::string said;
-  bool is_checked = true;         // false: it is another axiscert's
-  std::optional<Plan> here = {};  // the same as made here; its meshes are those that were given
+  bool is_checked = true;              // false: it is another axiscert's
+  std::optional<Questions> here = {};  // the same as made here; its meshes are those that were given
 };
 
 // Holds the plan to the one that this axiscert makes of kernel, effort and seed, without the kernel.
@@ -184,7 +184,7 @@ CheckedPlan checked_plan(const Json& predicate, const VerifyOptions& options) {
                                has_meshes ? " (its meshes are given by --mesh)" : ""));
   }
   const char* const meshes = is_without ? "; its meshes NOT CHECKED: give them with --mesh" : "";
-  return {fmt::format("that of its effort and seed{}", meshes), true, std::move(made.plan)};
+  return {fmt::format("that of its effort and seed{}", meshes), true, std::move(made.questions)};
 }
 
 struct CheckedPromises {

@@ -99,11 +99,11 @@ TEST(RunOutput, FindingsStandFirstThenWhatWasJudged) {
   Kernel limited = black_box("plugin:box.so", no_fault);
   limited.limits.greatest_coordinate = 0.5;
   Plan plan;
-  plan.kernels = {&bad, &gone, &limited};
-  plan.sources = {family_source(find_family("general"))};
-  plan.precisions = {Precision::binary32};
-  plan.trials = [](const Source&, Precision) { return std::uint64_t{3}; };
-  plan.target = std::string(scalar_target);
+  plan.answerers.kernels = {&bad, &gone, &limited};
+  plan.questions.sources = {family_source(find_family("general"))};
+  plan.questions.precisions = {Precision::binary32};
+  plan.questions.trials = [](const Source&, Precision) { return std::uint64_t{3}; };
+  plan.running.target = std::string(scalar_target);
   const std::atomic<bool> never = false;
   const std::string text = summary_text(record_of(plan, run_campaign(plan, never, [](const Progress&) {}), {}), 1);
   EXPECT_EQ(text.find("plugin:x.so binary32: crash on family general, 3 times, first at 1:general:2:binary32:0:0: "

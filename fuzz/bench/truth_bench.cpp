@@ -30,10 +30,10 @@ constexpr double slow_naive_ns = 1e5;  // per query; if the naive loop is slower
 
 Plan plan_of(std::vector<SourcePtr> sources) {
   Plan plan;
-  plan.kernels = {&find_kernel("published")};
-  plan.sources = std::move(sources);
-  plan.precisions = {Precision::binary32};
-  plan.target = resolve_target("auto");
+  plan.answerers.kernels = {&find_kernel("published")};
+  plan.questions.sources = std::move(sources);
+  plan.questions.precisions = {Precision::binary32};
+  plan.running.target = resolve_target("auto");
   return plan;
 }
 
@@ -84,7 +84,7 @@ template <class Real>
 void measure(const Plan& plan, const Source& source, std::uint64_t most_queries) {
   const auto queries_of = [&](std::uint64_t count) {
     std::vector<Query<Real>> queries(count);
-    for (std::uint64_t i = 0; i < count; ++i) queries[i] = source.make<Real>(plan.seed, i);
+    for (std::uint64_t i = 0; i < count; ++i) queries[i] = source.make<Real>(plan.questions.seed, i);
     return queries;
   };
   const auto probe = queries_of(512);
@@ -101,7 +101,7 @@ void measure(const Plan& plan, const Source& source, std::uint64_t most_queries)
     naive.push_back(nanoseconds([&] { by_naive = separated_by_distance(queries); }));
     interval.push_back(nanoseconds([&] { signs_by_intervals(queries, signs); }));
     harness.push_back(nanoseconds([&] {
-      Tally all(plan.test());  // as in a campaign, whose units know the findings of others
+      Tally all(source.test());  // as in a campaign, whose units know the findings of others
       for (std::uint64_t first = 0; first < count; first += unit_size) {
         const std::uint64_t size = std::min(unit_size, count - first);
         all.merge(run_unit(plan, source, precision_of<Real>, first / unit_size, size, {standing_of(all)}).tallies[0]);
@@ -121,8 +121,8 @@ void measure(const Plan& plan, const Source& source, std::uint64_t most_queries)
 
 // Wall-clock seconds, which other programs do affect.
 double campaign_seconds(Plan plan, int threads, std::uint64_t units) {
-  plan.threads = threads;
-  plan.trials = [units](const Source&, Precision) { return units * unit_size; };
+  plan.running.threads = threads;
+  plan.questions.trials = [units](const Source&, Precision) { return units * unit_size; };
   static const std::atomic<bool> never = false;
   const auto start = std::chrono::steady_clock::now();
   run_campaign(plan, never, [](const Progress&) {});
@@ -181,7 +181,7 @@ void run(std::vector<std::string_view> names) {
       "theirs, and the goal for its rate over the naive loop's\n\n"
       "| family | precision | queries | naive | interval | harness | rate / naive | rate / interval | goal |\n"
       "|---|---|---:|---:|---:|---:|---:|---:|---|\n",
-      processor_name(), compiler_name(), compiler_flags(), plan.target, repetitions);
+      processor_name(), compiler_name(), compiler_flags(), plan.running.target, repetitions);
   for (const SourcePtr& source : sources) {
     measure<float>(plan, *source, most_queries);
     measure<double>(plan, *source, most_queries);

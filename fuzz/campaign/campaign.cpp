@@ -21,11 +21,11 @@ struct Unit {
 // its time evenly. Under a time limit the units of a family never end.
 class UnitQueue {
  public:
-  UnitQueue(const Plan& plan, const std::vector<CellResult>& cells) : timed_(plan.seconds.has_value()) {
+  UnitQueue(const Questions& questions, const std::vector<CellResult>& cells) : timed_(questions.seconds.has_value()) {
     for (const CellResult& cell : cells) {
-      const Source& source = *plan.sources[cell.source];
-      const auto fixed = plan.replies ? plan.replies->size(source, cell.precision) : source.fixed_size(cell.precision);
-      left_.push_back(fixed ? *fixed : timed_ ? UINT64_MAX : plan.trials(source, cell.precision));
+      const Source& source = *questions.sources[cell.source];
+      const auto fixed = questions.fixed_size(source, cell.precision);
+      left_.push_back(fixed ? *fixed : timed_ ? UINT64_MAX : questions.trials(source, cell.precision));
       if (left_.back() != UINT64_MAX) total_ += (left_.back() + unit_size - 1) / unit_size;
     }
     next_number_.resize(cells.size());
@@ -69,29 +69,32 @@ void StepCounts::merge(const StepCounts& other) {
   judging += other.judging;
 }
 
-std::vector<CellResult> cells_of(const Plan& plan) {
+std::vector<CellResult> cells_of(const Questions& questions, std::size_t kernels) {
   std::vector<CellResult> cells;
   for (const Precision precision : {Precision::binary64, Precision::binary32}) {
-    if (std::find(plan.precisions.begin(), plan.precisions.end(), precision) == plan.precisions.end()) continue;
-    for (std::size_t s = 0; s < plan.sources.size(); ++s) {
-      cells.push_back({s, precision, 0, 0, 0, std::vector<Tally>(plan.kernels.size(), Tally(plan.test())), {}});
+    if (std::ranges::find(questions.precisions, precision) == questions.precisions.end()) continue;
+    for (std::size_t s = 0; s < questions.sources.size(); ++s) {
+      cells.push_back({s, precision, 0, 0, 0, std::vector<Tally>(kernels, Tally(questions.test())), {}});
     }
   }
   return cells;
 }
 
-std::set<std::string> targets_of(const Plan& plan) {
-  std::set<std::string> targets = {std::string(scalar_target), plan.target};
-  for (const Kernel* kernel : plan.kernels) {
+std::set<std::string> targets_of(const std::vector<const Kernel*>& kernels, const std::string& target) {
+  std::set<std::string> targets = {std::string(scalar_target), target};
+  for (const Kernel* kernel : kernels) {
     if (!kernel->call.target.empty()) targets.insert(kernel->call.target);
   }
   return targets;
 }
 
 CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupted, const ShowProgress& report) {
+  const Questions& questions = plan.questions;
+  const std::vector<const Kernel*>& kernels = plan.answerers.kernels;
+  const int threads = plan.running.threads;
   CampaignResult result;
-  result.cells = cells_of(plan);
-  UnitQueue queue(plan, result.cells);
+  result.cells = cells_of(questions, kernels.size());
+  UnitQueue queue(questions, result.cells);
   std::mutex mutex;
   std::atomic<bool> failed = false;
   ProgressCount progress(report, queue.total());
@@ -107,7 +110,7 @@ CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupt
       result.complete = false;
       return std::nullopt;
     }
-    if (plan.seconds && elapsed() >= *plan.seconds) return std::nullopt;
+    if (questions.seconds && elapsed() >= *questions.seconds) return std::nullopt;
     const std::optional<Unit> unit = queue.next();
     standing.clear();
     if (unit) {
@@ -121,14 +124,15 @@ CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupt
       const CellResult& cell = result.cells[unit->cell];
       UnitResult done;
       try {
-        done = run_unit(plan, *plan.sources[cell.source], cell.precision, unit->number, unit->size, standing, asked);
+        done =
+            run_unit(plan, *questions.sources[cell.source], cell.precision, unit->number, unit->size, standing, asked);
       } catch (...) {
         failed = true;
         throw;
       }
       const std::lock_guard lock(mutex);
       CellResult& into = result.cells[unit->cell];
-      for (std::size_t k = 0; k < plan.kernels.size(); ++k) into.tallies[k].merge(done.tallies[k]);
+      for (std::size_t k = 0; k < kernels.size(); ++k) into.tallies[k].merge(done.tallies[k]);
       into.steps.merge(done.steps);
       into.core_seconds += done.core_seconds;
       ++into.units_done;
@@ -137,9 +141,9 @@ CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupt
       progress.finished();
     }
   };
-  tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(plan.threads));
-  tbb::task_arena arena(plan.threads);
-  arena.execute([&] { tbb::parallel_for(0, plan.threads, work, tbb::simple_partitioner()); });
+  tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  arena.execute([&] { tbb::parallel_for(0, threads, work, tbb::simple_partitioner()); });
   return result;
 }
 

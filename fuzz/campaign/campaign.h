@@ -18,28 +18,50 @@
 
 namespace axiscert {
 
-struct Plan {
+// What is asked, and how much of it.
+struct Questions {
   std::uint64_t seed = 1;
-  std::vector<const Kernel*> kernels;
-  std::vector<FileInfo> plugins;  // the files of kernels that were given by path, as they were loaded
   std::vector<SourcePtr> sources;
   std::vector<Precision> precisions;
-  // How many queries of a source in a precision; not read under a time limit.
+  // How many queries a source has in a precision, where that is not to be chosen.
+  std::function<std::optional<std::uint64_t>(const Source&, Precision)> fixed_size = &Source::fixed_size;
+  // How many of the others; not read under a time limit.
   std::function<std::uint64_t(const Source&, Precision)> trials;
   std::optional<double> seconds;  // the time limit; units that were begun are finished
-  Tolerances tolerances;
-  std::map<std::string, std::string> tolerance_texts;  // by comparison, as given
-  std::string target;                                  // resolved
-  int threads = 1;
-  // The answers of the one kernel, in place of running it; its queries are those that have one.
+
+  // That of all sources; there is one.
+  const TestDescription& test() const { return sources.front()->test(); }
+};
+
+// Who answers: kernels of the questions' test.
+struct Answerers {
+  std::vector<const Kernel*> kernels;
+  std::vector<FileInfo> plugins;  // the files of kernels that were given by path, as they were loaded
+  // The answers of the one kernel, in place of running it; the questions are those that have one.
   std::shared_ptr<const StoredReplies> replies;
   ReplyClaim claim;  // of the replies
+};
+
+// How the answers are judged.
+struct Judging {
+  Tolerances tolerances;
+  std::map<std::string, std::string> tolerance_texts;  // by comparison, as given
   // Everything by CGAL, arbitrary precision and MPFR: the record is the same.
   bool exact_only = false;
   FilterFault planted = FilterFault::none;  // for the tests of the cross-checks
+};
 
-  // The test of all kernels and sources; there is one of either.
-  const TestDescription& test() const { return kernels.empty() ? sources.front()->test() : *kernels.front()->test; }
+// On what it runs; no result depends on it.
+struct Running {
+  std::string target;  // resolved
+  int threads = 1;
+};
+
+struct Plan {
+  Questions questions;
+  Answerers answerers;
+  Judging judging;
+  Running running;
 };
 
 // How the queries of a cell were decided; no record holds it.
@@ -80,9 +102,9 @@ constexpr bool has_critical_radius(std::uint64_t position) {
   return position < critical_radius_queries && position % critical_radius_stride == 0;
 }
 
-// The targets that have to pass the self-check: the scalar reference, the plan's, and those on which a kernel is
+// The targets that have to pass the self-check: the scalar reference, the given one, and those on which a kernel is
 // called.
-std::set<std::string> targets_of(const Plan& plan);
+std::set<std::string> targets_of(const std::vector<const Kernel*>& kernels, const std::string& target);
 
 // `interrupted` is polled between units; `report` may be empty. The tallies depend on the plan alone, not on threads,
 // target or order. Throws OracleDisagreement.

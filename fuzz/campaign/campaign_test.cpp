@@ -17,11 +17,11 @@ const std::atomic<bool> never = false;
 
 Plan plan_of(std::vector<const Kernel*> kernels, std::vector<std::string> names, std::uint64_t trials) {
   Plan plan;
-  plan.kernels = std::move(kernels);
-  for (const std::string& name : names) plan.sources.push_back(family_source(find_family(name)));
-  plan.precisions = {Precision::binary32, Precision::binary64};
-  plan.trials = [trials](const Source&, Precision) { return trials; };
-  plan.target = resolve_target("auto");
+  plan.answerers.kernels = std::move(kernels);
+  for (const std::string& name : names) plan.questions.sources.push_back(family_source(find_family(name)));
+  plan.questions.precisions = {Precision::binary32, Precision::binary64};
+  plan.questions.trials = [trials](const Source&, Precision) { return trials; };
+  plan.running.target = resolve_target("auto");
   return plan;
 }
 
@@ -116,8 +116,8 @@ TEST(PlantedKernel, AFlushedKernelIsAnImplementationFault) { expect_implementati
 // The filters' decisions are compared with exact arithmetic on a sample: a faulty filter is detected.
 void expect_caught(FilterFault fault, std::vector<std::string> families, Precision precision) {
   Plan plan = plan_of({&find_kernel("published")}, std::move(families), 40000);
-  plan.precisions = {precision};
-  plan.planted = fault;
+  plan.questions.precisions = {precision};
+  plan.judging.planted = fault;
   EXPECT_THROW(run(plan), OracleDisagreement) << name(precision);
 }
 TEST(PlantedFilter, ABoundTooSmallIsCaught) {
@@ -132,7 +132,7 @@ TEST(PlantedFilter, UnderflowLeftOutIsCaught) {
 }
 TEST(PlantedFilter, ARoundingModeLeftChangedIsCaught) {
   Plan plan = plan_of({&find_kernel("published")}, {"general"}, 1000);
-  plan.planted = FilterFault::rounding_mode;
+  plan.judging.planted = FilterFault::rounding_mode;
   EXPECT_THROW(run(plan), HarnessFault);
 }
 
@@ -172,21 +172,21 @@ TEST(Campaign, ErrorsOfAnySizeAreThoseOfExactArithmetic) {
   kernel.is_reference = false;
   Plan plan = plan_of({&kernel}, {"scale", "subnormal", "sliver"}, 3000 / TRIAL_DIVISOR);
   const std::string filtered = fingerprint(run(plan));
-  plan.exact_only = true;
+  plan.judging.exact_only = true;
   EXPECT_EQ(filtered, fingerprint(run(plan)));
 }
 
 TEST(Campaign, ThreadsAndTargetsChangeNothing) {
   Plan plan = plan_of({&find_kernel("published")}, {"general", "tangent"}, unit_size + 1000);  // a unit and a short one
-  plan.precisions = {Precision::binary32};
+  plan.questions.precisions = {Precision::binary32};
   const std::string one = fingerprint(run(plan));
-  plan.threads = 2;
+  plan.running.threads = 2;
   EXPECT_EQ(fingerprint(run(plan)), one) << "2 threads";
-  plan.sources.push_back(family_source(find_family("scale")));
-  plan.trials = [](const Source&, Precision) { return 3000 / TRIAL_DIVISOR; };
+  plan.questions.sources.push_back(family_source(find_family("scale")));
+  plan.questions.trials = [](const Source&, Precision) { return 3000 / TRIAL_DIVISOR; };
   const std::string reference = fingerprint(run(plan));
   for (const std::string& target : available_targets()) {
-    plan.target = target;
+    plan.running.target = target;
     EXPECT_EQ(fingerprint(run(plan)), reference) << target;
   }
 }
@@ -194,7 +194,7 @@ TEST(Campaign, ThreadsAndTargetsChangeNothing) {
 TEST(Campaign, StopsWhenInterruptedAndSaysSo) {
   std::atomic<bool> stop = false;
   Plan plan = plan_of({&find_kernel("published")}, {"general"}, 5 * unit_size);
-  plan.precisions = {Precision::binary32};
+  plan.questions.precisions = {Precision::binary32};
   const auto result = run_campaign(plan, stop, [&](const Progress& p) { stop = p.units_done >= 2; });
   EXPECT_FALSE(result.complete);
   EXPECT_EQ(result.cells[0].units_done, 2u);
@@ -220,7 +220,7 @@ TEST(Campaign, ATallyDoesNotGrowWithTheTrials) {
   constexpr std::size_t most_candidates = 3 + 3 + link_count + 3 * comparison_count;
   const Plan plan = plan_of({&find_kernel("first-publication")}, {"tangent"}, size);
   const auto unit = [&](std::uint64_t number) {
-    return run_unit(plan, *plan.sources[0], Precision::binary32, number, size).tallies[0];
+    return run_unit(plan, *plan.questions.sources[0], Precision::binary32, number, size).tallies[0];
   };
   Tally all = unit(beyond - 1);
   EXPECT_EQ(all.critical_radius.errors_ulps.size() + all.critical_radius.unbounded, size / critical_radius_stride);

@@ -99,14 +99,14 @@ Told other_feature(Real best, std::size_t) {
 
 Plan plan_of_motions(const Kernel& kernel) {
   Plan plan;
-  plan.kernels = {&kernel};
+  plan.answerers.kernels = {&kernel};
   for (const char* name : {"moving-sphere/general", "moving-sphere/graze", "moving-sphere/point"}) {
-    plan.sources.push_back(family_source(find_family(name)));
+    plan.questions.sources.push_back(family_source(find_family(name)));
   }
-  plan.precisions = {Precision::binary32, Precision::binary64};
-  plan.trials = [](const Source&, Precision) { return motion_queries; };
-  plan.target = resolve_target("auto");
-  plan.threads = 1;
+  plan.questions.precisions = {Precision::binary32, Precision::binary64};
+  plan.questions.trials = [](const Source&, Precision) { return motion_queries; };
+  plan.running.target = resolve_target("auto");
+  plan.running.threads = 1;
   return plan;
 }
 
@@ -184,7 +184,7 @@ TEST(Motion, WhatIsBeyondAPolicyIsCountedApart) {
   const auto outside = [&](MotionPolicy policy, const char* family) {
     kernel.motion = policy;
     Plan plan = plan_of_motions(kernel);
-    plan.sources = {family_source(find_family(family))};
+    plan.questions.sources = {family_source(find_family(family))};
     const CampaignResult result = run_motions(plan);
     const Tally& tally = result.cells[0].tallies[0];
     EXPECT_EQ(tally.verdict.false_separation + tally.verdict.outside_limits.false_separation, tally.contact);

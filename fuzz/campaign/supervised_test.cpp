@@ -16,11 +16,11 @@ const std::atomic<bool> uncancelled = false;
 
 Plan plan_of(std::vector<const Kernel*> kernels, const std::string& family, std::uint64_t trials) {
   Plan plan;
-  plan.kernels = std::move(kernels);
-  plan.sources = {family_source(find_family(family))};
-  plan.precisions = {Precision::binary32};
-  plan.trials = [trials](const Source&, Precision) { return trials; };
-  plan.target = std::string(scalar_target);
+  plan.answerers.kernels = std::move(kernels);
+  plan.questions.sources = {family_source(find_family(family))};
+  plan.questions.precisions = {Precision::binary32};
+  plan.questions.trials = [trials](const Source&, Precision) { return trials; };
+  plan.running.target = std::string(scalar_target);
   return plan;
 }
 
@@ -135,7 +135,7 @@ TEST(Supervised, ThreadsChangeNothing) {
   kernel.limits.greatest_coordinate = 0.5;
   Plan plan = plan_of({&kernel}, "nonfinite", 2 * unit_size);
   const std::string one = fingerprint(tallies_of(plan)[0]);
-  plan.threads = 2;
+  plan.running.threads = 2;
   EXPECT_EQ(fingerprint(tallies_of(plan)[0]), one);
 }
 
@@ -210,9 +210,9 @@ TEST(Supervised, TheFirstWrongVerdictOfALink) {
   const Tally all = tallies_of(plan)[0];
   const auto first = all.verdict.first_by_link[Link::specification];
   ASSERT_TRUE(first);
-  plan.trials = [&](const Source&, Precision) { return *first; };
+  plan.questions.trials = [&](const Source&, Precision) { return *first; };
   EXPECT_FALSE(tallies_of(plan)[0].verdict.first_by_link[Link::specification]);
-  plan.trials = [&](const Source&, Precision) { return *first + 1; };
+  plan.questions.trials = [&](const Source&, Precision) { return *first + 1; };
   EXPECT_EQ(tallies_of(plan)[0].verdict.first_by_link[Link::specification], first);
 }
 

@@ -29,23 +29,26 @@ void judge(const Oracles& oracles, const MadeBatch<Real>& batch, KernelRuns<Real
 template <class Real>
 void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint64_t size,
          const std::vector<Standing>& standing, const BatchDone& asked, UnitResult& out) {
-  const Standing nothing = standing_of(Tally(plan.test()));
+  const Standing nothing = standing_of(Tally(source.test()));
   KernelRuns<Real> runs;
-  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
-    const Kernel& kernel = *plan.kernels[k];
+  for (std::size_t k = 0; k < plan.answerers.kernels.size(); ++k) {
+    const Kernel& kernel = *plan.answerers.kernels[k];
     if (!kernel.has(precision_of<Real>) || kernel.entry != source.entry()) continue;
-    runs.emplace_back(kernel, plan, source, standing.empty() ? nothing : standing[k], out.tallies[k]);
+    runs.emplace_back(kernel, plan.running.target, plan.answerers.replies.get(), source,
+                      standing.empty() ? nothing : standing[k], out.tallies[k]);
   }
   if (runs.empty()) return;
   const bool any_process = std::any_of(runs.begin(), runs.end(), [](auto& run) { return run.is_in_another_process(); });
   const std::size_t most = any_process ? batch_size_for_processes : batch_size;
-  const Oracles& oracles = oracles_of(plan.test(), source.entry());
+  const Oracles& oracles = oracles_of(source.test(), source.entry());
   StepCounts& steps = out.steps;
-  const auto screen = screen_of<Real>({plan, oracles, runs, first, steps, out.second_opinions});
+  const auto screen =
+      screen_of<Real>({plan.judging, plan.running.target, oracles, runs, first, steps, out.second_opinions});
   QueryBatch<Real> queries(most, source.columns().size());
   for (std::uint64_t done = 0; done < size; done += queries.size()) {
     Stopwatch watch;
-    source.fill(plan.seed, first + done, static_cast<std::size_t>(std::min<std::uint64_t>(most, size - done)), queries);
+    source.fill(plan.questions.seed, first + done, static_cast<std::size_t>(std::min<std::uint64_t>(most, size - done)),
+                queries);
     const MadeBatch<Real> made{queries, first + done};
     steps.generation += watch.lap();
     for (KernelRun<Real>& run : runs) run.ask_about(made);
@@ -67,7 +70,7 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
 
 UnitResult run_unit(const Plan& plan, const Source& source, Precision precision, std::uint64_t number,
                     std::uint64_t size, const std::vector<Standing>& standing, const BatchDone& asked) {
-  UnitResult result{std::vector<Tally>(plan.kernels.size(), Tally(plan.test())), 0, 0, {}};
+  UnitResult result{std::vector<Tally>(plan.answerers.kernels.size(), Tally(source.test())), 0, 0, {}};
   const double start = thread_seconds();
   const std::uint64_t first = number * unit_size;
   if (precision == Precision::binary32) run<float>(plan, source, first, size, standing, asked, result);

@@ -28,8 +28,8 @@ using BatchDone = std::function<void(std::uint64_t queries)>;
 UnitResult run_unit(const Plan& plan, const Source& source, Precision precision, std::uint64_t number,
                     std::uint64_t size, const std::vector<Standing>& standing = {}, const BatchDone& asked = {});
 
-// A plan's cells, with nothing done: binary64 first, whose units take longest, and the last ones decide how long the
-// cores wait for each other.
-std::vector<CellResult> cells_of(const Plan& plan);
+// The cells of the questions, with nothing done, for so many kernels: binary64 first, whose units take longest, and the
+// last ones decide how long the cores wait for each other.
+std::vector<CellResult> cells_of(const Questions& questions, std::size_t kernels);
 
 }  // namespace axiscert

@@ -175,7 +175,7 @@ class MarginFinder {
 };
 
 std::string margin_address(const SafeMarginPlan& plan, const Source& source, std::uint64_t position) {
-  return text(address_of(source, plan.run->seed, plan.precision, position));
+  return text(address_of(source, plan.asked->seed, plan.precision, position));
 }
 
 template <class Real>
@@ -259,7 +259,7 @@ template <class Real>
 SafeMargin margin_of(const SafeMarginPlan& plan, const std::atomic<bool>& interrupted, const ShowProgress& report) {
   SafeMargin margin{plan.precision};
   {
-    const Implementation<Real> kernel = plan.kernel->on<Real>(plan.run->target);
+    const Implementation<Real> kernel = plan.kernel->on<Real>(plan.on->target);
     MarginFinder<Real> finder(plan, kernel, margin);
     for (const StoredQuery& stored : plan.found) {
       if (const auto* query = std::get_if<Numbers<Real>>(&stored.numbers))
@@ -267,16 +267,16 @@ SafeMargin margin_of(const SafeMarginPlan& plan, const std::atomic<bool>& interr
     }
   }
   JudgedPlan judged;
-  judged.sources = plan.run->sources;
+  judged.sources = plan.asked->sources;
   for (const SourcePtr& source : judged.sources) judged.trials.push_back(plan.queries(*source));
-  judged.seed = plan.run->seed;
+  judged.seed = plan.asked->seed;
   judged.block_size = margin_block;
   judged.batch_size = margin_batch;
   judged.kernels = {plan.kernel};
-  judged.target = plan.run->target;
+  judged.target = plan.on->target;
   judged.by_filters = true;
   judged.second_opinion_stride = 0;
-  judged.threads = plan.run->threads;
+  judged.threads = plan.on->threads;
   judged.interrupted = &interrupted;
   const auto add = [&](std::string_view stage, const auto& visit) {
     const auto in_order = [](SafeMargin& all, const SafeMargin& later) { merge(all, later); };

@@ -18,8 +18,9 @@
 namespace axiscert {
 
 struct SafeMarginPlan {
-  const Plan* run;       // its sources, seed, target and threads; its test has a sphere's radius
-  const Kernel* kernel;  // of the run's test, in the first entry
+  const Questions* asked;  // of a run: its sources and seed; their test has a sphere's radius
+  const Running* on;
+  const Kernel* kernel;  // of that test, in the first entry
   Precision precision = Precision::binary32;
   // How many of the source's queries were run: those from the first on.
   std::function<std::uint64_t(const Source&)> queries;

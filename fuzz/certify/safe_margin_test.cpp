@@ -40,10 +40,10 @@ Kernel certified_with(const std::string& id, Change change) {
 SafeMargin margin_for(const Kernel& kernel, Precision precision, std::uint64_t probes, int threads = 2,
                       std::vector<StoredQuery> found = {}) {
   Plan run = small_plan({"published"}, {"general", "tangent", "lattice", "repeated"}, margin_queries_asked);
-  run.kernels = {&kernel};
-  run.threads = threads;
-  const SafeMarginPlan plan{&run,   &kernel,         precision, [](const Source&) { return margin_queries_asked; },
-                            probes, std::move(found)};
+  run.running.threads = threads;
+  const SafeMarginPlan plan{
+      &run.questions, &run.running,    &kernel, precision, [](const Source&) { return margin_queries_asked; },
+      probes,         std::move(found)};
   const std::atomic<bool> interrupted = false;
   return safe_margin(plan, interrupted, {});
 }
@@ -71,9 +71,13 @@ Kernel deaf_below(double least) {
 SafeMargin margin_for_find(const Kernel& kernel, Precision precision, const std::string& members) {
   const std::string line = fmt::format(R"({{"precision":"{}",{}}})", name(precision), members);
   Plan run = small_plan({"published"}, {"general"}, 0);
-  run.kernels = {&kernel};
-  const SafeMarginPlan plan{
-      &run, &kernel, precision, [](const Source&) { return 0u; }, 0, parse_queries(line + "\n", "f", precision)};
+  const SafeMarginPlan plan{&run.questions,
+                            &run.running,
+                            &kernel,
+                            precision,
+                            [](const Source&) { return 0u; },
+                            0,
+                            parse_queries(line + "\n", "f", precision)};
   const std::atomic<bool> interrupted = false;
   return safe_margin(plan, interrupted, {});
 }

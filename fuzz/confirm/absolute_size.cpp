@@ -44,16 +44,16 @@ AbsoluteSize overlap(const Quantity& quantity, const std::vector<Interval>& inte
 }
 
 template <class Real>
-void narrow_in(const Plan& plan, const Kernel& kernel, const Source& source, std::vector<UnitFlip>& flips) {
+void narrow_in(const SeededSource& of, const Kernel& kernel, const std::string& target, std::vector<UnitFlip>& flips) {
   const auto is_narrow = [](const UnitFlip& flip) { return std::abs(flip.right - flip.wrong) <= 1; };
-  const Implementation<Real> implementation = kernel.on<Real>(plan.target);
+  const Implementation<Real> implementation = kernel.on<Real>(target);
   Reply<Real> reply;
   for (;;) {
-    QueryBatch<Real> batch(flips.size(), source.columns().size());
+    QueryBatch<Real> batch(flips.size(), of.source.columns().size());
     std::vector<UnitFlip*> wide;
     for (UnitFlip& flip : flips) {
       if (is_narrow(flip)) continue;
-      const Numbers<Real> base = source.make<Real>(plan.seed, flip.base);
+      const Numbers<Real> base = of.source.make<Real>(of.seed, flip.base);
       batch.push_back(times_power(base, (flip.right + flip.wrong) / 2));
       wide.push_back(&flip);
     }
@@ -67,12 +67,12 @@ void narrow_in(const Plan& plan, const Kernel& kernel, const Source& source, std
 }
 
 template <class Real>
-std::vector<AbsoluteSize> sizes_in(const Plan& plan, const Source& source, std::span<const UnitFlip> flips,
-                                   const Quantities& of) {
-  const std::span<const Quantity> quantities = of.all();
+std::vector<AbsoluteSize> sizes_in(const SeededSource& of, std::span<const UnitFlip> flips,
+                                   const Quantities& measured) {
+  const std::span<const Quantity> quantities = measured.all();
   std::vector<std::vector<Interval>> intervals(quantities.size());
   for (const UnitFlip& flip : flips) {
-    const std::vector<double> values = of.values(source.make<Real>(plan.seed, flip.base));
+    const std::vector<double> values = measured.values(of.source.make<Real>(of.seed, flip.base));
     const auto [low, high] = std::minmax(flip.right, flip.wrong);
     for (std::size_t k = 0; k < quantities.size(); ++k) {
       const int degree = quantities[k].degree;
@@ -97,19 +97,17 @@ std::vector<AbsoluteSize> sizes_in(const Plan& plan, const Source& source, std::
 
 }  // namespace
 
-void narrow(const Plan& plan, const Kernel& kernel, const Source& source, Precision precision,
-            std::vector<UnitFlip>& flips) {
-  if (flips.empty() || plan.replies) return;
-  if (precision == Precision::binary32) narrow_in<float>(plan, kernel, source, flips);
-  else narrow_in<double>(plan, kernel, source, flips);
+void narrow(const SeededSource& of, const Kernel& kernel, const std::string& target, std::vector<UnitFlip>& flips) {
+  if (flips.empty()) return;
+  if (of.precision == Precision::binary32) narrow_in<float>(of, kernel, target, flips);
+  else narrow_in<double>(of, kernel, target, flips);
 }
 
-std::vector<AbsoluteSize> absolute_sizes(const Plan& plan, const Source& source, Precision precision,
-                                         std::span<const UnitFlip> flips) {
-  const Quantities* const quantities = capabilities_of(source.test()).quantities;
+std::vector<AbsoluteSize> absolute_sizes(const SeededSource& of, std::span<const UnitFlip> flips) {
+  const Quantities* const quantities = capabilities_of(of.source.test()).quantities;
   if (quantities == nullptr) return {};
-  return precision == Precision::binary32 ? sizes_in<float>(plan, source, flips, *quantities)
-                                          : sizes_in<double>(plan, source, flips, *quantities);
+  return of.precision == Precision::binary32 ? sizes_in<float>(of, flips, *quantities)
+                                             : sizes_in<double>(of, flips, *quantities);
 }
 
 }  // namespace axiscert

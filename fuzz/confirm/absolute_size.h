@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "fuzz/campaign/campaign.h"
+#include "fuzz/queries/address.h"
+#include "kernel/kernel.h"
 
 namespace axiscert {
 
@@ -20,8 +22,7 @@ struct UnitFlip {
 inline constexpr std::size_t most_unit_flips = 256;
 
 // Asks the kernel between the two powers of each flip until they are neighbours.
-void narrow(const Plan& plan, const Kernel& kernel, const Source& source, Precision precision,
-            std::vector<UnitFlip>& flips);
+void narrow(const SeededSource& of, const Kernel& kernel, const std::string& target, std::vector<UnitFlip>& flips);
 
 // Something of a query with a size, that multiplies by s^degree where every number is multiplied by s.
 struct Quantity {
@@ -48,7 +49,6 @@ struct AbsoluteSize {
 
 // The quantities that explain most of the flips, at least three quarters of them; three at most, in the order of
 // Quantities. None for a test that names no quantities (fuzz/queries/capabilities.h).
-std::vector<AbsoluteSize> absolute_sizes(const Plan& plan, const Source& source, Precision precision,
-                                         std::span<const UnitFlip> flips);
+std::vector<AbsoluteSize> absolute_sizes(const SeededSource& of, std::span<const UnitFlip> flips);
 
 }  // namespace axiscert

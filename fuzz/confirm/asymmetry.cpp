@@ -16,24 +16,25 @@ constexpr std::uint64_t batch_bases = 16;  // bases that are asked about at once
 template <class Real>
 class AsymmetryBlock {
  public:
-  AsymmetryBlock(const Plan& plan, const Kernel& kernel, const Source& source, const ImageGroup& group)
-      : plan_(plan),
+  AsymmetryBlock(const SeededSource& of, const Kernel& kernel, const StoredReplies* replies, const std::string& target,
+                 const ImageGroup& group)
+      : of_(of),
         kernel_(kernel),
-        source_(source),
+        replies_(replies),
         group_(group),
-        batch_(batch_bases * group.size, source.columns().size()) {
+        batch_(batch_bases * group.size, of.source.columns().size()) {
     for (std::size_t i = 0; i < group.size; ++i) {
       const bool are_others = i != 0 && has_own_comparisons(group.kind(i));
       of_base_.push_back(are_others ? std::nullopt : std::optional(ComparisonsOfBase(group.test(), group.order(i))));
     }
-    if (!plan.replies) implementation_ = kernel.on<Real>(plan.target);
+    if (!replies) implementation_ = kernel.on<Real>(target);
   }
 
   Asymmetry count(std::uint64_t first_base, std::uint64_t last_base) {
     for (std::uint64_t base = first_base; base < last_base; base += batch_bases) {
       const std::uint64_t bases = std::min(batch_bases, last_base - base);
-      source_.fill(plan_.seed, base * group_.size, static_cast<std::size_t>(bases * group_.size), batch_);
-      if (!plan_.replies) ask(implementation_, batch_.columns(), reply_);
+      of_.source.fill(of_.seed, base * group_.size, static_cast<std::size_t>(bases * group_.size), batch_);
+      if (!replies_) ask(implementation_, batch_.columns(), reply_);
       for (std::uint64_t i = 0; i < bases; ++i) count_group((base + i) * group_.size, i * group_.size);
     }
     return found_;
@@ -41,8 +42,7 @@ class AsymmetryBlock {
 
  private:
   std::optional<Outcome> answer(std::uint64_t position, std::size_t in_batch) const {
-    const Outcome said =
-        plan_.replies ? plan_.replies->at(source_, precision_of<Real>, position) : reply_.outcome(in_batch);
+    const Outcome said = replies_ ? replies_->at(of_.source, precision_of<Real>, position) : reply_.outcome(in_batch);
     if (said.verdict == Verdict::unanswered) return std::nullopt;
     const Numbers<Real> numbers = batch_[in_batch];
     // Numbers that are no query have no motion to promise anything of.
@@ -94,9 +94,9 @@ class AsymmetryBlock {
     }
   }
 
-  const Plan& plan_;
+  const SeededSource& of_;
   const Kernel& kernel_;
-  const Source& source_;
+  const StoredReplies* replies_;  // null: the kernel is asked
   const ImageGroup& group_;
   Implementation<Real> implementation_;
   QueryBatch<Real> batch_;
@@ -109,21 +109,21 @@ class AsymmetryBlock {
 
 }  // namespace
 
-std::optional<Asymmetry> asymmetry_of(const Plan& plan, const Kernel& kernel, const Source& source, Precision precision,
-                                      std::uint64_t queries) {
-  const ImageGroup* group = image_group(source.name());
-  if (!group || !kernel.has(precision)) return std::nullopt;
+std::optional<Asymmetry> asymmetry_of(const SeededSource& of, std::uint64_t queries, const Kernel& kernel,
+                                      const StoredReplies* replies, const Running& running) {
+  const ImageGroup* group = image_group(of.source.name());
+  if (!group || !kernel.has(of.precision)) return std::nullopt;
   const std::uint64_t bases = std::min(queries, asymmetry_queries) / group->size;
   // Blocks as long as a unit of a run: foreign code is begun anew for each, and may hang in each.
   const std::uint64_t block_bases = unit_size / group->size;
   std::vector<Asymmetry> blocks((bases + block_bases - 1) / block_bases);
   const auto count = [&](std::size_t block) {
     const std::uint64_t first = block * block_bases, last = std::min(bases, first + block_bases);
-    blocks[block] = precision == Precision::binary32
-                        ? AsymmetryBlock<float>(plan, kernel, source, *group).count(first, last)
-                        : AsymmetryBlock<double>(plan, kernel, source, *group).count(first, last);
+    blocks[block] = of.precision == Precision::binary32
+                        ? AsymmetryBlock<float>(of, kernel, replies, running.target, *group).count(first, last)
+                        : AsymmetryBlock<double>(of, kernel, replies, running.target, *group).count(first, last);
   };
-  tbb::task_arena arena(plan.threads);
+  tbb::task_arena arena(running.threads);
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, blocks.size(), count); });
   Asymmetry all;
   for (const Asymmetry& block : blocks) {
@@ -134,8 +134,9 @@ std::optional<Asymmetry> asymmetry_of(const Plan& plan, const Kernel& kernel, co
     if (!all.first_comparison) all.first_comparison = block.first_comparison;
     all.invariance.merge(block.invariance);
   }
+  if (replies) return all;
   for (auto* flips : {&all.invariance.units.small, &all.invariance.units.large}) {
-    narrow(plan, kernel, source, precision, *flips);
+    narrow(of, kernel, running.target, *flips);
   }
   return all;
 }

@@ -19,10 +19,9 @@ struct Asymmetry {
 // A long run is not repeated in full: this many queries are examined, or all if there are fewer.
 inline constexpr std::uint64_t asymmetry_queries = std::uint64_t{1} << 22;
 
-// Asks the kernel of a plan again about the first `queries` of a source, complete groups of images only, on all cores;
-// for a plan with replies, those are examined instead. Empty if the source makes no images, or the kernel does not
-// exist in the precision.
-std::optional<Asymmetry> asymmetry_of(const Plan& plan, const Kernel& kernel, const Source& source, Precision precision,
-                                      std::uint64_t queries);
+// Asks a kernel again about the first `queries` of a source, complete groups of images only; where there are replies,
+// those are examined instead. Empty if the source makes no images, or the kernel does not exist in the precision.
+std::optional<Asymmetry> asymmetry_of(const SeededSource& of, std::uint64_t queries, const Kernel& kernel,
+                                      const StoredReplies* replies, const Running& running);
 
 }  // namespace axiscert

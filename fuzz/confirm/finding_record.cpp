@@ -10,8 +10,8 @@ namespace axiscert {
 namespace {
 
 template <class Real>
-void put_query_of(Json& into, std::uint64_t seed, const Source& source, std::uint64_t position) {
-  put_query(into, source.test().entries[source.entry()], source.make<Real>(seed, position));
+void put_query_of(Json& into, const SeededSource& of, std::uint64_t position) {
+  put_query(into, of.source.test().entries[of.source.entry()], of.source.make<Real>(of.seed, position));
 }
 
 }  // namespace
@@ -34,21 +34,20 @@ void put_loading_findings(Json& findings, const Kernel& kernel) {
   }
 }
 
-void put_findings(Json& findings, const Kernel& kernel, std::uint64_t seed, const Source& source, Precision precision,
-                  const Tally& tally) {
+void put_findings(Json& findings, const Kernel& kernel, const SeededSource& of, const Tally& tally) {
   for (std::size_t i = 0; i < finding_kind_count; ++i) {
     const FindingTally& found = tally.findings[i];
     if (found.count == 0) continue;
     Json& entry = findings.emplace_back();
     entry = {{"kernel", kernel.id},
-             {"precision", name(precision)},
-             {"family", source.name()},
+             {"precision", name(of.precision)},
+             {"family", of.source.name()},
              {"kind", finding_kind_names[i]},
              {"count", found.count},
              {"detail", found.detail},
-             {"address", text(address_of(source, seed, precision, found.first))}};
-    if (precision == Precision::binary32) put_query_of<float>(entry, seed, source, found.first);
-    else put_query_of<double>(entry, seed, source, found.first);
+             {"address", of.address(found.first)}};
+    if (of.precision == Precision::binary32) put_query_of<float>(entry, of, found.first);
+    else put_query_of<double>(entry, of, found.first);
   }
 }
 

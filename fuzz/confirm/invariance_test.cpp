@@ -46,14 +46,10 @@ struct Found {
   Json json;
 };
 Found found(const Kernel& kernel, const char* family, std::uint64_t queries) {
-  Plan plan;
-  plan.kernels = {&kernel};
-  plan.target = resolve_target("auto");
   const SourcePtr source = family_source(find_family(family));
-  const Asymmetry asymmetry = *asymmetry_of(plan, kernel, *source, Precision::binary64, queries);
-  const auto sizes = [&](std::span<const UnitFlip> flips) {
-    return absolute_sizes(plan, *source, Precision::binary64, flips);
-  };
+  const SeededSource of{*source, 1, Precision::binary64};
+  const Asymmetry asymmetry = *asymmetry_of(of, queries, kernel, nullptr, {resolve_target("auto")});
+  const auto sizes = [&](std::span<const UnitFlip> flips) { return absolute_sizes(of, flips); };
   const auto address = [](std::uint64_t position) { return std::to_string(position); };
   return {asymmetry.invariance,
           invariance_json(asymmetry.invariance, *image_group(family), Precision::binary64, address, sizes)};

@@ -35,17 +35,16 @@ struct Other {
 template <class Real>
 class NearestSearch {
  public:
-  NearestSearch(const Plan& plan, const Kernel& kernel)
-      : plan_(plan),
-        kernel_(kernel),
+  NearestSearch(const Kernel& kernel, const std::string& target)
+      : kernel_(kernel),
         oracles_(oracles_of(kernel)),
-        truths_(batches_of<Real>(oracles_, plan.target)),
+        truths_(batches_of<Real>(oracles_, target)),
         batch_(most_at_once, kernel.test->entries[kernel.entry].columns.size()) {
     for (const Kernel& other : kernels()) {
       if (other.id == kernel.id || other.test != kernel.test || other.entry != kernel.entry ||
           !other.has(precision_of<Real>))
         continue;
-      others_.push_back({&other, other.on<Real>(plan.target)});
+      others_.push_back({&other, other.on<Real>(target)});
     }
   }
 
@@ -53,9 +52,9 @@ class NearestSearch {
     const std::uint64_t first = std::min(nearest_queries, of.queries);
     const std::vector<std::uint64_t>& wrong = of.tally->classes.first_wrong;
     for (std::uint64_t position = 0; position < first; ++position) {
-      add(*of.source, position, std::binary_search(wrong.begin(), wrong.end(), position));
+      add(of.asked, position, std::binary_search(wrong.begin(), wrong.end(), position));
     }
-    for (const std::uint64_t position : deep_positions(*of.tally, first)) add(*of.source, position, true);
+    for (const std::uint64_t position : deep_positions(*of.tally, first)) add(of.asked, position, true);
     compare_batch();
   }
 
@@ -71,8 +70,8 @@ class NearestSearch {
   }
 
  private:
-  void add(const Source& source, std::uint64_t position, bool is_wrong) {
-    const Numbers<Real> q = source.make<Real>(plan_.seed, position);
+  void add(const SeededSource& of, std::uint64_t position, bool is_wrong) {
+    const Numbers<Real> q = of.source.make<Real>(of.seed, position);
     if (!oracles_.is_valid(q) || !is_promised(kernel_, q)) return;
     batch_.push_back(q);
     is_wrong_.push_back(is_wrong);
@@ -108,7 +107,6 @@ class NearestSearch {
     return truth;
   }
 
-  const Plan& plan_;
   const Kernel& kernel_;
   const Oracles& oracles_;
   std::unique_ptr<BatchOracle<Real>> truths_;
@@ -119,9 +117,9 @@ class NearestSearch {
 };
 
 template <class Real>
-std::optional<NearestKernel> nearest_in(const Plan& plan, const Kernel& kernel,
-                                        const std::vector<TalliedSource>& sources) {
-  NearestSearch<Real> search(plan, kernel);
+std::optional<NearestKernel> nearest_in(const Kernel& kernel, const std::vector<TalliedSource>& sources,
+                                        const std::string& target) {
+  NearestSearch<Real> search(kernel, target);
   for (const TalliedSource& source : sources) search.compare(source);
   return search.nearest();
 }
@@ -132,11 +130,11 @@ bool is_ever_wrong(const TalliedSource& of) {
 
 }  // namespace
 
-std::optional<NearestKernel> nearest_kernel(const Plan& plan, const Kernel& kernel, Precision precision,
-                                            const std::vector<TalliedSource>& sources) {
+std::optional<NearestKernel> nearest_kernel(const Kernel& kernel, const std::vector<TalliedSource>& sources,
+                                            const std::string& target) {
   if (!has_input_classes(kernel) || std::none_of(sources.begin(), sources.end(), is_ever_wrong)) return std::nullopt;
-  return precision == Precision::binary32 ? nearest_in<float>(plan, kernel, sources)
-                                          : nearest_in<double>(plan, kernel, sources);
+  return sources.front().asked.precision == Precision::binary32 ? nearest_in<float>(kernel, sources, target)
+                                                                : nearest_in<double>(kernel, sources, target);
 }
 
 }  // namespace axiscert

@@ -4,7 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "fuzz/campaign/campaign.h"
+#include "fuzz/campaign/counts/tally.h"
+#include "fuzz/queries/address.h"
 
 namespace axiscert {
 
@@ -17,18 +18,18 @@ struct NearestKernel {
   std::uint64_t either;   // on which one of them or both are
 };
 
-// One source of a run, and the tally of the kernel on it.
+// One source of a run in one precision, and the tally of the kernel on it.
 struct TalliedSource {
-  const Source* source;
+  SeededSource asked;
   std::uint64_t queries;  // that were run
   const Tally* tally;
 };
 
-// The kernel of kernels() with the greatest share `both` / `either`, the first of those with the same share. Empty if
-// the given kernel has no classes (fuzz/campaign/counts/class_tally.h), is never wrong here, or no other one is wrong
-// where it is. A touching query is right as contact for the built-in kernels, and by its own convention for the given
-// one.
-std::optional<NearestKernel> nearest_kernel(const Plan& plan, const Kernel& kernel, Precision precision,
-                                            const std::vector<TalliedSource>& sources);
+// `sources`: in one precision. The kernel of kernels() with the greatest share `both` / `either`, the first of those
+// with the same share. Empty if the given kernel has no classes (fuzz/campaign/counts/class_tally.h), is never wrong
+// here, or no other one is wrong where it is. A touching query is right as contact for the built-in kernels, and by its
+// own convention for the given one.
+std::optional<NearestKernel> nearest_kernel(const Kernel& kernel, const std::vector<TalliedSource>& sources,
+                                            const std::string& target);
 
 }  // namespace axiscert

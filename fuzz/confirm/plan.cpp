@@ -6,13 +6,13 @@ namespace axiscert {
 namespace {
 
 // The statement that no kernel was run, and the claim made for the program.
-Json replies_json(const Plan& plan) {
+Json replies_json(const Answerers& answerers) {
   const auto given = [](const std::string& id) { return id.empty() ? Json(nullptr) : Json(id); };
-  Json json = {{"conforms_to", given(plan.claim.conforms_to)},
-               {"formulae", given(plan.claim.formulae)},
-               {"touching", name(plan.kernels.front()->touching)},
-               {"may_decline", plan.kernels.front()->may_decline}};
-  if (plan.replies->measure_count() != 0) json["measures"] = plan.replies->measure_count();
+  Json json = {{"conforms_to", given(answerers.claim.conforms_to)},
+               {"formulae", given(answerers.claim.formulae)},
+               {"touching", name(answerers.kernels.front()->touching)},
+               {"may_decline", answerers.kernels.front()->may_decline}};
+  if (answerers.replies->measure_count() != 0) json["measures"] = answerers.replies->measure_count();
   return json;
 }
 
@@ -25,13 +25,15 @@ Json require_json(const std::vector<std::string>& levels) {
 }  // namespace
 
 Json plan_json(const Plan& plan, const CampaignResult& result, const Required& required) {
-  Json json = {{"axiscert", axiscert_version}, {"test", plan.test().id}, {"seed", plan.seed}};
+  const Questions& questions = plan.questions;
+  const Answerers& answerers = plan.answerers;
+  Json json = {{"axiscert", axiscert_version}, {"test", questions.test().id}, {"seed", questions.seed}};
   for (const char* list : {"kernels", "precisions", "families"}) json[list] = Json::array();
   for (const char* map : {"generators", "trials"}) json[map] = Json::object();
   json["files"] = Json::array();
-  for (const Kernel* kernel : plan.kernels) json["kernels"].push_back(kernel->id);
-  for (const Precision p : plan.precisions) json["precisions"].push_back(name(p));
-  for (const SourcePtr& source : plan.sources) {
+  for (const Kernel* kernel : answerers.kernels) json["kernels"].push_back(kernel->id);
+  for (const Precision p : questions.precisions) json["precisions"].push_back(name(p));
+  for (const SourcePtr& source : questions.sources) {
     json["families"].push_back(source->name());
     json["generators"][source->name()] = {{"version", source->version()},
                                           {"exact_arithmetic", source->exact_arithmetic()},
@@ -47,27 +49,27 @@ Json plan_json(const Plan& plan, const CampaignResult& result, const Required& r
       }
     }
   }
-  for (const FileInfo& file : plan.plugins) {
+  for (const FileInfo& file : answerers.plugins) {
     json["files"].push_back({{"name", file.name},
                              {"kind", file.kind},
                              {"sha256", file.sha256.empty() ? Json(nullptr) : Json(file.sha256)}});
   }
   Json units = Json::object();
-  for (std::size_t s = 0; s < plan.sources.size(); ++s) {
+  for (std::size_t s = 0; s < questions.sources.size(); ++s) {
     for (const CellResult& cell : result.cells) {
       if (cell.source != s) continue;
-      const std::string family = plan.sources[s]->name(), precision(name(cell.precision));
+      const std::string family = questions.sources[s]->name(), precision(name(cell.precision));
       json["trials"][family][precision] = cell.queries;
       units[family][precision] = cell.units_done;
     }
   }
-  json["tolerance"] = plan.tolerance_texts;
+  json["tolerance"] = plan.judging.tolerance_texts;
   json["require"] = require_json(required.levels);
   if (!required.allow_unchecked.empty()) json["allow_unchecked"] = required.allow_unchecked;
   json["margin_queries"] = margin_queries;
   // Without a time limit the trials determine the units; an interrupted run did only some of them.
-  if (plan.replies) json["replies"] = replies_json(plan);
-  json["units_done"] = plan.seconds || !result.complete ? units : Json(nullptr);
+  if (answerers.replies) json["replies"] = replies_json(answerers);
+  json["units_done"] = questions.seconds || !result.complete ? units : Json(nullptr);
   return json;
 }
 

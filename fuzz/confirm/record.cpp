@@ -163,13 +163,13 @@ Json truth_json(const Tally& tally) {
           {"invalid", tally.invalid}};
 }
 
-Json family_json(const Plan& plan, const Source& source, Precision precision, const Kernel& kernel, const Tally& tally,
+Json family_json(const SeededSource& of, const Kernel& kernel, const Tolerances& tolerances, const Tally& tally,
                  const std::optional<Asymmetry>& asymmetry) {
-  const Tolerances& tolerances = plan.tolerances;
-  const auto address = [&](std::uint64_t position) { return text(address_of(source, plan.seed, precision, position)); };
+  const TestDescription& test = *kernel.test;
+  const AddressOf address = of.addresses();
   Json json = {{"trials", tally.trials},
-               {"base_triangles", source.base_triangles(precision, tally.trials)},
-               {"exact_arithmetic", source.exact_arithmetic()},
+               {"base_triangles", of.source.base_triangles(of.precision, tally.trials)},
+               {"exact_arithmetic", of.source.exact_arithmetic()},
                {"truth", truth_json(tally)},
                {"verdict", verdict_json(tally.verdict, kernel)},
                {"axes", nullptr},
@@ -177,14 +177,13 @@ Json family_json(const Plan& plan, const Source& source, Precision precision, co
                {"critical_radius", critical_radius_json(tally.critical_radius)}};
   if (asymmetry) {
     json["asymmetry"] = asymmetry_json(*asymmetry, address);
-    json["invariance"] = invariance_of(plan, source, precision, *asymmetry);
+    json["invariance"] = invariance_of(of, *asymmetry);
   }
   if (has_input_classes(kernel)) json["classes"] = classes_json(tally.classes, address);
-  if (!plan.test().measures.empty()) json["motion"] = motion_json(tally.motion, kernel);
+  if (!test.measures.empty()) json["motion"] = motion_json(tally.motion, kernel);
   Json &axes = json["axes"], &all = json["comparisons"];
   if (kernel.exposes == Exposure::verdict) return json;
   axes = all = Json::object();
-  const TestDescription& test = plan.test();
   const std::uint64_t promised = tally.trials - tally.invalid - tally.verdict.outside_limits.trials;
   const bool has_sides = kernel.exposes == Exposure::sides && promised > tally.verdict.unanswered;
   for (std::size_t a = 0; a < test.clauses.size(); ++a) {
@@ -207,9 +206,9 @@ Json family_json(const Plan& plan, const Source& source, Precision precision, co
 }
 
 // The digests of the files of which somebody else's kernel consists; null for a kernel that comes with axiscert.
-Json digest_json(const Plan& plan, const Kernel& kernel) {
+Json digest_json(const std::vector<FileInfo>& plugins, const Kernel& kernel) {
   Json digest;
-  for (const FileInfo& file : plan.plugins) {
+  for (const FileInfo& file : plugins) {
     if (file.kernel == kernel.id && !file.sha256.empty())
       digest.push_back({{"kind", file.kind}, {"sha256", file.sha256}});
   }
@@ -218,10 +217,9 @@ Json digest_json(const Plan& plan, const Kernel& kernel) {
 
 }  // namespace
 
-Json invariance_of(const Plan& plan, const Source& source, Precision precision, const Asymmetry& asymmetry) {
-  const auto address = [&](std::uint64_t position) { return text(address_of(source, plan.seed, precision, position)); };
-  return invariance_json(asymmetry.invariance, *image_group(source.name()), precision, address,
-                         [&](const auto& flips) { return absolute_sizes(plan, source, precision, flips); });
+Json invariance_of(const SeededSource& of, const Asymmetry& asymmetry) {
+  return invariance_json(asymmetry.invariance, *image_group(of.source.name()), of.precision, of.addresses(),
+                         [&](const auto& flips) { return absolute_sizes(of, flips); });
 }
 
 // Figures that levels do not read, and those that do not add up, are left out.
@@ -270,8 +268,8 @@ Json limits_json(const Limits& limits) {
           {"greatest_radius", bound(limits.greatest_radius)}};
 }
 
-Json entry_json(const Plan& plan, const Kernel& kernel, Precision precision) {
-  const Json digest = digest_json(plan, kernel);
+Json entry_json(const std::vector<FileInfo>& plugins, const Kernel& kernel, Precision precision) {
+  const Json digest = digest_json(plugins, kernel);
   const bool has_arithmetic = kernel.formulae != Formulae::none, claimed = has_arithmetic || !kernel.claims.empty();
   const std::string formulae = has_arithmetic ? name(kernel.formulae) : kernel.claims;
   Json entry = {{"id", kernel.id},
@@ -297,35 +295,39 @@ Json entry_json(const Plan& plan, const Kernel& kernel, Precision precision) {
 }
 
 Json record_of(const Plan& plan, const CampaignResult& result, const Required& required) {
+  const Questions& questions = plan.questions;
+  const Answerers& answerers = plan.answerers;
+  const Running& running = plan.running;
+  const StoredReplies* const replies = answerers.replies.get();
   Json record = {{"schema", record_schema}, {"complete", result.complete}, {"plan", plan_json(plan, result, required)}};
   Json& kernels = record["kernels"] = Json::array();
-  WitnessWriter witnesses(plan);
+  WitnessWriter witnesses(replies, running.target);
   Json findings = Json::array();
-  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
-    const Kernel& kernel = *plan.kernels[k];
+  for (std::size_t k = 0; k < answerers.kernels.size(); ++k) {
+    const Kernel& kernel = *answerers.kernels[k];
     put_loading_findings(findings, kernel);
-    for (const Precision precision : plan.precisions) {
+    for (const Precision precision : questions.precisions) {
       if (!kernel.has(precision)) continue;
-      Json entry = entry_json(plan, kernel, precision);
+      Json entry = entry_json(answerers.plugins, kernel, precision);
       CriticalRadiusTally radii;
       std::vector<TalliedSource> tallied;
-      for (std::size_t s = 0; s < plan.sources.size(); ++s) {
+      for (std::size_t s = 0; s < questions.sources.size(); ++s) {
+        const SeededSource of{*questions.sources[s], questions.seed, precision};
         for (const CellResult& cell : result.cells) {
           if (cell.source != s || cell.precision != precision || cell.tallies[k].trials == 0) continue;
           const Tally& tally = cell.tallies[k];
           // After an interrupted run it is not known which bases have all their images.
           const auto asymmetry =
-              result.complete ? asymmetry_of(plan, kernel, *plan.sources[s], precision, cell.queries) : std::nullopt;
-          entry["families"][plan.sources[s]->name()] =
-              family_json(plan, *plan.sources[s], precision, kernel, tally, asymmetry);
+              result.complete ? asymmetry_of(of, cell.queries, kernel, replies, running) : std::nullopt;
+          entry["families"][of.source.name()] = family_json(of, kernel, plan.judging.tolerances, tally, asymmetry);
           radii.merge(tally.critical_radius);
-          put_findings(findings, kernel, plan.seed, *plan.sources[s], precision, tally);
-          witnesses.add(kernel, *plan.sources[s], precision, tally, asymmetry);
-          tallied.push_back({plan.sources[s].get(), cell.queries, &tally});
+          put_findings(findings, kernel, of, tally);
+          witnesses.add(kernel, of, tally, asymmetry);
+          tallied.push_back({of, cell.queries, &tally});
         }
       }
       entry["critical_radius"] = critical_radius_json(std::move(radii));
-      if (has_input_classes(kernel)) entry["nearest"] = nearest_json(nearest_kernel(plan, kernel, precision, tallied));
+      if (has_input_classes(kernel)) entry["nearest"] = nearest_json(nearest_kernel(kernel, tallied, running.target));
       kernels.push_back(std::move(entry));
     }
   }

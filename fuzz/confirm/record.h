@@ -22,14 +22,15 @@ Json counts_json(const Kernel& kernel, const Tally& tally);
 // The critical radius of all queries of a tally.
 Json critical_radius_json(CriticalRadiusTally tally);
 // A family's member "invariance".
-Json invariance_of(const Plan& plan, const Source& source, Precision precision, const Asymmetry& asymmetry);
+Json invariance_of(const SeededSource& of, const Asymmetry& asymmetry);
 
 // run.json: times, throughput, machine, target, compiler and library versions. `started` is ISO 8601, UTC.
 Json run_info(const Plan& plan, const CampaignResult& result, const std::string& target_asked,
               const std::string& started, double seconds);
 
-// An entry of the record's "kernels": what the kernel says of itself, without figures and families.
-Json entry_json(const Plan& plan, const Kernel& kernel, Precision precision);
+// An entry of the record's "kernels": what the kernel says of itself, without figures and families. `plugins`: files
+// that were given by path, its own among them.
+Json entry_json(const std::vector<FileInfo>& plugins, const Kernel& kernel, Precision precision);
 
 // A query as in the query file: each group of the entry's columns as an array of hex strings, or as one string.
 template <class Real>

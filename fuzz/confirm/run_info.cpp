@@ -14,7 +14,7 @@ namespace {
 
 // The steps by which the queries of a cell were decided, and the time of each. The time of a step is divided by all
 // queries, including those that it never saw or passed on.
-Json steps_json(const Plan& plan, const CellResult& cell) {
+Json steps_json(const Source& source, const CellResult& cell, bool exact_only) {
   const StepCounts& steps = cell.steps;
   const auto by_step = [](const EnumArray<Step, std::uint64_t>& counts) {
     Json json = Json::object();
@@ -22,11 +22,11 @@ Json steps_json(const Plan& plan, const CellResult& cell) {
     return json;
   };
   Json signs = Json::object();
-  for (std::size_t k = 0; k < steps.signs.size() && !plan.exact_only; ++k) {
-    signs[std::string(plan.test().comparisons[k].name)] = by_step(steps.signs[k]);
+  for (std::size_t k = 0; k < steps.signs.size() && !exact_only; ++k) {
+    signs[std::string(source.test().comparisons[k].name)] = by_step(steps.signs[k]);
   }
   const auto each = [&](double nanoseconds) { return nanoseconds / static_cast<double>(cell.queries); };
-  return {{"family", plan.sources[cell.source]->name()},
+  return {{"family", source.name()},
           {"precision", name(cell.precision)},
           {"queries", by_step(steps.queries)},
           {"signs", signs},
@@ -50,12 +50,12 @@ Json run_info(const Plan& plan, const CampaignResult& result, const std::string&
   Json json = {{"schema", "axiscert-run/1"},
                {"started", started},
                {"seconds", seconds},
-               {"threads", plan.threads},
+               {"threads", plan.running.threads},
                {"machine", {{"cpu", processor_name()}}},
                {"compiler", compiler_name()},
                {"flags", compiler_flags()},
                {"revision", axiscert_revision},
-               {"target", {{"asked", target_asked}, {"dispatched", plan.target}}},
+               {"target", {{"asked", target_asked}, {"dispatched", plan.running.target}}},
                {"versions",
                 {{"axiscert", axiscert_version},
                  {"cgal", CGAL_STR(CGAL_VERSION)},
@@ -69,18 +69,20 @@ Json run_info(const Plan& plan, const CampaignResult& result, const std::string&
   for (const CellResult& cell : result.cells) {
     const std::uint64_t queries = cell.queries;
     if (queries == 0) continue;
-    json["throughput"].push_back({{"family", plan.sources[cell.source]->name()},
+    json["throughput"].push_back({{"family", plan.questions.sources[cell.source]->name()},
                                   {"precision", name(cell.precision)},
                                   {"queries", queries},
                                   {"seconds_of_core", cell.core_seconds},
                                   {"queries_per_second_and_core", static_cast<double>(queries) / cell.core_seconds}});
   }
-  json["exact_only"] = plan.exact_only;
+  json["exact_only"] = plan.judging.exact_only;
   json["steps"] = Json::array();
   std::uint64_t by_cgal = 0;
   for (const CellResult& cell : result.cells) {
     by_cgal += cell.steps.by_cgal;
-    if (cell.queries != 0) json["steps"].push_back(steps_json(plan, cell));
+    if (cell.queries == 0) continue;
+    const Source& source = *plan.questions.sources[cell.source];
+    json["steps"].push_back(steps_json(source, cell, plan.judging.exact_only));
   }
   json["decided_by_cgal"] = by_cgal;
   return json;

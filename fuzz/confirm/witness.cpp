@@ -53,7 +53,7 @@ Json flips_json(const TestDescription& test, const Judgement& judgement) {
   return flips;
 }
 
-void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision precision, const Tally& tally,
+void WitnessWriter::add(const Kernel& kernel, const SeededSource& of, const Tally& tally,
                         const std::optional<Asymmetry>& asymmetry) {
   Shown shown;
   const auto note = [&](const auto& leaders, auto&& what) {
@@ -73,7 +73,7 @@ void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision pr
       shown[candidate.position].input_class = which;
     }
   }
-  const TestDescription& test = plan_.test();
+  const TestDescription& test = *kernel.test;
   for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
     const ComparisonTally& comparison = tally.comparisons[i];
     const auto flip = [&](const char* kind) {
@@ -91,19 +91,17 @@ void WitnessWriter::add(const Kernel& kernel, const Source& source, Precision pr
     }
   }
   note_motion(tally.motion, shown);
-  if (asymmetry) add_pairs(source, precision, *asymmetry, shown);
-  if (!examiner_ || &examiner_->kernel() != &kernel) examiner_.emplace(kernel, plan_.target);
-  if (precision == Precision::binary32) write<float>(kernel, source, shown);
-  else write<double>(kernel, source, shown);
+  if (asymmetry) add_pairs(of, *asymmetry, shown);
+  if (!examiner_ || &examiner_->kernel() != &kernel) examiner_.emplace(kernel, target_);
+  if (of.precision == Precision::binary32) write<float>(kernel, of, shown);
+  else write<double>(kernel, of, shown);
 }
 
-void WitnessWriter::add_pairs(const Source& source, Precision precision, const Asymmetry& asymmetry,
-                              Shown& shown) const {
-  const auto address = [&](std::uint64_t at) { return text(address_of(source, plan_.seed, precision, at)); };
+void WitnessWriter::add_pairs(const SeededSource& of, const Asymmetry& asymmetry, Shown& shown) {
   const auto note = [&](const std::optional<ImagePair>& pair, auto&& of_base, auto&& of_image) {
     if (!pair) return;
-    shown[pair->base].texts.push_back(of_base(address(pair->image)));
-    shown[pair->image].texts.push_back(of_image(address(pair->base)));
+    shown[pair->base].texts.push_back(of_base(of.address(pair->image)));
+    shown[pair->image].texts.push_back(of_image(of.address(pair->base)));
   };
   const auto note_difference = [&](const std::optional<ImagePair>& pair, const std::string& what) {
     note(
@@ -156,23 +154,24 @@ void WitnessWriter::note_motion(const MotionTally& motion, Shown& shown) {
 template <class Real>
 Examination WitnessWriter::examined(const Kernel& kernel, const Source& source, std::uint64_t position,
                                     const Numbers<Real>& numbers) {
-  if (!plan_.replies) return examiner_->examine(numbers);
-  const Answer reply = plan_.replies->at(source, precision_of<Real>, position);
-  return examine(numbers, kernel, reply, plan_.replies->measures(source, precision_of<Real>, position));
+  if (!replies_) return examiner_->examine(numbers);
+  const Answer reply = replies_->at(source, precision_of<Real>, position);
+  return examine(numbers, kernel, reply, replies_->measures(source, precision_of<Real>, position));
 }
 
 template <class Real>
-void WitnessWriter::write(const Kernel& kernel, const Source& source, const Shown& shown) {
-  const TestDescription& test = plan_.test();
+void WitnessWriter::write(const Kernel& kernel, const SeededSource& of, const Shown& shown) {
+  const Source& source = of.source;
+  const TestDescription& test = *kernel.test;
   const WitnessSides* const sides = capabilities_of(test).witness_sides;
   for (const auto& [position, what] : shown) {
-    const Numbers<Real> numbers = source.make<Real>(plan_.seed, position);
+    const Numbers<Real> numbers = source.make<Real>(of.seed, position);
     const Examination found = examined(kernel, source, position, numbers);
     Json witness = {{"id", fmt::format("w{}", witnesses_.size() + 1)}, {"precision", name(precision_of<Real>)}};
     put_query(witness, source.test().entries[source.entry()], numbers);
     witness["kernel"] = kernel.id;
     witness["family"] = source.name();
-    witness["address"] = text(address_of(source, plan_.seed, precision_of<Real>, position));
+    witness["address"] = of.address(position);
     witness["truth"] = name(found.truth.verdict);
     witness["computed"] = name(found.answer.verdict);
     witness["touching"] = found.truth.touching;

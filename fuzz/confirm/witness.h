@@ -15,14 +15,14 @@ namespace axiscert {
 
 class WitnessWriter {
  public:
-  explicit WitnessWriter(const Plan& plan) : plan_(plan) {}
+  // The kernels are asked on a target; where there are replies, they are the answers of the one kernel.
+  WitnessWriter(const StoredReplies* replies, const std::string& target) : replies_(replies), target_(target) {}
   // Adds the deepest wrong verdicts of each kind, with each broken link and on input of each class; for each comparison
   // a flip of each kind, a decisive one if there is one, and the largest error; the worst of each kind of measure; for
   // an asymmetry, and for each way in
   // which answers change with an image, the first image and its base. A query that
   // shows several of these is stored once.
-  void add(const Kernel& kernel, const Source& source, Precision precision, const Tally& tally,
-           const std::optional<Asymmetry>& asymmetry);
+  void add(const Kernel& kernel, const SeededSource& of, const Tally& tally, const std::optional<Asymmetry>& asymmetry);
   Json take() && { return std::move(witnesses_); }
 
  private:
@@ -34,14 +34,15 @@ class WitnessWriter {
   };
   using Shown = std::map<std::uint64_t, Reasons>;  // by position
   static void note_motion(const MotionTally& motion, Shown& shown);
-  void add_pairs(const Source& source, Precision precision, const Asymmetry& asymmetry, Shown& shown) const;
+  static void add_pairs(const SeededSource& of, const Asymmetry& asymmetry, Shown& shown);
   template <class Real>
   Examination examined(const Kernel& kernel, const Source& source, std::uint64_t position,
                        const Numbers<Real>& numbers);
   template <class Real>
-  void write(const Kernel& kernel, const Source& source, const Shown& shown);
+  void write(const Kernel& kernel, const SeededSource& of, const Shown& shown);
 
-  const Plan& plan_;
+  const StoredReplies* replies_;  // null: the kernels are asked
+  const std::string& target_;
   std::optional<Examiner> examiner_;  // for the kernel that was added last
   Json witnesses_ = Json::array();
 };

@@ -25,16 +25,16 @@ constexpr int depths_each = 4;
 Json record_of_kernels(const MutationPlan& plan, Precision precision, std::uint64_t trials,
                        std::vector<const Kernel*> kernels) {
   Plan campaign;
-  campaign.seed = plan.seed;
-  campaign.kernels = std::move(kernels);
-  for (const Family* family : plan.families) campaign.sources.push_back(family_source(*family));
-  campaign.precisions = {precision};
-  campaign.trials = [trials](const Source&, Precision) { return trials; };
-  campaign.target = std::string(scalar_target);
+  campaign.questions.seed = plan.seed;
+  campaign.answerers.kernels = std::move(kernels);
+  for (const Family* family : plan.families) campaign.questions.sources.push_back(family_source(*family));
+  campaign.questions.precisions = {precision};
+  campaign.questions.trials = [trials](const Source&, Precision) { return trials; };
+  campaign.running.target = std::string(scalar_target);
   CampaignResult result;
-  result.cells = cells_of(campaign);
+  result.cells = cells_of(campaign.questions, campaign.answerers.kernels.size());
   for (CellResult& cell : result.cells) {
-    const Source& source = *campaign.sources[cell.source];
+    const Source& source = *campaign.questions.sources[cell.source];
     const std::uint64_t size = source.fixed_size(precision).value_or(trials);
     for (; cell.queries < size; ++cell.units_done) {
       const std::uint64_t queries = std::min(unit_size, size - cell.queries);

@@ -55,13 +55,13 @@ std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials
     if (claims_formulae) kernels.push_back(claiming_formulae_alone(kernels[k]));
   }
   Plan campaign;
-  campaign.seed = plan.seed;
-  for (const Kernel& kernel : kernels) campaign.kernels.push_back(&kernel);
-  for (const Family* family : plan.families) campaign.sources.push_back(family_source(*family));
-  campaign.precisions = plan.precisions;
-  campaign.trials = [trials](const Source&, Precision) { return trials; };
-  campaign.target = std::string(scalar_target);
-  campaign.threads = plan.threads;
+  campaign.questions.seed = plan.seed;
+  for (const Kernel& kernel : kernels) campaign.answerers.kernels.push_back(&kernel);
+  for (const Family* family : plan.families) campaign.questions.sources.push_back(family_source(*family));
+  campaign.questions.precisions = plan.precisions;
+  campaign.questions.trials = [trials](const Source&, Precision) { return trials; };
+  campaign.running.target = std::string(scalar_target);
+  campaign.running.threads = plan.threads;
   const CampaignResult result = run_campaign(campaign, interrupted, report);
   std::vector<Control> controls;
   for (const Precision precision : plan.precisions) {
@@ -72,7 +72,7 @@ std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials
         if (cell.precision != precision) continue;
         const Tally& tally = cell.tallies[k];
         control.queries += tally.trials;
-        const Source& source = *campaign.sources[cell.source];
+        const Source& source = *campaign.questions.sources[cell.source];
         control.flagged +=
             flagged(tally.verdict, control.claims_bits, shows_formulae(source.name(), source.exact_arithmetic()));
       }

@@ -134,12 +134,12 @@ TEST(Mutation, ACampaignCatchesItAtTheSameQuery) {
       plan.precisions = {Precision::binary32};
       const std::optional<Catch> found = run(plan).mutants.front().by_bits;
       Plan campaign;
-      campaign.seed = seed;
-      campaign.kernels = {&find_kernel(id)};
-      campaign.sources = {family_source(find_family(family))};
-      campaign.precisions = plan.precisions;
-      campaign.trials = [](const Source&, Precision) { return 5000; };
-      campaign.target = std::string(scalar_target);
+      campaign.questions.seed = seed;
+      campaign.answerers.kernels = {&find_kernel(id)};
+      campaign.questions.sources = {family_source(find_family(family))};
+      campaign.questions.precisions = plan.precisions;
+      campaign.questions.trials = [](const Source&, Precision) { return 5000; };
+      campaign.running.target = std::string(scalar_target);
       const CampaignResult judged = run_campaign(campaign, not_interrupted, [](const Progress&) {});
       const auto& first = judged.cells[0].tallies[0].verdict.first_by_link[Link::implementation];
       ASSERT_EQ(found.has_value(), first.has_value()) << id << ' ' << family;

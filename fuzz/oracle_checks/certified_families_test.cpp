@@ -27,10 +27,10 @@ std::vector<SourcePtr> all_sources() {
 template <class Visit>
 void for_each_tally(const std::vector<std::string>& ids, std::uint64_t size, Visit&& visit) {
   Plan plan;
-  for (const std::string& id : ids) plan.kernels.push_back(&find_kernel(id));
-  plan.sources = all_sources();
-  plan.target = available_targets().front();
-  for (const SourcePtr& source : plan.sources) {
+  for (const std::string& id : ids) plan.answerers.kernels.push_back(&find_kernel(id));
+  plan.questions.sources = all_sources();
+  plan.running.target = available_targets().front();
+  for (const SourcePtr& source : plan.questions.sources) {
     for (const Precision precision : {Precision::binary32, Precision::binary64}) {
       std::vector<Tally> all(ids.size(), Tally(sphere_triangle_test()));
       for (std::uint64_t unit = 0; unit * unit_size < size; ++unit) {

@@ -27,6 +27,20 @@ using AddressOf = std::function<std::string(std::uint64_t position)>;
 
 std::string text(const Address& address);
 Address address_of(const Source& source, std::uint64_t seed, Precision precision, std::uint64_t position);
+
+// The queries of a source in a precision, made of a seed.
+struct SeededSource {
+  const Source& source;
+  std::uint64_t seed;
+  Precision precision;
+
+  // The text of a position's address.
+  std::string address(std::uint64_t position) const { return text(address_of(source, seed, precision, position)); }
+  AddressOf addresses() const {
+    return [of = *this](std::uint64_t position) { return of.address(position); };
+  }
+};
+
 // Throws Error that says which field is wrong and shows the form.
 Address parse_address(std::string_view text);
 // Throws Error that lists the precisions that exist.

@@ -134,10 +134,8 @@ Kernel published_but(const IsWrong& is_wrong) {
 }
 
 Asymmetry counted(const Kernel& kernel, const char* family, std::uint64_t queries) {
-  Plan plan;
-  plan.kernels = {&kernel};
-  plan.target = resolve_target("auto");
-  return *asymmetry_of(plan, kernel, *family_source(find_family(family)), Precision::binary32, queries);
+  const SourcePtr source = family_source(find_family(family));
+  return *asymmetry_of({*source, 1, Precision::binary32}, queries, kernel, nullptr, {resolve_target("auto")});
 }
 
 TEST(Asymmetries, OfThePublishedTestAreThoseOfItsRoundings) {
@@ -176,8 +174,8 @@ TEST(Asymmetries, AreThoseOfWholeGroups) {
   const Kernel& published = find_kernel("published");
   EXPECT_EQ(counted(published, "axes", 47).images, 0u);
   EXPECT_EQ(counted(published, "axes", 48 * 3 + 5).images, 47u * 3);
-  Plan plan;
-  EXPECT_FALSE(asymmetry_of(plan, published, *family_source(find_family("tangent")), Precision::binary32, 100));
+  const SourcePtr tangent = family_source(find_family("tangent"));
+  EXPECT_FALSE(asymmetry_of({*tangent, 1, Precision::binary32}, 100, published, nullptr, {}));
 }
 
 }  // namespace

@@ -39,13 +39,13 @@ Beginning<Real> first_found(const SearchPlan& plan, const std::vector<Aim>& aims
   Beginning<Real> beginning{std::vector<std::vector<Numbers<Real>>>(aims.size()), {}};
   if (plan.first_queries == 0 || plan.first_sources.empty()) return beginning;
   Plan run;
-  run.seed = plan.seed;
-  run.kernels = {plan.kernel};
-  run.sources = plan.first_sources;
-  run.precisions = {plan.precision};
-  run.trials = [&](const Source&, Precision) { return plan.first_queries; };
-  run.target = plan.target;
-  run.threads = plan.threads;
+  run.questions.seed = plan.seed;
+  run.answerers.kernels = {plan.kernel};
+  run.questions.sources = plan.first_sources;
+  run.questions.precisions = {plan.precision};
+  run.questions.trials = [&](const Source&, Precision) { return plan.first_queries; };
+  run.running.target = plan.target;
+  run.running.threads = plan.threads;
   const CampaignResult result = run_campaign(run, interrupted, {});
   for (const CellResult& cell : result.cells) beginning.looked_at.merge(looked_at_of(cell.tallies.front()));
   for (std::size_t i = 0; i < aims.size(); ++i) {
@@ -53,7 +53,7 @@ Beginning<Real> first_found(const SearchPlan& plan, const std::vector<Aim>& aims
     std::vector<Found<double>> wrong;
     std::vector<Found<Decimal6>> errors;
     for (const CellResult& cell : result.cells) {
-      const Source& source = *run.sources[cell.source];
+      const Source& source = *run.questions.sources[cell.source];
       const Tally& tally = cell.tallies.front();
       if (aim.goal == Goal::missed_contact || aim.goal == Goal::critical_radius) {
         add(wrong, tally.verdict.deepest_false_separation, source);

@@ -12,9 +12,9 @@ namespace axiscert {
 template <class Real>
 class Decider {
  public:
-  Decider(const Plan& plan, StepCounts& steps, std::uint64_t& second_opinions)
-      : exact_only_(plan.exact_only),
-        filter_(filter_on<Real>(plan.target, plan.planted)),
+  Decider(const Judging& judging, const std::string& target, StepCounts& steps, std::uint64_t& second_opinions)
+      : exact_only_(judging.exact_only),
+        filter_(filter_on<Real>(target, judging.planted)),
         cascade_(filter_),
         steps_(steps),
         second_opinions_(second_opinions) {

@@ -37,17 +37,17 @@ PowerRange range_in_floats(const Numbers<Real>& integers) {
 }
 
 template <class Real>
-void add_sizes(UnitFindings& into, Subject<Real>& subject, const Plan& plan, const Source& source,
-               const std::vector<UnitFlip>& flips, bool is_small) {
+void add_sizes(UnitFindings& into, Subject<Real>& subject, const SeededSource& of, const std::vector<UnitFlip>& flips,
+               bool is_small) {
   if (flips.empty()) return;
   into.bases += flips.size();
   into.within_floats += static_cast<std::uint64_t>(std::ranges::count_if(flips, [&](const UnitFlip& flip) {
-    const PowerRange floats = range_in_floats(source.make<Real>(plan.seed, flip.base));
+    const PowerRange floats = range_in_floats(of.source.make<Real>(of.seed, flip.base));
     return floats.contains(flip.right) && floats.contains(flip.wrong);
   }));
-  for (const AbsoluteSize& size : absolute_sizes(plan, source, precision_of<Real>, flips)) {
+  for (const AbsoluteSize& size : absolute_sizes(of, flips)) {
     const Quantity& quantity = size.quantity;
-    into.compared.push_back({{"family", source.name()},
+    into.compared.push_back({{"family", of.source.name()},
                              {"wrong_where", is_small ? "small" : "large"},
                              {"quantity", quantity.text},
                              {"degree", quantity.degree},
@@ -61,7 +61,7 @@ void add_sizes(UnitFindings& into, Subject<Real>& subject, const Plan& plan, con
   }
   if (into.witnesses.size() >= 4) return;
   const UnitFlip& flip = flips.front();
-  const Numbers<Real> base = source.make<Real>(plan.seed, flip.base);
+  const Numbers<Real> base = of.source.make<Real>(of.seed, flip.base);
   for (const int exponent : {flip.right, flip.wrong}) {
     const Numbers<Real> scaled = times_power(base, exponent);
     const std::vector<Verdict> said = subject.ask_batch(std::span(&scaled, 1));
@@ -74,20 +74,17 @@ void add_sizes(UnitFindings& into, Subject<Real>& subject, const Plan& plan, con
 
 template <class Real>
 Found threshold_by_units(Subject<Real>& subject) {
-  Plan plan;
-  plan.seed = subject.seed();
-  plan.kernels = {&subject.kernel()};
-  plan.target = subject.target();
   UnitFindings found;
   std::uint64_t images = 0;
   for (const std::string_view family : unit_families) {
     const SourcePtr source = family_source(find_family(family));
-    const auto asymmetry = asymmetry_of(plan, subject.kernel(), *source, precision_of<Real>, unit_trials);
+    const SeededSource of{*source, subject.seed(), precision_of<Real>};
+    const auto asymmetry = asymmetry_of(of, unit_trials, subject.kernel(), nullptr, {subject.target()});
     if (!asymmetry) continue;
     for (const ImageChanges& changes : asymmetry->invariance.kinds) images += changes.images;
     subject.count(unit_trials);
-    add_sizes(found, subject, plan, *source, asymmetry->invariance.units.small, true);
-    add_sizes(found, subject, plan, *source, asymmetry->invariance.units.large, false);
+    add_sizes(found, subject, of, asymmetry->invariance.units.small, true);
+    add_sizes(found, subject, of, asymmetry->invariance.units.large, false);
   }
   if (found.bases == 0 && images < least_images) {
     return undecided(fmt::format("It decided {} images of scenes in other units: too few to say.", images));

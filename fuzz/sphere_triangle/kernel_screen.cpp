@@ -22,19 +22,19 @@ const std::array<AxisBits, 0x10000> axes_table = [] {
 }  // namespace
 
 template <class Real>
-KernelScreen<Real>::KernelScreen(KernelRun<Real>& run, const Plan& plan, const Filter<Real>& filter,
+KernelScreen<Real>::KernelScreen(KernelRun<Real>& run, const Judging& judging, const Filter<Real>& filter,
                                  std::uint64_t first_position)
     : run_(run),
       kernel_(run.kernel()),
-      tolerances_(plan.tolerances),
+      tolerances_(judging.tolerances),
       tally_(run.tally()),
       radii_(radii_within<Real>(kernel_.limits)),
       has_classes_(has_input_classes(kernel_)),
-      exact_only_(plan.exact_only),
-      by_signs_(!plan.exact_only && !kernel_.limits.any() &&
+      exact_only_(judging.exact_only),
+      by_signs_(!judging.exact_only && !kernel_.limits.any() &&
                 (kernel_.formulae == Formulae::none || has_filtered_errors(kernel_.formulae))),
       reference_(kernel_),
-      errors_(kernel_.formulae, plan.tolerances, filter, run.standing(), first_position, tally_) {}
+      errors_(kernel_.formulae, judging.tolerances, filter, run.standing(), first_position, tally_) {}
 
 template <class Real>
 void KernelScreen<Real>::look_at_errors(const DecidedBatch<Real>& batch) {

@@ -14,7 +14,7 @@ namespace axiscert {
 template <class Real>
 class KernelScreen {
  public:
-  KernelScreen(KernelRun<Real>& run, const Plan& plan, const Filter<Real>& filter, std::uint64_t first_position);
+  KernelScreen(KernelRun<Real>& run, const Judging& judging, const Filter<Real>& filter, std::uint64_t first_position);
   KernelScreen(const KernelScreen&) = delete;
 
   bool shows_comparisons() const { return kernel_.exposes != Exposure::verdict; }

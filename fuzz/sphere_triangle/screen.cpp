@@ -10,11 +10,11 @@ namespace axiscert {
 
 template <class Real>
 SphereTriangleScreen<Real>::SphereTriangleScreen(const Screened<Real>& of)
-    : plan_(of.plan),
-      has_replies_(of.plan.replies != nullptr),
-      mode_(of.plan.planted == FilterFault::rounding_mode),
-      decider_(of.plan, of.steps, of.second_opinions) {
-  for (KernelRun<Real>& run : of.runs) kernels_.emplace_back(run, of.plan, decider_.filter(), of.first_position);
+    : has_replies_(of.runs.front().has_replies()),
+      exact_only_(of.judging.exact_only),
+      mode_(of.judging.planted == FilterFault::rounding_mode),
+      decider_(of.judging, of.target, of.steps, of.second_opinions) {
+  for (KernelRun<Real>& run : of.runs) kernels_.emplace_back(run, of.judging, decider_.filter(), of.first_position);
 }
 
 template <class Real>
@@ -75,7 +75,7 @@ void SphereTriangleScreen<Real>::sample_critical_radii() {
     if (!has_critical_radius(batch_->position + i)) continue;
     const Query<Real> q = query_from(batch_->queries[i]);
     if (!is_valid(q)) continue;
-    LazyDistance<Real> distance(q, plan_.exact_only);
+    LazyDistance<Real> distance(q, exact_only_);
     for (KernelScreen<Real>& kernel : kernels_) kernel.sample(q, i, distance);
   }
 }

@@ -65,8 +65,7 @@ class SphereTriangleScreen final : public Screen<Real> {
   void sample_critical_radii();
   void measure_margins();
 
-  const Plan& plan_;
-  const bool has_replies_;
+  const bool has_replies_, exact_only_;
   StaleRounding mode_;
   Decider<Real> decider_;
   std::deque<KernelScreen<Real>> kernels_;

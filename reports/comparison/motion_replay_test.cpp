@@ -14,13 +14,13 @@ constexpr std::uint64_t replay_seed = 3;
 
 Json record_of_motions(const char* kernel, std::initializer_list<const char*> families) {
   Plan plan;
-  plan.seed = replay_seed;
-  plan.kernels = {&find_kernel(kernel)};
-  plan.precisions = {Precision::binary32, Precision::binary64};
-  for (const char* name : families) plan.sources.push_back(family_source(find_family(name)));
-  plan.trials = [](const Source&, Precision) { return std::uint64_t{120}; };
-  plan.target = std::string(scalar_target);
-  plan.threads = 2;
+  plan.questions.seed = replay_seed;
+  plan.answerers.kernels = {&find_kernel(kernel)};
+  plan.questions.precisions = {Precision::binary32, Precision::binary64};
+  for (const char* name : families) plan.questions.sources.push_back(family_source(find_family(name)));
+  plan.questions.trials = [](const Source&, Precision) { return std::uint64_t{120}; };
+  plan.running.target = std::string(scalar_target);
+  plan.running.threads = 2;
   const std::atomic<bool> never = false;
   return record_of(plan, run_campaign(plan, never, [](const Progress&) {}), {});
 }

@@ -19,13 +19,13 @@ using testing::Not;
 
 Json recorded_by(const std::string& kernel, std::initializer_list<const char*> families, std::uint64_t trials = 256) {
   Plan plan;
-  plan.seed = 3;
-  plan.kernels = {&find_kernel(kernel)};
-  plan.precisions = {Precision::binary32};
-  for (const char* name : families) plan.sources.push_back(family_source(find_family(name)));
-  plan.trials = [=](const Source&, Precision) { return trials; };
-  plan.target = std::string(scalar_target);
-  plan.threads = 2;
+  plan.questions.seed = 3;
+  plan.answerers.kernels = {&find_kernel(kernel)};
+  plan.questions.precisions = {Precision::binary32};
+  for (const char* name : families) plan.questions.sources.push_back(family_source(find_family(name)));
+  plan.questions.trials = [=](const Source&, Precision) { return trials; };
+  plan.running.target = std::string(scalar_target);
+  plan.running.threads = 2;
   const std::atomic<bool> never = false;
   return record_of(plan, run_campaign(plan, never, [](const Progress&) {}), {});
 }

@@ -17,13 +17,13 @@ struct Sample {
 
 Json run(const Sample& sample, const std::string& kernel, std::uint64_t seed) {
   Plan plan;
-  plan.seed = seed;
-  plan.kernels = {&find_kernel(kernel)};
-  plan.precisions = sample.precisions;
-  for (const std::string& name : sample.families) plan.sources.push_back(family_source(find_family(name)));
-  plan.trials = [&](const Source&, Precision) { return sample.trials; };
-  plan.target = std::string(scalar_target);
-  plan.threads = 2;
+  plan.questions.seed = seed;
+  plan.answerers.kernels = {&find_kernel(kernel)};
+  plan.questions.precisions = sample.precisions;
+  for (const std::string& name : sample.families) plan.questions.sources.push_back(family_source(find_family(name)));
+  plan.questions.trials = [&](const Source&, Precision) { return sample.trials; };
+  plan.running.target = std::string(scalar_target);
+  plan.running.threads = 2;
   const std::atomic<bool> never = false;
   return record_of(plan, run_campaign(plan, never, [](const Progress&) {}), {});
 }

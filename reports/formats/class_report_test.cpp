@@ -17,11 +17,11 @@ void as_it_is(const Query<double>&, std::size_t, Verdict&, std::vector<Finding>&
 
 Json class_record(const Kernel& kernel, const std::vector<std::string>& families, std::uint64_t trials) {
   Plan plan;
-  plan.kernels = {&kernel};
-  for (const std::string& name : families) plan.sources.push_back(family_source(find_family(name)));
-  plan.precisions = {Precision::binary32};
-  plan.trials = [trials](const Source&, Precision) { return trials; };
-  plan.target = std::string(scalar_target);
+  plan.answerers.kernels = {&kernel};
+  for (const std::string& name : families) plan.questions.sources.push_back(family_source(find_family(name)));
+  plan.questions.precisions = {Precision::binary32};
+  plan.questions.trials = [trials](const Source&, Precision) { return trials; };
+  plan.running.target = std::string(scalar_target);
   const std::atomic<bool> never = false;
   const Json record = record_of(plan, run_campaign(plan, never, [](const Progress&) {}), Required());
   check_record(record, "record.json");

@@ -30,13 +30,13 @@ void no_fault(const Query<double>&, std::size_t, Verdict&, std::vector<Finding>&
 Json record_with(std::vector<const Kernel*> kernels, const std::vector<std::string>& families, std::uint64_t trials,
                  const std::string& require = "") {
   Plan plan;
-  plan.kernels = std::move(kernels);
-  for (const std::string& name : families) plan.sources.push_back(family_source(find_family(name)));
-  plan.precisions = {Precision::binary32};
-  plan.trials = [trials](const Source&, Precision) { return trials; };
-  plan.target = std::string(scalar_target);
-  plan.plugins = {{.name = "mine.so", .kind = "plugin", .sha256 = std::string(64, 'a')},
-                  {.name = "gone.so", .kind = "plugin"}};
+  plan.answerers.kernels = std::move(kernels);
+  for (const std::string& name : families) plan.questions.sources.push_back(family_source(find_family(name)));
+  plan.questions.precisions = {Precision::binary32};
+  plan.questions.trials = [trials](const Source&, Precision) { return trials; };
+  plan.running.target = std::string(scalar_target);
+  plan.answerers.plugins = {{.name = "mine.so", .kind = "plugin", .sha256 = std::string(64, 'a')},
+                            {.name = "gone.so", .kind = "plugin"}};
   const std::atomic<bool> never = false;
   const Json record = record_of(plan, run_campaign(plan, never, [](const Progress&) {}),
                                 require.empty() ? Required{} : Required{{require}, {}});

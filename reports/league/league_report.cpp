@@ -64,20 +64,19 @@ Radii radii(std::vector<double> errors, std::uint64_t unbounded) {
 
 class LeagueReport {
  public:
-  LeagueReport(const League& league, const CampaignResult& result)
-      : league_(league), plan_(league.plan), result_(result) {}
+  LeagueReport(const League& league, const CampaignResult& result) : league_(league), result_(result) {}
 
   InstrumentReport report(const std::string& command) const {
     InstrumentReport report{"league", title(), command, notes(), {}, {}, data(command)};
-    for (const Precision precision : plan_.precisions)
+    for (const Precision precision : league_.questions.precisions)
       report.tables.push_back(trust_table(league_, result_, precision));
     report.tables.push_back(worst_table(league_, result_));
-    for (const Precision precision : plan_.precisions) {
+    for (const Precision precision : league_.questions.precisions) {
       report.tables.push_back(by_family(precision));
       report.tables.push_back(overall(precision));
     }
-    for (const Precision precision : plan_.precisions) {
-      if (league_.contenders < plan_.kernels.size()) report.tables.push_back(faults(precision));
+    for (const Precision precision : league_.questions.precisions) {
+      if (league_.contenders < league_.kernels.size()) report.tables.push_back(faults(precision));
     }
     if (InstrumentTable found = findings(); !found.rows.empty()) report.tables.push_back(std::move(found));
     return report;
@@ -119,19 +118,19 @@ class LeagueReport {
   template <class Visit>
   void for_each_cell(std::size_t k, Precision precision, const Visit& visit) const {
     for (const CellResult& cell : result_.cells) {
-      if (cell.precision == precision) visit(*plan_.sources[cell.source], cell.tallies[k]);
+      if (cell.precision == precision) visit(*league_.questions.sources[cell.source], cell.tallies[k]);
     }
   }
 
   template <class Row>
   void for_each_contender(Precision precision, const Row& row) const {
     for (std::size_t k = 0; k < league_.contenders; ++k) {
-      if (plan_.kernels[k]->has(precision)) row(k);
+      if (league_.kernels[k]->has(precision)) row(k);
     }
   }
 
   std::vector<std::string> families(std::vector<std::string> first) const {
-    for (const SourcePtr& source : plan_.sources) first.push_back(source->name());
+    for (const SourcePtr& source : league_.questions.sources) first.push_back(source->name());
     return first;
   }
 
@@ -139,7 +138,7 @@ class LeagueReport {
     InstrumentTable table{
         fmt::format("{}: missed/phantom contacts per million, by family", name(precision)), families({"kernel"}), {}};
     for_each_contender(precision, [&](std::size_t k) {
-      auto& row = table.rows.emplace_back(std::vector<std::string>{plan_.kernels[k]->id});
+      auto& row = table.rows.emplace_back(std::vector<std::string>{league_.kernels[k]->id});
       for_each_cell(k, precision, [&](const Source&, const Tally& tally) { row.push_back(family_cell(tally)); });
     });
     return table;
@@ -159,7 +158,7 @@ class LeagueReport {
       const std::uint64_t said = decided(all);
       const auto radius = radii(sizes(all.critical_radius.errors_ulps), all.critical_radius.unbounded);
       auto& row = table.rows.emplace_back(std::vector<std::string>{
-          plan_.kernels[k]->id, thousands(said), wrong_count(all.verdict.false_separation, said),
+          league_.kernels[k]->id, thousands(said), wrong_count(all.verdict.false_separation, said),
           deepest(all.verdict.deepest_false_separation.best(), said), wrong_count(all.verdict.false_contact, said),
           deepest(all.verdict.deepest_false_contact.best(), said), thousands(all.verdict.undecided),
           thousands(all.verdict.invalid), thousands(all.verdict.unanswered),
@@ -189,7 +188,7 @@ class LeagueReport {
   // Empty where it does not compete.
   std::optional<double> time_of_certified(Precision precision) const {
     for (std::size_t k = 0; k < league_.contenders; ++k) {
-      if (plan_.kernels[k]->id == "certified") return time(k, precision);
+      if (league_.kernels[k]->id == "certified") return time(k, precision);
     }
     return std::nullopt;
   }
@@ -207,8 +206,8 @@ class LeagueReport {
             name(precision)),
         families({"kernel", "first caught by"}),
         {}};
-    for (std::size_t k = league_.contenders; k < plan_.kernels.size(); ++k) {
-      if (!plan_.kernels[k]->has(precision)) continue;
+    for (std::size_t k = league_.contenders; k < league_.kernels.size(); ++k) {
+      if (!league_.kernels[k]->has(precision)) continue;
       std::vector<std::string> cells;
       std::pair<std::uint64_t, std::string> first{UINT64_MAX, "never"};
       for_each_cell(k, precision, [&](const Source& source, const Tally& tally) {
@@ -216,7 +215,7 @@ class LeagueReport {
         cells.push_back(position ? thousands(*position + 1) : "-");
         if (position) first = std::min(first, {*position, source.name()});
       });
-      auto& row = table.rows.emplace_back(std::vector<std::string>{plan_.kernels[k]->id, first.second});
+      auto& row = table.rows.emplace_back(std::vector<std::string>{league_.kernels[k]->id, first.second});
       row.insert(row.end(), cells.begin(), cells.end());
     }
     return table;
@@ -224,18 +223,20 @@ class LeagueReport {
 
   InstrumentTable findings() const {
     InstrumentTable table{"Findings", {"kernel", "precision", "family", "what", "times", "first at", "detail"}, {}};
-    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
-      for (const Finding& finding : plan_.kernels[k]->findings) {
-        table.rows.push_back({plan_.kernels[k]->id, "", "", std::string(name(finding.kind)), "1", "", finding.detail});
+    for (std::size_t k = 0; k < league_.kernels.size(); ++k) {
+      for (const Finding& finding : league_.kernels[k]->findings) {
+        table.rows.push_back(
+            {league_.kernels[k]->id, "", "", std::string(name(finding.kind)), "1", "", finding.detail});
       }
-      for (const Precision precision : plan_.precisions) {
+      for (const Precision precision : league_.questions.precisions) {
         for_each_cell(k, precision, [&](const Source& source, const Tally& tally) {
           for (std::size_t i = 0; i < finding_kind_count; ++i) {
             const FindingTally& finding = tally.findings[i];
             if (finding.count == 0) continue;
-            table.rows.push_back({plan_.kernels[k]->id, std::string(name(precision)), source.name(),
+            table.rows.push_back({league_.kernels[k]->id, std::string(name(precision)), source.name(),
                                   std::string(finding_kind_names[i]), thousands(finding.count),
-                                  text(address_of(source, plan_.seed, precision, finding.first)), finding.detail});
+                                  text(address_of(source, league_.questions.seed, precision, finding.first)),
+                                  finding.detail});
           }
         });
       }
@@ -244,16 +245,16 @@ class LeagueReport {
   }
 
   Tally sum(std::size_t k, Precision precision) const {
-    Tally all(*plan_.kernels[k]->test);
+    Tally all(*league_.kernels[k]->test);
     for_each_cell(k, precision, [&](const Source&, const Tally& tally) { all.merge(tally); });
     return all;
   }
 
   Json data(const std::string& command) const {
     Json kernels = Json::array();
-    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
-      const Kernel& kernel = *plan_.kernels[k];
-      for (const Precision precision : plan_.precisions) {
+    for (std::size_t k = 0; k < league_.kernels.size(); ++k) {
+      const Kernel& kernel = *league_.kernels[k];
+      for (const Precision precision : league_.questions.precisions) {
         if (!kernel.has(precision)) continue;
         const std::optional<double> ns = time(k, precision);
         Json entry = {{"id", kernel.id},
@@ -263,10 +264,10 @@ class LeagueReport {
                       {"may_decline", kernel.may_decline},
                       {"has_planted_fault", k >= league_.contenders},
                       {"ns", ns ? Json(*ns) : Json(nullptr)},
-                      {"worst", k < league_.contenders ? worst_json(plan_, result_, k, precision) : Json(nullptr)},
+                      {"worst", k < league_.contenders ? worst_json(league_, result_, k, precision) : Json(nullptr)},
                       {"trust", Json::object()},
                       {"families", Json::object()}};
-        for (const TrustGroup* group : groups_asked(plan_)) {
+        for (const TrustGroup* group : groups_asked(league_.questions.sources)) {
           const Trust trust = trust_in(kernel, tally_of_group(league_, result_, k, precision, group));
           entry["trust"][std::string(group->name)] = {{"answer", trust.answer}, {"words", trust.words}};
         }
@@ -277,7 +278,7 @@ class LeagueReport {
       }
     }
     return headed("axiscert-league/2", {{"command", command},
-                                        {"seed", plan_.seed},
+                                        {"seed", league_.questions.seed},
                                         {"kernels", std::move(kernels)},
                                         {"not_checked", league_.not_checked}});
   }
@@ -315,7 +316,6 @@ class LeagueReport {
   }
 
   const League& league_;
-  const Plan& plan_;
   const CampaignResult& result_;
 };
 
@@ -324,13 +324,13 @@ class LeagueReport {
 std::vector<std::string> undecided_contenders(const League& league, const CampaignResult& result) {
   std::vector<std::string> silent;
   for (std::size_t k = 0; k < league.contenders; ++k) {
-    for (const Precision precision : league.plan.precisions) {
-      if (!league.plan.kernels[k]->has(precision)) continue;
+    for (const Precision precision : league.questions.precisions) {
+      if (!league.kernels[k]->has(precision)) continue;
       const Tally all = tally_of_group(league, result, k, precision, nullptr);
       if (decided(all) != 0) continue;
       const LookedAt looked_at = looked_at_of(all);
-      silent.push_back(fmt::format("{} ({}: {})", league.plan.kernels[k]->id, name(precision),
-                                   looked_at_text(looked_at, league.plan.kernels[k]->may_decline)));
+      silent.push_back(fmt::format("{} ({}: {})", league.kernels[k]->id, name(precision),
+                                   looked_at_text(looked_at, league.kernels[k]->may_decline)));
     }
   }
   return silent;

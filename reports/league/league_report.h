@@ -9,9 +9,10 @@
 namespace axiscert {
 
 struct League {
-  Plan plan;
-  std::size_t contenders = 0;  // the first so many of the plan's kernels compete; the others have a planted fault
-  // Nanoseconds for each query, by precision and position in the plan; absent where no time was taken.
+  Questions questions;
+  std::vector<const Kernel*> kernels;
+  std::size_t contenders = 0;  // the first so many of the kernels compete; the others have a planted fault
+  // Nanoseconds for each query, by precision and number of the kernel; absent where no time was taken.
   std::map<std::pair<Precision, std::size_t>, double> nanoseconds;
   std::vector<std::string> not_checked;  // one sentence each
 };

@@ -122,9 +122,9 @@ struct WorstRun {
   CampaignResult result;
 
   explicit WorstRun(const Kernel& kernel) {
-    league.plan.kernels = {&kernel};
-    league.plan.sources = {family_source(find_family("general")), family_source(find_family("sliver"))};
-    league.plan.precisions = {Precision::binary32};
+    league.kernels = {&kernel};
+    league.questions.sources = {family_source(find_family("general")), family_source(find_family("sliver"))};
+    league.questions.precisions = {Precision::binary32};
     league.contenders = 1;
     for (std::size_t source = 0; source < 2; ++source) {
       CellResult& cell = result.cells.emplace_back();
@@ -144,7 +144,7 @@ struct WorstRun {
 TEST(LeagueWorst, IsTheDeepestMissBeforeAnyInventedContact) {
   WorstRun run(find_kernel("published"));
   const InstrumentTable table = worst_table(run.league, run.result);
-  const std::string address = text(address_of(*run.league.plan.sources[1], 1, Precision::binary32, 5));
+  const std::string address = text(address_of(*run.league.questions.sources[1], 1, Precision::binary32, 5));
   EXPECT_EQ(table.rows,
             (std::vector<std::vector<std::string>>{{"published", "binary32", "missed", "sliver", "0.25", address}}));
   ASSERT_EQ(table.scenes.size(), 1u);
@@ -169,7 +169,7 @@ TEST(LeagueWorst, HasTheCodeOfAProgramsManifestWithNumbersThatReadBackExactly) {
   const WorstRun run(kernel);
   const InstrumentScene scene = worst_table(run.league, run.result).scenes.at(0);
   EXPECT_EQ(scene.needs, "three 1.2");
-  const auto q = run.league.plan.sources[1]->make<float>(1, 5);
+  const auto q = run.league.questions.sources[1]->make<float>(1, 5);
   float r = 0;
   double ax = 0;
   ASSERT_EQ(std::sscanf(scene.code.c_str(), "ask(%f);\n%lf\n", &r, &ax), 2) << scene.code;

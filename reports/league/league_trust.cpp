@@ -92,31 +92,30 @@ Trust trust_in(const Kernel& kernel, const Tally& tally) {
 
 Tally tally_of_group(const League& league, const CampaignResult& result, std::size_t k, Precision precision,
                      const TrustGroup* group) {
-  Tally all(*league.plan.kernels[k]->test);
+  Tally all(*league.kernels[k]->test);
   for (const CellResult& cell : result.cells) {
     if (cell.precision != precision) continue;
-    if (group == nullptr || group->has(league.plan.sources[cell.source]->name())) all.merge(cell.tallies[k]);
+    if (group == nullptr || group->has(league.questions.sources[cell.source]->name())) all.merge(cell.tallies[k]);
   }
   return all;
 }
 
-std::vector<const TrustGroup*> groups_asked(const Plan& plan) {
+std::vector<const TrustGroup*> groups_asked(const std::vector<SourcePtr>& sources) {
   std::vector<const TrustGroup*> groups;
   for (const TrustGroup& group : trust_groups()) {
     const auto is_asked = [&](const SourcePtr& source) { return group.has(source->name()); };
-    if (std::any_of(plan.sources.begin(), plan.sources.end(), is_asked)) groups.push_back(&group);
+    if (std::any_of(sources.begin(), sources.end(), is_asked)) groups.push_back(&group);
   }
   return groups;
 }
 
 InstrumentTable trust_table(const League& league, const CampaignResult& result, Precision precision) {
-  const Plan& plan = league.plan;
   InstrumentTable table{fmt::format("{}: may I trust it?", name(precision)), {"kernel"}, {}};
-  const std::vector<const TrustGroup*> groups = groups_asked(plan);
+  const std::vector<const TrustGroup*> groups = groups_asked(league.questions.sources);
   for (const TrustGroup* group : groups) table.columns.emplace_back(group->name);
   table.columns.emplace_back("deepest miss");
   for (std::size_t k = 0; k < league.contenders; ++k) {
-    const Kernel& kernel = *plan.kernels[k];
+    const Kernel& kernel = *league.kernels[k];
     if (!kernel.has(precision)) continue;
     auto& row = table.rows.emplace_back(std::vector<std::string>{kernel.id});
     for (const TrustGroup* group : groups) {

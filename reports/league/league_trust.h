@@ -40,7 +40,7 @@ struct Trust {
 Trust trust_in(const Kernel& kernel, const Tally& tally);
 
 // The groups of which a family was asked.
-std::vector<const TrustGroup*> groups_asked(const Plan& plan);
+std::vector<const TrustGroup*> groups_asked(const std::vector<SourcePtr>& sources);
 // All families of a group together; of every family where that is null.
 Tally tally_of_group(const League& league, const CampaignResult& result, std::size_t k, Precision precision,
                      const TrustGroup* group);

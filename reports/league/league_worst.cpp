@@ -51,7 +51,8 @@ std::string WorstQuery::address(std::uint64_t seed) const {
   return text(address_of(*source, seed, precision, position));
 }
 
-std::optional<WorstQuery> worst_of(const Plan& plan, const CampaignResult& result, std::size_t k, Precision precision) {
+std::optional<WorstQuery> worst_of(const League& league, const CampaignResult& result, std::size_t k,
+                                   Precision precision) {
   std::optional<WorstQuery> missed, invented;
   for (const CellResult& cell : result.cells) {
     if (cell.precision != precision) continue;
@@ -59,8 +60,9 @@ std::optional<WorstQuery> worst_of(const Plan& plan, const CampaignResult& resul
       if (deepest.candidates().empty()) return;
       const Candidate<double>& found = deepest.candidates().front();
       if (worst && worst->depth >= found.rank) return;
-      worst = WorstQuery{plan.kernels[k], plan.sources[cell.source].get(), precision, found.position, is_missed,
-                         found.rank};
+      worst = WorstQuery{league.kernels[k], league.questions.sources[cell.source].get(),
+                         precision,         found.position,
+                         is_missed,         found.rank};
     };
     const VerdictTally& verdict = cell.tallies[k].verdict;
     offer(missed, verdict.deepest_false_separation, true);
@@ -108,34 +110,33 @@ InstrumentScene worst_scene(const WorstQuery& worst, std::uint64_t seed) {
 }
 
 InstrumentTable worst_table(const League& league, const CampaignResult& result) {
-  const Plan& plan = league.plan;
   InstrumentTable table{"The deepest miss of each; of one that misses nothing, its deepest invented contact",
                         {"kernel", "precision", "what", "family", "depth", "address"},
                         {}};
   for (std::size_t k = 0; k < league.contenders; ++k) {
-    for (const Precision precision : plan.precisions) {
-      const std::optional<WorstQuery> found = worst_of(plan, result, k, precision);
-      if (!plan.kernels[k]->has(precision)) continue;
+    for (const Precision precision : league.questions.precisions) {
+      const std::optional<WorstQuery> found = worst_of(league, result, k, precision);
+      if (!league.kernels[k]->has(precision)) continue;
       if (!found) {
         const std::uint64_t said = decided(tally_of_group(league, result, k, precision, nullptr));
-        table.rows.push_back({plan.kernels[k]->id, std::string(name(precision)),
+        table.rows.push_back({league.kernels[k]->id, std::string(name(precision)),
                               said == 0 ? "not looked at" : fmt::format("none of {}", thousands(said)), "", "", ""});
         continue;
       }
-      table.rows.push_back({plan.kernels[k]->id, std::string(name(precision)), kind_of(*found), found->source->name(),
-                            fmt::format("{:.3g}", found->depth), found->address(plan.seed)});
-      table.scenes.push_back(worst_scene(*found, plan.seed));
+      table.rows.push_back({league.kernels[k]->id, std::string(name(precision)), kind_of(*found), found->source->name(),
+                            fmt::format("{:.3g}", found->depth), found->address(league.questions.seed)});
+      table.scenes.push_back(worst_scene(*found, league.questions.seed));
     }
   }
   return table;
 }
 
-Json worst_json(const Plan& plan, const CampaignResult& result, std::size_t k, Precision precision) {
-  const std::optional<WorstQuery> found = worst_of(plan, result, k, precision);
+Json worst_json(const League& league, const CampaignResult& result, std::size_t k, Precision precision) {
+  const std::optional<WorstQuery> found = worst_of(league, result, k, precision);
   if (!found) return nullptr;
-  const InstrumentScene scene = worst_scene(*found, plan.seed);
+  const InstrumentScene scene = worst_scene(*found, league.questions.seed);
   return {{"what", kind_of(*found)}, {"family", found->source->name()},
-          {"depth", found->depth},   {"address", found->address(plan.seed)},
+          {"depth", found->depth},   {"address", found->address(league.questions.seed)},
           {"query", scene.query},    {"code", scene.code.empty() ? Json(nullptr) : Json(scene.code)}};
 }
 

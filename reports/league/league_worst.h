@@ -20,8 +20,9 @@ struct WorstQuery {
   std::string address(std::uint64_t seed) const;
 };
 
-// The worst of kernel `k` of the plan in this precision; none where no verdict was wrong.
-std::optional<WorstQuery> worst_of(const Plan& plan, const CampaignResult& result, std::size_t k, Precision precision);
+// The worst of kernel `k` of the league in this precision; none where no verdict was wrong.
+std::optional<WorstQuery> worst_of(const League& league, const CampaignResult& result, std::size_t k,
+                                   Precision precision);
 
 // "misses a contact 0.43 deep, where r is 0.98: 0.36 of the scene": the lengths in the query's own units, rounded.
 std::string worst_sentence(const WorstQuery& worst, std::uint64_t seed);
@@ -33,6 +34,6 @@ InstrumentScene worst_scene(const WorstQuery& worst, std::uint64_t seed);
 // A row for each contender and precision, with a scene where a verdict was wrong; else it says among how many.
 InstrumentTable worst_table(const League& league, const CampaignResult& result);
 // One row's figures by name, its query and its code; null where no verdict was wrong.
-Json worst_json(const Plan& plan, const CampaignResult& result, std::size_t k, Precision precision);
+Json worst_json(const League& league, const CampaignResult& result, std::size_t k, Precision precision);
 
 }  // namespace axiscert

@@ -138,12 +138,12 @@ TYPED_TEST(BoxFamilies, FlatBoxesHaveAnExtentOfZero) {
 
 Tally tally_of(const char* kernel, const char* family, std::uint64_t queries) {
   Plan plan;
-  plan.kernels = {&find_kernel(kernel)};
-  plan.sources = {family_source(find_family(family))};
-  plan.precisions = {Precision::binary32};
-  plan.trials = [=](const Source&, Precision) { return queries; };
-  plan.target = resolve_target("auto");
-  plan.threads = 2;
+  plan.answerers.kernels = {&find_kernel(kernel)};
+  plan.questions.sources = {family_source(find_family(family))};
+  plan.questions.precisions = {Precision::binary32};
+  plan.questions.trials = [=](const Source&, Precision) { return queries; };
+  plan.running.target = resolve_target("auto");
+  plan.running.threads = 2;
   const std::atomic<bool> never = false;
   return run_campaign(plan, never, [](const Progress&) {}).cells.at(0).tallies.at(0);
 }

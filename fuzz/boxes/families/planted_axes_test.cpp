@@ -69,16 +69,16 @@ double deepest(const Tally& tally) {
 
 std::vector<Tally> tallies_of(const std::deque<Kernel>& kernels, std::uint64_t queries) {
   Plan plan;
-  for (const Kernel& kernel : kernels) plan.kernels.push_back(&kernel);
-  plan.kernels.push_back(&find_kernel("box-box/projected"));
-  plan.sources = {family_source(find_family("box-box/pile")), family_source(find_family("box-box/general"))};
-  plan.precisions = {Precision::binary32};
-  plan.seed = 7;
-  plan.trials = [=](const Source&, Precision) { return queries; };
-  plan.target = resolve_target("auto");
-  plan.threads = 2;
+  for (const Kernel& kernel : kernels) plan.answerers.kernels.push_back(&kernel);
+  plan.answerers.kernels.push_back(&find_kernel("box-box/projected"));
+  plan.questions.sources = {family_source(find_family("box-box/pile")), family_source(find_family("box-box/general"))};
+  plan.questions.precisions = {Precision::binary32};
+  plan.questions.seed = 7;
+  plan.questions.trials = [=](const Source&, Precision) { return queries; };
+  plan.running.target = resolve_target("auto");
+  plan.running.threads = 2;
   const std::atomic<bool> never = false;
-  std::vector<Tally> all(plan.kernels.size(), Tally(box_box_test()));
+  std::vector<Tally> all(plan.answerers.kernels.size(), Tally(box_box_test()));
   for (const CellResult& cell : run_campaign(plan, never, [](const Progress&) {}).cells) {
     for (std::size_t k = 0; k < all.size(); ++k) all[k].merge(cell.tallies[k]);
   }

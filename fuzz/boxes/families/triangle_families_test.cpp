@@ -64,14 +64,14 @@ TYPED_TEST(TriangleFamilies, RoundNothingWhereTheySaySo) {
 // Over the reals the axis-aligned textbook is right: what is wrong is rounding; and on small integers nothing is.
 TEST(TriangleKernelsOnFamilies, TheTextbookIsWrongByRoundingAlone) {
   Plan plan;
-  plan.kernels = {&find_kernel("box-triangle/textbook-minmax")};
+  plan.answerers.kernels = {&find_kernel("box-triangle/textbook-minmax")};
   for (const char* family : {"touching_minmax", "voxel", "lattice_minmax"}) {
-    plan.sources.push_back(family_source(find_family("box-triangle/" + std::string(family))));
+    plan.questions.sources.push_back(family_source(find_family("box-triangle/" + std::string(family))));
   }
-  plan.precisions = {Precision::binary32};
-  plan.trials = [](const Source&, Precision) { return std::uint64_t{300}; };
-  plan.target = resolve_target("auto");
-  plan.threads = 2;
+  plan.questions.precisions = {Precision::binary32};
+  plan.questions.trials = [](const Source&, Precision) { return std::uint64_t{300}; };
+  plan.running.target = resolve_target("auto");
+  plan.running.threads = 2;
   const std::atomic<bool> never = false;
   const CampaignResult result = run_campaign(plan, never, [](const Progress&) {});
   ASSERT_EQ(result.cells.size(), 3u);

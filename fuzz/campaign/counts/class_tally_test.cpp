@@ -31,7 +31,7 @@ Kernel wrong_on(InputClass which) {
 
 Plan plan_of(const Kernel& kernel, std::vector<std::string> families) {
   Plan plan = small_plan({}, std::move(families), 0);
-  plan.kernels = {&kernel};
+  plan.answerers.kernels = {&kernel};
   return plan;
 }
 
@@ -45,7 +45,7 @@ TEST(ClassTally, AFaultOnOneClassIsCountedThereAlone) {
   for (const auto& [which, family] : planted) {
     const Kernel kernel = wrong_on(which);
     const Plan plan = plan_of(kernel, {family});
-    const Tally tally = run_unit(plan, *plan.sources[0], Precision::binary64, 0, 300).tallies[0];
+    const Tally tally = run_unit(plan, *plan.questions.sources[0], Precision::binary64, 0, 300).tallies[0];
     const std::uint64_t all = tally.verdict.false_separation + tally.verdict.false_contact;
     EXPECT_GT(all, 10u) << family;
     for (const InputClass each : enumerators<InputClass>) {
@@ -65,8 +65,8 @@ Kernel coarse() {
 TEST(ClassTally, AddsUpToTheWrongVerdictsAndKeepsTheDeepest) {
   const Kernel kernel = coarse();
   const Plan plan = plan_of(kernel, {"tangent", "sliver", "repeated", "scale", "tie"});
-  for (const SourcePtr& source : plan.sources) {
-    for (const Precision precision : plan.precisions) {
+  for (const SourcePtr& source : plan.questions.sources) {
+    for (const Precision precision : plan.questions.precisions) {
       const Tally tally = run_unit(plan, *source, precision, 0, 1500).tallies[0];
       std::uint64_t sum = 0;
       double deepest = 0;
@@ -85,11 +85,11 @@ TEST(ClassTally, AddsUpToTheWrongVerdictsAndKeepsTheDeepest) {
 TEST(ClassTally, IsTheSameByExactArithmeticAlone) {
   const Kernel kernel = coarse();
   Plan plan = plan_of(kernel, {"sliver", "scale", "tangent", "far"});
-  for (const SourcePtr& source : plan.sources) {
-    for (const Precision precision : plan.precisions) {
-      plan.exact_only = false;
+  for (const SourcePtr& source : plan.questions.sources) {
+    for (const Precision precision : plan.questions.precisions) {
+      plan.judging.exact_only = false;
       const Tally filtered = run_unit(plan, *source, precision, 0, 600 / TRIAL_DIVISOR).tallies[0];
-      plan.exact_only = true;
+      plan.judging.exact_only = true;
       const Tally exact = run_unit(plan, *source, precision, 0, 600 / TRIAL_DIVISOR).tallies[0];
       EXPECT_EQ(encode(filtered), encode(exact)) << source->name();
     }
@@ -101,7 +101,7 @@ TEST(ClassTally, MergesInAnyOrderAndSurvivesARoundTrip) {
   const Plan plan = plan_of(kernel, {"repeated"});
   std::vector<Tally> parts;
   for (std::uint64_t unit = 0; unit < 3; ++unit) {
-    parts.push_back(run_unit(plan, *plan.sources[0], Precision::binary32, unit, 900).tallies[0]);
+    parts.push_back(run_unit(plan, *plan.questions.sources[0], Precision::binary32, unit, 900).tallies[0]);
   }
   Tally forward = parts[0], backward = decode_tally(encode(parts[2]), sphere_triangle_test());
   forward.merge(parts[1]);
@@ -119,7 +119,7 @@ TEST(ClassTally, AKernelWithAReferenceHasNone) {
   EXPECT_TRUE(has_input_classes(find_kernel("certified")));
   EXPECT_TRUE(has_input_classes(find_kernel("eigen")));
   const Plan plan = small_plan({"published"}, {"repeated"}, 0);
-  const Tally tally = run_unit(plan, *plan.sources[0], Precision::binary32, 0, 500).tallies[0];
+  const Tally tally = run_unit(plan, *plan.questions.sources[0], Precision::binary32, 0, 500).tallies[0];
   EXPECT_GT(tally.verdict.false_contact, 0u);
   for (const ClassCount& count : tally.classes.classes) EXPECT_EQ(wrong(count), 0u);
   EXPECT_TRUE(tally.classes.first_wrong.empty());

@@ -98,20 +98,20 @@ TYPED_TEST(EngineLike, CountsOfAUnitAddUp) {
   using Real = TypeParam;
   constexpr std::uint64_t size = 1500;
   Plan plan;
-  plan.kernels = {&find_kernel("first-publication"), &find_kernel("published")};
-  plan.target = resolve_target("auto");
+  plan.answerers.kernels = {&find_kernel("first-publication"), &find_kernel("published")};
+  plan.running.target = resolve_target("auto");
   for (const char* name : {"tangent", "scale", "tie", "bits"}) {
     const SourcePtr source = family_source(find_family(name));
     std::uint64_t engine_like = 0;
     for (std::uint64_t i = 0; i < size; ++i) {
-      const Numbers<Real> numbers = find_family(name).make<Real>(plan.seed, i);
+      const Numbers<Real> numbers = find_family(name).make<Real>(plan.questions.seed, i);
       std::array<Real, coordinate_count> all;
       for (std::size_t k = 0; k < coordinate_count; ++k) all[k] = numbers[k];
       engine_like += is_engine_like(from_coordinates(all));
     }
-    plan.exact_only = false;
+    plan.judging.exact_only = false;
     const auto quick = run_unit(plan, *source, precision_of<Real>, 0, size).tallies;
-    plan.exact_only = true;
+    plan.judging.exact_only = true;
     const auto exact = run_unit(plan, *source, precision_of<Real>, 0, size).tallies;
     for (std::size_t k = 0; k < quick.size(); ++k) {
       const VerdictTally& verdict = quick[k].verdict;

@@ -76,12 +76,12 @@ TEST(MarginExponent, OfARootIsThatOfItsValue) {
 
 Plan plan_of(const std::string& kernel, bool exact_only) {
   Plan plan;
-  plan.kernels = {&find_kernel(kernel)};
+  plan.answerers.kernels = {&find_kernel(kernel)};
   for (const char* name : {"general", "tangent", "sliver", "tie", "scale"})
-    plan.sources.push_back(family_source(find_family(name)));
-  plan.precisions = {Precision::binary32, Precision::binary64};
-  plan.target = exact_only ? std::string(scalar_target) : resolve_target("auto");
-  plan.exact_only = exact_only;
+    plan.questions.sources.push_back(family_source(find_family(name)));
+  plan.questions.precisions = {Precision::binary32, Precision::binary64};
+  plan.running.target = exact_only ? std::string(scalar_target) : resolve_target("auto");
+  plan.judging.exact_only = exact_only;
   return plan;
 }
 
@@ -96,9 +96,9 @@ constexpr std::uint64_t asked = margin_queries + 40;
 
 TEST(Margins, AreOfTheFirstQueriesOfEachSourceAlone) {
   const Plan plan = plan_of("published", false);
-  const UnitResult whole = run_unit(plan, *plan.sources[1], Precision::binary32, 0, asked),
-                   first = run_unit(plan, *plan.sources[1], Precision::binary32, 0, margin_queries),
-                   next = run_unit(plan, *plan.sources[1], Precision::binary32, 1, 40);
+  const UnitResult whole = run_unit(plan, *plan.questions.sources[1], Precision::binary32, 0, asked),
+                   first = run_unit(plan, *plan.questions.sources[1], Precision::binary32, 0, margin_queries),
+                   next = run_unit(plan, *plan.questions.sources[1], Precision::binary32, 1, 40);
   EXPECT_EQ(counts_text(whole.tallies[0].margins), counts_text(first.tallies[0].margins));
   EXPECT_TRUE(next.tallies[0].margins.counts().empty());
   std::array<std::uint64_t, comparison_count> measured{};
@@ -109,8 +109,8 @@ TEST(Margins, AreOfTheFirstQueriesOfEachSourceAlone) {
 TEST(Margins, AreTheSameWithoutFilters) {
   for (const char* kernel : {"published", "ladder-0"}) {
     const Plan fast = plan_of(kernel, false), slow = plan_of(kernel, true);
-    const UnitResult x = run_unit(fast, *fast.sources[2], Precision::binary32, 0, 64),
-                     y = run_unit(slow, *slow.sources[2], Precision::binary32, 0, 64);
+    const UnitResult x = run_unit(fast, *fast.questions.sources[2], Precision::binary32, 0, 64),
+                     y = run_unit(slow, *slow.questions.sources[2], Precision::binary32, 0, 64);
     EXPECT_EQ(counts_text(x.tallies[0].margins), counts_text(y.tallies[0].margins)) << kernel;
   }
 }
@@ -120,8 +120,8 @@ TEST(Margins, AreTheSameWithoutFilters) {
 TEST(Margins, NoFiniteComparisonIsWrongAboveItsLargestError) {
   const Plan plan = plan_of("published", false);
   std::uint64_t wrong = 0;
-  for (const SourcePtr& source : plan.sources) {
-    for (const Precision precision : plan.precisions) {
+  for (const SourcePtr& source : plan.questions.sources) {
+    for (const Precision precision : plan.questions.precisions) {
       const UnitResult done = run_unit(plan, *source, precision, 0, asked);
       const Tally& tally = done.tallies[0];
       for (const auto& [key, count] : tally.margins.counts()) {

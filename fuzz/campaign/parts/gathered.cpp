@@ -21,9 +21,9 @@ std::optional<Entry> finished_in(std::string_view content) {
   return note.is_number_unsigned() ? std::nullopt : std::optional(decode_entry(content));
 }
 
-Gathered::Gathered(const Plan& plan, const Stretches& stretches)
-    : test_(&plan.test()), stretches_(stretches), is_done_(stretches.count()) {
-  result_.cells = cells_of(plan);
+Gathered::Gathered(const Questions& questions, std::size_t kernels, const Stretches& stretches)
+    : test_(&questions.test()), stretches_(stretches), is_done_(stretches.count()) {
+  result_.cells = cells_of(questions, kernels);
 }
 
 void Gathered::replay(std::string_view content) {

@@ -12,7 +12,8 @@ std::optional<Entry> finished_in(std::string_view content);
 
 class Gathered {
  public:
-  Gathered(const Plan& plan, const Stretches& stretches);
+  // The stretches of the questions, each answered by so many kernels.
+  Gathered(const Questions& questions, std::size_t kernels, const Stretches& stretches);
 
   // Takes the content of a journal's entry. Throws Error if its stretch is not part of the plan or is already finished.
   void replay(std::string_view content);

@@ -30,8 +30,9 @@ std::vector<std::uint64_t> sample_of(const std::vector<std::uint64_t>& numbers, 
   return sample;
 }
 
-Recheck::Recheck(const Plan& plan, const Stretches& stretches, const std::vector<std::uint64_t>& sample)
-    : plan_(plan), stretches_(stretches) {
+Recheck::Recheck(const std::vector<const Kernel*>& kernels, const Stretches& stretches,
+                 const std::vector<std::uint64_t>& sample)
+    : kernels_(kernels), stretches_(stretches) {
   for (const std::uint64_t stretch : sample) digests_[stretch];
 }
 
@@ -40,10 +41,10 @@ void Recheck::first(const Entry& entry) { digests_[entry.stretch] = digests_of(e
 void Recheck::again(const Entry& entry) {
   const std::vector<std::string>& before = digests_.at(entry.stretch);
   const std::vector<std::string> now = digests_of(entry);
-  for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
+  for (std::size_t k = 0; k < kernels_.size(); ++k) {
     if (k < before.size() && k < now.size() && before[k] == now[k]) continue;
     differences_.push_back(fmt::format("kernel {} on {}: its tally had the digest {:.16}, but {:.16} when repeated",
-                                       plan_.kernels[k]->id, stretches_.text(entry.stretch),
+                                       kernels_[k]->id, stretches_.text(entry.stretch),
                                        k < before.size() ? before[k] : "none", k < now.size() ? now[k] : "none"));
   }
   ++compared_;

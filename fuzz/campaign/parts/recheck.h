@@ -12,7 +12,8 @@ std::vector<std::uint64_t> sample_of(const std::vector<std::uint64_t>& numbers, 
 
 class Recheck {
  public:
-  Recheck(const Plan& plan, const Stretches& stretches, const std::vector<std::uint64_t>& sample);
+  Recheck(const std::vector<const Kernel*>& kernels, const Stretches& stretches,
+          const std::vector<std::uint64_t>& sample);
 
   bool is_in(std::uint64_t stretch) const { return digests_.contains(stretch); }
   void first(const Entry& entry);
@@ -23,7 +24,7 @@ class Recheck {
   const std::vector<std::string>& differences() const { return differences_; }
 
  private:
-  const Plan& plan_;
+  const std::vector<const Kernel*>& kernels_;
   const Stretches& stretches_;
   std::map<std::uint64_t, std::vector<std::string>> digests_;  // for each stretch, one per kernel
   std::uint64_t compared_ = 0;

@@ -14,10 +14,10 @@ namespace {
 
 using Cbor = nlohmann::json;
 
-std::uint64_t cell_queries(const Plan& plan, const CellResult& cell) {
-  const Source& source = *plan.sources[cell.source];
-  const auto fixed = plan.replies ? plan.replies->size(source, cell.precision) : source.fixed_size(cell.precision);
-  return fixed ? *fixed : plan.trials(source, cell.precision);
+std::uint64_t cell_queries(const Questions& questions, const CellResult& cell) {
+  const Source& source = *questions.sources[cell.source];
+  const auto fixed = questions.fixed_size(source, cell.precision);
+  return fixed ? *fixed : questions.trials(source, cell.precision);
 }
 
 // Not (a + b - 1) / b, which overflows.
@@ -25,10 +25,11 @@ std::uint64_t rounded_up(std::uint64_t a, std::uint64_t b) { return a / b + (a %
 
 }  // namespace
 
-std::vector<PlannedCell> planned_cells(const Plan& plan) {
+std::vector<PlannedCell> planned_cells(const Questions& questions) {
   std::vector<PlannedCell> cells;
-  for (const CellResult& cell : cells_of(plan))
-    cells.push_back({cell.source, cell.precision, cell_queries(plan, cell), plan.sources[cell.source]->name()});
+  for (const CellResult& cell : cells_of(questions, 0))
+    cells.push_back(
+        {cell.source, cell.precision, cell_queries(questions, cell), questions.sources[cell.source]->name()});
   return cells;
 }
 
@@ -117,9 +118,9 @@ std::string Stretches::text(const std::vector<std::uint64_t>& numbers, std::size
   return parts > limit ? fmt::format("{} and {} more parts", all, parts - limit) : all;
 }
 
-CampaignResult planned(const Plan& plan) {
-  CampaignResult result{.cells = cells_of(plan)};
-  for (CellResult& cell : result.cells) cell.queries = cell_queries(plan, cell);
+CampaignResult planned(const Questions& questions) {
+  CampaignResult result{.cells = cells_of(questions, 0)};
+  for (CellResult& cell : result.cells) cell.queries = cell_queries(questions, cell);
   return result;
 }
 
@@ -152,13 +153,13 @@ Entry decode_entry(std::string_view bytes) {
 
 Entry run_stretch(const Plan& plan, const Stretches& stretches, std::uint64_t number) {
   const Stretch stretch = stretches.at(number);
-  std::vector<Tally> tallies(plan.kernels.size(), Tally(plan.test()));
+  const Source& source = *plan.questions.sources[stretch.source];
+  std::vector<Tally> tallies(plan.answerers.kernels.size(), Tally(source.test()));
   Costs costs;
   std::vector<Standing> standing;
   for (std::uint64_t done = 0; done < stretch.queries; done += unit_size) {
-    const UnitResult unit =
-        run_unit(plan, *plan.sources[stretch.source], stretch.precision, stretch.first_unit + done / unit_size,
-                 std::min(unit_size, stretch.queries - done), standing);
+    const UnitResult unit = run_unit(plan, source, stretch.precision, stretch.first_unit + done / unit_size,
+                                     std::min(unit_size, stretch.queries - done), standing);
     standing.clear();
     for (std::size_t k = 0; k < tallies.size(); ++k) {
       tallies[k].merge(unit.tallies[k]);

@@ -16,11 +16,11 @@ struct PlannedCell {
   std::uint64_t queries;
   std::string family;  // the source's name
 };
-// Those of a plan, in the order of cells_of(plan).
-std::vector<PlannedCell> planned_cells(const Plan& plan);
+// Those of the questions, in the order of cells_of().
+std::vector<PlannedCell> planned_cells(const Questions& questions);
 
 struct Stretch {
-  std::size_t cell, source;  // index in cells_of(plan), and in the plan's sources
+  std::size_t cell, source;  // index in cells_of(), and in the plan's sources
   Precision precision;
   std::uint64_t first_unit;  // within the cell
   std::uint64_t queries;     // from the first query of that unit on
@@ -32,7 +32,7 @@ struct Stretch {
 class Stretches {
  public:
   // Throws Error if there are more than a journal supports: the remedy is a greater `units_each`.
-  Stretches(const Plan& plan, std::uint64_t units_each) : Stretches(planned_cells(plan), units_each) {}
+  Stretches(const Questions& questions, std::uint64_t units_each) : Stretches(planned_cells(questions), units_each) {}
   Stretches(std::vector<PlannedCell> cells, std::uint64_t units_each);
   std::uint64_t count() const { return count_; }
   std::uint64_t units() const { return units_; }
@@ -51,7 +51,9 @@ class Stretches {
   // beginning it is negligible; but a plan has 1024 stretches before any has more than one unit, so that no thread
   // waits long for the last of them.
   static constexpr std::uint64_t usual_units = 16, enough_stretches = 1024;
-  static std::uint64_t default_units_each(const Plan& plan) { return default_units_each(planned_cells(plan)); }
+  static std::uint64_t default_units_each(const Questions& questions) {
+    return default_units_each(planned_cells(questions));
+  }
   static std::uint64_t default_units_each(const std::vector<PlannedCell>& cells);
 
  private:
@@ -68,8 +70,8 @@ class Stretches {
   std::vector<Level> levels_;
 };
 
-// The cells of a plan with all of its queries in them: the part of its result that the plan determines.
-CampaignResult planned(const Plan& plan);
+// The cells with all of their queries, and without tallies: the part of a result that the questions determine.
+CampaignResult planned(const Questions& questions);
 
 // A finished stretch, as stored in the journal and exchanged between ranks.
 struct Entry {

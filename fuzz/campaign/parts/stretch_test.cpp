@@ -19,7 +19,7 @@ namespace {
 // Families of very different sizes, with short last units and an empty family among them.
 Plan uneven_plan() {
   Plan plan = small_plan({"published"}, {"general", "tangent", "sliver", "tie", "bits"}, 0);
-  plan.trials = [](const Source& source, Precision precision) -> std::uint64_t {
+  plan.questions.trials = [](const Source& source, Precision precision) -> std::uint64_t {
     const std::map<std::string, std::uint64_t> sizes = {{"general", 10 * unit_size},
                                                         {"tangent", 3 * unit_size + 1},
                                                         {"sliver", 5},
@@ -33,7 +33,7 @@ Plan uneven_plan() {
 TEST(Stretches, HoldEveryUnitOfThePlanOnce) {
   const Plan plan = uneven_plan();
   for (const std::uint64_t units_each : {1u, 2u, 3u, 4u, 100u}) {
-    const Stretches stretches(plan, units_each);
+    const Stretches stretches(plan.questions, units_each);
     std::map<std::size_t, std::uint64_t> next_unit, queries;
     for (std::uint64_t number = 0; number < stretches.count(); ++number) {
       const Stretch s = stretches.at(number);
@@ -43,7 +43,7 @@ TEST(Stretches, HoldEveryUnitOfThePlanOnce) {
       next_unit[s.cell] += s.units();
       queries[s.cell] += s.queries;
     }
-    const CampaignResult whole = planned(plan);
+    const CampaignResult whole = planned(plan.questions);
     for (std::size_t cell = 0; cell < whole.cells.size(); ++cell) {
       EXPECT_EQ(queries[cell], whole.cells[cell].queries) << units_each << ", " << cell;
     }
@@ -51,7 +51,7 @@ TEST(Stretches, HoldEveryUnitOfThePlanOnce) {
 }
 
 TEST(Stretches, EachCellHasItsTurn) {
-  const Stretches stretches(uneven_plan(), 1);
+  const Stretches stretches(uneven_plan().questions, 1);
   std::map<std::size_t, int> first_numbers;
   for (std::uint64_t number = 0; number < 9; ++number) ++first_numbers[stretches.at(number).cell];
   EXPECT_EQ(first_numbers.size(), 9u) << "tie in binary32 is empty";
@@ -60,18 +60,18 @@ TEST(Stretches, EachCellHasItsTurn) {
 TEST(Stretches, AreFewInTheLargestPlan) {
   Plan plan = uneven_plan();
   for (const std::uint64_t trials : {std::uint64_t{1}, std::uint64_t{1'000'000'000'000}, std::uint64_t{1} << 59}) {
-    plan.trials = [=](const Source&, Precision) { return trials; };
-    const Stretches stretches(plan, Stretches::default_units_each(plan));
+    plan.questions.trials = [=](const Source&, Precision) { return trials; };
+    const Stretches stretches(plan.questions, Stretches::default_units_each(plan.questions));
     EXPECT_LE(stretches.count(), Stretches::most);
     EXPECT_EQ(stretches.queries(), 10 * trials);
     const Stretch last = stretches.at(stretches.count() - 1);
     EXPECT_EQ(last.first_unit * unit_size + last.queries, trials);
   }
-  EXPECT_THROW(Stretches(plan, 1), Error);
+  EXPECT_THROW(Stretches(plan.questions, 1), Error);
 }
 
 TEST(Stretches, AreNamedByTheirUnits) {
-  const Stretches stretches(uneven_plan(), 2);
+  const Stretches stretches(uneven_plan().questions, 2);
   EXPECT_EQ(stretches.text(0), "general binary64, units 0 to 1");
   EXPECT_EQ(stretches.text({0, 1, 2, 9}, 20),
             "general binary64: units 0 to 3; tangent binary64: units 0 to 1; sliver binary64: units 0 to 1");
@@ -81,16 +81,17 @@ TEST(Stretches, AreNamedByTheirUnits) {
 // The results of earlier units that a unit is given save work and change nothing.
 TEST(Stretch, IsItsUnitsMerged) {
   Plan plan = small_plan({"published", "nonstrict"}, {"sliver"}, 2 * unit_size + 100);
-  plan.precisions = {Precision::binary32};
-  const Stretches stretches(plan, 3);
+  plan.questions.precisions = {Precision::binary32};
+  const Stretches stretches(plan.questions, 3);
   ASSERT_EQ(stretches.count(), 1u);
   const Entry entry = run_stretch(plan, stretches, 0);
-  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+  for (std::size_t k = 0; k < plan.answerers.kernels.size(); ++k) {
     Tally merged(sphere_triangle_test());
     for (std::uint64_t unit = 3; unit-- > 0;) {
-      merged.merge(run_unit(plan, *plan.sources[0], Precision::binary32, unit, unit == 2 ? 100 : unit_size).tallies[k]);
+      merged.merge(run_unit(plan, *plan.questions.sources[0], Precision::binary32, unit, unit == 2 ? 100 : unit_size)
+                       .tallies[k]);
     }
-    EXPECT_EQ(encode(merged), entry.tallies[k]) << plan.kernels[k]->id;
+    EXPECT_EQ(encode(merged), entry.tallies[k]) << plan.answerers.kernels[k]->id;
   }
   const Entry again = decode_entry(encode(entry));
   EXPECT_EQ(again.tallies, entry.tallies);
@@ -99,14 +100,14 @@ TEST(Stretch, IsItsUnitsMerged) {
 
 TEST(Stretch, OfAnotherTestHasTheCountsOfItsComparisons) {
   Plan plan = small_plan({"moving-sphere/twenty", "moving-sphere/rounded"}, {"moving-sphere/approach"}, 200);
-  plan.precisions = {Precision::binary32};
-  const Entry entry = run_stretch(plan, Stretches(plan, 1), 0);
-  const UnitResult unit = run_unit(plan, *plan.sources[0], Precision::binary32, 0, 200);
-  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
-    const Tally tally = decode_tally(entry.tallies[k], plan.test());
-    EXPECT_EQ(tally.comparisons.size(), 61u) << plan.kernels[k]->id;
-    EXPECT_EQ(encode(tally), encode(unit.tallies[k])) << plan.kernels[k]->id;
-    EXPECT_EQ(tally.trials, 200u) << plan.kernels[k]->id;
+  plan.questions.precisions = {Precision::binary32};
+  const Entry entry = run_stretch(plan, Stretches(plan.questions, 1), 0);
+  const UnitResult unit = run_unit(plan, *plan.questions.sources[0], Precision::binary32, 0, 200);
+  for (std::size_t k = 0; k < plan.answerers.kernels.size(); ++k) {
+    const Tally tally = decode_tally(entry.tallies[k], plan.questions.test());
+    EXPECT_EQ(tally.comparisons.size(), 61u) << plan.answerers.kernels[k]->id;
+    EXPECT_EQ(encode(tally), encode(unit.tallies[k])) << plan.answerers.kernels[k]->id;
+    EXPECT_EQ(tally.trials, 200u) << plan.answerers.kernels[k]->id;
   }
 }
 
@@ -123,13 +124,14 @@ TEST(Stretch, OfAnotherTestHasAsManyTalliesAsThatHasClauses) {
   for (const auto& [kernel, family] : {std::pair("moving-sphere/twenty", "moving-sphere/lattice"),
                                        std::pair("box-box/projected", "box-box/lattice")}) {
     Plan plan = small_plan({kernel}, {family}, 40);
-    const Stretches stretches(plan, 1);
+    const Stretches stretches(plan.questions, 1);
     for (std::uint64_t number = 0; number < stretches.count(); ++number) {
       const Stretch stretch = stretches.at(number);
-      const UnitResult unit = run_unit(plan, *plan.sources[stretch.source], stretch.precision, 0, stretch.queries);
+      const UnitResult unit =
+          run_unit(plan, *plan.questions.sources[stretch.source], stretch.precision, 0, stretch.queries);
       EXPECT_EQ(run_stretch(plan, stretches, number).tallies.front(), encode(unit.tallies.front())) << kernel;
     }
-    Gathered gathered(plan, stretches);
+    Gathered gathered(plan.questions, plan.answerers.kernels.size(), stretches);
     gathered.add(run_stretch(plan, stretches, 0));
   }
 }
@@ -146,13 +148,13 @@ TEST(Recheck, AFaultOfOneTargetIsToldWithUnitAndKernel) {
     return Implementation<float>{scalar_implementation<Formulae::published, Strictness::strict, float>().verdicts};
   };
   Plan plan = small_plan({"published"}, {"tangent"}, 3000 / TRIAL_DIVISOR);
-  plan.kernels.push_back(&kernel);
-  plan.precisions = {Precision::binary32};
-  ASSERT_NE(plan.target, scalar_target);
+  plan.answerers.kernels.push_back(&kernel);
+  plan.questions.precisions = {Precision::binary32};
+  ASSERT_NE(plan.running.target, scalar_target);
   Plan other = plan;
-  other.target = scalar_target;
-  const Stretches stretches(plan, 1);
-  Recheck recheck(plan, stretches, {0});
+  other.running.target = scalar_target;
+  const Stretches stretches(plan.questions, 1);
+  Recheck recheck(plan.answerers.kernels, stretches, {0});
   recheck.first(run_stretch(plan, stretches, 0));
   recheck.again(run_stretch(plan, stretches, 0));
   EXPECT_TRUE(recheck.differences().empty());
@@ -172,8 +174,8 @@ TEST(Recheck, ASampleIsPartOfTheWholeAndNeverEmpty) {
 
 TEST(Gathered, KnowsWhatIsMissingAndWhatWasLost) {
   const Plan plan = small_plan({"published"}, {"general"}, 100);
-  const Stretches stretches(plan, 1);
-  Gathered gathered(plan, stretches);
+  const Stretches stretches(plan.questions, 1);
+  Gathered gathered(plan.questions, plan.answerers.kernels.size(), stretches);
   const std::string done = encode(run_stretch(plan, stretches, 1));
   for (const std::string& content : {begun_note(0), begun_note(0), begun_note(1), done}) gathered.replay(content);
   EXPECT_EQ(gathered.missing(), std::vector<std::uint64_t>{0});

@@ -16,8 +16,8 @@ std::vector<Tally> real_tallies() {
   const Plan plan =
       small_plan({"published", "first-publication"}, {"tangent", "sliver", "tie", "repeated", "scale"}, 1);
   std::vector<Tally> tallies;
-  for (const SourcePtr& source : plan.sources) {
-    for (const Precision precision : plan.precisions) {
+  for (const SourcePtr& source : plan.questions.sources) {
+    for (const Precision precision : plan.questions.precisions) {
       for (std::uint64_t unit = 0; unit < 3; ++unit) {
         const UnitResult done = run_unit(plan, *source, precision, unit, 1200 / TRIAL_DIVISOR);
         tallies.insert(tallies.end(), done.tallies.begin(), done.tallies.end());

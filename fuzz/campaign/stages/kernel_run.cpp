@@ -5,14 +5,14 @@
 namespace axiscert {
 
 template <class Real>
-KernelRun<Real>::KernelRun(const Kernel& kernel, const Plan& plan, const Source& source, const Standing& standing,
-                           Tally& tally)
+KernelRun<Real>::KernelRun(const Kernel& kernel, const std::string& target, const StoredReplies* replies,
+                           const Source& source, const Standing& standing, Tally& tally)
     : kernel_(kernel),
       source_(source),
-      replies_(plan.replies.get()),
+      replies_(replies),
       standing_(standing),
       tally_(tally),
-      implementation_(kernel.on<Real>(plan.target)) {}
+      implementation_(kernel.on<Real>(target)) {}
 
 template <class Real>
 void KernelRun<Real>::ask_about(const MadeBatch<Real>& batch) {

@@ -62,7 +62,9 @@ class CloseLook {
 template <class Real>
 class KernelRun {
  public:
-  KernelRun(const Kernel& kernel, const Plan& plan, const Source& source, const Standing& standing, Tally& tally);
+  // The kernel on a target; where there are stored replies, they are its answers, and it is not asked.
+  KernelRun(const Kernel& kernel, const std::string& target, const StoredReplies* replies, const Source& source,
+            const Standing& standing, Tally& tally);
   KernelRun(const KernelRun&) = delete;
 
   const Kernel& kernel() const { return kernel_; }
@@ -72,7 +74,6 @@ class KernelRun {
   bool is_in_another_process() const { return implementation_.supervised != nullptr; }
   bool has_replies() const { return replies_ != nullptr; }
 
-  // Asks the kernel; where the plan has stored replies, they are its answers.
   void ask_about(const MadeBatch<Real>& batch);
 
   // These are about the batch asked last.

@@ -16,7 +16,7 @@ class NoScreen final : public Screen<Real> {
     of_.steps.queries[Step::exact] += batch.size();
   }
   AskedQuery& about(std::size_t i) override {
-    asked_ = of_.oracles.about((*queries_)[i], of_.plan.exact_only ? Opinion::exact_only : Opinion::first);
+    asked_ = of_.oracles.about((*queries_)[i], of_.judging.exact_only ? Opinion::exact_only : Opinion::first);
     for (const KernelRun<Real>& run : of_.runs) asked_->expect(run.kernel());
     return *asked_;
   }
@@ -25,7 +25,8 @@ class NoScreen final : public Screen<Real> {
     if (!found.is_counted || !found.chain || !run.shows_sides() || !run.is_answered(i)) return;
     const ExactSides* sides = asked_->sides(run.kernel());
     if (sides == nullptr) return;
-    count_errors(run.tally(), run.position(i), *run.kernel().test, *sides, run.reply().answers, i, of_.plan.tolerances);
+    count_errors(run.tally(), run.position(i), *run.kernel().test, *sides, run.reply().answers, i,
+                 of_.judging.tolerances);
   }
 
  private:
@@ -38,7 +39,7 @@ class NoScreen final : public Screen<Real> {
 
 template <class Real>
 std::unique_ptr<Screen<Real>> screen_of(const Screened<Real>& of) {
-  if (const Screens* screens = capabilities_of(of.plan.test()).screens) return screens->screen(of);
+  if (const Screens* screens = capabilities_of(*of.runs.front().kernel().test).screens) return screens->screen(of);
   return std::make_unique<NoScreen<Real>>(of);
 }
 template std::unique_ptr<Screen<float>> screen_of(const Screened<float>&);

@@ -36,9 +36,10 @@ class Screen {
 // What a screen works on; all has to outlive it.
 template <class Real>
 struct Screened {
-  const Plan& plan;
+  const Judging& judging;
+  const std::string& target;  // of the filters
   const Oracles& oracles;
-  KernelRuns<Real>& runs;
+  KernelRuns<Real>& runs;        // not empty
   std::uint64_t first_position;  // of the unit
   StepCounts& steps;
   std::uint64_t& second_opinions;
@@ -54,7 +55,7 @@ class Screens {
   ~Screens() = default;
 };
 
-// That of the plan's test.
+// That of the kernels' test.
 template <class Real>
 std::unique_ptr<Screen<Real>> screen_of(const Screened<Real>& of);
 

@@ -257,12 +257,12 @@ TYPED_TEST(MovingFamilies, OfOneAxisAreSeparatedByItAlone) {
 // The verdicts of the kernels on the lattice, where nothing is rounded: only the theorem is left.
 TEST(MovingSphereKernels, WhereNothingIsRoundedTheNonstrictAreRightAndTheStrictInventContacts) {
   Plan plan;
-  plan.kernels = {&find_kernel("moving-sphere/twenty"), &find_kernel("moving-sphere/twenty-nonstrict")};
-  plan.sources = {family_source(find_family("moving-sphere/lattice"))};
-  plan.precisions = {Precision::binary64};
-  plan.trials = [](const Source&, Precision) { return std::uint64_t{3000}; };
-  plan.target = resolve_target("auto");
-  plan.threads = 2;
+  plan.answerers.kernels = {&find_kernel("moving-sphere/twenty"), &find_kernel("moving-sphere/twenty-nonstrict")};
+  plan.questions.sources = {family_source(find_family("moving-sphere/lattice"))};
+  plan.questions.precisions = {Precision::binary64};
+  plan.questions.trials = [](const Source&, Precision) { return std::uint64_t{3000}; };
+  plan.running.target = resolve_target("auto");
+  plan.running.threads = 2;
   const std::atomic<bool> never = false;
   const CampaignResult result = run_campaign(plan, never, [](const Progress&) {});
   ASSERT_EQ(result.cells.size(), 1u);

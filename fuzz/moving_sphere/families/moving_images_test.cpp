@@ -105,10 +105,8 @@ TYPED_TEST(MovingImages, AreAllDifferentAndAsManyAsTheySay) {
 }
 
 Asymmetry counted_on(const Kernel& kernel, const char* family, std::uint64_t queries) {
-  Plan plan;
-  plan.kernels = {&kernel};
-  plan.target = std::string(scalar_target);
-  return *asymmetry_of(plan, kernel, *family_source(find_family(family)), Precision::binary32, queries);
+  const SourcePtr source = family_source(find_family(family));
+  return *asymmetry_of({*source, 1, Precision::binary32}, queries, kernel, nullptr, {std::string(scalar_target)});
 }
 
 // `twenty-nonstrict`, but separated on queries for which `is_wrong` holds.

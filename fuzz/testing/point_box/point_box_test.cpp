@@ -26,12 +26,12 @@ constexpr std::uint64_t queries_of_each = 3000;
 
 Plan toy_plan(std::vector<const Kernel*> kernels) {
   Plan plan;
-  plan.kernels = std::move(kernels);
-  for (const Family* family : families_of(point_box_test())) plan.sources.push_back(family_source(*family));
-  plan.precisions = {Precision::binary32, Precision::binary64};
-  plan.trials = [](const Source&, Precision) { return queries_of_each; };
-  plan.target = resolve_target("auto");
-  plan.threads = 2;
+  plan.answerers.kernels = std::move(kernels);
+  for (const Family* family : families_of(point_box_test())) plan.questions.sources.push_back(family_source(*family));
+  plan.questions.precisions = {Precision::binary32, Precision::binary64};
+  plan.questions.trials = [](const Source&, Precision) { return queries_of_each; };
+  plan.running.target = resolve_target("auto");
+  plan.running.threads = 2;
   return plan;
 }
 
@@ -140,11 +140,11 @@ TEST(PointBox, AWitnessShowsItsNumbersAndTheComparison) {
 
 TEST(PointBox, AResultDependsOnNoThread) {
   Plan plan = toy_plan({&find_kernel("point-box/fault")});
-  plan.trials = [](const Source&, Precision) { return unit_size + 1000; };
-  plan.precisions = {Precision::binary32};
-  plan.sources.resize(1);
+  plan.questions.trials = [](const Source&, Precision) { return unit_size + 1000; };
+  plan.questions.precisions = {Precision::binary32};
+  plan.questions.sources.resize(1);
   const std::string with_two = toy_record(plan).dump();
-  plan.threads = 1;
+  plan.running.threads = 1;
   EXPECT_EQ(toy_record(plan).dump(), with_two);
 }
 
@@ -173,11 +173,11 @@ std::string replied(const Kernel& kernel, const std::string& queries) {
 TEST(PointBox, APipedProgramIsJudgedAsTheKernelThatItComputes) {
   const Kernel& fault = find_kernel("point-box/fault");
   Plan plan = toy_plan({&fault});
-  plan.precisions = {Precision::binary32};
+  plan.questions.precisions = {Precision::binary32};
   const Json built_in = toy_record(plan);
 
   PipePlan piped{1, Precision::binary32, {}};
-  for (const SourcePtr& source : plan.sources) piped.parts.push_back({source, queries_of_each});
+  for (const SourcePtr& source : plan.questions.sources) piped.parts.push_back({source, queries_of_each});
   std::string queries;
   write_queries(piped, QueryEncoding::binary, 1, [&](std::string_view bytes) { queries += bytes; });
   std::istringstream in(replied<float>(fault, queries));
@@ -188,9 +188,9 @@ TEST(PointBox, APipedProgramIsJudgedAsTheKernelThatItComputes) {
     claimed.exposes = Exposure::comparisons;
     return claimed;
   }();
-  plan.kernels = {&program};
-  plan.replies = std::make_shared<const StoredReplies>(std::move(streams));
-  plan.sources = plan.replies->sources();
+  plan.answerers.kernels = {&program};
+  plan.answerers.replies = std::make_shared<const StoredReplies>(std::move(streams));
+  plan.questions.sources = plan.answerers.replies->sources();
   const Json judged = toy_record(plan);
 
   for (const Family* family : families_of(point_box_test())) {

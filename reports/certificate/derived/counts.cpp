@@ -41,14 +41,14 @@ Json sparse_counts(const Json& counts) {
   return sparse;
 }
 
-Json stretch_json(const Plan& plan, const Stretches& stretches, const Entry& entry) {
+Json stretch_json(const std::vector<const Kernel*>& kernels, const Stretches& stretches, const Entry& entry) {
   Json digests = Json::array(), counts = Json::array();
   const Precision precision = stretches.at(entry.stretch).precision;
-  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
-    const Kernel& kernel = *plan.kernels[k];
+  for (std::size_t k = 0; k < kernels.size(); ++k) {
+    const Kernel& kernel = *kernels[k];
     digests.push_back(sha256_hex(std::as_bytes(std::span(entry.tallies[k]))));
     counts.push_back(kernel.has(precision)
-                         ? sparse_counts(counts_json(kernel, decode_tally(entry.tallies[k], plan.test())))
+                         ? sparse_counts(counts_json(kernel, decode_tally(entry.tallies[k], *kernel.test)))
                          : Json::object());
   }
   return {{"stretch", entry.stretch}, {"of", stretches.text(entry.stretch)}, {"sha256", digests}, {"counts", counts}};

@@ -15,7 +15,7 @@ Json sparse_counts(const Json& counts);
 
 // A finished stretch as a certificate has it: "stretch", "of", and by kernel "sha256", of its encoded tally, and
 // "counts".
-Json stretch_json(const Plan& plan, const Stretches& stretches, const Entry& entry);
+Json stretch_json(const std::vector<const Kernel*>& kernels, const Stretches& stretches, const Entry& entry);
 
 // All counts that a kernel's entry of a record has in a family, each zero.
 Json no_counts(const Json& entry, const TestDescription& test);

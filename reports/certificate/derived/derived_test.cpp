@@ -29,32 +29,36 @@ struct Certified {
 
 Certified certified(const std::vector<std::string>& ids, const std::vector<std::string>& families) {
   Plan plan;
-  for (const std::string& id : ids) plan.kernels.push_back(&find_kernel(id));
-  for (const std::string& family : families) plan.sources.push_back(family_source(find_family(family)));
-  plan.precisions = {Precision::binary32, Precision::binary64};
-  plan.trials = [&](const Source&, Precision) { return &plan.test() == &sphere_triangle_test() ? trials : 64; };
-  plan.target = resolve_target("auto");
-  const Stretches stretches(plan, Stretches::default_units_each(plan));
-  Gathered gathered(plan, stretches);
+  for (const std::string& id : ids) plan.answerers.kernels.push_back(&find_kernel(id));
+  for (const std::string& family : families) plan.questions.sources.push_back(family_source(find_family(family)));
+  plan.questions.precisions = {Precision::binary32, Precision::binary64};
+  plan.questions.trials = [&](const Source&, Precision) {
+    return &plan.questions.test() == &sphere_triangle_test() ? trials : 64;
+  };
+  plan.running.target = resolve_target("auto");
+  const Stretches stretches(plan.questions, Stretches::default_units_each(plan.questions));
+  Gathered gathered(plan.questions, ids.size(), stretches);
   Json tallies = Json::array();
   for (std::uint64_t i = 0; i < stretches.count(); ++i) {
     const Entry entry = run_stretch(plan, stretches, i);
-    tallies.push_back(stretch_json(plan, stretches, entry));
+    tallies.push_back(stretch_json(plan.answerers.kernels, stretches, entry));
     gathered.add(entry);
   }
   Certified made;
   made.record = record_of(plan, std::move(gathered).take(), {});
   Json& p = made.predicate;
-  p["kernel"] = {
-      {"id", ids.front()}, {"kind", "built-in"}, {"test", plan.test().id}, {"entry", plan.test().entries[0].name}};
+  p["kernel"] = {{"id", ids.front()},
+                 {"kind", "built-in"},
+                 {"test", plan.questions.test().id},
+                 {"entry", plan.questions.test().entries[0].name}};
   p["asked"]["effort"] = "smoke";
-  p["materials"] = {
-      {"axiscert", {{"version", axiscert_version}, {"sources", source_digests().sources}}},
-      {"plan",
-       {{"units_per_stretch", stretches.units_each()}, {"plan", portable_plan(plan_json(plan, planned(plan), {}))}}},
-      {"kernels", kernels_of_record(made.record)},
-      {"findings", findings_of_record(made.record)},
-      {"tallies", tallies}};
+  p["materials"] = {{"axiscert", {{"version", axiscert_version}, {"sources", source_digests().sources}}},
+                    {"plan",
+                     {{"units_per_stretch", stretches.units_each()},
+                      {"plan", portable_plan(plan_json(plan, planned(plan.questions), {}))}}},
+                    {"kernels", kernels_of_record(made.record)},
+                    {"findings", findings_of_record(made.record)},
+                    {"tallies", tallies}};
   p["search"] = {{"reason", "a search is not what is tested"}, {"precisions", Json::object()}};
   p["safe_margin"] = {{"reason", std::string(margin_answered_otherwise) + "a margin is not what is tested"},
                       {"precisions", Json::array()}};
