@@ -90,7 +90,8 @@ int merge(const MergeOptions& options) {
                       {"units_lost", gathered.lost_units()},
                       {"journal_bytes", bytes},
                       {"ranks", Json::array()}};
-  return put_result(folder, plan, std::move(gathered).take(), output, std::nullopt, "auto", started, scale);
+  return put_result({folder, std::nullopt, run_files(plan, std::move(gathered).take(), output, "auto", started, scale)},
+                    output);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ void add_run(CLI::App& app, Action& action) {
   command->callback([&action, options, planned] {
     action = [options, planned] {
       if (!planned->plan.empty()) return planned_run(*planned, *options);
-      return judged_run(plan_of(*options), *options, options->target);
+      return put_result(judged_run(plan_of(*options), *options, options->target), *options);
     };
   });
 }

@@ -84,11 +84,6 @@ std::string digest_of(Json json) {
   return sha256_hex(std::as_bytes(std::span(text)));
 }
 
-// The plan as the record of a run with these options has it.
-Json plan_of_record(const Plan& plan, const Required& required) {
-  return plan_json(plan, planned(plan.questions), required);
-}
-
 // Replaces each file that does not exist by the file of the same base name next to the plan, where that exists.
 void look_beside(const std::string& plan_path, std::vector<std::string>& files) {
   for (std::string& file : files) {
@@ -122,7 +117,7 @@ PlanFile plan_file_of(const RunOptions& given, std::optional<std::uint64_t> unit
   }
   put_required(stored, options.required);
   file.json = {{"schema", plan_schema},
-               {"plan", plan_of_record(plan, options.required)},
+               {"plan", plan_json(plan, options.required)},
                {"options", stored},
                {"queries", stretches.queries()},
                {"units", stretches.units()},
@@ -183,7 +178,7 @@ Plan plan_of(const PlanFile& file) {
   look_beside(file.path, options.meshes);
   look_beside(file.path, options.queries);
   Plan plan = plan_of(options);
-  const std::string differs = difference(plan_of_record(plan, options.required), file.json["plan"]);
+  const std::string differs = difference(plan_json(plan, options.required), file.json["plan"]);
   if (!differs.empty()) {
     throw Error(
         fmt::format("{}: cannot be run as planned: here {}; write a new plan, or use the axiscert and the "

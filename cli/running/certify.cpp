@@ -237,8 +237,7 @@ int certify_replies(const CertifyOptions& options, const std::optional<SigningKe
     require_uncontracted(target);
   const Stretches stretches(plan.questions, Stretches::default_units_each(plan.questions));
   Gathered gathered(plan.questions, plan.answerers.kernels.size(), stretches);
-  Judged judged{options,       plan,      stretches, {}, plan_json(plan, planned(plan.questions), {}),
-                Json::array(), "replies", "replies", "", true};
+  Judged judged{options, plan, stretches, {}, plan_json(plan), Json::array(), "replies", "replies", "", true};
   for (const std::string& path : options.replies.replies) judged.subjects.push_back(file_subject(path, "replies"));
   judged.digest = digest_of_json(judged.subjects);
   const OutputFolder folder(run_folder_of(options));
@@ -258,7 +257,8 @@ int certify_replies(const CertifyOptions& options, const std::optional<SigningKe
   output.out = run_folder_of(options);
   output.quiet = options.quiet;
   output.has_summary = false;
-  put_result(folder, plan, std::move(gathered).take(), output, std::nullopt, plan.running.target, started);
+  put_result({folder, std::nullopt, run_files(plan, std::move(gathered).take(), output, plan.running.target, started)},
+             output);
   try {
     return write_certificate(judged, key);
   } catch (const StageInterrupted&) {

@@ -15,7 +15,6 @@
 #include "cli/running/shrunk.h"
 #include "cli/running/terminal.h"
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/campaign/parts/stretch.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
 #include "reports/gates/ratchet.h"
@@ -90,7 +89,7 @@ std::optional<Ratchet> ratchet_of(const OutputOptions& output, const Plan& plan)
   }
   // Where no kernel could be loaded, there is nothing to hold, and the run is no pass.
   if (plan.questions.precisions.empty()) return std::nullopt;
-  require_plan(ratchet, plan_json(plan, planned(plan.questions), output.required));
+  require_plan(ratchet, plan_json(plan, output.required));
   return ratchet;
 }
 
@@ -98,10 +97,10 @@ HarnessFault saved(const OutputFolder& folder, const OracleDisagreement& disagre
   return HarnessFault(fmt::format("{}; the query is saved in {}", disagreement.what(), folder.save(disagreement)));
 }
 
-int judged_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked) {
+JudgedRun judged_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked) {
   source_places(plan.answerers.kernels, output.sources);  // refuses what cannot be one, before anything runs
-  const std::optional<Ratchet> ratchet = ratchet_of(output, plan);
-  const OutputFolder folder(output.out);
+  std::optional<Ratchet> ratchet = ratchet_of(output, plan);
+  OutputFolder folder(output.out);
   for (const std::string& target : targets_of(plan.answerers.kernels, plan.running.target))
     require_uncontracted(target);
 
@@ -118,31 +117,39 @@ int judged_run(const Plan& plan, const OutputOptions& output, const std::string&
     throw HarnessFault(fmt::format("--plant {}: the cross-checks did not find it in this run",
                                    filter_fault_names[plan.judging.planted]));
   }
-  return put_result(folder, plan, result, output, ratchet, target_asked, started);
+  return {std::move(folder), std::move(ratchet), run_files(plan, result, output, target_asked, started)};
 }
 
-int put_result(const OutputFolder& folder, const Plan& plan, const CampaignResult& result, const OutputOptions& output,
-               const std::optional<Ratchet>& ratchet, const std::string& target_asked,
-               std::chrono::system_clock::time_point started, const Json& scale) {
+RunFiles run_files(const Plan& plan, const CampaignResult& result, const OutputOptions& output,
+                   const std::string& target_asked, std::chrono::system_clock::time_point started, const Json& scale) {
   const double seconds = std::chrono::duration<double>(std::chrono::system_clock::now() - started).count();
-  std::optional<ProgressLine> progress(std::in_place, "judging", output.quiet);
-  progress->stage("the witnesses are confirmed");
-  const Json record = record_of(plan, result, output.required);
+  ProgressLine progress("judging", output.quiet);
+  progress.stage("the witnesses are confirmed");
+  RunFiles run{record_of(plan, result, output.required),
+               run_info(plan, result, target_asked, iso_time(started), seconds)};
+  if (!scale.is_null()) run.info["scale"] = scale;
+  run.info["sources"] = source_places(plan.answerers.kernels, output.sources);
+  return run;
+}
+
+int put_result(JudgedRun run, const OutputOptions& output) {
+  const OutputFolder& folder = run.folder;
+  auto& [record, info] = run.files;
+  const bool is_complete = record["complete"];
   std::optional<RatchetOutcome> held;
-  if (ratchet && result.complete)
-    held = hold_against(*ratchet, record, iso_time(std::chrono::system_clock::now()).substr(0, 10));
+  if (run.ratchet && is_complete)
+    held = hold_against(*run.ratchet, record, iso_time(std::chrono::system_clock::now()).substr(0, 10));
   // These files may be left from an earlier run in the same folder.
   for (const char* file : {ratchet_outcome_file, shrunk_file}) folder.remove(file);
   folder.write("record.json", record);
-  if (held) folder.write(ratchet_outcome_file, outcome_json(*ratchet, *held));
-  Json info = run_info(plan, result, target_asked, iso_time(started), seconds);
-  if (!scale.is_null()) info["scale"] = scale;
-  info["sources"] = source_places(plan.answerers.kernels, output.sources);
+  if (held) folder.write(ratchet_outcome_file, outcome_json(*run.ratchet, *held));
   const std::vector<LevelOutcome> outcomes = outcomes_of(record);
   if (!outcomes.empty()) info["requirements"] = outcomes_json(outcomes);
   folder.write("run.json", info);
-  if (output.shrink != 0 && result.complete)
-    folder.write_text(shrunk_file, shrunk_witnesses(record, plan.running.target, output.shrink, progress->report()));
+  std::optional<ProgressLine> progress(std::in_place, "judging", output.quiet);
+  if (output.shrink != 0 && is_complete)
+    folder.write_text(shrunk_file,
+                      shrunk_witnesses(record, info["target"]["dispatched"], output.shrink, progress->report()));
   progress->stage("the reports are written");
   render_reports(output.out);
   progress.reset();  // before the summary
@@ -154,8 +161,9 @@ int put_result(const OutputFolder& folder, const Plan& plan, const CampaignResul
     if (!is_on_one_screen) fmt::print(stderr, "axiscert: {}\n", sentence);
     if (!output.quiet) fmt::print("{}\n", coloured(sentence, TextColour::red));
   }
-  if (!output.quiet && output.has_summary) fmt::print("{}{}/report.html\n", summary_text(record, seconds), output.out);
-  if (!result.complete) return exit_interrupted;
+  if (!output.quiet && output.has_summary)
+    fmt::print("{}{}/report.html\n", summary_text(record, info["seconds"]), output.out);
+  if (!is_complete) return exit_interrupted;
   bool is_met = nothing.empty();
   if (!shown(outcomes, output.quiet)) is_met = false;
   if (held && !holds(*held, output)) is_met = false;

@@ -11,20 +11,32 @@
 
 namespace axiscert {
 
-// Writes the run's folder and prints its summary; returns an ExitCode. Throws Error, and HarnessFault where the oracles
-// disagree.
-// disagree.
-int judged_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked);
+// What record.json and run.json hold.
+struct RunFiles {
+  Json record, info;
+};
+
+// A run that was judged, and is not reported yet.
+struct JudgedRun {
+  OutputFolder folder;
+  std::optional<Ratchet> ratchet;
+  RunFiles files;
+};
+
+// Throws Error, and HarnessFault where the oracles disagree.
+JudgedRun judged_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked);
 
 // The ratchet that --ratchet names, for put_result; read, and compared with the plan, before anything runs or is
 // written. Throws Error.
 std::optional<Ratchet> ratchet_of(const OutputOptions& output, const Plan& plan);
 
-// The second half of judged_run, for a result that exists: record, reports, summary. `scale` is run.json's entry on
-// ranks and journal, or null.
-int put_result(const OutputFolder& folder, const Plan& plan, const CampaignResult& result, const OutputOptions& output,
-               const std::optional<Ratchet>& ratchet, const std::string& target_asked,
-               std::chrono::system_clock::time_point started, const Json& scale = nullptr);
+// Confirms the witnesses of a result. `scale` is run.json's entry on ranks and journal, or null.
+RunFiles run_files(const Plan& plan, const CampaignResult& result, const OutputOptions& output,
+                   const std::string& target_asked, std::chrono::system_clock::time_point started,
+                   const Json& scale = nullptr);
+
+// Writes the run's folder and prints its summary; returns an ExitCode.
+int put_result(JudgedRun run, const OutputOptions& output);
 
 // Saves the query on which oracles disagreed in the folder, and returns the exception to throw.
 HarnessFault saved(const OutputFolder& folder, const OracleDisagreement& disagreement);

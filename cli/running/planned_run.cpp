@@ -90,7 +90,9 @@ class Lead {
     say_what_ranks_did(uses);
     if (!is_whole_) return say_what_a_part_did();
     const Json scale = scale_json(uses);
-    return put_result(folder_, plan_, std::move(gathered_).take(), output_, ratchet_, target_asked, started, scale);
+    return put_result(
+        {folder_, ratchet_, run_files(plan_, std::move(gathered_).take(), output_, target_asked, started, scale)},
+        output_);
   }
 
  private:

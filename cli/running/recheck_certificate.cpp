@@ -65,7 +65,7 @@ PlanHere plan_here(const Certificate& certificate, const VerifyOptions& options,
     here.replies = reply_plan(with_claim(options.replies, predicate));
     here.plan = here.replies.plan;
     here.units_each = Stretches::default_units_each(here.plan.questions);
-    json = plan_json(here.plan, planned(here.plan.questions), {});
+    json = plan_json(here.plan);
   } else {
     const PlanFile file =
         certified_plan({id, predicate["asked"]["effort"], predicate["asked"]["seed"].get<std::uint64_t>(),

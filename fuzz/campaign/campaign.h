@@ -23,11 +23,11 @@ struct Questions {
   std::uint64_t seed = 1;
   std::vector<SourcePtr> sources;
   std::vector<Precision> precisions;
-  // How many queries a source has in a precision, where that is not to be chosen.
+  // How many queries a source has in a precision, where the plan cannot choose.
   std::function<std::optional<std::uint64_t>(const Source&, Precision)> fixed_size = &Source::fixed_size;
-  // How many of the others; not read under a time limit.
+  // How many otherwise; not read under a time limit.
   std::function<std::uint64_t(const Source&, Precision)> trials;
-  std::optional<double> seconds;  // the time limit; units that were begun are finished
+  std::optional<double> seconds;  // time limit; units that were begun are finished
 
   // That of all sources; there is one.
   const TestDescription& test() const { return sources.front()->test(); }

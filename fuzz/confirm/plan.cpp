@@ -1,5 +1,6 @@
 #include "fuzz/confirm/plan.h"
 
+#include "fuzz/campaign/parts/stretch.h"
 #include "kernel/base/version.h"
 
 namespace axiscert {
@@ -71,6 +72,10 @@ Json plan_json(const Plan& plan, const CampaignResult& result, const Required& r
   if (answerers.replies) json["replies"] = replies_json(answerers);
   json["units_done"] = questions.seconds || !result.complete ? units : Json(nullptr);
   return json;
+}
+
+Json plan_json(const Plan& plan, const Required& required) {
+  return plan_json(plan, planned(plan.questions), required);
 }
 
 }  // namespace axiscert
