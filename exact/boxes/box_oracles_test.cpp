@@ -145,7 +145,7 @@ TEST(BoxOraclesLong, RefuseEachAxisThatIsDroppedOrShort) {
   }
 }
 
-// Over quaternions all forms without an epsilon have the signs of the first, which claimed() compares.
+// Over quaternions all forms without an epsilon have the signs of the first, which chain() compares.
 TEST(BoxOracles, AllFormsWithoutAnEpsilonHaveOneSignOnQuaternions) {
   Random random(7);
   Kernel kernel = plain_kernel<QuaternionBoxes, Homogeneous>("box-box/any", "");
@@ -157,7 +157,7 @@ TEST(BoxOracles, AllFormsWithoutAnEpsilonHaveOneSignOnQuaternions) {
     if (quaternion_oracles().truth(numbers).verdict == Verdict::invalid) continue;
     for (const std::string_view formulae : quaternion_oracles().formulae()) {
       kernel.claims = formulae;
-      EXPECT_TRUE(quaternion_oracles().claimed(kernel, numbers));
+      EXPECT_TRUE(quaternion_oracles().about(numbers)->chain(kernel));
     }
   }
 }

@@ -96,6 +96,15 @@ long double BinaryNumber::approximately() const {
   return is_negative_ ? -size : size;
 }
 
+double BinaryNumber::to_double() const {
+  return as_mpz([](mpz_srcptr whole, long exponent) {
+    long more = 0;
+    const double mantissa = mpz_get_d_2exp(&more, whole);
+    constexpr long least = -2000, greatest = 2000;  // beyond all exponents of double
+    return std::ldexp(mantissa, static_cast<int>(std::clamp(exponent + more, least, greatest)));
+  });
+}
+
 int order(const BinaryNumber& a, const BinaryNumber& b) {
   if (a.sign() != b.sign()) return a.sign() < b.sign() ? -1 : 1;
   const int by_magnitude = BinaryNumber::order_of_magnitudes(a, b);

@@ -46,6 +46,7 @@ class BinaryNumber {
 
   // -1, 0 or 1.
   int sign() const { return size_ == 0 ? 0 : is_negative_ ? -1 : 1; }
+  bool is_zero() const { return size_ == 0; }
 
   BinaryNumber operator-() const {
     BinaryNumber result = *this;
@@ -72,6 +73,9 @@ class BinaryNumber {
   // Within 2^-62 of its size: the words from the third on are left out, and a sum is rounded where long double has 64
   // bits. Infinite, or 0, beyond the exponents of long double.
   long double approximately() const;
+
+  // Its 53 leading bits; infinite, or subnormal, beyond the exponents of double.
+  double to_double() const;
 
   // Calls use(mpz, exponent) with a view of the words as an integer of GMP; the number is mpz 2^exponent.
   template <class Use>

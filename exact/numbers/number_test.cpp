@@ -13,7 +13,7 @@
 namespace axiscert {
 namespace {
 
-Surd surd(double x) { return Surd(Ring(x)); }
+Surd surd(double x) { return Surd(BinaryNumber(x)); }
 
 TEST(SurdTest, HandValues) {
   const Surd root2 = square_root(surd(2)), half_root2 = root2 / surd(2);

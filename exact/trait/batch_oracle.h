@@ -28,7 +28,7 @@ class BatchOracle {
   // The signs from which a known truth follows; empty where no filter finds them.
   virtual std::optional<KnownSigns> signs(std::size_t) const { return std::nullopt; }
   // The signs of the formulae that a kernel claims, on a query whose truth is known; empty: only its oracles have them
-  // (AskedQuery::claimed).
+  // (AskedQuery::chain).
   virtual std::optional<KnownSigns> claimed(std::size_t, const Kernel&) const { return std::nullopt; }
   // Has exact arithmetic and a second opinion repeat a sample of what filters decided, by the query's position in a
   // longer sequence: one in `stride` (0: none but the hardest), and more of the hardest. Throws OracleDisagreement.

@@ -26,9 +26,7 @@ Examination examination(const Numbers<Real>& q, const Kernel& kernel, const Answ
   if (out.truth.verdict != Verdict::invalid) {
     chain = asked->chain(kernel);
     out.exact = asked->published_signs();
-    if (!out.exact) {
-      if (const ExactSides* own = asked->sides(kernel)) out.exact = ExactSigns{own->holds, own->ties};
-    }
+    if (!out.exact && chain && chain->exact.bits) out.exact = ExactSigns{*chain->exact.bits, chain->ties};
     out.squared_distance = asked->squared_distance();
     out.is_promised = is_promised(kernel, q);
   }

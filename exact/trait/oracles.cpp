@@ -31,8 +31,11 @@ std::optional<Verdict> verdict_beyond_rounded(const Oracles& oracles, double thr
   return depth && *depth > threshold ? std::optional(truth.verdict) : std::nullopt;
 }
 
-// 0/0 gives 0.
-Rational margin_of(const Rational& lhs, const Rational& rhs) {
+Rational relative_margin(const ExactComparison& sides) {
+  if (sides.is_undefined) return 0;
+  Rational lhs = rational(sides.is_rooted ? BinaryFraction(sides.lhs.over) : sides.lhs);
+  Rational rhs = rational(sides.is_rooted ? BinaryFraction(sides.rhs.over) : sides.rhs);
+  if (sides.is_rooted) rhs = rhs * abs(rhs);
   const Rational scale = abs(lhs) + abs(rhs);
   return sgn(scale) == 0 ? Rational(0) : Rational((lhs - rhs) / scale);
 }
@@ -43,8 +46,7 @@ std::vector<Rational> AskedQuery::relative_margins(const Kernel& kernel, Compari
   std::vector<Rational> margins;
   const ExactSides* found = sides(kernel);
   if (found == nullptr) return margins;
-  for_each_bit(comparisons,
-               [&](std::size_t k) { margins.push_back(margin_of(rational(found->lhs[k]), rational(found->rhs[k]))); });
+  for_each_bit(comparisons, [&](std::size_t k) { margins.push_back(relative_margin(found->comparison(k))); });
   return margins;
 }
 

@@ -12,37 +12,17 @@
 #include "exact/judge/depth_of.h"
 #include "exact/judge/judge.h"
 #include "exact/judge/motion_judgement.h"
-#include "exact/numbers/binary_fraction.h"
-#include "exact/numbers/decimal6.h"
 #include "exact/numbers/exact_depth.h"
 #include "exact/numbers/rational.h"
 #include "exact/trait/batch_oracle.h"
+#include "exact/trait/exact_sides.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
 
-// The sides of formulae in exact arithmetic, by comparison.
-struct ExactSides {
-  std::vector<BinaryFraction> lhs, rhs;
-  // Those that hold: lhs > rhs, or lhs >= rhs where the formulae say so; and those with lhs == rhs.
-  ComparisonBits holds = 0, ties = 0;
-};
-
-// A kernel's claim on one query: its chain, and the exact sides where these are rational.
-struct Claimed {
-  Reference chain;
-  std::optional<ExactSides> sides;
-};
-
 // The signs of formulae in exact arithmetic, by comparison: those that hold, and those with lhs == rhs.
 struct ExactSigns {
   ComparisonBits holds = 0, ties = 0;
-};
-
-// The error of a computed comparison, in u: |(l^ - r^) - (l - r)| / (u (|l| + |r|)), with the computed sides l^, r^.
-struct SideErrorSize {
-  Decimal6 rounded_up;
-  std::optional<Rational> exact;  // empty if a side is a root
 };
 
 // A fact about a query besides its truth: a number of the query's precision, a word, a list of names, or, where the
@@ -80,15 +60,11 @@ class AskedQuery {
   // The rest is asked of a valid query alone. What a kernel's claim comes to, level by level; empty for a kernel that
   // claims no formulae. Throws HarnessFault if it claims formulae that are not among Oracles::formulae().
   virtual std::optional<Reference> chain(const Kernel& kernel) = 0;
-  // The exact sides of its formulae; null where it claims none, and where a side is not rational. Good as long as this.
+  // The exact sides of its formulae; null where it claims none, or some without comparisons. Good as long as this.
   virtual const ExactSides* sides(const Kernel& kernel) = 0;
-  // Both.
-  std::optional<Claimed> claimed(const Kernel& kernel) {
-    std::optional<Reference> found = chain(kernel);
-    if (!found) return std::nullopt;
-    const ExactSides* exact = sides(kernel);
-    return Claimed{std::move(*found), exact ? std::optional(*exact) : std::nullopt};
-  }
+  // (lhs - rhs) / (|lhs| + |rhs|) of these sides, for these comparisons in their order; if lhs is a root, the same with
+  // the signed squares of the sides. 0 where both are 0, or undefined. Empty for a kernel that claims no comparisons.
+  std::vector<Rational> relative_margins(const Kernel& kernel, ComparisonBits comparisons);
   virtual DepthOf& depth() = 0;
 
   // All that follow are empty where the test does not tell them.
@@ -98,16 +74,6 @@ class AskedQuery {
   virtual std::optional<Rational> squared_distance() { return std::nullopt; }
   // The depth before it is rounded.
   virtual std::optional<ExactDepth> exact_depth() { return std::nullopt; }
-  // (lhs - rhs) / (|lhs| + |rhs|) of the exact sides of the kernel's claim, for these comparisons in their order; if
-  // lhs is a root, the same with the signed squares of the sides. 0 where both are 0, or undefined. Empty for a kernel
-  // that claims no comparisons.
-  virtual std::vector<Rational> relative_margins(const Kernel& kernel, ComparisonBits comparisons);
-  // The error of sides that the kernel computed for its claim in the query's precision. Empty too where it is not
-  // finite.
-  virtual std::optional<SideErrorSize> side_error(const Kernel&, std::size_t /*comparison*/, double /*lhs*/,
-                                                  double /*rhs*/) {
-    return std::nullopt;
-  }
 };
 
 // Stateless: any thread may ask at any time. `numbers` are of one entry of the test, whose oracles these are. Each
@@ -139,12 +105,6 @@ class Oracles {
   // The same, asked once.
   Truth truth(const Numbers<float>& numbers) const { return about(numbers)->truth(); }
   Truth truth(const Numbers<double>& numbers) const { return about(numbers)->truth(); }
-  std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<float>& numbers) const {
-    return about(numbers)->claimed(kernel);
-  }
-  std::optional<Claimed> claimed(const Kernel& kernel, const Numbers<double>& numbers) const {
-    return about(numbers)->claimed(kernel);
-  }
   virtual bool has_depth() const = 0;
   // The distance of a valid query from touching, relative to its scene and rounded once; empty if the test has none.
   virtual std::optional<double> depth(const Numbers<float>& numbers) const = 0;
@@ -179,13 +139,6 @@ class Oracles {
   // The judge of a kernel's measures on a valid query that has contact; null for a test that has none.
   virtual std::unique_ptr<MotionJudge> motion_judge(const Numbers<float>&) const { return nullptr; }
   virtual std::unique_ptr<MotionJudge> motion_judge(const Numbers<double>&) const { return nullptr; }
-
-  template <class Real>
-  std::optional<Reference> chain(const Kernel& kernel, const Numbers<Real>& numbers) const {
-    std::optional<Claimed> found = claimed(kernel, numbers);
-    if (!found) return std::nullopt;
-    return std::move(found->chain);
-  }
 };
 
 template <class Real>

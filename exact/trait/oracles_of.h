@@ -95,14 +95,9 @@ class OraclesOf final : public Oracles {
   // Both sides of each comparison of these formulae.
   template <class F, class Real>
   static ExactSides exact_sides(const Numbers<Real>& q) {
-    const std::size_t count = Test::description().comparisons.size();
-    ExactSides sides{std::vector<BinaryFraction>(count), std::vector<BinaryFraction>(count)};
-    const auto keep = [&](std::size_t i, const Exact& lhs, const Exact& rhs) {
-      if (lhs == rhs) sides.ties |= one_bit<ComparisonBits>(i);
-      sides.lhs[i] = BinaryFraction(lhs);
-      sides.rhs[i] = BinaryFraction(rhs);
-    };
-    sides.holds = bits_of<F, Exact>(problem_of<Exact>(q), keep);
+    ExactSides sides(Test::description().comparisons.size());
+    const auto keep = [&](std::size_t i, const Exact& lhs, const Exact& rhs) { sides.set(i, lhs, rhs); };
+    F::template comparisons<Exact>(problem_of<Exact>(q), keep);
     return sides;
   }
   template <class Real>
@@ -112,12 +107,9 @@ class OraclesOf final : public Oracles {
   }
 
   // The same of the first formulae, without the sides.
-  struct Signs {
-    ComparisonBits holds = 0, ties = 0;
-  };
   template <class Real>
-  static Signs exact_signs(const Numbers<Real>& q) {
-    Signs signs;
+  static ExactSigns exact_signs(const Numbers<Real>& q) {
+    ExactSigns signs;
     const auto see = [&](std::size_t i, const Exact& lhs, const Exact& rhs) {
       if (lhs == rhs) signs.ties |= one_bit<ComparisonBits>(i);
     };
@@ -150,7 +142,7 @@ class OraclesOf final : public Oracles {
     std::optional<Reference> chain(const Kernel& kernel) override {
       const Evaluated* claim = claim_of(kernel, typename Test::AllFormulae());
       if (claim == nullptr) return std::nullopt;
-      Reference found{outcome(claim->sides.holds), std::nullopt, claim->sides.ties};
+      Reference found{outcome(claim->sides.holding(claim->nonstrict)), std::nullopt, claim->sides.ties};
       if (kernel.is_reference) found.rounded = claim->rounded;
       return found;
     }
@@ -163,6 +155,7 @@ class OraclesOf final : public Oracles {
    private:
     struct Evaluated {
       std::string_view name;  // of the formulae
+      ComparisonBits nonstrict;
       ExactSides sides;
       std::optional<Rounded> rounded;  // of a kernel that claims the reference's bits
     };
@@ -214,7 +207,8 @@ class OraclesOf final : public Oracles {
       for (Evaluated& known : evaluated_) {
         if (known.name == F::name) return known;
       }
-      Evaluated& found = evaluated_.emplace_front(Evaluated{F::name, sides_of<F>(), std::nullopt});
+      Evaluated& found =
+          evaluated_.emplace_front(Evaluated{F::name, nonstrict_comparisons<F>(), sides_of<F>(), std::nullopt});
       if (F::kind == FormulaeKind::rung) require_same_signs(F::name, found.sides);
       return found;
     }
@@ -231,11 +225,11 @@ class OraclesOf final : public Oracles {
     static Outcome outcome(ComparisonBits bits) { return {verdict_of(Test::description(), bits), bits}; }
 
     // The signs of the first formulae.
-    const Signs& signs() {
+    const ExactSigns& signs() {
       if (signs_) return *signs_;
       if (keeps_sides_) {
         first_ = exact_sides<First>(q_);
-        signs_ = Signs{first_->holds, first_->ties};
+        signs_ = ExactSigns{first_->holding(nonstrict_comparisons<First>()), first_->ties};
       } else {
         signs_ = exact_signs(q_);
       }
@@ -245,29 +239,24 @@ class OraclesOf final : public Oracles {
     template <class F>
     ExactSides sides_of() {
       if (!has_first_sides<F> || !first_) return exact_sides<F>(q_);
-      ExactSides found = *std::exchange(first_, std::nullopt);
-      found.holds = strict(found) | (found.ties & nonstrict_comparisons<F>());
-      return found;
-    }
-    template <class Signed>
-    static ComparisonBits strict(const Signed& of) {
-      return of.holds & ~of.ties;
+      return *std::exchange(first_, std::nullopt);
     }
 
     void require_same_signs(std::string_view name, const ExactSides& rung) {
-      if (strict(rung) == strict(signs()) && rung.ties == signs().ties) return;
+      const ComparisonBits strict = signs().holds & ~signs().ties;
+      if (rung.strict == strict && rung.ties == signs().ties) return;
       throw OracleDisagreement(
           fmt::format(
               "{}: formulae {} have the exact signs {:#b} ties {:#b}, the first formulae {:#b} ties {:#b} (bit 0 "
               "is the first comparison)",
-              Test::description().id, name, strict(rung), rung.ties, strict(signs()), signs().ties),
+              Test::description().id, name, rung.strict, rung.ties, strict, signs().ties),
           q_, Test::description(), entry_of<Test>());
     }
 
     const Numbers<Real> q_;
     std::optional<Truth> truth_;
     std::optional<double> depth_;
-    std::optional<Signs> signs_;
+    std::optional<ExactSigns> signs_;
     bool keeps_sides_ = false;
     std::optional<ExactSides> first_;  // of the first formulae
     std::forward_list<Evaluated> evaluated_;

@@ -116,7 +116,7 @@ TEST(Trait, TruthIsThatOfTheGeometry) {
 TEST(Trait, EachLinkOfAChainIsTheOneThatBroke) {
   const Kernel kernel = claiming("as-written");
   const auto bits = [&](const auto& numbers) {
-    const Reference chain = *oracles.chain(kernel, numbers);
+    const Reference chain = *oracles.about(numbers)->chain(kernel);
     return std::array{*chain.exact.bits, *chain.rounded->range_free.bits, *chain.rounded->reference.bits};
   };
   using Bits = std::array<ComparisonBits, 3>;
@@ -128,16 +128,15 @@ TEST(Trait, EachLinkOfAChainIsTheOneThatBroke) {
 }
 
 TEST(Trait, AClaimHasExactSidesAndTies) {
-  const auto claim = oracles.claimed(claiming("as-written", false), Numbers<double>{0.5, 0, 0.25});
-  EXPECT_EQ(claim->chain.rounded, std::nullopt);
-  EXPECT_EQ(claim->chain.ties, 1u);
-  EXPECT_EQ(rational(claim->sides->lhs[0]), Rational(1, 4));
-  EXPECT_EQ(oracles.claimed(claiming(""), Numbers<double>{1, 1, 1}), std::nullopt);
-  EXPECT_THAT(
-      [] {
-        oracles.claimed(claiming("none"), Numbers<double>{1, 1, 1});
-      },
-      ThrowsMessage<HarnessFault>(HasSubstr("kernel 'sum/one' claims formulae 'none', which sum has not")));
+  const auto asked = oracles.about(Numbers<double>{0.5, 0, 0.25});
+  const Reference chain = *asked->chain(claiming("as-written", false));
+  EXPECT_EQ(chain.rounded, std::nullopt);
+  EXPECT_EQ(chain.ties, 1u);
+  EXPECT_EQ(rational(asked->sides(claiming("as-written", false))->lhs[0]), Rational(1, 4));
+  EXPECT_EQ(asked->chain(claiming("")), std::nullopt);
+  EXPECT_EQ(asked->sides(claiming("")), nullptr);
+  EXPECT_THAT([&] { asked->chain(claiming("none")); },
+              ThrowsMessage<HarnessFault>(HasSubstr("kernel 'sum/one' claims formulae 'none', which sum has not")));
 }
 
 TEST(Trait, ClaimsOfOneQueryAreEachOfTheirOwnFormulae) {
@@ -145,16 +144,17 @@ TEST(Trait, ClaimsOfOneQueryAreEachOfTheirOwnFormulae) {
   EXPECT_EQ(asked->truth().verdict, Verdict::contact);
   // In any order, whatever was asked before.
   for (const bool first : {true, false, true}) {
-    const auto claim = asked->claimed(claiming(first ? "as-written" : "at-least"));
-    EXPECT_EQ(claim->chain.exact.bits, first ? 0u : 1u);
-    EXPECT_EQ(claim->chain.rounded->reference.bits, first ? 0u : 1u);
-    EXPECT_EQ(claim->sides->ties, 1u);
-    EXPECT_EQ(rational(claim->sides->lhs[0]), Rational(1, 4));
+    const Kernel kernel = claiming(first ? "as-written" : "at-least");
+    const Reference chain = *asked->chain(kernel);
+    EXPECT_EQ(chain.exact.bits, first ? 0u : 1u);
+    EXPECT_EQ(chain.rounded->reference.bits, first ? 0u : 1u);
+    EXPECT_EQ(asked->sides(kernel)->ties, 1u);
+    EXPECT_EQ(rational(asked->sides(kernel)->lhs[0]), Rational(1, 4));
   }
-  EXPECT_EQ(asked->claimed(claiming("variant"))->sides->ties, 1u);
+  EXPECT_EQ(asked->sides(claiming("variant"))->ties, 1u);
   const auto apart = oracles.about(Numbers<double>{1, 0.5, 1});
-  EXPECT_EQ(rational(apart->claimed(claiming("variant"))->sides->lhs[0]), Rational(1, 2));
-  EXPECT_EQ(rational(apart->claimed(claiming("at-least"))->sides->lhs[0]), Rational(3, 2));
+  EXPECT_EQ(rational(apart->sides(claiming("variant"))->lhs[0]), Rational(1, 2));
+  EXPECT_EQ(rational(apart->sides(claiming("at-least"))->lhs[0]), Rational(3, 2));
 }
 
 TEST(Trait, AnExpectedClaimIsTheSame) {
@@ -164,12 +164,13 @@ TEST(Trait, AnExpectedClaimIsTheSame) {
     asked->expect(claiming("tied"));
     EXPECT_EQ(asked->truth().touching, c == 0.25);
     for (const std::string formulae : {"tied", "as-written", "tied"}) {
-      const auto claim = asked->claimed(claiming(formulae)), alone = oracles.claimed(claiming(formulae), q);
-      EXPECT_EQ(claim->chain.exact.bits, alone->chain.exact.bits) << formulae << " at " << c;
-      EXPECT_EQ(claim->chain.exact.bits, c < 0.25 || (c == 0.25 && formulae == "tied") ? 1u : 0u);
-      EXPECT_EQ(claim->sides->ties, alone->sides->ties) << formulae << " at " << c;
-      EXPECT_EQ(rational(claim->sides->lhs[0]), Rational(1, 4));
-      EXPECT_EQ(rational(claim->sides->rhs[0]), exact(c));
+      const Kernel kernel = claiming(formulae);
+      const auto alone = oracles.about(q);
+      EXPECT_EQ(asked->chain(kernel)->exact.bits, alone->chain(kernel)->exact.bits) << formulae << " at " << c;
+      EXPECT_EQ(asked->chain(kernel)->exact.bits, c < 0.25 || (c == 0.25 && formulae == "tied") ? 1u : 0u);
+      EXPECT_EQ(asked->sides(kernel)->ties, alone->sides(kernel)->ties) << formulae << " at " << c;
+      EXPECT_EQ(rational(asked->sides(kernel)->lhs[0]), Rational(1, 4));
+      EXPECT_EQ(rational(asked->sides(kernel)->rhs[0]), exact(c));
     }
   }
 }
@@ -178,22 +179,22 @@ TEST(Trait, DisagreementsEndARun) {
   const Numbers<double> q{1, 1, 1.5};
   EXPECT_THAT([&] { OraclesOf<SumTrait<-1>>().truth(q); },
               ThrowsMessage<OracleDisagreement>(HasSubstr("sum: sum and bits differ")));
-  EXPECT_THAT([&] { oracles.claimed(claiming("slip"), q); },
+  EXPECT_THAT([&] { oracles.about(q)->chain(claiming("slip")); },
               ThrowsMessage<OracleDisagreement>(HasSubstr("formulae slip have the exact signs 0b0 ties 0b0, the first "
                                                           "formulae 0b1 ties 0b0")));
-  EXPECT_EQ(*oracles.chain(claiming("variant"), q)->exact.bits, 0u);
+  EXPECT_EQ(*oracles.about(q)->chain(claiming("variant"))->exact.bits, 0u);
 }
 
 TEST(SideError, IsInUnitsOfUAndOfBothSides) {
   const auto side = [](double x) { return BinaryFraction(x); };
   const auto kind = [&](double lhs, double rhs, double exact) {
-    return SideError(lhs, rhs, side(exact), side(0)).kind();
+    return SideError(lhs, rhs, {side(exact), side(0)}).kind();
   };
   using enum SideError::Kind;
   EXPECT_EQ(kind(INFINITY, 0, 1), range_event);
   EXPECT_EQ(kind(1, 0, 0), without_scale);
   EXPECT_EQ(kind(0, 0, 0), finite);
-  const SideError error(1 + 0x1p-23f, 1.0f, side(1), side(1));
+  const SideError error(1 + 0x1p-23f, 1.0f, {side(1), side(1)});
   EXPECT_EQ(error.rounded_up().value(), 1);
   EXPECT_GE(error.upper(), 1);
   EXPECT_FALSE(error.exceeds(1));
@@ -220,8 +221,8 @@ void expect_bounds_of_errors(std::uint64_t seed) {
       return rounded;
     };
     const Real l = computed(lhs), r = computed(rhs);
-    const double at_most = side_error_at_most(l, r, lhs, rhs);
-    const SideError error(l, r, lhs, rhs);
+    const double at_most = side_error_at_most(l, r, {lhs, rhs});
+    const SideError error(l, r, {lhs, rhs});
     if (error.kind() != SideError::Kind::finite) {
       ASSERT_EQ(at_most, INFINITY) << i;
     } else if (std::isfinite(at_most)) {
@@ -232,9 +233,9 @@ void expect_bounds_of_errors(std::uint64_t seed) {
     }
   }
   const BinaryFraction one(1.0), third = one / BinaryFraction(3.0);
-  EXPECT_EQ(side_error_at_most(Real(1), Real(0), third, one), INFINITY) << "a quotient";
-  EXPECT_EQ(side_error_at_most(std::numeric_limits<Real>::infinity(), Real(0), one, one), INFINITY);
-  EXPECT_EQ(side_error_at_most(std::numeric_limits<Real>::quiet_NaN(), Real(0), one, one), INFINITY);
+  EXPECT_EQ(side_error_at_most(Real(1), Real(0), {third, one}), INFINITY) << "a quotient";
+  EXPECT_EQ(side_error_at_most(std::numeric_limits<Real>::infinity(), Real(0), {one, one}), INFINITY);
+  EXPECT_EQ(side_error_at_most(std::numeric_limits<Real>::quiet_NaN(), Real(0), {one, one}), INFINITY);
 }
 TEST(SideError, ABoundFromTheLeadingWordsHoldsAndIsClose) {
   expect_bounds_of_errors<float>(20261125);

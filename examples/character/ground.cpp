@@ -43,7 +43,7 @@ Ground::Ground(std::vector<MeshTriangle> triangles, std::size_t up)
     : triangles_(std::move(triangles)), indices_(3 * triangles_.size()), up_(up), broad_phase_(triangles_) {
   std::iota(indices_.begin(), indices_.end(), 0u);
   for (const MeshTriangle& t : triangles_) {
-    const Vec3<Ring> normal = exact_normal(Query<float>{t[0], t[1], t[2], {}, 0});
+    const Vec3<BinaryNumber> normal = exact_normal(Query<float>{t[0], t[1], t[2], {}, 0});
     has_area_.push_back(!normal.x.is_zero() || !normal.y.is_zero() || !normal.z.is_zero());
   }
   box_of(triangles_, low_, high_);

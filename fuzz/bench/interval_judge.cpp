@@ -43,10 +43,7 @@ std::uint64_t signs_by_intervals(const std::vector<Query<Real>>& queries, std::v
         if (is_valid(queries[i]) && !signs_within_guard(queries[i], out[i])) open.push_back(i);
       }
     }
-    for (const std::size_t i : open) {
-      const FormulaTruth exact = formula_truth(queries[i]);
-      out[i] = {exact.strict, exact.ties};
-    }
+    for (const std::size_t i : open) out[i] = signs_of(exact_sides(queries[i]));
     open_queries += open.size();
   }
   return open_queries;

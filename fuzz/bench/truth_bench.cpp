@@ -74,7 +74,7 @@ void check(const std::vector<Query<Real>>& queries, const std::vector<Signs>& si
   constexpr std::size_t stride = 61;
   for (std::size_t i = 0; i < queries.size(); i += stride) {
     if (!is_valid(queries[i])) continue;
-    const FormulaTruth exact = formula_truth(queries[i]);
+    const ExactSides exact = exact_sides(queries[i]);
     if (signs[i].strict != exact.strict || signs[i].ties != exact.ties)
       throw BenchFault(fmt::format("the signs of query {} by intervals are wrong", i));
   }
@@ -174,7 +174,7 @@ void run(std::vector<std::string_view> names) {
       "- naive: CGAL::Exact_predicates_exact_constructions_kernel, squared_distance(p, t) > r r, on queries in memory; "
       "the "
       "verdict alone\n"
-      "- interval: the sixteen comparisons over CGAL::Interval_nt, those of a query left open over CGAL::Mpzf; on "
+      "- interval: the sixteen comparisons over CGAL::Interval_nt, those of a query left open in exact arithmetic; on "
       "queries in memory\n"
       "- harness: axiscert makes the queries, runs `published`, judges all sixteen comparisons and tallies; its rate "
       "over "

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/sphere_triangle/claims/claim.h"
+#include "exact/sphere_triangle/claims/asked_sphere_triangle.h"
 #include "fuzz/queries/family.h"
 #include "kernel/sphere_triangle/description.h"
 
@@ -17,7 +17,7 @@ using Reals = testing::Types<float, double>;
 template <class Real>
 Judgement judge_published(const Query<Real>& q) {
   const ExactTruth truth = exact_truth(q, false);
-  const Reference chain = *Claims(q, *truth.formula).chain(find_kernel("published"));
+  const Reference chain = *AskedSphereTriangle(q, Opinion::second).chain(find_kernel("published"));
   return judge(sphere_triangle_test(), truth, chain, chain.rounded->reference);
 }
 

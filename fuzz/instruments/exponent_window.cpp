@@ -14,13 +14,13 @@ namespace {
 constexpr std::size_t reference_count = 256;
 
 // |l - r| >= (l + r) / 32; neither side may be negative.
-bool far_apart(const Ring& l, const Ring& r) {
-  const Ring difference = (l - r) * Ring(32), sum = l + r;
+bool far_apart(const BinaryNumber& l, const BinaryNumber& r) {
+  const BinaryNumber difference = (l - r) * BinaryNumber(32), sum = l + r;
   return difference >= sum || -difference >= sum;
 }
 // |cos(u, v)| >= 1/32.
-bool far_from_right_angle(const Vec3<Ring>& u, const Vec3<Ring>& v) {
-  const Ring d = dot(u, v) * Ring(32);
+bool far_from_right_angle(const Vec3<BinaryNumber>& u, const Vec3<BinaryNumber>& v) {
+  const BinaryNumber d = dot(u, v) * BinaryNumber(32);
   return d * d >= dot(u, u) * dot(v, v);
 }
 
@@ -59,14 +59,14 @@ AxisBits sound_axes(const Kernel& kernel, const Implementation<Real>& implementa
 
 template <class Real>
 bool is_far_from_every_change(const Query<Real>& q) {
-  const auto t = centred_as<Ring>(q, [](Real x) { return Ring(static_cast<double>(x)); });
-  const Vec3<Ring> normal = cross(t.b - t.a, t.c - t.a);
-  const Ring d = dot(t.a, normal);
+  const auto t = centred_as<BinaryNumber>(q, [](Real x) { return BinaryNumber(static_cast<double>(x)); });
+  const Vec3<BinaryNumber> normal = cross(t.b - t.a, t.c - t.a);
+  const BinaryNumber d = dot(t.a, normal);
   if (!far_apart(d * d, t.rr * dot(normal, normal))) return false;
-  const Vec3<Ring> vertices[] = {t.a, t.b, t.c};
+  const Vec3<BinaryNumber> vertices[] = {t.a, t.b, t.c};
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3<Ring>&a = vertices[i], &b = vertices[(i + 1) % 3], &c = vertices[(i + 2) % 3];
-    const Vec3<Ring> along = b - a, edge_normal = cross(a, b);
+    const Vec3<BinaryNumber>&a = vertices[i], &b = vertices[(i + 1) % 3], &c = vertices[(i + 2) % 3];
+    const Vec3<BinaryNumber> along = b - a, edge_normal = cross(a, b);
     // Side comparisons: the angles at the vertex; and the angle between the plane of ABC and the plane of the edge and
     // the centre.
     if (!far_apart(dot(a, a), t.rr) || !far_apart(dot(edge_normal, edge_normal), t.rr * dot(along, along)) ||

@@ -221,9 +221,9 @@ class Drawing {
     if (const std::optional<KnownSigns> claimed = known.claimed(i, kernel)) {
       p.exact = claimed->holds;
       p.ties = claimed->ties;
-    } else if (const std::optional<Claimed> claim = about().claimed(kernel)) {
-      p.exact = claim->chain.exact.bits.value_or(0);
-      p.ties = claim->chain.ties;
+    } else if (const std::optional<Reference> chain = about().chain(kernel)) {
+      p.exact = chain->exact.bits.value_or(0);
+      p.ties = chain->ties;
     }
     if (kernel.exposes == Exposure::sides && p.said.bits) look_at_sides(reply.answers, i, q, p);
     return p;

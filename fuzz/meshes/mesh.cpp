@@ -17,9 +17,11 @@ namespace axiscert {
 namespace {
 
 bool has_zero_area(const MeshTriangle& t) {
-  const auto ring = [](const Vec3<float>& v) { return Vec3<Ring>{Ring(v.x), Ring(v.y), Ring(v.z)}; };
-  const Vec3<Ring> a = ring(t[0]);
-  const Vec3<Ring> normal = portable::cross(ring(t[1]) - a, ring(t[2]) - a);
+  const auto ring = [](const Vec3<float>& v) {
+    return Vec3<BinaryNumber>{BinaryNumber(v.x), BinaryNumber(v.y), BinaryNumber(v.z)};
+  };
+  const Vec3<BinaryNumber> a = ring(t[0]);
+  const Vec3<BinaryNumber> normal = portable::cross(ring(t[1]) - a, ring(t[2]) - a);
   return normal.x.is_zero() && normal.y.is_zero() && normal.z.is_zero();
 }
 

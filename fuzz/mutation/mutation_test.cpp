@@ -157,24 +157,24 @@ TEST(Mutation, KernelsThatAreRightAreNeverFlagged) {
 
 // A ring in which a contraction changes nothing.
 struct ExactNumber {
-  Ring value;
+  BinaryNumber value;
   friend ExactNumber operator+(const ExactNumber& a, const ExactNumber& b) { return {a.value + b.value}; }
   friend ExactNumber operator-(const ExactNumber& a, const ExactNumber& b) { return {a.value - b.value}; }
   friend ExactNumber operator*(const ExactNumber& a, const ExactNumber& b) { return {a.value * b.value}; }
   friend ExactNumber operator-(const ExactNumber& a) { return {-a.value}; }
   friend ExactNumber fused(const ExactNumber& a, const ExactNumber& b, const ExactNumber& c) { return a * b + c; }
   friend ExactNumber in_binary32(const ExactNumber& a) { return a; }
-  static ExactNumber constant(double x) { return {Ring(x)}; }
+  static ExactNumber constant(double x) { return {BinaryNumber(x)}; }
 };
 
 // The sides of all comparisons with the fault at a site.
 template <class Form>
-std::vector<Ring> exact_sides(const std::vector<double>& v, const mutants::OperationSite& operation) {
+std::vector<BinaryNumber> exact_sides(const std::vector<double>& v, const mutants::OperationSite& operation) {
   using N = mutants::Mutated<ExactNumber>;
   std::array<N, Form::columns> in;
-  for (std::size_t k = 0; k < in.size(); ++k) in[k] = N({Ring(v[k])}, mutants::input_key(k));
+  for (std::size_t k = 0; k < in.size(); ++k) in[k] = N({BinaryNumber(v[k])}, mutants::input_key(k));
   N::plant(operation, in);
-  std::vector<Ring> sides;
+  std::vector<BinaryNumber> sides;
   Form::comparisons(in, N(0.0), [&](std::size_t, const N& lhs, const N& rhs) {
     sides.push_back(lhs.value.value);
     sides.push_back(rhs.value.value);

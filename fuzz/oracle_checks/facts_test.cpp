@@ -49,20 +49,21 @@ TEST(Facts, TheEdgeAxesNeedOnlyDegreeFour) {
   for (const char* family : {"general", "bits", "sliver", "repeated"}) {
     for (std::uint64_t position = 0; position < 300; ++position) {
       const Query<float> q = find_family(family).make<float>(4, position);
-      const auto t = centred_as<Ring>(q, [](float x) { return Ring(static_cast<double>(x)); });
-      const FormulaTruth truth = formula_truth(t);
+      const auto t = centred_as<BinaryNumber>(q, [](float x) { return BinaryNumber(static_cast<double>(x)); });
+      const ExactSides truth = exact_sides(t);
       const auto normal = cross(t.b - t.a, t.c - t.a);
       const auto sum = cross(t.a, t.b) + cross(t.b, t.c) + cross(t.c, t.a);
       EXPECT_TRUE(normal.x == sum.x && normal.y == sum.y && normal.z == sum.z);
       EXPECT_TRUE(dot(t.a, normal) == dot(t.a, cross(t.b, t.c)));
-      const auto expect_edge = [&](const Vec3<Ring>& x, const Vec3<Ring>& y, Comparison radius, Comparison side) {
-        const Ring e = dot(y - x, y - x);
-        const Vec3<Ring> n = cross(x, y);
-        EXPECT_TRUE(truth.sides.lhs[radius] == e * dot(n, n)) << family << " " << position;
-        EXPECT_TRUE(truth.sides.lhs[side] == Ring(0) - e * dot(n, normal)) << family << " " << position;
+      const auto expect_edge = [&](const Vec3<BinaryNumber>& x, const Vec3<BinaryNumber>& y, Comparison radius,
+                                   Comparison side) {
+        const BinaryNumber e = dot(y - x, y - x);
+        const Vec3<BinaryNumber> n = cross(x, y);
+        EXPECT_TRUE(truth.lhs[index_of(radius)].over == e * dot(n, n)) << family << " " << position;
+        EXPECT_TRUE(truth.lhs[index_of(side)].over == BinaryNumber() - e * dot(n, normal)) << family << " " << position;
         // The degree-4 pair has the signs of the published one, e = 0 included.
         EXPECT_EQ(dot(n, n) > t.rr * e, has_bit(truth.strict, radius));
-        EXPECT_EQ(dot(n, normal) < Ring(0), has_bit(truth.strict, side));
+        EXPECT_EQ(dot(n, normal) < BinaryNumber(), has_bit(truth.strict, side));
       };
       using enum Comparison;
       expect_edge(t.a, t.b, edge_ab_radius, edge_ab_side_c);

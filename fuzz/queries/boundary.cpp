@@ -12,8 +12,8 @@ namespace axiscert {
 namespace {
 
 template <class Real>
-Ring ring(Real x) {
-  return Ring(static_cast<double>(x));
+BinaryNumber in_binary(Real x) {
+  return BinaryNumber(static_cast<double>(x));
 }
 
 template <class Real>
@@ -23,12 +23,12 @@ Real& coordinate_of(Vec3<Real>& v, int coordinate) {
 
 template <class Real>
 Rational margin(const Query<Real>& q, Comparison which) {
-  const FormulaTruth truth = formula_truth(q);
-  return rational(truth.sides.lhs[which] - truth.sides.rhs[which]);
+  const ExactSides sides = exact_sides(q);
+  return rational(sides.lhs[index_of(which)].over - sides.rhs[index_of(which)].over);
 }
 
 template <class Real>
-Real root_of(const Ratio<Ring>& ratio) {
+Real root_of(const Ratio<BinaryNumber>& ratio) {
   const Rational n = rational(ratio.numerator), d = rational(ratio.denominator);
   return nearest_sqrt<Real>(n.get_num() * d.get_den(), n.get_den() * d.get_num());
 }
@@ -37,18 +37,19 @@ Real root_of(const Ratio<Ring>& ratio) {
 
 template <class Real>
 Real exact_radius_on_boundary(const Query<Real>& q, Comparison which) {
-  auto centred = centred_as<Ring>(q, ring<Real>);
-  centred.rr = Ring(1);
-  const FormulaTruth truth = formula_truth(centred);
-  if (truth.sides.rhs[which].is_zero()) return 0;
-  return root_of<Real>({truth.sides.lhs[which], truth.sides.rhs[which]});
+  auto centred = centred_as<BinaryNumber>(q, in_binary<Real>);
+  centred.rr = BinaryNumber(1);
+  const ExactSides sides = exact_sides(centred);
+  if (sides.rhs[index_of(which)].over.is_zero()) return 0;
+  return root_of<Real>({sides.lhs[index_of(which)].over, sides.rhs[index_of(which)].over});
 }
 
 template <class Real>
 Real exact_radius_at_distance(const Query<Real>& q) {
   // Several times faster than CGAL's, and a generator needs no independence; the tests compare the two.
-  const auto by_value = [](const Ring& x, const Ring& y) { return static_cast<int>(CGAL::compare(x, y)); };
-  return root_of<Real>(walked_squared_distance(centred_as<Ring>(q, ring<Real>), Ring(0), Ring(1), by_value));
+  const auto by_value = [](const BinaryNumber& x, const BinaryNumber& y) { return order(x, y); };
+  return root_of<Real>(
+      walked_squared_distance(centred_as<BinaryNumber>(q, in_binary<Real>), BinaryNumber(), BinaryNumber(1), by_value));
 }
 
 template <class Real>

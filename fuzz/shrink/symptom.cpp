@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "exact/trait/side_error.h"
+
 namespace axiscert {
 namespace {
 
@@ -15,15 +17,21 @@ std::optional<Severity> margin_severity(const std::vector<Rational>& margins) {
   return Severity{Rational(abs(least)), fmt::format("relative margin {:.6g}", std::abs(least.get_d()))};
 }
 
-// The error of a comparison; empty where it is not finite, the kernel shows no sides or the oracles tell none.
+// The error of a comparison; empty where it is not finite, and where the kernel shows or claims no sides.
 template <class Real>
 std::optional<Severity> error_severity(const Kernel& kernel, AskedQuery& about, const Answers<Real>& answers,
                                        std::size_t comparison) {
   if (kernel.exposes != Exposure::sides) return std::nullopt;
-  const auto error = about.side_error(kernel, comparison, answers.lhs[comparison][0], answers.rhs[comparison][0]);
-  if (!error) return std::nullopt;
-  const std::string shown = error->rounded_up.text() + " u";
-  return error->exact ? Severity{*error->exact, shown} : Severity{error->rounded_up, shown};
+  const ExactSides* own = about.sides(kernel);
+  if (own == nullptr) return std::nullopt;
+  const ExactComparison exact = own->comparison(comparison);
+  const SideError error(answers.lhs[comparison][0], answers.rhs[comparison][0], exact);
+  if (error.kind() != SideError::Kind::finite) return std::nullopt;
+  const Decimal6 rounded_up = error.rounded_up();
+  const std::string shown = rounded_up.text() + " u";
+  if (exact.is_rooted) return Severity{rounded_up, shown};
+  const Fraction fraction = error.exact();
+  return Severity{Rational(Rational(fraction.numerator) / Rational(fraction.denominator)), shown};
 }
 
 // Whether the kernel's answer permits the symptom: cheap to check before anything exact is computed.

@@ -9,8 +9,7 @@
 
 namespace axiscert {
 
-// A flip; or, if `kind` is empty, the error of a comparison, whatever its sign, in a test whose
-// oracles tell it (AskedQuery::side_error).
+// A flip; or, if `kind` is empty, the error of a comparison, whatever its sign.
 struct Symptom {
   Level level = Level::verdict;
   std::uint8_t index = 0;  // index of the axis or comparison

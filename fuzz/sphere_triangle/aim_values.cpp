@@ -5,13 +5,12 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/sphere_triangle/claims/claim.h"
+#include "exact/sphere_triangle/claims/asked_sphere_triangle.h"
 #include "exact/sphere_triangle/measures/critical_radius.h"
-#include "exact/sphere_triangle/measures/error_measure.h"
 #include "exact/sphere_triangle/measures/limits.h"
-#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "exact/trait/side_error.h"
 #include "fuzz/queries/image_groups.h"
 #include "fuzz/sphere_triangle/search_box.h"
 #include "fuzz/sphere_triangle/search_range.h"
@@ -32,10 +31,10 @@ Rational distance_to_root(const Rational& a, const Rational& s) {
 // |(l^ - r^) - (l - r)| / u, rounded up; if l is a root, from 256 bits of it.
 template <class Real>
 Decimal6 absolute_error(Real computed_lhs, Real computed_rhs, const ExactComparison& exact_sides) {
-  const Rational computed = exact(computed_lhs) - exact(computed_rhs), den = rational(exact_sides.denominator);
-  const Rational l = rational(exact_sides.lhs), r = rational(exact_sides.rhs);
+  const Rational computed = exact(computed_lhs) - exact(computed_rhs), den = rational(exact_sides.rhs.under);
+  const Rational l = rational(exact_sides.lhs.over), r = rational(exact_sides.rhs.over);
   const Rational difference =
-      exact_sides.rooted ? distance_to_root(computed * den + r, l) : Rational(abs(computed * den - (l - r)));
+      exact_sides.is_rooted ? distance_to_root(computed * den + r, l) : Rational(abs(computed * den - (l - r)));
   return round_up(Rational(difference / den * Rational(mpz_class(1) << std::numeric_limits<Real>::digits)));
 }
 
@@ -46,19 +45,19 @@ std::optional<SideErrors> side_errors(const Kernel& kernel, const Implementation
   const Reply<Real> reply = ask(implementation, q);
   if (!reply.has_bits || reply.verdicts[0] == Verdict::unanswered) return std::nullopt;
   // Every oracle agrees about the query; the kernel's own formulae follow.
-  const ExactTruth truth = exact_truth(q, true);
-  Claims<Real> claims(q, *truth.formula);
-  const FormulaTruth& own = *claims.sides(kernel.formulae);
+  AskedSphereTriangle<Real> asked(q, Opinion::second);
+  asked.truth();
+  const ExactSides& own = *asked.sides(kernel);
   const Sides<Real> sides = sides_at(reply.answers, 0);
   SideErrors all;
   all.absolute.resize(comparison_count);
   all.relative.resize(comparison_count);
   for (std::size_t k = 0; k < comparison_count; ++k) {
     const ExactComparison exact = own.comparison(k);
-    const ComparisonError relative(sides.lhs[k], sides.rhs[k], exact);
-    if (exact.undefined || relative.kind() == ComparisonError::Kind::range_event) continue;
+    const SideError relative(sides.lhs[k], sides.rhs[k], exact);
+    if (exact.is_undefined || relative.kind() == SideError::Kind::range_event) continue;
     all.absolute[k] = absolute_error(sides.lhs[k], sides.rhs[k], exact);
-    if (relative.kind() == ComparisonError::Kind::finite) all.relative[k] = relative.rounded_up();
+    if (relative.kind() == SideError::Kind::finite) all.relative[k] = relative.rounded_up();
   }
   return all;
 }

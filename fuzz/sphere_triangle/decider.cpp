@@ -71,7 +71,7 @@ Opinion Decider<Real>::opinion_on(std::uint64_t position) const {
 template <class Real>
 void Decider<Real>::check(const DecidedBatch<Real>& batch, std::size_t index, const Query<Real>& q,
                           const ExactTruth& truth) {
-  if (!truth.formula) return;
+  if (!truth.sides) return;
   second_opinions_ += opinion_on(batch.position + index) != Opinion::first;
   ++steps_.by_cgal;
   if (batch.is_filtered(index)) require_same(batch.signs[index], truth, q);

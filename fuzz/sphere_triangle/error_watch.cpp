@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/trait/side_error.h"
 #include "exact/sphere_triangle/filters/vertex_sides.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/sphere_triangle/forms/simd.h"
@@ -60,7 +60,7 @@ void ErrorWatch<Real>::look(const DecidedBatch<Real>& batch, const std::vector<A
   any_failing_ = false;
   if (expects_exact_ && is_batch_exact()) return;
   zero_.assign(batch.size(), std::nullopt);
-  for (auto& [query, sides] : exact_sides_) sides.reset();
+  for (auto& [query, sides] : sides_) sides.reset();
   for (auto& [query, margins] : wide_) margins.reset();
   ErrorThresholds thresholds;
   for (std::size_t k = 0; k < comparison_count; ++k) thresholds[k] = threshold(k);
@@ -129,11 +129,11 @@ bool ErrorWatch<Real>::is_exactly_zero(std::size_t i, std::size_t comparison) {
 }
 
 template <class Real>
-const FormulaTruth& ErrorWatch<Real>::exact_sides(std::size_t i) {
-  auto& [query, sides] = exact_sides_[i % exact_sides_.size()];
+const ExactSides& ErrorWatch<Real>::sides_of(std::size_t i) {
+  auto& [query, sides] = sides_[i % sides_.size()];
   if (!sides || query != i) {
     query = i;
-    sides = formula_truth(formulae_, query_from(batch_->queries[i]));
+    sides = exact_sides(formulae_, query_from(batch_->queries[i]));
   }
   return *sides;
 }
@@ -192,15 +192,15 @@ void ErrorWatch<Real>::judge(const SuspectError& suspect) {
     if (!tolerances_[k] && range.exponent_above <= largest_[k].passed_exponent) return;
   }
   Largest& largest = largest_[k];
-  const auto exactly = [&] { return ComparisonError(lhs, rhs, exact_sides(i).comparison(k)); };
+  const auto exactly = [&] { return SideError(lhs, rhs, sides_of(i).comparison(k)); };
   const auto fail = [&] {
     ++comparison.tolerance_failures;
     failing_[i] |= one_bit<ComparisonBits>(k);
     any_failing_ = true;
   };
   if (!std::isfinite(upper)) {
-    const ComparisonError error = exactly();
-    if (error.kind() == ComparisonError::Kind::without_scale) {
+    const SideError error = exactly();
+    if (error.kind() == SideError::Kind::without_scale) {
       ++comparison.error_without_scale;
       return;
     }
@@ -233,11 +233,11 @@ void ErrorWatch<Real>::settle(std::size_t k) {
     const auto& known = leaders.candidates();
     if (!known.empty() && known[0].position < suspect.position && suspect.upper <= passed_by(known[0].rank)) continue;
     const auto offer = [&](const ExactComparison& exact) {
-      const ComparisonError error(suspect.lhs, suspect.rhs, exact);
+      const SideError error(suspect.lhs, suspect.rhs, exact);
       if (error.upper() > 0) leaders.offer({error.rounded_up(), suspect.position});
     };
     if (is_of_vertex(k)) offer(VertexSides(suspect.query, k).comparison());
-    else offer(formula_truth(formulae_, suspect.query).comparison(k));
+    else offer(exact_sides(formulae_, suspect.query).comparison(k));
   }
   largest.suspects.clear();
   // Errors from here on have later positions: they have to be greater.
@@ -250,18 +250,18 @@ void ErrorWatch<Real>::settle() {
 }
 
 template <class Real>
-std::string ErrorWatch<Real>::contradiction(std::size_t query, std::size_t k, const ComparisonError& exact) const {
+std::string ErrorWatch<Real>::contradiction(std::size_t query, std::size_t k, const SideError& exact) const {
   bool was_suspect = false;
   for (const SuspectError& suspect : checked_) {
     if (suspect.query != query || suspect.comparison != k) continue;
     was_suspect = true;
-    if (exact.kind() != ComparisonError::Kind::finite) return {};
+    if (exact.kind() != SideError::Kind::finite) return {};
     if (exact.upper() >= suspect.lower && exact.lower() <= suspect.upper) continue;
     return fmt::format("the filter has the error of {} between {} u and {} u, it is {} u", comparisons[k].name,
                        suspect.lower, suspect.upper, exact.rounded_up().text());
   }
   if (was_suspect) return {};
-  if (exact.kind() == ComparisonError::Kind::finite && exact.lower() <= threshold(k)) return {};
+  if (exact.kind() == SideError::Kind::finite && exact.lower() <= threshold(k)) return {};
   return fmt::format("the filter has the error of {} at most {} u, and it is not", comparisons[k].name, threshold(k));
 }
 

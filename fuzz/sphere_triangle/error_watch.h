@@ -7,7 +7,7 @@
 
 #include "exact/sphere_triangle/filters/cascade.h"
 #include "exact/sphere_triangle/filters/wide_margins.h"
-#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/trait/side_error.h"
 #include "fuzz/campaign/counts/tally.h"
 #include "fuzz/sphere_triangle/decided_batch.h"
 
@@ -34,7 +34,7 @@ class ErrorWatch {
 
   // Compares the filter's answer about a checked query of the last batch with the exact error; returns what is wrong,
   // or nothing.
-  std::string contradiction(std::size_t query, std::size_t comparison, const ComparisonError& exact) const;
+  std::string contradiction(std::size_t query, std::size_t comparison, const SideError& exact) const;
 
  private:
   struct Suspect {
@@ -61,7 +61,7 @@ class ErrorWatch {
   WideMargins::ErrorRange wide_error(const SuspectError& suspect);
   void raise_passed(std::size_t comparison);  // after what the tally has as the largest
   // The exact sides of a query of the batch at hand.
-  const FormulaTruth& exact_sides(std::size_t query);
+  const ExactSides& sides_of(std::size_t query);
   void settle(std::size_t comparison);
 
   Formulae formulae_;
@@ -84,7 +84,7 @@ class ErrorWatch {
   std::vector<std::optional<ComparisonBits>>
       zero_;  // by query, the comparisons whose error is zero; none: not evaluated
   // The last queries whose exact sides were asked for: the comparisons of a vector of queries come one after the other.
-  std::array<std::pair<std::size_t, std::optional<FormulaTruth>>, 16> exact_sides_;
+  std::array<std::pair<std::size_t, std::optional<ExactSides>>, 16> sides_;
   std::array<std::pair<std::size_t, std::optional<WideMargins>>, 16> wide_;  // likewise
   bool any_failing_ = false;
   std::vector<SuspectError> suspects_, checked_;  // what the filter left of the batch; the checked ones among them

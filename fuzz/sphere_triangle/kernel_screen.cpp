@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/trait/side_error.h"
 #include "kernel/sphere_triangle/shown_sides.h"
 
 namespace axiscert {
@@ -145,7 +145,7 @@ void KernelScreen<Real>::look_at_judged(std::size_t i, const typename KernelRun<
   if (look.exact().verdict == Verdict::invalid) return;
   count_wrong_input(i, found.judgement, look.exact().touching, look);
   if (run_.answer(i).verdict == Verdict::unanswered) return;
-  const FormulaTruth* sides = look.claims().sides(kernel_.formulae);
+  const ExactSides* sides = look.sides(kernel_);
   if (sides != nullptr) check_sides(i, *sides, found.chain, is_filtered && by_signs_, look.query());
 }
 
@@ -158,7 +158,7 @@ void KernelScreen<Real>::count_wrong_input(std::size_t i, const Judgement& judge
 }
 
 template <class Real>
-void KernelScreen<Real>::check_sides(std::size_t i, const FormulaTruth& exact, const std::optional<Reference>& chain,
+void KernelScreen<Real>::check_sides(std::size_t i, const ExactSides& exact, const std::optional<Reference>& chain,
                                      bool is_checked, const Query<Real>& q) {
   if (is_checked && kernel_.is_reference) {
     const auto batched = reference_.rounded(i);
@@ -176,7 +176,7 @@ void KernelScreen<Real>::check_sides(std::size_t i, const FormulaTruth& exact, c
   const Sides<Real> computed = sides_at(run_.reply().answers, i);
   AxisBits failing = 0;
   for (std::size_t k = 0; k < comparison_count; ++k) {
-    const ComparisonError error(computed.lhs[k], computed.rhs[k], exact.comparison(k));
+    const SideError error(computed.lhs[k], computed.rhs[k], exact.comparison(k));
     if (count_side_error(tally_.comparisons[k], run_.position(i), error, tolerances_[k])) {
       failing |= one_bit<AxisBits>(comparisons[k].axis);
     }
@@ -184,7 +184,7 @@ void KernelScreen<Real>::check_sides(std::size_t i, const FormulaTruth& exact, c
   for (std::size_t k = 0; k < axis_count; ++k) tally_.axes[k].tolerance_failures += has_bit(failing, k);
   if (!is_checked) return;
   for (std::size_t k = 0; k < comparison_count; ++k) {
-    const ComparisonError error(computed.lhs[k], computed.rhs[k], exact.comparison(k));
+    const SideError error(computed.lhs[k], computed.rhs[k], exact.comparison(k));
     if (const std::string wrong = errors_.contradiction(i, k, error); !wrong.empty()) {
       throw OracleDisagreement(kernel_.id + ": " + wrong, Numbers<Real>(q), *kernel_.test);
     }
@@ -192,12 +192,12 @@ void KernelScreen<Real>::check_sides(std::size_t i, const FormulaTruth& exact, c
 }
 
 template <class Real>
-void KernelScreen<Real>::measure_margins(const Query<Real>& q, std::size_t i, Claims<Real>& claims) {
+void KernelScreen<Real>::measure_margins(std::size_t i, AskedSphereTriangle<Real>& asked) {
   const Answer said = run_.answer(i);
-  if (!said.bits || !is_within(kernel_.limits, q)) return;
-  const FormulaTruth* sides = claims.sides(kernel_.formulae);
+  if (!said.bits || !is_within(kernel_.limits, asked.query())) return;
+  const ExactSides* sides = asked.sides(kernel_);
   if (sides == nullptr) return;
-  count_margins<Real>(tally_.margins, *sides, sides->bits(kernel_.strictness), *said.bits);
+  count_margins<Real>(tally_.margins, *sides, sides->holding(nonstrict_comparisons(kernel_.strictness)), *said.bits);
 }
 
 template <class Real>

@@ -39,7 +39,7 @@ class KernelScreen {
                       AskedSphereTriangle<Real>& look);
 
   // The margins of a query with a valid truth, whose exact sides `claims` evaluates.
-  void measure_margins(const Query<Real>& q, std::size_t i, Claims<Real>& claims);
+  void measure_margins(std::size_t i, AskedSphereTriangle<Real>& asked);
   // Keeps a query for its critical radius, where the answer and the limits allow one.
   void sample(const Query<Real>& q, std::size_t i, LazyDistance<Real>& distance);
 
@@ -51,7 +51,7 @@ class KernelScreen {
   void count_wrong_input(std::size_t i, const Judgement& judgement, bool is_touching, AskedSphereTriangle<Real>& look);
   // Counts the errors of the computed sides of a query with a valid truth; `is_checked`: compares them and the SIMD
   // reference with what the filters said.
-  void check_sides(std::size_t i, const FormulaTruth& exact, const std::optional<Reference>& chain, bool is_checked,
+  void check_sides(std::size_t i, const ExactSides& exact, const std::optional<Reference>& chain, bool is_checked,
                    const Query<Real>& q);
 
   KernelRun<Real>& run_;

@@ -86,9 +86,8 @@ void SphereTriangleScreen<Real>::measure_margins() {
   for (std::size_t i = 0; i < batch_->size() && has_margins(batch_->position + i); ++i) {
     const Query<Real> q = query_from(batch_->queries[i]);
     if (!is_valid(q)) continue;
-    const FormulaTruth published = formula_truth(q);
-    Claims<Real> claims(q, published);
-    for (KernelScreen<Real>& kernel : kernels_) kernel.measure_margins(q, i, claims);
+    AskedSphereTriangle<Real> asked(q, Opinion::first);
+    for (KernelScreen<Real>& kernel : kernels_) kernel.measure_margins(i, asked);
   }
 }
 

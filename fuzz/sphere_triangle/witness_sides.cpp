@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/sphere_triangle/oracles/formula_oracle.h"
+#include "exact/trait/side_error.h"
 #include "fuzz/sphere_triangle/confirm.h"
 #include "fuzz/text/number_text.h"
 
@@ -79,23 +80,24 @@ Json error_ulps(double computed, const Rational& exact_side) {
 }
 
 template <class Real>
-Json side_json(const ExactComparison& truth, const std::optional<ShownSides>& computed, std::size_t i) {
+Json side_json(const ExactComparison& sides, const std::optional<ShownSides>& computed, std::size_t i) {
   Json json = {
       {"exact", nullptr}, {"computed", nullptr}, {"lhs_ulps", nullptr}, {"rhs_ulps", nullptr}, {"error_u", nullptr}};
-  const Rational lhs = rational(truth.lhs), rhs = rational(truth.rhs), denominator = rational(truth.denominator);
-  if (!truth.undefined) {
-    json["exact"] = {{"lhs", digits_of(lhs, truth.rooted, 0, denominator)},
+  const Rational lhs = rational(sides.lhs.over), rhs = rational(sides.rhs.over),
+                 denominator = rational(sides.rhs.under);
+  if (!sides.is_undefined) {
+    json["exact"] = {{"lhs", digits_of(lhs, sides.is_rooted, 0, denominator)},
                      {"rhs", digits_of(rhs, false, 0, denominator)},
-                     {"margin", digits_of(lhs, truth.rooted, rhs, denominator)}};
+                     {"margin", digits_of(lhs, sides.is_rooted, rhs, denominator)}};
   }
   if (!computed) return json;
   const auto l = static_cast<Real>(computed->lhs[i]), r = static_cast<Real>(computed->rhs[i]);
   json["computed"] = {{"lhs", format_number(l)}, {"rhs", format_number(r)}};
-  if (truth.undefined) return json;
-  if (!truth.rooted) json["lhs_ulps"] = error_ulps<Real>(computed->lhs[i], lhs / denominator);
+  if (sides.is_undefined) return json;
+  if (!sides.is_rooted) json["lhs_ulps"] = error_ulps<Real>(computed->lhs[i], lhs / denominator);
   json["rhs_ulps"] = error_ulps<Real>(computed->rhs[i], rhs / denominator);
-  const ComparisonError error(l, r, truth);
-  if (error.kind() == ComparisonError::Kind::finite) json["error_u"] = decimal(error.rounded_up());
+  const SideError error(l, r, sides);
+  if (error.kind() == SideError::Kind::finite) json["error_u"] = decimal(error.rounded_up());
   return json;
 }
 
@@ -124,12 +126,12 @@ class SphereTriangleSides final : public WitnessSides {
   static Json sides(const Query<Real>& q, const Kernel& kernel, const Examination& found,
                     ComparisonBits largest_errors) {
     if (found.truth.verdict == Verdict::invalid || !has_comparisons(kernel.formulae)) return nullptr;
-    const FormulaTruth truth = formula_truth(kernel.formulae, q);
+    const ExactSides exact = exact_sides(kernel.formulae, q);
     Json json = Json::object();
     const ComparisonBits which = worth_showing(found.judgement, largest_errors);
     for (std::size_t i = 0; i < comparison_count; ++i) {
       if (has_bit(which, i)) {
-        json[std::string(comparisons[i].name)] = side_json<Real>(truth.comparison(i), found.sides, i);
+        json[std::string(comparisons[i].name)] = side_json<Real>(exact.comparison(i), found.sides, i);
       }
     }
     return json;

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/sphere_triangle/claims/claim.h"
+#include "exact/sphere_triangle/claims/asked_sphere_triangle.h"
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/filters/decided_check.h"
@@ -41,7 +41,7 @@ class Look {
 
   void at(const Kernel& chosen) {
     truth_ = decided();
-    if (!truth_->formula) {
+    if (!truth_->sides) {
       // The answers to an invalid query are not checked; the kernels only have to return.
       for (const Kernel* kernel : {&chosen, &find_kernel("certified")}) answer_of(*kernel, available_targets().front());
       return;
@@ -68,7 +68,7 @@ class Look {
 
   // Checks every way of deciding the sixteen signs, including those that a cheaper one would have made unnecessary.
   void check_signs() const {
-    const Signs expected{truth_->formula->strict, truth_->formula->ties};
+    const Signs expected = signs_of(*truth_->sides);
     const auto check = [&](std::string_view way, const std::optional<Signs>& found) {
       if (!found || *found == expected) return;
       fail(fmt::format(
@@ -106,7 +106,7 @@ class Look {
   }
 
   void see_margins() const {
-    const FormulaTruth& exact = *truth_->formula;
+    const ExactSides& exact = *truth_->sides;
     const Sides<Real> computed = reference_sides(q_);
     for (std::size_t i = 0; i < comparison_count; ++i) {
       const Real lhs = computed.lhs[i], rhs = computed.rhs[i];
@@ -116,7 +116,7 @@ class Look {
                             : says == holds ? SignKind::right
                             : says          ? SignKind::false_yes
                                             : SignKind::false_no;
-      features[margin_counter(precision_of<Real>, static_cast<Comparison>(i), exact.sides.lhs[i], exact.sides.rhs[i],
+      features[margin_counter(precision_of<Real>, static_cast<Comparison>(i), exact.lhs[i].over, exact.rhs[i].over,
                               kind)] = 1;
     }
   }
@@ -133,8 +133,8 @@ class Look {
   void check_claims(const Kernel& kernel) const {
     std::optional<Reference> chain, again;
     try {
-      chain = Claims<Real>(q_, *truth_->formula).chain(kernel);
-      again = Claims<Real>(q_, *truth_->formula, true).chain(kernel);
+      chain = AskedSphereTriangle<Real>(q_, Opinion::second).chain(kernel);
+      again = AskedSphereTriangle<Real>(q_, Opinion::exact_only).chain(kernel);
     } catch (const HarnessFault& wrong) {
       fail(wrong.what());
     }

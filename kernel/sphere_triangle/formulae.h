@@ -1,5 +1,5 @@
 // The sixteen comparisons of the published test, stated once, over any number type with + - * (float, double, a SIMD
-// vector, CGAL::Mpzf, MPFR). Straight-line ring arithmetic: no division, no root, no branch on a computed value.
+// vector, exact binary numbers, MPFR). Straight-line ring arithmetic: no division, no root, no branch on a computed value.
 //
 // Source: C. Ericson, "Optimizing a sphere-triangle intersection test" (2010), last block of pseudocode. Operation
 // order: kernel/base/geometry.h, which also says why there is no guard for AXISCERT_PER_TARGET.

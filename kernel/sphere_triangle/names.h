@@ -75,6 +75,11 @@ inline constexpr ComparisonBits side_comparisons = [] {
   return bits;
 }();
 
+// Those that are lhs >= rhs.
+constexpr ComparisonBits nonstrict_comparisons(Strictness strictness) {
+  return strictness == Strictness::strict ? 0 : side_comparisons;
+}
+
 constexpr AxisBits axes_of(ComparisonBits bits) {
   AxisBits axes = 0;
   for (std::size_t i = 0; i < axis_count; ++i) {

@@ -1,30 +1,24 @@
 #include "exact/sphere_triangle/claims/asked_sphere_triangle.h"
 
+#include <fmt/format.h>
+
 #include "exact/sphere_triangle/measures/depth.h"
-#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/reference/scalar.h"
 
 namespace axiscert {
 namespace {
 
-ExactSides rational_sides(const FormulaTruth& truth, Strictness strictness) {
-  ExactSides sides{{}, {}, truth.bits(strictness), truth.ties};
-  for (std::size_t i = 0; i < comparison_count; ++i) {
-    const ExactComparison comparison = truth.comparison(i);
-    const Rational denominator = rational(comparison.denominator);
-    sides.lhs.emplace_back(Rational(rational(comparison.lhs) / denominator));
-    sides.rhs.emplace_back(Rational(rational(comparison.rhs) / denominator));
-  }
-  return sides;
-}
-
-// (lhs - rhs) / (|lhs| + |rhs|), or with the signed squares of the sides; 0/0 and undefined values give 0.
-Rational relative_margin(const ExactComparison& sides) {
-  if (sides.undefined) return 0;
-  const Rational lhs = rational(sides.lhs);
-  Rational rhs = rational(sides.rhs);
-  if (sides.rooted) rhs = rhs * abs(rhs);
-  const Rational scale = abs(lhs) + abs(rhs);
-  return sgn(scale) == 0 ? Rational(0) : Rational((lhs - rhs) / scale);
+// Wherever a rung defines both sides of a comparison, the sign has to be the published one.
+std::optional<std::string> contradiction(const ExactSides& rung, const ExactSides& published) {
+  const auto defined = static_cast<ComparisonBits>(~rung.undefined);
+  const bool same_ties = (rung.ties & defined) == (published.ties & defined);
+  if (rung.strict == published.strict && same_ties) return std::nullopt;
+  return fmt::format(
+      "exact signs {:016b} ties {:016b} undefined {:016b}, published {:016b} ties {:016b} (bit 0 is the "
+      "first comparison)",
+      rung.strict, rung.ties, rung.undefined, published.strict, published.ties);
 }
 
 }  // namespace
@@ -39,59 +33,50 @@ const ExactTruth& AskedSphereTriangle<Real>::exact() {
 }
 
 template <class Real>
-Claims<Real>& AskedSphereTriangle<Real>::claims() {
-  if (!claims_) claims_.emplace(query_, *exact().formula, opinion_ == Opinion::exact_only);
-  return *claims_;
+const ExactSides* AskedSphereTriangle<Real>::sides(Formulae formulae) {
+  if (!has_comparisons(formulae)) return nullptr;
+  if (truth_ && formulae == Formulae::published) return &*truth_->sides;
+  for (const auto& [known, sides] : sides_) {
+    if (known == formulae) return &sides;
+  }
+  const ExactSides& found = sides_.emplace_front(formulae, exact_sides(formulae, query_)).second;
+  if (formulae != Formulae::published && kind_of(formulae) == FormulaeKind::rung) {
+    if (const auto wrong = contradiction(found, *sides(Formulae::published))) {
+      throw OracleDisagreement(fmt::format("formulae {}: {}", name(formulae), *wrong), Numbers<Real>(query_),
+                               sphere_triangle_test());
+    }
+  }
+  return &found;
 }
 
 template <class Real>
 std::optional<Reference> AskedSphereTriangle<Real>::chain(const Kernel& kernel) {
-  return claims().chain(kernel);
-}
-
-// None where a side is a root or does not exist.
-template <class Real>
-const ExactSides* AskedSphereTriangle<Real>::sides(const Kernel& kernel) {
-  const FormulaTruth* own = claims().sides(kernel.formulae);
-  if (own == nullptr || own->rooted != 0 || own->undefined != 0) return nullptr;
-  const ComparisonBits holds = own->bits(kernel.strictness);
-  for (const auto& [truth, sides] : sides_) {
-    if (truth == own && sides.holds == holds) return &sides;
+  if (kernel.formulae == Formulae::none) return std::nullopt;
+  const ExactSides* own = sides(kernel.formulae);
+  Reference chain{own ? outcome_of(own->holding(nonstrict_comparisons(kernel.strictness)))
+                      : Outcome{exact_verdict(kernel.formulae, query_), {}},
+                  std::nullopt, own ? own->ties : ComparisonBits{0}};
+  if (kernel.is_reference) {
+    const auto ask = [&](auto&& of) { return of(kernel.formulae, kernel.arithmetic, kernel.strictness, query_); };
+    if (opinion_ == Opinion::exact_only) {
+      chain.rounded = Rounded{ask([](auto... claim) { return unbounded_by_mpfr(claim...); }),
+                              ask([](auto... claim) { return reference(claim...); })};
+    } else {
+      chain.rounded = ask([](auto... claim) { return rounded(claim...); });
+    }
   }
-  return &sides_.emplace_front(own, rational_sides(*own, kernel.strictness)).second;
+  return chain;
 }
 
 template <class Real>
 std::optional<ExactSigns> AskedSphereTriangle<Real>::published_signs() {
-  const FormulaTruth& formula = *exact().formula;
-  return ExactSigns{formula.strict, formula.ties};
+  const ExactSides& sides = *exact().sides;
+  return ExactSigns{sides.strict, sides.ties};
 }
 
 template <class Real>
 std::optional<ExactDepth> AskedSphereTriangle<Real>::exact_depth() {
   return axiscert::exact_depth(query_, distance_.squared());
-}
-
-template <class Real>
-std::vector<Rational> AskedSphereTriangle<Real>::relative_margins(const Kernel& kernel, ComparisonBits comparisons) {
-  std::vector<Rational> margins;
-  const FormulaTruth* own = claims().sides(kernel.formulae);
-  if (own == nullptr) return margins;
-  for_each_bit(comparisons, [&](std::size_t k) { margins.push_back(relative_margin(own->comparison(k))); });
-  return margins;
-}
-
-template <class Real>
-std::optional<SideErrorSize> AskedSphereTriangle<Real>::side_error(const Kernel& kernel, std::size_t comparison,
-                                                                   double lhs, double rhs) {
-  const FormulaTruth* own = claims().sides(kernel.formulae);
-  if (own == nullptr) return std::nullopt;
-  const ExactComparison exact = own->comparison(comparison);
-  const ComparisonError error(static_cast<Real>(lhs), static_cast<Real>(rhs), exact);
-  if (error.kind() != ComparisonError::Kind::finite) return std::nullopt;
-  if (exact.rooted) return SideErrorSize{error.rounded_up(), std::nullopt};
-  const Fraction fraction = error.exact();
-  return SideErrorSize{error.rounded_up(), Rational(fraction.numerator) / Rational(fraction.denominator)};
 }
 
 template class AskedSphereTriangle<float>;

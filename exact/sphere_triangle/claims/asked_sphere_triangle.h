@@ -4,7 +4,6 @@
 #include <forward_list>
 #include <optional>
 
-#include "exact/sphere_triangle/claims/claim.h"
 #include "exact/sphere_triangle/measures/lazy_distance.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/trait/oracles.h"
@@ -20,20 +19,20 @@ class AskedSphereTriangle : public AskedQuery {
 
   Truth truth() override { return exact(); }
   std::optional<Reference> chain(const Kernel& kernel) override;
-  const ExactSides* sides(const Kernel& kernel) override;
+  const ExactSides* sides(const Kernel& kernel) override { return sides(kernel.formulae); }
   DepthOf& depth() override { return distance_; }
   std::optional<ExactSigns> published_signs() override;
   std::optional<Rational> squared_distance() override { return distance_.squared(); }
   std::optional<ExactDepth> exact_depth() override;
-  std::vector<Rational> relative_margins(const Kernel& kernel, ComparisonBits comparisons) override;
-  std::optional<SideErrorSize> side_error(const Kernel& kernel, std::size_t comparison, double lhs,
-                                          double rhs) override;
 
   const Query<Real>& query() const { return query_; }
   LazyDistance<Real>& distance() { return distance_; }
   // With the exact sides of the published formulae.
   const ExactTruth& exact();
-  Claims<Real>& claims();  // of a valid query
+  // Those of a set of formulae, without asking the geometry; null for `none` and for a method, which has no sides.
+  // Throws OracleDisagreement if a rung defines a sign that differs from the published one: over the reals no query can
+  // cause that.
+  const ExactSides* sides(Formulae formulae);
 
  private:
   // The truth was found: a place for checks of it.
@@ -43,8 +42,7 @@ class AskedSphereTriangle : public AskedQuery {
   const Opinion opinion_;
   LazyDistance<Real> distance_;
   std::optional<ExactTruth> truth_;
-  std::optional<Claims<Real>> claims_;
-  std::forward_list<std::pair<const FormulaTruth*, ExactSides>> sides_;  // with their relations
+  std::forward_list<std::pair<Formulae, ExactSides>> sides_;
 };
 
 }  // namespace axiscert

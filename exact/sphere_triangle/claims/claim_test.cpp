@@ -1,5 +1,5 @@
 // The claims of the kernels, checked in exact arithmetic over small integer triangles.
-#include "exact/sphere_triangle/claims/claim.h"
+#include "exact/sphere_triangle/claims/asked_sphere_triangle.h"
 
 #include <gtest/gtest.h>
 
@@ -53,14 +53,14 @@ void judge_triangle(Query<double> q, FoundByKernel& found) {
     if (r != near && order == order_at(near)) continue;  // one radius on each side is enough
     q.r = r;
     const Verdict truth = order > 0 ? Verdict::separated : Verdict::contact;
-    const FormulaTruth published = formula_truth(q);
-    Claims<double> claims(q, published);
+    AskedSphereTriangle<double> asked(q, Opinion::first);
     for (std::size_t which = 0; which < kernels().size(); ++which) {
       const Kernel& kernel = kernels()[which];
       if (kernel.formulae == Formulae::none) continue;
-      const FormulaTruth* sides = claims.sides(kernel.formulae);  // throws if a rung's signs are not the published ones
-      const Verdict verdict =
-          sides ? outcome_of(sides->bits(kernel.strictness)).verdict : exact_verdict(kernel.formulae, q);
+      // Throws if a rung's signs are not the published ones.
+      const ExactSides* sides = asked.sides(kernel);
+      const Verdict verdict = sides ? outcome_of(sides->holding(nonstrict_comparisons(kernel.strictness))).verdict
+                                    : exact_verdict(kernel.formulae, q);
       if (verdict == truth) continue;
       const Domain domain = domain_of(kernel);
       ++(domain && domain(q) ? found[which].wrong_inside : found[which].wrong_outside);

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "exact/trait/examine.h"
-#include "exact/sphere_triangle/claims/claim.h"
+#include "exact/sphere_triangle/claims/asked_sphere_triangle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "kernel/sphere_triangle/description.h"
 
@@ -101,7 +101,7 @@ TEST(HandWorked, TouchingIsContact) {
 TEST(HandWorked, BitsThatAreNotTheReferencesAreAnImplementationFault) {
   const Query<float> q{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 2};
   const ExactTruth truth = exact_truth(q, true);
-  const Reference chain = *Claims(q, *truth.formula).chain(find_kernel("published"));
+  const Reference chain = *AskedSphereTriangle(q, Opinion::second).chain(find_kernel("published"));
   EXPECT_EQ(chain.exact, chain.rounded->reference);
   const auto wrong = static_cast<ComparisonBits>(*chain.rounded->reference.bits | comparisons_of(Axis::plane));
   const Judgement judgement = judge(sphere_triangle_test(), truth, chain, outcome_of(wrong));
@@ -114,10 +114,10 @@ TEST(HandWorked, BitsThatAreNotTheReferencesAreAnImplementationFault) {
 TEST(HandWorked, LinksThatCancelLeaveTheVerdictRight) {
   const Query<float> q{{2, 0, 0}, {2, 0, 0}, {3, 0, 0}, {0, 0, 0}, 1};
   const ExactTruth truth = exact_truth(q, true);
-  const auto separated = static_cast<ComparisonBits>(truth.formula->strict | comparisons_of(Axis::vertex_a));
+  const auto separated = static_cast<ComparisonBits>(truth.sides->strict | comparisons_of(Axis::vertex_a));
   const Judgement judgement =
       judge(sphere_triangle_test(), truth,
-            Reference{outcome_of(truth.formula->strict), Rounded{outcome_of(separated), outcome_of(separated)}},
+            Reference{outcome_of(truth.sides->strict), Rounded{outcome_of(separated), outcome_of(separated)}},
             outcome_of(separated));
   EXPECT_FALSE(judgement.verdict_flip);
   EXPECT_EQ(judgement.verdict_links, (LinkSet{Link::specification, Link::rounding}));
@@ -130,7 +130,7 @@ TEST(HandWorked, LinksThatCancelLeaveTheVerdictRight) {
 TEST(HandWorked, AFlipTheOtherWayIsMasked) {
   const Query<float> q{{-1, 2, 0}, {1, 2, 0}, {0, 3, 0}, {0, 0, 0}, 1};
   const ExactTruth truth = exact_truth(q, true);
-  const ComparisonBits exact = truth.formula->strict;
+  const ComparisonBits exact = truth.sides->strict;
   const ComparisonBits kernel = (exact & ~one_bit<ComparisonBits>(Comparison::edge_ab_radius)) |
                                 one_bit<ComparisonBits>(Comparison::vertex_c_side_a);
   const Judgement judgement =

@@ -37,8 +37,8 @@ class FilteredSphereTriangles final : public BatchOracle<Real> {
     if (!is_known(i) || !has_comparisons(kernel.formulae)) return std::nullopt;
     // Rungs have the published signs on every query.
     if (kind_of(kernel.formulae) == FormulaeKind::rung) return known_signs(i, kernel.strictness);
-    const FormulaTruth own = formula_truth(kernel.formulae, query(i));
-    return KnownSigns{own.bits(kernel.strictness), own.ties, (*decided_)[i].certain_in_lanes};
+    const ExactSides own = exact_sides(kernel.formulae, query(i));
+    return KnownSigns{own.holding(nonstrict_comparisons(kernel.strictness)), own.ties, (*decided_)[i].certain_in_lanes};
   }
   void check(std::size_t i, std::uint64_t position, std::uint64_t stride) const override {
     if (!is_known(i)) return;

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/sphere_triangle/claims/claim.h"
+#include "exact/sphere_triangle/claims/asked_sphere_triangle.h"
 #include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
@@ -19,13 +19,13 @@ Judgement judged(const Query<float>& q, Touching touching, const Answer& answer,
   Kernel kernel = find_kernel("published");
   kernel.is_reference = is_reference;
   const ExactTruth truth = exact_truth(q, true);
-  return judge(sphere_triangle_test(), truth, Claims(q, *truth.formula).chain(kernel), answer, touching);
+  return judge(sphere_triangle_test(), truth, AskedSphereTriangle(q, Opinion::second).chain(kernel), answer, touching);
 }
 Judgement judged_by_verdict(const Query<float>& q, Touching touching, Verdict verdict) {
   return judge(sphere_triangle_test(), exact_truth(q, true), std::nullopt, {verdict, std::nullopt}, touching);
 }
 
-ComparisonBits exact_bits(const Query<float>& q) { return exact_truth(q, true).formula->strict; }
+ComparisonBits exact_bits(const Query<float>& q) { return exact_truth(q, true).sides->strict; }
 constexpr auto radius_of_a = one_bit<ComparisonBits>(Comparison::vertex_a_radius);
 
 TEST(Touching, TheConventionSaysWhichVerdictIsWrong) {
@@ -101,7 +101,7 @@ TEST(Touching, AMethodFollowsTheConventionToo) {
   Kernel kernel = find_kernel("minkowski");
   kernel.is_reference = false;
   const ExactTruth truth = exact_truth(touching, true);
-  const auto chain = Claims(touching, *truth.formula).chain(kernel);
+  const auto chain = AskedSphereTriangle(touching, Opinion::second).chain(kernel);
   EXPECT_EQ(judge(sphere_triangle_test(), truth, chain, {Verdict::separated, std::nullopt}, Touching::separated)
                 .verdict_links,
             LinkSet{});

@@ -9,7 +9,7 @@ namespace axiscert {
 
 template <class Real>
 void require_same(const DecidedSigns& decided, const ExactTruth& truth, const Query<Real>& q) {
-  const Signs exact{truth.formula->strict, truth.formula->ties};
+  const Signs exact = signs_of(*truth.sides);
   if (decided.signs == exact && verdict_of(exact) == truth.verdict && is_touching(exact, q.r == 0) == truth.touching) {
     return;
   }

@@ -1,5 +1,5 @@
-// Signs by integers compared with those of CGAL::Mpzf: on every query of small lattices, at the limits of every width,
-// and for numbers however far apart.
+// Signs by integers compared with those of arbitrary precision: on every query of small lattices, at the limits of
+// every width, and for numbers however far apart.
 #include "exact/sphere_triangle/filters/grid_signs.h"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,7 @@ namespace {
 
 template <class Real>
 Signs expected(const Query<Real>& q) {
-  const FormulaTruth truth = formula_truth(q);
-  return {truth.strict, truth.ties};
+  return signs_of(exact_sides(q));
 }
 
 template <class Real>

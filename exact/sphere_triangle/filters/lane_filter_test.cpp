@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/trait/side_error.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 #include "kernel/testing/random.h"
@@ -56,8 +56,7 @@ void expect_exact(const QueryBatch<Real>& batch, double least_decided, std::size
   std::vector<Signs> exact(batch.size());
   for (std::size_t i = 0; i < batch.size(); ++i) {
     if (!is_valid(query_from(batch[i]))) continue;
-    const FormulaTruth truth = formula_truth(query_from(batch[i]));
-    exact[i] = {truth.strict, truth.ties};
+    exact[i] = signs_of(exact_sides(query_from(batch[i])));
   }
   for (const std::string& target : simd_targets()) {
     std::vector<FilteredSigns> found(batch.size());
@@ -111,13 +110,13 @@ TYPED_TEST(FilterTest, ErrorsArePassedOverRightly) {
       std::size_t passed = 0;
       for (std::size_t i = 0; i < batch.size(); ++i) {
         if (!is_valid(query_from(batch[i]))) continue;
-        const FormulaTruth truth = formula_truth(kernel.formulae, query_from(batch[i]));
+        const ExactSides truth = exact_sides(kernel.formulae, query_from(batch[i]));
         for (std::size_t k = 0; k < comparison_count; ++k) {
-          const ComparisonError error(computed.lhs[k][i], computed.rhs[k][i], truth.comparison(k));
+          const SideError error(computed.lhs[k][i], computed.rhs[k][i], truth.comparison(k));
           const SuspectError* suspect = by_query[i][k];
           passed += suspect == nullptr;
           const auto where = testing::Message() << id << " " << target << " query " << i << " " << comparisons[k].name;
-          if (error.kind() != ComparisonError::Kind::finite) {
+          if (error.kind() != SideError::Kind::finite) {
             ASSERT_TRUE(suspect && suspect->upper == std::numeric_limits<double>::infinity()) << where;
             continue;
           }

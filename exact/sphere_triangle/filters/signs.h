@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 
+#include "exact/trait/exact_sides.h"
 #include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
@@ -14,9 +15,13 @@ struct Signs {
   bool operator==(const Signs&) const = default;
 
   SignBits bits(Strictness strictness) const {
-    return strictness == Strictness::strict ? strict : static_cast<SignBits>(strict | (ties & side_comparisons));
+    return static_cast<SignBits>(strict | (ties & nonstrict_comparisons(strictness)));
   }
 };
+
+inline Signs signs_of(const ExactSides& published) {
+  return {static_cast<SignBits>(published.strict), static_cast<SignBits>(published.ties)};
+}
 
 // Non-strict sides decide every triangle, degenerate ones included.
 inline Verdict verdict_of(const Signs& signs) { return verdict_of(axes_of(signs.bits(Strictness::nonstrict))); }

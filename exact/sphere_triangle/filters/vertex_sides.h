@@ -21,29 +21,29 @@ class VertexSides {
     const std::size_t number = comparison - index_of(Comparison::vertex_a_radius);
     const std::size_t of = number / 3, place = number % 3;
     const std::array<const Vec3<Real>*, 3> vertices = {&q.a, &q.b, &q.c};
-    const auto ring = [](Real x) { return Ring(static_cast<double>(x)); };
+    const auto exact = [](Real x) { return BinaryNumber(static_cast<double>(x)); };
     const auto centred = [&](std::size_t i) {
       const Vec3<Real>& v = *vertices[i];
-      return Vec3<Ring>{ring(v.x) - ring(q.p.x), ring(v.y) - ring(q.p.y), ring(v.z) - ring(q.p.z)};
+      return Vec3<BinaryNumber>{exact(v.x) - exact(q.p.x), exact(v.y) - exact(q.p.y), exact(v.z) - exact(q.p.z)};
     };
-    const Vec3<Ring> vertex = centred(of);
-    const Ring square = dot(vertex, vertex);
+    const Vec3<BinaryNumber> vertex = centred(of);
+    const BinaryNumber square = dot(vertex, vertex);
     if (place == 0) {
-      const Ring r = ring(q.r);
-      lhs_ = square;
-      rhs_ = r * r;
+      const BinaryNumber r = exact(q.r);
+      lhs_.over = square;
+      rhs_.over = r * r;
     } else {
       const std::size_t other = place == 1 ? (of == 0 ? 1 : 0) : (of == 2 ? 1 : 2);
-      lhs_ = dot(vertex, centred(other));
-      rhs_ = square;
+      lhs_.over = dot(vertex, centred(other));
+      rhs_.over = square;
     }
   }
   VertexSides(const VertexSides&) = delete;
 
-  ExactComparison comparison() const { return {lhs_, rhs_, one_, false, false}; }
+  ExactComparison comparison() const { return {lhs_, rhs_}; }
 
  private:
-  Ring lhs_, rhs_, one_{1};
+  BinaryFraction lhs_, rhs_;
 };
 
 }  // namespace axiscert

@@ -22,7 +22,7 @@ class WideMargins {
   std::optional<Signs> signs() const;
 
   // Certain bounds of the error of a comparison's computed sides, which are finite, in units of 2^-digits
-  // (exact/sphere_triangle/measures/error_measure.h). If the scale may be 0, `upper` is infinite and `exponent_above`
+  // (exact/trait/side_error.h). If the scale may be 0, `upper` is infinite and `exponent_above`
   // the greatest int; if no double is great enough, only `upper` is infinite.
   struct ErrorRange {
     double lower, upper;

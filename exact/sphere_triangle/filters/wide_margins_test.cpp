@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/trait/side_error.h"
 #include "exact/numbers/test_rational.h"
 #include "exact/sphere_triangle/filters/vertex_sides.h"
 #include "kernel/kernel.h"
@@ -104,7 +104,7 @@ void expect_exact_signs(int count) {
     const Query<Real> q = wide_query<Real>(random, i);
     const auto found = WideMargins(widened(q)).signs();
     if (!found) continue;
-    const FormulaTruth truth = formula_truth(q);
+    const ExactSides truth = exact_sides(q);
     ASSERT_EQ(found->strict, truth.strict) << "query " << i;
     ASSERT_EQ(found->ties, truth.ties) << "query " << i;
     ++decided;
@@ -134,15 +134,15 @@ TYPED_TEST(WideMarginsTest, ErrorsAreWithinTheirBounds) {
       Sides<Real> computed;
       reference(kernel.formulae, Arithmetic::plain, Strictness::strict, q, &computed);
       const WideMargins margins(widened(q));
-      const FormulaTruth truth = formula_truth(kernel.formulae, q);
+      const ExactSides truth = exact_sides(kernel.formulae, q);
       for (std::size_t k = 0; k < comparison_count; ++k) {
-        const ComparisonError error(computed.lhs[k], computed.rhs[k], truth.comparison(k));
-        if (error.kind() == ComparisonError::Kind::range_event) continue;
+        const SideError error(computed.lhs[k], computed.rhs[k], truth.comparison(k));
+        if (error.kind() == SideError::Kind::range_event) continue;
         const auto [lower, upper, exponent_above] =
             margins.error(static_cast<Comparison>(k), sides, computed.lhs[k], computed.rhs[k], digits);
         const auto where = testing::Message() << id << " query " << i << " " << comparisons[k].name << " seed " << seed;
         ++compared;
-        if (error.kind() == ComparisonError::Kind::without_scale) {
+        if (error.kind() == SideError::Kind::without_scale) {
           ASSERT_EQ(upper, std::numeric_limits<double>::infinity()) << where;
           continue;
         }
@@ -165,13 +165,13 @@ TYPED_TEST(WideMarginsTest, VertexSidesAreThoseOfAllSixteen) {
   std::mt19937_64 random(8);
   for (int i = 0; i < 300; ++i) {
     const auto q = wide_query<TypeParam>(random, i);
-    const FormulaTruth truth = formula_truth(i % 2 == 0 ? Formulae::published : Formulae::reduced, q);
+    const ExactSides truth = exact_sides(i % 2 == 0 ? Formulae::published : Formulae::reduced, q);
     int compared = 0;
     for (std::size_t k = 0; k < comparison_count; ++k) {
       if (!is_of_vertex(k)) continue;
       const VertexSides sides(q, k);
-      ASSERT_TRUE(sides.comparison().lhs == truth.sides.lhs[k]) << comparisons[k].name << " query " << i;
-      ASSERT_TRUE(sides.comparison().rhs == truth.sides.rhs[k]) << comparisons[k].name << " query " << i;
+      ASSERT_TRUE(sides.comparison().lhs == truth.lhs[k]) << comparisons[k].name << " query " << i;
+      ASSERT_TRUE(sides.comparison().rhs == truth.rhs[k]) << comparisons[k].name << " query " << i;
       ++compared;
     }
     ASSERT_EQ(compared, 9);

@@ -1,6 +1,8 @@
 #include "exact/sphere_triangle/measures/condition_number.h"
 
-#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/numbers/binary_fraction.h"
+#include "exact/numbers/decimal6.h"
+#include "exact/numbers/surd.h"
 
 #include <mpfr.h>
 
@@ -8,32 +10,32 @@
 #include <optional>
 
 #include "exact/sphere_triangle/measures/dual.h"
+#include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/sphere_triangle/reference/formulae_types.h"
 
-// Nothing here rounds before the decision. For ring formulae the margin and its partials are polynomials, and Mpzf is
-// exact over all of them at any exponent. The early forms divide and take one root, and Surd is closed under these
-// operations; it is closed under their derivatives as well, since (sqrt s)' = s' sqrt(s) / (2 s) has the root of s
-// itself, and (a / b)' = (a' - (a / b) b') / b meets that root only together with itself. Hence margin and sum are
-// c sqrt(k) + d with one k and rational c, d, and the sign of such a number is decided by squares.
+// Nothing here rounds before the decision. For ring formulae the margin and its partials are polynomials, and
+// BinaryNumber is exact over all of them at any exponent. The early forms divide and take one root, and Surd is closed
+// under these operations; it is closed under their derivatives as well, since (sqrt s)' = s' sqrt(s) / (2 s) has the
+// root of s itself, and (a / b)' = (a' - (a / b) b') / b meets that root only together with itself. Hence margin and
+// sum are c sqrt(k) + d with one k and rational c, d, and the sign of such a number is decided by squares.
 
 namespace axiscert {
 namespace {
-
-Ring ring_magnitude(const Ring& x) { return x.sign() == CGAL::NEGATIVE ? -x : x; }
 
 Decimal6 scaled_quotient(const Rational& sum, const Rational& margin, int digits) {
   return round_up(Fraction{sum.get_num() * margin.get_den(), (sum.get_den() * margin.get_num())
                                                                  << static_cast<mp_bitcnt_t>(digits)});
 }
 
-using RingCoordinates = std::array<Ring, coordinate_count>;
+using ExactCoordinates = std::array<BinaryNumber, coordinate_count>;
 
-Condition condition_of(const Dual<Ring>& lhs, const Dual<Ring>& rhs, const RingCoordinates& x, int digits) {
-  const Ring margin = ring_magnitude(lhs.value - rhs.value);
+Condition condition_of(const Dual<BinaryNumber>& lhs, const Dual<BinaryNumber>& rhs, const ExactCoordinates& x,
+                       int digits) {
+  const BinaryNumber margin = magnitude(lhs.value - rhs.value);
   if (margin.is_zero()) return {Condition::Kind::infinite, true, {}};
-  Ring sum(0);
+  BinaryNumber sum;
   for (std::size_t i = 0; i < coordinate_count; ++i) {
-    sum = sum + ring_magnitude(x[i] * (lhs.partials[i] - rhs.partials[i]));
+    sum = sum + magnitude(x[i] * (lhs.partials[i] - rhs.partials[i]));
   }
   const Rational exact_sum = rational(sum), exact_margin = rational(margin);
   const Rational kappa_u = exact_sum / (exact_margin << static_cast<mp_bitcnt_t>(digits));
@@ -89,10 +91,10 @@ class CommonRoot {
   Rational radicand() const { return radicand_ ? rational(*radicand_) : Rational(0); }
 
  private:
-  std::optional<Ring> radicand_;
+  std::optional<BinaryNumber> radicand_;
 };
 
-Condition condition_of(const Dual<Surd>& lhs, const Dual<Surd>& rhs, const RingCoordinates& x, int digits) {
+Condition condition_of(const Dual<Surd>& lhs, const Dual<Surd>& rhs, const ExactCoordinates& x, int digits) {
   using Kind = Condition::Kind;
   CommonRoot common;
   const auto l = common(lhs.value), r = common(rhs.value);
@@ -116,11 +118,12 @@ Condition condition_of(const Dual<Surd>& lhs, const Dual<Surd>& rhs, const RingC
 
 template <class F, class Real>
 EnumArray<Comparison, Condition> conditions_of(const Query<Real>& q, ComparisonBits wanted) {
-  using Base = std::conditional_t<F::is_ring, Ring, Surd>;
-  const auto sides = sides_of<F>(dual_problem<Base>(q, [](Real x) { return Base(Ring(static_cast<double>(x))); }));
-  RingCoordinates x;
+  using Base = std::conditional_t<F::is_ring, BinaryNumber, Surd>;
+  const auto sides =
+      sides_of<F>(dual_problem<Base>(q, [](Real x) { return Base(BinaryNumber(static_cast<double>(x))); }));
+  ExactCoordinates x;
   const auto given = coordinates(q);
-  for (std::size_t i = 0; i < coordinate_count; ++i) x[i] = Ring(static_cast<double>(given[i]));
+  for (std::size_t i = 0; i < coordinate_count; ++i) x[i] = BinaryNumber(static_cast<double>(given[i]));
   EnumArray<Comparison, Condition> found;
   for (std::size_t i = 0; i < comparison_count; ++i) {
     if (!has_bit(wanted, i)) continue;

@@ -65,12 +65,6 @@ CriticalRadiusError critical_radius_error(const Implementation<Real>& kernel, co
   return distance ? critical_radius_error(critical_radius(kernel, query, range), *distance) : CriticalRadiusError{};
 }
 
-template <class Real>
-std::optional<RadiusReversal<Real>> radius_reversal(const Implementation<Real>& kernel, const Query<Real>& query,
-                                                    std::optional<Real> critical, std::optional<Real> exact_radius) {
-  return radius_reversal(kernel, with_radius_column(query), critical, exact_radius);
-}
-
 #define AXISCERT_INSTANTIATE(Real)                                                                                     \
   template CriticalRadius<Real> critical_radius(const Implementation<Real>&, const Query<Real>&,                       \
                                                 const RadiusRange<Real>&);                                             \
@@ -81,9 +75,7 @@ std::optional<RadiusReversal<Real>> radius_reversal(const Implementation<Real>& 
   template std::optional<Real> rounded_distance_within(Real, const RadiusRange<Real>&);                                \
   template CriticalRadiusError critical_radius_error(const CriticalRadius<Real>&, Real);                               \
   template CriticalRadiusError critical_radius_error(const Implementation<Real>&, const Query<Real>&, const Rational&, \
-                                                     const RadiusRange<Real>&);                                        \
-  template std::optional<RadiusReversal<Real>> radius_reversal(const Implementation<Real>&, const Query<Real>&,        \
-                                                               std::optional<Real>, std::optional<Real>);
+                                                     const RadiusRange<Real>&);
 AXISCERT_INSTANTIATE(float)
 AXISCERT_INSTANTIATE(double)
 #undef AXISCERT_INSTANTIATE

@@ -47,8 +47,4 @@ template <class Real>
 CriticalRadiusError critical_radius_error(const Implementation<Real>& kernel, const Query<Real>& query,
                                           const Rational& squared_distance, const RadiusRange<Real>& range = {});
 
-template <class Real>
-std::optional<RadiusReversal<Real>> radius_reversal(const Implementation<Real>& kernel, const Query<Real>& query,
-                                                    std::optional<Real> critical, std::optional<Real> exact_radius);
-
 }  // namespace axiscert

@@ -80,9 +80,13 @@ TEST(CriticalRadius, IsSoughtWithinTheRangeAlone) {
   EXPECT_TRUE(critical_radius_error<float>(limited, at_distance_two, 4, {3, 8}).answered);
 }
 
+std::optional<RadiusReversal<float>> reversal(const Implementation<float>& kernel, const Query<float>& q,
+                                              std::optional<float> critical, std::optional<float> exact_radius) {
+  return radius_reversal(kernel, QueryWithRadius<float>{q, coordinate_count - 1}, critical, exact_radius);
+}
+
 void expect_reversal(const Implementation<float>& kernel, const std::string& what) {
-  const auto found =
-      radius_reversal<float>(kernel, at_distance_two, critical_radius(kernel, at_distance_two).radius, 2.f);
+  const auto found = reversal(kernel, at_distance_two, critical_radius(kernel, at_distance_two).radius, 2.f);
   ASSERT_TRUE(found) << what;
   EXPECT_LT(found->contact, found->separated) << what;
   QueryBatch<float> batch(2, coordinate_count);
@@ -107,7 +111,7 @@ TEST(CriticalRadius, AKernelThatIsNotMonotoneIsFoundWithAValidPair) {
 TEST(CriticalRadius, MonotoneKernelsAreNotAccused) {
   for (const auto& kernel : {by_radius([](float r) { return r >= 2; }), by_radius([](float) { return true; }),
                              by_radius([](float) { return false; })}) {
-    EXPECT_FALSE(radius_reversal<float>(kernel, at_distance_two, critical_radius(kernel, at_distance_two).radius, 2.f));
+    EXPECT_FALSE(reversal(kernel, at_distance_two, critical_radius(kernel, at_distance_two).radius, 2.f));
   }
   // Radius sides that grow with r, side comparisons that do not read it.
   std::mt19937_64 random(31);
@@ -118,7 +122,7 @@ TEST(CriticalRadius, MonotoneKernelsAreNotAccused) {
       for (float& v : x) v = std::ldexp(static_cast<float>(static_cast<std::int32_t>(random() >> 32)), -31);
       const auto q = from_coordinates(x);
       const auto exact_radius = sqrt_rounded_up<float>(squared_distance(q));
-      EXPECT_FALSE(radius_reversal<float>(kernel, q, critical_radius(kernel, q).radius, exact_radius))
+      EXPECT_FALSE(reversal(kernel, q, critical_radius(kernel, q).radius, exact_radius))
           << id << ", query " << trial << " of seed 31";
     }
   }

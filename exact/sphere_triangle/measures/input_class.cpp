@@ -83,18 +83,18 @@ std::optional<Thinness> enclosed_thinness(const EnclosedTriangle<T>& t) {
 
 template <class Real>
 Thinness exact_thinness(const Query<Real>& q) {
-  const Vec3<Ring> normal = exact_normal(q);
-  const Ring area = portable::dot(normal, normal);
-  if (CGAL::sign(area) == CGAL::ZERO) return {true, false};
+  const Vec3<BinaryNumber> normal = exact_normal(q);
+  const BinaryNumber area = portable::dot(normal, normal);
+  if (area.is_zero()) return {true, false};
   const auto square_of = [](const Vec3<Real>& u, const Vec3<Real>& v) {
     const auto square = [](Real x, Real y) {
-      const Ring difference = Ring(double(x)) - Ring(double(y));
+      const BinaryNumber difference = BinaryNumber(double(x)) - BinaryNumber(double(y));
       return difference * difference;
     };
     return square(u.x, v.x) + square(u.y, v.y) + square(u.z, v.z);
   };
-  const Ring longest = std::max({square_of(q.b, q.a), square_of(q.c, q.b), square_of(q.a, q.c)});
-  return {false, area * Ring(height_factor) < longest * longest};
+  const BinaryNumber longest = std::max({square_of(q.b, q.a), square_of(q.c, q.b), square_of(q.a, q.c)});
+  return {false, area * BinaryNumber(height_factor) < longest * longest};
 }
 
 template <class Real>

@@ -11,8 +11,8 @@ namespace {
 // |V|^2 / 4 >= area^2, V = (B - A) x (C - A).
 template <class Real>
 bool has_area(const Query<Real>& q, double area) {
-  const Vec3<Ring> normal = exact_normal(q);
-  const Ring twice = Ring(area) + Ring(area);
+  const Vec3<BinaryNumber> normal = exact_normal(q);
+  const BinaryNumber twice = BinaryNumber(area) + BinaryNumber(area);
   return portable::dot(normal, normal) >= twice * twice;
 }
 

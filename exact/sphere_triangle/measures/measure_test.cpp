@@ -8,7 +8,7 @@
 
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/measures/depth.h"
-#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/trait/side_error.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "kernel/base/error.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
@@ -53,21 +53,22 @@ TEST(RoundUp, IsTheLeastDecimalThatIsNotBelow) {
 
 // |(l^ - r^) - (l - r)| / (u (|l| + |r|)), with u = 2^-24.
 template <class Real>
-ComparisonError error_of(Real computed_lhs, Real computed_rhs, const Ring& lhs, const Ring& rhs) {
-  return {computed_lhs, computed_rhs, {lhs, rhs, Ring(1), false, false}};
+SideError error_of(Real computed_lhs, Real computed_rhs, const BinaryNumber& lhs, const BinaryNumber& rhs) {
+  return {computed_lhs, computed_rhs, {BinaryFraction(lhs), BinaryFraction(rhs)}};
 }
 
 TEST(ComparisonErrorTest, HandValues) {
-  using Kind = ComparisonError::Kind;
-  const ComparisonError exact_one = error_of(3.f, 1.f, Ring(3), Ring(1));
+  using Kind = SideError::Kind;
+  const SideError exact_one = error_of(3.f, 1.f, BinaryNumber(3), BinaryNumber(1));
   EXPECT_EQ(exact_one.kind(), Kind::finite);
   EXPECT_EQ(rational_of(exact_one.exact()), 0);
-  EXPECT_EQ(rational_of(error_of(3.f, 1.f, Ring(2), Ring(1)).exact()), Rational(1 << 24) / 3);
-  EXPECT_EQ(rational_of(error_of(3.0, 1.0, Ring(2), Ring(-2)).exact()), Rational(mpz_class(1) << 53) * 2 / 4);
-  EXPECT_EQ(rational_of(error_of(0.f, 0.f, Ring(0), Ring(0)).exact()), 0);
-  EXPECT_EQ(error_of(1.f, 0.f, Ring(0), Ring(0)).kind(), Kind::without_scale);
-  EXPECT_EQ(error_of(INFINITY, 0.f, Ring(1), Ring(0)).kind(), Kind::range_event);
-  EXPECT_EQ(error_of(0.f, NAN, Ring(1), Ring(0)).kind(), Kind::range_event);
+  EXPECT_EQ(rational_of(error_of(3.f, 1.f, BinaryNumber(2), BinaryNumber(1)).exact()), Rational(1 << 24) / 3);
+  EXPECT_EQ(rational_of(error_of(3.0, 1.0, BinaryNumber(2), BinaryNumber(-2)).exact()),
+            Rational(mpz_class(1) << 53) * 2 / 4);
+  EXPECT_EQ(rational_of(error_of(0.f, 0.f, BinaryNumber(), BinaryNumber()).exact()), 0);
+  EXPECT_EQ(error_of(1.f, 0.f, BinaryNumber(), BinaryNumber()).kind(), Kind::without_scale);
+  EXPECT_EQ(error_of(INFINITY, 0.f, BinaryNumber(1), BinaryNumber()).kind(), Kind::range_event);
+  EXPECT_EQ(error_of(0.f, NAN, BinaryNumber(1), BinaryNumber()).kind(), Kind::range_event);
 }
 
 TEST(ComparisonErrorTest, BoundsEncloseTheExactErrorAndToleranceIsExact) {
@@ -77,8 +78,8 @@ TEST(ComparisonErrorTest, BoundsEncloseTheExactErrorAndToleranceIsExact) {
       return std::ldexp(static_cast<double>(random() >> 11), static_cast<int>(random() % 900) - 500);
     };
     const double l = wide(), r = wide();
-    const ComparisonError error = error_of(static_cast<double>(static_cast<float>(l)), r, Ring(l), Ring(r));
-    if (error.kind() != ComparisonError::Kind::finite) continue;
+    const SideError error = error_of(static_cast<double>(static_cast<float>(l)), r, BinaryNumber(l), BinaryNumber(r));
+    if (error.kind() != SideError::Kind::finite) continue;
     const Rational exactly = rational_of(error.exact());
     EXPECT_LE(exact(error.lower()), exactly);
     if (std::isfinite(error.upper())) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/trait/side_error.h"
 #include "exact/numbers/mpfr_number.h"
 
 namespace axiscert {
@@ -13,14 +13,15 @@ namespace {
 
 // The error of computed sides against sqrt(s) / d and r / d.
 template <class Real>
-ComparisonError rooted_error(Real computed_lhs, Real computed_rhs, const Ring& s, const Ring& r, const Ring& d) {
-  return {computed_lhs, computed_rhs, {s, r, d, true, false}};
+SideError rooted_error(Real computed_lhs, Real computed_rhs, const BinaryNumber& s, const BinaryNumber& r,
+                       const BinaryNumber& d) {
+  return {computed_lhs, computed_rhs, {BinaryFraction(s, d), BinaryFraction(r, d), true}};
 }
 
 TEST(RootedError, HandValues) {
-  using Kind = ComparisonError::Kind;
+  using Kind = SideError::Kind;
   const auto of = [](float l, float r, int square, int rhs, int denominator) {
-    return rooted_error(l, r, Ring(square), Ring(rhs), Ring(denominator));
+    return rooted_error(l, r, BinaryNumber(square), BinaryNumber(rhs), BinaryNumber(denominator));
   };
   EXPECT_EQ(of(2, 1, 4, 1, 1).rounded_up(), Decimal6()) << "sqrt(4) = 2";
   EXPECT_EQ(of(3, 1, 4, 1, 1).rounded_up(), round_up(Rational(1 << 24, 3)));
@@ -36,9 +37,9 @@ TEST(RootedError, HandValues) {
 }
 
 TEST(RootedError, UndefinedSidesHaveNoScale) {
-  const Ring zero(0), one(1);
-  const ComparisonError error(NAN, 1.f, ExactComparison{zero, zero, one, false, true});
-  EXPECT_EQ(error.kind(), ComparisonError::Kind::without_scale);
+  const BinaryFraction none(0.0);
+  const SideError error(NAN, 1.f, ExactComparison{none, none, false, true});
+  EXPECT_EQ(error.kind(), SideError::Kind::without_scale);
 }
 
 Rational decimal(std::uint32_t mantissa, int exponent) {
@@ -60,8 +61,8 @@ void expect_errors_as_at_2000_bits(int greatest_exponent) {
     Real lhs = static_cast<Real>(std::sqrt(s) / d), rhs = static_cast<Real>(r / d);
     lhs *= random() % 8 == 0 ? static_cast<Real>(off()) : static_cast<Real>(1 + off() * epsilon);
     if (!std::isfinite(lhs) || !std::isfinite(rhs)) continue;
-    const ComparisonError error = rooted_error(lhs, rhs, Ring(s), Ring(r), Ring(d));
-    ASSERT_EQ(error.kind(), ComparisonError::Kind::finite);
+    const SideError error = rooted_error(lhs, rhs, BinaryNumber(s), BinaryNumber(r), BinaryNumber(d));
+    ASSERT_EQ(error.kind(), SideError::Kind::finite);
 
     const Mpfr<2000> root = square_root(Mpfr<2000>(s)), exact_rhs(r), by(d);
     const Mpfr<2000> difference = (Mpfr<2000>(lhs) - Mpfr<2000>(rhs)) * by - (root - exact_rhs);

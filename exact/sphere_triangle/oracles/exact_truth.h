@@ -10,7 +10,7 @@ namespace axiscert {
 
 // The truth with the exact sides against which it was checked; without them if the verdict is `invalid`.
 struct ExactTruth : Truth {
-  std::optional<FormulaTruth> formula;
+  std::optional<ExactSides> sides;  // of the published formulae
 };
 
 // Decides by CGAL and by the exact formulae and compares: the verdict of the formulae with non-strict sides is the

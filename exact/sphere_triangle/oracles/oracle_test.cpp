@@ -16,7 +16,7 @@ namespace axiscert {
 
 namespace {
 
-int ring_order(const Ring& a, const Ring& b) { return static_cast<int>(CGAL::compare(a, b)); }
+int by_value(const BinaryNumber& a, const BinaryNumber& b) { return order(a, b); }
 
 template <class Real>
 class OracleTest : public testing::Test {};
@@ -111,21 +111,23 @@ LatticeCount judge_lattice(int n) {
         const Rational distance2 = squared_distance(q);
         const double den = distance2.get_den().get_d(), scaled = distance2.get_num().get_d() * den;
         const auto scale = [&](const Vec3<double>& v) {
-          return Vec3<Ring>{Ring(v.x * den), Ring(v.y * den), Ring(v.z * den)};
+          return Vec3<BinaryNumber>{BinaryNumber(v.x * den), BinaryNumber(v.y * den), BinaryNumber(v.z * den)};
         };
         bool strict_wrong = false;
         for (const int offset : {-1, 0, 1}) {
           if (scaled == 0 && offset < 0) continue;  // no radius is below zero
-          const Ring rr = Ring(scaled) + (scaled == 0 ? Ring(offset) : Ring(scaled * offset) * Ring(0x1p-40));
-          const portable::Centred<Ring> centred{scale(q.a), scale(q.b), scale(q.c), rr};
-          const FormulaTruth truth = formula_truth(centred);
+          const BinaryNumber rr =
+              BinaryNumber(scaled) +
+              (scaled == 0 ? BinaryNumber(offset) : BinaryNumber(scaled * offset) * BinaryNumber(0x1p-40));
+          const portable::Centred<BinaryNumber> centred{scale(q.a), scale(q.b), scale(q.c), rr};
+          const ExactSides truth = exact_sides(centred);
           const bool separated = offset < 0;
-          const bool strict = axes_of(truth.strict) != 0, nonstrict = axes_of(truth.bits(Strictness::nonstrict)) != 0;
+          const bool strict = axes_of(truth.strict) != 0, nonstrict = axes_of(truth.holding(side_comparisons)) != 0;
           strict_wrong |= strict != separated;
           count.missed_contacts += strict && !separated;
           count.nonstrict_wrong += nonstrict != separated;
-          const auto walked = walked_squared_distance(centred, Ring(0), Ring(1), ring_order);
-          count.oracle_differences += ring_order(walked.numerator, rr * walked.denominator) != -offset;
+          const auto walked = walked_squared_distance(centred, BinaryNumber(), BinaryNumber(1), by_value);
+          count.oracle_differences += by_value(walked.numerator, rr * walked.denominator) != -offset;
         }
         if (strict_wrong) {
           ++count.strict_wrong;

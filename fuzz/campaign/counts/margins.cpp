@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/trait/side_error.h"
 
 namespace axiscert {
 namespace {
@@ -27,10 +27,10 @@ Rational power_of_two(int exponent) {
 // The margin in u equals the error of a kernel that computed 0 > 0: its sides differ from the exact ones by the margin.
 template <class Real>
 std::optional<int> margin_exponent(const ExactComparison& exact) {
-  const ComparisonError margin(Real(0), Real(0), exact);
-  if (exact.undefined) return std::nullopt;
+  const SideError margin(Real(0), Real(0), exact);
+  if (exact.is_undefined) return std::nullopt;
   // 0/0 and a margin of exactly 0 are ties.
-  if (margin.kind() == ComparisonError::Kind::without_scale || margin.upper() == 0) return tied_margin;
+  if (margin.kind() == SideError::Kind::without_scale || margin.upper() == 0) return tied_margin;
   if (margin.lower() > 0 && std::isfinite(margin.upper())) {
     const int low = exponent_of(margin.lower()), high = exponent_of(margin.upper());
     if (low == high || high <= least_margin_exponent) return std::max(low, least_margin_exponent);
@@ -59,15 +59,15 @@ void MarginTally::merge(const MarginTally& other) {
 }
 
 template <class Real>
-void count_margins(MarginTally& tally, const FormulaTruth& sides, ComparisonBits exact, ComparisonBits computed) {
+void count_margins(MarginTally& tally, const ExactSides& sides, ComparisonBits exact, ComparisonBits computed) {
   const ComparisonBits wrong = exact ^ computed;
-  for (std::size_t i = 0; i < comparison_count; ++i) {
+  for (std::size_t i = 0; i < sides.lhs.size(); ++i) {
     const std::optional<int> exponent = margin_exponent<Real>(sides.comparison(i));
     const bool is_wrong = has_bit(wrong, i);
     if (exponent) tally.add(i, *exponent, {!is_wrong, is_wrong});
   }
 }
-template void count_margins<float>(MarginTally&, const FormulaTruth&, ComparisonBits, ComparisonBits);
-template void count_margins<double>(MarginTally&, const FormulaTruth&, ComparisonBits, ComparisonBits);
+template void count_margins<float>(MarginTally&, const ExactSides&, ComparisonBits, ComparisonBits);
+template void count_margins<double>(MarginTally&, const ExactSides&, ComparisonBits, ComparisonBits);
 
 }  // namespace axiscert

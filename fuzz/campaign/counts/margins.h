@@ -14,7 +14,7 @@
 namespace axiscert {
 
 struct ExactComparison;
-struct FormulaTruth;
+struct ExactSides;
 
 // Margins are measured on the first queries of each source, however the others are decided: this few are cheap, and the
 // first ones are the same for any number of threads and shards and with any filters.
@@ -49,6 +49,6 @@ class MarginTally {
 
 // One query with a valid truth: `exact` and `computed` are the signs, each by the kernel's own strictness.
 template <class Real>
-void count_margins(MarginTally& tally, const FormulaTruth& sides, ComparisonBits exact, ComparisonBits computed);
+void count_margins(MarginTally& tally, const ExactSides& sides, ComparisonBits exact, ComparisonBits computed);
 
 }  // namespace axiscert

@@ -13,9 +13,9 @@ namespace axiscert {
 namespace {
 
 template <class Real>
-std::optional<int> exponent(const Ring& lhs, const Ring& rhs, bool rooted = false, bool undefined = false) {
-  const Ring one(1);
-  return margin_exponent<Real>(ExactComparison{lhs, rhs, one, rooted, undefined});
+std::optional<int> exponent(const BinaryNumber& lhs, const BinaryNumber& rhs, bool rooted = false,
+                            bool undefined = false) {
+  return margin_exponent<Real>(ExactComparison{BinaryFraction(lhs), BinaryFraction(rhs), rooted, undefined});
 }
 
 // By definition, over the rationals: the k with 2^k < |l - r| / (u (|l| + |r|)) <= 2^(k+1).
@@ -37,41 +37,44 @@ TEST(MarginExponent, IsThatOfTheDefinitionOnWholeNumbers) {
   };
   for (int i = 0; i < 20000; ++i) {
     const double l = number(), r = i % 3 == 0 ? l + static_cast<double>(random() % 3) - 1 : number();
-    ASSERT_EQ(exponent<float>(Ring(l), Ring(r)), by_definition(l, r, 24)) << l << " " << r << " of seed " << seed;
-    ASSERT_EQ(exponent<double>(Ring(l), Ring(r)), by_definition(l, r, 53)) << l << " " << r << " of seed " << seed;
+    ASSERT_EQ(exponent<float>(BinaryNumber(l), BinaryNumber(r)), by_definition(l, r, 24))
+        << l << " " << r << " of seed " << seed;
+    ASSERT_EQ(exponent<double>(BinaryNumber(l), BinaryNumber(r)), by_definition(l, r, 53))
+        << l << " " << r << " of seed " << seed;
   }
 }
 
 // Margins for which no estimate can decide on which side of a power of two they lie.
 TEST(MarginExponent, APowerOfTwoBelongsToTheBinBelow) {
-  EXPECT_EQ(exponent<float>(Ring(1), Ring(-1)), 23);  // 1/u: no margin is greater
-  EXPECT_EQ(exponent<double>(Ring(1), Ring(0)), 52);
+  EXPECT_EQ(exponent<float>(BinaryNumber(1), BinaryNumber(-1)), 23);  // 1/u: no margin is greater
+  EXPECT_EQ(exponent<double>(BinaryNumber(1), BinaryNumber()), 52);
   for (int k = 1; k < 24; ++k) {
     const double part = std::ldexp(1.0, -k);  // (1 + p) - (1 - p) over the sum: p
-    EXPECT_EQ(exponent<float>(Ring(1 + part), Ring(1 - part)), 23 - k);
-    EXPECT_EQ(exponent<float>(Ring(std::ldexp(1 + part, -700)), Ring(std::ldexp(1 - part, -700))), 23 - k);
+    EXPECT_EQ(exponent<float>(BinaryNumber(1 + part), BinaryNumber(1 - part)), 23 - k);
+    EXPECT_EQ(exponent<float>(BinaryNumber(std::ldexp(1 + part, -700)), BinaryNumber(std::ldexp(1 - part, -700))),
+              23 - k);
   }
 }
 
 TEST(MarginExponent, TiesUndefinedSidesAndTheLeast) {
-  EXPECT_EQ(exponent<float>(Ring(3), Ring(3)), tied_margin);
-  EXPECT_EQ(exponent<float>(Ring(0), Ring(0)), tied_margin);
-  EXPECT_EQ(exponent<float>(Ring(0), Ring(0), false, true), std::nullopt);
-  EXPECT_EQ(exponent<float>(Ring(1), Ring(1 + 0x1p-50)), least_margin_exponent);
-  EXPECT_EQ(exponent<double>(Ring(1), Ring(1 + 0x1p-50)), 1);
+  EXPECT_EQ(exponent<float>(BinaryNumber(3), BinaryNumber(3)), tied_margin);
+  EXPECT_EQ(exponent<float>(BinaryNumber(), BinaryNumber()), tied_margin);
+  EXPECT_EQ(exponent<float>(BinaryNumber(), BinaryNumber(), false, true), std::nullopt);
+  EXPECT_EQ(exponent<float>(BinaryNumber(1), BinaryNumber(1 + 0x1p-50)), least_margin_exponent);
+  EXPECT_EQ(exponent<double>(BinaryNumber(1), BinaryNumber(1 + 0x1p-50)), 1);
 }
 
 TEST(MarginExponent, OfARootIsThatOfItsValue) {
-  EXPECT_EQ(exponent<float>(Ring(9), Ring(1), true), exponent<float>(Ring(3), Ring(1)));
-  EXPECT_EQ(exponent<float>(Ring(9), Ring(-3), true), 23);
-  EXPECT_EQ(exponent<float>(Ring(9), Ring(3), true), tied_margin);
-  EXPECT_EQ(exponent<float>(Ring(0), Ring(0), true), tied_margin);
+  EXPECT_EQ(exponent<float>(BinaryNumber(9), BinaryNumber(1), true), exponent<float>(BinaryNumber(3), BinaryNumber(1)));
+  EXPECT_EQ(exponent<float>(BinaryNumber(9), BinaryNumber(-3), true), 23);
+  EXPECT_EQ(exponent<float>(BinaryNumber(9), BinaryNumber(3), true), tied_margin);
+  EXPECT_EQ(exponent<float>(BinaryNumber(), BinaryNumber(), true), tied_margin);
   // sqrt(2) - 1.4142135 is 6.2e-8: 2.2e-8 of the scale, 0.37 u.
-  EXPECT_EQ(exponent<float>(Ring(2), Ring(1.4142135), true), -2);
+  EXPECT_EQ(exponent<float>(BinaryNumber(2), BinaryNumber(1.4142135), true), -2);
   // Beyond binary64's range: only exact arithmetic decides.
-  Ring huge(1);
-  for (int i = 0; i < 3; ++i) huge = huge * Ring(0x1p+500);
-  EXPECT_EQ(exponent<float>(huge * huge * Ring(9), huge, true), 22);
+  BinaryNumber huge(1);
+  for (int i = 0; i < 3; ++i) huge = huge * BinaryNumber(0x1p+500);
+  EXPECT_EQ(exponent<float>(huge * huge * BinaryNumber(9), huge, true), 22);
 }
 
 Plan plan_of(const std::string& kernel, bool exact_only) {

@@ -247,15 +247,38 @@ void count_finding(Tally& tally, FindingKind kind, std::uint64_t position, const
   merge_finding(tally.findings[kind], {1, position, detail});
 }
 
+bool count_side_error(ComparisonTally& comparison, std::uint64_t position, const SideError& error,
+                      const std::optional<Rational>& tolerated) {
+  switch (error.kind()) {
+    case SideError::Kind::range_event:
+      ++comparison.range_events;
+      break;
+    case SideError::Kind::without_scale:
+      ++comparison.error_without_scale;
+      break;
+    case SideError::Kind::finite:
+      // The bound only selects; what is compared and stored is the exact error.
+      if (error.upper() > 0 && error.upper() >= least_of_interest(comparison)) {
+        comparison.largest_error.offer({error.rounded_up(), position});
+      }
+      if (tolerated && error.exceeds(*tolerated)) {
+        ++comparison.tolerance_failures;
+        return true;
+      }
+      break;
+  }
+  return false;
+}
+
 template <class Real>
 void count_errors(Tally& tally, std::uint64_t position, const TestDescription& test, const ExactSides& exact,
                   const Answers<Real>& computed, std::size_t index, const Tolerances& tolerances) {
   ClauseBits failing = 0;
   for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
-    if (!tolerances[i] && side_error_at_most(computed.lhs[i][index], computed.rhs[i][index], exact.lhs[i],
-                                             exact.rhs[i]) < least_of_interest(tally.comparisons[i]))
-      continue;
-    const SideError error(computed.lhs[i][index], computed.rhs[i][index], exact.lhs[i], exact.rhs[i]);
+    const Real lhs = computed.lhs[i][index], rhs = computed.rhs[i][index];
+    const ExactComparison sides = exact.comparison(i);
+    if (!tolerances[i] && side_error_at_most(lhs, rhs, sides) < least_of_interest(tally.comparisons[i])) continue;
+    const SideError error(lhs, rhs, sides);
     if (count_side_error(tally.comparisons[i], position, error, tolerances[i])) {
       failing |= one_bit<ClauseBits>(test.comparisons[i].clause);
     }

@@ -19,6 +19,7 @@
 namespace axiscert {
 
 struct ExactSides;
+class SideError;
 template <class Real>
 struct Answers;
 
@@ -142,39 +143,13 @@ inline double least_of_interest(const ComparisonTally& comparison) {
   return comparison.largest_error.best().value() * Decimal6::least_ratio;
 }
 
-// Counts the error of one comparison's sides: a SideError, or a ComparisonError of sphere-triangle. Returns whether it
-// exceeds what is tolerated.
-template <class Error>
-bool count_side_error(ComparisonTally& comparison, std::uint64_t position, const Error& error,
+// Counts the error of one comparison's sides. Returns whether it exceeds what is tolerated.
+bool count_side_error(ComparisonTally& comparison, std::uint64_t position, const SideError& error,
                       const std::optional<Rational>& tolerated);
 
 // Counts the errors of the sides of query `index` of a batch, whose answers are `computed`, against its exact sides.
 template <class Real>
 void count_errors(Tally& tally, std::uint64_t position, const TestDescription& test, const ExactSides& exact,
                   const Answers<Real>& computed, std::size_t index, const Tolerances& tolerances);
-
-template <class Error>
-bool count_side_error(ComparisonTally& comparison, std::uint64_t position, const Error& error,
-                      const std::optional<Rational>& tolerated) {
-  switch (error.kind()) {
-    case Error::Kind::range_event:
-      ++comparison.range_events;
-      break;
-    case Error::Kind::without_scale:
-      ++comparison.error_without_scale;
-      break;
-    case Error::Kind::finite:
-      // The bound only selects; what is compared and stored is the exact error.
-      if (error.upper() > 0 && error.upper() >= least_of_interest(comparison)) {
-        comparison.largest_error.offer({error.rounded_up(), position});
-      }
-      if (tolerated && error.exceeds(*tolerated)) {
-        ++comparison.tolerance_failures;
-        return true;
-      }
-      break;
-  }
-  return false;
-}
 
 }  // namespace axiscert

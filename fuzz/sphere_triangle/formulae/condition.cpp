@@ -47,13 +47,17 @@ ComparisonBits within_limit(ComparisonBits flips, std::uint64_t limit, ByCompari
   return flips;
 }
 
+ComparisonBits exact_bits(const ExactSides& sides, const Kernel& kernel) {
+  return sides.holding(nonstrict_comparisons(kernel.strictness));
+}
+
 // Every flip and every wrong verdict among the queries of a block.
 template <class Real>
 Findings search_block(const ConditionPlan& plan, JudgedBatch<Real>& batch) {
   Findings found{batch.source_index(), 0, std::vector<KernelFindings>(plan.kernels.size())};
   const std::uint64_t stride = plan.sample == 0 ? 0 : (plan.trials + plan.sample - 1) / plan.sample;
   std::vector<ByComparison> taken(plan.kernels.size());
-  const auto search = [&](std::size_t i, const Query<Real>& q, const ExactTruth& truth, Claims<Real>& claims) {
+  const auto search = [&](std::size_t i, AskedSphereTriangle<Real>& asked) {
     const std::uint64_t position = batch.position(i);
     std::optional<double> depth;
     for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
@@ -61,15 +65,15 @@ Findings search_block(const ConditionPlan& plan, JudgedBatch<Real>& batch) {
       KernelFindings& findings = found.kernels[k];
       const Verdict verdict = batch.reply(k).verdicts[i];
       const ComparisonBits bits = batch.reply(k).answers.bits[i];
-      const auto flips = static_cast<ComparisonBits>(bits ^ claims.sides(kernel.formulae)->bits(kernel.strictness));
+      const auto flips = static_cast<ComparisonBits>(bits ^ exact_bits(*asked.sides(kernel), kernel));
       for (std::size_t c = 0; c < comparison_count; ++c) findings.flips[c] += has_bit(flips, c);
       const bool sampled = stride != 0 && position % stride == 0;
       const Request request{position, within_limit(flips, plan.flip_limit, taken[k]),
                             sampled ? static_cast<ComparisonBits>(~flips) : ComparisonBits{0}};
       if (request.flips != 0 || request.others != 0) findings.requests.push_back(request);
-      if (verdict == truth.verdict || (verdict != Verdict::separated && verdict != Verdict::contact)) continue;
+      if (verdict == asked.truth().verdict || (verdict != Verdict::separated && verdict != Verdict::contact)) continue;
       ++(verdict == Verdict::separated ? findings.false_separation : findings.false_contact);
-      if (!depth) depth = axiscert::depth(q, squared_distance(q));
+      if (!depth) depth = axiscert::depth(asked.query(), squared_distance(asked.query()));
       findings.wrong.push_back({*depth, position});
     }
   };
@@ -107,7 +111,7 @@ Evaluated evaluate(const ConditionPlan& plan, const Kernel& kernel, const Source
   ComparisonBits range = 0;  // lost by the bounded exponent: R-infinity agrees with E, R does not
   if (request.flips != 0) {
     const Rounded chain = rounded(kernel.formulae, kernel.arithmetic, kernel.strictness, q);
-    const ComparisonBits exact = formula_truth(kernel.formulae, q).bits(kernel.strictness);
+    const ComparisonBits exact = exact_bits(exact_sides(kernel.formulae, q), kernel);
     range = static_cast<ComparisonBits>(~(*chain.range_free.bits ^ exact) & (*chain.reference.bits ^ exact));
   }
   for (std::size_t i = 0; i < comparison_count; ++i) {

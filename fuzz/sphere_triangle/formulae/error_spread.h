@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/trait/side_error.h"
 
 namespace axiscert {
 
@@ -16,7 +16,7 @@ namespace axiscert {
 // statistic, within 2^-11 of it. So the memory does not grow with the number of queries.
 class ErrorSpread {
  public:
-  void add(const ComparisonError& error) {
+  void add(const SideError& error) {
     double estimate = error.upper();
     if (estimate > 0 && estimate >= worst_.value()) {
       const Decimal6 exact = error.rounded_up();

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "exact/sphere_triangle/unbounded/unbounded.h"
-#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/trait/side_error.h"
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/campaign.h"
@@ -34,9 +34,9 @@ ComparisonBits flips_by_range(ComparisonBits flips, const Kernel& kernel, Compar
 }
 
 template <class Real>
-void count_comparisons(KernelAccuracy& into, const Kernel& kernel, const FormulaTruth& truth, const Query<Real>& q,
+void count_comparisons(KernelAccuracy& into, const Kernel& kernel, const ExactSides& sides, const Query<Real>& q,
                        const Answers<Real>& answers, std::size_t i) {
-  const ComparisonBits computed = answers.bits[i], exact = truth.bits(kernel.strictness);
+  const ComparisonBits computed = answers.bits[i], exact = sides.holding(nonstrict_comparisons(kernel.strictness));
   const auto flips = static_cast<ComparisonBits>(computed ^ exact);
   const ComparisonBits by_range = flips_by_range(flips, kernel, exact, q);
   for (std::size_t k = 0; k < comparison_count; ++k) {
@@ -44,15 +44,15 @@ void count_comparisons(KernelAccuracy& into, const Kernel& kernel, const Formula
     if (has_bit(flips, k)) ++(has_bit(computed, k) ? comparison.false_separation : comparison.missed_separation);
     comparison.by_range += has_bit(by_range, k);
     if (kernel.exposes != Exposure::sides) continue;
-    const ComparisonError error(answers.lhs[k][i], answers.rhs[k][i], truth.comparison(k));
+    const SideError error(answers.lhs[k][i], answers.rhs[k][i], sides.comparison(k));
     switch (error.kind()) {
-      case ComparisonError::Kind::range_event:
+      case SideError::Kind::range_event:
         ++comparison.range_events;
         break;
-      case ComparisonError::Kind::without_scale:
+      case SideError::Kind::without_scale:
         ++comparison.without_scale;
         break;
-      case ComparisonError::Kind::finite:
+      case SideError::Kind::finite:
         comparison.errors.add(error);
         break;
     }
@@ -70,13 +70,14 @@ void count_critical_radius(KernelAccuracy& into, const Implementation<Real>& ker
 // `into` points to the kernels' results on the batch's source.
 template <class Real>
 void judge_formulae(const LadderPlan& plan, JudgedBatch<Real>& batch, KernelAccuracy* into) {
-  for_each_valid(batch, [&](std::size_t i, const Query<Real>& q, const ExactTruth& truth, Claims<Real>& claims) {
+  for_each_valid(batch, [&](std::size_t i, AskedSphereTriangle<Real>& asked) {
+    const Query<Real>& q = asked.query();
     std::optional<Rational> distance;
     if (has_critical_radius(batch.position(i))) distance = squared_distance(q);
     for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
       const Reply<Real>& reply = batch.reply(k);
-      count_verdict(into[k], truth, reply.verdicts[i]);
-      count_comparisons(into[k], *plan.kernels[k], *claims.sides(plan.kernels[k]->formulae), q, reply.answers, i);
+      count_verdict(into[k], asked.truth(), reply.verdicts[i]);
+      count_comparisons(into[k], *plan.kernels[k], *asked.sides(*plan.kernels[k]), q, reply.answers, i);
       if (distance) count_critical_radius(into[k], batch.kernel(k), q, *distance);
     }
   });

@@ -1,6 +1,6 @@
 // The ladder: a row contains the results of one kernel only; windows equal the known ones; the number of threads has no
 // influence.
-#include "exact/sphere_triangle/measures/error_measure.h"
+#include "exact/trait/side_error.h"
 #include "fuzz/sphere_triangle/formulae/ladder.h"
 
 #include <gtest/gtest.h>
@@ -141,8 +141,8 @@ TEST(ExponentWindow, TheUnboundedBitsDoNotDependOnTheScale) {
 TEST(ErrorSpread, QuantilesAreLowerOrderStatisticsOfTheErrors) {
   ErrorSpread low, high;
   for (int i = 1; i <= 101; ++i) {
-    const Ring exact(1), zero(0), one(1);
-    const ComparisonError error(1 + static_cast<float>(i) * 0x1p-23f, 0.0f, {exact, zero, one, false, false});
+    const BinaryFraction one(1.0), zero(0.0);
+    const SideError error(1 + static_cast<float>(i) * 0x1p-23f, 0.0f, {one, zero});
     (i % 2 ? low : high).add(error);  // 2 i u
   }
   low.merge(high);

@@ -60,14 +60,15 @@ void measure_kernel(const PrecisionPlan& plan, const Kernel& kernel, const Query
 
 template <class Real>
 void measure_batch(const PrecisionPlan& plan, JudgedBatch<Real>& batch, PrecisionTally& tally) {
-  for_each_valid(batch, [&](std::size_t, const Query<Real>& q, const ExactTruth& truth, Claims<Real>& claims) {
+  for_each_valid(batch, [&](std::size_t, AskedSphereTriangle<Real>& asked) {
+    const Query<Real>& q = asked.query();
     ++tally.queries;
     for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
       const Kernel& kernel = *plan.kernels[k];
-      const FormulaTruth* own = claims.sides(kernel.formulae);
-      const Outcome exact =
-          own ? outcome_of(own->bits(kernel.strictness)) : Outcome{exact_verdict(kernel.formulae, q), std::nullopt};
-      measure_kernel(plan, kernel, q, exact, truth.verdict, tally.kernels[k]);
+      const ExactSides* own = asked.sides(kernel);
+      const Outcome exact = own ? outcome_of(own->holding(nonstrict_comparisons(kernel.strictness)))
+                                : Outcome{exact_verdict(kernel.formulae, q), std::nullopt};
+      measure_kernel(plan, kernel, q, exact, asked.truth().verdict, tally.kernels[k]);
     }
   });
 }

@@ -76,7 +76,7 @@ TYPED_TEST(AtPrecisionTest, OneBitLessIsSeenOnTangent) {
   constexpr int digits = std::numeric_limits<TypeParam>::digits;
   int differences = 0, more_flips = 0;
   for_each_query<TypeParam>("tangent", 2000, [&](const Query<TypeParam>& q, std::uint64_t) {
-    const auto exact = formula_truth(q).strict;
+    const auto exact = exact_sides(q).strict;
     const auto bits_at = [&](int bits) {
       return *at_precision(Formulae::published, Strictness::strict, q, bits, precision_of<TypeParam>).bits;
     };
@@ -111,7 +111,7 @@ void expect_no_flip_at_the_bit_length(const char* family, std::uint64_t queries)
     const auto formulae = static_cast<Formulae>(position % formulae_count);
     const auto degrees = degrees_of(formulae);
     if (!degrees) return;
-    const ComparisonBits exact = formula_truth(formulae, q).strict;
+    const ComparisonBits exact = exact_sides(formulae, q).strict;
     for (std::size_t k = 0; k < comparison_count; ++k) {
       if (!(*degrees)[k].bits) continue;
       const int bits = std::max(least_bits, (*degrees)[k].bits->at(integer_bits(q)));
@@ -146,7 +146,7 @@ TEST(AtPrecision, FromEightyBitsOnOnlyExactTiesFlip) {
   for (const char* name : {"sliver", "collinear"}) {
     for (std::uint64_t position = 0; position < 200; ++position) {
       const auto q = Query<float>::from(find_family(name).make<float>(1, position));
-      const FormulaTruth exact = formula_truth(q);
+      const ExactSides exact = exact_sides(q);
       for (const int bits : {80, 160}) {
         const Outcome found = at_precision(Formulae::published, Strictness::strict, q, bits, std::nullopt);
         const auto flips = static_cast<SignBits>(*found.bits ^ exact.strict);

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "fuzz/queries/image_groups.h"
-#include "kernel/sphere_triangle/description.h"
-
 namespace axiscert {
 namespace {
 
@@ -26,10 +23,6 @@ std::array<Symmetry, symmetry_count> all_symmetries() {
 std::span<const Symmetry> symmetries() {
   static const std::array<Symmetry, symmetry_count> all = all_symmetries();
   return all;
-}
-
-ComparisonBits bits_of_base(ComparisonBits image, const std::array<std::uint8_t, 3>& order) {
-  return ComparisonsOfBase(sphere_triangle_test(), order)(image);
 }
 
 }  // namespace axiscert

@@ -37,7 +37,4 @@ Query<T> image(const Query<T>& q, const Symmetry& symmetry) {
   return {at(0), at(1), at(2), mapped(q.p), q.r};
 }
 
-// The comparisons of an image by their names in the base, whose vertex order[i] is vertex i of the image.
-ComparisonBits bits_of_base(ComparisonBits image, const std::array<std::uint8_t, 3>& order);
-
 }  // namespace axiscert

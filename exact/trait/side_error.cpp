@@ -1,22 +1,10 @@
-#include "exact/sphere_triangle/measures/error_measure.h"
-
-#include <fmt/format.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <limits>
+#include "exact/trait/side_error.h"
 
 namespace axiscert {
-namespace {
 
-Ring magnitude(const Ring& x) { return x.sign() == CGAL::NEGATIVE ? -x : x; }
-
-}  // namespace
-
-template <class Real>
-ComparisonError::ComparisonError(Real computed_lhs, Real computed_rhs, const ExactComparison& exact)
-    : digits_(std::numeric_limits<Real>::digits) {
-  if (exact.undefined) {
+SideError::SideError(double computed_lhs, double computed_rhs, const ExactComparison& exact, int digits)
+    : digits_(digits), is_rooted_(exact.is_rooted) {
+  if (exact.is_undefined) {
     kind_ = Kind::without_scale;
     return;
   }
@@ -24,18 +12,16 @@ ComparisonError::ComparisonError(Real computed_lhs, Real computed_rhs, const Exa
     kind_ = Kind::range_event;
     return;
   }
-  const Ring computed =
-      (Ring(static_cast<double>(computed_lhs)) - Ring(static_cast<double>(computed_rhs))) * exact.denominator;
-  rooted_ = exact.rooted;
+  const BinaryNumber computed = BinaryNumber(computed_lhs) - BinaryNumber(computed_rhs);
   double numerator, denominator;
-  if (rooted_) {
-    offset_ = computed + exact.rhs;
-    square_ = exact.lhs;
-    rhs_ = magnitude(exact.rhs);
+  if (is_rooted_) {
+    offset_ = computed * exact.rhs.under + exact.rhs.over;
+    square_ = exact.lhs.over;
+    rhs_ = magnitude(exact.rhs.over);
     // |offset - sqrt(s)| = |offset^2 - s| / (offset + sqrt(s)) if offset is positive: no cancellation remains.
     const double root = std::sqrt(square_.to_double()), offset = offset_.to_double();
     difference_ = magnitude(offset_ * offset_ - square_);
-    if (offset_.sign() == CGAL::NEGATIVE) numerator = root - offset;
+    if (offset_.sign() < 0) numerator = root - offset;
     else if (difference_.is_zero()) return;
     else numerator = difference_.to_double() / (offset + root);
     if (square_.is_zero() && rhs_.is_zero()) {
@@ -44,9 +30,15 @@ ComparisonError::ComparisonError(Real computed_lhs, Real computed_rhs, const Exa
     }
     denominator = root + rhs_.to_double();
   } else {
-    difference_ = magnitude(computed - (exact.lhs - exact.rhs));
+    // All in one unit, which the error does not depend on.
+    const auto take = [&](const BinaryNumber& off, const BinaryNumber& left, const BinaryNumber& right) {
+      difference_ = magnitude(off - (left - right));
+      if (!difference_.is_zero()) scale_ = magnitude(left) + magnitude(right);
+    };
+    const BinaryFraction &lhs = exact.lhs, &rhs = exact.rhs;
+    if (lhs.under == rhs.under) take(computed * lhs.under, lhs.over, rhs.over);
+    else take(computed * (lhs.under * rhs.under), lhs.over * rhs.under, rhs.over * lhs.under);
     if (difference_.is_zero()) return;
-    scale_ = magnitude(exact.lhs) + magnitude(exact.rhs);
     if (scale_.is_zero()) {
       kind_ = Kind::without_scale;
       return;
@@ -55,7 +47,7 @@ ComparisonError::ComparisonError(Real computed_lhs, Real computed_rhs, const Exa
     denominator = scale_.to_double();
   }
   // Squares of the sides enter a rooted comparison: a narrower window keeps them within binary64's range.
-  const double least = rooted_ ? 1e-140 : 1e-290, greatest = rooted_ ? 1e140 : 1e290;
+  const double least = is_rooted_ ? 1e-140 : 1e-290, greatest = is_rooted_ ? 1e140 : 1e290;
   if (!(numerator > least && denominator > least && numerator < greatest && denominator < greatest)) {
     // to_double may have left the range: only exact arithmetic decides
     upper_ = std::numeric_limits<double>::infinity();
@@ -67,12 +59,9 @@ ComparisonError::ComparisonError(Real computed_lhs, Real computed_rhs, const Exa
   lower_ = estimate * (1 - 0x1p-40);
   upper_ = estimate * (1 + 0x1p-40);
 }
-template ComparisonError::ComparisonError(float, float, const ExactComparison&);
-template ComparisonError::ComparisonError(double, double, const ExactComparison&);
 
-Fraction ComparisonError::exact() const {
+Fraction SideError::exact() const {
   if (difference_.is_zero()) return {0, 1};
-  // Both are dyadic: the denominators only shift.
   const Rational difference = rational(difference_), scale = rational(scale_);
   return {(difference.get_num() * scale.get_den()) << digits_, difference.get_den() * scale.get_num()};
 }
@@ -80,8 +69,8 @@ Fraction ComparisonError::exact() const {
 // |a - sqrt(s)| > t (sqrt(s) + r), with t = tolerance u >= 0:
 //   a >= sqrt(s):  a - t r > (1 + t) sqrt(s);      a < sqrt(s):  (1 - t) sqrt(s) > a + t r;
 // each the sign of x - y sqrt(s), by squares.
-bool ComparisonError::exactly_exceeds(const Rational& tolerance) const {
-  if (!rooted_) {
+bool SideError::exactly_exceeds(const Rational& tolerance) const {
+  if (!is_rooted_) {
     const Fraction error = exact();
     return error.numerator * tolerance.get_den() > tolerance.get_num() * error.denominator;
   }
@@ -96,23 +85,23 @@ bool ComparisonError::exactly_exceeds(const Rational& tolerance) const {
   return order_with_root(a + t * r, 1 - t) < 0;
 }
 
-bool ComparisonError::exceeds(const Rational& tolerance) const {
+bool SideError::exceeds(const Rational& tolerance) const {
   const double near = tolerance.get_d();  // truncated: at most one ulp below
   if (upper_ < near) return false;
   if (lower_ > near * (1 + 0x1p-50) && near > 1e-290) return true;
   return exactly_exceeds(tolerance);
 }
 
-Decimal6 ComparisonError::rounded_up() const {
-  if (!rooted_) return round_up(exact());
-  if (difference_.is_zero() && offset_.sign() != CGAL::NEGATIVE) return {};
+Decimal6 SideError::rounded_up() const {
+  if (!is_rooted_) return round_up(exact());
+  if (difference_.is_zero() && offset_.sign() >= 0) return {};
   // An algebraic number: starting from an estimate, the least decimal that it does not exceed. As in the constructor,
   // the estimate is free of cancellation: 256 bits are enough.
   constexpr mp_bitcnt_t bits = 256;
   const mpf_class root = sqrt(mpf_class(rational(square_), bits)), offset(rational(offset_), bits);
   const mpf_class scale = root + mpf_class(rational(rhs_), bits);
   mpf_class error(0, bits);
-  if (offset_.sign() == CGAL::NEGATIVE) error = (root - offset) / scale;
+  if (offset_.sign() < 0) error = (root - offset) / scale;
   else error = mpf_class(rational(difference_), bits) / ((root + offset) * scale);
   mpf_mul_2exp(error.get_mpf_t(), error.get_mpf_t(), static_cast<mp_bitcnt_t>(digits_));
   Decimal6 least = round_up(Rational(error));
