@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "kernel/base/enum_array.h"
 
@@ -54,5 +55,12 @@ inline constexpr EnumArray<Formulae, FormulaeKind> formulae_kinds = {
 };
 constexpr FormulaeKind kind_of(Formulae f) { return formulae_kinds[f]; }
 constexpr bool has_comparisons(Formulae f) { return f != Formulae::none && kind_of(f) != FormulaeKind::method; }
+
+// The name by which a kernel claims them, as ids spell it: Formulae::closest_point is "closest-point". That of
+// Formulae::none is empty.
+std::string_view name(Formulae formulae);
+// Those that a kernel claims; none where it claims none, or those of another test.
+struct Kernel;
+Formulae formulae_of(const Kernel& kernel);
 
 }  // namespace axiscert

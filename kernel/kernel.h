@@ -10,7 +10,6 @@
 
 #include "kernel/arithmetic/arithmetic_list.h"
 #include "kernel/finding.h"
-#include "kernel/formulae_list.h"
 #include "kernel/motion_policy.h"
 #include "kernel/names.h"
 #include "kernel/outcome.h"
@@ -104,13 +103,11 @@ struct Kernel {
   std::string summary;                    // one line
   const TestDescription* test = nullptr;  // never null in a kernel that is asked
   std::size_t entry = 0;  // index among the test's entries: the form in which the kernel takes the numbers
-  // The kernel claims to compute these formulae, with these side comparisons, in this arithmetic.
-  Formulae formulae = Formulae::published;
+  // The kernel claims to compute these formulae, by their name among those of its test (Oracles::formulae of exact/),
+  // with these side comparisons, in this arithmetic. Empty: none, and only its verdicts are judged.
+  std::string formulae = {};
   Strictness strictness = Strictness::strict;
   Arithmetic arithmetic = Arithmetic::plain;
-  // The formulae that a kernel of another test claims to compute, by their name among that test's oracles; empty: none.
-  // Such a kernel has Formulae::none.
-  std::string claims = {};
   Exposure exposes = Exposure::sides;
   std::size_t measure_count = 0;  // it gives so many of the test's measures, from the first on
   // Empty where the kernel does not exist in that precision. A kernel that has only one form runs it on every target.
@@ -146,8 +143,10 @@ struct Kernel {
   }
 };
 
-// The names as ids spell them: Formulae::closest_point is "closest-point". Formulae::none is empty.
-std::string name(Formulae formulae);
+// Whether the formulae that it claims have comparisons.
+bool has_comparisons(const Kernel& kernel);
+
+// The name as ids spell it: Arithmetic::dot_yz_x is "dot-yz-x".
 std::string name(Arithmetic arithmetic);
 
 // Name and description of an arithmetic; see arithmetic_list.h.

@@ -105,7 +105,7 @@ TEST(Registry, AKernelThatDeclinesSaysThatItMayAndAnyThatSaysSoDeclines) {
 // Whatever formulae there are, a kernel is judged by them.
 TEST(Registry, EverySetOfFormulaeIsAKernels) {
   std::set<Formulae> claimed;
-  for (const Kernel& kernel : kernels()) claimed.insert(kernel.formulae);
+  for (const Kernel& kernel : kernels()) claimed.insert(formulae_of(kernel));
   for (std::size_t i = 0; i < formulae_count; ++i) {
     const auto formulae = static_cast<Formulae>(i);
     EXPECT_TRUE(claimed.contains(formulae)) << "kernel/formulae_list.h has '" << name(formulae)
@@ -132,6 +132,7 @@ TEST(SelfCheck, RefusesAContractedKernel) {
   Kernel contracted;
   contracted.id = "contracted";
   contracted.test = &sphere_triangle_test();
+  contracted.formulae = "published";
   contracted.binary64 = [](std::string_view) { return Implementation<double>{{}, contracted_explain<double>}; };
   const auto wrong = self_check<double>(contracted, "scalar");
   ASSERT_TRUE(wrong.has_value());

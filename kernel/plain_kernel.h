@@ -25,6 +25,7 @@
 #include <string>
 #include <utility>
 
+#include "kernel/formulae_list.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
@@ -112,7 +113,6 @@ Kernel plain_kernel_named(std::string id, std::string summary) {
   kernel.summary = std::move(summary);
   kernel.test = &Test::description();
   kernel.entry = entry_of<Test>();
-  kernel.formulae = Formulae::none;
   if constexpr (GivesMeasures<M>) kernel.measure_count = M::measure_count;
   return kernel;
 }
@@ -121,7 +121,7 @@ Kernel plain_kernel_named(std::string id, std::string summary) {
 template <class Test, class F>
 Kernel plain_kernel(std::string id, std::string summary) {
   Kernel kernel = plain_kernel_named<Test, F>(std::move(id), std::move(summary));
-  kernel.claims = F::name;
+  kernel.formulae = F::name;
   kernel.binary32 = [](std::string_view) { return plain_implementation<Test, F, float>(); };
   kernel.binary64 = [](std::string_view) { return plain_implementation<Test, F, double>(); };
   return kernel;

@@ -96,8 +96,11 @@ struct TestDescription {
   // Kernel::strictness says how a kernel compares its sides where they do not tie at touching; there all compare by
   // `>`.
   bool has_strictness = false;
-  double greatest_depth = 1;  // of a wrong verdict (docs/error_model.md#depth), rounded up
-  bool is_implied = false;    // files, plans, programs and ids that name no test are about this one
+  // A kernel's claim names an arithmetic too (Kernel::arithmetic); else it is of the formulae alone.
+  bool claims_arithmetic = false;
+  std::vector<std::string_view> methods = {};  // formulae that have only a verdict, without comparisons
+  double greatest_depth = 1;                   // of a wrong verdict (docs/error_model.md#depth), rounded up
+  bool is_implied = false;                     // files, plans, programs and ids that name no test are about this one
 };
 
 // Returns the description unchanged. Throws HarnessFault if it has no entry, too many of anything, the same name twice,

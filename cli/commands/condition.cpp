@@ -25,7 +25,7 @@ int measure(const ConditionOptions& options) {
       options.sample,
       options.threads};
   for (const Kernel* kernel : plan.kernels) {
-    if (kernel->exposes == Exposure::verdict || !has_comparisons(kernel->formulae)) {
+    if (kernel->exposes == Exposure::verdict || !has_comparisons(*kernel)) {
       throw Error(
           fmt::format("--kernel {}: it shows a verdict alone, but conditions belong to comparisons; "
                       "'axiscert kernels' says which expose them",

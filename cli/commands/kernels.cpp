@@ -72,7 +72,7 @@ void print_kernels(const TestDescription& test) {
     print_kernel(*kernel, kernel->has_simd ? fmt::format("{}", fmt::join(targets, " ")) : std::string(scalar_target));
   }
   const auto is_rung = [&](const Kernel& kernel) {
-    return kernel.test == &test && kernel.takes_arithmetic && kernel.formulae != Formulae::none;
+    return kernel.test == &test && kernel.takes_arithmetic && test.claims_arithmetic;
   };
   if (std::any_of(kernels().begin(), kernels().end(), is_rung)) print_arithmetics();
   fmt::print(
@@ -137,7 +137,7 @@ Json kernel_json(const Kernel& kernel) {
                {"summary", kernel.summary},
                {"test", kernel.test->id},
                {"entry", kernel.test->entries[kernel.entry].name},
-               {"formulae", name(kernel.formulae)},
+               {"formulae", kernel.test->claims_arithmetic ? kernel.formulae : std::string()},
                {"precisions", precisions_of(kernel)},
                {"targets", targets_of(kernel)},
                {"exposes", exposures_json(kernel)},

@@ -7,6 +7,7 @@
 #include "cli/progress_line.h"
 #include "fuzz/queries/address.h"
 #include "kernel/base/error.h"
+#include "kernel/formulae_list.h"
 #include "kernel/registry/self_check.h"
 #include "reports/instrument/precision/ladder_report.h"
 
@@ -21,12 +22,12 @@ struct LadderOptions : InstrumentOptions {
 std::vector<std::string> default_kernels() {
   std::vector<const Kernel*> rungs;
   for (const Kernel& kernel : kernels()) {
-    const bool has_own_steps =
-        kernel.takes_arithmetic && kernel.formulae != Formulae::none && kernel.formulae != Formulae::published;
+    const Formulae formulae = formulae_of(kernel);
+    const bool has_own_steps = kernel.takes_arithmetic && formulae != Formulae::none && formulae != Formulae::published;
     if (has_own_steps && kernel.strictness == Strictness::strict) rungs.push_back(&kernel);
   }
   std::stable_sort(rungs.begin(), rungs.end(),
-                   [](const Kernel* a, const Kernel* b) { return a->formulae < b->formulae; });
+                   [](const Kernel* a, const Kernel* b) { return formulae_of(*a) < formulae_of(*b); });
   std::vector<std::string> ids;
   for (const Kernel* rung : rungs) ids.push_back(rung->id);
   return ids;

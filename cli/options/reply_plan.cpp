@@ -64,7 +64,7 @@ const Kernel& claimed(const char* option, const std::string& id, const StoredRep
   for (const Precision precision : replies.precisions()) {
     if (!kernel.has(precision)) throw Error(fmt::format("{} {}: does not exist in {}", option, id, name(precision)));
   }
-  if (replies.has_bits() && !has_comparisons(kernel.formulae) && kernel.claims.empty()) {
+  if (replies.has_bits() && !has_comparisons(kernel)) {
     throw Error(fmt::format("{} {}: it has no comparisons, but the replies give comparison bits", option, id));
   }
   return kernel;
@@ -85,12 +85,14 @@ Kernel program(const ReplyOptions& options, const StoredReplies& replies) {
   }
   // Replies with bits are of the usual or the first formulae of their test, unless the command says which.
   const TestDescription& test = replies.sources().front()->test();
-  const bool is_usual = replies.has_bits() && !test.usual_formulae.empty();
-  const std::string claims(replies.has_bits() && !is_usual ? oracles_of(test).formulae().front() : "");
+  std::string formulae;
+  if (replies.has_bits()) {
+    formulae = test.usual_formulae.empty() ? std::string(oracles_of(test).formulae().front())
+                                           : find_kernel(test.usual_formulae).formulae;
+  }
   Kernel kernel{.id = options.id,
                 .summary = "a program's replies, through a pipe",
-                .formulae = is_usual ? find_kernel(test.usual_formulae).formulae : Formulae::none,
-                .claims = claims,
+                .formulae = std::move(formulae),
                 .exposes = replies.has_bits() ? Exposure::comparisons : Exposure::verdict,
                 .binary32 = {},
                 .binary64 = {},
@@ -107,7 +109,6 @@ Kernel program(const ReplyOptions& options, const StoredReplies& replies) {
                       id, id));
     }
     kernel.formulae = model.formulae;
-    kernel.claims = model.claims;
     kernel.strictness = model.strictness;
     kernel.arithmetic = model.arithmetic;
     kernel.is_reference = true;
@@ -115,7 +116,6 @@ Kernel program(const ReplyOptions& options, const StoredReplies& replies) {
   if (const std::string& id = options.claim.formulae; !id.empty()) {
     const Kernel& model = claimed("--formulae", id, replies);
     kernel.formulae = model.formulae;
-    kernel.claims = model.claims;
     kernel.strictness = model.strictness;
   }
   const auto touching = std::find(touching_names.begin(), touching_names.end(), options.touching);

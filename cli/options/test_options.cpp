@@ -102,9 +102,9 @@ bool has_screen(const TestDescription& test, std::size_t) { return capabilities_
 bool has_moves(const TestDescription& test, std::size_t entry) { return test.entries[entry].has_free_numbers; }
 
 bool has_formulae(const TestDescription& test, std::size_t entry) {
-  return std::ranges::any_of(kernels(), [&](const Kernel& kernel) {
-    return kernel.test == &test && kernel.entry == entry && kernel.formulae != Formulae::none;
-  });
+  return test.claims_arithmetic && std::ranges::any_of(kernels(), [&](const Kernel& kernel) {
+           return kernel.test == &test && kernel.entry == entry && !kernel.formulae.empty();
+         });
 }
 
 std::vector<const TestDescription*> tests_with(Capability& capability) {

@@ -156,7 +156,7 @@ TEST(BoxOracles, AllFormsWithoutAnEpsilonHaveOneSignOnQuaternions) {
     for (const std::size_t k : {3, 4, 5, 13, 14, 15}) numbers[k] = std::abs(numbers[k]);
     if (quaternion_oracles().truth(numbers).verdict == Verdict::invalid) continue;
     for (const std::string_view formulae : quaternion_oracles().formulae()) {
-      kernel.claims = formulae;
+      kernel.formulae = formulae;
       EXPECT_TRUE(quaternion_oracles().about(numbers)->chain(kernel));
     }
   }

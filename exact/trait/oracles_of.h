@@ -134,7 +134,7 @@ class OraclesOf final : public Oracles {
 
     void expect(const Kernel& kernel) override {
       const auto expected = [&]<class... F>(FormulaeList<F...>) {
-        return ((has_first_sides<F> && F::name == kernel.claims) || ...);
+        return ((has_first_sides<F> && F::name == kernel.formulae) || ...);
       };
       keeps_sides_ = keeps_sides_ || expected(typename Test::AllFormulae());
     }
@@ -189,17 +189,17 @@ class OraclesOf final : public Oracles {
     // Null for a kernel that claims nothing.
     template <class... F>
     const Evaluated* claim_of(const Kernel& kernel, FormulaeList<F...>) {
-      if (kernel.claims.empty()) return nullptr;
+      if (kernel.formulae.empty()) return nullptr;
       Evaluated* found = nullptr;
       const auto evaluate = [&]<class One>() {
-        if (found != nullptr || One::name != kernel.claims) return;
+        if (found != nullptr || One::name != kernel.formulae) return;
         found = &evaluated<One>();
         if (kernel.is_reference && !found->rounded) found->rounded = rounded<One>();
       };
       (evaluate.template operator()<F>(), ...);
       if (found != nullptr) return found;
-      throw HarnessFault(
-          fmt::format("kernel '{}' claims formulae '{}', which {} has not", kernel.id, kernel.claims, kernel.test->id));
+      throw HarnessFault(fmt::format("kernel '{}' claims formulae '{}', which {} has not", kernel.id, kernel.formulae,
+                                     kernel.test->id));
     }
 
     template <class F>

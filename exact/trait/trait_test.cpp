@@ -98,7 +98,7 @@ struct SumTrait : Sum {
 
 Kernel claiming(std::string formulae, bool is_reference = true) {
   Kernel kernel = plain_kernel<Sum, AsWritten>("sum/one", "");
-  kernel.claims = std::move(formulae);
+  kernel.formulae = std::move(formulae);
   kernel.is_reference = is_reference;
   return kernel;
 }

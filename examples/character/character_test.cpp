@@ -156,6 +156,7 @@ Kernel kernel_of(const std::string& id, Touching touching, Answer answer) {
   Kernel kernel;
   kernel.id = id;
   kernel.test = &sphere_triangle_test();
+  kernel.formulae = "published";
   kernel.touching = touching;
   kernel.binary32 = [answer](std::string_view) {
     Implementation<float> implementation;

@@ -54,7 +54,6 @@ Kernel planted_motion(bool misses = false) {
   Kernel kernel;
   kernel.id = "planted";
   kernel.test = &moving_sphere_test();
-  kernel.formulae = Formulae::none;
   kernel.exposes = Exposure::verdict;
   kernel.is_reference = false;
   kernel.measure_count = 2;

@@ -52,7 +52,7 @@ inline Kernel supervised_kernel(const std::string& id, const Plant& plant, const
 // The same, but exposing only its verdict and claiming no formulae.
 inline Kernel black_box(const std::string& id, const Plant& plant, const std::string& base = "minkowski") {
   Kernel kernel = supervised_kernel(id, plant, base);
-  kernel.formulae = Formulae::none;
+  kernel.formulae.clear();
   kernel.exposes = Exposure::verdict;
   return kernel;
 }
@@ -63,7 +63,6 @@ inline Kernel unloadable_kernel(const std::string& id, const std::string& why) {
   kernel.id = id;
   kernel.summary = "not loaded";
   kernel.test = &sphere_triangle_test();
-  kernel.formulae = Formulae::none;
   kernel.exposes = Exposure::verdict;
   kernel.is_reference = false;
   kernel.findings = {{FindingKind::load, 0, why}};

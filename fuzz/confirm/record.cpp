@@ -270,16 +270,16 @@ Json limits_json(const Limits& limits) {
 
 Json entry_json(const std::vector<FileInfo>& plugins, const Kernel& kernel, Precision precision) {
   const Json digest = digest_json(plugins, kernel);
-  const bool has_arithmetic = kernel.formulae != Formulae::none, claimed = has_arithmetic || !kernel.claims.empty();
-  const std::string formulae = has_arithmetic ? name(kernel.formulae) : kernel.claims;
+  const bool claimed = !kernel.formulae.empty(), has_arithmetic = claimed && kernel.test->claims_arithmetic;
+  const bool has_strictness = has_comparisons(kernel) && kernel.test->has_strictness;
   Json entry = {{"id", kernel.id},
                 {"name", kernel.declared_name.empty() || digest.is_null() ? Json(nullptr) : Json(kernel.declared_name)},
                 {"digest", digest},
                 {"precision", name(precision)},
                 {"summary", kernel.summary},
-                {"formulae", claimed ? Json(formulae) : Json(nullptr)},
+                {"formulae", claimed ? Json(kernel.formulae) : Json(nullptr)},
                 {"arithmetic", has_arithmetic ? Json(name(kernel.arithmetic)) : Json(nullptr)},
-                {"strictness", has_comparisons(kernel.formulae) ? Json(name(kernel.strictness)) : Json(nullptr)},
+                {"strictness", has_strictness ? Json(name(kernel.strictness)) : Json(nullptr)},
                 {"reference", claimed ? Json(kernel.is_reference) : Json(nullptr)},
                 {"exposes", exposures_json(kernel)},
                 {"touching", name(kernel.touching)},

@@ -41,7 +41,6 @@ Kernel kernel_of(std::string id, Answer answer) {
   kernel.id = std::move(id);
   kernel.summary = "made for the tests";
   kernel.test = &sphere_triangle_test();
-  kernel.formulae = Formulae::none;
   kernel.exposes = Exposure::verdict;
   kernel.is_reference = false;
   const auto made = [answer]<class Real>() {

@@ -7,6 +7,7 @@
 #include "exact/sphere_triangle/unbounded/unbounded.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
+#include "kernel/formulae_list.h"
 
 namespace axiscert {
 namespace {
@@ -108,7 +109,7 @@ AxisWindows exponent_windows(const Kernel& kernel) {
   // with a scaling by 2^k: these bits hold at every scale.
   std::vector<ComparisonBits> expected;
   for (const Query<Real>& q : queries) {
-    expected.push_back(*unbounded(kernel.formulae, kernel.arithmetic, kernel.strictness, q).bits);
+    expected.push_back(*unbounded(formulae_of(kernel), kernel.arithmetic, kernel.strictness, q).bits);
   }
   const Implementation<Real> implementation = kernel.on<Real>(scalar_target);
   const auto sound_at = [&](int m) { return sound_axes(kernel, implementation, scaled_queries(queries, m), expected); };

@@ -50,7 +50,7 @@ inline Kernel published_with_a_gap() {
 inline Kernel saying(Verdict instead, bool everywhere) {
   Kernel kernel = find_kernel("certified");
   kernel.id = "saying";
-  kernel.formulae = Formulae::none;
+  kernel.formulae.clear();
   kernel.exposes = Exposure::verdict;
   kernel.is_reference = false;
   const auto made = [instead, everywhere]<class Real>(Implementation<Real> right) {

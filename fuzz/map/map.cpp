@@ -311,8 +311,7 @@ std::vector<MapSubject> map_subjects(const TestDescription& test) {
 }
 
 bool has_comparison_maps(const Kernel& kernel) {
-  const bool has_formulae = has_comparisons(kernel.formulae) || !kernel.claims.empty();
-  return kernel.exposes != Exposure::verdict && has_formulae;
+  return kernel.exposes != Exposure::verdict && has_comparisons(kernel);
 }
 
 std::vector<MapPicture> draw_map(const MapPlan& plan, const ShowProgress& report) {

@@ -185,8 +185,7 @@ class Judge {
     std::vector<const Kernel*> kernels;
     for (const std::string& id : correct_forms(*find_kernel(plan_.base).test)) {
       Kernel& box = boxes.emplace_back(find_kernel(id));
-      box.formulae = Formulae::none;
-      box.claims.clear();
+      box.formulae.clear();
       box.exposes = Exposure::verdict;
       box.is_reference = false;
       kernels.push_back(&box);

@@ -51,8 +51,7 @@ std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials
   const std::size_t by_bits = kernels.size();
   for (std::size_t k = 0; k < by_bits; ++k) {
     // A method has no comparisons to claim; its scalar form is itself the reference.
-    const bool claims_formulae = has_comparisons(kernels[k].formulae) || !kernels[k].claims.empty();
-    if (claims_formulae) kernels.push_back(claiming_formulae_alone(kernels[k]));
+    if (has_comparisons(kernels[k])) kernels.push_back(claiming_formulae_alone(kernels[k]));
   }
   Plan campaign;
   campaign.questions.seed = plan.seed;

@@ -88,7 +88,7 @@ TEST(SearchMotions, DoesNotDependOnThreadsOrWhereItStopped) {
 // A kernel that says contact from half of the distance on: every query is wrong there.
 TEST(SearchMotions, TheLengthIsSetToWhereTheVerdictChanges) {
   Kernel half = find_kernel("moving-sphere/twenty-nonstrict");
-  half.claims.clear();
+  half.formulae.clear();
   half.is_reference = false;
   half.exposes = Exposure::verdict;
   half.binary32 = [](std::string_view) {

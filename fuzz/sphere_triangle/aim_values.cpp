@@ -41,7 +41,7 @@ Decimal6 absolute_error(Real computed_lhs, Real computed_rhs, const ExactCompari
 template <class Real>
 std::optional<SideErrors> side_errors(const Kernel& kernel, const Implementation<Real>& implementation,
                                       const Query<Real>& q) {
-  if (kernel.exposes != Exposure::sides || !has_comparisons(kernel.formulae) || !is_valid(q)) return std::nullopt;
+  if (kernel.exposes != Exposure::sides || !has_comparisons(formulae_of(kernel)) || !is_valid(q)) return std::nullopt;
   const Reply<Real> reply = ask(implementation, q);
   if (!reply.has_bits || reply.verdicts[0] == Verdict::unanswered) return std::nullopt;
   // Every oracle agrees about the query; the kernel's own formulae follow.
@@ -73,7 +73,7 @@ std::optional<Decimal6> range_value(const Aim& aim, const Kernel& kernel, const 
   const Reply<Real> reply = ask(implementation, there);
   const std::size_t k = aim.which;
   const bool finite = std::isfinite(reply.answers.lhs[k][0]) && std::isfinite(reply.answers.rhs[k][0]);
-  const ComparisonBits expected = *unbounded(kernel.formulae, kernel.arithmetic, kernel.strictness, there).bits;
+  const ComparisonBits expected = *unbounded(formulae_of(kernel), kernel.arithmetic, kernel.strictness, there).bits;
   if (finite && !has_bit(reply.answers.bits[0] ^ expected, k)) return std::nullopt;
   return round_up(exact(range_score(aim.goal, precision_of<Real>, *m)));
 }

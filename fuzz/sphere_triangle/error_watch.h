@@ -10,6 +10,7 @@
 #include "exact/trait/side_error.h"
 #include "fuzz/campaign/counts/tally.h"
 #include "fuzz/sphere_triangle/decided_batch.h"
+#include "kernel/formulae_list.h"
 
 namespace axiscert {
 

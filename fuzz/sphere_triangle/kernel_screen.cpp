@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "exact/trait/side_error.h"
+#include "kernel/formulae_list.h"
 #include "kernel/sphere_triangle/shown_sides.h"
 
 namespace axiscert {
@@ -26,15 +27,16 @@ KernelScreen<Real>::KernelScreen(KernelRun<Real>& run, const Judging& judging, c
                                  std::uint64_t first_position)
     : run_(run),
       kernel_(run.kernel()),
+      formulae_(formulae_of(kernel_)),
       tolerances_(judging.tolerances),
       tally_(run.tally()),
       radii_(radii_within<Real>(kernel_.limits)),
       has_classes_(has_input_classes(kernel_)),
       exact_only_(judging.exact_only),
       by_signs_(!judging.exact_only && !kernel_.limits.any() &&
-                (kernel_.formulae == Formulae::none || has_filtered_errors(kernel_.formulae))),
+                (formulae_ == Formulae::none || has_filtered_errors(formulae_))),
       reference_(kernel_),
-      errors_(kernel_.formulae, judging.tolerances, filter, run.standing(), first_position, tally_) {}
+      errors_(formulae_, judging.tolerances, filter, run.standing(), first_position, tally_) {}
 
 template <class Real>
 void KernelScreen<Real>::look_at_errors(const DecidedBatch<Real>& batch) {
@@ -59,7 +61,7 @@ template <class Real>
 void KernelScreen<Real>::count_clear(const DecidedBatch<Real>& batch) {
   counted_.clear();
   if (!by_signs_ || run_.has_replies()) return;
-  if (kernel_.formulae == Formulae::none || (kernel_.is_reference && !reference_.has_form())) return;
+  if (formulae_ == Formulae::none || (kernel_.is_reference && !reference_.has_form())) return;
   counted_.assign(batch.size(), false);
   const Real* radii = batch.queries.columns().column[coordinate_count - 1];
   const Reply<Real>& reply = run_.reply();
@@ -88,7 +90,7 @@ bool KernelScreen<Real>::count_if_clean(std::size_t i, const Signs& signs, bool 
   if (answer.verdict != right) return false;
   const bool touching = (signs.ties != 0 || radius_is_zero) && is_touching(signs, radius_is_zero);
   if (touching && kernel_.touching != Touching::contact) return false;
-  if (kernel_.formulae == Formulae::none) {
+  if (formulae_ == Formulae::none) {
     clean_.add_verdict(right, touching);
     return true;
   }
@@ -106,7 +108,7 @@ void KernelScreen<Real>::judge_by_signs(std::size_t i, const Signs& signs, Asked
   const Query<Real>& q = look.query();
   LazyDistance<Real>& depth = look.distance();
   std::optional<RoundedBits> batched;
-  if (kernel_.formulae != Formulae::none && kernel_.is_reference) batched = reference_.rounded(i);
+  if (formulae_ != Formulae::none && kernel_.is_reference) batched = reference_.rounded(i);
   // A kernel that differs from the SIMD form is told so by the scalar reference itself.
   if (answer.bits && batched && *answer.bits != batched->reference) batched.reset();
   RepeatedJudgement* repeated = nullptr;
@@ -125,11 +127,10 @@ void KernelScreen<Real>::judge_by_signs(std::size_t i, const Signs& signs, Asked
   }
   const Truth truth{verdict_of(signs), is_touching(signs, q.r == 0)};
   std::optional<Reference> chain;
-  if (kernel_.formulae != Formulae::none) {
+  if (formulae_ != Formulae::none) {
     chain = Reference{outcome_of(signs.bits(kernel_.strictness)), std::nullopt, signs.ties};
     if (batched) chain->rounded = batched->outcomes();
-    else if (kernel_.is_reference)
-      chain->rounded = rounded(kernel_.formulae, kernel_.arithmetic, kernel_.strictness, q);
+    else if (kernel_.is_reference) chain->rounded = rounded(formulae_, kernel_.arithmetic, kernel_.strictness, q);
   }
   const Judgement judgement = axiscert::judge(*kernel_.test, truth, chain, answer, kernel_.touching);
   if (truth.touching) depth.set_touching();
@@ -145,7 +146,7 @@ void KernelScreen<Real>::look_at_judged(std::size_t i, const typename KernelRun<
   if (look.exact().verdict == Verdict::invalid) return;
   count_wrong_input(i, found.judgement, look.exact().touching, look);
   if (run_.answer(i).verdict == Verdict::unanswered) return;
-  const ExactSides* sides = look.sides(kernel_);
+  const ExactSides* sides = look.sides(formulae_);
   if (sides != nullptr) check_sides(i, *sides, found.chain, is_filtered && by_signs_, look.query());
 }
 
@@ -195,7 +196,7 @@ template <class Real>
 void KernelScreen<Real>::measure_margins(std::size_t i, AskedSphereTriangle<Real>& asked) {
   const Answer said = run_.answer(i);
   if (!said.bits || !is_within(kernel_.limits, asked.query())) return;
-  const ExactSides* sides = asked.sides(kernel_);
+  const ExactSides* sides = asked.sides(formulae_);
   if (sides == nullptr) return;
   count_margins<Real>(tally_.margins, *sides, sides->holding(nonstrict_comparisons(kernel_.strictness)), *said.bits);
 }

@@ -56,6 +56,7 @@ class KernelScreen {
 
   KernelRun<Real>& run_;
   const Kernel& kernel_;
+  const Formulae formulae_;
   const Tolerances& tolerances_;
   Tally& tally_;
   RadiusRange<Real> radii_;

@@ -1,5 +1,6 @@
 #include "fuzz/sphere_triangle/search.h"
 #include "fuzz/sphere_triangle/search_box.h"
+#include "kernel/formulae_list.h"
 #include "kernel/sphere_triangle/proved_bounds.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/sphere_triangle/shown_sides.h"
@@ -11,7 +12,8 @@ class SphereTriangleBounds final : public ProvedBounds {
  public:
   // Both precisions have the same bound in u.
   std::optional<Decimal6> error(const Kernel& kernel, Precision, std::size_t comparison) const override {
-    const bool published = kernel.formulae == Formulae::published, reduced = kernel.formulae == Formulae::reduced;
+    const bool published = formulae_of(kernel) == Formulae::published,
+               reduced = formulae_of(kernel) == Formulae::reduced;
     const bool plain = kernel.arithmetic == Arithmetic::plain, fma = kernel.arithmetic == Arithmetic::fma;
     if (!kernel.is_reference || !(published || reduced) || !(plain || fma)) return std::nullopt;
     const auto row = (reduced ? 2u : 0u) + (fma ? 1u : 0u);
@@ -32,7 +34,7 @@ class SphereTriangleBounds final : public ProvedBounds {
   template <class Real>
   static bool are_claimed(const Kernel& kernel, const Query<Real>& q, const Sides<Real>& sides) {
     Sides<Real> claimed;
-    reference(kernel.formulae, kernel.arithmetic, kernel.strictness, q, &claimed);
+    reference(formulae_of(kernel), kernel.arithmetic, kernel.strictness, q, &claimed);
     return claimed.lhs == sides.lhs && claimed.rhs == sides.rhs;
   }
 };

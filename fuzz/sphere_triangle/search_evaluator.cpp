@@ -12,6 +12,7 @@
 #include "fuzz/search/moves/moves.h"
 #include "fuzz/sphere_triangle/search_box.h"
 #include "fuzz/sphere_triangle/search_range.h"
+#include "kernel/formulae_list.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 #include "kernel/sphere_triangle/reference/formulae_types.h"
@@ -144,7 +145,7 @@ Evaluator<Real>::Evaluator(const Kernel& kernel, std::string_view target)
       kernel_(kernel),
       implementation_(kernel.on<Real>(target)) {
   if constexpr (sizeof(Real) == 4) {
-    if (const SimdForms* forms = kernel.formulae == Formulae::none ? nullptr : simd_forms(kernel.formulae);
+    if (const SimdForms* forms = formulae_of(kernel) == Formulae::none ? nullptr : simd_forms(formulae_of(kernel));
         forms && !simd_targets().empty()) {
       wide_ = forms->on<double>(simd_targets().front(), Strictness::strict);
     }
@@ -187,7 +188,7 @@ void Evaluator<Real>::evaluate_error(const Aim& aim, const QueryBatch<Real>& bat
     }
   }
   std::vector<WideMargin> margins;
-  if constexpr (sizeof(Real) == 8) twice_wide_of[kernel_.formulae](aim.which, batch, margins);
+  if constexpr (sizeof(Real) == 8) twice_wide_of[formulae_of(kernel_)](aim.which, batch, margins);
   for (std::size_t i = 0; i < batch.size(); ++i) {
     WideMargin margin;
     if constexpr (sizeof(Real) == 4) {
@@ -197,7 +198,7 @@ void Evaluator<Real>::evaluate_error(const Aim& aim, const QueryBatch<Real>& bat
         r = wide_answers_.rhs[k][i];
       } else {
         Sides<double> sides;
-        reference(kernel_.formulae, Arithmetic::plain, Strictness::strict, widened(batch[i]), &sides);
+        reference(formulae_of(kernel_), Arithmetic::plain, Strictness::strict, widened(batch[i]), &sides);
         l = sides.lhs[k];
         r = sides.rhs[k];
       }
@@ -252,7 +253,7 @@ void Evaluator<Real>::evaluate_range(const Aim& aim, const QueryBatch<Real>& bat
 template <class Real>
 double Evaluator<Real>::vanishing(std::size_t which, const Query<Real>& q) const {
   Sides<double> sides;
-  reference(kernel_.formulae, Arithmetic::plain, Strictness::strict, widened(q), &sides);
+  reference(formulae_of(kernel_), Arithmetic::plain, Strictness::strict, widened(q), &sides);
   return comparisons[which].is_radius ? sides.lhs[which] : sides.lhs[which] - sides.rhs[which];
 }
 

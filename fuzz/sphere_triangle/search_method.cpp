@@ -5,6 +5,7 @@
 #include "fuzz/sphere_triangle/search.h"
 #include "fuzz/sphere_triangle/search_evaluator.h"
 #include "fuzz/sphere_triangle/search_range.h"
+#include "kernel/formulae_list.h"
 #include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
@@ -16,7 +17,7 @@ class SearchBySides final : public SearchMethod {
   // Comparisons if the kernel exposes their sides and claims formulae.
   std::vector<Aim> aims(const Kernel& kernel, const std::vector<std::size_t>& only) const override {
     std::vector<Aim> aims;
-    if (kernel.exposes == Exposure::sides && has_comparisons(kernel.formulae)) {
+    if (kernel.exposes == Exposure::sides && has_comparisons(formulae_of(kernel))) {
       for (const Goal goal : {Goal::error, Goal::relative_error, Goal::overflow, Goal::underflow}) {
         for (std::size_t k = 0; k < comparison_count; ++k) {
           if (only.empty() || std::find(only.begin(), only.end(), k) != only.end()) aims.push_back({goal, k});

@@ -10,6 +10,7 @@
 #include "exact/trait/side_error.h"
 #include "fuzz/sphere_triangle/confirm.h"
 #include "fuzz/text/number_text.h"
+#include "kernel/formulae_list.h"
 
 namespace axiscert {
 namespace {
@@ -125,8 +126,8 @@ class SphereTriangleSides final : public WitnessSides {
   template <class Real>
   static Json sides(const Query<Real>& q, const Kernel& kernel, const Examination& found,
                     ComparisonBits largest_errors) {
-    if (found.truth.verdict == Verdict::invalid || !has_comparisons(kernel.formulae)) return nullptr;
-    const ExactSides exact = exact_sides(kernel.formulae, q);
+    if (found.truth.verdict == Verdict::invalid || !has_comparisons(formulae_of(kernel))) return nullptr;
+    const ExactSides exact = exact_sides(formulae_of(kernel), q);
     Json json = Json::object();
     const ComparisonBits which = worth_showing(found.judgement, largest_errors);
     for (std::size_t i = 0; i < comparison_count; ++i) {

@@ -146,7 +146,8 @@ class Look {
             kernel.id));
       }
     }
-    const bool is_always_right = kernel.strictness == Strictness::nonstrict || kernel.formulae == Formulae::minkowski;
+    const bool is_always_right =
+        kernel.strictness == Strictness::nonstrict || formulae_of(kernel) == Formulae::minkowski;
     if (chain && is_always_right && chain->exact.verdict != truth_->verdict) {
       fail(fmt::format("{} answers {} in exact arithmetic, the truth is {}", kernel.id, name(chain->exact.verdict),
                        name(truth_->verdict)));

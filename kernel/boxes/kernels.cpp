@@ -22,7 +22,7 @@ Kernel of_matrices(std::string_view summary) {
 Kernel early_textbook() {
   Kernel kernel = plain_verdict_kernel<MatrixBoxes, EarlyTextbook>(
       "box-box/textbook-early", "textbook, until one axis separates, in the order a0 b0 a1 a2 b1 b2 and the edges");
-  kernel.claims = Textbook::name;
+  kernel.formulae = Textbook::name;
   kernel.is_reference = true;
   return kernel;
 }

@@ -100,12 +100,11 @@ Kernel twenty_in(std::string_view id, const Kernel& rung, const ArithmeticInfo& 
   kernel.id = id;
   kernel.summary = fmt::format("{}; {}", rung.summary, arithmetic.summary);
   kernel.test = rung.test;
-  kernel.formulae = Formulae::none;
-  kernel.claims = rung.claims;
+  kernel.formulae = rung.formulae;
   kernel.arithmetic = arithmetic.arithmetic;
   kernel.exposes = arithmetic.exposes;
   kernel.is_reference = false;
-  const ComparisonBits nonstrict = rung.claims == TwentyNonstrict::name ? side_bits : 0;
+  const ComparisonBits nonstrict = rung.formulae == TwentyNonstrict::name ? side_bits : 0;
   switch (arithmetic.arithmetic) {
 #define AXISCERT_CASE(name, type, summary)                     \
   case Arithmetic::name:                                       \

@@ -252,7 +252,7 @@ TYPED_TEST(MotionSimdTest, EveryArithmeticIsThePlainOneWhereNothingIsRounded) {
       EXPECT_EQ(there.answers.bits, plain.answers.bits) << id;
       different += differ(asked(id, rounded), plain_rounded);
       EXPECT_FALSE(kernel.is_reference) << id;
-      EXPECT_EQ(kernel.claims, rung);
+      EXPECT_EQ(kernel.formulae, rung);
     }
   }
   EXPECT_GE(checked, 26);

@@ -8,7 +8,7 @@ namespace axiscert::mutants {
 
 // A form has
 //   static const TestDescription& test();
-//   formulae, claims   as a kernel of that test claims them
+//   formulae()   as a kernel of that test claims them
 //   columns      how many numbers a query has: three for each of A, B, C and P, then others, the radius last
 //   nonstrict    the comparisons that are lhs >= rhs
 //   plane_radius, edge_radius, edge_side, vertex_radius

@@ -158,8 +158,7 @@ Kernel kernel_of(const Mutant& mutant) {
   kernel.summary = fmt::format("one fault: {}, at {}", mutant.what, mutant.where);
   with_form(base_of(mutant), [&]<class Form>(Form) {
     kernel.test = &Form::test();
-    kernel.formulae = Form::formulae;
-    kernel.claims = Form::claims;
+    kernel.formulae = Form::formulae();
   });
   kernel.strictness = Strictness::nonstrict;
   kernel.exposes = Exposure::comparisons;
@@ -170,8 +169,7 @@ Kernel kernel_of(const Mutant& mutant) {
 
 Kernel black_box_of(const Mutant& mutant) {
   Kernel kernel = kernel_of(mutant);
-  kernel.formulae = Formulae::none;
-  kernel.claims.clear();
+  kernel.formulae.clear();
   kernel.exposes = Exposure::verdict;
   kernel.is_reference = false;
   return kernel;

@@ -101,13 +101,11 @@ void require_same_question(const char* member, const Kernel& own, const Kernel& 
 void claim(const Description& d, Kernel& kernel) {
   const Precision precision = d.precision == 32 ? Precision::binary32 : Precision::binary64;
   kernel.is_reference = d.has_conforms_to;
-  kernel.formulae = Formulae::none;
   if (d.has_conforms_to) {
     const Kernel& own = builtin("conforms_to", text_of(d.conforms_to), precision);
     kernel.formulae = own.formulae;
     kernel.strictness = own.strictness;
     kernel.arithmetic = own.arithmetic;
-    kernel.claims = own.claims;
     require_same_question("conforms_to", own, kernel);
     if (!own.is_reference) refuse(fmt::format("it conforms_to '{}', whose bits depend on its target", own.id));
   } else if (d.has_formulae || (kernel.exposes != Exposure::verdict && !kernel.test->usual_formulae.empty())) {
@@ -115,20 +113,19 @@ void claim(const Description& d, Kernel& kernel) {
     const Kernel& own = builtin("formulae", named, precision);
     kernel.formulae = own.formulae;
     kernel.strictness = own.strictness;
-    kernel.claims = own.claims;
     require_same_question("formulae", own, kernel);
   }
   if (kernel.is_reference && kernel.touching != Touching::contact) {
     refuse(fmt::format("it conforms_to '{}', for which touching is contact, and says that for it touching is '{}'",
                        text_of(d.conforms_to), name(kernel.touching)));
   }
-  if (kernel.exposes != Exposure::verdict && kernel.claims.empty() && !has_comparisons(kernel.formulae)) {
+  if (kernel.exposes != Exposure::verdict && !has_comparisons(kernel)) {
     refuse(
         kernel.test->usual_formulae.empty()
             ? fmt::format("it exposes comparisons of {}: give `formulae` or `conforms_to` a built-in kernel of it that "
                           "has comparisons",
                           kernel.test->id)
-            : fmt::format("it exposes comparisons, but formulae '{}' have none", name(kernel.formulae)));
+            : fmt::format("it exposes comparisons, but formulae '{}' have none", kernel.formulae));
   }
 }
 
@@ -168,13 +165,12 @@ void add_declared(const Description& d, std::uint32_t index, const Hosted& hoste
   described.declared_name = kernel.declared_name.empty() ? text_of(d.name) : kernel.declared_name;
   claim(d, described);
   const bool is_first = !kernel.binary32 && !kernel.binary64;
-  if (!is_first &&
-      (described.exposes != kernel.exposes || described.touching != kernel.touching ||
-       described.limits != kernel.limits || described.motion != kernel.motion ||
-       described.may_decline != kernel.may_decline || described.measure_count != kernel.measure_count ||
-       described.test != kernel.test || described.entry != kernel.entry || described.formulae != kernel.formulae ||
-       described.strictness != kernel.strictness || described.arithmetic != kernel.arithmetic ||
-       described.is_reference != kernel.is_reference || described.claims != kernel.claims)) {
+  if (!is_first && (described.exposes != kernel.exposes || described.touching != kernel.touching ||
+                    described.limits != kernel.limits || described.motion != kernel.motion ||
+                    described.may_decline != kernel.may_decline || described.measure_count != kernel.measure_count ||
+                    described.test != kernel.test || described.entry != kernel.entry ||
+                    described.formulae != kernel.formulae || described.strictness != kernel.strictness ||
+                    described.arithmetic != kernel.arithmetic || described.is_reference != kernel.is_reference)) {
     refuse("its kernels in binary32 and in binary64 say different things of themselves; make two plug-ins of them");
   }
   const Supervised supervised{{hosted, index, d.abi, {described.test, described.entry, described.measure_count}},

@@ -85,7 +85,7 @@ TEST(Interface, WhatAVersion1PluginSaysOfItselfIsRead) {
   EXPECT_EQ(kernel.summary, "sides: built before");
   EXPECT_EQ(kernel.exposes, Exposure::sides);
   EXPECT_EQ(kernel.touching, Touching::either);
-  EXPECT_EQ(kernel.formulae, Formulae::reduced);
+  EXPECT_EQ(kernel.formulae, "reduced");
   EXPECT_EQ(kernel.limits, (Limits{1e-9, 1e9, 1e-8, 1e-7, 1e7}));
 }
 

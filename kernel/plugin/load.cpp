@@ -101,7 +101,6 @@ Kernel load_plugin(std::string id, const std::string& path) {
     unusable.file = path;
     unusable.summary = "not loaded";
     unusable.test = &test_named("");
-    unusable.formulae = Formulae::none;
     unusable.is_reference = false;
     unusable.exposes = Exposure::verdict;
     unusable.findings.push_back({refused.kind, 0, refused.detail});

@@ -67,6 +67,7 @@ Kernel watching(Seen& seen) {
   Kernel kernel;
   kernel.id = "watching";
   kernel.test = &sphere_triangle_test();
+  kernel.formulae = "published";
   kernel.has_simd = true;
   kernel.binary32 = [&seen](std::string_view target) {
     seen.target = target;
@@ -108,7 +109,7 @@ TEST(Called, InAModeItClaimsNoBitsOfTheReference) {
   EXPECT_TRUE(plain.is_reference);
   EXPECT_FALSE(upward.is_reference);
   EXPECT_FALSE(find_kernel("published@flushed").is_reference);
-  EXPECT_EQ(upward.formulae, Formulae::published);
+  EXPECT_EQ(upward.formulae, "published");
   EXPECT_EQ(upward.exposes, Exposure::sides);
   EXPECT_FALSE(plain.takes_arithmetic);
 }

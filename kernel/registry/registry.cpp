@@ -11,6 +11,7 @@
 #include "kernel/registry/called.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
+#include "kernel/formulae_list.h"
 #include "kernel/moving_sphere/arithmetic.h"
 #include "kernel/plugin/load.h"
 #include "kernel/sphere_triangle/forms/simd.h"
@@ -65,7 +66,7 @@ const Kernel& kept(std::string_view id, const Make& make) {
 
 // The kernel "RUNG+ARITHMETIC".
 Kernel composed(std::string_view id, const Kernel& rung, const ArithmeticInfo& arithmetic) {
-  if (rung.formulae == Formulae::none) return moving_sphere::twenty_in(id, rung, arithmetic);
+  if (!rung.test->claims_arithmetic) return moving_sphere::twenty_in(id, rung, arithmetic);
   Kernel kernel;
   kernel.id = id;
   kernel.summary = fmt::format("{}; {}", rung.summary, arithmetic.summary);
@@ -74,7 +75,7 @@ Kernel composed(std::string_view id, const Kernel& rung, const ArithmeticInfo& a
   kernel.strictness = rung.strictness;
   kernel.arithmetic = arithmetic.arithmetic;
   kernel.exposes = arithmetic.exposes;
-  const auto implementation = [f = rung.formulae, a = arithmetic.arithmetic, s = rung.strictness]<class Real>() {
+  const auto implementation = [f = formulae_of(rung), a = arithmetic.arithmetic, s = rung.strictness]<class Real>() {
     return reference_implementation<Real>(f, a, s);
   };
   if (arithmetic.in_binary32)
@@ -128,13 +129,9 @@ std::string with_dashes(std::string name) {
 
 }  // namespace
 
-std::string name(Formulae formulae) {
-  constexpr const char* names[] = {
-#define AXISCERT_NAME(name, type, kind) #name,
-      AXISCERT_FORMULAE(AXISCERT_NAME)
-#undef AXISCERT_NAME
-          ""};
-  return with_dashes(names[index_of(formulae)]);
+bool has_comparisons(const Kernel& kernel) {
+  const auto& methods = kernel.test->methods;
+  return !kernel.formulae.empty() && std::find(methods.begin(), methods.end(), kernel.formulae) == methods.end();
 }
 
 std::string name(Arithmetic arithmetic) {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "kernel/base/error.h"
+#include "kernel/formulae_list.h"
 #include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/sphere_triangle/reference/formulae_types.h"
 #include "kernel/kernel.h"
@@ -115,7 +116,7 @@ std::optional<std::string> self_check(const Kernel& kernel, std::string_view tar
   answers.resize(batch.size(), comparison_count);
   implementation.explain(batch.columns(), answers);
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    const auto expected = stored_sides(kernel.formulae, query_from(batch[i]));
+    const auto expected = stored_sides(formulae_of(kernel), query_from(batch[i]));
     for (std::size_t k = 0; k < comparison_count; ++k) {
       const Real lhs = expected.lhs[k].value, rhs = expected.rhs[k].value;
       if (same(answers.lhs[k][i], lhs) && same(answers.rhs[k][i], rhs)) continue;
@@ -134,7 +135,7 @@ template std::optional<std::string> self_check<double>(const Kernel&, std::strin
 void require_uncontracted(std::string_view target) {
   for (const Kernel& kernel : kernels()) {
     // Kernels of sphere-triangle alone: its formulae are compiled in every form.
-    if (!kernel.is_reference || kernel.exposes != Exposure::sides || kernel.formulae == Formulae::none) continue;
+    if (!kernel.is_reference || kernel.exposes != Exposure::sides || formulae_of(kernel) == Formulae::none) continue;
     if (target != scalar_target && !kernel.has_simd) continue;
     auto wrong = self_check<float>(kernel, target);
     if (!wrong) wrong = self_check<double>(kernel, target);

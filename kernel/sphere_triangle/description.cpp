@@ -1,5 +1,10 @@
 #include "kernel/sphere_triangle/description.h"
 
+#include <algorithm>
+#include <string>
+
+#include "kernel/formulae_list.h"
+#include "kernel/kernel.h"
 #include "kernel/sphere_triangle/names.h"
 #include "kernel/sphere_triangle/query.h"
 #include "kernel/test.h"
@@ -17,6 +22,20 @@ TestEntry vertices() {
   return entry;
 }
 
+// Of `closest_point`: "closest-point".
+const EnumArray<Formulae, std::string>& spelt_formulae() {
+  static const auto all = [] {
+    EnumArray<Formulae, std::string> spelt = {
+#define AXISCERT_NAME(name, type, kind) #name,
+        AXISCERT_FORMULAE(AXISCERT_NAME)
+#undef AXISCERT_NAME
+    };
+    for (std::string& name : spelt) std::replace(name.begin(), name.end(), '_', '-');
+    return spelt;
+  }();
+  return all;
+}
+
 TestDescription described() {
   TestDescription test{
       .id = "sphere-triangle",
@@ -31,8 +50,12 @@ TestDescription described() {
       .certified = "certified",
       .usual_formulae = "published",
       .has_strictness = true,
+      .claims_arithmetic = true,
       .is_implied = true,
   };
+  for (const Formulae formulae : enumerators<Formulae>) {
+    if (!has_comparisons(formulae)) test.methods.push_back(name(formulae));
+  }
   for (const ComparisonInfo& comparison : comparisons) {
     test.comparisons.push_back({comparison.name, index_of(comparison.axis), comparison.is_radius});
   }
@@ -45,6 +68,17 @@ TestDescription described() {
 const TestDescription& sphere_triangle_test() {
   static const TestDescription test = described();
   return test;
+}
+
+std::string_view name(Formulae formulae) {
+  return formulae == Formulae::none ? std::string_view() : spelt_formulae()[formulae];
+}
+
+Formulae formulae_of(const Kernel& kernel) {
+  if (kernel.test != &sphere_triangle_test()) return Formulae::none;
+  const auto& known = spelt_formulae();
+  const auto found = std::find(known.begin(), known.end(), kernel.formulae);
+  return static_cast<Formulae>(found - known.begin());
 }
 
 }  // namespace axiscert

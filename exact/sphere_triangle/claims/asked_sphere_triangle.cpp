@@ -51,13 +51,14 @@ const ExactSides* AskedSphereTriangle<Real>::sides(Formulae formulae) {
 
 template <class Real>
 std::optional<Reference> AskedSphereTriangle<Real>::chain(const Kernel& kernel) {
-  if (kernel.formulae == Formulae::none) return std::nullopt;
-  const ExactSides* own = sides(kernel.formulae);
+  const Formulae formulae = formulae_of(kernel);
+  if (formulae == Formulae::none) return std::nullopt;
+  const ExactSides* own = sides(formulae);
   Reference chain{own ? outcome_of(own->holding(nonstrict_comparisons(kernel.strictness)))
-                      : Outcome{exact_verdict(kernel.formulae, query_), {}},
+                      : Outcome{exact_verdict(formulae, query_), {}},
                   std::nullopt, own ? own->ties : ComparisonBits{0}};
   if (kernel.is_reference) {
-    const auto ask = [&](auto&& of) { return of(kernel.formulae, kernel.arithmetic, kernel.strictness, query_); };
+    const auto ask = [&](auto&& of) { return of(formulae, kernel.arithmetic, kernel.strictness, query_); };
     if (opinion_ == Opinion::exact_only) {
       chain.rounded = Rounded{ask([](auto... claim) { return unbounded_by_mpfr(claim...); }),
                               ask([](auto... claim) { return reference(claim...); })};

@@ -7,6 +7,7 @@
 #include "exact/sphere_triangle/measures/lazy_distance.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/trait/oracles.h"
+#include "kernel/formulae_list.h"
 
 namespace axiscert {
 
@@ -19,7 +20,7 @@ class AskedSphereTriangle : public AskedQuery {
 
   Truth truth() override { return exact(); }
   std::optional<Reference> chain(const Kernel& kernel) override;
-  const ExactSides* sides(const Kernel& kernel) override { return sides(kernel.formulae); }
+  const ExactSides* sides(const Kernel& kernel) override { return sides(formulae_of(kernel)); }
   DepthOf& depth() override { return distance_; }
   std::optional<ExactSigns> published_signs() override;
   std::optional<Rational> squared_distance() override { return distance_.squared(); }

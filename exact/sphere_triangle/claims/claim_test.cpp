@@ -20,7 +20,7 @@ bool same_point(const Vec3<double>& u, const Vec3<double>& v) { return u.x == v.
 // The triangles on which a kernel's formulae must give the geometric verdict in exact arithmetic; null: none.
 using Domain = bool (*)(const Query<double>&);
 Domain domain_of(const Kernel& kernel) {
-  switch (kernel.formulae) {
+  switch (formulae_of(kernel)) {
     case Formulae::minkowski:
       return [](const Query<double>&) { return true; };
     case Formulae::closest_point:
@@ -56,11 +56,11 @@ void judge_triangle(Query<double> q, FoundByKernel& found) {
     AskedSphereTriangle<double> asked(q, Opinion::first);
     for (std::size_t which = 0; which < kernels().size(); ++which) {
       const Kernel& kernel = kernels()[which];
-      if (kernel.formulae == Formulae::none) continue;
+      if (formulae_of(kernel) == Formulae::none) continue;
       // Throws if a rung's signs are not the published ones.
       const ExactSides* sides = asked.sides(kernel);
       const Verdict verdict = sides ? outcome_of(sides->holding(nonstrict_comparisons(kernel.strictness))).verdict
-                                    : exact_verdict(kernel.formulae, q);
+                                    : exact_verdict(formulae_of(kernel), q);
       if (verdict == truth) continue;
       const Domain domain = domain_of(kernel);
       ++(domain && domain(q) ? found[which].wrong_inside : found[which].wrong_outside);
@@ -87,9 +87,9 @@ int judge_lattice(First&& first, FoundByKernel& found) {
 void expect_claims_hold(const FoundByKernel& found) {
   for (std::size_t which = 0; which < kernels().size(); ++which) {
     const Kernel& kernel = kernels()[which];
-    if (kernel.formulae == Formulae::none) continue;
+    if (formulae_of(kernel) == Formulae::none) continue;
     EXPECT_EQ(found[which].wrong_inside, 0u) << kernel.id;
-    const bool right_everywhere = kernel.formulae == Formulae::minkowski || kernel.strictness != Strictness::strict;
+    const bool right_everywhere = formulae_of(kernel) == Formulae::minkowski || kernel.strictness != Strictness::strict;
     if (right_everywhere) {
       EXPECT_EQ(found[which].wrong_outside, 0u) << kernel.id;
     } else {

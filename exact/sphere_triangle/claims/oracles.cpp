@@ -34,10 +34,11 @@ class FilteredSphereTriangles final : public BatchOracle<Real> {
     return known_signs(i, Strictness::nonstrict);
   }
   std::optional<KnownSigns> claimed(std::size_t i, const Kernel& kernel) const override {
-    if (!is_known(i) || !has_comparisons(kernel.formulae)) return std::nullopt;
+    const Formulae formulae = formulae_of(kernel);
+    if (!is_known(i) || !has_comparisons(formulae)) return std::nullopt;
     // Rungs have the published signs on every query.
-    if (kind_of(kernel.formulae) == FormulaeKind::rung) return known_signs(i, kernel.strictness);
-    const ExactSides own = exact_sides(kernel.formulae, query(i));
+    if (kind_of(formulae) == FormulaeKind::rung) return known_signs(i, kernel.strictness);
+    const ExactSides own = exact_sides(formulae, query(i));
     return KnownSigns{own.holding(nonstrict_comparisons(kernel.strictness)), own.ties, (*decided_)[i].certain_in_lanes};
   }
   void check(std::size_t i, std::uint64_t position, std::uint64_t stride) const override {
@@ -65,7 +66,11 @@ class SphereTriangleOracles final : public Oracles {
   const TestDescription& test() const override { return sphere_triangle_test(); }
   bool is_valid(const Numbers<float>& q) const override { return axiscert::is_valid(query_from(q)); }
   bool is_valid(const Numbers<double>& q) const override { return axiscert::is_valid(query_from(q)); }
-  std::vector<std::string_view> formulae() const override { return {}; }  // a kernel claims them by Kernel::formulae
+  std::vector<std::string_view> formulae() const override {
+    std::vector<std::string_view> names;
+    for (const Formulae one : enumerators<Formulae>) names.push_back(name(one));
+    return names;
+  }
 
   bool has_filters() const override { return true; }
   std::unique_ptr<BatchOracle<float>> batches(std::string_view target, std::type_identity<float>) const override {

@@ -110,7 +110,7 @@ TYPED_TEST(FilterTest, ErrorsArePassedOverRightly) {
       std::size_t passed = 0;
       for (std::size_t i = 0; i < batch.size(); ++i) {
         if (!is_valid(query_from(batch[i]))) continue;
-        const ExactSides truth = exact_sides(kernel.formulae, query_from(batch[i]));
+        const ExactSides truth = exact_sides(formulae_of(kernel), query_from(batch[i]));
         for (std::size_t k = 0; k < comparison_count; ++k) {
           const SideError error(computed.lhs[k][i], computed.rhs[k][i], truth.comparison(k));
           const SuspectError* suspect = by_query[i][k];

@@ -128,13 +128,13 @@ TYPED_TEST(WideMarginsTest, ErrorsAreWithinTheirBounds) {
   int compared = 0, finite = 0, narrow = 0;
   for (const char* id : {"published", "reduced"}) {
     const Kernel& kernel = find_kernel(id);
-    const EdgeSides sides = kernel.formulae == Formulae::published ? EdgeSides::published : EdgeSides::reduced;
+    const EdgeSides sides = formulae_of(kernel) == Formulae::published ? EdgeSides::published : EdgeSides::reduced;
     for (int i = 0; i < count; ++i) {
       const Query<Real> q = wide_query<Real>(random, i);
       Sides<Real> computed;
-      reference(kernel.formulae, Arithmetic::plain, Strictness::strict, q, &computed);
+      reference(formulae_of(kernel), Arithmetic::plain, Strictness::strict, q, &computed);
       const WideMargins margins(widened(q));
-      const ExactSides truth = exact_sides(kernel.formulae, q);
+      const ExactSides truth = exact_sides(formulae_of(kernel), q);
       for (std::size_t k = 0; k < comparison_count; ++k) {
         const SideError error(computed.lhs[k], computed.rhs[k], truth.comparison(k));
         if (error.kind() == SideError::Kind::range_event) continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "exact/numbers/decimal6.h"
+#include "kernel/formulae_list.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/query.h"
 

@@ -2,6 +2,7 @@
 // time. Inputs are not rounded, so that any difference from the exact formulae comes from the operations alone.
 #pragma once
 
+#include "kernel/formulae_list.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 
 namespace axiscert {

@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "kernel/formulae_list.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/names.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cfenv>
 
+#include "kernel/formulae_list.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 
 namespace axiscert {
@@ -10,9 +11,9 @@ namespace axiscert {
 template <class Real>
 ReferenceBatch<Real>::ReferenceBatch(const Kernel& kernel) {
   const bool has_form = kernel.arithmetic == Arithmetic::plain && kernel.strictness != Strictness::not_less;
-  const SimdForms* forms = has_form ? simd_forms(kernel.formulae) : nullptr;
+  const SimdForms* forms = has_form ? simd_forms(formulae_of(kernel)) : nullptr;
   if (!forms) return;
-  range_free_form_ = range_free_on<Real>(simd_targets().front(), kernel.formulae, kernel.strictness);
+  range_free_form_ = range_free_on<Real>(simd_targets().front(), formulae_of(kernel), kernel.strictness);
   if (!range_free_form_) return;  // formulae with a form of R alone: both are evaluated one query at a time
   form_ = forms->on<Real>(simd_targets().front(), kernel.strictness).bits;
 }

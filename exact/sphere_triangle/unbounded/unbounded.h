@@ -3,6 +3,7 @@
 #pragma once
 
 #include "exact/judge/judge.h"
+#include "kernel/formulae_list.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 
 namespace axiscert {

@@ -4,6 +4,7 @@
 #include "exact/numbers/floating.h"
 #include "exact/numbers/mpfr_number.h"
 #include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "kernel/formulae_list.h"
 #include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert {

@@ -55,7 +55,7 @@ Implementation<Real> planted_implementation(AxisFault fault, std::size_t axis) {
 Kernel planted_kernel(AxisFault fault, std::size_t axis, bool shows_comparisons) {
   Kernel kernel = plain_kernel_named<MatrixBoxes, Projected>(
       fmt::format("box-box/planted-{}-{}-{}", static_cast<int>(fault), axis_names[axis], shows_comparisons), "");
-  if (shows_comparisons) kernel.claims = Projected::name;
+  if (shows_comparisons) kernel.formulae = Projected::name;
   kernel.exposes = shows_comparisons ? Exposure::comparisons : Exposure::verdict;
   kernel.is_reference = shows_comparisons;
   kernel.binary32 = [=](std::string_view) { return planted_implementation<float>(fault, axis); };

@@ -140,7 +140,7 @@ TEST(Recheck, AFaultOfOneTargetIsToldWithUnitAndKernel) {
   const Kernel& right = find_kernel("closest-point");
   Kernel kernel = right;
   kernel.id = "planted";
-  kernel.formulae = Formulae::none;
+  kernel.formulae.clear();
   kernel.exposes = Exposure::verdict;
   kernel.is_reference = false;
   kernel.binary32 = [](std::string_view target) {

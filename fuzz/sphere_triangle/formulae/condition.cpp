@@ -107,11 +107,11 @@ Evaluated evaluate(const ConditionPlan& plan, const Kernel& kernel, const Source
   using Kind = Condition::Kind;
   Evaluated result;
   const Query<Real> q = source.make<Real>(plan.seed, request.position);
-  const auto found = conditions(kernel.formulae, q, static_cast<ComparisonBits>(request.flips | request.others));
+  const auto found = conditions(formulae_of(kernel), q, static_cast<ComparisonBits>(request.flips | request.others));
   ComparisonBits range = 0;  // lost by the bounded exponent: R-infinity agrees with E, R does not
   if (request.flips != 0) {
-    const Rounded chain = rounded(kernel.formulae, kernel.arithmetic, kernel.strictness, q);
-    const ComparisonBits exact = exact_bits(exact_sides(kernel.formulae, q), kernel);
+    const Rounded chain = rounded(formulae_of(kernel), kernel.arithmetic, kernel.strictness, q);
+    const ComparisonBits exact = exact_bits(exact_sides(formulae_of(kernel), q), kernel);
     range = static_cast<ComparisonBits>(~(*chain.range_free.bits ^ exact) & (*chain.reference.bits ^ exact));
   }
   for (std::size_t i = 0; i < comparison_count; ++i) {

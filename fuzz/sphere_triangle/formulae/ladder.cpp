@@ -29,7 +29,7 @@ void count_verdict(KernelAccuracy& into, const Truth& truth, Verdict verdict) {
 template <class Real>
 ComparisonBits flips_by_range(ComparisonBits flips, const Kernel& kernel, ComparisonBits exact, const Query<Real>& q) {
   if (flips == 0) return 0;
-  const Rounded found = rounded(kernel.formulae, kernel.arithmetic, kernel.strictness, q);
+  const Rounded found = rounded(formulae_of(kernel), kernel.arithmetic, kernel.strictness, q);
   return static_cast<ComparisonBits>(flips & (*found.reference.bits ^ exact) & ~(*found.range_free.bits ^ exact));
 }
 

@@ -1,4 +1,5 @@
 #include "fuzz/sphere_triangle/formulae/ladder_steps.h"
+#include "kernel/formulae_list.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,7 @@ std::optional<std::size_t> find(const std::vector<LadderEntry>& entries, Formula
                                 Strictness strictness) {
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const Kernel& kernel = *entries[i].kernel;
-    if (kernel.formulae == formulae && kernel.arithmetic == arithmetic && kernel.strictness == strictness) return i;
+    if (formulae_of(kernel) == formulae && kernel.arithmetic == arithmetic && kernel.strictness == strictness) return i;
   }
   return std::nullopt;
 }
@@ -71,9 +72,9 @@ std::vector<LadderStep> ladder_steps(const std::vector<LadderEntry>& entries) {
     const Kernel& kernel = *entries[to].kernel;
     std::optional<std::size_t> from;
     if (kernel.arithmetic != Arithmetic::plain) {
-      from = find(entries, kernel.formulae, Arithmetic::plain, kernel.strictness);
+      from = find(entries, formulae_of(kernel), Arithmetic::plain, kernel.strictness);
     } else {
-      for (const Formulae origin : origins(kernel.formulae)) {
+      for (const Formulae origin : origins(formulae_of(kernel))) {
         if (!from) from = find(entries, origin, kernel.arithmetic, kernel.strictness);
       }
     }

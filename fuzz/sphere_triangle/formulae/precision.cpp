@@ -41,9 +41,9 @@ void measure_kernel(const PrecisionPlan& plan, const Kernel& kernel, const Query
   count_step(out.exact, exact.verdict, truth);
   for (std::size_t i = 0; i < plan.bits.size(); ++i) {
     const BothRanges found =
-        at_precision_in_both_ranges(kernel.formulae, kernel.strictness, q, plan.bits[i], plan.precision);
+        at_precision_in_both_ranges(formulae_of(kernel), kernel.strictness, q, plan.bits[i], plan.precision);
     if (plan.bits[i] == std::numeric_limits<Real>::digits) {
-      const Outcome reference = axiscert::reference(kernel.formulae, Arithmetic::plain, kernel.strictness, q);
+      const Outcome reference = axiscert::reference(formulae_of(kernel), Arithmetic::plain, kernel.strictness, q);
       if (!(found.limited == reference)) {
         throw HarnessFault(
             fmt::format("kernel {}: MPFR at {} bits with the exponents of {} is not the scalar reference", kernel.id,
@@ -67,7 +67,7 @@ void measure_batch(const PrecisionPlan& plan, JudgedBatch<Real>& batch, Precisio
       const Kernel& kernel = *plan.kernels[k];
       const ExactSides* own = asked.sides(kernel);
       const Outcome exact = own ? outcome_of(own->holding(nonstrict_comparisons(kernel.strictness)))
-                                : Outcome{exact_verdict(kernel.formulae, q), std::nullopt};
+                                : Outcome{exact_verdict(formulae_of(kernel), q), std::nullopt};
       measure_kernel(plan, kernel, q, exact, asked.truth().verdict, tally.kernels[k]);
     }
   });
@@ -134,7 +134,7 @@ void PrecisionTally::merge(const PrecisionTally& other) {
 
 std::vector<PrecisionTally> measure_precision(const PrecisionPlan& plan, const ShowProgress& report) {
   for (const Kernel* kernel : plan.kernels) {
-    if (kernel->formulae == Formulae::none || kernel->arithmetic != Arithmetic::plain) {
+    if (formulae_of(*kernel) == Formulae::none || kernel->arithmetic != Arithmetic::plain) {
       throw Error(
           fmt::format("kernel {}: claims no formulae in plain arithmetic, so there is nothing to evaluate at "
                       "another precision",

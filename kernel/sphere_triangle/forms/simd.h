@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kernel/formulae_list.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/decision.h"
 

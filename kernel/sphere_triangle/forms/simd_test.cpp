@@ -28,7 +28,7 @@ Query<Real> garbage(std::size_t i) {
 template <class Real>
 void expect_same_answers(const QueryBatch<Real>& batch, const Kernel& kernel, const std::string& target) {
   const std::size_t n = batch.size();
-  const auto scalar = reference_implementation<Real>(kernel.formulae, kernel.arithmetic, kernel.strictness);
+  const auto scalar = reference_implementation<Real>(formulae_of(kernel), kernel.arithmetic, kernel.strictness);
   const auto kernel_there = kernel.on<Real>(target);
   std::vector<Verdict> expected(n), found(n + 64, Verdict::invalid);
   scalar.verdicts(batch.columns(), expected.data());

@@ -235,7 +235,7 @@ TEST(ArithmeticNames, AComposedKernelIsMadeOnceAndSaysWhatItIs) {
   EXPECT_EQ(&kernel, &find_kernel("nonstrict+dot-xz-y"));
   EXPECT_EQ(kernel.id, "nonstrict+dot-xz-y");
   EXPECT_EQ(kernel.strictness, Strictness::nonstrict);
-  EXPECT_EQ(name(kernel.formulae), "published");
+  EXPECT_EQ(kernel.formulae, "published");
   EXPECT_EQ(name(kernel.arithmetic), "dot-xz-y");
   EXPECT_FALSE(find_kernel("published+spu").has(Precision::binary64));
   EXPECT_FALSE(find_kernel("published+in-double").has(Precision::binary64));

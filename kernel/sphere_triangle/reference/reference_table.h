@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "kernel/formulae_list.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/sphere_triangle/reference/formulae_types.h"
 

@@ -1,6 +1,7 @@
 // The scalar reference: it defines the meaning of a kernel, to the bit, in the precision of the input.
 #pragma once
 
+#include "kernel/formulae_list.h"
 #include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/kernel.h"
 

@@ -1,6 +1,7 @@
 // The scalar form of a kernel over batches, for the lines of the registry.
 #pragma once
 
+#include "kernel/formulae_list.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/sphere_triangle/reference/formulae_types.h"
 

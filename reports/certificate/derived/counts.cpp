@@ -57,7 +57,6 @@ Json stretch_json(const std::vector<const Kernel*>& kernels, const Stretches& st
 Json no_counts(const Json& entry, const TestDescription& test) {
   Kernel kernel;  // of which nothing is asked but what it promises and shows
   kernel.test = &test;
-  kernel.formulae = Formulae::none;
   if (has_limits(entry)) kernel.limits.least_radius = 1;
   if (const auto measures = entry.find("measures"); measures != entry.end()) kernel.measure_count = measures->size();
   Json none = counts_json(kernel, Tally(test));

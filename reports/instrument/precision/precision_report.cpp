@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "exact/sphere_triangle/unbounded/degree.h"
+#include "kernel/formulae_list.h"
 #include "reports/instrument/data.h"
 #include "reports/wording/summary.h"
 
@@ -119,7 +120,7 @@ InstrumentTable sufficient_table(const PrecisionPlan& plan, const PrecisionTally
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     const KernelPrecision& kernel = all.kernels[k];
     const std::string& id = plan.kernels[k]->id;
-    if (const auto degrees = degrees_of(plan.kernels[k]->formulae)) {
+    if (const auto degrees = degrees_of(formulae_of(*plan.kernels[k]))) {
       for (const Kind& kind : kinds()) {
         const std::size_t first = first_bit(kind.comparisons);
         const ComparisonDegree& d = (*degrees)[first];
@@ -206,7 +207,7 @@ Json sufficient_json(const PrecisionPlan& plan, const PrecisionTally& all) {
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     const SufficientVerdictBits verdict = sufficient_verdict_bits(plan, all.kernels[k]);
     Json kernel = {{"verdict", or_null(verdict.verdict)}, {"own_verdict", or_null(verdict.own_verdict)}};
-    if (const auto degrees = degrees_of(plan.kernels[k]->formulae)) {
+    if (const auto degrees = degrees_of(formulae_of(*plan.kernels[k]))) {
       for (std::size_t i = 0; i < comparison_count; ++i) {
         const ComparisonDegree& d = (*degrees)[i];
         const auto which = one_bit<ComparisonBits>(i);
