@@ -35,8 +35,9 @@ struct MapOptions {
 
 // The pixels each way of a map with filters, and of one that is drawn by oracles alone.
 constexpr std::size_t filtered_size = 256, exact_size = 64;
-bool has_filters(const StoredQuery& witness) { return oracles_of(*witness.test, witness.entry).has_filters(); }
-std::size_t default_size(const StoredQuery& witness) { return has_filters(witness) ? filtered_size : exact_size; }
+std::size_t default_size(const StoredQuery& witness) {
+  return has_filters(*witness.test, witness.entry) ? filtered_size : exact_size;
+}
 
 // The query of the file, or the one that --id chooses.
 StoredQuery witness_of(const MapOptions& options) {
@@ -103,7 +104,7 @@ Plane plane_of(const MapOptions& options, const StoredQuery& witness) {
   const MovedNumbers along = given(options.along, "scene");
   return std::visit(
       [&](const auto& q) {
-        const std::size_t most = has_filters(witness) ? greatest_map : exact_size;
+        const std::size_t most = has_filters(*witness.test, witness.entry) ? greatest_map : exact_size;
         return exponent_plane(q, along, across, options.size.value_or(most));
       },
       witness.numbers);

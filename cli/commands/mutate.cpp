@@ -41,7 +41,7 @@ constexpr std::uint64_t trials_by_formulae = std::uint64_t{1} << 16, trials_by_v
 constexpr std::uint64_t divisor_without_filters = 8;
 std::uint64_t default_trials(const MutateOptions& options, const TestDescription& test) {
   const std::uint64_t trials = options.verdict_only ? trials_by_verdict : trials_by_formulae;
-  return oracles_of(test).has_filters() ? trials : trials / divisor_without_filters;
+  return has_filters(test) ? trials : trials / divisor_without_filters;
 }
 
 // The controls in other arithmetics are judged by exact arithmetic, at a hundred times the cost of a mutant's query.
@@ -264,10 +264,6 @@ int mutate(const MutateOptions& given) {
 void add_mutate(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
       "mutate", "Plant one fault after the other in a correct kernel, and show which are caught, and how soon");
-  std::vector<std::string_view> with_filters;
-  for (const TestDescription* test : tests()) {
-    if (oracles_of(*test).has_filters()) with_filters.push_back(test->id);
-  }
   auto options = std::make_shared<MutateOptions>();
   MutateOptions& o = *options;
   add_test_option(*command, o.test, "test whose first such kernel the mutants are made from (axiscert tests)");
@@ -281,7 +277,7 @@ void add_mutate(CLI::App& app, Action& action) {
       ->add_option("--trials", o.trials,
                    fmt::format("queries per family and precision (default: {}, with --verdict-only {}; of a test other "
                                "than {} an eighth)",
-                               trials_by_formulae, trials_by_verdict, fmt::join(with_filters, ", ")))
+                               trials_by_formulae, trials_by_verdict, ids_of(tests_with(has_filters))))
       ->check(whole_number(1, std::uint64_t{1} << 48));
   command->add_option("--seed", o.seed, "seed of every family")->check(whole_number())->capture_default_str();
   command->add_option("--precision", o.precision, "binary32 or binary64")->default_str("both");

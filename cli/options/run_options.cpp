@@ -18,7 +18,6 @@
 #include "fuzz/files/corpus.h"
 #include "fuzz/queries/entry_families.h"
 #include "fuzz/meshes/mesh.h"
-#include "fuzz/queries/capabilities.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/sha256.h"
 #include "kernel/base/alike.h"
@@ -28,17 +27,28 @@
 namespace axiscert {
 namespace {
 
-// Queries per family, and fewer in binary64 where a family says so.
+// The binary logarithms of the queries per family: fewer in binary64, where exact arithmetic costs more, and fewest
+// where no filter decides before it, at a hundred times the cost.
+constexpr int trials_of_binary32 = 18, trials_of_binary64 = 16, trials_without_filters = 12;
+
+// Fewer in binary64 where a family says so.
 std::uint64_t default_trials(const Source& source, Precision precision) {
-  const DefaultTrials trials = capabilities_of(source.test()).trials;
-  if (precision == Precision::binary32) return trials.binary32;
-  return trials.binary64 / static_cast<std::uint64_t>(source.trial_divisor());
+  const bool filters = has_filters(source.test());
+  if (precision == Precision::binary32)
+    return std::uint64_t{1} << (filters ? trials_of_binary32 : trials_without_filters);
+  return (std::uint64_t{1} << (filters ? trials_of_binary64 : trials_without_filters)) /
+         static_cast<std::uint64_t>(source.trial_divisor());
 }
 
 std::string default_trials_text() {
-  std::string text = fmt::format("2^18 in binary32, 2^16 in binary64, 2^12 of a test other than {}", default_test().id);
-  for (const Family* family : families_of(default_test())) {
-    if (family->trial_divisor > 1) text += fmt::format(", {} for {}", (1 << 16) / family->trial_divisor, family->name);
+  const std::vector<const TestDescription*> filtered = tests_with(has_filters);
+  std::string text = fmt::format("2^{} in binary32, 2^{} in binary64, 2^{} of a test other than {}", trials_of_binary32,
+                                 trials_of_binary64, trials_without_filters, ids_of(filtered));
+  for (const TestDescription* test : filtered) {
+    for (const Family* family : families_of(*test)) {
+      if (family->trial_divisor > 1)
+        text += fmt::format(", {} for {}", (1 << trials_of_binary64) / family->trial_divisor, family->name);
+    }
   }
   return text;
 }
@@ -282,7 +292,7 @@ Plan plan_of(const RunOptions& given) {
     const std::size_t entry = is_of_a_mesh ? mesh_queries_of(test).entry : entry_of_families(test, options.families);
     kernels.push_back(&default_kernel(test, entry));
   }
-  if (options.planted != RunOptions().planted) require_served("--plant", test, tests_with(has_screen));
+  if (options.planted != RunOptions().planted) require_served("--plant", test, tests_with(has_filters));
   if (options.shrink != 0) require_moves("--shrink", test, kernels.front()->entry);
   if (!options.preset.empty()) apply_preset(options.preset, test, options);
   if (options.precision.empty()) questions.precisions = {Precision::binary32, Precision::binary64};

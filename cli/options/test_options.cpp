@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include "exact/trait/oracles.h"
-#include "fuzz/queries/capabilities.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -97,7 +96,7 @@ bool has_critical_length(const TestDescription& test, std::size_t entry) {
   return oracles_of(test, entry).critical_length().has_value();
 }
 
-bool has_screen(const TestDescription& test, std::size_t) { return capabilities_of(test).screens != nullptr; }
+bool has_filters(const TestDescription& test, std::size_t entry) { return oracles_of(test, entry).has_filters(); }
 
 bool has_moves(const TestDescription& test, std::size_t entry) { return test.entries[entry].has_free_numbers; }
 
@@ -105,6 +104,12 @@ bool has_formulae(const TestDescription& test, std::size_t entry) {
   return test.claims_arithmetic && std::ranges::any_of(kernels(), [&](const Kernel& kernel) {
            return kernel.test == &test && kernel.entry == entry && !kernel.formulae.empty();
          });
+}
+
+std::string ids_of(const std::vector<const TestDescription*>& tests) {
+  std::vector<std::string_view> ids;
+  for (const TestDescription* test : tests) ids.push_back(test->id);
+  return fmt::format("{}", fmt::join(ids, ", "));
 }
 
 std::vector<const TestDescription*> tests_with(Capability& capability) {
@@ -139,12 +144,8 @@ void require_served(std::string_view command, const TestDescription& test) {
 
 void require_served(std::string_view command, const TestDescription& test,
                     const std::vector<const TestDescription*>& served) {
-  std::vector<std::string_view> names;
-  for (const TestDescription* one : served) {
-    if (&test == one) return;
-    names.push_back(one->id);
-  }
-  throw Error(fmt::format("{} does not serve the test {} yet; it serves {}", command, test.id, fmt::join(names, ", ")));
+  if (std::ranges::find(served, &test) != served.end()) return;
+  throw Error(fmt::format("{} does not serve the test {} yet; it serves {}", command, test.id, ids_of(served)));
 }
 
 }  // namespace axiscert

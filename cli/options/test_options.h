@@ -34,11 +34,13 @@ const TestDescription& test_of_sources(const std::string& test, const std::vecto
 // Commands ask whether an entry of a test has something that they need.
 using Capability = bool(const TestDescription& test, std::size_t entry);
 bool has_critical_length(const TestDescription& test, std::size_t entry);
-bool has_screen(const TestDescription& test, std::size_t entry);  // filters, in which --plant plants faults
+bool has_filters(const TestDescription& test, std::size_t entry = 0);
 // Whether search, shrink and map can move its queries.
 bool has_moves(const TestDescription& test, std::size_t entry);
 // Whether a kernel of the test has formulae of kernel/formulae_list.h.
 bool has_formulae(const TestDescription& test, std::size_t entry);
+// "sphere-triangle, box-box".
+std::string ids_of(const std::vector<const TestDescription*>& tests);
 // The tests that have it in some entry.
 std::vector<const TestDescription*> tests_with(Capability& capability);
 

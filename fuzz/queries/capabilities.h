@@ -2,7 +2,6 @@
 // test has no such thing. Code asks for the capability that it needs, and never which test it is.
 #pragma once
 
-#include <cstdint>
 #include <span>
 
 #include "kernel/test.h"
@@ -25,20 +24,12 @@ namespace diagnosis {
 struct DiagnosisScenes;
 }
 
-// How many queries of a family a run asks for that is given no number: fewer in binary64, where exact arithmetic costs
-// more, and fewest where no filter decides before it, at a hundred times the cost.
-struct DefaultTrials {
-  std::uint64_t binary32, binary64;
-};
-inline constexpr DefaultTrials trials_without_filters = {std::uint64_t{1} << 12, std::uint64_t{1} << 12};
-
 struct Capabilities {
-  DefaultTrials trials = trials_without_filters;
   std::span<const ImageGroup* const> image_groups = {};  // fuzz/queries/image_groups.h: families of images
   const MeshQueries* mesh = nullptr;                     // fuzz/meshes/mesh.h: queries for a mesh
   const ImagesOfQuery* images = nullptr;  // fuzz/files/corpus.h: a corpus has one query of all its images
 
-  const Screens* screens = nullptr;             // fuzz/campaign/stages/screen.h: filters, which judge most answers
+  const Screens* screens = nullptr;             // fuzz/campaign/stages/screen.h: of a test with filters
   const InputClasses* input_classes = nullptr;  // fuzz/queries/input_classes.h
   bool has_engine_queries = false;              // which the screen counts (fuzz/campaign/counts/depths.h)
   const Quantities* quantities = nullptr;       // fuzz/confirm/absolute_size.h

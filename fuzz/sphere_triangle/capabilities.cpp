@@ -18,7 +18,6 @@ const Capabilities& sphere_triangle_capabilities() {
       {"published", "nonstrict", "reduced", "ladder-0", "minkowski", "closest-point", "segments", "packed-nonstrict"},
       {"general", "far", "sliver", "needle", "collinear", "repeated", "ratio", "scale"}};
   static const Capabilities all = {
-      .trials = {std::uint64_t{1} << 18, std::uint64_t{1} << 16},
       .image_groups = sphere_triangle_image_groups(),
       .mesh = &sphere_triangle_mesh,
       .images = &sphere_triangle_images,
