@@ -35,7 +35,7 @@ void add_families(CLI::App& app, Action& action) {
   auto format = std::make_shared<std::string>("text");
   add_format(*command, *format, data_formats);
   auto test = std::make_shared<std::string>();
-  add_test_option(*command, *test, "test whose families are listed (default: sphere-triangle)");
+  add_test_option(*command, *test, fmt::format("test whose families are listed (default: {})", default_test().id));
   command->callback(
       [&action, format, test] { action = [format, test] { return list_families(*format, test_given(*test)); }; });
 }

@@ -183,7 +183,7 @@ void add_kernels(CLI::App& app, Action& action) {
   command->add_option("--kernel", *ids, "list this kernel alone, with its test and where its source is; repeatable")
       ->allow_extra_args(false);
   auto test = std::make_shared<std::string>();
-  add_test_option(*command, *test, "test whose kernels are listed (default: sphere-triangle)");
+  add_test_option(*command, *test, fmt::format("test whose kernels are listed (default: {})", default_test().id));
   command->callback(
       [&action, format, ids, test] { action = [format, ids, test] { return list_kernels(*format, *ids, *test); }; });
 }

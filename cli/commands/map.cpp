@@ -184,8 +184,9 @@ void add_map(CLI::App& app, Action& action) {
   auto* exponents = command->add_flag("--exponents", o.exponents, "every power of two instead of ulps");
   command
       ->add_option("--size", o.size,
-                   "pixels each way (default: 256; with --exponents at most these, default: 4096; of a test other than "
-                   "sphere-triangle 64)")
+                   fmt::format("pixels each way (default: {}; with --exponents at most these, default: {}; of a test "
+                               "other than {} {})",
+                               filtered_size, greatest_map, ids_of(tests_with(has_filters)), exact_size))
       ->check(whole_number(2, greatest_map));
   command->add_option("--ulps", o.ulps, "ulps from pixel to pixel")
       ->check(whole_number(1, greatest_ulps))

@@ -75,7 +75,8 @@ void add_search(CLI::App& app, Action& action) {
                                      "verdicts, the scales where range fails");
   auto options = std::make_shared<SearchOptions>();
   SearchOptions& o = *options;
-  add_test_option(*command, o.test, "the test of which the kernel is (default: sphere-triangle, or that of --kernel)");
+  add_test_option(*command, o.test,
+                  fmt::format("the test of which the kernel is (default: {}, or that of --kernel)", default_test().id));
   command->add_option("--kernel", o.kernel, "kernel id (default: the first of the test)");
   command->add_option("--precision", o.precision, "binary32 or binary64")->capture_default_str();
   command->add_option("--comparison", o.comparisons, "comparison, repeatable (default: all, and the verdict)")
@@ -85,8 +86,9 @@ void add_search(CLI::App& app, Action& action) {
   auto* evaluations =
       command
           ->add_option("--evaluations", o.evaluations,
-                       "queries to evaluate, rounded up to whole islands (default: 2^24, of a test other "
-                       "than sphere-triangle 2^14); the short run from which it begins is not counted")
+                       fmt::format("queries to evaluate, rounded up to whole islands (default: 2^24, of a test other "
+                                   "than {} 2^14); the short run from which it begins is not counted",
+                                   ids_of(tests_with(has_filters))))
           ->check(whole_number(1, std::uint64_t{1} << 48));
   command->add_option("--time", o.seconds, "seconds to search instead")
       ->check(number_above_zero())

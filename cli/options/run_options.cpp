@@ -132,8 +132,9 @@ bool is_unloadable(const Kernel& kernel) {
 
 CLI::Option* add_source_options(CLI::App& command, SourceOptions& o) {
   add_test_option(command, o.test,
-                  "test whose kernels and families are the defaults, and of which all others have to be; see `axiscert "
-                  "tests` (default: that of the kernels and families given, or sphere-triangle)");
+                  fmt::format("test whose kernels and families are the defaults, and of which all others have to be; "
+                              "see `axiscert tests` (default: that of the kernels and families given, or {})",
+                              default_test().id));
   command.add_option("--family", o.families, "family, repeatable, or all (default: all unless files are given)")
       ->allow_extra_args(false);
   command.add_option("--mesh", o.meshes, "mesh file of any format assimp reads, repeatable")->allow_extra_args(false);

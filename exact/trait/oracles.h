@@ -39,6 +39,7 @@ struct CriticalLength {
   // The square of the critical value, exact, of finite numbers; the length is not read. Empty for what is no query with
   // any length, or has contact at none.
   std::optional<Rational> (*squared)(const Numbers<double>& query);
+  std::optional<std::size_t> centre = {};  // the first column of the centre of the sphere whose radius it is
 };
 
 // By what a query is decided.

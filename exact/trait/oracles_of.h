@@ -50,8 +50,10 @@ class OraclesOf final : public Oracles {
   std::optional<double> depth(const Numbers<float>& q) const override { return depth_of(q); }
   std::optional<double> depth(const Numbers<double>& q) const override { return depth_of(q); }
   std::optional<CriticalLength> critical_length() const override {
-    if constexpr (HasCriticalLength<Test>) return CriticalLength{first_length(), Test::squared_critical_length};
-    else return std::nullopt;
+    if constexpr (!HasCriticalLength<Test>) return std::nullopt;
+    else if constexpr (requires { Test::critical_centre; })
+      return CriticalLength{first_length(), Test::squared_critical_length, Test::critical_centre};
+    else return CriticalLength{first_length(), Test::squared_critical_length};
   }
   bool is_degenerate(const Numbers<float>& q) const override { return says_degenerate(q); }
   bool is_degenerate(const Numbers<double>& q) const override { return says_degenerate(q); }

@@ -30,6 +30,7 @@ namespace axiscert {
 //   depth              optional: how far the query is from touching, relative to its scene: exact, rounded once
 //   squared_critical_length
 //                      optional: that of the entry's first length (CriticalLength::squared); numbers are finite
+//   critical_centre    optional: CriticalLength::centre
 //   is_degenerate<Real>
 //                      optional: whether the shape is extreme in this precision (Oracles::is_degenerate); numbers are
 //                      finite

@@ -1,16 +1,27 @@
 #include "fuzz/queries/capabilities.h"
 
 #include "fuzz/boxes/mesh_voxel.h"
+#include "fuzz/diagnosis/scenes/scenes.h"
 
 namespace axiscert {
+namespace {
+
+constexpr diagnosis::DiagnosisScenes box_scenes = {.words = {.length = "half extents",
+                                                             .sided = "boxes",
+                                                             .front = "the centre of the box is in front of the face",
+                                                             .behind = "the centre of the box is behind the face",
+                                                             .first = "A's place",
+                                                             .second = "B's place"}};
+
+}  // namespace
 
 const Capabilities& box_box_capabilities() {
-  static const Capabilities all = {};
+  static const Capabilities all = {.diagnosis_scenes = &box_scenes};
   return all;
 }
 
 const Capabilities& box_triangle_capabilities() {
-  static const Capabilities all = {.mesh = &box_triangle_mesh};
+  static const Capabilities all = {.mesh = &box_triangle_mesh, .diagnosis_scenes = &box_scenes};
   return all;
 }
 

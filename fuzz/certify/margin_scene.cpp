@@ -37,12 +37,11 @@ int scene_decade(double size) {
 
 SceneMeasure::SceneMeasure(const TestDescription& test)
     : oracles_(oracles_of(test)), columns_(test.entries[0].columns), centre_(columns_.size()) {
-  const std::vector<ColumnGroup> groups = groups_of(test.entries[0]);
-  const auto centre = std::ranges::find(groups, "p", &ColumnGroup::name);
-  if (centre == groups.end()) return;
-  for (const ColumnGroup& group : groups) {
+  const std::optional<CriticalLength> length = oracles_.critical_length();
+  if (!length || !length->centre) return;
+  for (const ColumnGroup& group : groups_of(test.entries[0])) {
     for (std::size_t k = 0; k < group.size && group.size == 3; ++k)
-      if (columns_[group.first + k].role == Role::coordinate) centre_[group.first + k] = centre->first + k;
+      if (columns_[group.first + k].role == Role::coordinate) centre_[group.first + k] = *length->centre + k;
   }
 }
 

@@ -313,7 +313,7 @@ MarginPart SafeMargin::total() const {
 
 bool has_sphere_radius(const TestDescription& test, std::size_t entry) {
   const std::optional<CriticalLength> length = oracles_of(test, entry).critical_length();
-  return length && test.entries[entry].columns[length->column].name == "r";
+  return length && length->centre;
 }
 
 SafeMargin safe_margin(const SafeMarginPlan& plan, const std::atomic<bool>& interrupted, const ShowProgress& report) {

@@ -1,12 +1,24 @@
 #include "fuzz/queries/capabilities.h"
 
+#include "fuzz/diagnosis/scenes/scenes.h"
 #include "fuzz/moving_sphere/mesh_motion.h"
 #include "fuzz/queries/images.h"
 
 namespace axiscert {
 
 const Capabilities& moving_sphere_capabilities() {
-  static const Capabilities all = {.image_groups = moving_sphere_image_groups(), .mesh = &moving_sphere_mesh};
+  static constexpr std::string_view correct_forms[] = {"moving-sphere/twenty-nonstrict"};
+  static const diagnosis::DiagnosisScenes scenes = {.words = {.touching = "motions",
+                                                              .length = "radius",
+                                                              .sided = "motions",
+                                                              .front = "the motion comes from in front of the face",
+                                                              .behind = "the motion comes from behind the face",
+                                                              .first = "the vertices",
+                                                              .second = "the motion"}};
+  static const Capabilities all = {.image_groups = moving_sphere_image_groups(),
+                                   .mesh = &moving_sphere_mesh,
+                                   .correct_forms = correct_forms,
+                                   .diagnosis_scenes = &scenes};
   return all;
 }
 

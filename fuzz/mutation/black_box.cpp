@@ -9,6 +9,7 @@
 #include "fuzz/campaign/unit.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/judging/for_each_judged.h"
+#include "fuzz/queries/capabilities.h"
 
 namespace axiscert {
 namespace {
@@ -183,7 +184,7 @@ class Judge {
   void judge_controls() {
     std::deque<Kernel> boxes;
     std::vector<const Kernel*> kernels;
-    for (const std::string& id : correct_forms(*find_kernel(plan_.base).test)) {
+    for (const std::string_view id : capabilities_of(*find_kernel(plan_.base).test).correct_forms) {
       Kernel& box = boxes.emplace_back(find_kernel(id));
       box.formulae.clear();
       box.exposes = Exposure::verdict;

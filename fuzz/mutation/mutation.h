@@ -74,8 +74,6 @@ struct Control {
 };
 std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials, const std::atomic<bool>& interrupted,
                                   const ShowProgress& report = {});
-// The kernels of a test that are right over the reals, in forms of their own.
-std::vector<std::string> correct_forms(const TestDescription& test);
 
 // Mutants that no query can distinguish from their base, each with the reason: fuzz/mutation/equivalent.txt. A line is
 // NAME: REASON. Each of them has the same comparison bits as its base on every query; the tests check that in addition

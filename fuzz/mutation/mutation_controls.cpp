@@ -2,20 +2,17 @@
 #include "fuzz/mutation/mutation.h"
 
 #include <algorithm>
-#include <array>
+
+#include "fuzz/queries/capabilities.h"
 
 namespace axiscert {
 namespace {
 
-// Right over the reals for every query.
-constexpr std::array<std::string_view, 6> right_forms = {
-    "nonstrict",        "reduced-nonstrict", "reduced-shared-nonstrict",
-    "packed-nonstrict", "minkowski",         "moving-sphere/twenty-nonstrict"};
-
 // In addition to the correct forms each arithmetic under the base.
 std::vector<Kernel> kernels_of(const std::string& base) {
   std::vector<Kernel> kernels;
-  for (const std::string& id : correct_forms(*find_kernel(base).test)) kernels.push_back(find_kernel(id));
+  for (const std::string_view id : capabilities_of(*find_kernel(base).test).correct_forms)
+    kernels.push_back(find_kernel(id));
   for (const ArithmeticInfo& arithmetic : arithmetics()) {
     if (arithmetic.arithmetic != Arithmetic::plain) kernels.push_back(find_kernel(base + "+" + arithmetic.name));
   }
@@ -38,12 +35,6 @@ std::uint64_t flagged(const VerdictTally& verdict, bool claims_bits, bool shows_
 }
 
 }  // namespace
-
-std::vector<std::string> correct_forms(const TestDescription& test) {
-  std::vector<std::string> ids(right_forms.begin(), right_forms.end());
-  std::erase_if(ids, [&](const std::string& id) { return find_kernel(id).test != &test; });
-  return ids;
-}
 
 std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials, const std::atomic<bool>& interrupted,
                                   const ShowProgress& report) {

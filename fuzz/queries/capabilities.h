@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
 #include "kernel/test.h"
 
@@ -35,7 +36,8 @@ struct Capabilities {
   const Quantities* quantities = nullptr;       // fuzz/confirm/absolute_size.h
   const WitnessSides* witness_sides = nullptr;  // fuzz/confirm/witness_sides.h
 
-  const diagnosis::DiagnosisScenes* diagnosis_scenes = nullptr;      // fuzz/diagnosis/scenes/scenes.h
+  std::span<const std::string_view> correct_forms = {};          // kernels that are right over the reals: fuzz/mutation
+  const diagnosis::DiagnosisScenes* diagnosis_scenes = nullptr;  // fuzz/diagnosis/scenes/scenes.h
   const CriticalRadiusDefaults* critical_radius_defaults = nullptr;  // fuzz/instruments/critical_radius.h
   const ProvedBounds* proved_bounds = nullptr;                       // fuzz/search/proved.h
   const SearchMethod* search_method = nullptr;                       // fuzz/search/method.h

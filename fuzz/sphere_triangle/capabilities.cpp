@@ -17,6 +17,8 @@ const Capabilities& sphere_triangle_capabilities() {
   static const CriticalRadiusDefaults critical_radius = {
       {"published", "nonstrict", "reduced", "ladder-0", "minkowski", "closest-point", "segments", "packed-nonstrict"},
       {"general", "far", "sliver", "needle", "collinear", "repeated", "ratio", "scale"}};
+  static constexpr std::string_view correct_forms[] = {"nonstrict", "reduced-nonstrict", "reduced-shared-nonstrict",
+                                                       "packed-nonstrict", "minkowski"};
   static const Capabilities all = {
       .image_groups = sphere_triangle_image_groups(),
       .mesh = &sphere_triangle_mesh,
@@ -26,6 +28,7 @@ const Capabilities& sphere_triangle_capabilities() {
       .has_engine_queries = true,
       .quantities = &sphere_triangle_quantities(),
       .witness_sides = &sphere_triangle_witness_sides(),
+      .correct_forms = correct_forms,
       .diagnosis_scenes = &diagnosis::sphere_triangle_scenes(),
       .critical_radius_defaults = &critical_radius,
       .proved_bounds = &sphere_triangle_proved_bounds(),

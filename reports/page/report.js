@@ -62,19 +62,18 @@ function show_reproduction(data) {
 // run's test, about its first kernel.
 function parts_not_run(data) {
   const {proofs, search, maps, ladder, precision, league, mutation} = data.attached;
-  const test = data.plan.test ?? 'sphere-triangle', is_first = test === 'sphere-triangle';
   const entry = data.kernels.find((each) => each.all !== null), worst = data.witnesses.cards[0];
   const about = entry === undefined ? '' : ` --kernel ${shell_word(entry.id)} --precision ${entry.precision}`;
   const around = worst === undefined ? 'ADDRESS' : `${shell_word(worst.address)} --kernel ${shell_word(worst.kernel)}`;
   return [
-    [is_first && proofs === null, 'prove', 'bounds that a checker accepted'],
-    [(is_first || test === 'moving-sphere') && search === null, `search${about}`, 'the worst errors there are'],
-    [(is_first || test === 'moving-sphere') && maps === null, `map ${around}`, 'pictures of where it is wrong around a witness'],
-    [is_first && ladder === null, 'ladder', 'accuracy against speed of each form of the test'],
-    [is_first && precision === null, 'precision', 'wrong verdicts against the bits of precision'],
-    [is_first && league === null, 'league', 'libraries and other kernels on the same queries'],
-    [(is_first || test === 'moving-sphere') && mutation === null, 'mutate', 'which planted faults would be caught'],
-  ].filter(([is_missing]) => is_missing);
+    [proofs, 'prove', 'bounds that a checker accepted'],
+    [search, `search${about}`, 'the worst errors there are'],
+    [maps, `map ${around}`, 'pictures of where it is wrong around a witness'],
+    [ladder, 'ladder', 'accuracy against speed of each form of the test'],
+    [precision, 'precision', 'wrong verdicts against the bits of precision'],
+    [league, 'league', 'libraries and other kernels on the same queries'],
+    [mutation, 'mutate', 'which planted faults would be caught'],
+  ].filter(([attached, command]) => attached === null && page_has_command(data.plan, command.split(' ')[0]));
 }
 
 // The line that says what belongs to this page and was not done.

@@ -96,7 +96,7 @@ class SphereTriangleOracles final : public Oracles {
     return beyond<double>(depth, q);
   }
   std::optional<CriticalLength> critical_length() const override {
-    return CriticalLength{coordinate_count - 1, squared_critical_radius};
+    return CriticalLength{coordinate_count - 1, squared_critical_radius, coordinate_count - 4};
   }
   bool is_degenerate(const Numbers<float>& q) const override { return axiscert::is_degenerate(query_from(q)); }
   bool is_degenerate(const Numbers<double>& q) const override { return axiscert::is_degenerate(query_from(q)); }

@@ -6,13 +6,10 @@
 
 namespace axiscert::diagnosis {
 
-template <class Real>
-const Scenes<Real>& scenes_of(const TestDescription& test) {
+const DiagnosisScenes& diagnosis_scenes(const TestDescription& test) {
   static const DiagnosisScenes by_trait;
   const DiagnosisScenes* own = capabilities_of(test).diagnosis_scenes;
-  const DiagnosisScenes& scenes = own ? *own : by_trait;
-  if constexpr (sizeof(Real) == 4) return scenes.binary32;
-  else return scenes.binary64;
+  return own ? *own : by_trait;
 }
 
 template <class Real>
@@ -41,7 +38,6 @@ Queries<Real> plain_queries(const Kernel& kernel, std::uint64_t seed, std::size_
 }
 
 #define AXISCERT_INSTANCES(Real)                                                         \
-  template const Scenes<Real>& scenes_of(const TestDescription&);                        \
   template Queries<Real> sharp_queries<Real>(const Kernel&, std::uint64_t, std::size_t); \
   template Queries<Real> plain_queries<Real>(const Kernel&, std::uint64_t, std::size_t);
 AXISCERT_INSTANCES(float)

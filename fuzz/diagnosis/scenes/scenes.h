@@ -120,12 +120,26 @@ struct Scenes {
   Found (*threshold_by_images)(Subject<Real>& subject) = nullptr;
 };
 
+// What scenes that are made by trait are called.
+struct SceneWords {
+  std::string_view touching = "pairs", length = "lengths";  // TouchingScenes::what, length
+  std::string_view sided = "scenes";                        // SidedScenes::what
+  std::string_view front = "the centre is in front of the face", behind = "the centre is behind the face";
+  std::string_view first = "one place", second = "the other";  // TurningScenes
+};
+
 struct DiagnosisScenes {
   Scenes<float> binary32 = {};
   Scenes<double> binary64 = {};
+  SceneWords words = {};
 };
+// That of the test, or all by trait.
+const DiagnosisScenes& diagnosis_scenes(const TestDescription& test);
 template <class Real>
-const Scenes<Real>& scenes_of(const TestDescription& test);
+const Scenes<Real>& scenes_of(const TestDescription& test) {
+  if constexpr (sizeof(Real) == 4) return diagnosis_scenes(test).binary32;
+  else return diagnosis_scenes(test).binary64;
+}
 
 // Queries of the kernel's test and entry: near ties, or of every family in turn where none are made; and of the family
 // "general".

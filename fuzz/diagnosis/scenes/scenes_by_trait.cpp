@@ -140,31 +140,30 @@ TouchingScenes<Real> touching_by_trait(Subject<Real>& subject, std::size_t count
       if (oracles.is_promised(kernel.motion, larger)) found.push_back(query);
     }
   }
-  const bool motions = is_of_motions(subject.test());
+  const SceneWords& words = diagnosis_scenes(subject.test()).words;
   return {.queries = found,
           .part = std::vector<std::size_t>(found.size(), 0),
           .parts = {"all"},
           .least = std::max(least_touching, (found.size() + 1) / 2),
           .all_tell_of_slack = false,
-          .what = motions ? "motions" : "pairs",
-          .length = motions ? "radius" : "half extents",
+          .what = words.touching,
+          .length = words.length,
           .whole = "What is asked about",
           .where = "where the two touch, exactly,",
           .touches = "the two touch, exactly"};
 }
 
-// From where the box's centre is, or the moving centre before the motion, which goes to the other side and is clear of
-// the triangle at first.
+// From where the centre of what is held against the triangle is; or the moving centre before the motion, which goes to
+// the other side and is clear of the triangle at first.
 template <class Real>
 SidedScenes<Real> sided_by_trait(Subject<Real>& subject, std::size_t count) {
-  const bool motions = is_of_motions(subject.test());
-  SidedScenes<Real> scenes = {
-      .queries = {},
-      .apart = {},
-      .what = motions ? "motions" : "boxes",
-      .whose = "what comes from",
-      .front = motions ? "the motion comes from in front of the face" : "the centre of the box is in front of the face",
-      .behind = motions ? "the motion comes from behind the face" : "the centre of the box is behind the face"};
+  const SceneWords& words = diagnosis_scenes(subject.test()).words;
+  SidedScenes<Real> scenes = {.queries = {},
+                              .apart = {},
+                              .what = words.sided,
+                              .whose = "what comes from",
+                              .front = words.front,
+                              .behind = words.behind};
   std::vector<SidedQuery<Real>>& found = scenes.queries;
   const Kernel& kernel = subject.kernel();
   const Family* family = plain_family(kernel);
@@ -223,10 +222,10 @@ TurningScenes<Real> turning_by_trait(Subject<Real>& subject, std::size_t count) 
   const Kernel& kernel = subject.kernel();
   const CriticalLength distance = *oracles_of(kernel).critical_length();
   const Oracles& oracles = oracles_of(kernel);
-  TurningScenes<Real> scenes{{}, distance.column, {}, {}, "the vertices", "the motion", why_not_sound(subject)};
+  const SceneWords& words = diagnosis_scenes(subject.test()).words;
+  TurningScenes<Real> scenes{{}, distance.column, {}, {}, words.first, words.second, why_not_sound(subject)};
   if (scenes.why_none) return scenes;
   const auto vertices = vertex_columns(kernel);
-  if (!vertices) scenes.first = "A's place", scenes.second = "B's place";
   const std::vector<TestColumn>& columns = kernel.test->entries[kernel.entry].columns;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const bool is_of_first = vertices ? k < 9 : columns[k].name.starts_with("a.");

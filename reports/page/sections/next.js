@@ -41,7 +41,7 @@ function mend_step(data, entry) {
 function compare_step(data, entry) {
   const id = entry?.id ?? data.plan.kernels[0];
   const word = ['A word that is not clear: ', el('code', '', 'axiscert explain WORD'), '.'];
-  if (data.plan.test && data.plan.test !== 'sphere-triangle') return el('li', '', ...word);  // which the league does not serve
+  if (!page_has_command(data.plan, 'league')) return el('li', '', ...word);
   return el('li', '', 'Compare it with what else there is, production libraries among it: ',
             el('code', '', `axiscert league ${[...new Set([id, 'published', 'certified'])].map((each) => `--kernel ${each}`).join(' ')}`),
             '. ', ...word);
