@@ -65,7 +65,6 @@ int check(const CheckOptions& options) {
   const Kernel& kernel = given != nullptr  ? *given
                          : queries.empty() ? default_kernel(default_test())
                                            : default_kernel(*queries.front().test, queries.front().entry);
-  if (options.errors) require_served("--errors", *kernel.test);
   Examiner examiner(kernel, target);
   ProgressLine progress("check");
   const ShowProgress show = progress.report();

@@ -59,13 +59,13 @@ std::optional<Symptom> named(const TestDescription& test, std::string_view what)
   return std::nullopt;
 }
 
-// Refuses a test that is not served, and what is no name of a symptom, or is not kept for this test.
+// Refuses an entry whose numbers cannot be moved, what is no name of a symptom, and asymmetry of a test without images.
 void require_known(const Kernel& kernel, std::string_view what) {
   const TestDescription& test = *kernel.test;
   require_moves("shrink", test, kernel.entry);
   if (what.empty()) return;
   if (what != asymmetry_name && !named(test, what)) throw Error(unknown_symptom(test, what));
-  if (what == asymmetry_name || what.ends_with(error_suffix)) require_served(fmt::format("--what {}", what), test);
+  if (what == asymmetry_name) require_capability(has_image_maps, fmt::format("--what {}", what), test, kernel.entry);
 }
 
 std::string joined(const std::vector<Symptom>& symptoms) {
@@ -281,9 +281,10 @@ void add_shrink(CLI::App& app, Action& action) {
   command->add_option("--precision", options->precision, "precision of a CSV file, which does not state it")
       ->capture_default_str();
   command->add_option("--what", options->what,
-                      "what to keep: verdict, an axis or a comparison that is wrong, COMPARISON:error, or asymmetry: "
-                      "another answer to an image of the query (default: the first that is wrong, in this order; the "
-                      "last two of sphere-triangle alone)");
+                      fmt::format("what to keep: verdict, an axis or a comparison that is wrong, COMPARISON:error, or "
+                                  "asymmetry: another answer to an image of the query (default: the first that is "
+                                  "wrong, in this order; asymmetry of {} alone)",
+                                  ids_of(tests_with(has_image_maps))));
   command->add_flag("--any-class", options->any_class,
                     fmt::format("as small as it goes: keep neither the class of the input nor a depth of at most {} "
                                 "times the given one",

@@ -59,7 +59,8 @@ SearchPlan search_plan_of(const SearchOptions& options) {
   if (!plan.kernel->has(plan.precision)) {
     throw Error(fmt::format("--precision {}: kernel {} does not exist in it", options.precision, plan.kernel->id));
   }
-  if (!options.comparisons.empty()) require_served("--comparison", *plan.kernel->test);
+  if (!options.comparisons.empty())
+    require_capability(has_error_aims, "--comparison", *plan.kernel->test, plan.kernel->entry);
   for (const std::string& given : options.comparisons) {
     const std::size_t which = parse_comparison(given, *plan.kernel->test);
     const auto& so_far = plan.comparisons;

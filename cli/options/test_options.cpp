@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "exact/trait/oracles.h"
+#include "fuzz/queries/capabilities.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -100,6 +101,10 @@ bool has_filters(const TestDescription& test, std::size_t entry) { return oracle
 
 bool has_moves(const TestDescription& test, std::size_t entry) { return test.entries[entry].has_free_numbers; }
 
+bool has_error_aims(const TestDescription& test, std::size_t) { return capabilities_of(test).aim_values != nullptr; }
+
+bool has_image_maps(const TestDescription& test, std::size_t) { return capabilities_of(test).image_maps != nullptr; }
+
 bool has_formulae(const TestDescription& test, std::size_t entry) {
   return test.claims_arithmetic && std::ranges::any_of(kernels(), [&](const Kernel& kernel) {
            return kernel.test == &test && kernel.entry == entry && !kernel.formulae.empty();
@@ -136,10 +141,6 @@ void require_capability(Capability& capability, std::string_view command, const 
 
 void require_moves(std::string_view command, const TestDescription& test, std::size_t entry) {
   require_capability(has_moves, command, test, entry);
-}
-
-void require_served(std::string_view command, const TestDescription& test) {
-  require_served(command, test, tests_with(has_formulae));
 }
 
 void require_served(std::string_view command, const TestDescription& test,

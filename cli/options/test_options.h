@@ -37,6 +37,10 @@ bool has_critical_length(const TestDescription& test, std::size_t entry);
 bool has_filters(const TestDescription& test, std::size_t entry = 0);
 // Whether search, shrink and map can move its queries.
 bool has_moves(const TestDescription& test, std::size_t entry);
+// Whether search values the errors of comparisons (Capabilities::aim_values).
+bool has_error_aims(const TestDescription& test, std::size_t entry);
+// Whether shrink maps a query to its images (Capabilities::image_maps).
+bool has_image_maps(const TestDescription& test, std::size_t entry);
 // Whether a kernel of the test has formulae of kernel/formulae_list.h.
 bool has_formulae(const TestDescription& test, std::size_t entry);
 // "sphere-triangle, box-box".
@@ -49,9 +53,7 @@ void require_capability(Capability& capability, std::string_view command, const 
                         std::size_t entry);
 void require_moves(std::string_view command, const TestDescription& test, std::size_t entry);
 
-// For a command, or an option of one, that measures formulae of kernel/formulae_list.h, or serves the given tests:
-// throws Error for any other.
-void require_served(std::string_view command, const TestDescription& test);
+// For a command, or an option of one, that serves these tests: throws Error for any other.
 void require_served(std::string_view command, const TestDescription& test,
                     const std::vector<const TestDescription*>& served);
 

@@ -112,8 +112,8 @@ TEST(TestOptions, QueriesOfTwoTestsAreRefused) {
 }
 
 TEST(TestOptions, ACommandOfOneTestSaysWhichItServes) {
-  EXPECT_NO_THROW(require_served("search", sphere_triangle_test()));
-  EXPECT_THAT([] { require_served("search", point_box()); },
+  EXPECT_NO_THROW(require_served("search", sphere_triangle_test(), tests_with(has_formulae)));
+  EXPECT_THAT([] { require_served("search", point_box(), tests_with(has_formulae)); },
               ThrowsMessage<Error>("search does not serve the test point-box yet; it serves sphere-triangle"));
 }
 

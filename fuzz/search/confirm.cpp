@@ -1,8 +1,32 @@
 #include "fuzz/search/confirm.h"
 
+#include <limits>
+
+#include "exact/trait/side_error.h"
 #include "fuzz/queries/capabilities.h"
+#include "kernel/ask.h"
 
 namespace axiscert {
+namespace {
+
+template <class Real>
+SideErrors errors_of(const Answers<Real>& answers, const ExactSides& own) {
+  SideErrors all;
+  for (std::size_t k = 0; k < own.lhs.size(); ++k) {
+    const Real lhs = answers.lhs[k][0], rhs = answers.rhs[k][0];
+    const SideError relative(lhs, rhs, own.lhs[k], own.rhs[k]);
+    all.absolute.emplace_back();
+    all.relative.emplace_back();
+    if (relative.kind() == SideError::Kind::range_event) continue;
+    const Rational difference = exact(lhs) - exact(rhs) - (rational(own.lhs[k]) - rational(own.rhs[k]));
+    const Rational in_u = abs(difference) * Rational(mpz_class(1) << std::numeric_limits<Real>::digits);
+    all.absolute.back() = round_up(in_u);
+    if (relative.kind() == SideError::Kind::finite) all.relative.back() = relative.rounded_up();
+  }
+  return all;
+}
+
+}  // namespace
 
 template <class Real>
 std::optional<Decimal6> Confirmer<Real>::value(const Aim& aim, const Numbers<Real>& q) {
@@ -14,8 +38,16 @@ std::optional<Decimal6> Confirmer<Real>::value(const Aim& aim, const Numbers<Rea
 
 template <class Real>
 std::optional<SideErrors> Confirmer<Real>::errors(const Numbers<Real>& q) {
-  const AimValues* const values = capabilities_of(*kernel_.test).aim_values;
-  return values == nullptr ? std::nullopt : values->errors(kernel_, implementation_, q);
+  if (const AimValues* const values = capabilities_of(*kernel_.test).aim_values)
+    return values->errors(kernel_, implementation_, q);
+  const Oracles& oracles = oracles_of(kernel_);
+  if (kernel_.exposes != Exposure::sides || !oracles.is_valid(q)) return std::nullopt;
+  const Reply<Real> reply = ask(implementation_, q);
+  if (!reply.has_bits || reply.verdicts[0] == Verdict::unanswered) return std::nullopt;
+  const std::unique_ptr<AskedQuery> about = oracles.about(q);
+  about->expect(kernel_);
+  const ExactSides* const own = about->truth().verdict == Verdict::invalid ? nullptr : about->sides(kernel_);
+  return own == nullptr ? std::nullopt : std::optional(errors_of(reply.answers, *own));
 }
 
 template <class Real>

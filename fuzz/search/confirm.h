@@ -22,7 +22,7 @@ class AimValues {
                                         const Numbers<float>&) const = 0;
   virtual std::optional<Decimal6> value(const Aim&, const Kernel&, const Implementation<double>&,
                                         const Numbers<double>&) const = 0;
-  // As Confirmer::errors() says.
+  // As Confirmer::errors() says; a side may be a root.
   virtual std::optional<SideErrors> errors(const Kernel&, const Implementation<float>&,
                                            const Numbers<float>&) const = 0;
   virtual std::optional<SideErrors> errors(const Kernel&, const Implementation<double>&,
@@ -45,8 +45,7 @@ class Confirmer {
   // Throws OracleDisagreement.
   std::optional<Decimal6> value(const Aim& aim, const Numbers<Real>& q);
 
-  // Empty if the kernel exposes no computed sides of formulae of its own, the query is not valid, or the test has no
-  // AimValues.
+  // Empty if the kernel exposes no computed sides of formulae of its own, or the query is not valid.
   std::optional<SideErrors> errors(const Numbers<Real>& q);
 
   // The full examination of a query.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
@@ -65,6 +67,19 @@ TEST(Confirm, ErrorsAreThoseOfTheFormulaeInRationals) {
       }
     }
   }
+}
+
+TEST(Confirm, EveryTestHasErrorsOfTheSidesThatAKernelShows) {
+  const Kernel& kernel = find_kernel("moving-sphere/twenty");
+  Confirmer<float> confirmer(kernel, scalar_target);
+  const auto exact_ones = confirmer.errors({0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, 1, 1, 0, 0, 1});
+  ASSERT_TRUE(exact_ones);
+  ASSERT_EQ(exact_ones->absolute.size(), kernel.test->comparisons.size());
+  for (const auto& error : exact_ones->absolute) EXPECT_TRUE(error && error->is_zero());
+  const auto rounded = confirmer.errors(find_family("moving-sphere/general").make<float>(seed, 0));
+  ASSERT_TRUE(rounded);
+  EXPECT_TRUE(std::ranges::any_of(rounded->relative, [](const auto& error) { return error && !error->is_zero(); }));
+  EXPECT_FALSE(confirmer.errors({0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, 1, 1, 0, 0, -1})) << "no query";
 }
 
 TEST(Confirm, NothingBeyondTheBoxIsAnErrorOfIt) {

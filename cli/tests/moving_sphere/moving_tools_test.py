@@ -55,7 +55,8 @@ class ShrinkMotion(Case):
         self.refused("shrink", "-", stdin=FALLS, says=["'falls'", "moving-sphere/twenty is not wrong"])
         self.refused("shrink", "-", "--what", "asymmetry", stdin=FALLS,
                      says=["--what asymmetry does not serve the test moving-sphere"])
-        self.refused("shrink", "-", "--what", "start.plane.radius:error", stdin=FALLS, says=["does not serve the test"])
+        self.refused("shrink", "-", "--what", "start.plane.radius:error", "--kernel", "moving-sphere/segment", stdin=FALLS,
+                     says=["moving-sphere/segment has no measurable error there: it shows no sides"])
         self.refused("shrink", "-", "--what", "start.plain", stdin=FALLS, says=["did you mean 'start.plane'"])
         self.refused("shrink", "-", "--kernel", "published", stdin=FALLS,
                      says=["query 'falls' is of the test moving-sphere", "kernel published of sphere-triangle"])

@@ -62,7 +62,7 @@ class UnitsByForms {
     for (std::uint64_t position = 0; position < positions; ++position) {
       const Numbers<Real> base = family.make<Real>(subject_.seed(), position);
       const Truth truth = oracles.truth(base);
-      if (truth.verdict == Verdict::invalid || !oracles.is_promised(subject_.kernel().motion, base)) continue;
+      if (truth.verdict == Verdict::invalid || !is_promised(subject_.kernel(), base)) continue;
       const std::optional<double> depth = oracles.depth(base);
       if (!depth || !(*depth > clear)) continue;
       Queries<Real> all = {base};

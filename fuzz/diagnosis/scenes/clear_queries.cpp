@@ -50,7 +50,7 @@ std::vector<ClearQuery<Real>> clear_by_depth(const Kernel& kernel, std::size_t c
   for (std::uint64_t position = 0; found.size() < count && position < count * most_positions; ++position) {
     const Numbers<Real> numbers = family->make<Real>(1, position);
     const Truth truth = oracles.truth(numbers);
-    if (truth.verdict == Verdict::invalid || !oracles.is_promised(kernel.motion, numbers)) continue;
+    if (truth.verdict == Verdict::invalid || !is_promised(kernel, numbers)) continue;
     const std::optional<double> depth = oracles.depth(numbers);
     if (depth && *depth > clear_depth) found.push_back({numbers, truth.verdict});
   }

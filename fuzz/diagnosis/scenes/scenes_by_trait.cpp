@@ -133,11 +133,11 @@ TouchingScenes<Real> touching_by_trait(Subject<Real>& subject, std::size_t count
       if (!is_plump(kernel, query)) continue;
       const Truth truth = oracles.truth(query);
       if (truth.verdict == Verdict::invalid || !truth.touching) continue;
-      if (!oracles.is_promised(kernel.motion, query)) continue;
+      if (!is_promised(kernel, query)) continue;
       const Numbers<Real> larger = with_lengths_times(kernel, query, Real(1.5));
       const Truth grown = oracles.truth(larger), shrunk = oracles.truth(with_lengths_times(kernel, query, Real(0.5)));
       if (grown.verdict != Verdict::contact || grown.touching || shrunk.verdict != Verdict::separated) continue;
-      if (oracles.is_promised(kernel.motion, larger)) found.push_back(query);
+      if (is_promised(kernel, larger)) found.push_back(query);
     }
   }
   const SceneWords& words = diagnosis_scenes(subject.test()).words;
@@ -203,7 +203,7 @@ FlatScenes<Real> flat_by_trait(Subject<Real>& subject, std::size_t of_each) {
     for (std::uint64_t i = 0; i < flat_positions && !std::ranges::all_of(by_contact, is_full); ++i) {
       const Numbers<Real> query = flattened(kernel, family->make<Real>(subject.seed(), i), flat, i);
       const Truth truth = oracles.truth(query);
-      if (truth.verdict == Verdict::invalid || !oracles.is_promised(kernel.motion, query)) continue;
+      if (truth.verdict == Verdict::invalid || !is_promised(kernel, query)) continue;
       auto& into = by_contact[truth.verdict == Verdict::contact];
       if (!is_full(into) && oracles.depth(query) > clear_depth) into.push_back(query);
     }
@@ -249,7 +249,7 @@ TurningScenes<Real> turning_by_trait(Subject<Real>& subject, std::size_t count) 
     };
     const Numbers<Real> low = at(1 - turning_range), high = at(1 + turning_range);
     if (oracles.truth(low).verdict != Verdict::separated || oracles.truth(high).verdict != Verdict::contact) continue;
-    if (oracles.is_promised(kernel.motion, low) && oracles.is_promised(kernel.motion, high))
+    if (is_promised(kernel, low) && is_promised(kernel, high))
       scenes.queries.push_back(at(1));
   }
   return scenes;
