@@ -6,7 +6,7 @@
 
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/measures/nearest_root.h"
-#include "fuzz/queries/boundary.h"
+#include "fuzz/sphere_triangle/families/parts/boundary.h"
 #include "fuzz/queries/family.h"
 #include "kernel/sphere_triangle/description.h"
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "fuzz/queries/boundary.h"
+#include "fuzz/queries/steps.h"
 #include "kernel/base/environment.h"
 #include "kernel/sphere_triangle/reference/contracted.h"
 #include "kernel/sphere_triangle/reference/scalar.h"

@@ -10,7 +10,8 @@
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "fuzz/queries/boundary.h"
+#include "fuzz/sphere_triangle/families/parts/boundary.h"
+#include "fuzz/queries/steps.h"
 #include "fuzz/families/family_testing.h"
 #include "kernel/testing/sources.h"
 #include "kernel/base/error.h"

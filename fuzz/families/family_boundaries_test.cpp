@@ -1,6 +1,7 @@
 // The families whose queries are solved onto a boundary lie on it, and make the published kernel flip where they claim.
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "fuzz/queries/boundary.h"
+#include "fuzz/sphere_triangle/families/parts/boundary.h"
+#include "fuzz/queries/steps.h"
 #include "fuzz/families/family_testing.h"
 
 namespace axiscert {

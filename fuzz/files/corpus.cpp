@@ -184,7 +184,7 @@ ExactAnswers exact_answers(const StoredQuery& stored) {
 }
 
 std::string canonical_form(const StoredQuery& stored) {
-  if (const ImagesOfQuery* images = capabilities_of(*stored.test).images) return images->canonical_form(stored);
+  if (const auto own = capabilities_of(*stored.test).canonical_form) return own(stored);
   std::string text = fmt::format("{} {}", stored.test->id, name(stored.precision));
   std::visit(
       [&](const auto& q) {

@@ -32,12 +32,8 @@ struct ExactAnswers {
 // Computed by all oracles of the test. Throws OracleDisagreement.
 ExactAnswers exact_answers(const StoredQuery& stored);
 
-// The images of a query, for a test that has symmetries: a capability.
-struct ImagesOfQuery {
-  // Text that two queries of one precision share if and only if one is an image of the other.
-  std::string (*canonical_form)(const StoredQuery& stored);
-};
-// That text; of a test without the capability each query has its own. Zeros have no sign.
+// Text that two queries of one precision share if and only if one is an image of the other (Capabilities); of a test
+// without the capability each query has its own. Zeros have no sign.
 std::string canonical_form(const StoredQuery& stored);
 
 struct CorpusEntry {

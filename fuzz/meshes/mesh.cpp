@@ -119,9 +119,6 @@ const MeshQueries& mesh_queries_of(const TestDescription& test) {
 }
 
 SourcePtr mesh_source(const std::string& path, const TestDescription& test) {
-  if (capabilities_of(test).mesh == nullptr) {
-    throw Error(fmt::format("{}: a mesh has no queries of the test {}", path, test.id));
-  }
   return std::make_shared<MeshSource>(path, read_bytes(path), test);
 }
 

@@ -12,7 +12,7 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/meshes/mesh_testing.h"
-#include "fuzz/queries/boundary.h"
+#include "fuzz/sphere_triangle/families/parts/boundary.h"
 #include "fuzz/queries/lane_testing.h"
 #include "kernel/base/sha256.h"
 #include "fuzz/queries/source.h"

@@ -2,9 +2,11 @@
 
 #include "fuzz/diagnosis/scenes/scenes.h"
 #include "fuzz/moving_sphere/mesh_motion.h"
-#include "fuzz/queries/images.h"
+#include "fuzz/queries/image_groups.h"
 
 namespace axiscert {
+
+std::span<const ImageGroup* const> moving_sphere_image_groups();  // families/images.cpp
 
 const Capabilities& moving_sphere_capabilities() {
   static constexpr std::string_view correct_forms[] = {"moving-sphere/twenty-nonstrict"};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "kernel/test.h"
@@ -19,16 +20,16 @@ class SearchMethod;
 class WitnessSides;
 struct CriticalRadiusDefaults;
 struct ImageGroup;
-struct ImagesOfQuery;
 struct MeshQueries;
+struct StoredQuery;
 namespace diagnosis {
 struct DiagnosisScenes;
 }
 
 struct Capabilities {
-  std::span<const ImageGroup* const> image_groups = {};  // fuzz/queries/image_groups.h: families of images
-  const MeshQueries* mesh = nullptr;                     // fuzz/meshes/mesh.h: queries for a mesh
-  const ImagesOfQuery* images = nullptr;  // fuzz/files/corpus.h: a corpus has one query of all its images
+  std::span<const ImageGroup* const> image_groups = {};         // fuzz/queries/image_groups.h: families of images
+  const MeshQueries* mesh = nullptr;                            // fuzz/meshes/mesh.h: queries for a mesh
+  std::string (*canonical_form)(const StoredQuery&) = nullptr;  // fuzz/files/corpus.h: of all images of a query
 
   const Screens* screens = nullptr;             // fuzz/campaign/stages/screen.h: of a test with filters
   const InputClasses* input_classes = nullptr;  // fuzz/queries/input_classes.h

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "fuzz/queries/boundary.h"
+#include "fuzz/queries/steps.h"
 #include "fuzz/shrink/query_size.h"
 #include "kernel/base/powers_of_two.h"
 

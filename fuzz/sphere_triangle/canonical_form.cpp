@@ -106,6 +106,4 @@ std::string least_image_text(const StoredQuery& stored) {
       sphere_triangle_query(stored));
 }
 
-extern const ImagesOfQuery sphere_triangle_images = {least_image_text};
-
 }  // namespace axiscert

@@ -12,6 +12,4 @@ namespace axiscert {
 // only the 288 images share it.
 std::string least_image_text(const StoredQuery& stored);
 
-extern const ImagesOfQuery sphere_triangle_images;
-
 }  // namespace axiscert

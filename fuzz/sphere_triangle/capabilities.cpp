@@ -1,7 +1,7 @@
 #include "fuzz/queries/capabilities.h"
 
 #include "fuzz/instruments/critical_radius.h"
-#include "fuzz/queries/images.h"
+#include "fuzz/queries/image_groups.h"
 #include "fuzz/sphere_triangle/aim_values.h"
 #include "fuzz/sphere_triangle/canonical_form.h"
 #include "fuzz/sphere_triangle/confirm.h"
@@ -13,6 +13,8 @@
 
 namespace axiscert {
 
+std::span<const ImageGroup* const> sphere_triangle_image_groups();  // families/images.cpp
+
 const Capabilities& sphere_triangle_capabilities() {
   static const CriticalRadiusDefaults critical_radius = {
       {"published", "nonstrict", "reduced", "ladder-0", "minkowski", "closest-point", "segments", "packed-nonstrict"},
@@ -22,7 +24,7 @@ const Capabilities& sphere_triangle_capabilities() {
   static const Capabilities all = {
       .image_groups = sphere_triangle_image_groups(),
       .mesh = &sphere_triangle_mesh,
-      .images = &sphere_triangle_images,
+      .canonical_form = least_image_text,
       .screens = &sphere_triangle_screens(),
       .input_classes = &sphere_triangle_input_classes(),
       .has_engine_queries = true,

@@ -1,6 +1,8 @@
 // Scenes with full significands, on which the last bit decides or none does.
-#include "fuzz/queries/boundary.h"
+#include "fuzz/sphere_triangle/families/parts/boundary.h"
+#include "fuzz/queries/steps.h"
 #include "fuzz/sphere_triangle/diagnosis_scenes.h"
+#include "fuzz/sphere_triangle/formulae/axis_windows.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::diagnosis {

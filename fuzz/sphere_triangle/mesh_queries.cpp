@@ -1,7 +1,8 @@
 // Places spheres about the triangles of a mesh, one vector of queries with the same placement at a time. Everything is
 // in binary64 with + - * / sqrt and powers of two, so that an address gives the same query everywhere; the query's own
 // precision enters only with the last rounding.
-#include "fuzz/queries/boundary.h"
+#include "fuzz/sphere_triangle/families/parts/boundary.h"
+#include "fuzz/queries/steps.h"
 #include "fuzz/sphere_triangle/families/parts/lanes.h"
 #include "fuzz/sphere_triangle/mesh_queries.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fuzz/instruments/exponent_window.h"
+#include "fuzz/sphere_triangle/formulae/axis_windows.h"
 #include "fuzz/queries/image_groups.h"
 #include "kernel/ask.h"
 

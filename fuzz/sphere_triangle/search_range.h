@@ -11,9 +11,9 @@
 namespace axiscert {
 
 // Whether range alone can be to blame for a query's result: the query is far from every change of sign
-// (fuzz/instruments/exponent_window.h), its radius is at least 1/8 of its greatest translated coordinate, and so is,
-// for each vertex and each edge, the greatest of its coordinates. Without that the least scale would not be a property
-// of the formulae: an edge can be arbitrarily short compared with the rest.
+// (fuzz/sphere_triangle/formulae/axis_windows.h), its radius is at least 1/8 of its greatest translated coordinate, and
+// so is, for each vertex and each edge, the greatest of its coordinates. Without that the least scale would not be a
+// property of the formulae: an edge can be arbitrarily short compared with the rest.
 template <class Real>
 bool has_good_shape(const Query<Real>& q);
 

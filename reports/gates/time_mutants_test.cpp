@@ -9,7 +9,7 @@
 
 #include "exact/moving_sphere/motion_tables_testing.h"
 #include "fuzz/mutation/black_box.h"
-#include "fuzz/mutation/time_mutants.h"
+#include "fuzz/moving_sphere/time_mutants.h"
 #include "fuzz/queries/entry_families.h"
 #include "kernel/moving_sphere/moving_sphere.h"
 #include "reports/gates/requirement.h"

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "exact/boxes/box_measures.h"
-#include "fuzz/queries/boundary.h"
+#include "fuzz/queries/steps.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/one_by_one.h"
 #include "fuzz/queries/random.h"

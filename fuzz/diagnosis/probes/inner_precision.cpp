@@ -5,7 +5,7 @@
 
 #include "fuzz/diagnosis/probes/probes.h"
 #include "fuzz/diagnosis/scenes/clear_queries.h"
-#include "fuzz/queries/boundary.h"
+#include "fuzz/queries/steps.h"
 
 namespace axiscert::diagnosis {
 namespace {

@@ -8,7 +8,7 @@
 #include "fuzz/sphere_triangle/families/parts/image_fill.h"
 #include "fuzz/sphere_triangle/families/parts/symmetry.h"
 #include "fuzz/queries/exact_images.h"
-#include "fuzz/queries/images.h"
+#include "fuzz/queries/image_groups.h"
 
 namespace axiscert::moving_sphere {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "fuzz/sphere_triangle/families/parts/shapes.h"
-#include "fuzz/queries/boundary.h"
+#include "fuzz/queries/steps.h"
 #include "fuzz/queries/one_by_one.h"
 #include "kernel/moving_sphere/moving_sphere.h"
 

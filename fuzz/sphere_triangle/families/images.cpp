@@ -1,6 +1,6 @@
 // A query near tangency, and its images: in six vertex orders, in 48 permutations and reflections of the axes, with all
 // signs changed, times powers of two, and translated. Every image is exact, so that no exact answer differs.
-#include "fuzz/queries/images.h"
+#include "fuzz/queries/image_groups.h"
 #include "kernel/sphere_triangle/description.h"
 
 #include <algorithm>

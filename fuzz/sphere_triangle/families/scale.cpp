@@ -1,5 +1,5 @@
 // Clear queries at every power of two of the precision: faults are due to range, not rounding.
-#include "fuzz/queries/boundary.h"
+#include "fuzz/sphere_triangle/families/parts/boundary.h"
 #include "kernel/sphere_triangle/description.h"
 #include "fuzz/sphere_triangle/families/parts/lanes.h"
 

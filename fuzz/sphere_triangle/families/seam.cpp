@@ -3,7 +3,8 @@
 // On a seam the distances to both features are equal, so either axis separates and a wrong side is masked by the other
 // feature's radius comparison, unless the radius is within rounding of the distance, where both can be wrong at once.
 // Hence half of the radii are chosen there.
-#include "fuzz/queries/boundary.h"
+#include "fuzz/sphere_triangle/families/parts/boundary.h"
+#include "fuzz/queries/steps.h"
 #include "kernel/sphere_triangle/description.h"
 #include "fuzz/sphere_triangle/families/parts/lanes.h"
 

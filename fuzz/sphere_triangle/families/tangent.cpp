@@ -1,5 +1,6 @@
 // Radii solved onto each of the seven radius boundaries, with the centre in the region where that axis decides.
-#include "fuzz/queries/boundary.h"
+#include "fuzz/sphere_triangle/families/parts/boundary.h"
+#include "fuzz/queries/steps.h"
 #include "kernel/sphere_triangle/description.h"
 #include "fuzz/sphere_triangle/families/parts/lanes.h"
 

@@ -3,7 +3,7 @@
 
 #include "fuzz/campaign/progress.h"
 #include "fuzz/sphere_triangle/formulae/error_spread.h"
-#include "fuzz/instruments/exponent_window.h"
+#include "fuzz/sphere_triangle/formulae/axis_windows.h"
 #include "fuzz/sphere_triangle/formulae/kernel_speed.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"

@@ -1,6 +1,6 @@
 // Values on a boundary by filter equal those of exact arithmetic to the bit if the filter gives a result, and it nearly
 // always does.
-#include "fuzz/queries/boundary.h"
+#include "fuzz/sphere_triangle/families/parts/boundary.h"
 
 #include <cstring>
 #include <optional>

@@ -1,7 +1,6 @@
-#include "fuzz/instruments/exponent_window.h"
+#include "fuzz/sphere_triangle/formulae/axis_windows.h"
 
 #include <cmath>
-#include <limits>
 
 #include "exact/sphere_triangle/oracles/formula_oracle.h"
 #include "exact/sphere_triangle/unbounded/unbounded.h"
@@ -93,14 +92,6 @@ std::vector<Query<Real>> window_queries() {
 }
 template std::vector<Query<float>> window_queries<float>();
 template std::vector<Query<double>> window_queries<double>();
-
-// The family's numbers are multiples of u below 2: u 2^m must not be below the least subnormal number, and 2 2^m must
-// not exceed the greatest power of two.
-ExponentWindow scanned_exponents(Precision precision) {
-  if (precision == Precision::binary32)
-    return {std::numeric_limits<float>::min_exponent, std::numeric_limits<float>::max_exponent - 1};
-  return {std::numeric_limits<double>::min_exponent, std::numeric_limits<double>::max_exponent - 1};
-}
 
 template <class Real>
 AxisWindows exponent_windows(const Kernel& kernel) {

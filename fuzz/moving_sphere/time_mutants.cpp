@@ -1,4 +1,4 @@
-#include "fuzz/mutation/time_mutants.h"
+#include "fuzz/moving_sphere/time_mutants.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,4 @@
-#include "fuzz/queries/boundary.h"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "fuzz/sphere_triangle/families/parts/boundary.h"
 
 #include "exact/sphere_triangle/oracles/feature_walk.h"
 #include "exact/sphere_triangle/oracles/formula_oracle.h"
@@ -83,27 +79,13 @@ Real coordinate_on_boundary(const Query<Real>& q, Comparison side_comparison, in
   return found ? *found : exact_coordinate_on_boundary(q, side_comparison, coordinate);
 }
 
-template <class Real>
-Real step_ulps(Real x, int ulps) {
-  const Real towards = ulps > 0 ? std::numeric_limits<Real>::infinity() : -std::numeric_limits<Real>::infinity();
-  for (int i = std::abs(ulps); i > 0; --i) x = std::nextafter(x, towards);
-  return x;
-}
-
-template <class Real>
-Real step_radius(Real r, int ulps) {
-  return std::clamp(step_ulps(r, ulps), Real(0), std::numeric_limits<Real>::max());
-}
-
-#define AXISCERT_INSTANTIATE(Real)                                                       \
-  template Real radius_on_boundary<Real>(const Query<Real>&, Comparison);                \
-  template Real radius_at_distance<Real>(const Query<Real>&);                            \
-  template Real coordinate_on_boundary<Real>(const Query<Real>&, Comparison, int);       \
-  template Real exact_radius_on_boundary<Real>(const Query<Real>&, Comparison);          \
-  template Real exact_radius_at_distance<Real>(const Query<Real>&);                      \
-  template Real exact_coordinate_on_boundary<Real>(const Query<Real>&, Comparison, int); \
-  template Real step_ulps<Real>(Real, int);                                              \
-  template Real step_radius<Real>(Real, int);
+#define AXISCERT_INSTANTIATE(Real)                                                 \
+  template Real radius_on_boundary<Real>(const Query<Real>&, Comparison);          \
+  template Real radius_at_distance<Real>(const Query<Real>&);                      \
+  template Real coordinate_on_boundary<Real>(const Query<Real>&, Comparison, int); \
+  template Real exact_radius_on_boundary<Real>(const Query<Real>&, Comparison);    \
+  template Real exact_radius_at_distance<Real>(const Query<Real>&);                \
+  template Real exact_coordinate_on_boundary<Real>(const Query<Real>&, Comparison, int);
 AXISCERT_INSTANTIATE(float)
 AXISCERT_INSTANTIATE(double)
 #undef AXISCERT_INSTANTIATE

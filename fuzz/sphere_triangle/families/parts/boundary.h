@@ -1,4 +1,4 @@
-// Solves a query onto a boundary: the float nearest to the exact root of a margin, and steps of an ulp from it.
+// Solves a query onto a boundary: the float nearest to the exact root of a margin.
 #pragma once
 
 #include "kernel/sphere_triangle/query.h"
@@ -35,12 +35,5 @@ template <class Real>
 Real exact_radius_at_distance(const Query<Real>& q);
 template <class Real>
 Real exact_coordinate_on_boundary(const Query<Real>& q, Comparison side_comparison, int coordinate);
-
-// x moved by `ulps` floats up or down; stops at +-infinity, and steps through zero to the other sign.
-template <class Real>
-Real step_ulps(Real x, int ulps);
-// The same for a radius, which stops at zero and at the greatest finite number.
-template <class Real>
-Real step_radius(Real r, int ulps);
 
 }  // namespace axiscert
