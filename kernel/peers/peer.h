@@ -58,14 +58,16 @@ constexpr std::uint32_t may_decline() {
   else return 0;
 }
 
-template <class Peer, std::floating_point Input>
-constexpr axiscert_kernel kernel_in(const Description& says) {
+// A kernel that shows a verdict alone, and claims nothing else.
+template <std::floating_point Input>
+constexpr axiscert_kernel verdict_kernel(const Description& says, std::size_t columns,
+                                         decltype(axiscert_kernel::run) run) {
   return {.abi = AXISCERT_PLUGIN_ABI,
           .precision = 8 * sizeof(Input),
           .size = sizeof(axiscert_kernel),
           .name = says.name,
-          .column_count = coordinate_count,
-          .run = run<Peer, Input>,
+          .column_count = columns,
+          .run = run,
           .test = nullptr,
           .entry = nullptr,
           .summary = says.summary,
@@ -79,19 +81,29 @@ constexpr axiscert_kernel kernel_in(const Description& says) {
           .start = 0,
           .still = 0,
           .sides = 0,
-          .may_decline = may_decline<Peer>()};
+          .may_decline = 0};
 }
 
-// The kernels for axiscert_plugin: binary32, and binary64 too if the library computes in double.
-template <class Peer>
-const axiscert_kernel* kernel(std::uint32_t index, const Description& says) {
-  static const axiscert_kernel binary32 = kernel_in<Peer, float>(says);
+// The kernels for axiscert_plugin: binary32, and binary64 too if the library computes in double. make(Input()) makes
+// each, once.
+template <std::floating_point Real, class Make>
+const axiscert_kernel* kernel_by_index(std::uint32_t index, const Make& make) {
+  static const axiscert_kernel binary32 = make(float());
   if (index == 0) return &binary32;
-  if constexpr (std::same_as<typename Peer::Real, double>) {
-    static const axiscert_kernel binary64 = kernel_in<Peer, double>(says);
+  if constexpr (std::same_as<Real, double>) {
+    static const axiscert_kernel binary64 = make(double());
     if (index == 1) return &binary64;
   }
   return nullptr;
+}
+
+template <class Peer>
+const axiscert_kernel* kernel(std::uint32_t index, const Description& says) {
+  return kernel_by_index<typename Peer::Real>(index, [&]<class Input>(Input) {
+    axiscert_kernel made = verdict_kernel<Input>(says, coordinate_count, run<Peer, Input>);
+    made.may_decline = may_decline<Peer>();
+    return made;
+  });
 }
 
 }  // namespace axiscert::peer

@@ -17,7 +17,6 @@ namespace axiscert {
 enum class ExponentRange : std::uint8_t { unlimited, limited };
 template <>
 inline constexpr std::size_t enum_count<ExponentRange> = 2;
-inline constexpr EnumArray<ExponentRange, std::string_view> exponent_range_names = {"unlimited", "limited"};
 
 struct PrecisionPlan {
   std::uint64_t seed = 1;

@@ -87,40 +87,15 @@ void run_boxes(const axiscert_batch* batch, const axiscert_answers* answers) {
   }
 }
 
-template <class Peer, std::floating_point Input>
-constexpr axiscert_kernel boxes_kernel_in(const Description& says) {
-  return {.abi = AXISCERT_PLUGIN_ABI,
-          .precision = 8 * sizeof(Input),
-          .size = sizeof(axiscert_kernel),
-          .name = says.name,
-          .column_count = boxes_columns,
-          .run = run_boxes<Peer, Input>,
-          .test = "box-box",
-          .entry = "matrix",
-          .summary = says.summary,
-          .source = says.source,
-          .exposes = AXISCERT_VERDICT_ONLY,
-          .touching = says.touching,
-          .measure_count = 0,
-          .conforms_to = nullptr,
-          .formulae = nullptr,
-          .limits = nullptr,
-          .start = 0,
-          .still = 0,
-          .sides = 0,
-          .may_decline = 1};
-}
-
-// The kernels for axiscert_plugin: binary32, and binary64 too if the library computes in double.
 template <class Peer>
 const axiscert_kernel* boxes_kernel(std::uint32_t index, const Description& says) {
-  static const axiscert_kernel binary32 = boxes_kernel_in<Peer, float>(says);
-  if (index == 0) return &binary32;
-  if constexpr (std::same_as<typename Peer::Real, double>) {
-    static const axiscert_kernel binary64 = boxes_kernel_in<Peer, double>(says);
-    if (index == 1) return &binary64;
-  }
-  return nullptr;
+  return kernel_by_index<typename Peer::Real>(index, [&]<class Input>(Input) {
+    axiscert_kernel made = verdict_kernel<Input>(says, boxes_columns, run_boxes<Peer, Input>);
+    made.test = "box-box";
+    made.entry = "matrix";
+    made.may_decline = 1;
+    return made;
+  });
 }
 
 }  // namespace axiscert::peer

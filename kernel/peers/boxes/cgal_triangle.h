@@ -35,35 +35,14 @@ void run_cells(const axiscert_batch* batch, const axiscert_answers* answers) {
   }
 }
 
-template <class Kernel, std::floating_point Input>
-constexpr axiscert_kernel cells_kernel_in(const Description& says) {
-  return {.abi = AXISCERT_PLUGIN_ABI,
-          .precision = 8 * sizeof(Input),
-          .size = sizeof(axiscert_kernel),
-          .name = says.name,
-          .column_count = cell_columns,
-          .run = run_cells<Kernel, Input>,
-          .test = "box-triangle",
-          .entry = "minmax",
-          .summary = says.summary,
-          .source = says.source,
-          .exposes = AXISCERT_VERDICT_ONLY,
-          .touching = says.touching,
-          .measure_count = 0,
-          .conforms_to = nullptr,
-          .formulae = nullptr,
-          .limits = nullptr,
-          .start = 0,
-          .still = 0,
-          .sides = 0,
-          .may_decline = 0};
-}
-
 template <class Kernel>
 const axiscert_kernel* cells_kernel(std::uint32_t index, const Description& says) {
-  static const axiscert_kernel binary32 = cells_kernel_in<Kernel, float>(says);
-  static const axiscert_kernel binary64 = cells_kernel_in<Kernel, double>(says);
-  return index == 0 ? &binary32 : index == 1 ? &binary64 : nullptr;
+  return kernel_by_index<double>(index, [&]<class Input>(Input) {
+    axiscert_kernel made = verdict_kernel<Input>(says, cell_columns, run_cells<Kernel, Input>);
+    made.test = "box-triangle";
+    made.entry = "minmax";
+    return made;
+  });
 }
 
 }  // namespace axiscert::peer

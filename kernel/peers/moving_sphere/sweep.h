@@ -87,40 +87,18 @@ constexpr std::uint32_t start_promise() {
   else return AXISCERT_START_IS_REPORTED;
 }
 
-template <class Peer, std::floating_point Input>
-constexpr axiscert_kernel sweep_kernel_in(const Description& says) {
-  return {.abi = AXISCERT_PLUGIN_ABI,
-          .precision = 8 * sizeof(Input),
-          .size = sizeof(axiscert_kernel),
-          .name = says.name,
-          .column_count = sweep_columns,
-          .run = run_sweeps<Peer, Input>,
-          .test = "moving-sphere",
-          .entry = nullptr,
-          .summary = says.summary,
-          .source = says.source,
-          .exposes = AXISCERT_VERDICT_ONLY,
-          .touching = says.touching,
-          .measure_count = Peer::measure_count,
-          .conforms_to = nullptr,
-          .formulae = nullptr,
-          .limits = nullptr,
-          .start = start_promise<Peer>(),
-          .still = AXISCERT_STILL_IS_REPORTED,
-          .sides = AXISCERT_BOTH_SIDES,
-          .may_decline = may_decline<Peer>()};
-}
-
-// The kernels for axiscert_plugin: binary32, and binary64 too if the library computes in double.
 template <class Peer>
 const axiscert_kernel* sweep_kernel(std::uint32_t index, const Description& says) {
-  static const axiscert_kernel binary32 = sweep_kernel_in<Peer, float>(says);
-  if (index == 0) return &binary32;
-  if constexpr (std::same_as<typename Peer::Real, double>) {
-    static const axiscert_kernel binary64 = sweep_kernel_in<Peer, double>(says);
-    if (index == 1) return &binary64;
-  }
-  return nullptr;
+  return kernel_by_index<typename Peer::Real>(index, [&]<class Input>(Input) {
+    axiscert_kernel made = verdict_kernel<Input>(says, sweep_columns, run_sweeps<Peer, Input>);
+    made.test = "moving-sphere";
+    made.measure_count = Peer::measure_count;
+    made.start = start_promise<Peer>();
+    made.still = AXISCERT_STILL_IS_REPORTED;
+    made.sides = AXISCERT_BOTH_SIDES;
+    made.may_decline = may_decline<Peer>();
+    return made;
+  });
 }
 
 }  // namespace axiscert::peer
