@@ -51,10 +51,10 @@ std::optional<Symptom> named(const TestDescription& test, std::string_view what)
   if (is_error) what.remove_suffix(error_suffix.size());
   if (what == "verdict" && !is_error) return Symptom{.test = &test};
   for (std::uint8_t i = 0; i < test.clauses.size(); ++i) {
-    if (test.clauses[i].name == what && !is_error) return Symptom{.level = Level::axis, .index = i, .test = &test};
+    if (test.clauses[i].name == what && !is_error) return Symptom{.test = &test, .level = Level::axis, .index = i};
   }
   for (std::uint8_t i = 0; i < test.comparisons.size(); ++i) {
-    if (test.comparisons[i].name == what) return Symptom{.level = Level::comparison, .index = i, .test = &test};
+    if (test.comparisons[i].name == what) return Symptom{.test = &test, .level = Level::comparison, .index = i};
   }
   return std::nullopt;
 }

@@ -105,7 +105,7 @@ StoredQuery query_at(const Address& address, const AddressFiles& files) {
     throw Error(fmt::format("address '{}': {} has generator version {} here, but the address is from version {}",
                             text(address), source->name(), source->version(), address.version));
   }
-  StoredQuery stored{text(address), address.precision, {}, 0, &source->test(), source->entry(), text(address)};
+  StoredQuery stored{text(address), address.precision, {}, &source->test(), source->entry(), 0, text(address)};
   if (address.precision == Precision::binary32) stored.numbers = made<float>(address, *source);
   else stored.numbers = made<double>(address, *source);
   return stored;

@@ -59,7 +59,7 @@ std::string OutputFolder::save(const OracleDisagreement& d) const {
     std::transform(d.query.begin(), d.query.end(), values.begin(), [](double x) { return static_cast<Real>(x); });
     return values;
   };
-  StoredQuery stored{"disagreement", d.precision, numbers(double()), 0, d.test, d.entry};
+  StoredQuery stored{"disagreement", d.precision, numbers(double()), d.test, d.entry};
   if (d.precision == Precision::binary32) stored.numbers = numbers(float());
   write_text("disagreement.jsonl", query_line(stored) + "\n");
   return (path_ / "disagreement.jsonl").string();

@@ -37,11 +37,11 @@ Json line_of(const StoredQuery& stored, Json kept, const Shrunk<Real>& found, co
 }  // namespace
 
 StoredQuery smaller_query(const StoredQuery& stored, AnyNumbers numbers) {
-  return {"shrunk-" + stored.id, stored.precision, std::move(numbers), 0, stored.test, stored.entry};
+  return {"shrunk-" + stored.id, stored.precision, std::move(numbers), stored.test, stored.entry};
 }
 
 StoredQuery image_of(const StoredQuery& stored, AnyNumbers image) {
-  return {stored.id + "-image", stored.precision, std::move(image), 0, stored.test, stored.entry};
+  return {stored.id + "-image", stored.precision, std::move(image), stored.test, stored.entry};
 }
 
 template <class Real>

@@ -34,9 +34,9 @@ void write_queries(Out& out, const Ground& ground, const Walk& walk) {
     for (std::size_t i = ask.first; i < ask.first + ask.count; ++i) {
       const std::uint32_t t = walk.triangles[i];
       const std::string id = fmt::format("{}-{}-{}", moment, a, t);
-      out.write(query_line({id, Precision::binary32, Numbers<float>(ground.query(ask.sphere, t)), 0,
-                            &sphere_triangle_test()}) +
-                "\n");
+      out.write(
+          query_line({id, Precision::binary32, Numbers<float>(ground.query(ask.sphere, t)), &sphere_triangle_test()}) +
+          "\n");
     }
   }
   out.end();

@@ -102,7 +102,7 @@ class MarginFinder {
         critical_radius(kernel_, QueryWithRadius<Real>{query, radius()}, {r, std::max(r, greatest_for(query))});
     const auto contact = [&](const Decimal6& value) {
       const TestDescription& test = *plan_.kernel->test;
-      return MissedContact{query_line({id, precision_of<Real>, query, 0, &test, 0}), family, format_number(r),
+      return MissedContact{query_line({id, precision_of<Real>, query, &test}), family, format_number(r),
                            critical.radius ? format_number(*critical.radius) : "", value};
     };
     if (!critical.answered || (critical.radius && *critical.radius <= r)) {

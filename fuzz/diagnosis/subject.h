@@ -65,10 +65,7 @@ class Subject {
   // A query that shows something, with what was answered.
   DiagnosisWitness witness(const Numbers<Real>& query, std::string answered, std::string shows) const {
     const Truth truth_of = truth(query);
-    StoredQuery stored{"diagnosis", precision_of<Real>, query};
-    stored.test = kernel_.test;
-    stored.entry = kernel_.entry;
-    return {query_line(stored), std::move(answered),
+    return {query_line({"diagnosis", precision_of<Real>, query, kernel_.test, kernel_.entry}), std::move(answered),
             std::string(truth_of.touching ? "touching" : name(truth_of.verdict)), std::move(shows)};
   }
   DiagnosisWitness witness(const Numbers<Real>& query, Verdict said, std::string shows) const {

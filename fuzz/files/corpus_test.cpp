@@ -136,7 +136,7 @@ class CorpusFolder {
 
 CorpusEntry touching_entry() {
   const Query<float> q = {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 0, 0}, 1};
-  StoredQuery stored{"touching", Precision::binary32, q, 1, &sphere_triangle_test()};
+  StoredQuery stored{"touching", Precision::binary32, q, &sphere_triangle_test(), 0, 1};
   return {stored, {"made", "by hand", ""}, "", exact_answers(stored), "x.jsonl"};
 }
 

@@ -66,7 +66,7 @@ void Place::fail(std::string_view field, std::string_view what) const {
 
 StoredQuery stored_query(std::string id, Precision precision, const EntryOfTest& of,
                          const std::vector<NumberText>& numbers, const Place& place) {
-  StoredQuery stored{std::move(id), precision, {}, place.line, of.test, of.entry};
+  StoredQuery stored{std::move(id), precision, {}, of.test, of.entry, place.line};
   switch (precision) {
     case Precision::binary32:
       stored.numbers = numbers_of<float>(numbers, place);

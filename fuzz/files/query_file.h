@@ -35,10 +35,10 @@ struct StoredQuery {
   std::string id;
   Precision precision;  // precision of `numbers`
   AnyNumbers numbers;
-  std::size_t line = 0;                   // in its file, from 1; 0 if it does not come from a file
-  const TestDescription* test = nullptr;  // never null in a query that is used
-  std::size_t entry = 0;                  // of the test: that in which the numbers are given
-  std::string address = {};               // that a line of JSON states, as a witness does; not written again
+  const TestDescription* test;
+  std::size_t entry = 0;     // of the test: that in which the numbers are given
+  std::size_t line = 0;      // in its file, from 1; 0 if it does not come from a file
+  std::string address = {};  // that a line of JSON states, as a witness does; not written again
 
   const TestEntry& columns() const { return test->entries[entry]; }
 };

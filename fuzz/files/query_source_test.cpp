@@ -33,7 +33,7 @@ void line_round_trip() {
   for (int i = 0; i < 500; ++i) {
     std::array<Real, coordinate_count> v;
     for (Real& x : v) x = std::bit_cast<Real>(static_cast<Bits>(random.bits()));
-    written.push_back({"say \"" + std::to_string(i) + "\"\\\n\xc3\xa4", precision_of<Real>, from_coordinates(v), 0,
+    written.push_back({"say \"" + std::to_string(i) + "\"\\\n\xc3\xa4", precision_of<Real>, from_coordinates(v),
                        &sphere_triangle_test()});
     file += query_line(written.back()) + "\n";
   }
@@ -50,13 +50,13 @@ void line_round_trip() {
 TEST(QueryFile, AWrittenLineReadsBackTheSame) {
   line_round_trip<float>();
   line_round_trip<double>();
-  EXPECT_EQ(query_line({"parry-76", Precision::binary32, Query<float>{{1, 0, 0}, {0, -0.0f, 0}, {}, {}, 0.2f}, 0,
+  EXPECT_EQ(query_line({"parry-76", Precision::binary32, Query<float>{{1, 0, 0}, {0, -0.0f, 0}, {}, {}, 0.2f},
                         &sphere_triangle_test()}),
             R"({"id":"parry-76","precision":"binary32","a":["0x1p+0","0x0p+0","0x0p+0"],)"
             R"("b":["0x0p+0","-0x0p+0","0x0p+0"],"c":["0x0p+0","0x0p+0","0x0p+0"],)"
             R"("p":["0x0p+0","0x0p+0","0x0p+0"],"r":"0x1.99999ap-3"})");
   // An id that is not UTF-8 cannot be JSON; the query must not be lost with it.
-  EXPECT_NO_THROW(parse_queries(query_line({"\xff", Precision::binary64, Query<double>{}, 0, &sphere_triangle_test()}),
+  EXPECT_NO_THROW(parse_queries(query_line({"\xff", Precision::binary64, Query<double>{}, &sphere_triangle_test()}),
                                 "f.jsonl", Precision::binary32));
 }
 

@@ -243,9 +243,9 @@ class Drawing {
       if (certain && is_wrong && !proved_->are_as_claimed(*plan_.kernel, q, answers, i)) certain = false;
       p.certain = certain ? p.certain | bit : p.certain & ~bit;
       if (certain && is_wrong) {
-        throw HarnessFault(
-            fmt::format("{}: the proved bound of {} is refuted by {}", plan_.kernel->id, test().comparisons[k].name,
-                        query_line({"refuted", precision_of<Real>, q, 0, &test(), plan_.kernel->entry})));
+        throw HarnessFault(fmt::format("{}: the proved bound of {} is refuted by {}", plan_.kernel->id,
+                                       test().comparisons[k].name,
+                                       query_line({"refuted", precision_of<Real>, q, &test(), plan_.kernel->entry})));
       }
     }
   }

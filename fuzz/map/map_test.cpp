@@ -28,7 +28,7 @@ TYPED_TEST_SUITE(Maps, Reals);
 
 template <class Real>
 StoredQuery stored(const Query<Real>& q) {
-  return {"q", precision_of<Real>, q, 0, &sphere_triangle_test()};
+  return {"q", precision_of<Real>, q, &sphere_triangle_test()};
 }
 
 MovedNumbers numbers_named(std::string_view name) {
@@ -217,7 +217,7 @@ TEST(MapsOfOracles, ShowWhatTheOraclesAndTheKernelSay) {
   const Numbers<float> q = MovingQuery<float>{{0, 0, 0}, {4, 0, 0}, {8, 0, 0}, {1, 0, 2}, {1, 0, 0}, 2};
   const TestEntry& columns = moving_sphere_test().entries[0];
   const Kernel& strict = find_kernel("moving-sphere/twenty");
-  const StoredQuery witness = {"q", Precision::binary32, q, 0, &moving_sphere_test()};
+  const StoredQuery witness = {"q", Precision::binary32, q, &moving_sphere_test()};
   const MapPlan plan{&strict, std::string(scalar_target), witness,
                      ulp_plane(parse_numbers("d.x", columns), parse_numbers("r", columns), 8, 1),
                      map_subjects(moving_sphere_test())};

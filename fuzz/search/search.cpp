@@ -147,7 +147,7 @@ class Search {
   }
 
   StoredQuery stored_query(std::string id, const Numbers<Real>& q) const {
-    return {std::move(id), plan_.precision, q, 0, plan_.kernel->test, plan_.kernel->entry};
+    return {std::move(id), plan_.precision, q, plan_.kernel->test, plan_.kernel->entry};
   }
   std::unique_ptr<Guide<Real>> made_guide() const {
     return method_.guide(*plan_.kernel, plan_.target, std::type_identity<Real>());

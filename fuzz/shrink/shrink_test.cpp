@@ -163,9 +163,9 @@ TEST(ShrinkLong, EveryKindOfKernelAndBothPrecisions) {
 TEST(Shrink, KeepsTheErrorOfAComparison) {
   const Query<float> q = find_family("sliver").make<float>(seed, 1);
   for (const char* id : {"published", "ladder-0"}) {
-    const Symptom error{.level = Level::comparison,
-                        .index = static_cast<std::uint8_t>(Comparison::edge_bc_radius),
-                        .test = &sphere_triangle_test()};
+    const Symptom error{.test = &sphere_triangle_test(),
+                        .level = Level::comparison,
+                        .index = static_cast<std::uint8_t>(Comparison::edge_bc_radius)};
     expect_smaller_and_as_bad(q, error, find_kernel(id));
   }
 }
@@ -198,10 +198,10 @@ Kernel two_faults() {
 TEST(Shrink, KeepsTheClassOfTheInputAndTheDepth) {
   const Kernel kernel = two_faults();
   const Query<double> q = {{1, 0.25, 1}, {-0.5, 1, 1}, {-1, -1.25, 1}, {0.125, 0.0625, 0}, 1 + 0x1p-50};
-  const Symptom missed{.kind = FlipKind::false_separation,
+  const Symptom missed{.test = &sphere_triangle_test(),
+                       .kind = FlipKind::false_separation,
                        .decisive = true,
-                       .links = {Link::unattributed},
-                       .test = &sphere_triangle_test()};
+                       .links = {Link::unattributed}};
   const auto kept = shrink<double>(q, missed, kernel, scalar_target, 3000);
   const Query<double> smaller = kept.query;
   EXPECT_EQ(input_classes(smaller, squared_distance(smaller)), InputClassSet{InputClass::near_tie});
@@ -277,7 +277,7 @@ TEST(ShrinkPairs, TheAnswersToTheSmallerQueryAndItsImageStillDiffer) {
 TEST(Shrink, AQueryWithoutTheSymptomIsAnError) {
   const Query<float> q = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, 2};
   const Symptom symptom{
-      .kind = FlipKind::false_separation, .decisive = true, .links = {Link::rounding}, .test = &sphere_triangle_test()};
+      .test = &sphere_triangle_test(), .kind = FlipKind::false_separation, .decisive = true, .links = {Link::rounding}};
   EXPECT_THROW(shrink<float>(q, symptom, find_kernel("published"), scalar_target, 10), Error);
 }
 

@@ -58,7 +58,7 @@ ComparisonBits causes_of(const TestDescription& test, const Judgement& judgement
 }
 
 Symptom symptom_of(const TestDescription& test, const Judgement& judgement, const Flip& flip) {
-  return {flip.level, flip.index, flip.kind, flip.decisive, flip.links, causes_of(test, judgement, flip), &test};
+  return {&test, flip.level, flip.index, flip.kind, flip.decisive, flip.links, causes_of(test, judgement, flip)};
 }
 
 bool shows(const Judgement& judgement, const Symptom& symptom) {

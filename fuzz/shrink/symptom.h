@@ -11,6 +11,7 @@ namespace axiscert {
 
 // A flip; or, if `kind` is empty, the error of a comparison, whatever its sign.
 struct Symptom {
+  const TestDescription* test;
   Level level = Level::verdict;
   std::uint8_t index = 0;  // index of the axis or comparison
   std::optional<FlipKind> kind = {};
@@ -19,7 +20,6 @@ struct Symptom {
   // For a wrong verdict the decisive comparison flips, for an axis its comparison flips: some of these have to remain,
   // if there are any, and no others may be added.
   ComparisonBits causes = 0;
-  const TestDescription* test = nullptr;
 };
 std::string_view name(const Symptom& symptom);  // "verdict", "edge_ab", "edge_ab.radius"
 // "verdict false_separation [rounding]", "edge_ab.radius error".

@@ -55,7 +55,7 @@ class Look {
 
  private:
   [[noreturn]] void fail(std::string_view what) const {
-    fault(fmt::format("{}\n{}", what, query_line({"fuzzed", precision_of<Real>, q_, 0, &sphere_triangle_test()})));
+    fault(fmt::format("{}\n{}", what, query_line({"fuzzed", precision_of<Real>, q_, &sphere_triangle_test()})));
   }
 
   ExactTruth decided() const {

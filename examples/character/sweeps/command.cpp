@@ -43,9 +43,9 @@ void write_sweeps(Out& out, const World& world, const Journey& journey) {
     const Motion& motion = journey.motions[m];
     for (std::size_t i = motion.first; i < motion.first + motion.count; ++i) {
       const std::uint32_t t = journey.triangles[i];
-      StoredQuery query{fmt::format("{}-{}-{}", purpose_names[static_cast<std::size_t>(motion.purpose)], m, t),
-                        Precision::binary32, Numbers<float>(world.query(motion.from, motion.by, t))};
-      query.test = &moving_sphere_test();
+      const StoredQuery query{fmt::format("{}-{}-{}", purpose_names[static_cast<std::size_t>(motion.purpose)], m, t),
+                              Precision::binary32, Numbers<float>(world.query(motion.from, motion.by, t)),
+                              &moving_sphere_test()};
       out.write(query_line(query) + "\n");
     }
   }

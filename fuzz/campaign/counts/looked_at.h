@@ -111,7 +111,7 @@ class AnswerCounter {
     into.add(said);
     if (is_decided || (said == Verdict::undecided && kernel_.may_decline)) return;
     if (into.first_fault && into.first_fault->place <= place) return;
-    into.first_fault = {place, said, query_line({"", precision_of<Real>, q, 0, kernel_.test, kernel_.entry})};
+    into.first_fault = {place, said, query_line({"", precision_of<Real>, q, kernel_.test, kernel_.entry})};
   }
 
  private:

@@ -209,7 +209,7 @@ TEST(PointBox, APipedProgramIsJudgedAsTheKernelThatItComputes) {
 
 TEST(PointBox, ALineOfAQueryReadsBackTheSame) {
   const Family& family = find_family("point-box/surface");
-  const StoredQuery query{"q", Precision::binary64, family.make<double>(1, 7), 0, &point_box_test(), 0};
+  const StoredQuery query{"q", Precision::binary64, family.make<double>(1, 7), &point_box_test()};
   const std::string line = query_line(query);
   EXPECT_THAT(line, HasSubstr(R"("test":"point-box")"));
   const std::vector<StoredQuery> read = parse_queries(line, "f", Precision::binary32, tests());
