@@ -14,13 +14,15 @@ SideErrors errors_of(const Answers<Real>& answers, const ExactSides& own) {
   SideErrors all;
   for (std::size_t k = 0; k < own.lhs.size(); ++k) {
     const Real lhs = answers.lhs[k][0], rhs = answers.rhs[k][0];
-    const SideError relative(lhs, rhs, own.lhs[k], own.rhs[k]);
+    const ExactComparison sides = own.comparison(k);
+    const SideError relative(lhs, rhs, sides);
     all.absolute.emplace_back();
     all.relative.emplace_back();
-    if (relative.kind() == SideError::Kind::range_event) continue;
-    const Rational difference = exact(lhs) - exact(rhs) - (rational(own.lhs[k]) - rational(own.rhs[k]));
-    const Rational in_u = abs(difference) * Rational(mpz_class(1) << std::numeric_limits<Real>::digits);
-    all.absolute.back() = round_up(in_u);
+    if (relative.kind() == SideError::Kind::range_event || sides.is_undefined) continue;
+    if (!sides.is_rooted) {  // a root has no rational difference
+      const Rational difference = exact(lhs) - exact(rhs) - (rational(sides.lhs) - rational(sides.rhs));
+      all.absolute.back() = round_up(Rational(abs(difference) * (mpz_class(1) << std::numeric_limits<Real>::digits)));
+    }
     if (relative.kind() == SideError::Kind::finite) all.relative.back() = relative.rounded_up();
   }
   return all;
