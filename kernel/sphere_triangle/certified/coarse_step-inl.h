@@ -69,7 +69,7 @@ template <class D>
 AXISCERT_INLINE void note(D d, const AxisMasks<D>& masks, int axis, hn::Vec<hn::RebindToUnsigned<D>>& known) {
   const hn::RebindToUnsigned<D> words;
   const auto add = [&](hn::Mask<D> mask, int bit) HWY_ATTR {
-    const auto one = hn::Set(words, std::uint64_t{1} << (bit + axis));
+    const auto one = hn::Set(words, static_cast<hn::TFromD<hn::RebindToUnsigned<D>>>(std::uint64_t{1} << (bit + axis)));
     known = hn::Or(known, hn::And(hn::BitCast(words, hn::VecFromMask(d, mask)), one));
   };
   add(masks.fails, Known::fails);
