@@ -16,8 +16,9 @@ using Reals = testing::Types<float, double>;
 // The judgement of the published kernel as the scalar reference computes it.
 template <class Real>
 Judgement judge_published(const Query<Real>& q) {
-  const ExactTruth truth = exact_truth(q, false);
-  const Reference chain = *AskedSphereTriangle(q, Opinion::second).chain(find_kernel("published"));
+  AskedSphereTriangle asked(q, Opinion::first);
+  const Truth truth = asked.truth();
+  const Reference chain = *asked.chain(find_kernel("published"));
   return judge(sphere_triangle_test(), truth, chain, chain.rounded->reference);
 }
 

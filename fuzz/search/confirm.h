@@ -11,7 +11,14 @@ namespace axiscert {
 // not finite or the exact sides are undefined; a relative error is also empty if |l| + |r| = 0 and l^ - r^ is not 0.
 struct SideErrors {
   std::vector<std::optional<Decimal6>> absolute, relative;
+
+  explicit SideErrors(std::size_t comparisons) : absolute(comparisons), relative(comparisons) {}
 };
+
+// Those of a kernel, whose implementation is asked. Empty if the kernel exposes no computed sides of formulae of its
+// own, or the query is not valid. Throws OracleDisagreement.
+template <class Real>
+std::optional<SideErrors> side_errors(const Kernel&, const Implementation<Real>&, const Numbers<Real>&);
 
 // The exact values of the aims that only some tests have: all but wrong verdicts. The implementation is the kernel's,
 // and may be asked.
@@ -22,11 +29,6 @@ class AimValues {
                                         const Numbers<float>&) const = 0;
   virtual std::optional<Decimal6> value(const Aim&, const Kernel&, const Implementation<double>&,
                                         const Numbers<double>&) const = 0;
-  // As Confirmer::errors() says; a side may be a root.
-  virtual std::optional<SideErrors> errors(const Kernel&, const Implementation<float>&,
-                                           const Numbers<float>&) const = 0;
-  virtual std::optional<SideErrors> errors(const Kernel&, const Implementation<double>&,
-                                           const Numbers<double>&) const = 0;
 
  protected:
   ~AimValues() = default;
@@ -45,8 +47,7 @@ class Confirmer {
   // Throws OracleDisagreement.
   std::optional<Decimal6> value(const Aim& aim, const Numbers<Real>& q);
 
-  // Empty if the kernel exposes no computed sides of formulae of its own, or the query is not valid.
-  std::optional<SideErrors> errors(const Numbers<Real>& q);
+  std::optional<SideErrors> errors(const Numbers<Real>& q) { return side_errors(kernel_, implementation_, q); }
 
   // The full examination of a query.
   Examination examine(const Numbers<Real>& q) { return examiner_.examine(q); }
