@@ -29,7 +29,7 @@ struct AbsentKernel {
   std::vector<Precision> precisions;
   bool is_slow;  // not built in
 };
-// What the same plan asks, and the plan as a record has it, with the kernel that run.kernel names.
+// The same plan's questions, and the plan as a record has it, with the kernel that run.kernel names.
 struct PlanOfAbsent {
   Questions questions;
   Json json;

@@ -11,7 +11,7 @@
 
 namespace axiscert {
 
-// What record.json and run.json hold.
+// The contents of record.json and run.json.
 struct RunFiles {
   Json record, info;
 };

@@ -234,7 +234,7 @@ class Trace:
         return self.starts[at] if 0 <= at < len(self.starts) - 1 else None
 
 
-# What is said of it.
+# The printout.
 
 def print_all(names_in_order, tree):
     there, left, count, back, files, seen = None, set(), 0, 0, set(), set()

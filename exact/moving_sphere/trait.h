@@ -103,8 +103,8 @@ struct MotionTrait : Entry {
 };
 
 struct MovingSphereTrait : MotionTrait<MovingSphere> {
+  static constexpr std::size_t critical_centre = 9;  // the first column of P
   // The least distance of the moving centre.
-  static constexpr std::size_t critical_centre = 9;
   static std::optional<Rational> squared_critical_length(const Numbers<double>& numbers) {
     return least_distance(query(numbers)).squared;
   }

@@ -18,7 +18,7 @@
 
 namespace axiscert {
 
-// What is asked, and how much of it.
+// The queries of a campaign: their sources, precisions and numbers.
 struct Questions {
   std::uint64_t seed = 1;
   std::vector<SourcePtr> sources;

@@ -16,7 +16,7 @@ struct Required {
 
 // Only the cells' units and queries of the result are used.
 Json plan_json(const Plan& plan, const CampaignResult& result, const Required& required);
-// Of a plan that is done whole.
+// The same of a plan that is done whole.
 Json plan_json(const Plan& plan, const Required& required = {});
 
 }  // namespace axiscert

@@ -17,11 +17,11 @@ namespace axiscert {
 namespace {
 
 bool has_zero_area(const MeshTriangle& t) {
-  const auto ring = [](const Vec3<float>& v) {
+  const auto binary = [](const Vec3<float>& v) {
     return Vec3<BinaryNumber>{BinaryNumber(v.x), BinaryNumber(v.y), BinaryNumber(v.z)};
   };
-  const Vec3<BinaryNumber> a = ring(t[0]);
-  const Vec3<BinaryNumber> normal = portable::cross(ring(t[1]) - a, ring(t[2]) - a);
+  const Vec3<BinaryNumber> a = binary(t[0]);
+  const Vec3<BinaryNumber> normal = portable::cross(binary(t[1]) - a, binary(t[2]) - a);
   return normal.x.is_zero() && normal.y.is_zero() && normal.z.is_zero();
 }
 

@@ -38,7 +38,7 @@ class KernelScreen {
   void look_at_judged(std::size_t i, const typename KernelRun<Real>::Judged& found, bool is_filtered,
                       AskedSphereTriangle<Real>& look);
 
-  // The margins of a query with a valid truth, whose exact sides `claims` evaluates.
+  // The margins of a query with a valid truth, whose exact sides `asked` evaluates.
   void measure_margins(std::size_t i, AskedSphereTriangle<Real>& asked);
   // Keeps a query for its critical radius, where the answer and the limits allow one.
   void sample(const Query<Real>& q, std::size_t i, LazyDistance<Real>& distance);

@@ -22,7 +22,7 @@ TestEntry vertices() {
   return entry;
 }
 
-// Of `closest_point`: "closest-point".
+// The names with hyphens: "closest-point" for `closest_point`.
 const EnumArray<Formulae, std::string>& spelt_formulae() {
   static const auto all = [] {
     EnumArray<Formulae, std::string> spelt = {

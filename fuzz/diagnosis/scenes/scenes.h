@@ -120,7 +120,7 @@ struct Scenes {
   Found (*threshold_by_images)(Subject<Real>& subject) = nullptr;
 };
 
-// What scenes that are made by trait are called.
+// The words for scenes that are made by trait.
 struct SceneWords {
   std::string_view touching = "pairs", length = "lengths";  // TouchingScenes::what, length
   std::string_view sided = "scenes";                        // SidedScenes::what
