@@ -75,6 +75,12 @@ struct StepCounts {
   EnumArray<Step, double> steps{};  // of the filters; `exact` is part of judging
 
   void merge(const StepCounts& other);
+  static constexpr auto fields(auto&& visit) {
+    using Of = StepCounts;
+    return visit(journalled(&Of::queries), journalled(&Of::signs), journalled(&Of::checked), journalled(&Of::by_cgal),
+                 journalled(&Of::generation, added), journalled(&Of::kernels, added), journalled(&Of::errors, added),
+                 journalled(&Of::judging, added), journalled(&Of::steps, added));
+  }
 };
 
 // One source in one precision.

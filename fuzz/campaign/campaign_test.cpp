@@ -143,10 +143,10 @@ std::string fingerprint(const CampaignResult& result) {
   for (const CellResult& cell : result.cells) {
     put(cell.source, static_cast<int>(cell.precision), cell.units_done);
     for (const Tally& t : cell.tallies) {
-      put(t.trials, t.separated, t.touching, t.verdict.false_separation, t.verdict.false_contact);
+      put(t.trials, t.truth.separated, t.truth.touching, t.verdict.false_separation, t.verdict.false_contact);
       for (const auto& c : t.verdict.deepest_false_contact.candidates()) put(c.rank, c.position);
-      for (const ComparisonTally& c : t.comparisons) {
-        put(c.false_separation, c.missed_separation, c.decisive, c.ties, c.range_events);
+      for (const auto& [name, c] : t.comparisons) {
+        put(c.false_separation, c.missed_separation, c.decisive, c.ties, *c.range_events);
         for (const auto& leader : c.largest_error.candidates()) put(leader.rank.text(), leader.position);
       }
     }

@@ -138,17 +138,18 @@ void WitnessWriter::note_motion(const MotionTally& motion, Shown& shown) {
   const auto largest = [](const char* what, const char* unit) {
     return [=](double size) { return fmt::format("{}: {:.6g}{}", what, size, unit); };
   };
-  note(motion.no_time, [](bool given) { return given ? "a time outside [0, 1]" : "a contact without a time"; });
-  note(motion.late.largest_ulps, worst("latest time", " ulps"));
-  note(motion.late.largest_in_u, worst("latest time", " u of the displacement"));
-  note(motion.late_tunnels.deepest, worst("deepest tunnel of a late time", ""));
-  note(motion.missed_tunnels.deepest, worst("deepest tunnel of a missed contact", ""));
-  note(motion.early.largest_ulps, worst("earliest time", " ulps"));
-  note(motion.early.largest_in_u, worst("earliest time", " u of the displacement"));
-  note(motion.largest_gap, largest("largest gap of an early time", " of the scene"));
-  note(motion.wrong_feature, [](bool) { return "a feature that is not touched first"; });
-  note(motion.largest_angle, largest("largest angle of a normal", " radians"));
-  note(motion.largest_point_error, largest("largest error of a contact's point", " of the scene"));
+  const TimeTally& time = *motion.time;
+  note(time.no_time, [](bool given) { return given ? "a time outside [0, 1]" : "a contact without a time"; });
+  note(time.late_errors.largest_ulps, worst("latest time", " ulps"));
+  note(time.late_errors.largest_in_u, worst("latest time", " u of the displacement"));
+  note(time.late_tunnels.deepest, worst("deepest tunnel of a late time", ""));
+  note(motion.missed.deepest, worst("deepest tunnel of a missed contact", ""));
+  note(time.early_errors.largest_ulps, worst("earliest time", " ulps"));
+  note(time.early_errors.largest_in_u, worst("earliest time", " u of the displacement"));
+  note(time.largest_gap, largest("largest gap of an early time", " of the scene"));
+  note(motion.feature->first_wrong, [](bool) { return "a feature that is not touched first"; });
+  note(motion.normal->largest_angle, largest("largest angle of a normal", " radians"));
+  note(motion.point->largest_error, largest("largest error of a contact's point", " of the scene"));
 }
 
 template <class Real>

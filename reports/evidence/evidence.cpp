@@ -37,13 +37,13 @@ void Evidence::add(const Evidence& other) {
 
 Evidence evidence_of(Touching touching, const Tally& tally) {
   const VerdictTally& verdict = tally.verdict;
-  const OutsideTally& beyond = verdict.outside_limits;
+  const OutsideTally beyond = verdict.outside_limits.value_or(OutsideTally());
   const bool promises_touch = touching != Touching::either;
   Evidence evidence;
-  evidence.population = without(tally.trials, tally.invalid);
+  evidence.population = without(tally.trials, tally.truth.invalid);
   evidence.outside = beyond.trials;
-  evidence.touching = promises_touch ? 0 : without(tally.touching, beyond.touching);
-  evidence.contacts = without(without(tally.contact, beyond.contact), evidence.touching);
+  evidence.touching = promises_touch ? 0 : without(tally.truth.touching, beyond.touching);
+  evidence.contacts = without(without(tally.truth.contact, beyond.contact), evidence.touching);
   evidence.separations =
       without(without(without(evidence.population, evidence.outside), evidence.touching), evidence.contacts);
   evidence.declined_contacts = without(verdict.undecided_contact, promises_touch ? 0 : verdict.undecided_touching);
@@ -59,8 +59,8 @@ Evidence evidence_of(const Json& kernel, const Json& result) {
   Tally tally(any);
   tally.trials = queries_in(result, "trials");
   tally.invalid = queries_in(truth, "invalid");
-  tally.contact = queries_in(truth, "contact");
-  tally.touching = queries_in(truth, "touching");
+  tally.truth.contact = queries_in(truth, "contact");
+  tally.truth.touching = queries_in(truth, "touching");
   VerdictTally& verdict = tally.verdict;
   if (!beyond.is_null()) {
     verdict.outside_limits.trials = queries_in(beyond, "trials");

@@ -41,7 +41,7 @@ std::string family_cell(const Tally& tally) {
   add('d', tally.verdict.undecided);
   add('n', tally.verdict.invalid);
   add('u', tally.verdict.unanswered);
-  add('o', tally.verdict.outside_limits.trials);
+  add('o', tally.verdict.outside_limits->trials);
   return cell;
 }
 
@@ -162,7 +162,7 @@ class LeagueReport {
           deepest(all.verdict.deepest_false_separation.best(), said), wrong_count(all.verdict.false_contact, said),
           deepest(all.verdict.deepest_false_contact.best(), said), thousands(all.verdict.undecided),
           thousands(all.verdict.invalid), thousands(all.verdict.unanswered),
-          thousands(all.verdict.outside_limits.trials), radius.median, radius.largest,
+          thousands(all.verdict.outside_limits->trials), radius.median, radius.largest,
           thousands(count_of(all, FindingKind::hang)), thousands(count_of(all, FindingKind::crash)),
           thousands(other_findings(all))});
       const std::optional<double> ns = time(k, precision);
@@ -301,7 +301,7 @@ class LeagueReport {
                  {"undecided", verdict.undecided},
                  {"invalid", verdict.invalid},
                  {"unanswered", verdict.unanswered},
-                 {"outside_limits", verdict.outside_limits.trials},
+                 {"outside_limits", verdict.outside_limits->trials},
                  {"caught_after", position ? Json(*position + 1) : Json(nullptr)},
                  {"critical_radius",
                   {{"sampled", errors.size() + tally.critical_radius.unbounded},

@@ -70,7 +70,7 @@ Trust trust_in(const Kernel& kernel, const Tally& tally) {
     trust.words = wrong_words(tally, said);
   } else if (said == 0) {
     trust.answer = "not looked at";
-    trust.words = fmt::format("0 of {} decided", thousands(tally.trials - tally.invalid));
+    trust.words = fmt::format("0 of {} decided", thousands(tally.trials - tally.truth.invalid));
   } else if (std::string few = too_few_words(evidence_of(kernel.touching, tally), said); !few.empty()) {
     trust.answer = "too few";
     trust.words = std::move(few);

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "fuzz/record/record.h"
 #include "fuzz/text/json.h"
 #include "kernel/test.h"
 
@@ -14,7 +15,7 @@ namespace axiscert {
 inline constexpr const char* ratchet_outcome_file = "ratchet.json";
 
 struct Run {
-  Json record;                   // conforms to record.schema.json
+  Record record;
   Json info;                     // conforms to run.schema.json; null where the folder has no run.json
   Json ratchet;                  // conforms to ratchet.schema.json; null where the run was not compared with one
   std::filesystem::path folder;  // may hold what other commands wrote next to these files

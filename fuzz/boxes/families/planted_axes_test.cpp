@@ -78,7 +78,7 @@ std::vector<Tally> tallies_of(const std::deque<Kernel>& kernels, std::uint64_t q
   plan.running.target = resolve_target("auto");
   plan.running.threads = 2;
   const std::atomic<bool> never = false;
-  std::vector<Tally> all(plan.answerers.kernels.size(), Tally(box_box_test()));
+  std::vector<Tally> all(plan.answerers.kernels.size(), empty_tally(box_box_test()));
   for (const CellResult& cell : run_campaign(plan, never, [](const Progress&) {}).cells) {
     for (std::size_t k = 0; k < all.size(); ++k) all[k].merge(cell.tallies[k]);
   }

@@ -83,8 +83,8 @@ inline LookedAt looked_at_of(const Tally& tally) {
   found.undecided = verdict.undecided;
   found.invalid = verdict.invalid;
   found.unanswered = verdict.unanswered;
-  found.outside_limits = verdict.outside_limits.trials;
-  found.no_query = tally.invalid;
+  found.outside_limits = verdict.outside_limits->trials;
+  found.no_query = tally.truth.invalid;
   found.decided = tally.trials - found.asked();
   return found;
 }

@@ -59,7 +59,7 @@ Json no_counts(const Json& entry, const TestDescription& test) {
   kernel.test = &test;
   if (has_limits(entry)) kernel.limits.least_radius = 1;
   if (const auto measures = entry.find("measures"); measures != entry.end()) kernel.measure_count = measures->size();
-  Json none = counts_json(kernel, Tally(test));
+  Json none = counts_json(kernel, empty_tally(test));
   none["critical_radius"]["largest_ulps"] = 0.0;
   if (none.contains("classes")) {
     for (const InputClass which : enumerators<InputClass>)
