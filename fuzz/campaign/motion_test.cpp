@@ -187,7 +187,7 @@ TEST(Motion, WhatIsBeyondAPolicyIsCountedApart) {
     const CampaignResult result = run_motions(plan);
     const Tally& tally = result.cells[0].tallies[0];
     EXPECT_EQ(tally.verdict.false_separation + tally.verdict.outside_limits->false_separation, tally.truth.contact);
-    const Json record = record_of(plan, result, {});
+    const Json record = json_of(record_of(plan, result, {}));
     EXPECT_EQ(record["kernels"][0]["families"][family]["verdict"]["outside_limits"].is_null(),
               policy == MotionPolicy{});
     return tally.verdict.outside_limits->trials;
@@ -205,7 +205,7 @@ TEST(Motion, WhatIsBeyondAPolicyIsCountedApart) {
 TEST(Motion, TheRecordHasTheWorstAndItsWitness) {
   const Kernel kernel = PLANTED(late_by_one);
   const Plan plan = plan_of_motions(kernel);
-  const Json record = record_of(plan, run_motions(plan), {});
+  const Json record = json_of(record_of(plan, run_motions(plan), {}));
   const Json& entry = record["kernels"][0];
   EXPECT_EQ(entry["measures"], Json({"time", "feature"}));
   const Json& motion = entry["families"]["moving-sphere/general"]["motion"];

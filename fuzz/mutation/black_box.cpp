@@ -23,7 +23,7 @@ constexpr int depths_each = 4;
 
 }  // namespace
 
-Json record_of_kernels(const MutationPlan& plan, Precision precision, std::uint64_t trials,
+Record record_of_kernels(const MutationPlan& plan, Precision precision, std::uint64_t trials,
                        std::vector<const Kernel*> kernels) {
   Plan campaign;
   campaign.questions.seed = plan.seed;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fuzz/mutation/mutation.h"
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
 
 namespace axiscert {
 
@@ -18,7 +18,7 @@ namespace axiscert {
 struct GateFailure {
   std::string kernel, precision, family, what;
 };
-using Gate = std::function<std::vector<GateFailure>(const Json& record)>;
+using Gate = std::function<std::vector<GateFailure>(const Record& record)>;
 
 // Why a mutant passes: how it differs from the kernel that it is made from on all queries asked.
 struct Survival {
@@ -55,7 +55,7 @@ struct BlackBoxScore {
 
 // The record that `run` makes of these kernels, of one test, on the first `trials` queries of each of the plan's
 // families. Throws OracleDisagreement.
-Json record_of_kernels(const MutationPlan& plan, Precision precision, std::uint64_t trials,
+Record record_of_kernels(const MutationPlan& plan, Precision precision, std::uint64_t trials,
                        std::vector<const Kernel*> kernels);
 
 // Runs each mutant in rounds of more and more queries, until the gate refuses it or it has passed on all of the plan's.
