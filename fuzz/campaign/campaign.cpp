@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "fuzz/campaign/unit.h"
+#include "fuzz/fields/merge.h"
 
 namespace axiscert {
 namespace {
