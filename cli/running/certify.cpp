@@ -237,7 +237,7 @@ int certify_replies(const CertifyOptions& options, const std::optional<SigningKe
     require_uncontracted(target);
   const Stretches stretches(plan.questions, Stretches::default_units_each(plan.questions));
   Gathered gathered(plan.questions, plan.answerers.kernels.size(), stretches);
-  Judged judged{options, plan, stretches, {}, plan_json(plan), Json::array(), "replies", "replies", "", true};
+  Judged judged{options, plan, stretches, {}, json_of(plan_record(plan)), Json::array(), "replies", "replies", "", true};
   for (const std::string& path : options.replies.replies) judged.subjects.push_back(file_subject(path, "replies"));
   judged.digest = digest_of_json(judged.subjects);
   const OutputFolder folder(run_folder_of(options));

@@ -157,7 +157,7 @@ Checked checked_of(const TestDescription& test, const Examination& found, std::v
   Checked checked{found.truth,    found.squared_distance, {},          {},
                   found.answer,   found.judgement,        found.depth, found.is_promised,
                   found.findings, std::move(details)};
-  if (!test.measures.empty()) checked.measures = measures_json(test, found);
+  if (!test.measures.empty()) checked.measures = json_of(measures_of(test, found));
   checked.measures_text = measures_text(test, found);
   if (found.exact) {
     checked.exact = found.exact->holds;
@@ -193,7 +193,7 @@ Json check_json(const std::string& id, const Kernel& kernel, const Checked& foun
                {"computed", computed_json(test, found.answer)},
                {"within_limits", found.within_limits},
                {"findings", findings_json(found.findings)},
-               {"flips", flips_json(test, found.judgement)}};
+               {"flips", json_of(flips_of(test, found.judgement))}};
   if (!test.measures.empty()) json["computed"]["measures"] = found.measures;
   if (const std::string_view name = written_name(test); !name.empty()) json["test"] = name;
   return json;

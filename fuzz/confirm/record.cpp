@@ -148,6 +148,8 @@ std::optional<LimitsRecord> limits_of(const Limits& limits) {
                       bound(limits.least_radius), bound(limits.greatest_radius)};
 }
 
+PolicyRecord policy_of(const MotionPolicy& policy) { return {policy.start, policy.still, policy.sides}; }
+
 std::vector<Name> given_measures(const Kernel& kernel) {
   std::vector<Name> names;
   for (std::size_t k = 0; k < kernel.measure_count; ++k) names.push_back(kernel.test->measures[k].name);
@@ -173,7 +175,7 @@ KernelRecord kernel_record(const std::vector<FileInfo>& plugins, const Kernel& k
   record.may_decline = kernel.may_decline;
   if (!kernel.test->measures.empty()) {
     record.measures = given_measures(kernel);
-    record.motion = {kernel.motion.start, kernel.motion.still, kernel.motion.sides};
+    record.motion = policy_of(kernel.motion);
   }
   return record;
 }

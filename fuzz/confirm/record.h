@@ -33,6 +33,8 @@ KernelRecord kernel_record(const std::vector<FileInfo>& plugins, const Kernel& k
 std::vector<Exposure> exposures_of(const Kernel& kernel);
 // The limits that a kernel declares; empty if it has none, and empty for each limit that it does not set.
 std::optional<LimitsRecord> limits_of(const Limits& limits);
+// Its promises about motions.
+PolicyRecord policy_of(const MotionPolicy& policy);
 // The names of the measures that a kernel gives.
 std::vector<Name> given_measures(const Kernel& kernel);
 
