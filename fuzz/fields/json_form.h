@@ -358,9 +358,9 @@ struct JsonForm<EnumArray<Enum, T>> {
       axiscert::read(place.at(name(one)), into[one]);
     }
     for (const auto& [member, value] : place.value().items()) {
-      const auto is_it = [&](Enum one) { return name(one) == member; };
-      if (std::none_of(enumerators<Enum>.begin(), enumerators<Enum>.end(), is_it))
-        place.at(member).refuse("under a name that is not in the schema");
+      bool is_known = false;
+      for (const Enum one : enumerators<Enum>) is_known |= name(one) == member;
+      if (!is_known) place.at(member).refuse("under a name that is not in the schema");
     }
   }
   static Json schema() {
