@@ -72,6 +72,7 @@ struct PolicyRecord {
   StillPolicy still = StillPolicy::reported;
   SidesPolicy sides = SidesPolicy::both;
 
+  bool operator==(const PolicyRecord&) const = default;
   static constexpr std::string_view about =
       "What it promises of motions; queries beyond that are counted in verdict.outside_limits. Absent for a test "
       "without "
