@@ -54,6 +54,7 @@ struct FlipRecord {
   bool decisive = false;
   std::vector<Link> links;
 
+  bool operator==(const FlipRecord&) const = default;
   static constexpr std::string_view about =
       "One place where the kernel differs: from the truth at the verdict, from its own exact formulae elsewhere.";
   static constexpr auto fields(auto&& visit) {
