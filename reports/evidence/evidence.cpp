@@ -25,7 +25,7 @@ void Evidence::add(const Evidence& other) { merge_fields(*this, other); }
 
 namespace {
 
-Evidence evidence_of(Touching touching, std::uint64_t trials, const TruthCounts& truth, const VerdictTally& verdict) {
+Evidence evidence_in(Touching touching, std::uint64_t trials, const TruthCounts& truth, const VerdictTally& verdict) {
   const OutsideTally beyond = verdict.outside_limits.value_or(OutsideTally());
   const bool promises_touch = touching != Touching::either;
   Evidence evidence;
@@ -45,11 +45,11 @@ Evidence evidence_of(Touching touching, std::uint64_t trials, const TruthCounts&
 }  // namespace
 
 Evidence evidence_of(Touching touching, const Tally& tally) {
-  return evidence_of(touching, tally.trials, tally.truth, tally.verdict);
+  return evidence_in(touching, tally.trials, tally.truth, tally.verdict);
 }
 
 Evidence evidence_of(const KernelRecord& kernel, const FamilyRecord& result) {
-  return evidence_of(kernel.touching, result.trials, result.truth, result.verdict);
+  return evidence_in(kernel.touching, result.trials, result.truth, result.verdict);
 }
 
 Evidence evidence_of(const KernelRecord& kernel) {
