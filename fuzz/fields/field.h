@@ -25,8 +25,10 @@ namespace axiscert {
 struct ByType {};
 struct Added {};
 struct Greatest {};
+struct Least {};  // of a bool: true where both are
 inline constexpr Added added;
 inline constexpr Greatest greatest;
+inline constexpr Least least;
 
 struct Field {
   std::string_view name;       // in JSON, and in the path of a column

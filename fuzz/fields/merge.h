@@ -30,7 +30,7 @@ template <class T>
 struct Rule;  // not defined: the field has to say how two are merged
 
 template <class T>
-  requires std::is_unsigned_v<T>
+  requires(std::is_unsigned_v<T> && !std::is_same_v<T, bool>)
 struct Rule<T> {
   static void merge(T& into, T from) { into = static_cast<T>(into + from); }
 };
@@ -54,8 +54,16 @@ template <class Enum, class T>
 struct Rule<EnumArray<Enum, T>> : EachOf<EnumArray<Enum, T>> {};
 template <class T, std::size_t n>
 struct Rule<std::array<T, n>> : EachOf<std::array<T, n>> {};
+// By name, whatever the order of each.
 template <class T>
-struct Rule<Named<T>> : EachOf<Named<T>> {};
+struct Rule<Named<T>> {
+  static void merge(Named<T>& into, const Named<T>& from) {
+    for (const auto& [name, value] : from) {
+      if (T* const found = into.find(name)) axiscert::merge(*found, value);
+      else into.put(name) = value;
+    }
+  }
+};
 // Lists that a plan makes, of one length or empty.
 template <class T>
   requires(!std::is_arithmetic_v<T>)
@@ -101,6 +109,7 @@ void merge_fields(T& into, const T& from) {
       auto& value = value_of(into, field);
       const auto& other = value_of(from, field);
       if constexpr (std::is_same_v<typename Of::Merge, Greatest>) value = std::max(value, other);
+      else if constexpr (std::is_same_v<typename Of::Merge, Least>) value = std::min(value, other);
       else if constexpr (std::is_same_v<typename Of::Merge, Added>) merging::add(value, other);
       else axiscert::merge(value, other);
     }

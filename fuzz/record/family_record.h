@@ -217,22 +217,18 @@ struct ClassRecord : ClassCount {
   }
 };
 
-struct FamilyRecord {
+// What adds up over families.
+struct FamilyCounts {
   std::uint64_t trials = 0, base_triangles = 0;
   bool exact_arithmetic = false;
   TruthCounts truth;
   VerdictTally verdict;
   std::optional<Named<AxisTally>> axes;
   std::optional<Named<ComparisonTally>> comparisons;
-  CriticalRadius critical_radius;
-  std::optional<AsymmetryRecord> asymmetry;
-  std::optional<std::map<ImageKind, ImageChangesRecord>> invariance;
-  std::optional<std::map<InputClass, ClassRecord>> classes;
   std::optional<MotionTally> motion;
 
-  static constexpr std::string_view about = "One kernel's results on one family.";
   static constexpr auto fields(auto&& visit) {
-    using Of = FamilyRecord;
+    using Of = FamilyCounts;
     return visit(
         field(&Of::trials, {"trials", "Number of queries: separated + contact + invalid."}),
         field(
@@ -242,14 +238,32 @@ struct FamilyRecord {
              "for zero failures count triangles. Of a query file of a test without triangles, the number of different "
              "queries."}),
         field(&Of::exact_arithmetic,
-              {"exact_arithmetic", "The precision's arithmetic is exact on every query of the family."}),
+              {"exact_arithmetic", "The precision's arithmetic is exact on every query of the family."}, least),
         field(&Of::truth, {"truth", {}}), field(&Of::verdict, {"verdict", {}}),
         field(&Of::axes, {"axes", "Results per axis, or other clause; null for a kernel that shows only verdicts."}),
         field(&Of::comparisons,
               {"comparisons",
                "Results per comparison, in the order of the strings of bits; null for a kernel that shows only "
                "verdicts."}),
-        field(&Of::critical_radius, {"critical_radius", "Critical radii on this family."}),
+        field(&Of::motion,
+              {.name = "motion",
+               .about = "The first contacts that the kernel reports, against the exact one. Absent for a test without "
+                        "measures.",
+               .may_be_absent = true}));
+  }
+};
+
+struct FamilyRecord : FamilyCounts {
+  CriticalRadius critical_radius;
+  std::optional<AsymmetryRecord> asymmetry;
+  std::optional<std::map<ImageKind, ImageChangesRecord>> invariance;
+  std::optional<std::map<InputClass, ClassRecord>> classes;
+
+  static constexpr std::string_view about = "One kernel's results on one family.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = FamilyRecord;
+    return visit(
+        base<Of, FamilyCounts>(), field(&Of::critical_radius, {"critical_radius", "Critical radii on this family."}),
         field(&Of::asymmetry, {.name = "asymmetry", .about = AsymmetryRecord::about, .may_be_absent = true}),
         field(&Of::invariance,
               {.name = "invariance",
@@ -262,12 +276,7 @@ struct FamilyRecord {
                       "together all wrong verdicts of the family. A class without any is left out. Absent for a kernel "
                       "with a reference, whose links say why it is wrong. L is the greatest |coordinate of A-P, B-P, "
                       "C-P| or r, E that of the edges.",
-             .may_be_absent = true}),
-        field(&Of::motion,
-              {.name = "motion",
-               .about = "The first contacts that the kernel reports, against the exact one. Absent for a test without "
-                        "measures.",
-               .may_be_absent = true}));
+             .may_be_absent = true}));
   }
 };
 
