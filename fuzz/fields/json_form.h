@@ -77,7 +77,7 @@ void read(const JsonPlace& place, T& into) {
 // Throws JsonFault.
 template <class T>
 T read_as(const Json& json) {
-  T value{};
+  T value = T();
   read(JsonPlace(json), value);
   return value;
 }
