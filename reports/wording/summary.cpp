@@ -21,6 +21,17 @@ std::uint64_t valid_queries(const FamilyCounts& family) {
   return family.trials - family.truth.invalid - (outside ? outside->trials : 0);
 }
 
+// The six digits of a text of a number too large for binary64 are kept by the logarithm.
+double magnitude(const Json& number) {
+  if (number.is_number()) return std::log10(number.get<double>());
+  const auto& text = number.get_ref<const std::string&>();
+  const std::size_t e = text.find('e');
+  double mantissa = 0, exponent = 0;
+  std::from_chars(text.data(), text.data() + e, mantissa);
+  std::from_chars(text.data() + e + 2, text.data() + text.size(), exponent);
+  return exponent + std::log10(mantissa);
+}
+
 }  // namespace
 
 const EnumArray<Link, std::string_view> link_meanings = {
@@ -89,6 +100,16 @@ std::string error_amount(const std::optional<Decimal6>& error) {
   if (!error) return "not measured";
   const double value = error->value();
   return std::isfinite(value) ? amount(value) : error->text();
+}
+
+std::string error_amount(const Json& figure) {
+  if (figure.is_null()) return "not measured";
+  return figure.is_number() ? amount(figure.get<double>()) : figure.get<std::string>();
+}
+
+bool is_less(const Json& x, const Json& y) {
+  if (x.is_number() && y.is_number()) return x.get<double>() < y.get<double>();
+  return magnitude(x) < magnitude(y);
 }
 
 std::string touching_text(const KernelRecord& kernel) {

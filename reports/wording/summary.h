@@ -33,8 +33,12 @@ struct NoVerdict {
 // "44 declined", "2 called invalid", "7 without an answer": those that there are. `declined` is the word of the first.
 std::vector<std::string> no_verdict_words(const NoVerdict& counts, std::string_view declined = "declined");
 
-// An error: a number, or its text where binary64 cannot hold it; empty where none was measured.
+// An error: a number, or its text where binary64 cannot hold it; empty or null where none was measured.
 std::string error_amount(const std::optional<Decimal6>& error);
+std::string error_amount(const Json& figure);
+
+// Orders figures in their JSON: numbers, and texts of numbers too large for binary64.
+bool is_less(const Json& x, const Json& y);
 
 // A kernel's convention for touching spheres, and the limits within which it promises to be right.
 std::string touching_text(const KernelRecord& kernel);
