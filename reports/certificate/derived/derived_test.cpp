@@ -157,7 +157,7 @@ TEST(Derived, EachContradictionIsNamed) {
          }
          p["materials"]["kernels"] = kept;
        }},
-      {"is no whole number",
+      {"/by_size/much: 1 under a name that is not in the schema",
        [](Json& p) {
          for (Json& kernel : p["materials"]["kernels"])
            for (Json& family : kernel["families"])

@@ -64,7 +64,7 @@ class Reducer {
     }
     plan["kernels"][0] = kernel_["id"];
     plan["axiscert"] = materials_["axiscert"]["version"];
-    require_form("plan", plan, name_ + ": its plan");
+    require_form<PlanRecord>(plan, name_ + ": its plan");
     if (!plan["units_done"].is_null()) refuse("its plan was not done to its end");
     if (plan.value("test", Json()) != kernel_["test"]) refuse("its kernel and its plan are of different tests");
     for (const Json& family : plan["families"]) {

@@ -3,30 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 
 #include "fuzz/text/number_text.h"
 #include "reports/certificate/derived/counts.h"
 #include "reports/certificate/statement/canonical.h"
-#include "reports/page/embedded.h"
-#include "reports/run_folder/schema.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
 namespace {
 
 std::uint64_t number_at(const Json& object, const char* member) { return object[member].get<std::uint64_t>(); }
-
-// Counts by size have whole numbers as names.
-void require_sizes(const Json& by_size, const std::string& where) {
-  for (const auto& [text, count] : by_size.items()) {
-    int size = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), size);
-    if (problem != std::errc() || end != text.data() + text.size())
-      throw NotValid(fmt::format("{}: the size {} is no whole number", where, shown(text)));
-  }
-}
 
 // The member of an object, where it is one of that kind; else null, and the schema will say so.
 Json* part_at(Json& object, const char* member, Json::value_t kind) {
@@ -36,12 +23,6 @@ Json* part_at(Json& object, const char* member, Json::value_t kind) {
 }
 
 }  // namespace
-
-void require_form(const char* definition, const Json& part, const std::string& where) {
-  static const Json definitions = Json::parse(embedded::record_schema_json)["$defs"];
-  const Json schema = {{"$defs", definitions}, {"$ref", fmt::format("#/$defs/{}", definition)}};
-  if (const auto fault = schema_fault(schema, part)) throw NotValid(fmt::format("{}: {}", where, *fault));
-}
 
 Json invariance_again(Json invariance, const std::string& where) {
   for (auto& [kind, changes] : invariance.items()) {
@@ -58,13 +39,11 @@ Json invariance_again(Json invariance, const std::string& where) {
       }
     }
   }
-  require_form("invariance", invariance, where);
+  require_form<std::map<ImageKind, ImageChangesRecord>>(invariance, where);
   for (const auto& [kind, changes] : invariance.items()) {
-    require_sizes(changes["by_size"], where);
     const bool has_units = changes.contains("range") && !changes["range"].is_null();
     if (has_units != changes.contains("wrong"))
       throw NotValid(fmt::format("{}: {} has no counts of wrong verdicts in other units of length", where, kind));
-    if (has_units) require_sizes(changes["wrong"]["by_size"], where);
     if (number_at(changes, "changed") > number_at(changes, "images"))
       throw NotValid(fmt::format("{}: more images changed than were compared", where));
   }
@@ -81,7 +60,7 @@ Json entry_again(Json entry, const Json& id, const std::string& where) {
     }
   }
   entry["families"] = Json::object();
-  require_form("kernel", entry, where);
+  require_form<KernelRecord>(entry, where);
   return entry;
 }
 

@@ -2,18 +2,28 @@
 // record's form. All throw NotValid, which begins with `where`.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <string>
 
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
+#include "reports/certificate/statement/canonical.h"
 
 namespace axiscert {
 
 // The id of its kernel in a certificate, in all that does not depend on where the kernel's files are.
 inline constexpr const char* portable_id = "kernel";
 
-// Against its definition in record.schema.json.
-void require_form(const char* definition, const Json& part, const std::string& where);
+// That a part of a record is what such a struct is in JSON.
+template <class T>
+void require_form(const Json& part, const std::string& where) {
+  try {
+    read_as<T>(part);
+  } catch (const JsonFault& fault) {
+    throw NotValid(fmt::format("{}: {}", where, fault.what()));
+  }
+}
 
 // A kernel's entry of the record, without its families; `id` is the kernel's.
 Json entry_again(Json entry, const Json& id, const std::string& where);
