@@ -20,22 +20,25 @@
 
 namespace axiscert {
 
-// How two values of a field become one, where the type does not say it: a number that is not a count. By type, counts
-// add up, leaders compete, and structs merge by their fields.
+// How two values of a field become one, where the type does not say it, as of a number that is not a count: one of
+// these, or a type with merge(into, from). By type, counts add up, leaders compete, and structs merge by their fields.
 struct ByType {};
 struct Added {};
 struct Greatest {};
+struct First {};  // of two in their order, where it has a value
+struct Same {};   // in all that are merged
 struct Least {};  // of a bool: true where both are
 inline constexpr Added added;
 inline constexpr Greatest greatest;
 inline constexpr Least least;
+inline constexpr First first;
+inline constexpr Same same;
 
 struct Field {
   std::string_view name;       // in JSON, and in the path of a column
   std::string_view about;      // one sentence: what is counted, and what null means
   std::string_view unit = {};  // empty: queries, of a count; of another number, none
   bool is_inlined = false;     // JSON has the fields of this struct in its place
-  bool in_json = true;         // false: in journals only
   bool may_be_absent = false;  // an empty optional is left out of JSON, and not null
   bool is_rest = false;        // a Named: its values are members of the struct's object, whatever their names
 };
@@ -44,7 +47,7 @@ template <class Of, class Member, class How = ByType>
 struct FieldOf : Field {
   Member Of::*member;
   using Merge = How;
-  static constexpr bool is_stored = !std::is_function_v<Member>;
+  static constexpr bool is_stored = !std::is_function_v<Member>, is_written = true;
 };
 
 template <class Of, class Member, class How = ByType>
@@ -55,7 +58,7 @@ constexpr FieldOf<Of, Member, How> field(Member Of::*member, const Field& said, 
 template <class Of, class Base>
 struct BaseOf : Field {
   using Merge = ByType;
-  static constexpr bool is_stored = true;
+  static constexpr bool is_stored = true, is_written = true;
 };
 template <class Of, class Base>
 constexpr BaseOf<Of, Base> base() {
@@ -70,9 +73,22 @@ constexpr FieldOf<Of, Member> rest(Member Of::*member) {
   return {{.name = {}, .about = {}, .is_rest = true}, member};
 }
 // What journals have and JSON has not: places of queries, from which others make something again.
+template <class Of, class Member, class How>
+struct UnwrittenOf : FieldOf<Of, Member, How> {
+  static constexpr bool is_written = false;
+};
 template <class Of, class Member, class How = ByType>
-constexpr FieldOf<Of, Member, How> journalled(Member Of::*member, How = {}) {
-  return {{.name = {}, .about = {}, .in_json = false}, member};
+constexpr UnwrittenOf<Of, Member, How> journalled(Member Of::*member, How = {}) {
+  return {{{.name = {}, .about = {}}, member}};
+}
+// Members of which nothing is said but how they are merged.
+template <class... Fields>
+constexpr auto merged(auto&& visit, Fields... members) {
+  const auto field_of = [](auto member) {
+    if constexpr (std::is_member_object_pointer_v<decltype(member)>) return journalled(member);
+    else return member;
+  };
+  return visit(field_of(members)...);
 }
 
 template <class Of>
@@ -109,6 +125,14 @@ template <Fielded Of, class Visit>
 constexpr void for_each_field(Visit&& visit) {
   static_assert(fields_of::are_whole<Of>(), "fields() leaves out a member, or has another order than the members");
   Of::fields([&](const auto&... each) { (visit(each), ...); });
+}
+
+// The same of those that JSON has.
+template <Fielded Of, class Visit>
+constexpr void for_each_written(Visit&& visit) {
+  for_each_field<Of>([&](const auto& field) {
+    if constexpr (std::remove_cvref_t<decltype(field)>::is_written) visit(field);
+  });
 }
 
 // The value of a field: a member, or what a function of it says.

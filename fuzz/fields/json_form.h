@@ -226,6 +226,14 @@ struct JsonForm<std::string> {
   static Json schema() { return {{"type", "string"}}; }
 };
 
+// Any JSON.
+template <>
+struct JsonForm<Json> {
+  static Json write(const Json& value) { return value; }
+  static void read(const JsonPlace& place, Json& into) { into = place.value(); }
+  static Json schema() { return Json::object(); }
+};
+
 // An enumerator by its name().
 template <Enumeration Enum>
   requires(enum_count<Enum> > 0)
@@ -408,9 +416,8 @@ struct JsonForm<T> {
   }
 
   static void put(Json& json, const T& value) {
-    for_each_field<T>([&](const auto& field) {
+    for_each_written<T>([&](const auto& field) {
       using Value = std::remove_cvref_t<decltype(value_of(value, field))>;
-      if (!field.in_json) return;
       if constexpr (Fielded<Value>) {
         if (field.is_inlined) return JsonForm<Value>::put(json, value_of(value, field));
       }
@@ -428,9 +435,8 @@ struct JsonForm<T> {
     });
   }
   static void get(const JsonPlace& place, T& into) {
-    for_each_field<T>([&](const auto& field) {
+    for_each_written<T>([&](const auto& field) {
       using Value = std::remove_cvref_t<decltype(value_of(into, field))>;
-      if (!field.in_json) return;
       if constexpr (std::remove_cvref_t<decltype(field)>::is_stored) {
         if constexpr (Fielded<Value>) {
           if (field.is_inlined) return JsonForm<Value>::get(place, value_of(into, field));
@@ -452,7 +458,7 @@ struct JsonForm<T> {
       }
     });
     // What the others say already.
-    for_each_field<T>([&](const auto& field) {
+    for_each_written<T>([&](const auto& field) {
       if constexpr (!std::remove_cvref_t<decltype(field)>::is_stored) {
         if (!place.value().contains(field.name)) place.refuse(fmt::format("without {}", Json(field.name).dump()));
         const Json expected = json_of(value_of(into, field));
@@ -464,7 +470,7 @@ struct JsonForm<T> {
   // A member whose name no field has.
   static bool get_rest(const JsonPlace& place, const std::string& member, T& into) {
     bool is_got = false;
-    for_each_field<T>([&](const auto& field) {
+    for_each_written<T>([&](const auto& field) {
       if constexpr (is_named<std::remove_cvref_t<decltype(value_of(into, field))>>) {
         if (!field.is_rest) return;
         axiscert::read(place.at(member), value_of(into, field).put(member));
@@ -475,19 +481,18 @@ struct JsonForm<T> {
   }
   static bool has(std::string_view member) {
     bool found = false;
-    for_each_field<T>([&](const auto& field) {
+    for_each_written<T>([&](const auto& field) {
       using Value = std::remove_cvref_t<decltype(value_of(std::declval<const T&>(), field))>;
       if constexpr (Fielded<Value>) {
         if (field.is_inlined) found |= JsonForm<Value>::has(member);
       }
-      found |= field.in_json && !field.is_inlined && !field.is_rest && field.name == member;
+      found |= !field.is_inlined && !field.is_rest && field.name == member;
     });
     return found;
   }
   static void describe(Json& schema) {
-    for_each_field<T>([&](const auto& field) {
+    for_each_written<T>([&](const auto& field) {
       using Value = std::remove_cvref_t<decltype(value_of(std::declval<const T&>(), field))>;
-      if (!field.in_json) return;
       if constexpr (Fielded<Value>) {
         if (field.is_inlined) return JsonForm<Value>::describe(schema);
       }

@@ -92,10 +92,10 @@ struct Rule<std::optional<T>> {
 };
 
 template <class T>
-void add(T& into, const T& more) {
+void increase(T& into, const T& more) {
   if constexpr (std::is_arithmetic_v<T>) into += more;
   else {
-    for (std::size_t i = 0; i < into.size(); ++i) add(into[i], more[i]);
+    for (std::size_t i = 0; i < into.size(); ++i) increase(into[i], more[i]);
   }
 }
 
@@ -108,9 +108,13 @@ void merge_fields(T& into, const T& from) {
     if constexpr (Of::is_stored) {
       auto& value = value_of(into, field);
       const auto& other = value_of(from, field);
-      if constexpr (std::is_same_v<typename Of::Merge, Greatest>) value = std::max(value, other);
-      else if constexpr (std::is_same_v<typename Of::Merge, Least>) value = std::min(value, other);
-      else if constexpr (std::is_same_v<typename Of::Merge, Added>) merging::add(value, other);
+      using How = typename Of::Merge;
+      if constexpr (requires { How::merge(value, other); }) How::merge(value, other);
+      else if constexpr (std::is_same_v<How, Greatest>) value = std::max(value, other);
+      else if constexpr (std::is_same_v<How, Least>) value = std::min(value, other);
+      else if constexpr (std::is_same_v<How, Added>) merging::increase(value, other);
+      else if constexpr (std::is_same_v<How, First>) value = value ? value : other;
+      else if constexpr (std::is_same_v<How, Same>) return;
       else axiscert::merge(value, other);
     }
   });
