@@ -9,17 +9,10 @@
 #include "cli/values.h"
 #include "fuzz/record/record.h"
 #include "kernel/base/error.h"
+#include "reports/schemas/schemas.h"
 
 namespace axiscert {
 namespace {
-
-// JSON Schema of a file, from the fields of its struct.
-template <class File>
-Json file_schema() {
-  Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", File::title}};
-  schema.update(json_schema_of<File>());
-  return schema;
-}
 
 // A sentence of a schema about a member, with the places where it stands.
 struct Figure {
@@ -83,13 +76,12 @@ void add_explain(CLI::App& app, Action& action) {
   auto given = std::make_shared<std::vector<std::string>>();
   auto schema = std::make_shared<std::string>();
   auto* words = command->add_option("WORD", *given, "for example depth, or missed contact, or max_error_u");
-  command->add_option("--schema", *schema, "print the JSON Schema of this file instead")
-      ->check(one_of({"record"}))
+  command->add_option("--schema", *schema, "instead, the JSON Schema of what a command writes, such as record or ladder")
       ->excludes(words);
   command->callback([&action, given, schema] {
     action = [given, schema] {
       if (!schema->empty()) {
-        fmt::print("{}\n", file_schema<Record>().dump(1));
+        fmt::print("{}\n", schema_named(*schema).dump(2));
       } else if (!given->empty()) {
         explain(fmt::format("{}", fmt::join(*given, " ")));
       } else {

@@ -213,7 +213,7 @@ std::string errors_text(const TestDescription& test, const std::optional<SideErr
 Json errors_json(const TestDescription& test, const std::optional<SideErrors>& errors) {
   if (!errors) return nullptr;
   Json all = Json::object();
-  const auto amount = [](const std::optional<Decimal6>& error) { return error ? number_json(*error) : Json(nullptr); };
+  const auto amount = [](const std::optional<Decimal6>& error) { return json_of(error); };
   for (std::size_t k = 0; k < test.comparisons.size(); ++k) {
     all[std::string(test.comparisons[k].name)] = {{"absolute_u", amount(errors->absolute[k])},
                                                   {"relative_u", amount(errors->relative[k])}};
