@@ -72,7 +72,7 @@ TEST(LeagueTrust, IsNotGivenAfterOneAnswerThatNoKernelMayGive) {
 
 TEST(LeagueTrust, IsNotGivenToAKernelThatLimitsItselfToNothing) {
   Tally tally = tally_of(4096, 0, 0);
-  OutsideTally& outside = tally.verdict.outside_limits;
+  OutsideTally& outside = *tally.verdict.outside_limits;
   outside.trials = 4096;
   outside.contact = 2048;
   EXPECT_EQ(trust_text(tally), "not looked at: 0 of 4,096 decided; 4,096 outside its limits");
