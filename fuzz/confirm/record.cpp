@@ -53,7 +53,7 @@ Tally measured(Tally tally, const Kernel& kernel, const Tolerances& tolerances) 
   return tally;
 }
 
-std::map<InputClass, ClassRecord> classes_of(const ClassTally& tally, const AddressOf& address) {
+std::map<InputClass, ClassRecord> class_records(const ClassTally& tally, const AddressOf& address) {
   std::map<InputClass, ClassRecord> classes;
   for (const InputClass which : enumerators<InputClass>) {
     const ClassCount& count = tally.classes[which];
@@ -71,7 +71,7 @@ FamilyRecord counted(Tally tally, const Kernel& kernel, const Tolerances& tolera
   family.truth = tally.truth;
   family.verdict = std::move(tally.verdict);
   family.critical_radius = summary_of(std::move(tally.critical_radius));
-  if (has_input_classes(kernel)) family.classes = classes_of(tally.classes, address);
+  if (has_input_classes(kernel)) family.classes = class_records(tally.classes, address);
   if (!kernel.test->measures.empty()) family.motion = std::move(tally.motion);
   if (kernel.exposes != Exposure::verdict) {
     family.axes = std::move(tally.axes);
