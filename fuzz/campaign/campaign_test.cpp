@@ -207,7 +207,7 @@ std::size_t candidates_in(const Tally& tally) {
   const VerdictTally& v = tally.verdict;
   std::size_t sum = v.deepest_false_separation.candidates().size() + v.deepest_false_contact.candidates().size();
   for (const auto& leaders : v.deepest_by_link) sum += leaders.candidates().size();
-  for (const ComparisonTally& c : tally.comparisons) {
+  for (const auto& [name, c] : tally.comparisons) {
     sum += c.largest_error.candidates().size();
     sum += c.false_witness.candidates().size() + c.missed_witness.candidates().size();
   }

@@ -148,13 +148,13 @@ TEST(Supervised, TouchingIsHeldAgainstTheConvention) {
   const auto wrong = [&](Touching convention) {
     contact.touching = separated.touching = convention;
     const auto tallies = tallies_of(plan_of({&contact, &separated}, "lattice", 2000));
-    EXPECT_GT(tallies[0].touching, 0u);
+    EXPECT_GT(tallies[0].truth.touching, 0u);
     std::vector<std::uint64_t> of_touching;
     for (const Tally& t : tallies) {
       EXPECT_EQ(t.verdict.false_separation + t.verdict.false_contact, t.verdict.touching_flips);
       EXPECT_EQ(t.verdict.touching_links[Link::unattributed], t.verdict.touching_flips);
       EXPECT_FALSE(t.verdict.first_by_link[Link::unattributed].position) << "touching is apart";
-      of_touching.push_back(t.verdict.touching_flips == 0 ? 0 : t.verdict.touching_flips == t.touching ? 1 : 2);
+      of_touching.push_back(t.verdict.touching_flips == 0 ? 0 : t.verdict.touching_flips == t.truth.touching ? 1 : 2);
     }
     return of_touching;
   };
