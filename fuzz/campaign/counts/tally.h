@@ -31,6 +31,8 @@ using LinkCounts = EnumArray<Link, std::uint64_t>;
 struct TruthCounts {
   std::uint64_t separated = 0, contact = 0, touching = 0, invalid = 0;
 
+  bool operator==(const TruthCounts&) const = default;
+
   static constexpr std::string_view about = "The geometric truth of the queries.";
   static constexpr auto fields(auto&& visit) {
     return visit(
