@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <regex>
@@ -30,6 +31,14 @@ bool is_beyond_binary64(const std::string& text) {
 
 }  // namespace
 
+void RadiiAdded::merge(CriticalRadius& into, const CriticalRadius& from) {
+  using Of = CriticalRadius;
+  for (const auto count :
+       {&Of::sampled, &Of::unbounded, &Of::unanswered, &Of::undecided, &Of::invalid, &Of::early, &Of::late})
+    into.*count += from.*count;
+  into.largest_ulps = std::max(into.largest_ulps, from.largest_ulps);
+}
+
 Json sparse_counts(const Json& counts) {
   if (counts.is_number_float()) return fmt::format("{}", counts.get<double>());
   if (!counts.is_object()) return counts;
@@ -54,11 +63,11 @@ Json stretch_json(const std::vector<const Kernel*>& kernels, const Stretches& st
   return {{"stretch", entry.stretch}, {"of", stretches.text(entry.stretch)}, {"sha256", digests}, {"counts", counts}};
 }
 
-Json no_counts(const Json& entry, const TestDescription& test) {
+Json no_counts(const KernelRecord& entry, const TestDescription& test) {
   Kernel kernel;  // of which nothing is asked but what it promises and shows
   kernel.test = &test;
   if (has_limits(entry)) kernel.limits.least_radius = 1;
-  if (const auto measures = entry.find("measures"); measures != entry.end()) kernel.measure_count = measures->size();
+  if (entry.measures) kernel.measure_count = entry.measures->size();
   Json none = counts_json(kernel, empty_tally(test));
   none["critical_radius"]["largest_ulps"] = 0.0;
   if (none.contains("classes")) {
