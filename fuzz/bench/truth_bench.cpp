@@ -106,7 +106,7 @@ void measure(const Plan& plan, const Source& source, std::uint64_t most_queries)
         const std::uint64_t size = std::min(unit_size, count - first);
         all.merge(run_unit(plan, source, precision_of<Real>, first / unit_size, size, {standing_of(all)}).tallies[0]);
       }
-      by_harness = all.separated;
+      by_harness = all.truth.separated;
     }));
     if (repetition == 0) check(queries, signs, by_naive, by_harness);
   }

@@ -78,8 +78,9 @@ struct StepCounts {
   static constexpr auto fields(auto&& visit) {
     using Of = StepCounts;
     return visit(journalled(&Of::queries), journalled(&Of::signs), journalled(&Of::checked), journalled(&Of::by_cgal),
-                 journalled(&Of::generation, added), journalled(&Of::kernels, added), journalled(&Of::errors, added),
-                 journalled(&Of::judging, added), journalled(&Of::steps, added));
+                 journalled(&Of::generation, by::added), journalled(&Of::kernels, by::added),
+                 journalled(&Of::errors, by::added), journalled(&Of::judging, by::added),
+                 journalled(&Of::steps, by::added));
   }
 };
 

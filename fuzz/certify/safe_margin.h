@@ -92,9 +92,9 @@ struct SafeMargin {
   // In the order of the queries.
   static constexpr auto fields(auto&& visit) {
     using Of = SafeMargin;
-    return merged(visit, journalled(&Of::precision, same), &Of::queries, &Of::probed, &Of::found, &Of::of_run,
-                  &Of::of_others, &Of::parts, &Of::factor, &Of::amount, journalled(&Of::hopeless, first), &Of::phantoms,
-                  journalled(&Of::complete, same));
+    return merged(visit, journalled(&Of::precision, by::same), &Of::queries, &Of::probed, &Of::found, &Of::of_run,
+                  &Of::of_others, &Of::parts, &Of::factor, &Of::amount, journalled(&Of::hopeless, by::first),
+                  &Of::phantoms, journalled(&Of::complete, by::same));
   }
 };
 

@@ -175,7 +175,7 @@ void WitnessWriter::write(const Kernel& kernel, const SeededSource& of, const Sh
       witness.input_class = class_of_wrong(test, numbers, what.input_class);
     }
     const auto bits = [&](const std::optional<ComparisonBits>& all) {
-      return all ? std::optional(Bits(bit_string(*all, test.comparisons.size()))) : std::nullopt;
+      return all ? std::optional(BitText(bit_string(*all, test.comparisons.size()))) : std::nullopt;
     };
     witness.exact_comparisons = bits(found.judgement.exact);
     witness.computed_comparisons = bits(found.answer.bits);

@@ -22,17 +22,21 @@ namespace axiscert {
 
 // How two values of a field become one, where the type does not say it, as of a number that is not a count: one of
 // these, or a type with merge(into, from). By type, counts add up, leaders compete, and structs merge by their fields.
-struct ByType {};
+namespace by {
+
+struct Type {};
 struct Added {};
 struct Greatest {};
+struct Least {};  // of a bool: true where both are
 struct First {};  // of two in their order, where it has a value
 struct Same {};   // in all that are merged
-struct Least {};  // of a bool: true where both are
 inline constexpr Added added;
 inline constexpr Greatest greatest;
 inline constexpr Least least;
 inline constexpr First first;
 inline constexpr Same same;
+
+}  // namespace by
 
 struct Field {
   std::string_view name;       // in JSON, and in the path of a column
@@ -43,21 +47,21 @@ struct Field {
   bool is_rest = false;        // a Named: its values are members of the struct's object, whatever their names
 };
 
-template <class Of, class Member, class How = ByType>
+template <class Of, class Member, class How = by::Type>
 struct FieldOf : Field {
   Member Of::*member;
   using Merge = How;
   static constexpr bool is_stored = !std::is_function_v<Member>, is_written = true;
 };
 
-template <class Of, class Member, class How = ByType>
+template <class Of, class Member, class How = by::Type>
 constexpr FieldOf<Of, Member, How> field(Member Of::*member, const Field& said, How = {}) {
   return {said, member};
 }
 // A base class, or a member that is a struct, whose fields JSON has in its place.
 template <class Of, class Base>
 struct BaseOf : Field {
-  using Merge = ByType;
+  using Merge = by::Type;
   static constexpr bool is_stored = true, is_written = true;
 };
 template <class Of, class Base>
@@ -77,7 +81,7 @@ template <class Of, class Member, class How>
 struct UnwrittenOf : FieldOf<Of, Member, How> {
   static constexpr bool is_written = false;
 };
-template <class Of, class Member, class How = ByType>
+template <class Of, class Member, class How = by::Type>
 constexpr UnwrittenOf<Of, Member, How> journalled(Member Of::*member, How = {}) {
   return {{{.name = {}, .about = {}}, member}};
 }

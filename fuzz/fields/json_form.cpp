@@ -28,7 +28,7 @@ constexpr std::string_view beyond_binary64 = "^[1-9]([.][0-9]{1,5})?e[+][0-9]{3,
 void JsonForm<ErrorNumber>::read(const JsonPlace& place, ErrorNumber& into) {
   static const std::regex pattern{std::string(beyond_binary64)};
   into = {};
-  if (place.value().is_number()) return axiscert::read(place, into.value);
+  if (place.value().is_number()) return read_json(place, into.value);
   if (!place.value().is_string()) place.refuse("is not one of [\"number\",\"string\"]");
   check_text(place, 20, false, &pattern, beyond_binary64);
   into.text = place.value();
@@ -39,7 +39,7 @@ Json JsonForm<ErrorNumber>::schema() {
 
 void JsonForm<Decimal6>::read(const JsonPlace& place, Decimal6& into) {
   ErrorNumber error;
-  axiscert::read(place, error);
+  read_json(place, error);
   into = round_up(parse_decimal(error.text.empty() ? fmt::format("{}", error.value) : error.text));
   if (write(into) != place.value()) place.refuse("has more than 6 significant digits");
 }

@@ -71,14 +71,14 @@ class JsonPlace {
 };
 
 template <class T>
-void read(const JsonPlace& place, T& into) {
+void read_json(const JsonPlace& place, T& into) {
   JsonForm<T>::read(place, into);
 }
 // Throws JsonFault.
 template <class T>
 T read_as(const Json& json) {
   T value = T();
-  read(JsonPlace(json), value);
+  read_json(JsonPlace(json), value);
   return value;
 }
 
@@ -262,7 +262,7 @@ struct JsonForm<std::optional<T>> {
   static Json write(const std::optional<T>& value) { return value ? json_of(*value) : Json(nullptr); }
   static void read(const JsonPlace& place, std::optional<T>& into) {
     into.reset();
-    if (!place.value().is_null()) axiscert::read(place, into.emplace());
+    if (!place.value().is_null()) read_json(place, into.emplace());
   }
   static Json schema() { return nullable(json_schema_of<T>()); }
 };
@@ -277,7 +277,7 @@ struct JsonForm<std::vector<T>> {
   static void read(const JsonPlace& place, std::vector<T>& into) {
     place.require_type(place.value().is_array(), "array");
     into.clear();
-    for (std::size_t i = 0; i < place.value().size(); ++i) axiscert::read(place.at(i), into.emplace_back());
+    for (std::size_t i = 0; i < place.value().size(); ++i) read_json(place.at(i), into.emplace_back());
   }
   static Json schema() { return {{"type", "array"}, {"items", json_schema_of<T>()}}; }
 };
@@ -297,8 +297,7 @@ struct JsonForm<std::map<Key, T>> {
   static void read(const JsonPlace& place, std::map<Key, T>& into) {
     place.require_type(place.value().is_object(), "object");
     into.clear();
-    for (const auto& [member, value] : place.value().items())
-      axiscert::read(place.at(member), into[key(place, member)]);
+    for (const auto& [member, value] : place.value().items()) read_json(place.at(member), into[key(place, member)]);
   }
   static Json schema() {
     Json names = {{"pattern", "^(0|-?[1-9][0-9]*)$"}};
@@ -331,7 +330,7 @@ struct JsonForm<std::array<T, n>> {
   static void read(const JsonPlace& place, std::array<T, n>& into) {
     place.require_type(place.value().is_array(), "array");
     if (place.value().size() != n) place.refuse(fmt::format("has not {} items", n));
-    for (std::size_t i = 0; i < n; ++i) axiscert::read(place.at(i), into[i]);
+    for (std::size_t i = 0; i < n; ++i) read_json(place.at(i), into[i]);
   }
   static Json schema() { return {{"type", "array"}, {"minItems", n}, {"maxItems", n}, {"items", json_schema_of<T>()}}; }
 };
@@ -346,7 +345,7 @@ struct JsonForm<Named<T>> {
   static void read(const JsonPlace& place, Named<T>& into) {
     place.require_type(place.value().is_object(), "object");
     into = {};
-    for (const auto& [name, value] : place.value().items()) axiscert::read(place.at(name), into.put(name));
+    for (const auto& [name, value] : place.value().items()) read_json(place.at(name), into.put(name));
   }
   static Json schema() { return {{"type", "object"}, {"additionalProperties", json_schema_of<T>()}}; }
 };
@@ -363,7 +362,7 @@ struct JsonForm<EnumArray<Enum, T>> {
     place.require_type(place.value().is_object(), "object");
     for (const Enum one : enumerators<Enum>) {
       if (!place.value().contains(name(one))) place.refuse(fmt::format("without \"{}\"", name(one)));
-      axiscert::read(place.at(name(one)), into[one]);
+      read_json(place.at(name(one)), into[one]);
     }
     for (const auto& [member, value] : place.value().items()) {
       bool is_known = false;
@@ -391,6 +390,15 @@ struct JsonForm<FormatName<File>> {
 };
 
 // Structs.
+
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+template <class T>
+inline constexpr bool is_named_list = false;
+template <class T>
+inline constexpr bool is_named_list<Named<T>> = true;
 
 template <Fielded T>
 struct JsonForm<T> {
@@ -422,7 +430,7 @@ struct JsonForm<T> {
         if (field.is_inlined) return JsonForm<Value>::put(json, value_of(value, field));
       }
       const Value& of = value_of(value, field);
-      if constexpr (is_named<Value>) {
+      if constexpr (is_named_list<Value>) {
         if (field.is_rest) return json.update(json_of(of));
       }
       if constexpr (is_optional<Value>) {
@@ -443,18 +451,18 @@ struct JsonForm<T> {
         }
         Value& of = value_of(into, field);
         const bool is_there = place.value().contains(field.name);
-        if constexpr (is_named<Value>) {
+        if constexpr (is_named_list<Value>) {
           if (field.is_rest) return void(of = {});
         }
         if constexpr (is_optional<Value>) {
           if (field.may_be_absent) {
             of.reset();
-            if (is_there) axiscert::read(place.at(field.name), of.emplace());
+            if (is_there) read_json(place.at(field.name), of.emplace());
             return;
           }
         }
         if (!is_there) place.refuse(fmt::format("without {}", Json(field.name).dump()));
-        axiscert::read(place.at(field.name), of);
+        read_json(place.at(field.name), of);
       }
     });
     // What the others say already.
@@ -471,9 +479,9 @@ struct JsonForm<T> {
   static bool get_rest(const JsonPlace& place, const std::string& member, T& into) {
     bool is_got = false;
     for_each_written<T>([&](const auto& field) {
-      if constexpr (is_named<std::remove_cvref_t<decltype(value_of(into, field))>>) {
+      if constexpr (is_named_list<std::remove_cvref_t<decltype(value_of(into, field))>>) {
         if (!field.is_rest) return;
-        axiscert::read(place.at(member), value_of(into, field).put(member));
+        read_json(place.at(member), value_of(into, field).put(member));
         is_got = true;
       }
     });
@@ -497,7 +505,7 @@ struct JsonForm<T> {
         if (field.is_inlined) return JsonForm<Value>::describe(schema);
       }
       if (field.is_rest) {
-        if constexpr (is_named<Value>)
+        if constexpr (is_named_list<Value>)
           schema["additionalProperties"] = JsonForm<Value>::schema()["additionalProperties"];
         return;
       }
@@ -511,16 +519,6 @@ struct JsonForm<T> {
       if (!field.may_be_absent) schema["required"].push_back(field.name);
     });
   }
-
- private:
-  template <class Value>
-  static constexpr bool is_optional = false;
-  template <class Value>
-  static constexpr bool is_optional<std::optional<Value>> = true;
-  template <class Value>
-  static constexpr bool is_named = false;
-  template <class Value>
-  static constexpr bool is_named<Named<Value>> = true;
 };
 
 }  // namespace axiscert

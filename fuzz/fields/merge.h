@@ -110,11 +110,11 @@ void merge_fields(T& into, const T& from) {
       const auto& other = value_of(from, field);
       using How = typename Of::Merge;
       if constexpr (requires { How::merge(value, other); }) How::merge(value, other);
-      else if constexpr (std::is_same_v<How, Greatest>) value = std::max(value, other);
-      else if constexpr (std::is_same_v<How, Least>) value = std::min(value, other);
-      else if constexpr (std::is_same_v<How, Added>) merging::increase(value, other);
-      else if constexpr (std::is_same_v<How, First>) value = value ? value : other;
-      else if constexpr (std::is_same_v<How, Same>) return;
+      else if constexpr (std::is_same_v<How, by::Greatest>) value = std::max(value, other);
+      else if constexpr (std::is_same_v<How, by::Least>) value = std::min(value, other);
+      else if constexpr (std::is_same_v<How, by::Added>) merging::increase(value, other);
+      else if constexpr (std::is_same_v<How, by::First>) value = value ? value : other;
+      else if constexpr (std::is_same_v<How, by::Same>) return;
       else axiscert::merge(value, other);
     }
   });

@@ -40,7 +40,7 @@ struct JsonForm<SparseCounts<Rule>> {
       std::size_t i = 0;
       while (i < Rule::size && Rule::name(i) != member) ++i;
       if (i == Rule::size) place.at(member).refuse("under a name that is not in the schema");
-      axiscert::read(place.at(member), into[i]);
+      read_json(place.at(member), into[i]);
     }
   }
   static Json schema() {

@@ -63,7 +63,7 @@ struct CriticalRadii {
     return merged(visit, &Of::measured, &Of::right, &Of::early, &Of::late, &Of::unbounded, &Of::unanswered,
                   &Of::undecided, &Of::invalid, &Of::outside_limits, &Of::reversals, &Of::errors,
                   journalled(&Of::worst_early, GreatestMeasured()), journalled(&Of::worst_late, GreatestMeasured()),
-                  journalled(&Of::first_reversal, first));
+                  journalled(&Of::first_reversal, by::first));
   }
 };
 
@@ -72,7 +72,7 @@ struct CriticalRadiusResult {
   std::vector<std::vector<CriticalRadii>> cells;  // by kernel, by source
   bool operator==(const CriticalRadiusResult&) const = default;
   static constexpr auto fields(auto&& visit) {
-    return merged(visit, journalled(&CriticalRadiusResult::left_out, added), &CriticalRadiusResult::cells);
+    return merged(visit, journalled(&CriticalRadiusResult::left_out, by::added), &CriticalRadiusResult::cells);
   }
 };
 

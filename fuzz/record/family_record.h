@@ -13,7 +13,7 @@
 namespace axiscert {
 
 // A summary of a CriticalRadiusTally.
-struct CriticalRadius {
+struct CriticalRadiusRecord {
   std::uint64_t sampled = 0;
   std::optional<double> median_ulps, largest_ulps;
   std::uint64_t unbounded = 0, unanswered = 0, undecided = 0, invalid = 0;
@@ -23,7 +23,7 @@ struct CriticalRadius {
   static constexpr std::string_view about =
       "The distance of the smallest radius for which the kernel says contact from the exact distance.";
   static constexpr auto fields(auto&& visit) {
-    using Of = CriticalRadius;
+    using Of = CriticalRadiusRecord;
     return visit(
         field(&Of::sampled, {"sampled", "Queries whose critical radius was found by bisection."}),
         field(
@@ -61,7 +61,7 @@ struct CriticalRadius {
                "kernel's is at most one ulp above."}));
   }
 };
-CriticalRadius summary_of(CriticalRadiusTally tally);
+CriticalRadiusRecord summary_of(CriticalRadiusTally tally);
 
 // Two queries to which the kernel gives different answers, by their addresses.
 struct AddressPair {
@@ -238,7 +238,7 @@ struct FamilyCounts {
              "for zero failures count triangles. Of a query file of a test without triangles, the number of different "
              "queries."}),
         field(&Of::exact_arithmetic,
-              {"exact_arithmetic", "The precision's arithmetic is exact on every query of the family."}, least),
+              {"exact_arithmetic", "The precision's arithmetic is exact on every query of the family."}, by::least),
         field(&Of::truth, {"truth", {}}), field(&Of::verdict, {"verdict", {}}),
         field(&Of::axes, {"axes", "Results per axis, or other clause; null for a kernel that shows only verdicts."}),
         field(&Of::comparisons,
@@ -254,7 +254,7 @@ struct FamilyCounts {
 };
 
 struct FamilyRecord : FamilyCounts {
-  CriticalRadius critical_radius;
+  CriticalRadiusRecord critical_radius;
   std::optional<AsymmetryRecord> asymmetry;
   std::optional<std::map<ImageKind, ImageChangesRecord>> invariance;
   std::optional<std::map<InputClass, ClassRecord>> classes;

@@ -103,7 +103,7 @@ struct KernelRecord {
   Touching touching = Touching::contact;
   std::optional<LimitsRecord> limits;
   bool may_decline = false;
-  CriticalRadius critical_radius;
+  CriticalRadiusRecord critical_radius;
   Named<FamilyRecord> families;
   std::optional<std::optional<NearestRecord>> nearest;
   std::optional<std::vector<Name>> measures;

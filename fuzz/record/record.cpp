@@ -5,12 +5,12 @@
 
 namespace axiscert {
 
-CriticalRadius summary_of(CriticalRadiusTally tally) {
+CriticalRadiusRecord summary_of(CriticalRadiusTally tally) {
   std::vector<double>& errors = tally.errors_ulps;
   const auto count_if = [&](const auto& is) {
     return static_cast<std::uint64_t>(std::count_if(errors.begin(), errors.end(), is));
   };
-  CriticalRadius summary;
+  CriticalRadiusRecord summary;
   summary.sampled = errors.size() + tally.unbounded;
   summary.unbounded = tally.unbounded;
   summary.unanswered = tally.unanswered;
@@ -39,9 +39,9 @@ void JsonForm<RequiredLevels>::read(const JsonPlace& place, RequiredLevels& into
   if (place.value().is_null()) return;
   if (place.value().is_array()) {
     if (place.value().size() < 2) place.refuse("with too few items");
-    axiscert::read(place, into.levels);
+    read_json(place, into.levels);
   } else {
-    axiscert::read(place, into.levels.emplace_back());
+    read_json(place, into.levels.emplace_back());
   }
 }
 Json JsonForm<RequiredLevels>::schema() {
@@ -55,10 +55,10 @@ Json JsonForm<GroupNumbers>::write(const GroupNumbers& value) {
 }
 void JsonForm<GroupNumbers>::read(const JsonPlace& place, GroupNumbers& into) {
   into = {};
-  if (!place.value().is_array()) return axiscert::read(place, into.numbers.emplace_back());
+  if (!place.value().is_array()) return read_json(place, into.numbers.emplace_back());
   if (place.value().size() < 2) place.refuse("with too few items");
   if (place.value().size() > 64) place.refuse("with too many items");
-  axiscert::read(place, into.numbers);
+  read_json(place, into.numbers);
 }
 Json JsonForm<GroupNumbers>::schema() {
   Json several = json_schema_of<std::vector<HexNumber>>();

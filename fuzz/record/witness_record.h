@@ -33,7 +33,7 @@ struct BitsRule {
   static constexpr std::size_t longest = 64;
   static constexpr std::string_view pattern = "^[01]+$";
 };
-using Bits = Text<BitsRule>;
+using BitText = Text<BitsRule>;
 
 // One number of a query, or those of a group of columns that belong together: JSON has text or an array of it.
 struct GroupNumbers {
@@ -211,7 +211,7 @@ struct WitnessRecord {
   bool touching = false;
   std::optional<double> depth;
   std::optional<InputClass> input_class;
-  std::optional<Bits> exact_comparisons, computed_comparisons;
+  std::optional<BitText> exact_comparisons, computed_comparisons;
   std::vector<std::string> shows;
   std::vector<FlipRecord> flips;
   std::optional<Named<SidesRecord>> sides;

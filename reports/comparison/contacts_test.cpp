@@ -70,7 +70,7 @@ TEST(CompareContacts, OnOtherQueriesOnlyWhatChanceDoesNotExplain) {
   EXPECT_THAT(changed_cells(with_other_seed(9, 0.75)), IsEmpty());
   const RunComparison worse = with_other_seed(90, 0.75);
   EXPECT_THAT(changed_cells(worse), ElementsAre("time.late worse"));
-  EXPECT_THAT(comparison_markdown({motions(contacts(5, 0.25, 0)), motions(contacts(90, 0.75, 0)), "old", "new"}, worse),
+  EXPECT_THAT(markdown_of(motions(contacts(5, 0.25, 0)), motions(contacts(90, 0.75, 0)), worse),
               Not(HasSubstr("deepest_tunnel")));
 }
 

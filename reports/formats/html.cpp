@@ -52,7 +52,7 @@ Json notes() {
           {"formula_links", sentences<FormulaLinks>()},
           {"axis", sentences<AxisTally>()},
           {"comparison", sentences<ComparisonTally>()},
-          {"critical_radius", sentences<CriticalRadius>()},
+          {"critical_radius", sentences<CriticalRadiusRecord>()},
           {"outside_limits", sentences<OutsideTally>()},
           {"finding", sentences<FindingRecord>()},
           {"asymmetry", sentences<AsymmetryRecord>()}};

@@ -252,7 +252,7 @@ class MarkdownReport {
     section.head({"kernel", "precision", "family", "sampled", "median", "largest", "unbounded", "no answer", "declined",
                   "called invalid"},
                  3);
-    const auto row = [&](std::vector<std::string> cells, const CriticalRadius& radius) {
+    const auto row = [&](std::vector<std::string> cells, const CriticalRadiusRecord& radius) {
       cells.insert(cells.end(), {thousands(radius.sampled), optional_amount(radius.median_ulps),
                                  optional_amount(radius.largest_ulps), thousands(radius.unbounded),
                                  thousands(radius.unanswered), thousands(radius.undecided), thousands(radius.invalid)});

@@ -147,7 +147,7 @@ TEST(PluginRecord, SaysToWhichSideAKernelErrs) {
     });
     const Record record = record_with({&kernel}, {"general"}, 2048);
     const FamilyRecord& family = record.kernels[0].families.at("general");
-    const CriticalRadius& radius = family.critical_radius;
+    const CriticalRadiusRecord& radius = family.critical_radius;
     const bool is_late = factor < 1;
     EXPECT_EQ(is_late ? radius.late : radius.early, radius.sampled);
     EXPECT_EQ(is_late ? radius.early : radius.late, 0u);

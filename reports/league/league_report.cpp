@@ -265,7 +265,7 @@ class LeagueReport {
         entry.may_decline = kernel.may_decline;
         entry.has_planted_fault = k >= league_.contenders;
         entry.ns = time(k, precision);
-        if (k < league_.contenders) entry.worst = worst_data(plan_, result_, k, precision);
+        if (k < league_.contenders) entry.worst = worst_data(league_, result_, k, precision);
         for (const TrustGroup* group : groups_asked(league_.questions.sources)) {
           const Trust trust = trust_in(kernel, tally_of_group(league_, result_, k, precision, group));
           entry.trust.put(group->name) = {trust.answer, trust.words};

@@ -95,7 +95,7 @@ InstrumentScene worst_scene(const WorstQuery& worst, std::uint64_t seed) {
       fmt::format("It {}. Family {}, address {}.", worst_sentence(worst, seed), worst.source->name(), address);
   std::vector<std::string> numbers;
   with_query(worst, seed, [&](const auto& q) {
-    put_query(scene.query, entry, q);
+    scene.query = json_of(groups_of_numbers(entry, q));
     for (std::size_t i = 0; i < entry.columns.size(); ++i) {
       numbers.push_back(fmt::format("{}", static_cast<double>(q[i])));
     }

@@ -35,6 +35,7 @@ InstrumentScene worst_scene(const WorstQuery& worst, std::uint64_t seed);
 // A row for each contender and precision, with a scene where a verdict was wrong; else it says among how many.
 InstrumentTable worst_table(const League& league, const CampaignResult& result);
 // One row's figures, its query and its code; none where no verdict was wrong.
-std::optional<WorstData> worst_data(const League& league, const CampaignResult& result, std::size_t k, Precision precision);
+std::optional<WorstData> worst_data(const League& league, const CampaignResult& result, std::size_t k,
+                                    Precision precision);
 
 }  // namespace axiscert

@@ -84,7 +84,7 @@ class NameCheck {
   Fault check_witness(const WitnessRecord& witness) const {
     const std::string where = fmt::format("witness {}", json_of(witness.id).dump());
     if (Fault fault = check_numbers(where, witness)) return fault;
-    const auto check_bits = [&](const std::optional<Bits>& bits, const char* member) -> Fault {
+    const auto check_bits = [&](const std::optional<BitText>& bits, const char* member) -> Fault {
       if (!bits || bits->size() == comparisons_.size()) return std::nullopt;
       return fmt::format("{}: {} is {}, but the test {} has {} comparisons", where, member, json_of(*bits).dump(),
                          test_.id, comparisons_.size());

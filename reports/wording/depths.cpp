@@ -56,7 +56,7 @@ std::string engine_text(const FamilyRecord& family) {
 
 std::string bias_text(const FamilyRecord& family) {
   const std::uint64_t missed = family.verdict.false_separation, phantom = family.verdict.false_contact;
-  const CriticalRadius& radius = family.critical_radius;
+  const CriticalRadiusRecord& radius = family.critical_radius;
   std::vector<std::string> parts;
   const auto ratio = [](std::uint64_t more, std::uint64_t less) {
     return amount(static_cast<double>(more) / static_cast<double>(less), 2);

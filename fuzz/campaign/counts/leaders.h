@@ -66,7 +66,7 @@ struct JsonForm<Leaders<Rank>> {
   static Json write(const Leaders<Rank>& leaders) { return json_of(leaders.best()); }
   static void read(const JsonPlace& place, Leaders<Rank>& into) {
     Rank best{};
-    axiscert::read(place, best);
+    read_json(place, best);
     if (best != Rank{}) into.offer({best, 0});
   }
   static Json schema() { return json_schema_of<Rank>(); }

@@ -66,7 +66,7 @@ void JsonForm<MarginCounts>::read(const JsonPlace& place, MarginCounts& into) {
            (exponent == tied_margin ? name != "tie" : name != std::to_string(exponent)))
       ++exponent;
     if (exponent > greatest_margin_exponent) place.at(name).refuse("under a name that is not in the schema");
-    axiscert::read(place.at(name), into.by_exponent[exponent]);
+    read_json(place.at(name), into.by_exponent[exponent]);
   }
 }
 Json JsonForm<MarginCounts>::schema() {

@@ -91,7 +91,7 @@ struct SignTally {
                "The largest |(computed lhs - computed rhs) - (lhs - rhs)| / (u (|lhs| + |rhs|)), u = 2^-24 or 2^-53, "
                "rounded up to 6 significant digits; null where no sides were measured.",
                "u"},
-              greatest),
+              by::greatest),
         field(&SignTally::smallest_passing_tolerance,
               {"smallest_passing_tolerance", "The smallest tolerance with no failure; equal to max_error_u.", "u"}),
         field(&SignTally::links, {"links", {}}));
@@ -157,7 +157,7 @@ struct OutsideTally {
         field(&OutsideTally::touching, {"touching", "Those of contact that touch."}),
         field(&OutsideTally::deepest,
               {"deepest", "Largest depth of a wrong verdict among them; 0 where there is none.", "of the scene"},
-              greatest));
+              by::greatest));
   }
 };
 
@@ -180,7 +180,7 @@ struct JsonForm<FirstQuery> {
     into = {};
     if (place.value().is_null()) return;
     std::uint64_t number = 0;
-    axiscert::read(place, number);
+    read_json(place, number);
     if (number == 0) place.refuse("is no query: the first is 1");
     into.position = number - 1;
   }

@@ -16,7 +16,7 @@ struct Costs {
   StepCounts steps;
 
   static constexpr auto fields(auto&& visit) {
-    return visit(journalled(&Costs::core_seconds, added), journalled(&Costs::second_opinions),
+    return visit(journalled(&Costs::core_seconds, by::added), journalled(&Costs::second_opinions),
                  journalled(&Costs::steps));
   }
 };

@@ -145,7 +145,7 @@ TEST(ErrorSpread, QuantilesAreLowerOrderStatisticsOfTheErrors) {
     const SideError error(1 + static_cast<float>(i) * 0x1p-23f, 0.0f, {one, zero});
     (i % 2 ? low : high).add(error);  // 2 i u
   }
-  merge_fields(low, high);
+  low.merge(high);
   EXPECT_EQ(low.count(), 101u);
   EXPECT_NEAR(*low.quantile(50), 102, 102 * 0x1p-11);
   EXPECT_NEAR(*low.quantile(99), 200, 200 * 0x1p-11);

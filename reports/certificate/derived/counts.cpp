@@ -31,8 +31,8 @@ bool is_beyond_binary64(const std::string& text) {
 
 }  // namespace
 
-void RadiiAdded::merge(CriticalRadius& into, const CriticalRadius& from) {
-  using Of = CriticalRadius;
+void RadiiAdded::merge(CriticalRadiusRecord& into, const CriticalRadiusRecord& from) {
+  using Of = CriticalRadiusRecord;
   for (const auto count :
        {&Of::sampled, &Of::unbounded, &Of::unanswered, &Of::undecided, &Of::invalid, &Of::early, &Of::late})
     into.*count += from.*count;

@@ -13,13 +13,13 @@ namespace axiscert {
 
 // Sums: all but the medians.
 struct RadiiAdded {
-  static void merge(CriticalRadius& into, const CriticalRadius& from);
+  static void merge(CriticalRadiusRecord& into, const CriticalRadiusRecord& from);
 };
 
 // The counts of one stretch, or of several of a family added up: what counts_json (fuzz/confirm/record.h) has of them,
 // and nothing in all other members.
 struct StretchCounts : FamilyCounts {
-  CriticalRadius critical_radius;
+  CriticalRadiusRecord critical_radius;
   std::optional<std::map<InputClass, ClassCount>> classes;
   std::map<FindingKind, std::uint64_t> findings;
 

@@ -207,7 +207,7 @@ class Reducer {
   void put_families(KernelRecord& entry, const Json& stated, const ByFamily& totals) const {
     const std::string& id = entry.id;
     const std::string who = fmt::format("{}: {} {}", name_, id, name(entry.precision));
-    std::optional<CriticalRadius> radius;
+    std::optional<CriticalRadiusRecord> radius;
     for (const std::string& family : plan_.families) {
       const auto total = totals.find(family);
       const bool is_there = total != totals.end();
@@ -253,7 +253,7 @@ class Reducer {
   }
 
   // All but the medians follows from the stretches, `counted`.
-  static void require_radius(const CriticalRadius& stated, CriticalRadius counted, const std::string& who) {
+  static void require_radius(const CriticalRadiusRecord& stated, CriticalRadiusRecord counted, const std::string& who) {
     const bool has_errors = counted.sampled > counted.unbounded;
     if (!has_errors) counted.largest_ulps.reset();
     counted.median_ulps = stated.median_ulps;
