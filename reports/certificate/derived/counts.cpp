@@ -26,7 +26,9 @@ bool is_nothing(const Json& value) {
 // An error beyond binary64, whose six digits a record has as text: "1.5e+620".
 bool is_beyond_binary64(const std::string& text) {
   static const std::regex form("[0-9](\\.[0-9]{1,5})?e\\+[0-9]{3,6}");
-  return std::regex_match(text, form);
+  double value = 0;
+  return std::regex_match(text, form) &&
+         std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc::result_out_of_range;
 }
 
 }  // namespace

@@ -258,8 +258,8 @@ class Reducer {
     if (!has_errors) counted.largest_ulps.reset();
     counted.median_ulps = stated.median_ulps;
     counted.signed_median_ulps = stated.signed_median_ulps;
-    const Json radius = json_of(stated);
-    for (const auto& [member, value] : json_of(counted).items()) {
+    const Json radius = json_of(stated), counted_radius = json_of(counted);
+    for (const auto& [member, value] : counted_radius.items()) {
       if (radius[member] != value)
         throw NotValid(fmt::format("{}: critical_radius: {} is {}, and its stretches come to {}", who, member,
                                    shown(radius[member].dump()), value.dump()));
