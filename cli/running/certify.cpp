@@ -52,41 +52,37 @@ struct Judged {
   const CertifyOptions& options;
   const Plan& plan;  // of which the kernel is the first
   const Stretches& stretches;
-  std::map<std::uint64_t, Json> tallies;  // by stretch, as the certificate has it
-  Json plan_json, subjects;
-  std::string kind, effort, digest;  // of the kernel; the plan's digest
+  std::map<std::uint64_t, TallyMaterial> tallies;  // by stretch
+  Json plan_json;
+  std::vector<SubjectStatement> subjects;
+  KernelKind kind;
+  std::string effort, digest;  // the plan's digest
   bool is_slow;
 
   const Kernel& kernel() const { return *plan.answerers.kernels.front(); }
 };
 
-Json materials_json(const Judged& judged, const Record& record) {
+MaterialsStatement materials_of(const Judged& judged, const Record& record) {
   const Json portable = portable_plan(judged.plan_json);
-  Json tallies = Json::array();
-  for (const auto& [stretch, tally] : judged.tallies) tallies.push_back(tally);
-  return {{"axiscert", {{"version", axiscert_version}, {"sources", source_digests().sources}}},
-          {"proofs", source_digests().proofs},
-          {"plan",
-           {{"digest", digest_of_json(portable)},
-            {"units_per_stretch", judged.stretches.units_each()},
-            {"plan", portable}}},
-          {"kernels", kernels_of_record(record)},
-          {"findings", findings_of_record(record)},
-          {"tallies", tallies}};
+  MaterialsStatement materials{{axiscert_version, source_digests().sources},
+                               source_digests().proofs,
+                               {digest_of_json(portable), {judged.stretches.units_each()}, {portable}},
+                               kernels_of_record(record),
+                               findings_of_record(record),
+                               {}};
+  for (const auto& [stretch, tally] : judged.tallies) materials.tallies.push_back(tally);
+  return materials;
 }
 
 // A kernel that answers the same queries otherwise has no safe margin, since what it missed it may find next time.
-void drop_margin_beside(const Record& record, Json& predicate) {
-  Json& margins = predicate["safe_margin"];
-  for (const Json& margin : margins["precisions"]) {
+void drop_margin_beside(const Record& record, CertificatePredicate& predicate) {
+  SafeMarginStatement& margins = predicate.safe_margin;
+  for (const MarginStatement& margin : margins.precisions) {
     for (const KernelRecord& entry : record.kernels) {
-      if (entry.id != predicate["kernel"]["id"].get<std::string>() ||
-          margin["precision"].get<std::string>() != name(entry.precision))
-        continue;
+      if (entry.id != predicate.kernel.id || margin.precision != entry.precision) continue;
       const std::string fault = margin_fault(margin, entry);
       if (fault.empty()) continue;
-      margins = {{"reason", fmt::format("{}in {}, {}", margin_answered_otherwise, name(entry.precision), fault)},
-                 {"precisions", Json::array()}};
+      margins = {fmt::format("{}in {}, {}", margin_answered_otherwise, name(entry.precision), fault), {}};
       return;
     }
   }
@@ -94,18 +90,23 @@ void drop_margin_beside(const Record& record, Json& predicate) {
 
 // Makes what follows from the counts, of them alone, as `verify` does. Throws HarnessFault where the run's record says
 // otherwise.
-void put_derived(const Record& record, const Record& run_record, Json& predicate) {
-  const Json members = derived_members(predicate, record);
-  predicate.update(members);
-  const std::string id = predicate["kernel"]["id"];
-  predicate["breaks_first"] = what_breaks_first(run_record, id);
-  const Json levels = levels_json(run_record, id, predicate["search"]["precisions"]);
+void put_derived(const Record& record, const Record& run_record, CertificatePredicate& predicate) {
+  predicate = derived_predicate(std::move(predicate), record);
+  const std::string& id = predicate.kernel.id;
+  predicate.breaks_first = what_breaks_first(run_record, id);
+  const std::vector<LevelStatement> levels = levels_of(run_record, id, predicate.search.precisions);
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    const Json& derived = members["levels"][i];
-    if (levels[i]["state"] == derived["state"]) continue;
-    throw HarnessFault(fmt::format("{} of {} is {} by the record, and {} by its counts", levels[i]["level"].dump(), id,
-                                   levels[i]["state"].dump(), derived["state"].dump()));
+    const LevelState by_record = levels[i].state, by_counts = predicate.levels[i].state;
+    if (by_record == by_counts) continue;
+    throw HarnessFault(fmt::format("\"{}\" of {} is \"{}\" by the record, and \"{}\" by its counts", levels[i].level,
+                                   id, name(by_record), name(by_counts)));
   }
+}
+
+// A part in the order in which `verify` reads it.
+template <class Part>
+Part in_canonical_order(const Part& part) {
+  return read_as<Part>(Json::parse(canonical_json(json_of(part))));
 }
 
 // The second half, by rank 0, once the run's folder is written.
@@ -118,19 +119,22 @@ int write_certificate(const Judged& judged, const std::optional<SigningKey>& key
   const Staged staged{options, kernel, judged.plan.questions, judged.plan.running, run.record, size};
   Stages stages(folder, options.out, judged.digest, options.resume);
 
-  Json predicate = {{"schema", certificate_schema}, {"signed_at", nullptr}, {"signed_by", nullptr}};
-  predicate["kernel"] = {{"id", kernel.id},
-                         {"kind", judged.kind},
-                         {"test", kernel.test->id},
-                         {"entry", kernel.test->entries[kernel.entry].name}};
-  predicate["asked"]["effort"] = judged.effort;
-  predicate["materials"] = materials_json(judged, run.record);
-  predicate["search"] = search_stage(staged, stages);
-  predicate["safe_margin"] = margin_stage(staged, stages, predicate["search"]);
-  predicate["diagnosis"] = diagnosis_stage(staged, stages);
-  predicate["harness"] = harness_stage(staged, stages);
-  predicate["witnesses"] = worst_of_certificate(run.record, kernel.id);
-  predicate = Json::parse(canonical_json(predicate));  // members in the order in which `verify` reads them
+  CertificateStatement statement;
+  statement.subject = judged.subjects;
+  CertificatePredicate& predicate = statement.predicate;
+  predicate.kernel.id = kernel.id;
+  predicate.kernel.kind = judged.kind;
+  predicate.kernel.test = kernel.test->id;
+  predicate.kernel.entry = kernel.test->entries[kernel.entry].name;
+  predicate.asked.effort = judged.effort;
+  predicate.materials = in_canonical_order(materials_of(judged, run.record));
+  predicate.search = search_stage(staged, stages);
+  predicate.safe_margin = margin_stage(staged, stages, predicate.search);
+  predicate.search = in_canonical_order(predicate.search);
+  predicate.safe_margin = in_canonical_order(predicate.safe_margin);
+  predicate.diagnosis = diagnosis_stage(staged, stages);
+  predicate.harness = in_canonical_order(harness_stage(staged, stages));
+  predicate.witnesses = in_canonical_order(worst_of_certificate(run.record, kernel.id));
   bool is_answered = false;
   try {
     const Record record = reduced_record(predicate, "the certificate");
@@ -143,13 +147,10 @@ int write_certificate(const Judged& judged, const std::optional<SigningKey>& key
         fmt::format("a certificate that does not hold to itself was about to be written: {}", wrong.what()));
   }
   if (key) {
-    predicate["signed_at"] = iso_time(std::chrono::system_clock::now());
-    predicate["signed_by"] = key->id();
+    predicate.signed_at = iso_time(std::chrono::system_clock::now());
+    predicate.signed_by = key->id();
   }
-  const Json statement = with_digest({{"_type", statement_schema},
-                                      {"subject", judged.subjects},
-                                      {"predicateType", certificate_type},
-                                      {"predicate", predicate}});
+  predicate.digest = digest_without_itself(json_of(statement));
   const InstrumentReport report = certificate_report(statement, command_of(options));
   const std::string words = certificate_words(report);
   folder.write_text("certificate.json", certificate_text(statement, key ? &*key : nullptr));
@@ -216,7 +217,7 @@ int certify_kernel(const CertifyOptions& options, const std::optional<SigningKey
                   file.options.is_slow};
     read_journal(journal, file.digest, [&](std::string_view content) {
       if (const auto entry = finished_in(content))
-        judged.tallies[entry->stretch] = stretch_json(plan.answerers.kernels, stretches, *entry);
+        judged.tallies[entry->stretch] = tally_of_stretch(plan.answerers.kernels, stretches, *entry);
     });
     if (judged.tallies.size() != stretches.count())
       return unfinished_in(options, judged.tallies.size(), stretches.count());
@@ -238,17 +239,16 @@ int certify_replies(const CertifyOptions& options, const std::optional<SigningKe
     require_uncontracted(target);
   const Stretches stretches(plan.questions, Stretches::default_units_each(plan.questions));
   Gathered gathered(plan.questions, plan.answerers.kernels.size(), stretches);
-  Judged judged{options,       plan,      stretches, {}, json_of(plan_record(plan)),
-                Json::array(), "replies", "replies", "", true};
+  Judged judged{options, plan, stretches, {}, json_of(plan_record(plan)), {}, KernelKind::replies, "replies", "", true};
   for (const std::string& path : options.replies.replies) judged.subjects.push_back(file_subject(path, "replies"));
-  judged.digest = digest_of_json(judged.subjects);
+  judged.digest = digest_of_json(json_of(judged.subjects));
   const OutputFolder folder(run_folder_of(options));
   const auto started = std::chrono::system_clock::now();
   const std::atomic<bool>& interrupted = watch_for_interrupts();
   try {
     ProgressLine progress("certify: the replies are judged", options.quiet);
     run_stretches(plan, stretches, gathered.missing(), interrupted, progress.report(), [&](const Entry& entry) {
-      judged.tallies[entry.stretch] = stretch_json(plan.answerers.kernels, stretches, entry);
+      judged.tallies[entry.stretch] = tally_of_stretch(plan.answerers.kernels, stretches, entry);
       gathered.add(entry);
     });
   } catch (const OracleDisagreement& disagreement) {

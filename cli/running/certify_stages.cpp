@@ -27,24 +27,25 @@ constexpr const char* states = "states";  // the member of stages.json that has 
 constexpr double seconds_between_states = 60;
 
 // A stage that asks the kernel again, before it begins: with a reason where it cannot.
-Json stage_of(const Staged& staged, const Json& no_precisions) {
-  Json all = {{"reason", nullptr}, {"precisions", no_precisions}};
-  if (staged.options.is_of_replies) {
-    all["reason"] = "replies are judged as they are: their program cannot be asked again";
-  }
+template <class Stage>
+Stage stage_of(const Staged& staged) {
+  Stage all;
+  if (staged.options.is_of_replies) all.reason = "replies are judged as they are: their program cannot be asked again";
   return all;
 }
 
 const std::atomic<bool>& interrupts() { return watch_for_interrupts(); }
 
-Json find_json(const Find& find) {
-  Json links = Json::array();
-  for (const std::string_view link : names(find.links)) links.push_back(link);
-  const char* const unit = find.aim.goal == Goal::critical_radius ? "ulps" : "depth";
-  return {{unit, find.value.text()}, {"links", links}, {"query", Json::parse(query_line(find.witness))}};
+FindStatement find_statement(const Find& find) {
+  FindStatement said;
+  (find.aim.goal == Goal::critical_radius ? said.ulps : said.depth) = find.value.text();
+  said.links.emplace();
+  for (const std::string_view link : names(find.links)) said.links->emplace_back(link);
+  said.query.json = Json::parse(query_line(find.witness));
+  return said;
 }
 
-Json searched(const Staged& staged, Precision precision, Stages& stages, const std::string& stage) {
+SearchedStatement searched(const Staged& staged, Precision precision, Stages& stages, const std::string& stage) {
   SearchOptions options;
   options.kernel = staged.kernel.id;
   options.precision = name(precision);
@@ -61,24 +62,25 @@ Json searched(const Staged& staged, Precision precision, Stages& stages, const s
                     fmt::format("; {} of {} evaluations", p.evaluations, *plan.evaluations));
     });
   }
-  Json finds = Json::object();
+  SearchedStatement said{result.evaluations, plan.first_queries, {}};
   for (const Aim& aim : result.aims) {
-    if (!is_about_a_comparison(aim.goal)) finds[name(aim, *plan.kernel->test)] = nullptr;
+    if (!is_about_a_comparison(aim.goal)) said.finds.put(name(aim, *plan.kernel->test));
   }
   for (const Find& find : result.finds) {
-    if (!is_about_a_comparison(find.aim.goal)) finds[name(find.aim, *plan.kernel->test)] = find_json(find);
+    if (!is_about_a_comparison(find.aim.goal))
+      said.finds.put(name(find.aim, *plan.kernel->test)) = find_statement(find);
   }
-  return {{"evaluations", result.evaluations}, {"begun_from", plan.first_queries}, {"finds", finds}};
+  return said;
 }
 
 // The queries that a search found, of all goals but those without a wrong verdict.
-std::vector<StoredQuery> found_queries(const Json& search, Precision precision) {
+std::vector<StoredQuery> found_queries(const SearchesStatement& search, Precision precision) {
   std::vector<StoredQuery> queries;
-  const auto here = search["precisions"].find(std::string(name(precision)));
-  if (here == search["precisions"].end()) return queries;
-  for (const auto& [aim, find] : (*here)["finds"].items()) {
-    if (find.is_null()) continue;
-    for (StoredQuery& query : parse_queries(find["query"].dump() + "\n", "the search", precision)) {
+  const SearchedStatement* here = search.precisions.find(name(precision));
+  if (here == nullptr) return queries;
+  for (const auto& [aim, find] : here->finds) {
+    if (!find) continue;
+    for (StoredQuery& query : parse_queries(find->query.json.dump() + "\n", "the search", precision)) {
       query.id = fmt::format("search {}", aim);
       queries.push_back(std::move(query));
     }
@@ -99,7 +101,7 @@ std::function<std::uint64_t(const Source&)> queries_run(const Record& record, Pr
   };
 }
 
-Json margin_in(const Staged& staged, const Json& search, Precision precision) {
+MarginStatement margin_in(const Staged& staged, const SearchesStatement& search, Precision precision) {
   SafeMarginPlan plan{&staged.questions,
                       &staged.running,
                       &staged.kernel,
@@ -110,11 +112,10 @@ Json margin_in(const Staged& staged, const Json& search, Precision precision) {
   ProgressLine progress(fmt::format("certify: safe margin, {}", name(precision)), staged.options.quiet);
   const SafeMargin margin = safe_margin(plan, interrupts(), progress.report());
   if (!margin.complete) throw StageInterrupted();
-  return margin_json(margin);
+  return margin_statement(margin);
 }
 
-// A precision of the diagnosis: its name and the properties.
-Json diagnosed(const Staged& staged, Precision precision) {
+DiagnosedStatement diagnosed(const Staged& staged, Precision precision) {
   ProgressLine progress(fmt::format("certify: diagnosis, {}", name(precision)), staged.options.quiet);
   DiagnosisOptions options;
   options.precision = precision;
@@ -124,11 +125,9 @@ Json diagnosed(const Staged& staged, Precision precision) {
   options.report = progress.report();
   const Diagnosis found = diagnose(staged.kernel, options);
   if (!found.complete) throw StageInterrupted();
-  Json properties = Json::array();
-  for (const Property& p : found.properties) {
-    properties.push_back({{"name", p.name}, {"value", p.value}, {"sentence", p.sentence}, {"queries", p.queries}});
-  }
-  return {{"precision", name(precision)}, {"properties", properties}};
+  DiagnosedStatement said{precision, {}};
+  for (const Property& p : found.properties) said.properties.push_back({p.name, p.value, p.sentence, p.queries});
+  return said;
 }
 
 // The mutants of an effort: every so manieth, of both kinds where only verdicts are judged.
@@ -144,12 +143,7 @@ std::vector<const mutants::Mutant*> mutants_judged(std::string_view base, bool b
   return judged;
 }
 
-Json no_harness(const std::string& reason) {
-  return {{"reason", reason}, {"judged_by", nullptr}, {"made_of", nullptr},     {"planted", 0},
-          {"exist", 0},       {"queries", 0},         {"score", Json::object()}};
-}
-
-Json harness_score(const Staged& staged, std::string_view base) {
+HarnessStatement harness_score(const Staged& staged, std::string_view base) {
   const bool by_verdict = staged.kernel.exposes == Exposure::verdict;
   std::size_t exist = 0;
   MutationPlan plan;
@@ -174,18 +168,17 @@ Json harness_score(const Staged& staged, std::string_view base) {
     score = mutation_report(plan, found, {}, "axiscert certify", false).data["score"];
     noticed = "caught";
   }
-  Json counts = Json::object();
+  HarnessStatement said;
+  said.judged_by = by_verdict ? "its verdict alone, at the level logic" : "its comparison bits";
+  said.made_of = base;
+  said.planted = plan.mutants.size();
+  said.exist = exist;
+  said.queries = plan.trials;
   for (const auto& [precision, of] : score.items()) {
-    counts[precision] = {{"mutants", of["mutants"]},
-                         {"noticed", of[noticed]},
-                         {"survived", of["survived"]},
-                         {"equivalent", of["equivalent"]}};
+    const auto count = [&](const char* member) { return of[member].template get<std::uint64_t>(); };
+    said.score.put(precision) = {count("mutants"), count(noticed), count("survived"), count("equivalent")};
   }
-  return {
-      {"reason", nullptr}, {"judged_by", by_verdict ? "its verdict alone, at the level logic" : "its comparison bits"},
-      {"made_of", base},   {"planted", plan.mutants.size()},
-      {"exist", exist},    {"queries", plan.trials},
-      {"score", counts}};
+  return said;
 }
 
 }  // namespace
@@ -250,52 +243,55 @@ SearchResult resumable_search(SearchPlan plan, Stages& stages, const std::string
   }
 }
 
-Json search_stage(const Staged& staged, Stages& stages) {
-  Json all = stage_of(staged, Json::object());
-  if (!all["reason"].is_null()) return all;
+SearchesStatement search_stage(const Staged& staged, Stages& stages) {
+  auto all = stage_of<SearchesStatement>(staged);
+  if (all.reason) return all;
   if (!staged.kernel.test->entries[staged.kernel.entry].has_free_numbers) {
-    all["reason"] = fmt::format("the search does not move queries of the entry {} of {}",
-                                staged.kernel.test->entries[staged.kernel.entry].name, staged.kernel.test->id);
+    all.reason = fmt::format("the search does not move queries of the entry {} of {}",
+                             staged.kernel.test->entries[staged.kernel.entry].name, staged.kernel.test->id);
     return all;
   }
   for (const Precision precision : staged.precisions()) {
     const std::string in(name(precision));
     const std::string stage = "search " + in;
-    all["precisions"][in] = stages.get(stage, [&] { return searched(staged, precision, stages, stage); });
+    all.precisions.put(in) =
+        stages.part<SearchedStatement>(stage, [&] { return searched(staged, precision, stages, stage); });
   }
   return all;
 }
 
-Json diagnosis_stage(const Staged& staged, Stages& stages) {
-  Json all = stage_of(staged, Json::array());
-  if (!all["reason"].is_null()) return all;
+DiagnosisStatement diagnosis_stage(const Staged& staged, Stages& stages) {
+  auto all = stage_of<DiagnosisStatement>(staged);
+  if (all.reason) return all;
   for (const Precision precision : staged.precisions()) {
-    all["precisions"].push_back(
-        stages.get(fmt::format("diagnosis {}", name(precision)), [&] { return diagnosed(staged, precision); }));
+    all.precisions.push_back(stages.part<DiagnosedStatement>(fmt::format("diagnosis {}", name(precision)),
+                                                             [&] { return diagnosed(staged, precision); }));
   }
   return all;
 }
 
-Json margin_stage(const Staged& staged, Stages& stages, const Json& search) {
-  Json all = stage_of(staged, Json::array());
-  if (!all["reason"].is_null()) return all;
+SafeMarginStatement margin_stage(const Staged& staged, Stages& stages, const SearchesStatement& search) {
+  auto all = stage_of<SafeMarginStatement>(staged);
+  if (all.reason) return all;
   if (!has_sphere_radius(*staged.kernel.test, staged.kernel.entry)) {
-    all["reason"] = fmt::format("the answer of {} does not depend on one radius", staged.kernel.test->id);
+    all.reason = fmt::format("the answer of {} does not depend on one radius", staged.kernel.test->id);
     return all;
   }
   for (const Precision precision : staged.precisions()) {
-    all["precisions"].push_back(
-        stages.get(fmt::format("margin {}", name(precision)), [&] { return margin_in(staged, search, precision); }));
+    all.precisions.push_back(stages.part<MarginStatement>(fmt::format("margin {}", name(precision)),
+                                                          [&] { return margin_in(staged, search, precision); }));
   }
   return all;
 }
 
-Json harness_stage(const Staged& staged, Stages& stages) {
+HarnessStatement harness_stage(const Staged& staged, Stages& stages) {
   for (const std::string_view base : mutants::bases) {
     if (&mutants::test_of(mutants::base_index(base)) != staged.kernel.test) continue;
-    return stages.get("harness", [&] { return harness_score(staged, base); });
+    return stages.part<HarnessStatement>("harness", [&] { return harness_score(staged, base); });
   }
-  return no_harness(fmt::format("no kernel of {} has faults to plant", staged.kernel.test->id));
+  HarnessStatement none;
+  none.reason = fmt::format("no kernel of {} has faults to plant", staged.kernel.test->id);
+  return none;
 }
 
 }  // namespace axiscert

@@ -1,5 +1,5 @@
 // The stages of a certificate besides its run: each asks something else of the kernel, and gives its part of the
-// certificate's predicate as JSON without fractions.
+// certificate's predicate.
 #pragma once
 
 #include <atomic>
@@ -11,6 +11,7 @@
 #include "cli/running/run_output.h"
 #include "fuzz/certify/effort.h"
 #include "fuzz/search/search.h"
+#include "reports/certificate/statement/certificate_data.h"
 
 namespace axiscert {
 
@@ -24,6 +25,10 @@ class Stages {
   Stages(const OutputFolder& folder, const std::string& path, const std::string& plan_digest, bool resume);
   // The part of this name: as it was done, or made now.
   Json get(const std::string& name, const std::function<Json()>& make);
+  template <class Part>
+  Part part(const std::string& name, const std::function<Part()>& make) {
+    return read_as<Part>(get(name, [&] { return json_of(make()); }));
+  }
   // The state of a part that is not done yet, from which it goes on; empty where none was kept.
   std::optional<std::string> state(const std::string& name) const;
   void keep_state(const std::string& name, const std::string& state);
@@ -50,10 +55,10 @@ SearchResult resumable_search(SearchPlan plan, Stages& stages, const std::string
                               const std::atomic<bool>& interrupted,
                               const std::function<void(const SearchProgress&)>& report);
 
-Json search_stage(const Staged& staged, Stages& stages);
-Json diagnosis_stage(const Staged& staged, Stages& stages);
+SearchesStatement search_stage(const Staged& staged, Stages& stages);
+DiagnosisStatement diagnosis_stage(const Staged& staged, Stages& stages);
 // After the search, whose finds are asked too.
-Json margin_stage(const Staged& staged, Stages& stages, const Json& search);
-Json harness_stage(const Staged& staged, Stages& stages);
+SafeMarginStatement margin_stage(const Staged& staged, Stages& stages, const SearchesStatement& search);
+HarnessStatement harness_stage(const Staged& staged, Stages& stages);
 
 }  // namespace axiscert

@@ -33,21 +33,18 @@ namespace axiscert {
 namespace {
 
 // The claim of the replies, as the certificate has it: reply_plan holds it to what they are.
-ReplyOptions with_claim(ReplyOptions options, const Json& predicate) {
-  const Json& plan = predicate["materials"]["plan"]["plan"];
+ReplyOptions with_claim(ReplyOptions options, const CertificatePredicate& predicate) {
+  const Json& plan = predicate.materials.plan.plan.json;
   const Json claim = plan.value("replies", Json::object());
   const auto text_of = [&](const char* member) {
     const Json text = claim.is_object() ? claim.value(member, Json()) : Json();
     return text.is_string() ? text.get<std::string>() : "";
   };
-  options.id = predicate["kernel"]["id"].get<std::string>();
-  options.touching = predicate["kernel"]["touching"].get<std::string>();
-  if (std::find(touching_names.begin(), touching_names.end(), options.touching) == touching_names.end())
-    throw Error(fmt::format("the certificate says of a touching sphere {}, which is no answer",
-                            axiscert::shown(options.touching)));
+  options.id = predicate.kernel.id;
+  options.touching = name(predicate.kernel.touching);
   options.claim.conforms_to = text_of("conforms_to");
   options.claim.formulae = text_of("formulae");
-  options.may_decline = predicate["kernel"]["may_decline"];
+  options.may_decline = predicate.kernel.may_decline;
   return options;
 }
 
@@ -59,28 +56,28 @@ struct PlanHere {
 };
 
 PlanHere plan_here(const Certificate& certificate, const VerifyOptions& options, const std::string& id) {
-  const Json &predicate = certificate.predicate(), &materials = predicate["materials"];
+  const CertificatePredicate& predicate = certificate.predicate();
+  const MaterialsStatement& materials = predicate.materials;
   PlanHere here;
   Json json;
-  if (predicate["kernel"]["kind"] == "replies") {
+  if (predicate.kernel.kind == KernelKind::replies) {
     here.replies = reply_plan(with_claim(options.replies, predicate));
     here.plan = here.replies.plan;
     here.units_each = Stretches::default_units_each(here.plan.questions);
     json = json_of(plan_record(here.plan));
   } else {
-    const PlanFile file =
-        certified_plan({id, predicate["asked"]["effort"], predicate["asked"]["seed"].get<std::uint64_t>(),
-                        options.replies.meshes, options.threads});
+    const PlanFile file = certified_plan(
+        {id, predicate.asked.effort, predicate.asked.seed.value, options.replies.meshes, options.threads});
     here.plan = plan_of(file);
     here.units_each = file.units_each;
     json = file.json["plan"];
   }
-  const std::string differs = difference(Json::parse(canonical_json(portable_plan(json))), materials["plan"]["plan"]);
-  if (!differs.empty() || here.units_each != materials["plan"]["units_per_stretch"].get<std::uint64_t>()) {
+  const std::string differs = difference(Json::parse(canonical_json(portable_plan(json))), materials.plan.plan.json);
+  if (!differs.empty() || here.units_each != materials.plan.units_per_stretch.value) {
     throw Error(fmt::format(
         "{}: cannot be rechecked here: it was made by axiscert {}, sources {:.16}, and this is {}, {:.16}{}",
-        options.certificate, axiscert::shown(materials["axiscert"]["version"].get<std::string>()),
-        materials["axiscert"]["sources"].get<std::string>(), axiscert_version, source_digests().sources,
+        options.certificate, axiscert::shown(materials.axiscert.version), materials.axiscert.sources, axiscert_version,
+        source_digests().sources,
         differs.empty() ? ""
                         : fmt::format("; here {} (files of its plan are given by --mesh and --queries)", differs)));
   }
@@ -92,9 +89,9 @@ PlanHere plan_here(const Certificate& certificate, const VerifyOptions& options,
 
 // The stretches that are taken: whoever made the certificate does not know which.
 std::vector<std::uint64_t> sample_taken(const Certificate& certificate, double share, std::uint64_t nonce) {
-  std::vector<std::uint64_t> numbers(certificate.predicate()["materials"]["tallies"].size());
+  std::vector<std::uint64_t> numbers(certificate.predicate().materials.tallies.size());
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = i;
-  const std::string text = fmt::format("{} {}", certificate.digest(), nonce);
+  const std::string text = fmt::format("{} {}", certificate.predicate().digest, nonce);
   const auto mixed = sha256(std::as_bytes(std::span(text)));
   std::uint64_t seed = 0;
   for (std::size_t i = 0; i < 8; ++i) seed = seed << 8 | static_cast<std::uint64_t>(mixed[i]);
@@ -102,34 +99,35 @@ std::vector<std::uint64_t> sample_taken(const Certificate& certificate, double s
 }
 
 // How a stretch that was done again differs from what is stated of it; empty where it does not.
-std::string difference_of_tally(const Json& stated, const Json& again, const std::vector<const Kernel*>& kernels) {
+std::string difference_of_tally(const TallyMaterial& stated, const TallyMaterial& again,
+                                const std::vector<const Kernel*>& kernels) {
   for (std::size_t k = 0; k < kernels.size(); ++k) {
-    const std::string who = fmt::format("the tally of {} on {}", kernels[k]->id, again["of"].get<std::string>());
-    if (canonical_json(stated["counts"][k]) != canonical_json(again["counts"][k])) {
-      const std::string differs = difference(Json::parse(canonical_json(again["counts"][k])), stated["counts"][k]);
+    const std::string who = fmt::format("the tally of {} on {}", kernels[k]->id, again.of);
+    const Json &said = stated.counts[k].json, &here = again.counts[k].json;
+    if (canonical_json(said) != canonical_json(here)) {
+      const std::string differs = difference(Json::parse(canonical_json(here)), said);
       return fmt::format("{} has other counts: here {}", who, differs);
     }
-    if (stated["sha256"][k] != again["sha256"][k]) {
-      return fmt::format("{} has the digest {:.16} here, and {:.16} in it", who, again["sha256"][k].get<std::string>(),
-                         stated["sha256"][k].get<std::string>());
+    if (stated.sha256[k] != again.sha256[k]) {
+      return fmt::format("{} has the digest {:.16} here, and {:.16} in it", who, again.sha256[k], stated.sha256[k]);
     }
   }
   return "";
 }
 
 // A kernel's entry in the certificate; the first kernel has another id there.
-const Json& stated_entry(const Json& predicate, const std::vector<const Kernel*>& kernels, std::size_t k,
-                         Precision precision) {
-  const Json& plan_stated = predicate["materials"]["plan"]["plan"]["kernels"];
-  for (const Json& entry : predicate["materials"]["kernels"]) {
-    if (entry["id"] == plan_stated[k] && entry["precision"] == name(precision)) return entry;
+const KernelMaterial& stated_entry(const CertificatePredicate& predicate, const std::vector<const Kernel*>& kernels,
+                                   std::size_t k, Precision precision) {
+  const std::string id = predicate.materials.plan.plan.json["kernels"][k];
+  for (const KernelMaterial& entry : predicate.materials.kernels) {
+    if (entry.id == id && entry.precision == precision) return entry;
   }
   throw NotValid(fmt::format("it has no counts of {} in {}", kernels[k]->id, name(precision)));
 }
 
 // Compares what each kernel says of itself, as it was loaded here, and how many triangles its queries share: levels
 // rest on both.
-void recheck_entries(const Json& predicate, const Questions& questions, const Answerers& answerers,
+void recheck_entries(const CertificatePredicate& predicate, const Questions& questions, const Answerers& answerers,
                      std::vector<std::string>& differences) {
   const auto add = [&](const std::vector<std::string>& found) {
     differences.insert(differences.end(), found.begin(), found.end());
@@ -139,10 +137,10 @@ void recheck_entries(const Json& predicate, const Questions& questions, const An
     std::vector<FindingRecord> found;
     Json stated_findings = Json::array();
     put_loading_findings(found, *kernels[k]);
-    for (const Json& finding : predicate["materials"]["findings"]) {
-      const Json& id = predicate["materials"]["plan"]["plan"]["kernels"][k];
-      const bool is_its = finding["kernel"] == id || (k == 0 && finding["kernel"] == predicate["kernel"]["id"]);
-      if (is_its && finding["family"].is_null()) stated_findings.push_back(finding["detail"]);
+    const std::string id = predicate.materials.plan.plan.json["kernels"][k];
+    for (const FindingMaterial& finding : predicate.materials.findings) {
+      const bool is_its = finding.kernel == id || (k == 0 && finding.kernel == predicate.kernel.id);
+      if (is_its && !finding.family) stated_findings.push_back(json_of(finding.detail));
     }
     Json details = Json::array();
     for (const FindingRecord& finding : found) details.push_back(finding.detail);
@@ -160,7 +158,7 @@ void recheck_entries(const Json& predicate, const Questions& questions, const An
 }
 
 // Asks about the images of each family of the sample again. Returns how many families those are.
-std::size_t recheck_images(const Json& predicate, const Plan& plan, const Stretches& stretches,
+std::size_t recheck_images(const CertificatePredicate& predicate, const Plan& plan, const Stretches& stretches,
                            const std::vector<std::uint64_t>& sample, std::vector<std::string>& differences) {
   const auto& [questions, answerers, judging, running] = plan;
   const std::vector<const Kernel*>& kernels = answerers.kernels;
@@ -177,8 +175,9 @@ std::size_t recheck_images(const Json& predicate, const Plan& plan, const Stretc
       const auto asymmetry = asymmetry_of(of, cell.queries, *kernels[k], answerers.replies.get(), running);
       if (!asymmetry) continue;
       const Json here = without_fractions(json_of(invariance_of(of, *asymmetry)));
-      const Json stated =
-          stated_entry(predicate, kernels, k, cell.precision)["families"][of.source.name()]["invariance"];
+      const FamilyMaterial* family =
+          stated_entry(predicate, kernels, k, cell.precision).families.find(of.source.name());
+      const Json stated = family && family->invariance ? family->invariance->json : Json();
       if (canonical_json(here) == canonical_json(stated)) continue;
       differences.push_back(fmt::format("the images of {} in {}, asked of {}, come to something else: here {}",
                                         of.source.name(), name(cell.precision), kernels[k]->id,
@@ -189,7 +188,7 @@ std::size_t recheck_images(const Json& predicate, const Plan& plan, const Stretc
 }
 
 // Compares what of a critical radius does not add up by stretch; the result is of all stretches.
-void recheck_radii(const Json& predicate, const std::vector<Precision>& precisions,
+void recheck_radii(const CertificatePredicate& predicate, const std::vector<Precision>& precisions,
                    const std::vector<const Kernel*>& kernels, const CampaignResult& result,
                    std::vector<std::string>& differences) {
   for (std::size_t k = 0; k < kernels.size(); ++k) {
@@ -200,7 +199,7 @@ void recheck_radii(const Json& predicate, const std::vector<Precision>& precisio
         if (cell.precision == precision) merge_fields(radii, cell.tallies[k].critical_radius);
       }
       const Json here = without_fractions(json_of(summary_of(std::move(radii))));
-      const Json& stated = stated_entry(predicate, kernels, k, precision)["critical_radius"];
+      const Json& stated = stated_entry(predicate, kernels, k, precision).declared.at("critical_radius");
       if (canonical_json(here) == canonical_json(stated)) continue;
       differences.push_back(fmt::format("the critical radius of {} in {}: here {}", kernels[k]->id, name(precision),
                                         difference(Json::parse(canonical_json(here)), stated)));
@@ -222,13 +221,13 @@ double recheck_share(const std::string& given) {
 }
 
 void recheck_certificate(const Certificate& certificate, const VerifyOptions& options, const std::string& id) {
-  const Json& predicate = certificate.predicate();
-  const Json& tallies = predicate["materials"]["tallies"];
+  const CertificatePredicate& predicate = certificate.predicate();
+  const std::vector<TallyMaterial>& tallies = predicate.materials.tallies;
   const std::uint64_t nonce = options.recheck_seed ? *options.recheck_seed : std::random_device()();
   const std::vector<std::uint64_t> sample = sample_taken(certificate, recheck_share(options.recheck), nonce);
   fmt::print("recheck: will {} {} on {} of {} stretches of its plan, on this machine\n",
-             predicate["kernel"]["kind"] != "replies" ? "run" : "judge the replies of",
-             predicate["kernel"]["kind"] != "replies" ? id : axiscert::shown(id), sample.size(), tallies.size());
+             predicate.kernel.kind != KernelKind::replies ? "run" : "judge the replies of",
+             predicate.kernel.kind != KernelKind::replies ? id : axiscert::shown(id), sample.size(), tallies.size());
   std::fflush(stdout);
 
   const PlanHere here = plan_here(certificate, options, id);
@@ -247,7 +246,7 @@ void recheck_certificate(const Certificate& certificate, const VerifyOptions& op
     const std::atomic<bool>& interrupted = watch_for_interrupts();
     run_stretches(here.plan, stretches, sample, interrupted, progress.report(), [&](const Entry& entry) {
       std::string differs =
-          difference_of_tally(tallies[entry.stretch], stretch_json(kernels, stretches, entry), kernels);
+          difference_of_tally(tallies[entry.stretch], tally_of_stretch(kernels, stretches, entry), kernels);
       if (!differs.empty()) differences.push_back(std::move(differs));
       if (is_whole) gathered.add(entry);
       ++done;

@@ -38,9 +38,9 @@ bool is_built_in(const std::string& id) {
 
 // The subjects of the kernel that was given, by its files alone: nothing is loaded or started. Sets the id by which it
 // could be loaded.
-Json subjects_given(const std::string& given, std::string& id) {
+std::vector<SubjectStatement> subjects_given(const std::string& given, std::string& id) {
   id = given;
-  if (is_built_in(given)) return Json::array({built_in_subject(given)});
+  if (is_built_in(given)) return {built_in_subject(given)};
   std::string path = given;
   std::error_code ignored;
   if (const auto known = plugin::plugin_path(given)) path = *known;
@@ -53,52 +53,48 @@ Json subjects_given(const std::string& given, std::string& id) {
                     given));
   }
   if (plugin::is_program(id, path)) return subjects_of(plugin::load_program(id, path));  // which starts nothing
-  return Json::array({file_subject(path, "plugin")});
+  return {file_subject(path, "plugin")};
 }
 
-std::string digest_in(const Json& subject) { return subject["digest"]["sha256"]; }
-
-void require_subjects(const Json& stated, const Json& given, const std::string& kernel, const std::string& name) {
-  for (const Json& subject : stated) {
-    const auto is_same = [&](const Json& other) {
-      return other["annotations"]["what"] == subject["annotations"]["what"];
-    };
+void require_subjects(const std::vector<SubjectStatement>& stated, const std::vector<SubjectStatement>& given,
+                      const std::string& kernel, const std::string& name) {
+  for (const SubjectStatement& subject : stated) {
+    const std::string& what = subject.annotations.what;
+    const auto is_same = [&](const SubjectStatement& other) { return other.annotations.what == what; };
     const auto found = std::find_if(given.begin(), given.end(), is_same);
-    const std::string what = subject["annotations"]["what"];
     if (found == given.end()) {
       throw NotValid(fmt::format("{}: it is about another kernel: {} has no {}, and the certificate's is {}", name,
-                                 kernel, what, axiscert::shown(subject["name"].get<std::string>())));
+                                 kernel, what, axiscert::shown(subject.name)));
     }
     // Built-in kernels are made of the same sources.
-    if (what == "built-in" && (*found)["name"] != subject["name"]) {
-      throw NotValid(fmt::format("{}: it is about another kernel: about {}, not {}", name,
-                                 axiscert::shown(subject["name"].get<std::string>()), kernel));
+    if (what == "built-in" && found->name != subject.name) {
+      throw NotValid(
+          fmt::format("{}: it is about another kernel: about {}, not {}", name, axiscert::shown(subject.name), kernel));
     }
-    if (digest_in(*found) == digest_in(subject)) continue;
+    if (found->digest.sha256 == subject.digest.sha256) continue;
     throw NotValid(fmt::format("{}: it is about another kernel: the {} of {} has the SHA-256 {}, the certificate's {}",
-                               name, what, kernel, digest_in(*found), digest_in(subject)));
+                               name, what, kernel, found->digest.sha256, subject.digest.sha256));
   }
   if (given.size() > stated.size())
     throw NotValid(fmt::format("{}: it is about another kernel: {} has more files than it", name, kernel));
 }
 
 void require_plan_digest(const Certificate& certificate, const std::string& name) {
-  const Json& plan = certificate.predicate()["materials"]["plan"];
-  const std::string digest = digest_of_json(plan["plan"]);
-  if (plan["digest"] == digest) return;
-  throw NotValid(fmt::format("{}: the digest of its plan is {}, but it states {}", name, digest,
-                             plan["digest"].get<std::string>()));
+  const PlanMaterial& plan = certificate.predicate().materials.plan;
+  const std::string digest = digest_of_json(plan.plan.json);
+  if (plan.digest == digest) return;
+  throw NotValid(fmt::format("{}: the digest of its plan is {}, but it states {}", name, digest, plan.digest));
 }
 
 // The signature with the key that was given, and what the predicate says of the signer. Returns what is to be said.
 std::string signature_said(const Certificate& certificate, const std::optional<SigningKey>& key,
                            const VerifyOptions& options) {
-  const Json& predicate = certificate.predicate();
+  const CertificatePredicate& predicate = certificate.predicate();
   const std::string& name = options.certificate;
   if (key && !certificate.envelope)
     throw NotValid(fmt::format("{}: it is not signed, and --key {} asks for a signature", name, options.key));
   if (key) require_signature(*certificate.envelope, *key, name);
-  if (certificate.envelope.has_value() == predicate["signed_by"].is_null()) {
+  if (certificate.envelope.has_value() != predicate.signed_by.has_value()) {
     throw NotValid(certificate.envelope
                        ? fmt::format("{}: it is in an envelope, and names no signer", name)
                        : fmt::format("{}: it is said to be {}, and is not signed", name, signer_sentence(predicate)));
@@ -107,22 +103,23 @@ std::string signature_said(const Certificate& certificate, const std::optional<S
     if (!certificate.envelope) return "none: anybody may have written it";
     return fmt::format("NOT CHECKED: it is said to be {}; give the public key with --key", signer_sentence(predicate));
   }
-  if (predicate["signed_by"] != key->id()) {
+  if (*predicate.signed_by != key->id()) {
     throw NotValid(fmt::format("{}: it is signed by the key {}, and names another signer, {}", name, key->id(),
-                               axiscert::shown(predicate["signed_by"].dump())));
+                               axiscert::shown(Json(*predicate.signed_by).dump())));
   }
-  return fmt::format("by the key {}, at {}", key->id(),
-                     predicate["signed_at"].is_null() ? "no stated time" : predicate["signed_at"].get<std::string>());
+  return fmt::format("by the key {}, at {}", key->id(), predicate.signed_at.value_or("no stated time"));
 }
 
 // The kind of the kernel has to be that of its files.
 void require_kind(const Certificate& certificate, const std::string& name) {
-  const std::string kind = certificate.predicate()["kernel"]["kind"];
-  for (const Json& subject : certificate.statement["subject"]) {
-    const std::string what = subject["annotations"]["what"];
-    for (const char* one : {"replies", "built-in"}) {
-      if ((kind == one) != (what == one))
-        throw NotValid(fmt::format("{}: its kernel is said to be {}, and its subject is {}", name, kind, what));
+  const KernelKind kind = certificate.predicate().kernel.kind;
+  for (const SubjectStatement& subject : certificate.statement.subject) {
+    const std::string& what = subject.annotations.what;
+    for (const KernelKind one : {KernelKind::replies, KernelKind::built_in}) {
+      if ((kind == one) != (what == axiscert::name(one))) {
+        throw NotValid(
+            fmt::format("{}: its kernel is said to be {}, and its subject is {}", name, axiscert::name(kind), what));
+      }
     }
   }
 }
@@ -158,30 +155,28 @@ struct CheckedPlan {
 };
 
 // Holds the plan to the one that this axiscert makes of kernel, effort and seed, without the kernel.
-CheckedPlan checked_plan(const Json& predicate, const VerifyOptions& options) {
+CheckedPlan checked_plan(const CertificatePredicate& predicate, const VerifyOptions& options) {
   const std::string& name = options.certificate;
-  const Json &kernel = predicate["kernel"], &stated = predicate["materials"]["plan"]["plan"];
-  if (kernel["kind"] == "replies") return {"that of the replies, which is what their program was asked"};
+  const KernelStatement& kernel = predicate.kernel;
+  const Json& stated = predicate.materials.plan.plan.json;
+  if (kernel.kind == KernelKind::replies) return {"that of the replies, which is what their program was asked"};
   if (!is_made_by_this(predicate))
     return {"NOT CHECKED: made by another axiscert, whose families and numbers may be others", false};
-  const TestDescription& test = find_test(kernel["test"].get<std::string>());
-  const auto entry = std::ranges::find(test.entries, kernel["entry"].get<std::string>(), &TestEntry::name);
+  const TestDescription& test = find_test(kernel.test);
+  const auto entry = std::ranges::find(test.entries, std::string(kernel.entry), &TestEntry::name);
   if (entry == test.entries.end())
-    throw NotValid(
-        fmt::format("{}: {} has no entry {}", name, test.id, axiscert::shown(kernel["entry"].get<std::string>())));
-  AbsentKernel absent{&test, static_cast<std::size_t>(entry - test.entries.begin()), {}, kernel["kind"] != "built-in"};
-  for (const Json& precision : kernel["precisions"])
-    absent.precisions.push_back(parse_precision(precision.get<std::string>()));
-  PlanOfAbsent made = certified_plan_of({kernel["id"], predicate["asked"]["effort"],
-                                         stated["seed"].get<std::uint64_t>(), options.replies.meshes, options.threads},
-                                        absent);
+    throw NotValid(fmt::format("{}: {} has no entry {}", name, test.id, axiscert::shown(kernel.entry)));
+  AbsentKernel absent{&test, static_cast<std::size_t>(entry - test.entries.begin()), kernel.precisions,
+                      kernel.kind != KernelKind::built_in};
+  PlanOfAbsent made = certified_plan_of(
+      {kernel.id, predicate.asked.effort, stated["seed"].get<std::uint64_t>(), options.replies.meshes, options.threads},
+      absent);
   const bool has_meshes = without_meshes(stated) != stated, is_without = has_meshes && options.replies.meshes.empty();
   const std::string differs =
       difference(Json::parse(canonical_json(portable_plan(made.json))), is_without ? without_meshes(stated) : stated);
   if (!differs.empty()) {
-    throw NotValid(fmt::format("{}: its plan is not that of effort {}: here {}{}", name,
-                               predicate["asked"]["effort"].get<std::string>(), differs,
-                               has_meshes ? " (its meshes are given by --mesh)" : ""));
+    throw NotValid(fmt::format("{}: its plan is not that of effort {}: here {}{}", name, predicate.asked.effort,
+                               differs, has_meshes ? " (its meshes are given by --mesh)" : ""));
   }
   const char* const meshes = is_without ? "; its meshes NOT CHECKED: give them with --mesh" : "";
   return {fmt::format("that of its effort and seed{}", meshes), true, std::move(made.questions)};
@@ -193,22 +188,21 @@ struct CheckedPromises {
 };
 
 // Holds what is stated of the built-in kernels to what those of this axiscert declare, where it is of the same version.
-CheckedPromises checked_promises(const Json& predicate, const std::string& name) {
-  if (predicate["materials"]["axiscert"]["version"] != axiscert_version)
+CheckedPromises checked_promises(const CertificatePredicate& predicate, const std::string& name) {
+  if (predicate.materials.axiscert.version != axiscert_version)
     return {"NOT COMPARED: made by another version, whose kernels may declare something else", false};
-  const Json& stated_ids = predicate["materials"]["plan"]["plan"]["kernels"];
+  const std::vector<std::string> stated_ids = predicate.materials.plan.plan.json["kernels"];
   std::vector<std::string> compared, others, differences;
   for (std::size_t k = 0; k < stated_ids.size(); ++k) {
-    const std::string id = k == 0 ? predicate["kernel"]["id"] : stated_ids[k];
+    const std::string& id = k == 0 ? predicate.kernel.id : stated_ids[k];
     if (!is_built_in(id)) {
       others.push_back(axiscert::shown(id));
       continue;
     }
     const Kernel& kernel = find_kernel(id);
-    for (const Json& entry : predicate["materials"]["kernels"]) {
-      if (entry["id"] != stated_ids[k]) continue;
-      const Precision precision = parse_precision(entry["precision"].get<std::string>());
-      for (std::string& differs : declared_differences(entry, {}, kernel, precision))
+    for (const KernelMaterial& entry : predicate.materials.kernels) {
+      if (entry.id != stated_ids[k]) continue;
+      for (std::string& differs : declared_differences(entry, {}, kernel, entry.precision))
         differences.push_back(std::move(differs));
     }
     compared.push_back(id);
@@ -222,44 +216,44 @@ CheckedPromises checked_promises(const Json& predicate, const std::string& name)
 }
 
 // A file with the id of a built-in kernel would have what is proved of that.
-void require_own_id(const Json& predicate, const std::string& name) {
-  const std::string kind = predicate["kernel"]["kind"], id = predicate["kernel"]["id"];
-  if (kind != "built-in" && is_built_in(id))
-    throw NotValid(fmt::format("{}: its kernel is of kind {}, and has the id of a built-in one, {}", name, kind,
-                               axiscert::shown(id)));
+void require_own_id(const KernelStatement& kernel, const std::string& name) {
+  if (kernel.kind != KernelKind::built_in && is_built_in(kernel.id))
+    throw NotValid(fmt::format("{}: its kernel is of kind {}, and has the id of a built-in one, {}", name,
+                               axiscert::name(kernel.kind), axiscert::shown(kernel.id)));
 }
 
 // Whether the kernel that was given is the one. Returns what is to be said; sets the id by which it could be run.
 std::string kernel_said(const Certificate& certificate, const VerifyOptions& options, std::string& id) {
-  const Json &predicate = certificate.predicate(), &stated_subjects = certificate.statement["subject"];
-  const std::string kind = predicate["kernel"]["kind"], stated_id = predicate["kernel"]["id"];
+  const std::vector<SubjectStatement>& stated_subjects = certificate.statement.subject;
+  const KernelKind kind = certificate.predicate().kernel.kind;
+  const std::string& stated_id = certificate.predicate().kernel.id;
   const std::string& name = options.certificate;
   std::string given = options.kernel;
-  if (given.empty() && kind == "built-in") given = stated_id;
+  if (given.empty() && kind == KernelKind::built_in) given = stated_id;
   if (!options.replies.replies.empty()) {
     // The names of the files are not what counts.
     std::vector<std::string> here, stated;
-    for (const std::string& path : options.replies.replies) here.push_back(digest_in(file_subject(path, "replies")));
-    for (const Json& subject : stated_subjects) stated.push_back(digest_in(subject));
+    for (const std::string& path : options.replies.replies) here.push_back(file_subject(path, "replies").digest.sha256);
+    for (const SubjectStatement& subject : stated_subjects) stated.push_back(subject.digest.sha256);
     if (here != stated)
       throw NotValid(
           fmt::format("{}: it is about other replies than {}", name, fmt::join(options.replies.replies, ", ")));
     id = stated_id;
     return "the replies are those";
   }
-  if (given.empty()) return fmt::format("NOT CHECKED: give it with {}", kind == "replies" ? "--replies" : "--kernel");
-  if (kind == "built-in" && options.kernel.empty() && !is_built_in(given))
+  if (given.empty())
+    return fmt::format("NOT CHECKED: give it with {}", kind == KernelKind::replies ? "--replies" : "--kernel");
+  if (kind == KernelKind::built_in && options.kernel.empty() && !is_built_in(given))
     throw NotValid(fmt::format("{}: this axiscert has no kernel {}", name, axiscert::shown(given)));
   require_subjects(stated_subjects, subjects_given(given, id), given, name);
   return fmt::format("{} is the one", given);
 }
 
-std::string axiscert_said(const Json& predicate) {
-  const Json& axiscert = predicate["materials"]["axiscert"];
+std::string axiscert_said(const CertificatePredicate& predicate) {
+  const AxiscertMaterial& made_by = predicate.materials.axiscert;
   if (is_made_by_this(predicate)) return "made by this version";
-  return fmt::format("made by {}, sources {:.16}; this is {}, {:.16}",
-                     axiscert::shown(axiscert["version"].get<std::string>()), axiscert["sources"].get<std::string>(),
-                     axiscert_version, source_digests().sources);
+  return fmt::format("made by {}, sources {:.16}; this is {}, {:.16}", axiscert::shown(made_by.version),
+                     made_by.sources, axiscert_version, source_digests().sources);
 }
 
 int verify_or_throw(const VerifyOptions& options) {
@@ -268,22 +262,21 @@ int verify_or_throw(const VerifyOptions& options) {
   if (!options.key.empty()) key = SigningKey::public_from(options.key);
   const std::string& name = options.certificate;
   const Certificate certificate = read_certificate_file(name);
-  const Json& predicate = certificate.predicate();
+  const CertificatePredicate& predicate = certificate.predicate();
   const std::string signature = signature_said(certificate, key, options);
   require_kind(certificate, name);
   require_plan_digest(certificate, name);
   stretches_of(predicate, name);  // its plan is one
   require_effort(predicate, name);
   const CheckedPlan plan = checked_plan(predicate, options);
-  require_own_id(predicate, name);
+  require_own_id(predicate.kernel, name);
   // Its levels are said by its counts here, whoever made it.
   const Record record = require_derived(predicate, name);
-  Json derived = predicate;
-  derived.update(derived_members(predicate, record));
+  const CertificatePredicate derived = derived_predicate(predicate, record);
   if (plan.here) require_none(triangle_differences(predicate, *plan.here), name);
   const CheckedPromises promises = checked_promises(predicate, name);
 
-  fmt::print("digest: {}\nsignature: {}\n", certificate.digest(), signature);
+  fmt::print("digest: {}\nsignature: {}\n", predicate.digest, signature);
   const std::string no_answers = no_answers_sentence(derived);
   if (!no_answers.empty()) fmt::print("kernel: {}\n", no_answers);
   fmt::print("certificate: {}\nasked: {}\nanswers: {}\n", made_sentence(predicate), asked_sentence(predicate),
@@ -294,7 +287,7 @@ int verify_or_throw(const VerifyOptions& options) {
   fmt::print(
       "counts: of all {} stretches of the plan; levels, numbers of queries, comparison and safe margin agree with "
       "them\n",
-      thousands(predicate["materials"]["tallies"].size()));
+      thousands(predicate.materials.tallies.size()));
   fmt::print(
       "stated, and in no count: the search, the growths of the safe margin, the diagnosis, the planted faults, the "
       "witnesses{}\n",
@@ -305,17 +298,18 @@ int verify_or_throw(const VerifyOptions& options) {
                 promises.are_all_compared ? "" : " and promises NOT COMPARED")
           : "");
   if (!options.recheck.empty()) {
-    if (predicate["kernel"]["kind"] == "replies" && options.replies.replies.empty())
+    if (predicate.kernel.kind == KernelKind::replies && options.replies.replies.empty())
       throw Error("--recheck: give the replies that are to be judged again with --replies");
     if (id.empty()) {
       throw Error(fmt::format("--recheck: give the kernel that is to be run, {}, with --kernel",
-                              axiscert::shown(predicate["kernel"]["id"].get<std::string>())));
+                              axiscert::shown(predicate.kernel.id)));
     }
     recheck_certificate(certificate, options, id);
   }
   for (const char* level : {"exact", "conservative", "logic"}) {
-    const std::string state = state_of_level(derived, level);
-    fmt::print("{}: {}\n", state == "met" ? claim_of_level(derived, level) + decided_text(derived) : level, state);
+    const LevelState state = state_of_level(derived, level);
+    fmt::print("{}: {}\n", state == LevelState::met ? claim_of_level(derived, level) + decided_text(derived) : level,
+               axiscert::name(state));
   }
   fmt::print("VALID{}\n",
              plan.is_checked ? "" : " as far as it could be checked: its plan, and its words, are another axiscert's");

@@ -10,22 +10,9 @@
 #include "kernel/base/sha256.h"
 #include "kernel/base/version.h"
 #include "reports/certificate/statement/canonical.h"
-#include "reports/page/embedded.h"
-#include "reports/run_folder/schema.h"
 
 namespace axiscert {
 namespace {
-
-std::string digest_without_itself(Json statement) {
-  statement["predicate"].erase("digest");
-  const std::string text = canonical_json(statement);
-  return sha256_hex(std::as_bytes(std::span(text)));
-}
-
-std::optional<std::string> certificate_fault(const Json& statement) {
-  static const Json schema = Json::parse(embedded::certificate_schema_json);
-  return schema_fault(schema, statement);
-}
 
 // Whether it is a certificate of axiscert at all, and of the version that is read here.
 void require_kind(const Json& statement, const std::string& name) {
@@ -33,12 +20,12 @@ void require_kind(const Json& statement, const std::string& name) {
   if (!statement.is_object() || !is_text("_type") || !is_text("predicateType")) {
     throw Error(fmt::format("{}: is no certificate: `axiscert certify KERNEL` writes one", name));
   }
-  if (statement["_type"] != statement_schema) {
+  if (statement["_type"] != InToto::format) {
     throw Error(fmt::format("{}: its _type is {}; a certificate is a Statement of in-toto, {}", name,
-                            shown(statement["_type"].dump()), statement_schema));
+                            shown(statement["_type"].dump()), InToto::format));
   }
   const std::string type = statement["predicateType"];
-  const std::string_view known = certificate_type;
+  const std::string_view known = CertificateType::format;
   if (type == known) return;
   if (type.starts_with(known.substr(0, known.rfind(':') + 1))) {
     throw Error(
@@ -51,31 +38,35 @@ void require_kind(const Json& statement, const std::string& name) {
 
 }  // namespace
 
-Json with_digest(Json statement) {
-  statement["predicate"]["digest"] = digest_without_itself(statement);
-  return statement;
+std::string digest_without_itself(Json statement) {
+  statement["predicate"].erase("digest");
+  const std::string text = canonical_json(statement);
+  return sha256_hex(std::as_bytes(std::span(text)));
 }
 
-std::string certificate_text(const Json& statement, const SigningKey* key) {
-  if (const auto fault = certificate_fault(statement))
-    throw HarnessFault(fmt::format("the certificate does not conform to its schema: {}", *fault));
-  std::string text = canonical_json(statement);
+std::string certificate_text(const CertificateStatement& statement, const SigningKey* key) {
+  const Json json = json_of(statement);
+  try {
+    read_as<CertificateStatement>(json);
+  } catch (const JsonFault& fault) {
+    throw HarnessFault(fmt::format("the certificate does not conform to its schema: {}", fault.what()));
+  }
+  std::string text = canonical_json(json);
   return key == nullptr ? text + "\n" : envelope_text(signed_envelope(std::move(text), *key));
 }
 
 Certificate read_certificate(std::string_view bytes, const std::string& name) {
   Certificate read;
   std::string written(bytes);
-  read.statement = strict_json(bytes, name, most_certificate_bytes);
-  if (is_envelope(read.statement)) {
-    read.envelope = read_envelope(read.statement, name);
+  Json statement = strict_json(bytes, name, most_certificate_bytes);
+  if (is_envelope(statement)) {
+    read.envelope = read_envelope(statement, name);
     written = read.envelope->payload;
-    read.statement = strict_json(written, name + ", the payload", most_certificate_bytes);
+    statement = strict_json(written, name + ", the payload", most_certificate_bytes);
   } else if (written.ends_with('\n')) {
     written.pop_back();
   }
-  require_kind(read.statement, name);
-  const Json& statement = read.statement;
+  require_kind(statement, name);
   const Json predicate = statement.value("predicate", Json());
   if (!predicate.is_object() || !predicate.contains("digest") || !predicate["digest"].is_string())
     throw Error(fmt::format("{}: the certificate states no digest of itself", name));
@@ -88,8 +79,11 @@ Certificate read_certificate(std::string_view bytes, const std::string& name) {
     throw NotValid(fmt::format(
         "{}: it was changed after it was written: the members are the same, and other bytes between them", name));
   }
-  if (const auto fault = certificate_fault(statement))
-    throw Error(fmt::format("{}: does not conform to {}: {}", name, certificate_schema, *fault));
+  try {
+    read.statement = read_as<CertificateStatement>(statement);
+  } catch (const JsonFault& fault) {
+    throw Error(fmt::format("{}: does not conform to {}: {}", name, CertificatePredicate::format, fault.what()));
+  }
   return read;
 }
 

@@ -7,27 +7,24 @@
 #include <string_view>
 
 #include "fuzz/text/json.h"
+#include "reports/certificate/statement/certificate_data.h"
 #include "reports/certificate/statement/envelope.h"
 
 namespace axiscert {
 
-inline constexpr const char* statement_schema = "https://in-toto.io/Statement/v1";
-inline constexpr const char* certificate_type = "urn:axiscert:certificate:2";
-inline constexpr const char* certificate_schema = "axiscert-certificate/2";
 inline constexpr std::size_t most_certificate_bytes = std::size_t{64} << 20;
 
-// A statement without its digest, with it: predicate.digest is the SHA-256 of the canonical JSON of all else. It tells
-// of a slip; against a forger there is the signature.
-Json with_digest(Json statement);
-// Canonical JSON of the statement, or the envelope around it, with a line end. Throws HarnessFault where the statement
-// does not conform to certificate.schema.json.
-std::string certificate_text(const Json& statement, const SigningKey* key);
+// predicate.digest: the SHA-256 of the canonical JSON of all else. It tells of a slip; against a forger there is the
+// signature.
+std::string digest_without_itself(Json statement);
+// Canonical JSON of the statement, or the envelope around it, with a line end. Throws HarnessFault where it could not
+// be read again.
+std::string certificate_text(const CertificateStatement& statement, const SigningKey* key);
 
 struct Certificate {
-  Json statement;                    // conforms to certificate.schema.json
+  CertificateStatement statement;
   std::optional<Envelope> envelope;  // of a signed one; the signature is not checked yet
-  const Json& predicate() const { return statement["predicate"]; }
-  std::string digest() const { return predicate()["digest"]; }
+  const CertificatePredicate& predicate() const { return statement.predicate; }
 };
 
 // Reads a certificate from anybody. Throws Error, which begins with `name`, for what is no certificate, or one of a

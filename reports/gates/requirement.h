@@ -11,6 +11,8 @@
 namespace axiscert {
 
 enum class LevelState { met, not_met, not_checked };
+template <>
+inline constexpr std::size_t enum_count<LevelState> = 3;
 std::string_view name(LevelState state);  // "met", "not met", "NOT CHECKED"
 
 // The outcome of a level for one kernel in one precision.

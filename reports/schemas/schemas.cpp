@@ -9,6 +9,7 @@
 #include "fuzz/record/record.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
+#include "reports/certificate/statement/certificate_data.h"
 #include "reports/instrument/diagnosis_report.h"
 #include "reports/instrument/map.h"
 #include "reports/instrument/mutation/mutation_data.h"
@@ -37,6 +38,7 @@ Json schema_of() {
 
 std::span<const SchemaEntry> schemas() {
   static constexpr std::array all = {
+      SchemaEntry{"certificate", schema_of<CertificateStatement>},
       SchemaEntry{"condition", schema_of<ConditionData>},
       SchemaEntry{"critical-radius", schema_of<CriticalRadiusData>},
       SchemaEntry{"diagnosis", [] { return file_schema<DiagnosisData>(diagnosis_data_schema()); }},

@@ -52,17 +52,18 @@ Json sparse_counts(const Json& counts) {
   return sparse;
 }
 
-Json stretch_json(const std::vector<const Kernel*>& kernels, const Stretches& stretches, const Entry& entry) {
-  Json digests = Json::array(), counts = Json::array();
+TallyMaterial tally_of_stretch(const std::vector<const Kernel*>& kernels, const Stretches& stretches,
+                               const Entry& entry) {
+  TallyMaterial tally{entry.stretch, stretches.text(entry.stretch), {}, {}};
   const Precision precision = stretches.at(entry.stretch).precision;
   for (std::size_t k = 0; k < kernels.size(); ++k) {
     const Kernel& kernel = *kernels[k];
-    digests.push_back(sha256_hex(std::as_bytes(std::span(entry.tallies[k]))));
-    counts.push_back(kernel.has(precision)
-                         ? sparse_counts(counts_json(kernel, decode_tally(entry.tallies[k], *kernel.test)))
-                         : Json::object());
+    tally.sha256.emplace_back(sha256_hex(std::as_bytes(std::span(entry.tallies[k]))));
+    JsonObject& counts = tally.counts.emplace_back();
+    if (kernel.has(precision))
+      counts.json = sparse_counts(counts_json(kernel, decode_tally(entry.tallies[k], *kernel.test)));
   }
-  return {{"stretch", entry.stretch}, {"of", stretches.text(entry.stretch)}, {"sha256", digests}, {"counts", counts}};
+  return tally;
 }
 
 Json no_counts(const KernelRecord& entry, const TestDescription& test) {

@@ -8,6 +8,7 @@
 #include "fuzz/campaign/parts/stretch.h"
 #include "fuzz/record/record.h"
 #include "kernel/test.h"
+#include "reports/certificate/statement/certificate_data.h"
 
 namespace axiscert {
 
@@ -35,9 +36,9 @@ struct StretchCounts : FamilyCounts {
 // texts.
 Json sparse_counts(const Json& counts);
 
-// A finished stretch as a certificate has it: "stretch", "of", and by kernel "sha256", of its encoded tally, and
-// "counts".
-Json stretch_json(const std::vector<const Kernel*>& kernels, const Stretches& stretches, const Entry& entry);
+// A finished stretch as a certificate has it.
+TallyMaterial tally_of_stretch(const std::vector<const Kernel*>& kernels, const Stretches& stretches,
+                               const Entry& entry);
 
 // All counts that a kernel's entry of a record has in a family, each zero.
 Json no_counts(const KernelRecord& entry, const TestDescription& test);

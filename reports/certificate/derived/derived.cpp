@@ -37,89 +37,76 @@ std::vector<const KernelRecord*> entries_of(const Record& record, const std::str
 }
 
 // The kernel with what it promises and shows, as its entries of the record have it.
-Json kernel_members(const Json& kernel, const Record& record) {
-  Json members = kernel, precisions = Json::array();
-  const std::vector<const KernelRecord*> entries = entries_of(record, kernel["id"]);
-  for (const KernelRecord* entry : entries) precisions.push_back(name(entry->precision));
+void put_kernel(KernelStatement& kernel, const Record& record) {
+  const std::vector<const KernelRecord*> entries = entries_of(record, kernel.id);
   const KernelRecord& entry = *entries.front();
-  members["exposes"] = json_of(entry.exposes);
-  members["touching"] = name(entry.touching);
-  members["may_decline"] = entry.may_decline;
-  members["limits"] = has_limits(entry) ? Json(limits_text(entry)) : Json(nullptr);
-  members["precisions"] = precisions;
-  members["summary"] = entry.summary;
-  return members;
+  kernel.precisions.clear();
+  for (const KernelRecord* each : entries) kernel.precisions.push_back(each->precision);
+  kernel.exposes = entry.exposes;
+  kernel.touching = entry.touching;
+  kernel.may_decline = entry.may_decline;
+  kernel.limits.reset();
+  if (has_limits(entry)) kernel.limits = limits_text(entry);
+  kernel.summary = entry.summary;
 }
 
-Json asked_members(const Json& predicate, const Record& record) {
+AskedStatement asked_of(const CertificatePredicate& predicate, const Record& record) {
   Evidence all;
   std::uint64_t queries = 0;
-  for (const KernelRecord* entry : entries_of(record, predicate["kernel"]["id"])) {
+  for (const KernelRecord* entry : entries_of(record, predicate.kernel.id)) {
     all.add(evidence_of(*entry));
     for (const auto& [family, result] : entry->families) queries += result.trials;
   }
-  return {{"effort", predicate["asked"]["effort"]},
-          {"seed", record.plan.seed.value},
-          {"stretches", predicate["materials"]["tallies"].size()},
-          {"families", json_of(record.plan.families)},
-          {"queries", queries},
-          {"looked_at", all.decided()},
-          {"left_out",
-           {{"no_query", queries - all.population},
-            {"outside_limits", all.outside},
-            {"touching", all.touching},
-            {"declined", all.declined()},
-            {"invalid", all.invalid},
-            {"unanswered", all.unanswered}}}};
+  const std::vector<Name>& families = record.plan.families;
+  return {predicate.asked.effort,
+          record.plan.seed,
+          predicate.materials.tallies.size(),
+          queries,
+          all.decided(),
+          {queries - all.population, all.outside, all.touching, all.declined(), all.invalid, all.unanswered},
+          std::vector<Said>(families.begin(), families.end())};
 }
 
 // Every kernel of the run, on the same queries.
-Json comparison_of(const Record& record) {
-  Json rows = Json::array();
+std::vector<ComparisonStatement> comparison_of(const Record& record) {
+  std::vector<ComparisonStatement> rows;
   for (const KernelRecord& entry : record.kernels) {
     const auto total = all_families(entry);
     if (!total) continue;
     const VerdictTally& verdict = total->verdict;
-    const auto ulps = [](const std::optional<double>& error) {
-      return error ? Json(amount(*error, 3)) : Json(nullptr);
+    const auto ulps = [](const std::optional<double>& error) -> std::optional<TextNumber> {
+      if (!error) return std::nullopt;
+      return amount(*error, 3);
     };
-    rows.push_back({{"kernel", json_of(entry.id)},
-                    {"precision", name(entry.precision)},
-                    {"looked_at", evidence_of(entry).decided()},
-                    {"missed", verdict.false_separation},
-                    {"deepest_missed", amount(verdict.deepest_false_separation.best(), 3)},
-                    {"phantom", verdict.false_contact},
-                    {"deepest_phantom", amount(verdict.deepest_false_contact.best(), 3)},
-                    {"undecided", verdict.undecided},
-                    {"invalid", verdict.invalid},
-                    {"unanswered", verdict.unanswered},
-                    {"median_ulps", ulps(entry.critical_radius.median_ulps)},
-                    {"largest_ulps", ulps(entry.critical_radius.largest_ulps)}});
+    rows.push_back({std::string(entry.id), entry.precision, evidence_of(entry).decided(), verdict.false_separation,
+                    amount(verdict.deepest_false_separation.best(), 3), verdict.false_contact,
+                    amount(verdict.deepest_false_contact.best(), 3), verdict.undecided, verdict.invalid,
+                    verdict.unanswered, ulps(entry.critical_radius.median_ulps),
+                    ulps(entry.critical_radius.largest_ulps)});
   }
   return rows;
 }
 
 // Sentences that say what the certificate leaves open.
-Json limits_of(const Json& predicate, const Json& kernel) {
-  Json limits = Json::array();
-  const auto say = [&](std::string sentence) { limits.push_back(std::move(sentence)); };
+std::vector<Said> limits_of(const CertificatePredicate& predicate) {
+  const KernelStatement& kernel = predicate.kernel;
+  std::vector<Said> limits;
+  const auto say = [&](std::string sentence) { limits.emplace_back(std::move(sentence)); };
   say("What is met was observed on queries that these families make, but for what `proved` says there: no number of "
       "queries proves it for others, and the bounds are of rates in these families, not in a game.");
-  if (kernel["exposes"].size() == 1)
+  if (kernel.exposes.size() == 1)
     say("The kernel shows its verdict alone: why it is wrong was inferred from the input, and not seen.");
-  const Json& harness = predicate["harness"];
-  for (const auto& [precision, score] : harness["score"].items()) {
+  const HarnessStatement& harness = predicate.harness;
+  for (const auto& [precision, score] : harness.score) {
     say(
         fmt::format("Of {} faults planted in a right kernel that shows as much, {} were not noticed in {}: a fault as "
                     "small as those may be in this kernel too.",
-                    score["mutants"].get<std::uint64_t>(), score["survived"].get<std::uint64_t>(), precision));
+                    score.mutants, score.survived, precision));
   }
-  if (!harness["reason"].is_null())
-    say(fmt::format("How many faults such a run notices was not asked: {}.", harness["reason"].get<std::string>()));
-  if (!predicate["search"]["reason"].is_null())
-    say(fmt::format("No search was made: {}.", predicate["search"]["reason"].get<std::string>()));
+  if (harness.reason) say(fmt::format("How many faults such a run notices was not asked: {}.", *harness.reason));
+  if (predicate.search.reason) say(fmt::format("No search was made: {}.", *predicate.search.reason));
   else say("A search gives lower bounds of the worst: it says nothing about what it did not find.");
-  if (predicate["safe_margin"]["reason"].is_null())
+  if (!predicate.safe_margin.reason)
     say("The safe margin mends what was seen here; a contact that nothing here showed may need more.");
   say("The search, the growths of the safe margin and the sizes and shapes that its parts name, the diagnosis, the "
       "planted faults and the witnesses are stated by "
@@ -128,15 +115,12 @@ Json limits_of(const Json& predicate, const Json& kernel) {
       "critical radii, the findings of loading and what the kernel says of itself, which a recheck asks again. "
       "Everything "
       "else follows from the counts.");
-  if (!kernel["limits"].is_null()) {
-    say(fmt::format("The kernel promises to be right only there: {}; it was held to nothing else.",
-                    kernel["limits"].get<std::string>()));
-  }
-  if (kernel["may_decline"] == true)
-    say("The kernel may decline: what it does not decide has to be asked of another test.");
-  const std::string kind = kernel["kind"];
-  if (kind == "replies") say("The subject is replies: what gave them, and whether it gives them again, is not known.");
-  else if (kind == "built-in") {
+  if (kernel.limits)
+    say(fmt::format("The kernel promises to be right only there: {}; it was held to nothing else.", *kernel.limits));
+  if (kernel.may_decline) say("The kernel may decline: what it does not decide has to be asked of another test.");
+  if (kernel.kind == KernelKind::replies)
+    say("The subject is replies: what gave them, and whether it gives them again, is not known.");
+  else if (kernel.kind == KernelKind::built_in) {
     say("The subject is the kernel as axiscert's sources have it, built without contraction: an engine's copy of it, "
         "or "
         "another compiler's, is another kernel.");
@@ -148,73 +132,75 @@ Json limits_of(const Json& predicate, const Json& kernel) {
 }
 
 // Equal values in whatever order their members are.
-bool is_same(const Json& x, const Json& y) { return canonical_json(x) == canonical_json(y); }
+template <class T>
+bool is_same(const T& x, const T& y) {
+  return canonical_json(json_of(x)) == canonical_json(json_of(y));
+}
 
-std::string level_text(const Json& level) {
-  return fmt::format("{} in {}", level["level"].get<std::string>(), plain_text(level["precision"]));
+std::string level_text(const LevelStatement& level) {
+  return fmt::format("{} in {}", level.level, level.precision ? name(*level.precision) : "-");
 }
 
 // "not met: tangent: missed contacts: 3".
-std::string state_words(const Json& level) {
-  const std::string state = level["state"];
-  if (state == "not met" && !level["failures"].empty())
-    return fmt::format("{}: {}", state, level["failures"][0].get<std::string>());
-  return level["reason"].is_null() ? state : fmt::format("{}: {}", state, level["reason"].get<std::string>());
+std::string state_words(const LevelStatement& level) {
+  const std::string_view state = name(level.state);
+  if (level.state == LevelState::not_met && !level.failures.empty())
+    return fmt::format("{}: {}", state, level.failures.front());
+  return level.reason ? fmt::format("{}: {}", state, *level.reason) : std::string(state);
 }
 
 // `has_our_words`: it was made by this axiscert, so that sentences are compared too.
-void require_levels(const Json& stated, const Json& derived, bool has_our_words, const std::string& name) {
+void require_levels(const std::vector<LevelStatement>& stated, const std::vector<LevelStatement>& derived,
+                    bool has_our_words, const std::string& name) {
   if (is_same(stated, derived)) return;
-  for (const Json& level : stated) {
-    const auto is_it = [&](const Json& other) {
-      return other["level"] == level["level"] && other["precision"] == level["precision"];
-    };
+  for (const LevelStatement& level : stated) {
+    const auto is_it = [&](const LevelStatement& other) { return other.is_same_question(level); };
     if (std::ranges::none_of(derived, is_it))
       throw NotValid(fmt::format("{}: it states {} {}, and its counts say nothing of it", name, level_text(level),
-                                 level["state"].get<std::string>()));
+                                 axiscert::name(level.state)));
   }
-  for (const Json& level : derived) {
-    const auto is_it = [&](const Json& other) {
-      return other["level"] == level["level"] && other["precision"] == level["precision"];
-    };
+  for (const LevelStatement& level : derived) {
+    const auto is_it = [&](const LevelStatement& other) { return other.is_same_question(level); };
     const auto found = std::ranges::find_if(stated, is_it);
     // Another axiscert may have had no such level; one that is refused is not left out.
-    if (found == stated.end() && !has_our_words && level["state"] != "not met") continue;
+    if (found == stated.end() && !has_our_words && level.state != LevelState::not_met) continue;
     if (found == stated.end())
       throw NotValid(
           fmt::format("{}: it leaves out the level {}, which is {}", name, level_text(level), state_words(level)));
-    if ((*found)["state"] != level["state"]) {
+    if (found->state != level.state) {
       throw NotValid(fmt::format("{}: it states {} {}, and its counts say: {}", name, level_text(level),
-                                 (*found)["state"].get<std::string>(), state_words(level)));
+                                 axiscert::name(found->state), state_words(level)));
     }
     if (has_our_words && !is_same(*found, level)) {
       throw NotValid(fmt::format("{}: what it states of {} is not what its counts say: {}", name, level_text(level),
-                                 canonical_json(level)));
+                                 canonical_json(json_of(level))));
     }
   }
   if (has_our_words || stated.size() > derived.size())
     throw NotValid(fmt::format("{}: its levels are not in their order, each once", name));
 }
 
-void require_comparison(const Json& stated, const Json& derived, const std::string& name) {
+void require_comparison(const std::vector<ComparisonStatement>& stated, const std::vector<ComparisonStatement>& derived,
+                        const std::string& name) {
   if (is_same(stated, derived)) return;
   for (std::size_t i = 0; i < std::min(stated.size(), derived.size()); ++i) {
-    for (const auto& [member, value] : derived[i].items()) {
-      if (stated[i][member] == value) continue;
+    const Json row = json_of(stated[i]), counted = json_of(derived[i]);
+    for (const auto& [member, value] : counted.items()) {
+      if (row[member] == value) continue;
       throw NotValid(fmt::format("{}: its comparison states {} {} of {} in {}, and its counts say {}", name, member,
-                                 shown(stated[i][member].dump()), derived[i]["kernel"].get<std::string>(),
-                                 derived[i]["precision"].get<std::string>(), value.dump()));
+                                 shown(row[member].dump()), derived[i].kernel, axiscert::name(derived[i].precision),
+                                 value.dump()));
     }
   }
   throw NotValid(
       fmt::format("{}: its comparison has {} rows, and its counts make {}", name, stated.size(), derived.size()));
 }
 
-bool is_class(const Json& cause) {
-  return std::ranges::find(input_class_names, cause.get_ref<const std::string&>()) != input_class_names.end();
+bool is_class(const std::string& cause) {
+  return std::ranges::find(input_class_names, cause) != input_class_names.end();
 }
 
-std::uint64_t broken_links(const VerdictTally& verdict, const Json& link) {
+std::uint64_t broken_links(const VerdictTally& verdict, const std::string& link) {
   for (const Link one : enumerators<Link>) {
     if (link == name(one)) return verdict.links[one];
   }
@@ -222,30 +208,31 @@ std::uint64_t broken_links(const VerdictTally& verdict, const Json& link) {
 }
 
 // A link as the cause is known of a witness alone: then it is one of those that the counts have.
-bool breaks_by_link(const Json& stated, const Json& derived, const Record& record, const std::string& kernel) {
-  if (!derived.is_null() && (derived["cause"] == "finding" || is_class(derived["cause"]))) return false;
+bool breaks_by_link(const std::optional<BreakStatement>& stated, const std::optional<BreakStatement>& derived,
+                    const Record& record, const std::string& kernel) {
+  if (derived && (derived->cause == "finding" || is_class(derived->cause))) return false;
   bool is_any_missed = false, is_any_phantom = false, is_there = false;
-  const bool is_missed = !stated.is_null() && stated["what"] == "missed contact";
+  const bool is_missed = stated && stated->what == "missed contact";
   for (const KernelRecord* entry : entries_of(record, kernel)) {
     const auto total = all_families(*entry);
     if (!total) continue;
     const VerdictTally& verdict = total->verdict;
     is_any_missed = is_any_missed || verdict.false_separation != 0;
     is_any_phantom = is_any_phantom || verdict.false_contact != 0;
-    if (stated.is_null() || stated["precision"] != name(entry->precision)) continue;
+    if (!stated || stated->precision != entry->precision) continue;
     const std::uint64_t count = is_missed ? verdict.false_separation : verdict.false_contact;
-    is_there = stated["count"] == count && count != 0 && broken_links(verdict, stated["cause"]) != 0;
+    is_there = stated->count == count && count != 0 && broken_links(verdict, stated->cause) != 0;
   }
-  if (stated.is_null()) return !is_any_missed && !is_any_phantom && derived.is_null();
-  return is_there && is_any_missed == is_missed && (is_missed || stated["what"] == "phantom contact");
+  if (!stated) return !is_any_missed && !is_any_phantom && !derived;
+  return is_there && is_any_missed == is_missed && (is_missed || stated->what == "phantom contact");
 }
 
-void require_breaks(const Json& stated, const Json& derived, const Record& record, const std::string& kernel,
-                    const std::string& name) {
-  if (!stated.is_null() && is_same(stated, derived)) return;
+void require_breaks(const std::optional<BreakStatement>& stated, const std::optional<BreakStatement>& derived,
+                    const Record& record, const std::string& kernel, const std::string& name) {
+  if (stated && is_same(stated, derived)) return;
   if (breaks_by_link(stated, derived, record, kernel)) return;
   throw NotValid(fmt::format("{}: what it states to break first is not what its counts say{}", name,
-                             derived.is_null() ? "" : ": " + shown(canonical_json(derived))));
+                             derived ? ": " + shown(canonical_json(json_of(derived))) : ""));
 }
 
 void require_asked(const Json& stated, const Json& derived, const std::string& name) {
@@ -256,76 +243,76 @@ void require_asked(const Json& stated, const Json& derived, const std::string& n
   }
 }
 
-void require_margins(const Json& predicate, const Record& record, const std::string& name) {
-  const Json& margins = predicate["safe_margin"];
-  if (margins["reason"].is_null() == margins["precisions"].empty())
+void require_margins(const CertificatePredicate& predicate, const Record& record, const std::string& name) {
+  const auto& [reason, margins] = predicate.safe_margin;
+  if (reason.has_value() != margins.empty())
     throw NotValid(fmt::format("{}: it has no safe margin, and no reason, or both", name));
-  if (!margins["reason"].is_null()) {
-    const Json& kernel = predicate["kernel"];
-    const TestDescription& test = find_test(kernel["test"].get<std::string>());
-    const bool is_first_entry = kernel["entry"] == test.entries.front().name;
-    const bool could_be_asked = kernel["kind"] != effort_of_replies && is_first_entry && has_sphere_radius(test, 0);
-    if (could_be_asked && !margins["reason"].get_ref<const std::string&>().starts_with(margin_answered_otherwise)) {
+  if (reason) {
+    const KernelStatement& kernel = predicate.kernel;
+    const TestDescription& test = find_test(kernel.test);
+    const bool is_first_entry = kernel.entry == test.entries.front().name;
+    const bool could_be_asked = kernel.kind != KernelKind::replies && is_first_entry && has_sphere_radius(test, 0);
+    if (could_be_asked && !reason->starts_with(margin_answered_otherwise)) {
       throw NotValid(fmt::format("{}: it has no safe margin, which every kernel of {} has, and says why: {}", name,
-                                 test.id, shown(margins["reason"].dump())));
+                                 test.id, shown(Json(*reason).dump())));
     }
     return;
   }
-  const std::vector<const KernelRecord*> entries = entries_of(record, predicate["kernel"]["id"]);
-  if (margins["precisions"].size() != entries.size())
-    throw NotValid(fmt::format("{}: it has safe margins of {} of {} precisions", name, margins["precisions"].size(),
-                               entries.size()));
+  const std::vector<const KernelRecord*> entries = entries_of(record, predicate.kernel.id);
+  if (margins.size() != entries.size())
+    throw NotValid(fmt::format("{}: it has safe margins of {} of {} precisions", name, margins.size(), entries.size()));
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const Json& margin = margins["precisions"][i];
+    const MarginStatement& margin = margins[i];
     std::string fault;
-    if (margin["precision"] != axiscert::name(entries[i]->precision)) fault = "its precisions are in another order";
+    if (margin.precision != entries[i]->precision) fault = "its precisions are in another order";
     else fault = margin_fault(margin, *entries[i]);
     if (!fault.empty())
-      throw NotValid(fmt::format("{}: its safe margin in {}: {}", name, margin["precision"].get<std::string>(), fault));
+      throw NotValid(fmt::format("{}: its safe margin in {}: {}", name, axiscert::name(margin.precision), fault));
   }
 }
 
 }  // namespace
 
-bool is_made_by_this(const Json& predicate) {
-  return predicate["materials"]["axiscert"]["sources"] == source_digests().sources;
+bool is_made_by_this(const CertificatePredicate& predicate) {
+  return predicate.materials.axiscert.sources == source_digests().sources;
 }
 
-Json derived_members(const Json& predicate, const Record& record) {
-  const std::string id = predicate["kernel"]["id"];
-  Json members = {{"kernel", kernel_members(predicate["kernel"], record)}, {"asked", asked_members(predicate, record)}};
-  members["levels"] = levels_json(record, id, predicate["search"]["precisions"]);
-  members["comparison"] = comparison_of(record);
-  members["situations"] = where_it_is_wrong(record, id);
-  members["breaks_first"] = what_breaks_first(record, id);
-  members["limits"] = limits_of(predicate, members["kernel"]);
-  return members;
+CertificatePredicate derived_predicate(CertificatePredicate predicate, const Record& record) {
+  const std::string& id = predicate.kernel.id;
+  put_kernel(predicate.kernel, record);
+  predicate.asked = asked_of(predicate, record);
+  predicate.levels = levels_of(record, id, predicate.search.precisions);
+  predicate.comparison = comparison_of(record);
+  predicate.situations = where_it_is_wrong(record, id);
+  predicate.breaks_first = what_breaks_first(record, id);
+  predicate.limits = limits_of(predicate);
+  return predicate;
 }
 
-Record require_derived(const Json& predicate, const std::string& name) {
+Record require_derived(const CertificatePredicate& predicate, const std::string& name) {
   Record record = reduced_record(predicate, name);
   require_effort(predicate, name);
-  const Json derived = derived_members(predicate, record);
+  const CertificatePredicate derived = derived_predicate(predicate, record);
   const bool has_our_words = is_made_by_this(predicate);
-  if (const Json& version = predicate["materials"]["axiscert"]["version"];
-      has_our_words && version != axiscert_version) {
+  if (const Said& version = predicate.materials.axiscert.version; has_our_words && version != axiscert_version) {
     throw NotValid(fmt::format("{}: it states version {} of axiscert, and its sources are those of {}", name,
-                               shown(version.dump()), axiscert_version));
+                               shown(Json(version).dump()), axiscert_version));
   }
-  require_asked(predicate["kernel"], derived["kernel"], name + ": of its kernel");
-  require_asked(predicate["asked"], derived["asked"], name);
+  require_asked(json_of(predicate.kernel), json_of(derived.kernel), name + ": of its kernel");
+  require_asked(json_of(predicate.asked), json_of(derived.asked), name);
   if (has_our_words) require_usual_stretches(predicate, name);
-  require_levels(predicate["levels"], derived["levels"], has_our_words, name);
+  require_levels(predicate.levels, derived.levels, has_our_words, name);
   require_margins(predicate, record, name);
-  require_comparison(predicate["comparison"], derived["comparison"], name);
+  require_comparison(predicate.comparison, derived.comparison, name);
   if (!has_our_words) return record;
-  for (const char* member : {"situations", "limits"}) {
-    if (!is_same(predicate[member], derived[member])) {
-      throw NotValid(fmt::format("{}: its {} are not those that follow from its counts: {}", name, member,
-                                 shown(canonical_json(derived[member]))));
-    }
-  }
-  require_breaks(predicate["breaks_first"], derived["breaks_first"], record, predicate["kernel"]["id"], name);
+  const auto require_same = [&](const char* member, const auto& stated, const auto& counted) {
+    if (is_same(stated, counted)) return;
+    throw NotValid(fmt::format("{}: its {} are not those that follow from its counts: {}", name, member,
+                               shown(canonical_json(json_of(counted)))));
+  };
+  require_same("situations", predicate.situations, derived.situations);
+  require_same("limits", predicate.limits, derived.limits);
+  require_breaks(predicate.breaks_first, derived.breaks_first, record, predicate.kernel.id, name);
   return record;
 }
 
@@ -334,16 +321,17 @@ bool has_answers(const Record& record, const std::string& kernel) {
                              [](const KernelRecord* entry) { return evidence_of(*entry).decided() != 0; });
 }
 
-void require_effort(const Json& predicate, const std::string& name) {
-  const std::string effort = predicate["asked"]["effort"], kind = predicate["kernel"]["kind"];
-  if ((effort == effort_of_replies) != (kind == "replies"))
-    throw NotValid(fmt::format("{}: effort {} of a kernel that is {}", name, effort, kind));
-  if (kind == "replies") return;
-  const Json& plan = predicate["materials"]["plan"]["plan"];
+void require_effort(const CertificatePredicate& predicate, const std::string& name) {
+  const std::string& effort = predicate.asked.effort;
+  const KernelKind kind = predicate.kernel.kind;
+  if ((effort == effort_of_replies) != (kind == KernelKind::replies))
+    throw NotValid(fmt::format("{}: effort {} of a kernel that is {}", name, effort, axiscert::name(kind)));
+  if (kind == KernelKind::replies) return;
+  const Json& plan = predicate.materials.plan.plan.json;
   const TestDescription& test = find_test(plan["test"].get<std::string>());
   for (const auto& [family, by_precision] : plan["trials"].items()) {
     if (family == "corpus" || family.starts_with("queries/")) continue;  // as they are
-    const std::uint64_t asks = trials_of(parse_effort(effort), test, family, kind != "built-in");
+    const std::uint64_t asks = trials_of(parse_effort(effort), test, family, kind != KernelKind::built_in);
     for (const auto& [precision, trials] : by_precision.items()) {
       if (trials == asks) continue;
       throw NotValid(fmt::format("{}: effort {} asks {} queries of `{}` in {}, and its plan has {}", name, effort,

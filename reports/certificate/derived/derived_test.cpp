@@ -26,7 +26,7 @@ constexpr std::uint64_t trials = 256;  // as effort smoke asks
 // A run of one kernel and its yardsticks, and the predicate that is made of it.
 struct Certified {
   Record record;
-  Json predicate;
+  CertificatePredicate predicate;
 };
 
 Certified certified(const std::vector<std::string>& ids, const std::vector<std::string>& families) {
@@ -40,33 +40,31 @@ Certified certified(const std::vector<std::string>& ids, const std::vector<std::
   plan.running.target = resolve_target("auto");
   const Stretches stretches(plan.questions, Stretches::default_units_each(plan.questions));
   Gathered gathered(plan.questions, ids.size(), stretches);
-  Json tallies = Json::array();
+  Certified made;
+  CertificatePredicate& p = made.predicate;
   for (std::uint64_t i = 0; i < stretches.count(); ++i) {
     const Entry entry = run_stretch(plan, stretches, i);
-    tallies.push_back(stretch_json(plan.answerers.kernels, stretches, entry));
+    p.materials.tallies.push_back(tally_of_stretch(plan.answerers.kernels, stretches, entry));
     gathered.add(entry);
   }
-  Certified made;
   made.record = record_of(plan, std::move(gathered).take(), {});
-  Json& p = made.predicate;
-  p["kernel"] = {{"id", ids.front()},
-                 {"kind", "built-in"},
-                 {"test", plan.questions.test().id},
-                 {"entry", plan.questions.test().entries[0].name}};
-  p["asked"]["effort"] = "smoke";
-  p["materials"] = {
-      {"axiscert", {{"version", axiscert_version}, {"sources", source_digests().sources}}},
-      {"plan", {{"units_per_stretch", stretches.units_each()}, {"plan", portable_plan(json_of(plan_record(plan)))}}},
-      {"kernels", kernels_of_record(made.record)},
-      {"findings", findings_of_record(made.record)},
-      {"tallies", tallies}};
-  p["search"] = {{"reason", "a search is not what is tested"}, {"precisions", Json::object()}};
-  p["safe_margin"] = {{"reason", std::string(margin_answered_otherwise) + "a margin is not what is tested"},
-                      {"precisions", Json::array()}};
-  p["harness"] = {{"reason", "planted faults are not what is tested"}, {"score", Json::object()}};
-  p = Json::parse(canonical_json(p));
-  p.update(derived_members(p, reduced_record(p, "it")));
-  p["breaks_first"] = what_breaks_first(made.record, ids.front());
+  p.digest = std::string(64, '0');
+  p.kernel.id = ids.front();
+  p.kernel.test = plan.questions.test().id;
+  p.kernel.entry = plan.questions.test().entries[0].name;
+  p.asked.effort = "smoke";
+  p.materials.axiscert = {axiscert_version, source_digests().sources};
+  p.materials.proofs = source_digests().proofs;
+  const Json portable = portable_plan(json_of(plan_record(plan)));
+  p.materials.plan = {digest_of_json(portable), {stretches.units_each()}, {portable}};
+  p.materials.kernels = kernels_of_record(made.record);
+  p.materials.findings = findings_of_record(made.record);
+  p.search.reason = "a search is not what is tested";
+  p.safe_margin.reason = std::string(margin_answered_otherwise) + "a margin is not what is tested";
+  p.harness.reason = "planted faults are not what is tested";
+  const Record reduced = reduced_record(p, "it");
+  p = derived_predicate(std::move(p), reduced);
+  p.breaks_first = what_breaks_first(made.record, ids.front());
   return made;
 }
 
@@ -77,7 +75,7 @@ const Certified& of_published() {
 
 std::string refusal_of(const Json& predicate) {
   try {
-    require_derived(Json::parse(canonical_json(predicate)), "it");
+    require_derived(read_as<CertificatePredicate>(Json::parse(canonical_json(predicate))), "it");
     return "holds";
   } catch (const NotValid& wrong) {
     return wrong.what();
@@ -120,10 +118,10 @@ TEST(ReducedRecord, LeadsToTheSameLevelsAsTheRecord) {
                                       {{"certified", "published"}, {"general", "nonfinite"}},
                                       {{"box-box/projected"}, {"box-box/general", "box-box/tangent"}}}) {
     const Certified made = certified(ids, families);
-    const Json none = Json::object();
-    EXPECT_EQ(text_of_json(levels_json(made.record, ids.front(), none)), text_of_json(made.predicate["levels"]))
+    EXPECT_EQ(text_of_json(json_of(levels_of(made.record, ids.front(), {}))),
+              text_of_json(json_of(made.predicate.levels)))
         << ids.front();
-    EXPECT_EQ(refusal_of(made.predicate), "holds") << ids.front();
+    EXPECT_EQ(refusal_of(json_of(made.predicate)), "holds") << ids.front();
   }
 }
 
@@ -182,7 +180,7 @@ TEST(Derived, EachContradictionIsNamed) {
       {"what it states to break first", [](Json& p) { p["breaks_first"]["count"] = 1; }},
   };
   for (const Case& one : cases) {
-    Json predicate = of_published().predicate;
+    Json predicate = json_of(of_published().predicate);
     one.change(predicate);
     EXPECT_THAT(refusal_of(predicate), HasSubstr(one.says));
   }
@@ -190,10 +188,10 @@ TEST(Derived, EachContradictionIsNamed) {
 
 // A promise that was narrowed after the run leaves its counts without what they are outside of.
 TEST(Derived, APromiseThatIsEditedContradictsItsCounts) {
-  Json predicate = of_published().predicate;
+  Json predicate = json_of(of_published().predicate);
   for (Json& entry : predicate["materials"]["kernels"]) entry["touching"] = "either";
   EXPECT_THAT(refusal_of(predicate), HasSubstr("it states `touching`"));
-  predicate = of_published().predicate;
+  predicate = json_of(of_published().predicate);
   predicate["materials"]["kernels"][0]["limits"] = {{"least_coordinate", nullptr},
                                                     {"greatest_coordinate", nullptr},
                                                     {"least_area", nullptr},

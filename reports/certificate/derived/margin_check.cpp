@@ -13,103 +13,100 @@
 namespace axiscert {
 namespace {
 
-std::uint64_t margin_count(const Json& object, const char* member) { return object[member].get<std::uint64_t>(); }
-
 std::string disagreement(const std::string& what, std::uint64_t stated, std::uint64_t counted, const char* whose) {
   return stated == counted ? ""
                            : fmt::format("{}: {}, and {} say {}", what, thousands(stated), whose, thousands(counted));
 }
 
 // The counts of the run's stretches.
-std::string fault_beside_counts(const Json& margin, const KernelRecord& entry) {
+std::string fault_beside_counts(const MarginStatement& margin, const KernelRecord& entry) {
   const Evidence evidence = evidence_of(entry);
   const auto total = all_families(entry);
   if (!total) return "no query was run in that precision";
   const VerdictTally& verdict = total->verdict;
-  const Json& contacts = margin["contacts"]["of_run"];
+  const ContactsStatement& contacts = margin.contacts.of_run;
   const std::pair<const char*, std::pair<std::uint64_t, std::uint64_t>> pairs[] = {
-      {"promised queries", {margin_count(margin, "queries"), evidence.promised()}},
-      {"phantom contacts", {margin_count(margin, "phantoms"), verdict.false_contact}},
-      {"contacts of the run", {margin_count(contacts, "asked"), evidence.contacts}},
-      {"missed contacts of the run", {margin_count(contacts, "missed"), verdict.false_separation}},
-      {"declined contacts of the run", {margin_count(contacts, "declined"), evidence.declined_contacts}}};
+      {"promised queries", {margin.queries, evidence.promised()}},
+      {"phantom contacts", {margin.phantoms, verdict.false_contact}},
+      {"contacts of the run", {contacts.asked, evidence.contacts}},
+      {"missed contacts of the run", {contacts.missed, verdict.false_separation}},
+      {"declined contacts of the run", {contacts.declined, evidence.declined_contacts}}};
   for (const auto& [what, counts] : pairs) {
     if (std::string fault = disagreement(what, counts.first, counts.second, "its counts"); !fault.empty()) return fault;
   }
-  if (margin_count(contacts, "invalid") > evidence.invalid ||
-      margin_count(contacts, "unanswered") > evidence.unanswered)
+  if (contacts.invalid > evidence.invalid || contacts.unanswered > evidence.unanswered)
     return "it has more contacts without an answer than its counts have queries";
   return "";
 }
 
-std::string fault_of_sums(const Json& margin) {
-  const Json& all = margin["all"];
-  for (const char* member :
-       {"queries", "contacts", "without_verdict", "missed", "hopeless", "tiny", "unmeasured", "phantoms_by_factor",
-        "phantoms_by_amount", "still_missed_by_factor", "still_missed_by_amount"}) {
-    std::uint64_t sum = 0;
-    for (const Json& part : margin["decades"]) sum += margin_count(part, member);
-    if (std::string fault = disagreement(member, margin_count(all, member), sum, "its parts"); !fault.empty())
-      return fault;
-  }
-  if ((margin_count(all, "hopeless") == 0) != margin["hopeless"].is_null())
-    return "hopeless: it is counted, and none is shown";
-  const Json &run = margin["contacts"]["of_run"], &others = margin["contacts"]["of_others"];
-  const auto both = [&](const char* member) { return margin_count(run, member) + margin_count(others, member); };
+std::string fault_of_sums(const MarginStatement& margin) {
+  const MarginPartStatement& all = margin.all;
+  std::string fault;
+  for_each_field<MarginPartStatement>([&](const auto& field) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value_of(all, field))>, std::uint64_t>) {
+      std::uint64_t sum = 0;
+      for (const MarginPartStatement& part : margin.decades) sum += value_of(part, field);
+      if (fault.empty()) fault = disagreement(std::string(field.name), value_of(all, field), sum, "its parts");
+    }
+  });
+  if (!fault.empty()) return fault;
+  if ((all.hopeless == 0) != !margin.hopeless) return "hopeless: it is counted, and none is shown";
+  const auto& [run, others] = margin.contacts;
   const std::pair<const char*, std::pair<std::uint64_t, std::uint64_t>> pairs[] = {
-      {"queries", {margin_count(all, "queries"), margin_count(margin, "queries")}},
-      {"contacts", {margin_count(all, "contacts"), both("asked")}},
-      {"missed contacts", {margin_count(all, "missed"), both("missed")}},
+      {"queries", {all.queries, margin.queries}},
+      {"contacts", {all.contacts, run.asked + others.asked}},
+      {"missed contacts", {all.missed, run.missed + others.missed}},
       {"contacts without a verdict",
-       {margin_count(all, "without_verdict"), both("declined") + both("invalid") + both("unanswered")}}};
+       {all.without_verdict,
+        run.declined + others.declined + run.invalid + others.invalid + run.unanswered + others.unanswered}}};
   for (const auto& [what, counts] : pairs) {
     if (std::string fault = disagreement(what, counts.first, counts.second, "its contacts"); !fault.empty())
       return fault;
   }
-  if (margin_count(others, "asked") > margin_count(margin, "probed") + margin_count(margin, "found"))
-    return "more contacts were probed and found than queries";
-  for (const Json& part : margin["decades"]) {
-    const std::uint64_t missed = margin_count(part, "missed");
-    const std::uint64_t unmended = margin_count(part, "hopeless") + margin_count(part, "unmeasured");
-    if (unmended > missed || margin_count(part, "tiny") > missed - unmended || missed > margin_count(part, "contacts"))
+  if (others.asked > margin.probed + margin.found) return "more contacts were probed and found than queries";
+  for (const MarginDecadeStatement& part : margin.decades) {
+    const std::uint64_t missed = part.missed;
+    const std::uint64_t unmended = part.hopeless + part.unmeasured;
+    if (unmended > missed || part.tiny > missed - unmended || missed > part.contacts)
       return "a part has more contacts that need something than it missed";
-    const bool has_factor = missed > unmended + margin_count(part, "tiny");
-    if ((missed > unmended) == part["amount"].is_null() || has_factor == part["factor"].is_null())
+    const bool has_factor = missed > unmended + part.tiny;
+    if ((missed > unmended) != part.amount.has_value() || has_factor != part.factor.has_value())
       return fmt::format("of {} missed contacts in scenes of 1e{} it does not say what they need", thousands(missed),
-                         part["decade"].dump());
+                         part.decade);
   }
   return "";
 }
 
-Rational radius_of(const Json& text) {
-  const double radius = parse_number<double>(text.get<std::string>());
-  if (!std::isfinite(radius)) throw Error(fmt::format("the radius {} is not finite", shown(text.dump())));
+Rational radius_of(const std::string& text) {
+  const double radius = parse_number<double>(text);
+  if (!std::isfinite(radius)) throw Error(fmt::format("the radius {} is not finite", shown(Json(text).dump())));
   return exact(radius);
 }
 
-double value_of(const Json& figure) { return std::strtod(figure.get_ref<const std::string&>().c_str(), nullptr); }
-
 // The greatest of the parts, and what it is of.
-std::string fault_of_growth(const Json& margin, const char* way) {
-  const Json& greatest = margin[way];
-  const Json* most = nullptr;
-  for (const Json& part : margin["decades"]) {
-    if (!part[way].is_null() && (most == nullptr || value_of(part[way]) > value_of(*most))) most = &part[way];
+std::string fault_of_growth(const MarginStatement& margin, std::string_view way,
+                            std::optional<MissedStatement> MarginStatement::*whole,
+                            std::optional<TextNumber> MarginPartStatement::*of_part) {
+  const std::optional<MissedStatement>& greatest = margin.*whole;
+  const TextNumber* most = nullptr;
+  for (const MarginDecadeStatement& part : margin.decades) {
+    const std::optional<TextNumber>& here = part.*of_part;
+    if (here && (most == nullptr || number_in(*here) > number_in(*most))) most = &*here;
   }
-  if (greatest.is_null() != (most == nullptr) || (most != nullptr && greatest["value"] != *most)) {
-    return fmt::format("{}: {}, and its parts say {}", way, greatest.is_null() ? "none" : plain_text(greatest["value"]),
-                       most == nullptr ? "none" : plain_text(*most));
+  if (greatest.has_value() != (most != nullptr) || (most != nullptr && greatest->value != *most)) {
+    return fmt::format("{}: {}, and its parts say {}", way, greatest ? std::string(greatest->value) : "none",
+                       most == nullptr ? "none" : std::string(*most));
   }
-  if (greatest.is_null()) return "";
-  if (greatest["contact_from"].is_null()) return fmt::format("{}: it does not say from which radius on", way);
+  if (!greatest) return "";
+  if (!greatest->contact_from) return fmt::format("{}: it does not say from which radius on", way);
   try {
-    const Rational from = radius_of(greatest["r"]), to = radius_of(greatest["contact_from"]);
-    const bool is_factor = std::string_view(way) == "factor";
+    const Rational from = radius_of(greatest->r), to = radius_of(*greatest->contact_from);
+    const bool is_factor = way == "factor";
     if (sgn(from) < 0 || to <= from || (is_factor && sgn(from) == 0))
       return fmt::format("{}: its radii are not in order", way);
     const std::string computed = round_up(is_factor ? Rational(to / from) : Rational(to - from)).text();
-    if (greatest["value"] == computed) return "";
-    return fmt::format("{}: {}, and its radii say {}", way, plain_text(greatest["value"]), computed);
+    if (greatest->value == computed) return "";
+    return fmt::format("{}: {}, and its radii say {}", way, greatest->value, computed);
   } catch (const Error& wrong) {
     return fmt::format("{}: {}", way, wrong.what());
   }
@@ -117,12 +114,11 @@ std::string fault_of_growth(const Json& margin, const char* way) {
 
 }  // namespace
 
-std::string margin_fault(const Json& margin, const KernelRecord& entry) {
+std::string margin_fault(const MarginStatement& margin, const KernelRecord& entry) {
   std::string fault = fault_beside_counts(margin, entry);
   if (fault.empty()) fault = fault_of_sums(margin);
-  for (const char* way : {"factor", "amount"}) {
-    if (fault.empty()) fault = fault_of_growth(margin, way);
-  }
+  if (fault.empty()) fault = fault_of_growth(margin, "factor", &MarginStatement::factor, &MarginPartStatement::factor);
+  if (fault.empty()) fault = fault_of_growth(margin, "amount", &MarginStatement::amount, &MarginPartStatement::amount);
   return fault;
 }
 

@@ -26,13 +26,13 @@ constexpr std::uint64_t most_queries = std::uint64_t{1} << 48;
 
 class Reducer {
  public:
-  Reducer(const Json& predicate, const std::string& name)
+  Reducer(const CertificatePredicate& predicate, const std::string& name)
       : name_(name),
-        kernel_(predicate["kernel"]),
-        materials_(predicate["materials"]),
+        kernel_(predicate.kernel),
+        materials_(predicate.materials),
         plan_(plan_again()),
         test_(test_of(plan_)),
-        stretches_(cells(), materials_["plan"]["units_per_stretch"].get<std::uint64_t>()) {}
+        stretches_(cells(), materials_.plan.units_per_stretch.value) {}
 
   const Stretches& stretches() const { return stretches_; }
   void require_usual_stretches() const {
@@ -55,16 +55,16 @@ class Reducer {
   [[noreturn]] void refuse(const std::string& what) const { throw NotValid(fmt::format("{}: {}", name_, what)); }
 
   PlanRecord plan_again() const {
-    Json json = materials_["plan"]["plan"];
+    Json json = materials_.plan.plan.json;
     if (!json.contains("kernels") || !json["kernels"].is_array() || json["kernels"].empty() ||
         json["kernels"][0] != portable_id) {
       refuse("the first kernel of its plan is not called \"kernel\"");
     }
-    json["kernels"][0] = kernel_["id"];
-    json["axiscert"] = materials_["axiscert"]["version"];
+    json["kernels"][0] = json_of(kernel_.id);
+    json["axiscert"] = json_of(materials_.axiscert.version);
     auto plan = form_again<PlanRecord>(json, name_ + ": its plan");
     if (plan.units_done) refuse("its plan was not done to its end");
-    if (plan.test != kernel_["test"].get<std::string>()) refuse("its kernel and its plan are of different tests");
+    if (plan.test != kernel_.test) refuse("its kernel and its plan are of different tests");
     for (const std::string& family : plan.families) {
       const auto* const by_precision = plan.trials.find(family);
       for (const Precision precision : plan.precisions) {
@@ -97,11 +97,11 @@ class Reducer {
 
   // Every stretch of the plan once, in rising order.
   void require_all_stretches() const {
-    const Json& tallies = materials_["tallies"];
+    const std::vector<TallyMaterial>& tallies = materials_.tallies;
     const std::uint64_t count = stretches_.count();
     std::uint64_t next = 0;
-    for (const Json& tally : tallies) {
-      const std::uint64_t number = tally["stretch"].get<std::uint64_t>();
+    for (const TallyMaterial& tally : tallies) {
+      const std::uint64_t number = tally.stretch;
       if (number >= count) refuse(fmt::format("it has a stretch {}, and its plan has {}", number, thousands(count)));
       if (number < next)
         refuse(fmt::format("its stretches are not in rising order, each once: {} is there again", number));
@@ -120,12 +120,11 @@ class Reducer {
   // In the order of the materials.
   std::vector<KernelRecord> kernels() const {
     std::vector<KernelRecord> kernels;
-    std::set<std::pair<std::string, std::string>> seen;
-    for (const Json& entry : materials_["kernels"]) {
-      const std::string where = fmt::format("{}: its kernel {} {}", name_, shown(entry["id"].get<std::string>()),
-                                            entry["precision"].get<std::string>());
-      const std::string& id = kernels.emplace_back(entry_again(entry, kernel_["id"], where)).id;
-      if (!seen.emplace(entry["id"], entry["precision"]).second) throw NotValid(where + " is there twice");
+    std::set<std::pair<std::string, Precision>> seen;
+    for (const KernelMaterial& entry : materials_.kernels) {
+      const std::string where = fmt::format("{}: its kernel {} {}", name_, shown(entry.id), name(entry.precision));
+      const std::string& id = kernels.emplace_back(entry_again(json_of(entry), kernel_.id, where)).id;
+      if (!seen.emplace(entry.id, entry.precision).second) throw NotValid(where + " is there twice");
       if (std::ranges::find(plan_.kernels, id) == plan_.kernels.end()) throw NotValid(where + " is none of its plan");
     }
     for (const std::string& id : plan_.kernels) {
@@ -151,15 +150,15 @@ class Reducer {
       }
     }
     std::vector<ByFamily> totals(kernels.size());
-    for (const Json& tally : materials_["tallies"]) {
-      const std::uint64_t number = tally["stretch"].get<std::uint64_t>();
+    for (const TallyMaterial& tally : materials_.tallies) {
+      const std::uint64_t number = tally.stretch;
       const Stretch stretch = stretches_.at(number);
       const std::string of = stretches_.text(number);
-      if (tally["of"] != of)
-        refuse(fmt::format("its stretch {} is said to be {}, and is {} in its plan", number, shown(tally["of"].dump()),
-                           of));
-      const Json& counts = tally["counts"];
-      if (counts.size() != plan_.kernels.size() || tally["sha256"].size() != plan_.kernels.size())
+      if (tally.of != of)
+        refuse(fmt::format("its stretch {} is said to be {}, and is {} in its plan", number,
+                           shown(Json(tally.of).dump()), of));
+      const std::vector<JsonObject>& counts = tally.counts;
+      if (counts.size() != plan_.kernels.size() || tally.sha256.size() != plan_.kernels.size())
         refuse(fmt::format("{}: {} kernels were run, and it has {} tallies", of, plan_.kernels.size(), counts.size()));
       std::optional<TruthCounts> truth;  // the same for every kernel
       for (std::size_t k = 0; k < counts.size(); ++k) {
@@ -167,12 +166,12 @@ class Reducer {
         const std::string where = fmt::format("{}: {}: the counts of {}", name_, of, id);
         const auto place = places.find({k, stretch.precision});
         if (place == places.end()) {
-          if (!counts[k].empty()) throw NotValid(where + ": it does not exist in that precision");
+          if (!counts[k].json.empty()) throw NotValid(where + ": it does not exist in that precision");
           continue;
         }
         const auto& [entry, none] = place->second;
         const StretchCounts whole =
-            counts_again(whole_counts(none, counts[k], 1024 * stretch.queries, where), stretch.queries, where);
+            counts_again(whole_counts(none, counts[k].json, 1024 * stretch.queries, where), stretch.queries, where);
         if (!truth) truth = whole.truth;
         if (*truth != whole.truth)
           throw NotValid(
@@ -193,7 +192,7 @@ class Reducer {
     const std::vector<ByFamily> totals = added_up(record.kernels);
     for (std::size_t i = 0; i < record.kernels.size(); ++i) {
       KernelRecord& entry = record.kernels[i];
-      put_families(entry, materials_["kernels"][i]["families"], totals[i]);
+      put_families(entry, materials_.kernels[i].families, totals[i]);
       for (const auto& [family, total] : totals[i]) {
         for (const auto& [kind, count] : total.findings) {
           if (count != 0) findings[{entry.id, entry.precision, family, kind}] = count;
@@ -204,7 +203,7 @@ class Reducer {
   }
 
   // `stated`: what the certificate says of its families beside the stretches.
-  void put_families(KernelRecord& entry, const Json& stated, const ByFamily& totals) const {
+  void put_families(KernelRecord& entry, const Named<FamilyMaterial>& stated, const ByFamily& totals) const {
     const std::string& id = entry.id;
     const std::string who = fmt::format("{}: {} {}", name_, id, name(entry.precision));
     std::optional<CriticalRadiusRecord> radius;
@@ -217,7 +216,7 @@ class Reducer {
       if (!is_there) continue;
       const std::string where = fmt::format("{} on {}", who, family);
       const StretchCounts& counts = total->second;
-      const Json& beside = stated[family];
+      const FamilyMaterial& beside = stated.at(family);
       FamilyRecord& result = entry.families.put(family);
       static_cast<FamilyCounts&>(result) = counts;
       result.critical_radius = counts.critical_radius;
@@ -225,7 +224,7 @@ class Reducer {
         result.classes.emplace();
         for (const auto& [which, count] : *counts.classes) (*result.classes)[which] = {count, {}};
       }
-      result.base_triangles = beside["base_triangles"].get<std::uint64_t>();
+      result.base_triangles = beside.base_triangles;
       if (result.base_triangles > result.trials) throw NotValid(where + ": more triangles than queries");
       result.exact_arithmetic = plan_.generators.at(family).exact_arithmetic;
       if (radius) RadiiAdded::merge(*radius, counts.critical_radius);
@@ -236,13 +235,12 @@ class Reducer {
     if (radius) require_radius(entry.critical_radius, *radius, who);
   }
 
-  static void put_invariance(FamilyRecord& result, const Json& beside, const std::string& family,
+  static void put_invariance(FamilyRecord& result, const FamilyMaterial& beside, const std::string& family,
                              const std::string& where) {
     const ImageGroup* group = image_group(family);
-    if (group != nullptr && !beside.contains("invariance"))
-      throw NotValid(where + ": it does not say what its images came to");
-    if (!beside.contains("invariance")) return;
-    result.invariance = invariance_again(beside["invariance"], where);
+    if (group != nullptr && !beside.invariance) throw NotValid(where + ": it does not say what its images came to");
+    if (!beside.invariance) return;
+    result.invariance = invariance_again(beside.invariance->json, where);
     for (std::size_t i = 1; group != nullptr && i < group->size; ++i) {
       if (!result.invariance->contains(group->kind(i)))
         throw NotValid(fmt::format("{}: it does not say what its images of {} came to", where, name(group->kind(i))));
@@ -269,11 +267,16 @@ class Reducer {
   }
 
   void take_findings(Record& record, Findings counted) const {
-    for (Json stated : materials_["findings"]) {
-      if (stated["kernel"] == portable_id) stated["kernel"] = kernel_["id"];
-      const std::string what = fmt::format("its finding {} of {}", shown(stated["kind"].get<std::string>()),
-                                           shown(stated["kernel"].get<std::string>()));
-      auto finding = form_again<FindingRecord>(stated, fmt::format("{}: {}", name_, what));
+    for (const FindingMaterial& stated : materials_.findings) {
+      FindingRecord finding{stated.kernel == portable_id ? Name(kernel_.id) : stated.kernel,
+                            stated.precision,
+                            stated.family,
+                            stated.kind,
+                            stated.count.value,
+                            stated.detail,
+                            stated.address,
+                            {}};
+      const std::string what = fmt::format("its finding {} of {}", name(finding.kind), shown(finding.kernel));
       if (finding.family) {
         if (!finding.precision) refuse(what + " is in no precision");
         const auto found = counted.find({finding.kernel, *finding.precision, *finding.family, finding.kind});
@@ -290,7 +293,8 @@ class Reducer {
   }
 
   const std::string& name_;
-  const Json &kernel_, &materials_;
+  const KernelStatement& kernel_;
+  const MaterialsStatement& materials_;
   const PlanRecord plan_;
   const TestDescription& test_;
   const Stretches stretches_;
@@ -298,37 +302,47 @@ class Reducer {
 
 }  // namespace
 
-Json kernels_of_record(const Record& record) {
-  Json kernels = Json::array();
+std::vector<KernelMaterial> kernels_of_record(const Record& record) {
+  std::vector<KernelMaterial> kernels;
   for (const KernelRecord& kernel : record.kernels) {
     KernelRecord said = kernel;
     said.families = {};
     if (said.id == record.plan.kernels.front()) said.id = portable_id;
-    Json& entry = kernels.emplace_back(json_of(said));
+    KernelMaterial& entry = kernels.emplace_back(read_as<KernelMaterial>(without_fractions(json_of(said))));
     for (const auto& [family, result] : kernel.families) {
-      Json& beside = entry["families"][family] = {{"base_triangles", result.base_triangles}};
-      if (result.invariance) beside["invariance"] = json_of(*result.invariance);
+      FamilyMaterial& beside = entry.families.put(family);
+      beside.base_triangles = result.base_triangles;
+      if (result.invariance) beside.invariance = {without_fractions(json_of(*result.invariance))};
     }
   }
-  return without_fractions(kernels);
+  return kernels;
 }
 
-Json findings_of_record(const Record& record) {
-  Json findings = Json::array();
-  for (FindingRecord finding : record.findings) {
-    finding.numbers = {};
-    if (finding.kernel == record.plan.kernels.front()) finding.kernel = portable_id;
-    findings.push_back(json_of(finding));
+std::vector<FindingMaterial> findings_of_record(const Record& record) {
+  std::vector<FindingMaterial> findings;
+  for (const FindingRecord& finding : record.findings) {
+    const bool is_its = finding.kernel == record.plan.kernels.front();
+    findings.push_back({is_its ? portable_id : std::string(finding.kernel),
+                        finding.precision,
+                        finding.family,
+                        finding.kind,
+                        {finding.count},
+                        finding.detail,
+                        finding.address});
   }
   return findings;
 }
 
-Stretches stretches_of(const Json& predicate, const std::string& name) { return Reducer(predicate, name).stretches(); }
+Stretches stretches_of(const CertificatePredicate& predicate, const std::string& name) {
+  return Reducer(predicate, name).stretches();
+}
 
-void require_usual_stretches(const Json& predicate, const std::string& name) {
+void require_usual_stretches(const CertificatePredicate& predicate, const std::string& name) {
   Reducer(predicate, name).require_usual_stretches();
 }
 
-Record reduced_record(const Json& predicate, const std::string& name) { return Reducer(predicate, name).record(); }
+Record reduced_record(const CertificatePredicate& predicate, const std::string& name) {
+  return Reducer(predicate, name).record();
+}
 
 }  // namespace axiscert

@@ -14,9 +14,6 @@
 
 namespace axiscert {
 
-// The id of its kernel in a certificate, in all that does not depend on where the kernel's files are.
-inline constexpr const char* portable_id = "kernel";
-
 // A part of a record, from its JSON.
 template <class T>
 T form_again(const Json& part, const std::string& where) {

@@ -4,32 +4,30 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/text/json.h"
+#include "reports/certificate/statement/certificate_data.h"
 
 namespace axiscert {
 
-// All of them take a certificate's predicate.
-
 // "made by axiscert 1.0.0 with effort quick, seed 1".
-std::string made_sentence(const Json& predicate);
+std::string made_sentence(const CertificatePredicate& predicate);
 // "not signed", or "signed by the key 0123456789abcdef", the beginning of its id.
-std::string signer_sentence(const Json& predicate);
+std::string signer_sentence(const CertificatePredicate& predicate);
 // "28,311,552 queries of 28 families and files, in binary32 and binary64".
-std::string asked_sentence(const Json& predicate);
+std::string asked_sentence(const CertificatePredicate& predicate);
 // "27,900,000 looked at; left out: 3 outside its limits, 4 declined; 411,552 are no query".
-std::string looked_sentence(const Json& predicate);
+std::string looked_sentence(const CertificatePredicate& predicate);
 // "it gave no answer that counts in binary32"; empty where it gave some in each precision.
-std::string no_answers_sentence(const Json& predicate);
+std::string no_answers_sentence(const CertificatePredicate& predicate);
 
 // The levels of a state in all precisions together: "not met" where it is so in one, else "NOT CHECKED" where it is so
 // in one, else "met". By their claims: "exact within its limits: 19 of 27 families".
-std::vector<std::string> levels_with(const Json& predicate, const std::string& state);
-std::string state_of_level(const Json& predicate, const std::string& level);
+std::vector<std::string> levels_with(const CertificatePredicate& predicate, LevelState state);
+LevelState state_of_level(const CertificatePredicate& predicate, const std::string& level);
 
 // A level with what it is said of: "exact", "exact within its limits: 19 of 27 families".
-std::string claim_of_level(const Json& predicate, const std::string& level);
+std::string claim_of_level(const CertificatePredicate& predicate, const std::string& level);
 // Every level that is met leaves out this besides: " of the 61.2 % that it decides", " but for touching"; empty for
 // nothing.
-std::string decided_text(const Json& predicate);
+std::string decided_text(const CertificatePredicate& predicate);
 
 }  // namespace axiscert

@@ -64,17 +64,11 @@ struct Cause {
   double deepest;
 };
 
-Json break_json(const std::string& precision, const std::string& what, const Cause& cause) {
+BreakStatement break_by(std::optional<Precision> precision, const std::string& what, const Cause& cause) {
   const auto advice =
       std::find_if(std::begin(advices), std::end(advices), [&](const Advice& a) { return a.cause == cause.name; });
-  return {{"precision", precision.empty() ? Json(nullptr) : Json(precision)},
-          {"what", what},
-          {"cause", cause.name},
-          {"meaning", cause.meaning},
-          {"count", cause.count},
-          {"deepest", amount(cause.deepest, 3)},
-          {"advice", advice->advice},
-          {"section", advice->section}};
+  return {precision,      what,           cause.name, cause.meaning, cause.count, amount(cause.deepest, 3),
+          advice->advice, advice->section};
 }
 
 // The deepest cause of a kind of wrong verdict in a kernel's entry: `missed` or phantom contacts.
@@ -129,60 +123,60 @@ Json query_of(const WitnessRecord& witness, const TestDescription& test) {
 }
 
 // "missed contacts in families x, y, up to 0.4 of the scene deep"
-std::string failures_text(const Json& situation, bool missed) {
+std::string failures_text(const WrongVerdicts& wrong, bool missed) {
   constexpr std::size_t most = 3;
-  std::vector<std::string> families = situation["families"];
+  std::vector<std::string> families = wrong.families;
   const std::size_t more = families.size() - std::min(most, families.size());
   families.resize(families.size() - more);
   return fmt::format("{} in {} {}{}, up to {} of the scene deep", missed ? "missed contacts" : "phantom contacts",
                      families.size() + more == 1 ? "the family" : "the families", fmt::join(families, ", "),
-                     more == 0 ? "" : fmt::format(" and {} more", more),
-                     amount(situation[missed ? "deepest_missed" : "deepest_phantom"], 3));
+                     more == 0 ? "" : fmt::format(" and {} more", more), amount(wrong.deepest(missed), 3));
 }
 
-Json break_of_situation(const Json& situation, bool missed) {
-  return {{"precision", situation["precision"]},
-          {"what", missed ? "missed contact" : "phantom contact"},
-          {"cause", situation["situation"]},
-          {"meaning", fmt::format("{}: {}", situation["meaning"].get<std::string>(), failures_text(situation, missed))},
-          {"count", situation[missed ? "missed" : "phantom"]},
-          {"deepest", amount(situation[missed ? "deepest_missed" : "deepest_phantom"], 3)},
-          {"advice", situation["advice"]},
-          {"section", situation["section"]}};
+BreakStatement break_of_situation(const WrongVerdicts& wrong, bool missed) {
+  const Situation& situation = *wrong.situation;
+  return {wrong.precision,     missed ? "missed contact" : "phantom contact",
+          situation.name,      fmt::format("{}: {}", situation.meaning, failures_text(wrong, missed)),
+          wrong.count(missed), amount(wrong.deepest(missed), 3),
+          situation.advice,    situation.section};
 }
 
 }  // namespace
 
-Json what_breaks_first(const Record& record, const std::string& kernel) {
+std::optional<BreakStatement> what_breaks_first(const Record& record, const std::string& kernel) {
   for (const FindingRecord& finding : record.findings) {
     if (finding.kernel == kernel)
-      return break_json("", "finding", {"finding", finding_text(finding), finding.count, 0});
+      return break_by(std::nullopt, "finding", {"finding", finding_text(finding), finding.count, 0});
   }
   for (const bool missed : {true, false}) {
     std::optional<Cause> deepest;
-    std::string precision;
+    std::optional<Precision> precision;
     for (const KernelRecord& entry : record.kernels) {
       if (entry.id != kernel) continue;
       const std::optional<Cause> cause = deepest_cause(record, entry, missed);
       if (!cause || (deepest && cause->deepest <= deepest->deepest)) continue;
       deepest = cause;
-      precision = name(entry.precision);
+      precision = entry.precision;
     }
     if (!deepest) continue;
     // Where only the verdict is seen, the situation says more than that nothing is known.
     if (deepest->name == name(Link::unattributed)) break;
-    return break_json(precision, missed ? "missed contact" : "phantom contact", *deepest);
+    return break_by(precision, missed ? "missed contact" : "phantom contact", *deepest);
   }
   bool missed = true;
-  const Json situations = situations_json(record, kernel);
-  const Json* first = first_situation(situations, missed);
-  return first == nullptr ? Json() : break_of_situation(*first, missed);
+  const std::vector<WrongVerdicts> situations = wrong_situations(record, kernel);
+  const WrongVerdicts* first = first_situation(situations, missed);
+  if (first == nullptr) return std::nullopt;
+  return break_of_situation(*first, missed);
 }
 
-Json where_it_is_wrong(const Record& record, const std::string& kernel) {
-  Json situations = situations_json(record, kernel);
-  for (Json& situation : situations) {
-    for (const char* depth : {"deepest_missed", "deepest_phantom"}) situation[depth] = amount(situation[depth], 3);
+std::vector<SituationStatement> where_it_is_wrong(const Record& record, const std::string& kernel) {
+  std::vector<SituationStatement> situations;
+  for (const WrongVerdicts& wrong : wrong_situations(record, kernel)) {
+    situations.push_back({wrong.precision, wrong.situation->name, wrong.situation->meaning,
+                          std::vector<Said>(wrong.families.begin(), wrong.families.end()), wrong.missed,
+                          amount(wrong.deepest_missed, 3), wrong.phantom, amount(wrong.deepest_phantom, 3),
+                          wrong.situation->advice, wrong.situation->section});
   }
   return situations;
 }
@@ -193,28 +187,27 @@ std::vector<std::string_view> advised_sections() {
   return sections;
 }
 
-Json worst_of_certificate(const Record& record, const std::string& kernel) {
+std::vector<CertificateWitness> worst_of_certificate(const Record& record, const std::string& kernel) {
   constexpr std::size_t most = 3;
   Record own = record;
   std::erase_if(own.witnesses, [&](const WitnessRecord& witness) { return witness.kernel != kernel; });
-  Json worst = Json::array();
+  std::vector<CertificateWitness> worst;
   std::set<std::string> families;
   for (const bool another_family : {true, false}) {
     for (const WitnessRecord* witness : worst_witnesses(own, own.witnesses.size())) {
       if (worst.size() == most) return worst;
-      const bool is_there =
-          std::any_of(worst.begin(), worst.end(), [&](const Json& w) { return w["address"] == witness->address; });
+      const bool is_there = std::ranges::any_of(worst, [&](const auto& w) { return w.address == witness->address; });
       if (is_there || (another_family && !families.insert(witness->family).second)) continue;
       const Json query = query_of(*witness, test_of(record.plan));
       const std::string_view truth = witness->touching ? "touching" : name(witness->truth);
       const std::string depth =
           witness->depth ? fmt::format(", {} of the scene deep", amount(*witness->depth, 3)) : std::string();
-      worst.push_back({{"title", fmt::format("{} {}, family {}", kernel, name(witness->precision), witness->family)},
-                       {"sentence", fmt::format("The truth is {}, the kernel says {}{}. Address {}.", truth,
-                                                name(witness->computed), depth, witness->address)},
-                       {"address", witness->address},
-                       {"command", replay_command(*witness, record.plan)},
-                       {"query", without_fractions(query)}});
+      worst.push_back({fmt::format("{} {}, family {}", kernel, name(witness->precision), witness->family),
+                       fmt::format("The truth is {}, the kernel says {}{}. Address {}.", truth, name(witness->computed),
+                                   depth, witness->address),
+                       std::string(witness->address),
+                       replay_command(*witness, record.plan),
+                       {without_fractions(query)}});
     }
   }
   return worst;

@@ -25,33 +25,33 @@ Json record_with(const Json& classes) {
 }
 
 TEST(WhatBreaksFirst, IsTheClassOfTheDeepestMissedContact) {
-  const Json first = what_breaks_first(edited(record_with({{"tie", class_counts(3, 0, 0.1)},
+  const auto first = what_breaks_first(edited(record_with({{"tie", class_counts(3, 0, 0.1)},
                                                            {"scale", class_counts(2, 0, 0.5)},
                                                            {"far", class_counts(0, 9, 0.9)},
                                                            {"sliver", class_counts(4, 0, 0.2)}})),
                                        "published");
-  EXPECT_EQ(first["cause"], "scale");
-  EXPECT_EQ(first["what"], "missed contact");
-  EXPECT_EQ(first["precision"], "binary32");
-  EXPECT_EQ(first["count"], 2);
-  EXPECT_EQ(first["deepest"], "0.5");
-  EXPECT_EQ(first["section"], "docs/error_model.md#units-of-length");
+  EXPECT_EQ(first->cause, "scale");
+  EXPECT_EQ(first->what, "missed contact");
+  EXPECT_EQ(first->precision, Precision::binary32);
+  EXPECT_EQ(first->count, 2u);
+  EXPECT_EQ(first->deepest, "0.5");
+  EXPECT_EQ(first->section, "docs/error_model.md#units-of-length");
 }
 
 TEST(WhatBreaksFirst, IsAPhantomWhereNoContactIsMissed) {
   Json record = record_with({{"far", class_counts(0, 9, 0.9)}, {"tie", class_counts(0, 3, 0.1)}});
   // Nor by the links of a witness.
   for (auto& [name, family] : record["kernels"][0]["families"].items()) family["verdict"]["false_separation"] = 0;
-  const Json first = what_breaks_first(edited(record), "published");
-  EXPECT_EQ(first["cause"], "far");
-  EXPECT_EQ(first["what"], "phantom contact");
+  const auto first = what_breaks_first(edited(record), "published");
+  EXPECT_EQ(first->cause, "far");
+  EXPECT_EQ(first->what, "phantom contact");
 }
 
 TEST(WhatBreaksFirst, IsTheLinkOfTheDeepestWitnessWithoutClasses) {
-  const Json first = what_breaks_first(edited(stored_record()), "published");
-  EXPECT_EQ(first["cause"], "rounding");
-  EXPECT_EQ(first["what"], "missed contact");
-  EXPECT_EQ(first["deepest"], "0.25");
+  const auto first = what_breaks_first(edited(stored_record()), "published");
+  EXPECT_EQ(first->cause, "rounding");
+  EXPECT_EQ(first->what, "missed contact");
+  EXPECT_EQ(first->deepest, "0.25");
 }
 
 TEST(WhatBreaksFirst, IsAFindingOfTheKernelBeforeAnyVerdict) {
@@ -63,33 +63,32 @@ TEST(WhatBreaksFirst, IsAFindingOfTheKernelBeforeAnyVerdict) {
                                      {"count", 2},
                                      {"address", "1:tangent:1:binary32:0:5"},
                                      {"detail", "it died"}}});
-  EXPECT_EQ(what_breaks_first(edited(record), "published")["cause"], "tie");
+  EXPECT_EQ(what_breaks_first(edited(record), "published")->cause, "tie");
   record["findings"][0]["kernel"] = "published";
-  const Json first = what_breaks_first(edited(record), "published");
-  EXPECT_EQ(first["cause"], "finding");
-  EXPECT_EQ(first["count"], 2);
+  const auto first = what_breaks_first(edited(record), "published");
+  EXPECT_EQ(first->cause, "finding");
+  EXPECT_EQ(first->count, 2u);
 }
 
 TEST(WitnessesOfACertificate, AreTheKernelsOwnEachOnceAndOfAsManyFamiliesAsThereAre) {
-  const Json worst = worst_of_certificate(edited(stored_record()), "published");
+  const auto worst = worst_of_certificate(edited(stored_record()), "published");
   ASSERT_EQ(worst.size(), 3u);
-  EXPECT_EQ(worst[0]["address"], "1:tangent:1:binary32:0:34");
-  EXPECT_THAT(worst[1]["address"].get<std::string>(), testing::StartsWith("1:mesh-"));
-  EXPECT_EQ(worst[2]["address"], "1:tangent:1:binary32:0:17");
-  EXPECT_THAT(worst[0]["sentence"].get<std::string>(),
-              HasSubstr("The truth is contact, the kernel says separated, 0.25 of the scene deep."));
-  EXPECT_FALSE(worst[0]["query"].contains("test"));
-  EXPECT_EQ(worst[0]["query"]["r"], "0x1.8p-1");
+  EXPECT_EQ(worst[0].address, "1:tangent:1:binary32:0:34");
+  EXPECT_THAT(worst[1].address, testing::StartsWith("1:mesh-"));
+  EXPECT_EQ(worst[2].address, "1:tangent:1:binary32:0:17");
+  EXPECT_THAT(worst[0].sentence, HasSubstr("The truth is contact, the kernel says separated, 0.25 of the scene deep."));
+  EXPECT_FALSE(worst[0].query.json.contains("test"));
+  EXPECT_EQ(worst[0].query.json["r"], "0x1.8p-1");
 }
 
 TEST(WitnessesOfACertificate, OfAnotherTestNameItAndHaveAllItsNumbers) {
   Json record = stored_record();
   record["plan"]["test"] = "moving-sphere";
   for (Json& witness : record["witnesses"]) witness["d"] = {"0x1p+0", "0x0p+0", "0x0p+0"};
-  const Json worst = worst_of_certificate(edited(record), "published");
+  const auto worst = worst_of_certificate(edited(record), "published");
   ASSERT_FALSE(worst.empty());
-  EXPECT_EQ(worst[0]["query"].value("test", std::string()), "moving-sphere");
-  EXPECT_EQ(worst[0]["query"].value("d", Json()), record["witnesses"][0]["d"]);
+  EXPECT_EQ(worst[0].query.json.value("test", std::string()), "moving-sphere");
+  EXPECT_EQ(worst[0].query.json.value("d", Json()), record["witnesses"][0]["d"]);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <string_view>
 #include <vector>
 
@@ -45,81 +44,71 @@ constexpr Peculiarity peculiarities[] = {
 };
 
 // A property of a kernel in words, where others were said before or not; empty where there is nothing to say.
-std::string said_of(const Json& property, const Json& kernel, bool has_others) {
-  const std::string value = property["value"];
-  if (property["name"] == "nearest_form" && value != not_known && value != not_asked && kernel["id"] != value)
+std::string said_of(const PropertyStatement& property, const KernelStatement& kernel, bool has_others) {
+  const std::string& value = property.value;
+  if (property.name == "nearest_form" && value != not_known && value != not_asked && kernel.id != value)
     return fmt::format("{}answers as {} does, see {}", has_others ? "otherwise " : "", value,
-                       test_words_of(find_test(kernel["test"].get<std::string>())).section_of_forms);
+                       test_words_of(find_test(kernel.test)).section_of_forms);
   for (const Peculiarity& known : peculiarities) {
-    if (property["name"] == known.property && value == known.value) return std::string(known.says);
+    if (property.name == known.property && value == known.value) return std::string(known.says);
   }
   return "";
 }
 
 }  // namespace
 
-std::string breaks_note(const Json& predicate) {
-  const Json& first = predicate["breaks_first"];
-  if (first.is_null()) return "Nothing broke.";
-  std::string meaning = plain_text(first["meaning"]);
+std::string breaks_note(const CertificatePredicate& predicate) {
+  if (!predicate.breaks_first) return "Nothing broke.";
+  const BreakStatement& first = *predicate.breaks_first;
+  std::string meaning = first.meaning;
   if (meaning.ends_with('.')) meaning.pop_back();
-  if (first["cause"] == "finding")
-    return fmt::format("What breaks first: {}. {} See {}.", meaning, plain_text(first["advice"]),
-                       plain_text(first["section"]));
+  if (first.cause == "finding")
+    return fmt::format("What breaks first: {}. {} See {}.", meaning, first.advice, first.section);
   // A find of the search, where that is deeper: the run's families do not have it.
   std::string found;
-  const char* goal = first["what"] == "missed contact" ? "missed_contact" : "phantom_contact";
-  const auto depth_of = [](const Json& figure) {
-    return std::strtod(figure.get_ref<const std::string&>().c_str(), nullptr);
-  };
-  for (const auto& [precision, search] : predicate["search"]["precisions"].items()) {
-    const Json find = search["finds"].value(goal, Json());
-    if (Json(precision) != first["precision"] || find.is_null()) continue;
-    if (depth_of(find["depth"]) <= depth_of(first["deepest"])) continue;
-    found = fmt::format(" A search found one of depth {}.", plain_text(find["depth"]));
+  const std::string in(first.precision ? name(*first.precision) : "-");
+  if (const SearchedStatement* search = predicate.search.precisions.find(in)) {
+    const FindStatement* find = search->find(first.what == "missed contact" ? "missed_contact" : "phantom_contact");
+    if (find && find->depth && number_in(*find->depth) > number_in(first.deepest))
+      found = fmt::format(" A search found one of depth {}.", *find->depth);
   }
   // A situation's meaning says what happens there; a cause's does not.
   const bool is_situation =
-      std::ranges::any_of(predicate["situations"], [&](const Json& s) { return s["situation"] == first["cause"]; });
+      std::ranges::any_of(predicate.situations, [&](const auto& s) { return s.situation == first.cause; });
   if (is_situation)
-    return fmt::format("What breaks first, in {}: {}.{} {} See {}.", plain_text(first["precision"]), meaning, found,
-                       plain_text(first["advice"]), plain_text(first["section"]));
-  return fmt::format("What breaks first: {}, {}{}: {}.{} {} See {}.", plain_text(first["what"]),
-                     first["precision"].is_null() ? "" : plain_text(first["precision"]) + ", ",
-                     plain_text(first["cause"]), meaning, found, plain_text(first["advice"]),
-                     plain_text(first["section"]));
+    return fmt::format("What breaks first, in {}: {}.{} {} See {}.", in, meaning, found, first.advice, first.section);
+  return fmt::format("What breaks first: {}, {}{}: {}.{} {} See {}.", first.what, first.precision ? in + ", " : "",
+                     first.cause, meaning, found, first.advice, first.section);
 }
 
-std::string peculiarities_note(const Json& predicate) {
+std::string peculiarities_note(const CertificatePredicate& predicate) {
   std::vector<std::string> parts;
-  for (const Json& part : predicate["diagnosis"]["precisions"]) {
+  for (const DiagnosedStatement& part : predicate.diagnosis.precisions) {
     std::vector<std::string> said;
-    for (const Json& property : part["properties"]) {
-      if (const std::string text = said_of(property, predicate["kernel"], !said.empty()); !text.empty())
+    for (const PropertyStatement& property : part.properties) {
+      if (const std::string text = said_of(property, predicate.kernel, !said.empty()); !text.empty())
         said.push_back(text);
     }
-    if (!said.empty()) parts.push_back(fmt::format("in {}, {}", plain_text(part["precision"]), fmt::join(said, "; ")));
+    if (!said.empty()) parts.push_back(fmt::format("in {}, {}", name(part.precision), fmt::join(said, "; ")));
   }
   return parts.empty() ? "" : fmt::format("What it is like: {}.", fmt::join(parts, ". And "));
 }
 
-InstrumentTable situations_table(const Json& predicate) {
+InstrumentTable situations_table(const CertificatePredicate& predicate) {
   InstrumentTable table{"Where it is wrong, and what to do",
                         {"queries", "precision", "missed", "deepest", "phantom", "deepest ",
                          "families, the deepest first", "what to do", "see"},
                         {}};
   // A family of the kernel's test without the test's name, which is in the heading.
-  const std::string prefix = plain_text(predicate["kernel"]["test"]) + "/";
-  for (const Json& s : predicate["situations"]) {
-    std::vector<std::string> families = s["families"];
+  const std::string prefix = predicate.kernel.test + "/";
+  for (const SituationStatement& s : predicate.situations) {
+    std::vector<std::string> families(s.families.begin(), s.families.end());
     for (std::string& family : families) {
       if (family.starts_with(prefix)) family.erase(0, prefix.size());
     }
-    table.rows.push_back({plain_text(s["meaning"]), plain_text(s["precision"]),
-                          thousands(s["missed"].get<std::uint64_t>()), plain_text(s["deepest_missed"]),
-                          thousands(s["phantom"].get<std::uint64_t>()), plain_text(s["deepest_phantom"]),
-                          fmt::format("{}", fmt::join(families, ", ")), plain_text(s["advice"]),
-                          plain_text(s["section"])});
+    table.rows.push_back({s.meaning, std::string(name(s.precision)), thousands(s.missed), s.deepest_missed,
+                          thousands(s.phantom), s.deepest_phantom, fmt::format("{}", fmt::join(families, ", ")),
+                          s.advice, s.section});
   }
   return table;
 }

@@ -3,18 +3,18 @@
 
 #include <string>
 
-#include "fuzz/text/json.h"
+#include "reports/certificate/statement/certificate_data.h"
 #include "reports/instrument/instrument.h"
 
 namespace axiscert {
 
-// All of them take a certificate's predicate. A sentence on what breaks first, and what to do.
-std::string breaks_note(const Json& predicate);
+// A sentence on what breaks first, and what to do.
+std::string breaks_note(const CertificatePredicate& predicate);
 
 // Findings of the diagnosis that somebody who uses the kernel has to know; empty where there are none.
-std::string peculiarities_note(const Json& predicate);
+std::string peculiarities_note(const CertificatePredicate& predicate);
 
 // The situations in which it is wrong, with what to do in each; no rows for a test whose wrong verdicts have classes.
-InstrumentTable situations_table(const Json& predicate);
+InstrumentTable situations_table(const CertificatePredicate& predicate);
 
 }  // namespace axiscert

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "fuzz/queries/address.h"
 #include "fuzz/queries/image_groups.h"
 #include "kernel/base/error.h"
 #include "reports/evidence/evidence.h"
@@ -41,9 +42,7 @@ constexpr ProvedLevel proved_levels[] = {
      "docs/proofs.md#the-conservative-test-of-the-certified-predicate"},
 };
 
-double number_of(const Json& figure) {
-  if (figure.is_number()) return figure.get<double>();
-  const auto& text = figure.get_ref<const std::string&>();
+double number_of(const std::string& text) {
   double value = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
   return problem == std::errc() ? value : std::numeric_limits<double>::infinity();
@@ -55,15 +54,15 @@ bool is_of_verdicts(const std::string& level) {
 }
 
 // How a find of a search contradicts a level; empty where it does not, or that cannot be told.
-std::string contradiction(const LevelOutcome& outcome, const Json& search) {
-  if (search.is_null()) return "";
+std::string contradiction(const LevelOutcome& outcome, const SearchedStatement* search) {
+  if (search == nullptr) return "";
   const std::string& level = outcome.asked.name;
   const bool has_depth = outcome.asked.has_argument && (level == "depth" || level == "conservative");
-  const double allowed = has_depth ? number_of(Json(outcome.asked.argument)) : -1;
+  const double allowed = has_depth ? number_of(outcome.asked.argument) : -1;
   const auto of = [&](const char* goal, const char* what, double most) -> std::string {
-    const Json& find = search["finds"].value(goal, Json());
-    if (find.is_null() || number_of(find["depth"]) <= most) return "";
-    return fmt::format("the search found a {} of depth {} of the scene", what, find["depth"].get<std::string>());
+    const FindStatement* find = search->find(goal);
+    if (find == nullptr || !find->depth || number_of(*find->depth) <= most) return "";
+    return fmt::format("the search found a {} of depth {} of the scene", what, *find->depth);
   };
   if (!is_of_verdicts(level)) return "";
   const double any = std::numeric_limits<double>::infinity();
@@ -94,44 +93,42 @@ const KernelRecord* record_entry_of(const Record& record, const LevelOutcome& ou
   return nullptr;
 }
 
-Json level_json(const Record& record, const LevelOutcome& outcome, const Json& search) {
-  Json rests = Json::array(), failures = Json::array();
-  std::size_t failure_count = outcome.failures.size();
-  std::string_view state = name(outcome.state);
-  for (std::size_t i = 0; i < std::min(most_failures, failure_count); ++i) {
-    const Failure& f = outcome.failures[i];
-    failures.push_back(f.family.empty() ? f.what : fmt::format("{}: {}: {}", f.family, f.what, thousands(f.count)));
-  }
+LevelStatement level_statement(const Record& record, const LevelOutcome& outcome, const SearchedStatement* search) {
+  LevelStatement level;
+  level.level = outcome.asked.text;
+  if (!outcome.precision.empty()) level.precision = parse_precision(outcome.precision);
+  level.state = outcome.state;
+  level.claim = outcome.claim();
+  level.looked_at = outcome.looked_text();
+  level.statement = sentence_of(outcome.asked);
+  level.failure_count = outcome.failures.size();
   if (const std::string found = contradiction(outcome, search); !found.empty()) {
-    state = "not met";
-    failures.insert(failures.begin(), Json(found));
-    ++failure_count;
-    while (failures.size() > most_failures) failures.erase(failures.size() - 1);
+    level.state = LevelState::not_met;
+    level.failures.push_back(found);
+    ++level.failure_count;
   }
-  if (state == "met") {
-    if (const std::string proof = proved_at(outcome.kernel, outcome.asked.text); !proof.empty())
-      rests.push_back({{"kind", "proved"}, {"text", proof}});
-    const KernelRecord* entry = record_entry_of(record, outcome);
-    rests.push_back({{"kind", "observed"},
-                     {"text", entry ? observed(*entry, outcome.asked.name, outcome.covers) : outcome.covers}});
-    if (!search.is_null() && is_of_verdicts(outcome.asked.name)) {
-      rests.push_back({{"kind", "searched"},
-                       {"text", fmt::format("{} evaluations of a search for the worst found nothing against it",
-                                            thousands(search["evaluations"].get<std::uint64_t>()))}});
-    }
+  for (const Failure& f : outcome.failures) {
+    if (level.failures.size() == most_failures) break;
+    level.failures.push_back(f.family.empty() ? f.what
+                                              : fmt::format("{}: {}: {}", f.family, f.what, thousands(f.count)));
   }
-  const auto given = [](const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); };
-  return {{"level", outcome.asked.text},
-          {"precision", given(outcome.precision)},
-          {"state", state},
-          {"claim", outcome.claim()},
-          {"looked_at", outcome.looked_text()},
-          {"statement", sentence_of(outcome.asked)},
-          {"rests_on", rests},
-          {"leaves_out", given(state == "met" ? outcome.leaves_out : "")},
-          {"failures", failures},
-          {"failure_count", failure_count},
-          {"reason", given(state == name(LevelState::not_checked) ? outcome.reason : "")}};
+  const auto put = [](std::optional<Said>& into, const std::string& text) {
+    if (!text.empty()) into = text;
+  };
+  if (level.state == LevelState::not_checked) put(level.reason, outcome.reason);
+  if (level.state != LevelState::met) return level;
+  put(level.leaves_out, outcome.leaves_out);
+  if (const std::string proof = proved_at(outcome.kernel, outcome.asked.text); !proof.empty())
+    level.rests_on.push_back({Ground::proved, proof});
+  const KernelRecord* entry = record_entry_of(record, outcome);
+  level.rests_on.push_back(
+      {Ground::observed, entry ? observed(*entry, outcome.asked.name, outcome.covers) : outcome.covers});
+  if (search != nullptr && is_of_verdicts(outcome.asked.name)) {
+    level.rests_on.push_back(
+        {Ground::searched, fmt::format("{} evaluations of a search for the worst found nothing against it",
+                                       thousands(search->evaluations))});
+  }
+  return level;
 }
 
 }  // namespace
@@ -162,8 +159,9 @@ std::vector<std::string> levels_asked(const std::vector<std::string>& yardsticks
   return asked;
 }
 
-Json levels_json(const Record& record, const std::string& kernel, const Json& searches) {
-  Json levels = Json::array();
+std::vector<LevelStatement> levels_of(const Record& record, const std::string& kernel,
+                                      const Named<SearchedStatement>& searches) {
+  std::vector<LevelStatement> levels;
   std::vector<std::string> yardsticks;
   for (const Name& id : record.plan.kernels) {
     if (id != kernel) yardsticks.push_back(id);
@@ -171,7 +169,7 @@ Json levels_json(const Record& record, const std::string& kernel, const Json& se
   for (const std::string& level : levels_asked(yardsticks)) {
     for (const LevelOutcome& outcome : outcomes_at(record, level)) {
       if (outcome.kernel != kernel) continue;
-      levels.push_back(level_json(record, outcome, searches.value(outcome.precision, Json())));
+      levels.push_back(level_statement(record, outcome, searches.find(outcome.precision)));
     }
   }
   return levels;

@@ -5,20 +5,17 @@
 #include <vector>
 
 #include "fuzz/record/record.h"
+#include "reports/certificate/statement/certificate_data.h"
 
 namespace axiscert {
 
 // The levels that a certificate asks: every level of --require, with an argument where it takes one.
 std::vector<std::string> levels_asked(const std::vector<std::string>& yardsticks);
 
-// An entry for each level and precision, in the order of levels_asked():
-//   level, precision, state: "met", "not met", "NOT CHECKED"; claim: its name, and how much of its families it is said
-//   of; looked_at: how many queries; statement: what it says, in words; rests_on: a list of {"kind": "proved",
-//   "observed" or "searched", "text"}; failures: of one that is not met, at most five of failure_count; reason: of one
-//   that was not checked
-// The kernel is one of the record's, and the others are its yardsticks. `searches` has, by precision, what certify's
-// search found (search_json), or null where none was made.
-Json levels_json(const Record& record, const std::string& kernel, const Json& searches);
+// An entry for each level and precision, in the order of levels_asked(), with at most five failures. The kernel is one
+// of the record's, and the others are its yardsticks. `searches` has, by precision, what certify's search found.
+std::vector<LevelStatement> levels_of(const Record& record, const std::string& kernel,
+                                      const Named<SearchedStatement>& searches);
 
 // The sentence that says what is proved of a built-in kernel at a level; empty where nothing is.
 std::string proved_at(const std::string& kernel, const std::string& level);

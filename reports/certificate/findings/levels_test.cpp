@@ -44,33 +44,36 @@ TEST(ProvedLevels, NothingElseIsProved) {
 
 // The levels of `published` in binary32 that are about verdicts, on a run that saw no wrong one, beside a search's
 // finds.
-std::map<std::string, Json> levels_beside(const Json& finds) {
+std::map<std::string, LevelStatement> levels_beside(const std::string& goal = "", const std::string& depth = "") {
   Json record = stored_record();
   record["kernels"][0]["families"].erase("tangent");
-  const Json searches = {{"binary32", {{"evaluations", 12345}, {"finds", finds}}}};
-  std::map<std::string, Json> levels;
-  for (const Json& level : levels_json(edited(record), "published", searches)) {
-    if (level["precision"] == "binary32") levels[level["level"].get<std::string>()] = level;
+  Named<SearchedStatement> searches;
+  SearchedStatement& search = searches.put("binary32");
+  search.evaluations = 12345;
+  if (!goal.empty()) search.finds.put(goal).emplace().depth = depth;
+  std::map<std::string, LevelStatement> levels;
+  for (const LevelStatement& level : levels_of(edited(record), "published", searches)) {
+    if (level.precision == Precision::binary32) levels[level.level] = level;
   }
   return levels;
 }
 std::vector<std::string> not_met_beside(const std::string& goal, const std::string& depth) {
   std::vector<std::string> not_met;
-  for (const auto& [name, level] : levels_beside({{goal, {{"depth", depth}}}})) {
-    if (level["state"] == "not met") not_met.push_back(name);
+  for (const auto& [name, level] : levels_beside(goal, depth)) {
+    if (level.state == LevelState::not_met) not_met.push_back(name);
   }
   return not_met;
 }
 
 TEST(LevelsBesideASearch, AreMetWhereItFoundNothing) {
-  const auto levels = levels_beside(Json::object());
+  const auto levels = levels_beside();
   for (const char* name : {"exact", "conservative", "conservative=0.001", "depth=0.001"}) {
-    const Json& level = levels.at(name);
-    EXPECT_EQ(level["state"], "met") << name;
-    EXPECT_EQ(level["failure_count"], 0) << name;
-    ASSERT_EQ(level["rests_on"].size(), 2u) << name;
-    EXPECT_EQ(level["rests_on"][0]["kind"], "observed");
-    EXPECT_THAT(level["rests_on"][1]["text"].get<std::string>(), testing::HasSubstr("12,345 evaluations"));
+    const LevelStatement& level = levels.at(name);
+    EXPECT_EQ(level.state, LevelState::met) << name;
+    EXPECT_EQ(level.failure_count, 0u) << name;
+    ASSERT_EQ(level.rests_on.size(), 2u) << name;
+    EXPECT_EQ(level.rests_on[0].kind, Ground::observed);
+    EXPECT_THAT(level.rests_on[1].text, testing::HasSubstr("12,345 evaluations"));
   }
 }
 
@@ -82,10 +85,10 @@ TEST(LevelsBesideASearch, AreNotMetWhereItFoundAWrongVerdictThatIsTooDeep) {
   EXPECT_THAT(not_met_beside("missed_contact", "0.0001"), ElementsAre("conservative", "conservative=0.001", "exact"));
   EXPECT_THAT(not_met_beside("phantom_contact", "0.01"), ElementsAre("conservative=0.001", "depth=0.001", "exact"));
   EXPECT_THAT(not_met_beside("phantom_contact", "0.0001"), ElementsAre("exact"));
-  const Json level = levels_beside({{"missed_contact", {{"depth", "0.01"}}}}).at("exact");
-  EXPECT_EQ(level["failure_count"], 1);
-  EXPECT_EQ(level["failures"], Json::array({"the search found a missed contact of depth 0.01 of the scene"}));
-  EXPECT_EQ(level["rests_on"], Json::array());
+  const LevelStatement level = levels_beside("missed_contact", "0.01").at("exact");
+  EXPECT_EQ(level.failure_count, 1u);
+  EXPECT_THAT(level.failures, ElementsAre("the search found a missed contact of depth 0.01 of the scene"));
+  EXPECT_TRUE(level.rests_on.empty());
 }
 
 }  // namespace

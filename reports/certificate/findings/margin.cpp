@@ -3,62 +3,56 @@
 namespace axiscert {
 namespace {
 
-Json missed_json(const std::optional<MissedContact>& missed) {
-  if (!missed) return nullptr;
-  return {{"value", missed->value.text()},
-          {"r", missed->radius},
-          {"contact_from", missed->critical.empty() ? Json(nullptr) : Json(missed->critical)},
-          {"family", missed->family},
-          {"query", Json::parse(missed->query)}};
+std::optional<MissedStatement> missed_statement(const std::optional<MissedContact>& missed) {
+  if (!missed) return std::nullopt;
+  MissedStatement said{
+      missed->value.text(), missed->radius, std::nullopt, missed->family, {Json::parse(missed->query)}};
+  if (!missed->critical.empty()) said.contact_from = missed->critical;
+  return said;
 }
 
-Json part_json(const MarginPart& part) {
-  const auto value = [](const std::optional<MissedContact>& greatest) {
-    return greatest ? Json(greatest->value.text()) : Json(nullptr);
+MarginPartStatement part_statement(const MarginPart& part) {
+  const auto value = [](const std::optional<MissedContact>& greatest) -> std::optional<TextNumber> {
+    if (!greatest) return std::nullopt;
+    return greatest->value.text();
   };
-  return {{"queries", part.queries},
-          {"contacts", part.contacts},
-          {"without_verdict", part.without_verdict},
-          {"missed", part.missed},
-          {"hopeless", part.hopeless},
-          {"tiny", part.tiny},
-          {"unmeasured", part.unmeasured},
-          {"factor", value(part.factor)},
-          {"amount", value(part.amount)},
-          {"phantoms_by_factor", part.phantoms_by_factor},
-          {"phantoms_by_amount", part.phantoms_by_amount},
-          {"still_missed_by_factor", part.still_missed_by_factor},
-          {"still_missed_by_amount", part.still_missed_by_amount}};
+  return {part.queries,
+          part.contacts,
+          part.without_verdict,
+          part.missed,
+          part.hopeless,
+          part.tiny,
+          part.unmeasured,
+          value(part.factor),
+          value(part.amount),
+          part.phantoms_by_factor,
+          part.phantoms_by_amount,
+          part.still_missed_by_factor,
+          part.still_missed_by_amount};
 }
 
-Json answers_json(const ContactAnswers& answers) {
-  return {{"asked", answers.asked()},
-          {"missed", answers.missed},
-          {"declined", answers.looked_at.undecided},
-          {"invalid", answers.looked_at.invalid},
-          {"unanswered", answers.looked_at.unanswered}};
+ContactsStatement contacts_statement(const ContactAnswers& answers) {
+  return {answers.asked(), answers.missed, answers.looked_at.undecided, answers.looked_at.invalid,
+          answers.looked_at.unanswered};
 }
 
 }  // namespace
 
-Json margin_json(const SafeMargin& margin) {
-  Json decades = Json::array();
-  for (const auto& [scene, part] : margin.parts) {
-    Json entry = {{"degenerate", scene.is_degenerate}, {"decade", scene.decade}};
-    entry.update(part_json(part));
-    decades.push_back(entry);
-  }
-  return {{"precision", name(margin.precision)},
-          {"queries", margin.queries},
-          {"probed", margin.probed},
-          {"found", margin.found},
-          {"phantoms", margin.phantoms},
-          {"contacts", {{"of_run", answers_json(margin.of_run)}, {"of_others", answers_json(margin.of_others)}}},
-          {"factor", missed_json(margin.factor)},
-          {"amount", missed_json(margin.amount)},
-          {"hopeless", missed_json(margin.hopeless)},
-          {"all", part_json(margin.total())},
-          {"decades", decades}};
+MarginStatement margin_statement(const SafeMargin& margin) {
+  MarginStatement said{margin.precision,
+                       margin.queries,
+                       margin.probed,
+                       margin.found,
+                       margin.phantoms,
+                       {contacts_statement(margin.of_run), contacts_statement(margin.of_others)},
+                       missed_statement(margin.factor),
+                       missed_statement(margin.amount),
+                       missed_statement(margin.hopeless),
+                       part_statement(margin.total()),
+                       {}};
+  for (const auto& [scene, part] : margin.parts)
+    said.decades.push_back({part_statement(part), scene.is_degenerate, scene.decade});
+  return said;
 }
 
 }  // namespace axiscert

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "fuzz/certify/safe_margin.h"
-#include "fuzz/text/json.h"
+#include "reports/certificate/statement/certificate_data.h"
 
 namespace axiscert {
 
-// Without fractions: figures of six digits, rounded up, as decimal text.
-Json margin_json(const SafeMargin& margin);
+// Figures have six digits, rounded up.
+MarginStatement margin_statement(const SafeMargin& margin);
 
 }  // namespace axiscert

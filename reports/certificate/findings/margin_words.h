@@ -4,16 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "reports/certificate/statement/certificate_data.h"
 #include "reports/instrument/instrument.h"
 
 namespace axiscert {
 
 // The sentences that an engine's programmer needs about one precision: first what r has to grow by in scenes of
-// everyday sizes on triangles that have an area, then all else. `margin`: a member of the predicate's
-// safe_margin.precisions.
-std::vector<std::string> margin_notes(const Json& margin);
+// everyday sizes on triangles that have an area, then all else.
+std::vector<std::string> margin_notes(const MarginStatement& margin);
 
-// Every size of scene in which a contact was missed. `safe_margin`: of the predicate.
-InstrumentTable margin_table(const Json& safe_margin);
+// Every size of scene in which a contact was missed.
+InstrumentTable margin_table(const SafeMarginStatement& safe_margin);
 
 }  // namespace axiscert

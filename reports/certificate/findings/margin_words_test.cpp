@@ -39,7 +39,7 @@ SafeMargin margin_with(const std::map<MarginScene, std::pair<int, int>>& growths
 }
 
 TEST(MarginWords, BeginWithEverydayScenesOnTrianglesThatAreNotDegenerate) {
-  const auto notes = margin_notes(margin_json(margin_with(
+  const auto notes = margin_notes(margin_statement(margin_with(
       {{{false, 0}, {2, 1500}}, {{false, 2}, {3, 20000}}, {{false, 9}, {9, 9000}}, {{true, 0}, {5, 8000}}})));
   ASSERT_EQ(notes.size(), 3u);
   EXPECT_THAT(notes[0],
@@ -57,7 +57,7 @@ TEST(MarginWords, BeginWithEverydayScenesOnTrianglesThatAreNotDegenerate) {
 }
 
 TEST(MarginWords, ATinyRadiusHasAnAmountAlone) {
-  const auto notes = margin_notes(margin_json(margin_with({{{false, 0}, {0, 250}}})));
+  const auto notes = margin_notes(margin_statement(margin_with({{{false, 0}, {0, 250}}})));
   ASSERT_EQ(notes.size(), 2u);
   EXPECT_THAT(notes[0], HasSubstr("10,000: r plus 0.252 of the scene's size mends"));
   EXPECT_THAT(notes[0], Not(HasSubstr("r times")));
@@ -67,11 +67,11 @@ TEST(MarginWords, ATinyRadiusHasAnAmountAlone) {
 TEST(MarginWords, SayWhereNothingIsNeeded) {
   SafeMargin margin{Precision::binary64};
   margin.parts[{false, 0}].contacts = 878;
-  EXPECT_THAT(fmt::format("{}", fmt::join(margin_notes(margin_json(margin)), "|")),
+  EXPECT_THAT(fmt::format("{}", fmt::join(margin_notes(margin_statement(margin)), "|")),
               HasSubstr("binary64: none is needed: it missed none of 878 contacts"));
   margin = margin_with({{{true, 0}, {5, 8000}}});
   margin.parts[{false, 0}].contacts = 9;
-  const auto notes = margin_notes(margin_json(margin));
+  const auto notes = margin_notes(margin_statement(margin));
   ASSERT_EQ(notes.size(), 3u);
   EXPECT_THAT(notes[0], HasSubstr("none is needed on triangles that are not degenerate"));
 }
@@ -79,7 +79,7 @@ TEST(MarginWords, SayWhereNothingIsNeeded) {
 // Nothing is known of contacts that a kernel did not answer.
 TEST(MarginWords, SayThatNothingIsKnownOfContactsWithoutAVerdict) {
   SafeMargin margin{Precision::binary32};
-  const auto note = [&] { return margin_notes(margin_json(margin)).front(); };
+  const auto note = [&] { return margin_notes(margin_statement(margin)).front(); };
   EXPECT_THAT(note(), HasSubstr("not known: no contact was asked about."));
   MarginPart& part = margin.parts[{false, 0}];
   part.contacts = part.without_verdict = 878;
@@ -91,13 +91,13 @@ TEST(MarginWords, SayThatNothingIsKnownOfContactsWithoutAVerdict) {
   margin.parts[{false, 0}].contacts = margin.parts[{false, 0}].without_verdict = 4;
   EXPECT_THAT(note(),
               HasSubstr("10,000: not known: it answered none of 4 contacts on triangles that are not degenerate."));
-  EXPECT_THAT(margin_notes(margin_json(margin)).back(), HasSubstr("to 4 of 54 contacts it gave no verdict"));
+  EXPECT_THAT(margin_notes(margin_statement(margin)).back(), HasSubstr("to 4 of 54 contacts it gave no verdict"));
 }
 
 TEST(MarginWords, TheTableHasEachSizeWhereAContactWasMissed) {
   SafeMargin margin = margin_with({{{false, 1}, {2, 10}}, {{true, -400}, {0, 1}}});
   margin.parts[{false, 3}].queries = 5;
-  const InstrumentTable table = margin_table({{"precisions", {margin_json(margin)}}});
+  const InstrumentTable table = margin_table({{}, {margin_statement(margin)}});
   ASSERT_EQ(table.rows.size(), 2u);
   EXPECT_EQ(table.rows[0], (std::vector<std::string>{"binary32", "others", "1e1", "100", "7", "0", "0", "2", "0.01",
                                                      "0.00101", "2", "3"}));
@@ -117,11 +117,11 @@ TEST(MarginWords, AnAmountBeyondEverydaySizesIsShownRelativeToTheSceneAlone) {
     return power;
   }();
   margin.parts[{false, 113}].amount = contact_of(Rational(size * 3 / 10));
-  const Json json = margin_json(margin);
-  const InstrumentTable table = margin_table({{"precisions", {json}}});
+  const MarginStatement said = margin_statement(margin);
+  const InstrumentTable table = margin_table({{}, {said}});
   EXPECT_EQ(table.rows[0][8], "-");
   EXPECT_EQ(table.rows[0][9], "0.302");
-  const std::string notes = fmt::format("{}", fmt::join(margin_notes(json), "|"));
+  const std::string notes = fmt::format("{}", fmt::join(margin_notes(said), "|"));
   EXPECT_THAT(notes,
               HasSubstr("Over all scales in binary32, degenerate or not: r times 2, or r plus 0.302 of the scene's"));
   EXPECT_THAT(notes, Not(HasSubstr("e+")));
@@ -129,7 +129,7 @@ TEST(MarginWords, AnAmountBeyondEverydaySizesIsShownRelativeToTheSceneAlone) {
 
 TEST(MarginWords, EverydayScenesEndAtTenKilometresAndTheUnitIsOneOfTrianglesThatAreNotDegenerate) {
   const auto notes =
-      margin_notes(margin_json(margin_with({{{false, 3}, {2, 1}}, {{false, 4}, {7, 1}}, {{true, 0}, {5, 8000}}})));
+      margin_notes(margin_statement(margin_with({{{false, 3}, {2, 1}}, {{false, 4}, {7, 1}}, {{true, 0}, {5, 8000}}})));
   EXPECT_THAT(notes[0], HasSubstr("in scenes of 0.001 to 10,000: r times 2, or"));
   EXPECT_THAT(notes[0], Not(HasSubstr("in scenes of 1 to 10")));
 }

@@ -24,69 +24,48 @@ const Situation& situation_of(std::span<const Situation> situations, std::string
   return situations.back();
 }
 
-// The wrong verdicts of one situation in one precision.
-struct WrongVerdicts {
-  std::uint64_t missed = 0, phantom = 0;
-  double deepest_missed = 0, deepest_phantom = 0;
-  std::vector<std::pair<double, std::string>> families = {};  // by their deepest
-
-  void add(const std::string& family, const VerdictTally& verdict) {
-    const std::uint64_t more = verdict.false_separation, others = verdict.false_contact;
-    if (more + others == 0) return;
-    const double of_missed = verdict.deepest_false_separation.best(), of_phantom = verdict.deepest_false_contact.best();
-    missed += more;
-    phantom += others;
-    deepest_missed = std::max(deepest_missed, of_missed);
-    deepest_phantom = std::max(deepest_phantom, of_phantom);
-    families.emplace_back(std::max(of_missed, of_phantom), family);
-  }
-};
-
 }  // namespace
 
-Json situations_json(const Record& record, const std::string& kernel) {
-  Json found = Json::array();
+std::vector<WrongVerdicts> wrong_situations(const Record& record, const std::string& kernel) {
+  std::vector<WrongVerdicts> found;
   const std::span<const Situation> situations = test_words_of(test_of(record.plan)).situations;
   for (const Situation& situation : situations) {
     for (const KernelRecord& entry : record.kernels) {
       if (entry.id != kernel) continue;
-      WrongVerdicts tally;
+      WrongVerdicts wrong{&situation, entry.precision};
+      std::vector<std::pair<double, std::string>> families;  // by their deepest
       for (const auto& [family, result] : entry.families) {
-        if (&situation_of(situations, family) == &situation) tally.add(family, result.verdict);
+        const VerdictTally& verdict = result.verdict;
+        if (&situation_of(situations, family) != &situation) continue;
+        if (verdict.false_separation + verdict.false_contact == 0) continue;
+        const double missed = verdict.deepest_false_separation.best(), phantom = verdict.deepest_false_contact.best();
+        wrong.missed += verdict.false_separation;
+        wrong.phantom += verdict.false_contact;
+        wrong.deepest_missed = std::max(wrong.deepest_missed, missed);
+        wrong.deepest_phantom = std::max(wrong.deepest_phantom, phantom);
+        families.emplace_back(std::max(missed, phantom), family);
       }
-      if (tally.families.empty()) continue;
-      std::ranges::stable_sort(tally.families, [](const auto& x, const auto& y) { return x.first > y.first; });
-      Json families = Json::array();
-      for (const auto& [depth, family] : tally.families) families.push_back(family);
-      found.push_back({{"precision", name(entry.precision)},
-                       {"situation", situation.name},
-                       {"meaning", situation.meaning},
-                       {"families", families},
-                       {"missed", tally.missed},
-                       {"deepest_missed", tally.deepest_missed},
-                       {"phantom", tally.phantom},
-                       {"deepest_phantom", tally.deepest_phantom},
-                       {"advice", situation.advice},
-                       {"section", situation.section}});
+      if (families.empty()) continue;
+      std::ranges::stable_sort(families, [](const auto& x, const auto& y) { return x.first > y.first; });
+      for (const auto& [depth, family] : families) wrong.families.push_back(family);
+      found.push_back(std::move(wrong));
     }
   }
   return found;
 }
 
-const Json* first_situation(const Json& situations, bool& missed) {
+const WrongVerdicts* first_situation(const std::vector<WrongVerdicts>& situations, bool& missed) {
   for (const bool is_missed : {true, false}) {
-    const char* depth = is_missed ? "deepest_missed" : "deepest_phantom";
     missed = is_missed;
-    for (const Json& entry : situations) {
-      if (entry[depth].get<double>() >= visible_depth) return &entry;
+    for (const WrongVerdicts& entry : situations) {
+      if (entry.deepest(is_missed) >= visible_depth) return &entry;
     }
   }
   for (const bool is_missed : {true, false}) {
-    const char *count = is_missed ? "missed" : "phantom", *depth = is_missed ? "deepest_missed" : "deepest_phantom";
     missed = is_missed;
-    const Json* deepest = nullptr;
-    for (const Json& entry : situations) {
-      if (entry[count] != 0 && (!deepest || entry[depth].get<double>() > (*deepest)[depth].get<double>()))
+    const WrongVerdicts* deepest = nullptr;
+    for (const WrongVerdicts& entry : situations) {
+      if (entry.count(is_missed) != 0 && (!deepest || entry.deepest(is_missed) > deepest->deepest(is_missed)))
         deepest = &entry;
     }
     if (deepest) return deepest;

@@ -20,13 +20,23 @@ struct Situation {
 // A depth, relative to the scene, from which on roundings near touching are not to blame.
 inline constexpr double visible_depth = 0.001;
 
-// The situations in which a kernel is wrong, an entry for each precision: precision, situation, meaning, families
-// (those with a wrong verdict, the deepest first), missed, deepest_missed, phantom, deepest_phantom, advice, section.
-// In the order of TestWords::situations. Depths are numbers here.
-Json situations_json(const Record& record, const std::string& kernel);
+// The wrong verdicts of a kernel in one situation and precision.
+struct WrongVerdicts {
+  const Situation* situation = nullptr;
+  Precision precision = Precision::binary32;
+  std::uint64_t missed = 0, phantom = 0;
+  double deepest_missed = 0, deepest_phantom = 0;
+  std::vector<std::string> families = {};  // with a wrong verdict, the deepest first
+
+  std::uint64_t count(bool is_missed) const { return is_missed ? missed : phantom; }
+  double deepest(bool is_missed) const { return is_missed ? deepest_missed : deepest_phantom; }
+};
+
+// The situations in which a kernel is wrong, an entry for each precision, in the order of TestWords::situations.
+std::vector<WrongVerdicts> wrong_situations(const Record& record, const std::string& kernel);
 
 // The entry of these that breaks first: the most everyday one with missed contacts of a visible depth, else with such
 // phantoms, else that with the deepest missed contact, or phantom. Null where there is none. `missed` says which it is.
-const Json* first_situation(const Json& situations, bool& missed);
+const WrongVerdicts* first_situation(const std::vector<WrongVerdicts>& situations, bool& missed);
 
 }  // namespace axiscert

@@ -94,17 +94,16 @@ Record record_of(const std::map<std::string, Wrong>& families) {
   return record;
 }
 
-Json first_of(const std::map<std::string, Wrong>& families) {
+// And whether by its missed contacts; empty: none.
+std::pair<std::string, bool> first_of(const std::map<std::string, Wrong>& families) {
   bool missed = true;
-  const Json situations = situations_json(record_of(families), "k");
-  const Json* first = first_situation(situations, missed);
-  if (first == nullptr) return nullptr;
-  return {{"situation", (*first)["situation"]}, {"missed", missed}};
+  const std::vector<WrongVerdicts> situations = wrong_situations(record_of(families), "k");
+  const WrongVerdicts* first = first_situation(situations, missed);
+  if (first == nullptr) return {};
+  return {std::string(first->situation->name), missed};
 }
 
-Json situation_named(const std::string& situation, bool missed) {
-  return {{"situation", situation}, {"missed", missed}};
-}
+std::pair<std::string, bool> situation_named(const std::string& situation, bool missed) { return {situation, missed}; }
 
 TEST(Situations, TheMostEverydayOneWithAVisibleDepthBreaksFirst) {
   EXPECT_EQ(first_of({{"graze", {9, 9, 0.9, 0.9}}, {"general", {1, 0, 0.01, 0}}}), situation_named("everyday", true));
@@ -117,24 +116,26 @@ TEST(Situations, TheMostEverydayOneWithAVisibleDepthBreaksFirst) {
   EXPECT_EQ(first_of({{"graze", {1, 0, 2e-7, 0}}, {"general", {1, 0, 1e-7, 0}}}), situation_named("touching", true));
   EXPECT_EQ(first_of({{"graze", {0, 1, 0, 2e-7}}}), situation_named("touching", false));
   EXPECT_EQ(first_of({{"mesh-abc", {1, 0, 0.5, 0}}}), situation_named("own", true));
-  EXPECT_EQ(first_of({{"graze", {0, 0, 0, 0}}}), Json());
+  EXPECT_EQ(first_of({{"graze", {0, 0, 0, 0}}}).first, "");
   EXPECT_EQ(first_of({{"graze", {1, 0, 0.5, 0}}, {"corpus", {1, 0, 0.9, 0}}}), situation_named("touching", true));
 }
 
 TEST(Situations, AreSaidWithTheirFamiliesTheDepthAndWhatToDo) {
   const Record record = record_of({{"lattice", {3, 0, 0.25, 0}}, {"general", {0, 2, 0, 1e-8}}});
-  Json predicate = {{"kernel", {{"id", "k"}, {"test", "moving-sphere"}}},
-                    {"breaks_first", what_breaks_first(record, "k")},
-                    {"situations", where_it_is_wrong(record, "k")},
-                    {"search", {{"precisions", Json::object()}}}};
-  EXPECT_EQ(predicate["breaks_first"]["cause"], "small_integers");
+  CertificatePredicate predicate;
+  predicate.kernel.id = "k";
+  predicate.kernel.test = "moving-sphere";
+  predicate.breaks_first = what_breaks_first(record, "k");
+  predicate.situations = where_it_is_wrong(record, "k");
+  EXPECT_EQ(predicate.breaks_first->cause, "small_integers");
   const std::string note = breaks_note(predicate);
   EXPECT_THAT(note, HasSubstr("in binary32: motions in small integers"));
   EXPECT_THAT(note, HasSubstr("missed contacts in the family moving-sphere/lattice, up to 0.25 of the scene deep"));
   EXPECT_THAT(note, HasSubstr("See docs/moving.md#"));
-  predicate["search"]["precisions"]["binary32"]["finds"]["missed_contact"] = {{"depth", "0.2"}};
+  FindStatement& find = predicate.search.precisions.put("binary32").finds.put("missed_contact").emplace();
+  find.depth = "0.2";
   EXPECT_EQ(breaks_note(predicate), note);
-  predicate["search"]["precisions"]["binary32"]["finds"]["missed_contact"] = {{"depth", "0.5"}};
+  find.depth = "0.5";
   EXPECT_THAT(breaks_note(predicate), HasSubstr("deep. A search found one of depth 0.5. "));
   const InstrumentTable table = situations_table(predicate);
   ASSERT_EQ(table.rows.size(), 2u);
@@ -144,39 +145,36 @@ TEST(Situations, AreSaidWithTheirFamiliesTheDepthAndWhatToDo) {
 }
 
 TEST(Situations, AddUpTheirFamiliesTheDeepestFirst) {
-  const Json found = situations_json(
+  const auto found = wrong_situations(
       record_of({{"general", {1, 2, 0.1, 0.3}}, {"scene_fall", {4, 0, 0.5, 0}}, {"scene_walk", {8, 1, 0.2, 0.01}}}),
       "k");
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0]["families"],
-            Json::array({"moving-sphere/scene_fall", "moving-sphere/general", "moving-sphere/scene_walk"}));
-  EXPECT_EQ(found[0]["missed"], 13);
-  EXPECT_EQ(found[0]["phantom"], 3);
-  EXPECT_EQ(found[0]["deepest_missed"], 0.5);
-  EXPECT_EQ(found[0]["deepest_phantom"], 0.3);
+  EXPECT_THAT(found[0].families,
+              testing::ElementsAre("moving-sphere/scene_fall", "moving-sphere/general", "moving-sphere/scene_walk"));
+  EXPECT_EQ(found[0].missed, 13u);
+  EXPECT_EQ(found[0].phantom, 3u);
+  EXPECT_EQ(found[0].deepest_missed, 0.5);
+  EXPECT_EQ(found[0].deepest_phantom, 0.3);
 }
 
 TEST(Peculiarities, AreThoseThatAUserHasToKnow) {
-  const auto property = [](const char* name, const char* value) {
-    return Json{{"name", name}, {"value", value}, {"sentence", "s"}, {"queries", 1}};
-  };
-  // Json::array, since of an array in braces with one element clang makes that element.
-  const Json binary32 = {{"precision", "binary32"},
-                         {"properties", Json::array({property("sides", "front_only"), property("repeated", "same"),
-                                                     property("absolute_threshold", "present")})}};
-  Json predicate = {{"kernel", {{"id", "peer/x"}, {"test", "moving-sphere"}}},
-                    {"diagnosis", {{"precisions", Json::array({binary32})}}}};
+  const auto property = [](const char* name, const char* value) { return PropertyStatement{name, value, "s", 1}; };
+  CertificatePredicate predicate;
+  predicate.kernel.id = "peer/x";
+  predicate.kernel.test = "moving-sphere";
+  std::vector<PropertyStatement>& properties = predicate.diagnosis.precisions.emplace_back().properties;
+  properties = {property("sides", "front_only"), property("repeated", "same"),
+                property("absolute_threshold", "present")};
   EXPECT_THAT(peculiarities_note(predicate), HasSubstr("in binary32, one-sided: only from the front; compares with"));
-  Json& properties = predicate["diagnosis"]["precisions"][0]["properties"];
-  properties = Json::array({property("nearest_form", "moving-sphere/physx5")});
+  properties = {property("nearest_form", "moving-sphere/physx5")};
   EXPECT_THAT(peculiarities_note(predicate), HasSubstr("answers as moving-sphere/physx5 does, see docs/moving.md#"));
   properties.insert(properties.begin(), property("degenerate_triangles", "skipped"));
   EXPECT_THAT(peculiarities_note(predicate),
               HasSubstr("are never hit; otherwise answers as moving-sphere/physx5 does"));
-  properties.erase(0);
-  predicate["kernel"]["id"] = "moving-sphere/physx5";
+  properties.erase(properties.begin());
+  predicate.kernel.id = "moving-sphere/physx5";
   EXPECT_EQ(peculiarities_note(predicate), "");
-  properties = Json::array({property("repeated", "same"), property("sides", "not_known")});
+  properties = {property("repeated", "same"), property("sides", "not_known")};
   EXPECT_EQ(peculiarities_note(predicate), "");
 }
 

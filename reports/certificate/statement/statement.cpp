@@ -17,25 +17,21 @@ std::string sha256_of(const std::string& bytes) { return sha256_hex(std::as_byte
 
 }  // namespace
 
-std::string kind_of_kernel(const Kernel& kernel) {
-  if (kernel.file.empty()) return "built-in";
-  if (!plugin::is_given_by_file(kernel.id)) return "peer";
-  return plugin::is_program(kernel) ? "program" : "plugin";
+KernelKind kind_of_kernel(const Kernel& kernel) {
+  if (kernel.file.empty()) return KernelKind::built_in;
+  if (!plugin::is_given_by_file(kernel.id)) return KernelKind::peer;
+  return plugin::is_program(kernel) ? KernelKind::program : KernelKind::plugin;
 }
 
-Json subject(const std::string& name, const std::string& sha256, const std::string& what) {
-  return {{"name", name}, {"digest", {{"sha256", sha256}}}, {"annotations", {{"what", what}}}};
+SubjectStatement file_subject(const std::string& path, const std::string& what) {
+  return {base_name(path), {sha256_of(read_bytes(path))}, {what}};
 }
 
-Json file_subject(const std::string& path, const std::string& what) {
-  return subject(base_name(path), sha256_of(read_bytes(path)), what);
-}
+SubjectStatement built_in_subject(const std::string& id) { return {id, {source_digests().kernels}, {"built-in"}}; }
 
-Json built_in_subject(const std::string& id) { return subject(id, source_digests().kernels, "built-in"); }
-
-Json subjects_of(const Kernel& kernel) {
-  if (kernel.file.empty()) return Json::array({built_in_subject(kernel.id)});
-  Json subjects = Json::array();
+std::vector<SubjectStatement> subjects_of(const Kernel& kernel) {
+  if (kernel.file.empty()) return {built_in_subject(kernel.id)};
+  std::vector<SubjectStatement> subjects;
   for (const plugin::KernelFile& file : plugin::files_of(kernel))
     subjects.push_back(file_subject(file.path, file.kind));
   return subjects;
@@ -53,7 +49,7 @@ Json without_fractions(const Json& value) {
 }
 
 Json portable_plan(Json plan) {
-  plan["kernels"][0] = "kernel";
+  plan["kernels"][0] = portable_id;
   Json files = Json::array();
   for (const Json& file : plan["files"]) {
     if (file["kind"] == "mesh" || file["kind"] == "queries") files.push_back(file);

@@ -6,6 +6,7 @@
 
 #include "fuzz/text/json.h"
 #include "kernel/kernel.h"
+#include "reports/certificate/statement/certificate_data.h"
 
 namespace axiscert {
 
@@ -17,17 +18,14 @@ struct SourceDigests {
 };
 const SourceDigests& source_digests();
 
-// How a kernel came: "built-in", "plugin", "program", "peer", "replies".
-std::string kind_of_kernel(const Kernel& kernel);
+KernelKind kind_of_kernel(const Kernel& kernel);
 
-// A subject of the statement: an entry of in-toto with a name, the SHA-256 and what it is.
-Json subject(const std::string& name, const std::string& sha256, const std::string& what);
 // A file as a subject; throws Error where it cannot be read.
-Json file_subject(const std::string& path, const std::string& what);
+SubjectStatement file_subject(const std::string& path, const std::string& what);
 // A built-in kernel of this axiscert, by its id and the sources of kernels.
-Json built_in_subject(const std::string& id);
+SubjectStatement built_in_subject(const std::string& id);
 // The subjects of a kernel: of a built-in one the above, else all its files. Nothing is loaded or started.
-Json subjects_of(const Kernel& kernel);
+std::vector<SubjectStatement> subjects_of(const Kernel& kernel);
 
 // Fractions as decimal text, the shortest that is the same double again; canonical JSON has none.
 Json without_fractions(const Json& value);
