@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/sphere_triangle/measures/input_class.h"
 #include "reports/certificate/findings/situations.h"
 #include "reports/certificate/statement/statement.h"
 #include "reports/run_folder/run_folder.h"
