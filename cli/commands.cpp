@@ -11,7 +11,7 @@
 #include "exact/judge/truth.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/supervisor.h"
-#include "reports/instrument/data.h"
+#include "reports/schemas/schemas.h"
 
 namespace axiscert {
 

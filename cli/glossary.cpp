@@ -6,7 +6,6 @@
 #include <cctype>
 
 #include "kernel/base/alike.h"
-#include "kernel/base/error.h"
 
 namespace axiscert {
 namespace {
@@ -46,16 +45,20 @@ std::vector<GlossaryEntry> glossary_entries(std::string_view text) {
   return entries;
 }
 
-const GlossaryEntry& find_entry(const std::vector<GlossaryEntry>& entries, std::string_view word) {
+const GlossaryEntry* find_entry(const std::vector<GlossaryEntry>& entries, std::string_view word) {
   const std::string given = plain(word), singular = given.ends_with('s') ? given.substr(0, given.size() - 1) : given;
-  std::vector<std::string_view> words;
   for (const GlossaryEntry& entry : entries) {
     for (const std::string& known : entry.words) {
-      if (plain(known) == given || plain(known) == singular) return entry;
-      words.push_back(known);
+      if (plain(known) == given || plain(known) == singular) return &entry;
     }
   }
-  throw Error(unknown_name("word", "words", word, words));
+  return nullptr;
+}
+
+std::string unknown_word(const std::vector<GlossaryEntry>& entries, std::string_view word) {
+  std::vector<std::string_view> words;
+  for (const GlossaryEntry& entry : entries) words.insert(words.end(), entry.words.begin(), entry.words.end());
+  return unknown_name("word", "words", word, words);
 }
 
 }  // namespace axiscert

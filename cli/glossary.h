@@ -19,8 +19,9 @@ std::string_view glossary_text();
 // it.
 std::vector<GlossaryEntry> glossary_entries(std::string_view text);
 
-// The entry of a word: in any case, with spaces, '-' or '_' between its parts, in the plural too. Throws Error that has
-// the nearest words.
-const GlossaryEntry& find_entry(const std::vector<GlossaryEntry>& entries, std::string_view word);
+// The entry of a word: in any case, with spaces, '-' or '_' between its parts, in the plural too. Null where there is
+// none: then unknown_word() says which are nearest.
+const GlossaryEntry* find_entry(const std::vector<GlossaryEntry>& entries, std::string_view word);
+std::string unknown_word(const std::vector<GlossaryEntry>& entries, std::string_view word);
 
 }  // namespace axiscert

@@ -43,6 +43,7 @@ install(DIRECTORY fuzz/corpus DESTINATION share/axiscert FILES_MATCHING PATTERN 
 # Schemas of the data that commands print, for other programs.
 file(GLOB schemas CONFIGURE_DEPENDS reports/schemas/*.schema.json)
 install(FILES ${schemas} DESTINATION share/axiscert/schemas)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/schemas/ DESTINATION share/axiscert/schemas)
 
 install(FILES ${PROJECT_BINARY_DIR}/axiscert.1 DESTINATION share/man/man1 ${here})
 install(FILES ${PROJECT_BINARY_DIR}/debian/axiscert.1.gz DESTINATION share/man/man1 ${debian})

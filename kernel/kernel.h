@@ -97,6 +97,7 @@ enum class Exposure : std::uint8_t { verdict, comparisons, sides };
 template <>
 inline constexpr std::size_t enum_count<Exposure> = 3;
 inline constexpr EnumArray<Exposure, std::string_view> exposure_names = {"verdict", "comparisons", "sides"};
+constexpr std::string_view name(Exposure which) { return exposure_names[which]; }
 
 struct Kernel {
   std::string id;

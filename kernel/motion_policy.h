@@ -17,18 +17,21 @@ enum class StartPolicy : std::uint8_t {
 template <>
 inline constexpr std::size_t enum_count<StartPolicy> = 3;
 inline constexpr EnumArray<StartPolicy, std::string_view> start_policy_names = {"reported", "approaching", "ignored"};
+constexpr std::string_view name(StartPolicy which) { return start_policy_names[which]; }
 
 // Queries with a displacement of zero.
 enum class StillPolicy : std::uint8_t { reported, ignored };
 template <>
 inline constexpr std::size_t enum_count<StillPolicy> = 2;
 inline constexpr EnumArray<StillPolicy, std::string_view> still_policy_names = {"reported", "ignored"};
+constexpr std::string_view name(StillPolicy which) { return still_policy_names[which]; }
 
 // Triangles that the motion meets from behind: D.(AB x AC) >= 0, so also those without area.
 enum class SidesPolicy : std::uint8_t { both, front };
 template <>
 inline constexpr std::size_t enum_count<SidesPolicy> = 2;
 inline constexpr EnumArray<SidesPolicy, std::string_view> sides_policy_names = {"both", "front"};
+constexpr std::string_view name(SidesPolicy which) { return sides_policy_names[which]; }
 
 struct MotionPolicy {
   StartPolicy start = StartPolicy::reported;

@@ -40,8 +40,8 @@ bool is_same_path(const std::string& x, const std::string& y) {
 
 // The kernel of OLD that the user names: by its id, by another spelling of its path, or, loaded, by the name that it
 // declares, wherever it is now. Each has to be in OLD, since naming another would have no effect.
-std::string named_kernel(const std::string& given, const CompareOptions& options, const Json& record) {
-  const auto known = record["plan"]["kernels"].get<std::vector<std::string>>();
+std::string named_kernel(const std::string& given, const CompareOptions& options, const Record& record) {
+  const std::vector<std::string> known(record.plan.kernels.begin(), record.plan.kernels.end());
   if (std::find(known.begin(), known.end(), given) != known.end()) return given;
   for (const std::string& id : known) {
     if (is_same_path(id, given)) return id;
@@ -58,7 +58,7 @@ std::string named_kernel(const std::string& given, const CompareOptions& options
       declares.empty() ? "" : fmt::format("; it declares the name '{}', which none of them does", declares)));
 }
 
-TrustedPlugins trusted_kernels(const CompareOptions& options, const Json& record) {
+TrustedPlugins trusted_kernels(const CompareOptions& options, const Record& record) {
   TrustedPlugins trusted;
   for (const std::string& given : options.kernels) trusted[named_kernel(given, options, record)] = given;
   return trusted;

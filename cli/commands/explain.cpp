@@ -1,25 +1,92 @@
-// `axiscert explain`: a word of reports and documents, in plain English.
+// `axiscert explain`: a word of reports and documents, a figure of a record, and the schema of a file.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "cli/commands.h"
 #include "cli/glossary.h"
+#include "cli/values.h"
+#include "fuzz/record/record.h"
+#include "kernel/base/error.h"
+#include "reports/schemas/schemas.h"
 
 namespace axiscert {
+namespace {
+
+// A sentence of a schema about a member, with the places where it stands.
+struct Figure {
+  std::string about, unit;
+  std::vector<std::string> places;
+};
+
+// Adds the members of that name in a schema, and in those inside it.
+void add_figures(const Json& schema, const std::string& place, const std::string& name, std::vector<Figure>& found) {
+  for (const auto& [keyword, part] : schema.items()) {
+    const bool is_schema = keyword == "items" || keyword == "additionalProperties";
+    if (is_schema && part.is_object()) add_figures(part, place, name, found);
+    if (keyword != "anyOf") continue;
+    for (const Json& one : part) add_figures(one, place, name, found);
+  }
+  if (!schema.contains("properties")) return;
+  for (const auto& [member, rule] : schema["properties"].items()) {
+    const std::string here = place.empty() ? member : place + "." + member;
+    if (member == name && rule.contains("description")) {
+      const Figure figure{rule["description"], rule.value("unit", ""), {here}};
+      const auto same = std::find_if(found.begin(), found.end(), [&](const Figure& other) {
+        return other.about == figure.about && other.unit == figure.unit;
+      });
+      if (same == found.end()) found.push_back(figure);
+      else same->places.push_back(here);
+    }
+    add_figures(rule, here, name, found);
+  }
+}
+
+// "kernels.families.trials: Number of queries: ...", a line for each sentence; empty where no member has that name.
+std::string figure_text(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
+  std::vector<Figure> found;
+  add_figures(json_schema_of<Record>(), "", name, found);
+  std::string text;
+  for (const Figure& figure : found)
+    text += fmt::format("{}{}: {}\n", fmt::join(figure.places, ", "),
+                        figure.unit.empty() ? "" : fmt::format(" ({})", figure.unit), figure.about);
+  return text;
+}
+
+void explain(const std::string& word) {
+  const std::vector<GlossaryEntry> entries = glossary_entries(glossary_text());
+  if (const GlossaryEntry* entry = find_entry(entries, word)) {
+    fmt::print("{}: {}\n", fmt::join(entry->words, ", "), entry->text);
+    return;
+  }
+  const std::string text = figure_text(word);
+  if (text.empty()) throw Error(unknown_word(entries, word));
+  fmt::print("{}", text);
+}
+
+}  // namespace
 
 void add_explain(CLI::App& app, Action& action) {
-  auto* command =
-      app.add_subcommand("explain", "Say what a word of reports and documents means; without one, list the words");
+  auto* command = app.add_subcommand(
+      "explain",
+      "Say what a word of reports and documents, or a figure of record.json, means; without one, list the words");
   auto given = std::make_shared<std::vector<std::string>>();
-  command->add_option("WORD", *given, "for example depth, or missed contact");
-  command->callback([&action, given] {
-    action = [given] {
-      const std::vector<GlossaryEntry> entries = glossary_entries(glossary_text());
-      if (given->empty()) {
-        for (const GlossaryEntry& entry : entries) fmt::print("{}\n", fmt::join(entry.words, ", "));
+  auto schema = std::make_shared<std::string>();
+  auto* words = command->add_option("WORD", *given, "for example depth, or missed contact, or max_error_u");
+  command->add_option("--schema", *schema, "instead, the JSON Schema of what a command writes, such as record or ladder")
+      ->excludes(words);
+  command->callback([&action, given, schema] {
+    action = [given, schema] {
+      if (!schema->empty()) {
+        fmt::print("{}\n", schema_named(*schema).dump(2));
+      } else if (!given->empty()) {
+        explain(fmt::format("{}", fmt::join(*given, " ")));
       } else {
-        const GlossaryEntry& entry = find_entry(entries, fmt::format("{}", fmt::join(*given, " ")));
-        fmt::print("{}: {}\n", fmt::join(entry.words, ", "), entry.text);
+        for (const GlossaryEntry& entry : glossary_entries(glossary_text()))
+          fmt::print("{}\n", fmt::join(entry.words, ", "));
       }
       return static_cast<int>(exit_done);
     };

@@ -51,7 +51,7 @@ std::vector<const Kernel*> shipped_kernels(const TestDescription& test) {
 
 void print_kernel(const Kernel& kernel, const std::string& targets) {
   fmt::print("{:<20} {}; {}; {}; exposes {}{}\n", kernel.id, kernel.summary, fmt::join(precisions_of(kernel), " "),
-             targets, fmt::join(exposures_json(kernel).get<std::vector<std::string>>(), ", "),
+             targets, fmt::join(json_of(exposures_of(kernel)).get<std::vector<std::string>>(), ", "),
              kernel.may_decline ? "; may decline" : "");
 }
 
@@ -140,14 +140,14 @@ Json kernel_json(const Kernel& kernel) {
                {"formulae", kernel.test->claims_arithmetic ? kernel.formulae : std::string()},
                {"precisions", precisions_of(kernel)},
                {"targets", targets_of(kernel)},
-               {"exposes", exposures_json(kernel)},
+               {"exposes", json_of(exposures_of(kernel))},
                {"may_decline", kernel.may_decline},
                {"source", kernel.source.empty() ? Json() : Json(kernel.source)},
                {"findings", findings},
                {"arithmetics", composed}};
   if (!kernel.test->measures.empty()) {
-    json["measures"] = given_measures_json(kernel);
-    json["motion"] = policy_json(kernel.motion);
+    json["measures"] = json_of(given_measures(kernel));
+    json["motion"] = json_of(policy_of(kernel.motion));
   }
   return json;
 }

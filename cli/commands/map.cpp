@@ -154,7 +154,7 @@ int draw(const MapOptions& options) {
   require_uncontracted(plan.target);
   const std::vector<MapPicture> pictures =
       with_progress("map", [&](const ShowProgress& show) { return draw_map(plan, show); });
-  const Json map = map_json(options.name, plan, pictures, command_of(options, plan));
+  const MapData map = map_data(options.name, plan, pictures, command_of(options, plan));
   const auto index = std::filesystem::path(folder) / map_index_file;
   write_files(folder, map_files(map, plan, pictures, std::filesystem::exists(index) ? read_bytes(index.string()) : ""));
   fmt::print("{}", options.format == "text" ? map_text(map) : data_text(index_of({map}), options.format));

@@ -19,7 +19,7 @@
 #include "kernel/registry/self_check.h"
 #include "reports/gates/gate.h"
 #include "reports/instrument/mutation/black_box_report.h"
-#include "reports/instrument/data.h"
+#include "reports/instrument/mutation/mutation_data.h"
 #include "reports/instrument/mutation/mutation_report.h"
 
 namespace axiscert {
@@ -183,9 +183,10 @@ int mutate_certified(const MutateOptions& options) {
   table.columns = {"step", "precision", "mutants", "shown", "equivalent", "by the recording alone"};
   InstrumentTable unseen{.caption = "By the recording alone", .columns = {}, .rows = {}};
   unseen.columns = {"step", "precision", "fault"};
-  Json data =
-      headed("axiscert-mutation-of-certified/1",
-             {{"command", report.command}, {"queries", queries}, {"seed", options.seed}, {"steps", Json::array()}});
+  MutationOfCertifiedData data;
+  data.command = report.command;
+  data.queries = queries;
+  data.seed = {options.seed};
   std::vector<std::string> faults;
   {
     ProgressLine progress("mutate");
@@ -197,21 +198,19 @@ int mutate_certified(const MutateOptions& options) {
       table.rows.push_back({score.step, precision, fmt::format("{}", score.mutants), fmt::format("{}", shown),
                             fmt::format("{}", score.equivalent.size()), fmt::format("{}", score.unseen.size())});
       for (const std::string& fault : score.unseen) unseen.rows.push_back({score.step, precision, fault});
-      data["steps"].push_back({{"step", score.step},
-                               {"precision", precision},
-                               {"mutants", score.mutants},
-                               {"shown", shown},
-                               {"equivalent", score.equivalent.size()},
-                               {"by_the_recording_alone", score.unseen.size()},
-                               {"equivalent_faults", score.equivalent},
-                               {"faults_by_the_recording_alone", score.unseen}});
+      data.steps.push_back({score.step,
+                            precision,
+                            score.mutants,
+                            shown,
+                            {score.equivalent.begin(), score.equivalent.end()},
+                            {score.unseen.begin(), score.unseen.end()}});
       for (const std::string& what : score.contradictions) {
         faults.push_back(fmt::format("{}, {}: {}", score.step, precision, what));
       }
     }
   }
   report.tables = {table, unseen};
-  report.data = data;
+  report.data = json_of(data);
   return put_score(options, folder, report, report, true, faults);
 }
 

@@ -62,7 +62,7 @@ PlanOfAbsent certified_plan_of(const CertifiedRun& run, const AbsentKernel& kern
     if (has || std::ranges::any_of(yardsticks, [&](const std::string& id) { return find_kernel(id).has(precision); }))
       plan.questions.precisions.push_back(precision);
   }
-  Json json = plan_json(plan);
+  Json json = json_of(plan_record(plan));
   json["kernels"] = yardsticks;
   json["kernels"].insert(json["kernels"].begin(), run.kernel);
   return {std::move(plan.questions), std::move(json)};

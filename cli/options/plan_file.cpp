@@ -117,7 +117,7 @@ PlanFile plan_file_of(const RunOptions& given, std::optional<std::uint64_t> unit
   }
   put_required(stored, options.required);
   file.json = {{"schema", plan_schema},
-               {"plan", plan_json(plan, options.required)},
+               {"plan", json_of(plan_record(plan, options.required))},
                {"options", stored},
                {"queries", stretches.queries()},
                {"units", stretches.units()},
@@ -178,7 +178,7 @@ Plan plan_of(const PlanFile& file) {
   look_beside(file.path, options.meshes);
   look_beside(file.path, options.queries);
   Plan plan = plan_of(options);
-  const std::string differs = difference(plan_json(plan, options.required), file.json["plan"]);
+  const std::string differs = difference(json_of(plan_record(plan, options.required)), file.json["plan"]);
   if (!differs.empty()) {
     throw Error(
         fmt::format("{}: cannot be run as planned: here {}; write a new plan, or use the axiscert and the "

@@ -38,7 +38,7 @@ void add_require_options(CLI::App& command, Required& required) {
 
 void check_required(const Required& required, const Plan& plan) {
   for (const std::string& level : required.levels) require_depth_that_occurs(level, plan.questions.test());
-  const Json stated = plan_json(plan, CampaignResult(), required);
+  const PlanRecord stated = plan_record(plan, CampaignResult(), required);
   requirements_of(stated);
   for (const std::string& id : yardsticks_of(stated)) {
     const bool is_run = std::any_of(plan.answerers.kernels.begin(), plan.answerers.kernels.end(),

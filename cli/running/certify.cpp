@@ -60,7 +60,7 @@ struct Judged {
   const Kernel& kernel() const { return *plan.answerers.kernels.front(); }
 };
 
-Json materials_json(const Judged& judged, const Json& record) {
+Json materials_json(const Judged& judged, const Record& record) {
   const Json portable = portable_plan(judged.plan_json);
   Json tallies = Json::array();
   for (const auto& [stretch, tally] : judged.tallies) tallies.push_back(tally);
@@ -76,15 +76,16 @@ Json materials_json(const Judged& judged, const Json& record) {
 }
 
 // A kernel that answers the same queries otherwise has no safe margin, since what it missed it may find next time.
-void drop_margin_beside(const Json& record, Json& predicate) {
+void drop_margin_beside(const Record& record, Json& predicate) {
   Json& margins = predicate["safe_margin"];
   for (const Json& margin : margins["precisions"]) {
-    for (const Json& entry : record["kernels"]) {
-      if (entry["id"] != predicate["kernel"]["id"] || entry["precision"] != margin["precision"]) continue;
+    for (const KernelRecord& entry : record.kernels) {
+      if (entry.id != predicate["kernel"]["id"].get<std::string>() ||
+          margin["precision"].get<std::string>() != name(entry.precision))
+        continue;
       const std::string fault = margin_fault(margin, entry);
       if (fault.empty()) continue;
-      margins = {{"reason",
-                  fmt::format("{}in {}, {}", margin_answered_otherwise, entry["precision"].get<std::string>(), fault)},
+      margins = {{"reason", fmt::format("{}in {}, {}", margin_answered_otherwise, name(entry.precision), fault)},
                  {"precisions", Json::array()}};
       return;
     }
@@ -93,7 +94,7 @@ void drop_margin_beside(const Json& record, Json& predicate) {
 
 // Makes what follows from the counts, of them alone, as `verify` does. Throws HarnessFault where the run's record says
 // otherwise.
-void put_derived(const Json& record, const Json& run_record, Json& predicate) {
+void put_derived(const Record& record, const Record& run_record, Json& predicate) {
   const Json members = derived_members(predicate, record);
   predicate.update(members);
   const std::string id = predicate["kernel"]["id"];
@@ -132,7 +133,7 @@ int write_certificate(const Judged& judged, const std::optional<SigningKey>& key
   predicate = Json::parse(canonical_json(predicate));  // members in the order in which `verify` reads them
   bool is_answered = false;
   try {
-    const Json record = reduced_record(predicate, "the certificate");
+    const Record record = reduced_record(predicate, "the certificate");
     drop_margin_beside(record, predicate);
     put_derived(record, run.record, predicate);
     require_derived(predicate, "the certificate");
@@ -237,7 +238,8 @@ int certify_replies(const CertifyOptions& options, const std::optional<SigningKe
     require_uncontracted(target);
   const Stretches stretches(plan.questions, Stretches::default_units_each(plan.questions));
   Gathered gathered(plan.questions, plan.answerers.kernels.size(), stretches);
-  Judged judged{options, plan, stretches, {}, plan_json(plan), Json::array(), "replies", "replies", "", true};
+  Judged judged{options,       plan,      stretches, {}, json_of(plan_record(plan)),
+                Json::array(), "replies", "replies", "", true};
   for (const std::string& path : options.replies.replies) judged.subjects.push_back(file_subject(path, "replies"));
   judged.digest = digest_of_json(judged.subjects);
   const OutputFolder folder(run_folder_of(options));

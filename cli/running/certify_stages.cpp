@@ -87,15 +87,15 @@ std::vector<StoredQuery> found_queries(const Json& search, Precision precision) 
 }
 
 // How many queries of each source were run: of a run that ended early those of the units that were done.
-std::function<std::uint64_t(const Source&)> queries_run(const Json& record, Precision precision) {
+std::function<std::uint64_t(const Source&)> queries_run(const Record& record, Precision precision) {
   return [&record, precision](const Source& source) -> std::uint64_t {
-    const Json& plan = record["plan"];
-    const std::string family = source.name(), in(name(precision));
-    const Json trials = plan["trials"].value(family, Json::object()).value(in, Json(0));
-    const auto queries = trials.get<std::uint64_t>();
-    if (plan["units_done"].is_null()) return queries;
-    const Json units = plan["units_done"].value(family, Json::object()).value(in, Json(0));
-    return std::min(queries, units.get<std::uint64_t>() * unit_size);
+    const auto count_in = [&](const CountsByFamily& counts) -> std::uint64_t {
+      const auto* family = counts.find(source.name());
+      return family && family->contains(precision) ? family->at(precision) : 0;
+    };
+    const PlanRecord& plan = record.plan;
+    const std::uint64_t queries = count_in(plan.trials);
+    return plan.units_done ? std::min(queries, count_in(*plan.units_done) * unit_size) : queries;
   };
 }
 

@@ -38,7 +38,7 @@ struct Staged {
   const Kernel& kernel;
   const Questions& questions;  // of the run
   const Running& running;
-  const Json& record;  // of the run
+  const Record& record;  // of the run
   EffortSize size;
 
   std::vector<Precision> precisions() const;  // in which the kernel exists

@@ -157,7 +157,7 @@ Checked checked_of(const TestDescription& test, const Examination& found, std::v
   Checked checked{found.truth,    found.squared_distance, {},          {},
                   found.answer,   found.judgement,        found.depth, found.is_promised,
                   found.findings, std::move(details)};
-  if (!test.measures.empty()) checked.measures = measures_json(test, found);
+  if (!test.measures.empty()) checked.measures = json_of(measures_of(test, found));
   checked.measures_text = measures_text(test, found);
   if (found.exact) {
     checked.exact = found.exact->holds;
@@ -193,7 +193,7 @@ Json check_json(const std::string& id, const Kernel& kernel, const Checked& foun
                {"computed", computed_json(test, found.answer)},
                {"within_limits", found.within_limits},
                {"findings", findings_json(found.findings)},
-               {"flips", flips_json(test, found.judgement)}};
+               {"flips", json_of(flips_of(test, found.judgement))}};
   if (!test.measures.empty()) json["computed"]["measures"] = found.measures;
   if (const std::string_view name = written_name(test); !name.empty()) json["test"] = name;
   return json;
@@ -213,7 +213,7 @@ std::string errors_text(const TestDescription& test, const std::optional<SideErr
 Json errors_json(const TestDescription& test, const std::optional<SideErrors>& errors) {
   if (!errors) return nullptr;
   Json all = Json::object();
-  const auto amount = [](const std::optional<Decimal6>& error) { return error ? number_json(*error) : Json(nullptr); };
+  const auto amount = [](const std::optional<Decimal6>& error) { return json_of(error); };
   for (std::size_t k = 0; k < test.comparisons.size(); ++k) {
     all[std::string(test.comparisons[k].name)] = {{"absolute_u", amount(errors->absolute[k])},
                                                   {"relative_u", amount(errors->relative[k])}};

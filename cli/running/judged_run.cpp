@@ -89,7 +89,7 @@ std::optional<Ratchet> ratchet_of(const OutputOptions& output, const Plan& plan)
   }
   // Where no kernel could be loaded, there is nothing to hold, and the run is no pass.
   if (plan.questions.precisions.empty()) return std::nullopt;
-  require_plan(ratchet, plan_json(plan, output.required));
+  require_plan(ratchet, plan_record(plan, output.required));
   return ratchet;
 }
 
@@ -135,13 +135,13 @@ RunFiles run_files(const Plan& plan, const CampaignResult& result, const OutputO
 int put_result(JudgedRun run, const OutputOptions& output) {
   const OutputFolder& folder = run.folder;
   auto& [record, info] = run.files;
-  const bool is_complete = record["complete"];
+  const bool is_complete = record.complete;
   std::optional<RatchetOutcome> held;
   if (run.ratchet && is_complete)
     held = hold_against(*run.ratchet, record, iso_time(std::chrono::system_clock::now()).substr(0, 10));
   // These files may be left from an earlier run in the same folder.
   for (const char* file : {ratchet_outcome_file, shrunk_file}) folder.remove(file);
-  folder.write("record.json", record);
+  folder.write("record.json", json_of(record));
   if (held) folder.write(ratchet_outcome_file, outcome_json(*run.ratchet, *held));
   const std::vector<LevelOutcome> outcomes = outcomes_of(record);
   if (!outcomes.empty()) info["requirements"] = outcomes_json(outcomes);

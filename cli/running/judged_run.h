@@ -13,7 +13,8 @@ namespace axiscert {
 
 // The contents of record.json and run.json.
 struct RunFiles {
-  Json record, info;
+  Record record;
+  Json info;
 };
 
 // A run that was judged, and is not reported yet.

@@ -13,6 +13,7 @@
 #include "cli/running/run_output.h"
 #include "cli/running/stated_entries.h"
 #include "cli/running/stretch_crew.h"
+#include "fuzz/fields/merge.h"
 #include "fuzz/campaign/parts/gathered.h"
 #include "fuzz/campaign/parts/recheck.h"
 #include "fuzz/confirm/finding_record.h"
@@ -65,7 +66,7 @@ PlanHere plan_here(const Certificate& certificate, const VerifyOptions& options,
     here.replies = reply_plan(with_claim(options.replies, predicate));
     here.plan = here.replies.plan;
     here.units_each = Stretches::default_units_each(here.plan.questions);
-    json = plan_json(here.plan);
+    json = json_of(plan_record(here.plan));
   } else {
     const PlanFile file =
         certified_plan({id, predicate["asked"]["effort"], predicate["asked"]["seed"].get<std::uint64_t>(),
@@ -135,7 +136,8 @@ void recheck_entries(const Json& predicate, const Questions& questions, const An
   };
   const std::vector<const Kernel*>& kernels = answerers.kernels;
   for (std::size_t k = 0; k < kernels.size(); ++k) {
-    Json found = Json::array(), stated_findings = Json::array();
+    std::vector<FindingRecord> found;
+    Json stated_findings = Json::array();
     put_loading_findings(found, *kernels[k]);
     for (const Json& finding : predicate["materials"]["findings"]) {
       const Json& id = predicate["materials"]["plan"]["plan"]["kernels"][k];
@@ -143,7 +145,7 @@ void recheck_entries(const Json& predicate, const Questions& questions, const An
       if (is_its && finding["family"].is_null()) stated_findings.push_back(finding["detail"]);
     }
     Json details = Json::array();
-    for (const Json& finding : found) details.push_back(finding["detail"]);
+    for (const FindingRecord& finding : found) details.push_back(finding.detail);
     if (canonical_json(details) != canonical_json(stated_findings)) {
       differences.push_back(fmt::format("{} has other findings of loading: here {}, in it {}", kernels[k]->id,
                                         details.dump(), axiscert::shown(stated_findings.dump())));
@@ -174,7 +176,7 @@ std::size_t recheck_images(const Json& predicate, const Plan& plan, const Stretc
     for (std::size_t k = 0; k < kernels.size(); ++k) {
       const auto asymmetry = asymmetry_of(of, cell.queries, *kernels[k], answerers.replies.get(), running);
       if (!asymmetry) continue;
-      const Json here = without_fractions(invariance_of(of, *asymmetry));
+      const Json here = without_fractions(json_of(invariance_of(of, *asymmetry)));
       const Json stated =
           stated_entry(predicate, kernels, k, cell.precision)["families"][of.source.name()]["invariance"];
       if (canonical_json(here) == canonical_json(stated)) continue;
@@ -195,9 +197,9 @@ void recheck_radii(const Json& predicate, const std::vector<Precision>& precisio
       if (!kernels[k]->has(precision)) continue;
       CriticalRadiusTally radii;
       for (const CellResult& cell : result.cells) {
-        if (cell.precision == precision) radii.merge(cell.tallies[k].critical_radius);
+        if (cell.precision == precision) merge_fields(radii, cell.tallies[k].critical_radius);
       }
-      const Json here = without_fractions(critical_radius_json(std::move(radii)));
+      const Json here = without_fractions(json_of(summary_of(std::move(radii))));
       const Json& stated = stated_entry(predicate, kernels, k, precision)["critical_radius"];
       if (canonical_json(here) == canonical_json(stated)) continue;
       differences.push_back(fmt::format("the critical radius of {} in {}: here {}", kernels[k]->id, name(precision),

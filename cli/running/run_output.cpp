@@ -81,38 +81,40 @@ std::string iso_time(std::chrono::system_clock::time_point time) {
 
 namespace {
 
+std::string kernel_text(const KernelRecord& kernel) { return kernel.id + " " + std::string(name(kernel.precision)); }
+
 // Red where a contact is missed or a query has no answer that counts, yellow where the verdict is wrong in another way,
 // otherwise green.
-std::string kernels_table(const Json& kernels) {
+std::string kernels_table(const std::vector<KernelRecord>& kernels) {
   std::vector<std::string> columns = {
       "kernel",    "precision", "queries",   "missed contacts",    "deepest",    "phantom contacts", "deepest",
       "undecided", "invalid",   "no answer", "outside its limits", "wrong there"};
   std::vector<std::vector<std::string>> rows;
   std::vector<TextColour> colours;
   bool has_limits = false, has_depth = false;
-  for (const Json& kernel : kernels) {
+  for (const KernelRecord& kernel : kernels) {
     const Evidence evidence = evidence_of(kernel);
     std::uint64_t trials = 0, missed = 0, phantom = 0, undecided = 0, outside_wrong = 0;
     double deepest_missed = 0, deepest_phantom = 0;
-    for (const Json& family : kernel["families"]) {
-      const Json& verdict = family["verdict"];
-      trials += family["trials"].get<std::uint64_t>();
-      missed += verdict["false_separation"].get<std::uint64_t>();
-      phantom += verdict["false_contact"].get<std::uint64_t>();
-      undecided += verdict["undecided"].get<std::uint64_t>();
-      if (const Json& apart = verdict["outside_limits"]; !apart.is_null())
-        outside_wrong += apart["false_separation"].get<std::uint64_t>() + apart["false_contact"].get<std::uint64_t>();
-      deepest_missed = std::max(deepest_missed, verdict["deepest_false_separation"].get<double>());
-      deepest_phantom = std::max(deepest_phantom, verdict["deepest_false_contact"].get<double>());
+    for (const auto& [family, result] : kernel.families) {
+      const VerdictTally& verdict = result.verdict;
+      trials += result.trials;
+      missed += verdict.false_separation;
+      phantom += verdict.false_contact;
+      undecided += verdict.undecided;
+      if (const auto& apart = verdict.outside_limits) outside_wrong += apart->false_separation + apart->false_contact;
+      deepest_missed = std::max(deepest_missed, verdict.deepest_false_separation.best());
+      deepest_phantom = std::max(deepest_phantom, verdict.deepest_false_contact.best());
     }
     has_limits |= evidence.outside != 0;
     has_depth |= deepest_missed != 0 || deepest_phantom != 0;
     // No depth was measured of a kernel that decided nothing.
     const auto deepest = [&](double depth) { return evidence.decided() == 0 ? std::string("-") : amount(depth, 3); };
-    rows.push_back({kernel["id"], kernel["precision"], thousands(trials), thousands(missed), deepest(deepest_missed),
-                    thousands(phantom), deepest(deepest_phantom), thousands(undecided), thousands(evidence.invalid),
-                    thousands(evidence.unanswered), thousands(evidence.outside), thousands(outside_wrong)});
-    const bool is_undeclared = undecided != 0 && !kernel["may_decline"].get<bool>();
+    rows.push_back({kernel.id, std::string(name(kernel.precision)), thousands(trials), thousands(missed),
+                    deepest(deepest_missed), thousands(phantom), deepest(deepest_phantom), thousands(undecided),
+                    thousands(evidence.invalid), thousands(evidence.unanswered), thousands(evidence.outside),
+                    thousands(outside_wrong)});
+    const bool is_undeclared = undecided != 0 && !kernel.may_decline;
     const bool is_bad =
         missed + evidence.invalid + evidence.unanswered != 0 || is_undeclared || evidence.decided() == 0;
     colours.push_back(is_bad ? TextColour::red : phantom != 0 ? TextColour::yellow : TextColour::green);
@@ -135,25 +137,25 @@ std::string kernels_table(const Json& kernels) {
 
 // How deep the wrong verdicts are, by kernel and direction, then on engine-like queries and to which side. Empty where
 // nothing is wrong, and for a record of a test without depths.
-std::string depths_table(const Json& record) {
+std::string depths_table(const std::vector<KernelRecord>& kernels) {
   std::vector<std::string> columns = {"kernel", "precision", "wrong by, of the scene"};
   columns.insert(columns.end(), depth_columns().begin(), depth_columns().end());
   std::vector<std::vector<std::string>> rows;
   std::string sentences;
-  for (const Json& kernel : record["kernels"]) {
-    const Json total = all_families(kernel);
-    if (!has_depths(total)) continue;
-    bool is_wrong = false;
-    for (const auto& [kind, what] : {std::pair("false_separation", "missed"), {"false_contact", "phantom"}}) {
-      if (total["verdict"][kind] == 0) continue;
-      is_wrong = true;
-      auto& row = rows.emplace_back(std::vector<std::string>{kernel["id"], kernel["precision"], what});
-      for (const std::uint64_t count : depth_counts(total["verdict"]["depths"][kind])) row.push_back(thousands(count));
-    }
-    if (!is_wrong) continue;
-    const std::string who =
-        fmt::format("{} {}", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>());
-    for (const std::string& told : {engine_text(total), bias_text(total)}) {
+  for (const KernelRecord& kernel : kernels) {
+    const auto total = all_families(kernel);
+    if (!total || !total->verdict.depths) continue;
+    const VerdictTally& verdict = total->verdict;
+    const auto add_row = [&](std::uint64_t wrong, const char* what, const DecadeCounts& depths) {
+      if (wrong == 0) return;
+      auto& row = rows.emplace_back(std::vector<std::string>{kernel.id, std::string(name(kernel.precision)), what});
+      for (const std::uint64_t count : depth_counts(depths)) row.push_back(thousands(count));
+    };
+    add_row(verdict.false_separation, "missed", verdict.depths->false_separation);
+    add_row(verdict.false_contact, "phantom", verdict.depths->false_contact);
+    if (verdict.false_separation + verdict.false_contact == 0) continue;
+    const std::string who = kernel_text(kernel);
+    for (const std::string& told : {engine_text(*total), bias_text(*total)}) {
       if (!told.empty()) sentences += fmt::format("{}: {}\n", who, told);
     }
   }
@@ -161,34 +163,33 @@ std::string depths_table(const Json& record) {
 }
 
 // Why kernels are wrong whose links do not say it, with the deepest witness of each class.
-std::string classes_table(const Json& kernels) {
+std::string classes_table(const std::vector<KernelRecord>& kernels) {
   const std::vector<std::string> columns = {"kernel",  "precision",        "input is",       "missed contacts",
                                             "deepest", "phantom contacts", "deepest witness"};
   std::vector<std::vector<std::string>> rows;
   std::string nearest;
-  for (const Json& kernel : kernels) {
+  for (const KernelRecord& kernel : kernels) {
     for (const ClassRow& row : class_rows(kernel)) {
-      rows.push_back({kernel["id"], kernel["precision"], std::string(input_class_names[row.which]),
+      rows.push_back({kernel.id, std::string(name(kernel.precision)), std::string(input_class_names[row.which]),
                       thousands(row.missed), amount(row.deepest, 3), thousands(row.phantom), row.witness});
     }
     if (const std::string sentence = nearest_sentence(kernel); !sentence.empty()) {
-      nearest += plain_line(fmt::format("{} {}: {}", kernel["id"].get<std::string>(),
-                                        kernel["precision"].get<std::string>(), sentence)) +
-                 "\n";
+      nearest += plain_line(fmt::format("{}: {}", kernel_text(kernel), sentence)) + "\n";
     }
   }
   return rows.empty() ? "" : aligned_table(columns, rows) + nearest;
 }
 
 // The first contacts that the kernels report, in a test of motions.
-std::string motion_table(const Json& kernels) {
+std::string motion_table(const std::vector<KernelRecord>& kernels) {
   std::vector<std::string> columns = {"kernel", "precision"};
   columns.insert(columns.end(), motion_columns().begin(), motion_columns().end());
   std::vector<std::vector<std::string>> rows;
-  for (const Json& kernel : kernels) {
-    const std::vector<std::string> cells = motion_cells(all_families(kernel));
+  for (const KernelRecord& kernel : kernels) {
+    const auto total = all_families(kernel);
+    const std::vector<std::string> cells = total ? motion_cells(*total) : std::vector<std::string>();
     if (cells.empty()) continue;
-    auto& row = rows.emplace_back(std::vector<std::string>{kernel["id"], kernel["precision"]});
+    auto& row = rows.emplace_back(std::vector<std::string>{kernel.id, std::string(name(kernel.precision))});
     row.insert(row.end(), cells.begin(), cells.end());
   }
   return rows.empty() ? "" : aligned_table(columns, rows);
@@ -196,19 +197,18 @@ std::string motion_table(const Json& kernels) {
 
 }  // namespace
 
-std::string summary_text(const Json& record, double seconds) {
+std::string summary_text(const Record& record, double seconds) {
   std::string text;
   for (const FindingGroup& group : finding_groups(record)) {
     text += finding_text(*group.first) + "\n";
     if (!group.others.empty()) text += fmt::format("  {}\n", group.others_text());
-    if (!(*group.first)["address"].is_null())
-      text += fmt::format("  {}\n", replay_command(*group.first, record["plan"]));
+    if (group.first->address) text += fmt::format("  {}\n", replay_command(*group.first, record.plan));
   }
-  text += kernels_table(record["kernels"]);
-  text += motion_table(record["kernels"]);
-  text += depths_table(record);
-  text += classes_table(record["kernels"]);
-  text += fmt::format("{}{:.1f} s\n", record["complete"].get<bool>() ? "" : "interrupted; ", seconds);
+  text += kernels_table(record.kernels);
+  text += motion_table(record.kernels);
+  text += depths_table(record.kernels);
+  text += classes_table(record.kernels);
+  text += fmt::format("{}{:.1f} s\n", record.complete ? "" : "interrupted; ", seconds);
   return text;
 }
 

@@ -70,20 +70,19 @@ Json shrunk_pair_json(const StoredQuery& stored, const Pair<Real>& pair, const S
 template Json shrunk_pair_json(const StoredQuery&, const Pair<float>&, const ShrunkPair<float>&, const Kernel&);
 template Json shrunk_pair_json(const StoredQuery&, const Pair<double>&, const ShrunkPair<double>&, const Kernel&);
 
-std::string shrunk_witnesses(const Json& record, const std::string& target, std::uint64_t evaluations,
+std::string shrunk_witnesses(const Record& record, const std::string& target, std::uint64_t evaluations,
                              const ShowProgress& report) {
   std::string text;
-  ProgressCount progress(report, record["witnesses"].size(), "the witnesses are made smaller");
-  for (const Json& witness : record["witnesses"]) {
+  ProgressCount progress(report, record.witnesses.size(), "the witnesses are made smaller");
+  for (const WitnessRecord& witness : record.witnesses) {
     progress.finished();  // when the next one is begun
-    const Kernel& kernel = find_kernel(witness["kernel"].get<std::string>());
-    const std::string id = witness["id"];
-    Json line = witness;
+    const Kernel& kernel = find_kernel(witness.kernel);
+    Json line = json_of(witness);
     line["test"] = kernel.test->id;
-    const StoredQuery stored = parse_queries(line.dump(), id, Precision::binary32).front();
+    const StoredQuery stored = parse_queries(line.dump(), witness.id, Precision::binary32).front();
     std::visit(
         [&]<class Real>(const Numbers<Real>& q) {
-          if (witness["flips"].empty()) {  // half of a pair, or kept as an extreme
+          if (witness.flips.empty()) {  // half of a pair, or kept as an extreme
             if (const auto pair = asymmetric_pair(q, stored.address, kernel, target)) {
               const auto found = shrink_pair(*pair, kernel, target, evaluations);
               text += shrunk_pair_json(stored, *pair, found, kernel).dump() + "\n";

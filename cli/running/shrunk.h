@@ -5,6 +5,7 @@
 
 #include "fuzz/campaign/progress.h"
 #include "fuzz/files/query_file.h"
+#include "fuzz/record/record.h"
 #include "fuzz/shrink/pair.h"
 #include "fuzz/shrink/shrink.h"
 #include "fuzz/text/json.h"
@@ -29,7 +30,7 @@ Json shrunk_pair_json(const StoredQuery& stored, const Pair<Real>& pair, const S
 // One line for every witness of a record on which its kernel is wrong: the first symptom that it shows (verdict before
 // axes before comparisons), made smaller with at most this many evaluations; and for every other witness of an
 // asymmetry, the pair.
-std::string shrunk_witnesses(const Json& record, const std::string& target, std::uint64_t evaluations,
+std::string shrunk_witnesses(const Record& record, const std::string& target, std::uint64_t evaluations,
                              const ShowProgress& report);
 
 }  // namespace axiscert

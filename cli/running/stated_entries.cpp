@@ -13,7 +13,7 @@ namespace axiscert {
 std::vector<std::string> declared_differences(const Json& stated, const std::vector<FileInfo>& plugins,
                                               const Kernel& kernel, Precision precision) {
   std::vector<std::string> differences;
-  const Json entry = without_fractions(entry_json(plugins, kernel, precision));
+  const Json entry = without_fractions(json_of(kernel_record(plugins, kernel, precision)));
   for (const auto& [member, here] : entry.items()) {
     const bool is_elsewhere = member == "id" || member == "families" || member == "critical_radius";
     const Json said = stated.value(member, Json());

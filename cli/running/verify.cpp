@@ -277,7 +277,7 @@ int verify_or_throw(const VerifyOptions& options) {
   const CheckedPlan plan = checked_plan(predicate, options);
   require_own_id(predicate, name);
   // Its levels are said by its counts here, whoever made it.
-  const Json record = require_derived(predicate, name);
+  const Record record = require_derived(predicate, name);
   Json derived = predicate;
   derived.update(derived_members(predicate, record));
   if (plan.here) require_none(triangle_differences(predicate, *plan.here), name);

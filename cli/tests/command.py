@@ -15,6 +15,7 @@ BUILD, MODELS, DIVISOR = Path(sys.argv.pop(1)).resolve(), Path(sys.argv.pop(1)).
 ROOT = Path(__file__).resolve().parents[2]
 REPORTS = ROOT / "reports"
 SCHEMAS = REPORTS / "schemas"
+RECORD_SCHEMA = BUILD / "schemas/record.schema.json"  # which the command makes
 
 
 def fewer(trials):
@@ -24,6 +25,12 @@ def fewer(trials):
 
 def axiscert(*args, program="axiscert", stdin=None):
     return subprocess.run([BUILD / program, *map(str, args)], input=stdin, capture_output=True, text=True, timeout=600)
+
+
+def schema_of(name):
+    """The JSON Schema of a format: a file of reports/schemas, or what the command makes of the fields that it writes."""
+    file = SCHEMAS / f"{name}.schema.json"
+    return json.loads(file.read_text() if file.exists() else axiscert("explain", "--schema", name).stdout)
 
 
 class Case(unittest.TestCase):

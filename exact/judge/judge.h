@@ -21,6 +21,7 @@ inline constexpr std::size_t enum_count<Link> = 5;
 inline constexpr std::size_t link_count = enum_count<Link>;
 inline constexpr EnumArray<Link, std::string_view> link_names = {"specification", "rounding", "range", "implementation",
                                                                  "unattributed"};
+constexpr std::string_view name(Link which) { return link_names[which]; }
 using LinkSet = EnumSet<Link, std::uint8_t>;
 std::vector<std::string_view> names(LinkSet links);
 
@@ -29,6 +30,7 @@ enum class Level : std::uint8_t { verdict, axis, comparison };
 template <>
 inline constexpr std::size_t enum_count<Level> = 3;
 inline constexpr EnumArray<Level, std::string_view> level_names = {"verdict", "axis", "comparison"};
+constexpr std::string_view name(Level which) { return level_names[which]; }
 
 // `false_separation` exists at every level: the kernel wrongly says yes. Its opposite is `false_contact` for a verdict
 // and `missed_separation` for an axis or a comparison.
@@ -37,6 +39,7 @@ template <>
 inline constexpr std::size_t enum_count<FlipKind> = 3;
 inline constexpr EnumArray<FlipKind, std::string_view> flip_kind_names = {"false_separation", "false_contact",
                                                                           "missed_separation"};
+constexpr std::string_view name(FlipKind which) { return flip_kind_names[which]; }
 
 struct Flip {
   Level level;

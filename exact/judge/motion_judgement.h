@@ -22,6 +22,7 @@ template <>
 inline constexpr std::size_t enum_count<TimeVerdict> = 5;
 inline constexpr EnumArray<TimeVerdict, std::string_view> time_verdict_names = {"none", "invalid", "early", "best",
                                                                                 "late"};
+constexpr std::string_view name(TimeVerdict which) { return time_verdict_names[which]; }
 
 // How far the moving body goes into the obstacle, or through it, before the contact that is reported, and without one
 // in the whole motion: (r - least distance of that motion) / r. 1: the centre comes to the obstacle itself, as that of

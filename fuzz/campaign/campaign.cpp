@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "fuzz/campaign/unit.h"
+#include "fuzz/fields/merge.h"
 
 namespace axiscert {
 namespace {
@@ -52,29 +53,14 @@ class UnitQueue {
 
 }  // namespace
 
-void StepCounts::merge(const StepCounts& other) {
-  for (const Step i : enumerators<Step>) {
-    queries[i] += other.queries[i];
-    steps[i] += other.steps[i];
-  }
-  if (signs.size() < other.signs.size()) signs.resize(other.signs.size());
-  for (std::size_t k = 0; k < other.signs.size(); ++k) {
-    for (const Step i : enumerators<Step>) signs[k][i] += other.signs[k][i];
-  }
-  checked += other.checked;
-  by_cgal += other.by_cgal;
-  generation += other.generation;
-  kernels += other.kernels;
-  errors += other.errors;
-  judging += other.judging;
-}
+void StepCounts::merge(const StepCounts& other) { merge_fields(*this, other); }
 
 std::vector<CellResult> cells_of(const Questions& questions, std::size_t kernels) {
   std::vector<CellResult> cells;
   for (const Precision precision : {Precision::binary64, Precision::binary32}) {
     if (std::ranges::find(questions.precisions, precision) == questions.precisions.end()) continue;
     for (std::size_t s = 0; s < questions.sources.size(); ++s) {
-      cells.push_back({s, precision, 0, 0, 0, std::vector<Tally>(kernels, Tally(questions.test())), {}});
+      cells.push_back({s, precision, 0, 0, 0, std::vector<Tally>(kernels, empty_tally(questions.test())), {}});
     }
   }
   return cells;

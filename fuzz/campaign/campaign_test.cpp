@@ -143,10 +143,10 @@ std::string fingerprint(const CampaignResult& result) {
   for (const CellResult& cell : result.cells) {
     put(cell.source, static_cast<int>(cell.precision), cell.units_done);
     for (const Tally& t : cell.tallies) {
-      put(t.trials, t.separated, t.touching, t.verdict.false_separation, t.verdict.false_contact);
+      put(t.trials, t.truth.separated, t.truth.touching, t.verdict.false_separation, t.verdict.false_contact);
       for (const auto& c : t.verdict.deepest_false_contact.candidates()) put(c.rank, c.position);
-      for (const ComparisonTally& c : t.comparisons) {
-        put(c.false_separation, c.missed_separation, c.decisive, c.ties, c.range_events);
+      for (const auto& [name, c] : t.comparisons) {
+        put(c.false_separation, c.missed_separation, c.decisive, c.ties, *c.range_events);
         for (const auto& leader : c.largest_error.candidates()) put(leader.rank.text(), leader.position);
       }
     }
@@ -207,7 +207,7 @@ std::size_t candidates_in(const Tally& tally) {
   const VerdictTally& v = tally.verdict;
   std::size_t sum = v.deepest_false_separation.candidates().size() + v.deepest_false_contact.candidates().size();
   for (const auto& leaders : v.deepest_by_link) sum += leaders.candidates().size();
-  for (const ComparisonTally& c : tally.comparisons) {
+  for (const auto& [name, c] : tally.comparisons) {
     sum += c.largest_error.candidates().size();
     sum += c.false_witness.candidates().size() + c.missed_witness.candidates().size();
   }

@@ -9,6 +9,7 @@
 #include "exact/moving_sphere/first_contact.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/confirm/record.h"
+#include "fuzz/fields/merge.h"
 #include "kernel/moving_sphere/names.h"
 
 namespace axiscert {
@@ -117,64 +118,65 @@ CampaignResult run_motions(const Plan& plan) {
 // The kernel's tallies added up.
 MotionTally tallied(const Kernel& kernel) {
   MotionTally sum;
-  for (const CellResult& cell : run_motions(plan_of_motions(kernel)).cells) sum.merge(cell.tallies[0].motion);
-  EXPECT_GT(sum.hits + sum.missed_tunnels.through, motion_queries / 2) << "of " << 6 * motion_queries;
+  for (const CellResult& cell : run_motions(plan_of_motions(kernel)).cells)
+    merge_fields(sum, cell.tallies[0].motion);
+  EXPECT_GT(sum.hits + sum.missed.through, motion_queries / 2) << "of " << 6 * motion_queries;
   return sum;
 }
 
 TEST(Motion, TheBestTimesAreTheBest) {
   const MotionTally found = tallied(PLANTED(right_told));
-  EXPECT_EQ(found.times[TimeVerdict::best], found.hits);
-  EXPECT_EQ(found.features, found.hits);
-  EXPECT_EQ(found.wrong_features, 0u);
-  EXPECT_EQ(found.late_tunnels.through + found.missed_tunnels.through, 0u);
+  EXPECT_EQ(found.time->best, found.hits);
+  EXPECT_EQ(found.feature->judged, found.hits);
+  EXPECT_EQ(found.feature->wrong, 0u);
+  EXPECT_EQ(found.time->late_tunnels.through + found.missed.through, 0u);
 }
 
 TEST(Motion, OneUlpTooLateIsLate) {
   const MotionTally found = tallied(PLANTED(late_by_one));
   // Past the end of the motion it is no time.
-  EXPECT_EQ(found.times[TimeVerdict::late] + found.times[TimeVerdict::invalid], found.hits);
-  EXPECT_LT(found.times[TimeVerdict::invalid], found.hits / 2);
-  EXPECT_EQ(found.late.by_power[0], found.times[TimeVerdict::late]) << "by at most one ulp";
-  EXPECT_GT(found.late.largest_ulps.best().value(), 0.9);
-  EXPECT_LE(found.late.largest_ulps.best().value(), 1);
-  EXPECT_GT(found.late_tunnels.through, 0u) << "of points";
+  EXPECT_EQ(found.time->late + found.time->invalid, found.hits);
+  EXPECT_LT(found.time->invalid, found.hits / 2);
+  EXPECT_EQ(found.time->late_errors.by_power[0], found.time->late) << "by at most one ulp";
+  EXPECT_GT(found.time->late_errors.largest_ulps.best().value(), 0.9);
+  EXPECT_LE(found.time->late_errors.largest_ulps.best().value(), 1);
+  EXPECT_GT(found.time->late_tunnels.through, 0u) << "of points";
 }
 
 TEST(Motion, OneUlpTooEarlyIsEarly) {
   const MotionTally found = tallied(PLANTED(early_by_one));
-  EXPECT_EQ(found.times[TimeVerdict::early] + found.times[TimeVerdict::best], found.hits);
-  EXPECT_GT(found.times[TimeVerdict::early], found.hits / 2);
-  EXPECT_LE(found.early.largest_ulps.best().value(), 2);
-  EXPECT_GE(found.largest_gap.best(), 0);
+  EXPECT_EQ(found.time->early + found.time->best, found.hits);
+  EXPECT_GT(found.time->early, found.hits / 2);
+  EXPECT_LE(found.time->early_errors.largest_ulps.best().value(), 2);
+  EXPECT_GE(found.time->largest_gap.best(), 0);
 }
 
 TEST(Motion, TheEndOfTheMotionTunnels) {
   const MotionTally found = tallied(PLANTED(of_the_end));
-  EXPECT_EQ(found.times[TimeVerdict::late] + found.times[TimeVerdict::best], found.hits);
-  EXPECT_GT(found.late_tunnels.deepest.best().value(), 0.1);
+  EXPECT_EQ(found.time->late + found.time->best, found.hits);
+  EXPECT_GT(found.time->late_tunnels.deepest.best().value(), 0.1);
 }
 
 TEST(Motion, WhatIsNoTimeIsCountedApart) {
   for (const Kernel& kernel : {PLANTED(negative), PLANTED(beyond)}) {
     const MotionTally found = tallied(kernel);
-    EXPECT_EQ(found.times[TimeVerdict::invalid], found.hits);
-    EXPECT_EQ(found.features, found.hits) << "nothing is lost";
+    EXPECT_EQ(found.time->invalid, found.hits);
+    EXPECT_EQ(found.feature->judged, found.hits) << "nothing is lost";
   }
   const MotionTally without = tallied(PLANTED(not_told));
-  EXPECT_EQ(without.times[TimeVerdict::none], without.hits);
+  EXPECT_EQ(without.time->none, without.hits);
 }
 
 TEST(Motion, AnotherFeatureIsWrong) {
   const MotionTally found = tallied(PLANTED(other_feature));
-  EXPECT_EQ(found.wrong_features, found.hits);
-  EXPECT_EQ(found.times[TimeVerdict::best], found.hits);
+  EXPECT_EQ(found.feature->wrong, found.hits);
+  EXPECT_EQ(found.time->best, found.hits);
 }
 
 TEST(Motion, AMissTunnels) {
   const MotionTally found = tallied(planted_motion<right_told<float>, right_told<double>>(true));
   EXPECT_EQ(found.hits, 0u);
-  EXPECT_GT(found.missed_tunnels.through, motion_queries / 2) << "each contact of a point";
+  EXPECT_GT(found.missed.through, motion_queries / 2) << "each contact of a point";
 }
 
 // A kernel that never reports a contact is wrong on every one of its promise, and on no other.
@@ -186,11 +188,11 @@ TEST(Motion, WhatIsBeyondAPolicyIsCountedApart) {
     plan.questions.sources = {family_source(find_family(family))};
     const CampaignResult result = run_motions(plan);
     const Tally& tally = result.cells[0].tallies[0];
-    EXPECT_EQ(tally.verdict.false_separation + tally.verdict.outside_limits.false_separation, tally.contact);
-    const Json record = record_of(plan, result, {});
+    EXPECT_EQ(tally.verdict.false_separation + tally.verdict.outside_limits->false_separation, tally.truth.contact);
+    const Json record = json_of(record_of(plan, result, {}));
     EXPECT_EQ(record["kernels"][0]["families"][family]["verdict"]["outside_limits"].is_null(),
               policy == MotionPolicy{});
-    return tally.verdict.outside_limits.trials;
+    return tally.verdict.outside_limits->trials;
   };
   EXPECT_EQ(outside({}, "moving-sphere/zero_d"), 0u);
   EXPECT_EQ(outside({.still = StillPolicy::ignored}, "moving-sphere/zero_d"), motion_queries);
@@ -205,7 +207,7 @@ TEST(Motion, WhatIsBeyondAPolicyIsCountedApart) {
 TEST(Motion, TheRecordHasTheWorstAndItsWitness) {
   const Kernel kernel = PLANTED(late_by_one);
   const Plan plan = plan_of_motions(kernel);
-  const Json record = record_of(plan, run_motions(plan), {});
+  const Json record = json_of(record_of(plan, run_motions(plan), {}));
   const Json& entry = record["kernels"][0];
   EXPECT_EQ(entry["measures"], Json({"time", "feature"}));
   const Json& motion = entry["families"]["moving-sphere/general"]["motion"];

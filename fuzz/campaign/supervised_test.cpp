@@ -50,7 +50,7 @@ TEST(Supervised, FindingsHaveTheirPlaceInTheSource) {
 }
 
 TEST(Supervised, TheFirstFindingIsKeptInAnyOrderOfMerging) {
-  Tally early(sphere_triangle_test()), late(sphere_triangle_test());
+  Tally early = empty_tally(sphere_triangle_test()), late = empty_tally(sphere_triangle_test());
   count_finding(early, FindingKind::hang, 7, "early");
   count_finding(late, FindingKind::hang, 70000, "late");
   count_finding(late, FindingKind::crash, 70001, "other");
@@ -119,10 +119,10 @@ TEST(Supervised, AKernelIsBegunOnceAUnit) {
 }
 
 std::string fingerprint(const Tally& t) {
-  std::string text = fmt::format("{} {} {} {}", t.trials, t.verdict.unanswered, t.verdict.outside_limits.trials,
-                                 t.verdict.outside_limits.deepest);
+  std::string text = fmt::format("{} {} {} {}", t.trials, t.verdict.unanswered, t.verdict.outside_limits->trials,
+                                 t.verdict.outside_limits->deepest);
   for (const FindingTally& f : t.findings) text += fmt::format(" {} {} {}", f.count, f.first, f.detail);
-  for (const auto& first : t.verdict.first_by_link) text += fmt::format(" {}", first ? std::int64_t(*first) : -1);
+  for (const auto& first : t.verdict.first_by_link) text += fmt::format(" {}", first.position ? std::int64_t(*first.position) : -1);
   return text;
 }
 
@@ -148,13 +148,13 @@ TEST(Supervised, TouchingIsHeldAgainstTheConvention) {
   const auto wrong = [&](Touching convention) {
     contact.touching = separated.touching = convention;
     const auto tallies = tallies_of(plan_of({&contact, &separated}, "lattice", 2000));
-    EXPECT_GT(tallies[0].touching, 0u);
+    EXPECT_GT(tallies[0].truth.touching, 0u);
     std::vector<std::uint64_t> of_touching;
     for (const Tally& t : tallies) {
       EXPECT_EQ(t.verdict.false_separation + t.verdict.false_contact, t.verdict.touching_flips);
       EXPECT_EQ(t.verdict.touching_links[Link::unattributed], t.verdict.touching_flips);
-      EXPECT_FALSE(t.verdict.first_by_link[Link::unattributed]) << "touching is apart";
-      of_touching.push_back(t.verdict.touching_flips == 0 ? 0 : t.verdict.touching_flips == t.touching ? 1 : 2);
+      EXPECT_FALSE(t.verdict.first_by_link[Link::unattributed].position) << "touching is apart";
+      of_touching.push_back(t.verdict.touching_flips == 0 ? 0 : t.verdict.touching_flips == t.truth.touching ? 1 : 2);
     }
     return of_touching;
   };
@@ -171,12 +171,12 @@ TEST(Supervised, OutsideItsLimitsNothingElseIsCounted) {
   limited.limits = {.least_coordinate = 0x1p-15, .greatest_coordinate = 0x1p15};
   const auto tallies = tallies_of(plan_of({&unlimited, &limited}, "scale", 4000));
   const VerdictTally &all = tallies[0].verdict, &inside = tallies[1].verdict;
-  const OutsideTally& outside = inside.outside_limits;
-  EXPECT_EQ(all.outside_limits.trials, 0u);
+  const OutsideTally& outside = *inside.outside_limits;
+  EXPECT_EQ(all.outside_limits->trials, 0u);
   EXPECT_GT(outside.trials, 0u);
   EXPECT_LT(outside.trials, tallies[1].trials);
   EXPECT_EQ(tallies[1].trials, tallies[0].trials);
-  EXPECT_EQ(tallies[1].separated, tallies[0].separated) << "the truth is counted of all";
+  EXPECT_EQ(tallies[1].truth.separated, tallies[0].truth.separated) << "the truth is counted of all";
   EXPECT_GT(outside.false_contact, 0u);
   EXPECT_EQ(inside.false_contact + outside.false_contact, all.false_contact);
   EXPECT_EQ(inside.false_separation + outside.false_separation, all.false_separation);
@@ -184,7 +184,7 @@ TEST(Supervised, OutsideItsLimitsNothingElseIsCounted) {
             std::max(all.deepest_false_contact.best(), all.deepest_false_separation.best()));
   std::uint64_t range_events = 0, flips = 0, all_flips = 0;
   for (std::size_t i = 0; i < comparison_count; ++i) {
-    range_events += tallies[1].comparisons[i].range_events;
+    range_events += *tallies[1].comparisons[i].range_events;
     flips += tallies[1].comparisons[i].false_separation + tallies[1].comparisons[i].missed_separation;
     all_flips += tallies[0].comparisons[i].false_separation + tallies[0].comparisons[i].missed_separation;
   }
@@ -198,9 +198,9 @@ TEST(Supervised, InvalidQueriesAreNotOutside) {
       black_box("limited", [](const auto&, auto, Verdict& verdict, auto&) { verdict = Verdict::unanswered; });
   kernel.limits.greatest_coordinate = 1;
   const Tally tally = tallies_of(plan_of({&kernel}, "nonfinite", 500))[0];
-  EXPECT_EQ(tally.invalid + tally.verdict.outside_limits.trials + tally.verdict.unanswered, 500u);
-  EXPECT_EQ(tally.verdict.outside_limits.unanswered, tally.verdict.outside_limits.trials);
-  EXPECT_GT(tally.invalid, 0u);
+  EXPECT_EQ(tally.truth.invalid + tally.verdict.outside_limits->trials + tally.verdict.unanswered, 500u);
+  EXPECT_EQ(tally.verdict.outside_limits->unanswered, tally.verdict.outside_limits->trials);
+  EXPECT_GT(tally.truth.invalid, 0u);
 }
 
 // A slip in the formulae is found by the first query that shows it.
@@ -208,12 +208,12 @@ TEST(Supervised, TheFirstWrongVerdictOfALink) {
   const Kernel kernel = supervised_kernel("slip", no_fault, "first-publication");
   Plan plan = plan_of({&kernel}, "general", 5000);
   const Tally all = tallies_of(plan)[0];
-  const auto first = all.verdict.first_by_link[Link::specification];
+  const auto first = all.verdict.first_by_link[Link::specification].position;
   ASSERT_TRUE(first);
   plan.questions.trials = [&](const Source&, Precision) { return *first; };
-  EXPECT_FALSE(tallies_of(plan)[0].verdict.first_by_link[Link::specification]);
+  EXPECT_FALSE(tallies_of(plan)[0].verdict.first_by_link[Link::specification].position);
   plan.questions.trials = [&](const Source&, Precision) { return *first + 1; };
-  EXPECT_EQ(tallies_of(plan)[0].verdict.first_by_link[Link::specification], first);
+  EXPECT_EQ(tallies_of(plan)[0].verdict.first_by_link[Link::specification].position, first);
 }
 
 TEST(Supervised, AKernelThatCouldNotBeLoadedIsNotAsked) {

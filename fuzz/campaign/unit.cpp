@@ -29,7 +29,7 @@ void judge(const Oracles& oracles, const MadeBatch<Real>& batch, KernelRuns<Real
 template <class Real>
 void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint64_t size,
          const std::vector<Standing>& standing, const BatchDone& asked, UnitResult& out) {
-  const Standing nothing = standing_of(Tally(source.test()));
+  const Standing nothing = standing_of(empty_tally(source.test()));
   KernelRuns<Real> runs;
   for (std::size_t k = 0; k < plan.answerers.kernels.size(); ++k) {
     const Kernel& kernel = *plan.answerers.kernels[k];
@@ -70,7 +70,7 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
 
 UnitResult run_unit(const Plan& plan, const Source& source, Precision precision, std::uint64_t number,
                     std::uint64_t size, const std::vector<Standing>& standing, const BatchDone& asked) {
-  UnitResult result{std::vector<Tally>(plan.answerers.kernels.size(), Tally(source.test())), 0, 0, {}};
+  UnitResult result{std::vector<Tally>(plan.answerers.kernels.size(), empty_tally(source.test())), 0, 0, {}};
   const double start = thread_seconds();
   const std::uint64_t first = number * unit_size;
   if (precision == Precision::binary32) run<float>(plan, source, first, size, standing, asked, result);

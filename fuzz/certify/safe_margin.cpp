@@ -8,6 +8,7 @@
 
 #include "exact/trait/critical_radius.h"
 #include "exact/trait/oracles.h"
+#include "fuzz/fields/merge.h"
 #include "fuzz/judging/for_each_judged.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/text/number_text.h"
@@ -18,43 +19,6 @@ namespace axiscert {
 namespace {
 
 constexpr std::uint64_t margin_batch = 1024, margin_block = 4 * margin_batch;
-
-void keep(std::optional<MissedContact>& kept, const std::optional<MissedContact>& other) {
-  if (other && (!kept || other->value > kept->value)) kept = other;
-}
-
-void merge(MarginPart& all, const MarginPart& other) {
-  all.contacts += other.contacts;
-  all.without_verdict += other.without_verdict;
-  all.queries += other.queries;
-  all.missed += other.missed;
-  all.hopeless += other.hopeless;
-  all.tiny += other.tiny;
-  all.unmeasured += other.unmeasured;
-  all.phantoms_by_factor += other.phantoms_by_factor;
-  all.phantoms_by_amount += other.phantoms_by_amount;
-  all.still_missed_by_factor += other.still_missed_by_factor;
-  all.still_missed_by_amount += other.still_missed_by_amount;
-}
-
-// `later` is of later queries.
-void merge(SafeMargin& all, const SafeMargin& later) {
-  all.probed += later.probed;
-  all.found += later.found;
-  all.queries += later.queries;
-  all.phantoms += later.phantoms;
-  all.of_run.merge(later.of_run);
-  all.of_others.merge(later.of_others);
-  for (const auto& [scene, part] : later.parts) {
-    MarginPart& into = all.parts[scene];
-    merge(into, part);
-    keep(into.factor, part.factor);
-    keep(into.amount, part.amount);
-  }
-  keep(all.factor, later.factor);
-  keep(all.amount, later.amount);
-  if (!all.hopeless) all.hopeless = later.hopeless;
-}
 
 CriticalLength critical_length_of(const Kernel& kernel) {
   if (const auto length = oracles_of(*kernel.test).critical_length()) return *length;
@@ -279,9 +243,9 @@ SafeMargin margin_of(const SafeMarginPlan& plan, const std::atomic<bool>& interr
   judged.threads = plan.on->threads;
   judged.interrupted = &interrupted;
   const auto add = [&](std::string_view stage, const auto& visit) {
-    const auto in_order = [](SafeMargin& all, const SafeMargin& later) { merge(all, later); };
+    const auto in_order = [](SafeMargin& all, const SafeMargin& later) { merge_fields(all, later); };
     const auto found = for_each_judged<Real>(judged, SafeMargin{plan.precision}, report, stage, visit, in_order);
-    merge(margin, found.counts);
+    merge_fields(margin, found.counts);
     margin.complete &= found.complete;
   };
   add("the radius that each missed contact needs",
@@ -307,7 +271,8 @@ template double rounded_up_to<double>(const Rational& value);
 
 MarginPart SafeMargin::total() const {
   MarginPart all;
-  for (const auto& [scene, part] : parts) merge(all, part);
+  for (const auto& [scene, part] : parts) merge_fields(all, part);
+  all.factor = all.amount = {};
   return all;
 }
 

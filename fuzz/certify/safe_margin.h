@@ -35,6 +35,10 @@ struct MissedContact {
   std::string family;            // "search" where a search found it
   std::string radius, critical;  // hexadecimal: r, and the least radius from r on for which the kernel says contact
   Decimal6 value;                // the factor critical / r, or the amount critical - r, rounded up
+
+  void merge(const MissedContact& other) {
+    if (other.value > value) *this = other;
+  }
 };
 
 // Contacts that the kernel was asked about, by its answer: of one that it gave no verdict to nothing is known.
@@ -48,9 +52,8 @@ struct ContactAnswers {
     looked_at.add(said);
     missed += said == Verdict::separated;
   }
-  void merge(const ContactAnswers& other) {
-    looked_at.merge(other.looked_at);
-    missed += other.missed;
+  static constexpr auto fields(auto&& visit) {
+    return merged(visit, &ContactAnswers::looked_at, &ContactAnswers::missed);
   }
 };
 
@@ -67,6 +70,13 @@ struct MarginPart {
   // The run's queries asked again, each grown by the factor, and by the amount, of its part.
   std::uint64_t phantoms_by_factor = 0, phantoms_by_amount = 0;          // new ones
   std::uint64_t still_missed_by_factor = 0, still_missed_by_amount = 0;  // all the same: the hopeless among them
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = MarginPart;
+    return merged(visit, &Of::contacts, &Of::without_verdict, &Of::queries, &Of::missed, &Of::hopeless, &Of::tiny,
+                  &Of::unmeasured, &Of::factor, &Of::amount, &Of::phantoms_by_factor, &Of::phantoms_by_amount,
+                  &Of::still_missed_by_factor, &Of::still_missed_by_amount);
+  }
 };
 
 struct SafeMargin {
@@ -79,6 +89,13 @@ struct SafeMargin {
   bool complete = true;                                                  // false: interrupted
 
   MarginPart total() const;  // counts added, without the greatest
+  // In the order of the queries.
+  static constexpr auto fields(auto&& visit) {
+    using Of = SafeMargin;
+    return merged(visit, journalled(&Of::precision, by::same), &Of::queries, &Of::probed, &Of::found, &Of::of_run,
+                  &Of::of_others, &Of::parts, &Of::factor, &Of::amount, journalled(&Of::hopeless, by::first),
+                  &Of::phantoms, journalled(&Of::complete, by::same));
+  }
 };
 
 // A radius below 2^-k of its scene's size is tiny. Its square is then below one rounding of a squared length of that

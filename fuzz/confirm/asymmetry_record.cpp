@@ -3,71 +3,46 @@
 namespace axiscert {
 namespace {
 
-Json pair_json(const std::optional<ImagePair>& pair, const AddressOf& address) {
-  if (!pair) return nullptr;
-  return {{"base", address(pair->base)}, {"image", address(pair->image)}};
+std::optional<AddressPair> addresses_of(const std::optional<ImagePair>& pair, const AddressOf& address) {
+  if (!pair) return std::nullopt;
+  return AddressPair{address(pair->base), address(pair->image)};
 }
 
-Json by_size_json(const ImageChanges& changes) {
-  Json json = Json::object();
-  for (const auto& [size, count] : changes.by_size) json[std::to_string(size)] = count;
-  return json;
-}
-
-Json changes_json(const ImageChanges& changes, const AddressOf& address) {
-  return {{"images", changes.images},
-          {"changed", changes.changed},
-          {"undecided", changes.undecided},
-          {"by_size", by_size_json(changes)},
-          {"first", pair_json(changes.first, address)}};
-}
-
-Json sizes_json(const std::vector<UnitFlip>& flips, const std::vector<AbsoluteSize>& sizes) {
-  Json json = {{"bases", flips.size()}, {"compared", Json::array()}};
-  for (const AbsoluteSize& size : sizes) {
-    json["compared"].push_back({{"quantity", size.quantity.text},
-                                {"degree", size.quantity.degree},
-                                {"least", size.least},
-                                {"greatest", size.greatest},
-                                {"explains", size.explains}});
-  }
-  return json;
+AbsoluteSizeRecord size_record(const std::vector<UnitFlip>& flips, const std::vector<AbsoluteSize>& sizes) {
+  AbsoluteSizeRecord record{flips.size(), {}};
+  for (const AbsoluteSize& size : sizes)
+    record.compared.push_back({size.quantity.text, size.quantity.degree, size.least, size.greatest, size.explains});
+  return record;
 }
 
 }  // namespace
 
-Json asymmetry_json(const Asymmetry& asymmetry, const AddressOf& address) {
-  return {{"images", asymmetry.images},
-          {"verdicts", asymmetry.verdicts},
-          {"comparisons", asymmetry.comparisons},
-          {"first_verdict", pair_json(asymmetry.first_verdict, address)},
-          {"first_comparison", pair_json(asymmetry.first_comparison, address)}};
+AsymmetryRecord asymmetry_record(const Asymmetry& asymmetry, const AddressOf& address) {
+  return {asymmetry.images, asymmetry.verdicts, asymmetry.comparisons, addresses_of(asymmetry.first_verdict, address),
+          addresses_of(asymmetry.first_comparison, address)};
 }
 
-Json invariance_json(const Invariance& invariance, const ImageGroup& group, Precision precision,
-                     const AddressOf& address,
-                     const std::function<std::vector<AbsoluteSize>(std::span<const UnitFlip>)>& sizes) {
-  Json json = Json::object();
-  EnumArray<ImageKind, bool> is_made{};
-  for (std::size_t i = 1; i < group.size; ++i) is_made[group.kind(i)] = true;
-  for (const ImageKind kind : enumerators<ImageKind>) {
-    if (is_made[kind]) json[std::string(image_kind_names[kind])] = changes_json(invariance.kinds[kind], address);
+std::map<ImageKind, ImageChangesRecord> invariance_record(
+    const Invariance& invariance, const ImageGroup& group, Precision precision, const AddressOf& address,
+    const std::function<std::vector<AbsoluteSize>(std::span<const UnitFlip>)>& sizes) {
+  std::map<ImageKind, ImageChangesRecord> record;
+  for (std::size_t i = 1; i < group.size; ++i) {
+    const ImageKind kind = group.kind(i);
+    const ImageChanges& changes = invariance.kinds[kind];
+    record[kind] = {
+        changes.images, changes.changed, changes.undecided, changes.by_size, addresses_of(changes.first, address),
+        std::nullopt,   std::nullopt};
   }
-  if (!is_made[ImageKind::scale]) return json;
-  Json& scale = json[std::string(image_kind_names[ImageKind::scale])];
-  if (group.range == nullptr) {
-    scale["range"] = nullptr;
-    return json;
-  }
+  const auto scale = record.find(ImageKind::scale);
+  if (scale == record.end()) return record;
+  scale->second.range.emplace();
+  if (group.range == nullptr) return record;
   const PowerRange range = group.range(precision);
   const UnitFaults& units = invariance.units;
-  scale["range"] = {{"least", range.least}, {"greatest", range.greatest}};
-  scale["wrong"] = {{"count", units.wrong.changed},
-                    {"by_size", by_size_json(units.wrong)},
-                    {"first", pair_json(units.wrong.first, address)},
-                    {"where_small", sizes_json(units.small, sizes(units.small))},
-                    {"where_large", sizes_json(units.large, sizes(units.large))}};
-  return json;
+  scale->second.range.emplace(PowerRangeRecord{range.least, range.greatest});
+  scale->second.wrong = {units.wrong.changed, units.wrong.by_size, addresses_of(units.wrong.first, address),
+                         size_record(units.small, sizes(units.small)), size_record(units.large, sizes(units.large))};
+  return record;
 }
 
 }  // namespace axiscert

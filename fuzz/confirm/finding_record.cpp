@@ -10,8 +10,12 @@ namespace axiscert {
 namespace {
 
 template <class Real>
-void put_query_of(Json& into, const SeededSource& of, std::uint64_t position) {
-  put_query(into, of.source.test().entries[of.source.entry()], of.source.make<Real>(of.seed, position));
+Named<std::optional<GroupNumbers>> numbers_of(const SeededSource& of, std::uint64_t position) {
+  Named<std::optional<GroupNumbers>> numbers;
+  for (auto& [group, values] :
+       groups_of_numbers(of.source.test().entries[of.source.entry()], of.source.make<Real>(of.seed, position)))
+    numbers.put(group) = std::move(values);
+  return numbers;
 }
 
 }  // namespace
@@ -23,31 +27,25 @@ void require_loaded(const Kernel& kernel) {
   throw Error(fmt::format("--kernel {}: it could not be loaded{}", kernel.id, why));
 }
 
-void put_loading_findings(Json& findings, const Kernel& kernel) {
+void put_loading_findings(std::vector<FindingRecord>& findings, const Kernel& kernel) {
   for (const Finding& finding : kernel.findings) {
-    Json& entry = findings.emplace_back();
-    entry = {{"kernel", kernel.id}, {"precision", nullptr},     {"family", nullptr}, {"kind", name(finding.kind)},
-             {"count", 1},          {"detail", finding.detail}, {"address", nullptr}};
-    for (const ColumnGroup& group : groups_of(kernel.test->entries[kernel.entry])) {
-      entry[std::string(group.name)] = nullptr;
-    }
+    FindingRecord& record = findings.emplace_back();
+    record.kernel = kernel.id;
+    record.kind = finding.kind;
+    record.count = 1;
+    record.detail = finding.detail;
+    for (const ColumnGroup& group : groups_of(kernel.test->entries[kernel.entry])) record.numbers.put(group.name);
   }
 }
 
-void put_findings(Json& findings, const Kernel& kernel, const SeededSource& of, const Tally& tally) {
-  for (std::size_t i = 0; i < finding_kind_count; ++i) {
-    const FindingTally& found = tally.findings[i];
+void put_findings(std::vector<FindingRecord>& findings, const Kernel& kernel, const SeededSource& of,
+                  const Tally& tally) {
+  for (const FindingKind kind : enumerators<FindingKind>) {
+    const FindingTally& found = tally.findings[kind];
     if (found.count == 0) continue;
-    Json& entry = findings.emplace_back();
-    entry = {{"kernel", kernel.id},
-             {"precision", name(of.precision)},
-             {"family", of.source.name()},
-             {"kind", finding_kind_names[i]},
-             {"count", found.count},
-             {"detail", found.detail},
-             {"address", of.address(found.first)}};
-    if (of.precision == Precision::binary32) put_query_of<float>(entry, of, found.first);
-    else put_query_of<double>(entry, of, found.first);
+    findings.push_back(
+        {kernel.id, of.precision, Name(of.source.name()), kind, found.count, found.detail, Name(of.address(found.first)),
+         of.precision == Precision::binary32 ? numbers_of<float>(of, found.first) : numbers_of<double>(of, found.first)});
   }
 }
 

@@ -9,8 +9,9 @@ namespace axiscert {
 void require_loaded(const Kernel& kernel);
 
 // Appends the findings of loading the kernel, which belong to no precision, family or query.
-void put_loading_findings(Json& findings, const Kernel& kernel);
+void put_loading_findings(std::vector<FindingRecord>& findings, const Kernel& kernel);
 // Appends the findings on one source, one entry a kind, with the first query that showed it.
-void put_findings(Json& findings, const Kernel& kernel, const SeededSource& of, const Tally& tally);
+void put_findings(std::vector<FindingRecord>& findings, const Kernel& kernel, const SeededSource& of,
+                  const Tally& tally);
 
 }  // namespace axiscert

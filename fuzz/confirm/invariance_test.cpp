@@ -52,7 +52,7 @@ Found found(const Kernel& kernel, const char* family, std::uint64_t queries) {
   const auto sizes = [&](std::span<const UnitFlip> flips) { return absolute_sizes(of, flips); };
   const auto address = [](std::uint64_t position) { return std::to_string(position); };
   return {asymmetry.invariance,
-          invariance_json(asymmetry.invariance, *image_group(family), Precision::binary64, address, sizes)};
+          json_of(invariance_record(asymmetry.invariance, *image_group(family), Precision::binary64, address, sizes))};
 }
 
 TEST(Invariance, OfARightKernelIsWhole) {

@@ -50,7 +50,8 @@ class NearestSearch {
 
   void compare(const TalliedSource& of) {
     const std::uint64_t first = std::min(nearest_queries, of.queries);
-    const std::vector<std::uint64_t>& wrong = of.tally->classes.first_wrong;
+    std::vector<std::uint64_t> wrong = of.tally->classes.first_wrong;
+    std::sort(wrong.begin(), wrong.end());
     for (std::uint64_t position = 0; position < first; ++position) {
       add(of.asked, position, std::binary_search(wrong.begin(), wrong.end(), position));
     }

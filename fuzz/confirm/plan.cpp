@@ -7,75 +7,65 @@ namespace axiscert {
 namespace {
 
 // The statement that no kernel was run, and the claim made for the program.
-Json replies_json(const Answerers& answerers) {
-  const auto given = [](const std::string& id) { return id.empty() ? Json(nullptr) : Json(id); };
-  Json json = {{"conforms_to", given(answerers.claim.conforms_to)},
-               {"formulae", given(answerers.claim.formulae)},
-               {"touching", name(answerers.kernels.front()->touching)},
-               {"may_decline", answerers.kernels.front()->may_decline}};
-  if (answerers.replies->measure_count() != 0) json["measures"] = answerers.replies->measure_count();
-  return json;
+RepliesRecord replies_record(const Answerers& answerers) {
+  const auto given = [](const std::string& id) { return id.empty() ? std::nullopt : std::optional(id); };
+  RepliesRecord record{given(answerers.claim.conforms_to), given(answerers.claim.formulae), answerers.kernels.front()->touching,
+                       answerers.kernels.front()->may_decline, std::nullopt};
+  if (answerers.replies->measure_count() != 0) record.measures = answerers.replies->measure_count();
+  return record;
 }
 
-// One level as text, as records of one level have it.
-Json require_json(const std::vector<std::string>& levels) {
-  if (levels.empty()) return nullptr;
-  return levels.size() == 1 ? Json(levels.front()) : Json(levels);
+FileRecord file_record(const FileInfo& file) {
+  FileRecord record{file.name, file.kind, std::nullopt, {}, {}, {}, {}};
+  if (!file.sha256.empty()) record.sha256 = Sha256(file.sha256);
+  if (file.kind == "queries") record.queries = file.queries;
+  if (file.kind == "mesh") {
+    record.triangles = file.triangles;
+    record.degenerate_triangles = file.degenerate_triangles;
+    record.skipped_primitives = file.skipped_primitives;
+  }
+  return record;
 }
 
 }  // namespace
 
-Json plan_json(const Plan& plan, const CampaignResult& result, const Required& required) {
+PlanRecord plan_record(const Plan& plan, const CampaignResult& result, const Required& required) {
   const Questions& questions = plan.questions;
   const Answerers& answerers = plan.answerers;
-  Json json = {{"axiscert", axiscert_version}, {"test", questions.test().id}, {"seed", questions.seed}};
-  for (const char* list : {"kernels", "precisions", "families"}) json[list] = Json::array();
-  for (const char* map : {"generators", "trials"}) json[map] = Json::object();
-  json["files"] = Json::array();
-  for (const Kernel* kernel : answerers.kernels) json["kernels"].push_back(kernel->id);
-  for (const Precision p : questions.precisions) json["precisions"].push_back(name(p));
+  PlanRecord record;
+  record.axiscert = axiscert_version;
+  record.test = questions.test().id;
+  record.seed = {questions.seed};
+  for (const Kernel* kernel : answerers.kernels) record.kernels.push_back(kernel->id);
+  record.precisions = questions.precisions;
   for (const SourcePtr& source : questions.sources) {
-    json["families"].push_back(source->name());
-    json["generators"][source->name()] = {{"version", source->version()},
-                                          {"exact_arithmetic", source->exact_arithmetic()},
-                                          {"purpose", source->purpose()}};
-    if (const auto file = source->file()) {
-      Json& entry =
-          json["files"].emplace_back(Json{{"name", file->name}, {"kind", file->kind}, {"sha256", file->sha256}});
-      if (file->kind == "queries") entry["queries"] = file->queries;
-      else {
-        entry["triangles"] = file->triangles;
-        entry["degenerate_triangles"] = file->degenerate_triangles;
-        entry["skipped_primitives"] = file->skipped_primitives;
-      }
-    }
+    record.families.push_back(source->name());
+    record.generators.put(source->name()) = {static_cast<std::uint64_t>(source->version()), source->exact_arithmetic(), source->purpose()};
+    if (const auto file = source->file()) record.files.push_back(file_record(*file));
   }
-  for (const FileInfo& file : answerers.plugins) {
-    json["files"].push_back({{"name", file.name},
-                             {"kind", file.kind},
-                             {"sha256", file.sha256.empty() ? Json(nullptr) : Json(file.sha256)}});
-  }
-  Json units = Json::object();
+  for (const FileInfo& file : answerers.plugins) record.files.push_back(file_record(file));
+  CountsByFamily units;
   for (std::size_t s = 0; s < questions.sources.size(); ++s) {
     for (const CellResult& cell : result.cells) {
       if (cell.source != s) continue;
-      const std::string family = questions.sources[s]->name(), precision(name(cell.precision));
-      json["trials"][family][precision] = cell.queries;
-      units[family][precision] = cell.units_done;
+      const std::string family = questions.sources[s]->name();
+      record.trials.put(family)[cell.precision] = cell.queries;
+      units.put(family)[cell.precision] = cell.units_done;
     }
   }
-  json["tolerance"] = plan.judging.tolerance_texts;
-  json["require"] = require_json(required.levels);
-  if (!required.allow_unchecked.empty()) json["allow_unchecked"] = required.allow_unchecked;
-  json["margin_queries"] = margin_queries;
+  for (const auto& [comparison, tolerance] : plan.judging.tolerance_texts) record.tolerance.put(comparison) = tolerance;
+  for (const std::string& level : required.levels) record.require.levels.push_back(level);
+  if (!required.allow_unchecked.empty())
+    record.allow_unchecked.emplace(required.allow_unchecked.begin(), required.allow_unchecked.end());
+  record.margin_queries = margin_queries;
+  if (answerers.replies) record.replies = replies_record(answerers);
   // Without a time limit the trials determine the units; an interrupted run did only some of them.
-  if (answerers.replies) json["replies"] = replies_json(answerers);
-  json["units_done"] = questions.seconds || !result.complete ? units : Json(nullptr);
-  return json;
+  if (questions.seconds || !result.complete) record.units_done = std::move(units);
+  return record;
 }
 
-Json plan_json(const Plan& plan, const Required& required) {
-  return plan_json(plan, planned(plan.questions), required);
+PlanRecord plan_record(const Plan& plan, const Required& required) {
+  return plan_record(plan, planned(plan.questions), required);
 }
 
 }  // namespace axiscert

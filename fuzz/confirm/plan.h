@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/text/json.h"
+#include "fuzz/record/plan_record.h"
 
 namespace axiscert {
 
@@ -15,8 +15,8 @@ struct Required {
 };
 
 // Only the cells' units and queries of the result are used.
-Json plan_json(const Plan& plan, const CampaignResult& result, const Required& required);
+PlanRecord plan_record(const Plan& plan, const CampaignResult& result, const Required& required);
 // The same of a plan that is done whole.
-Json plan_json(const Plan& plan, const Required& required = {});
+PlanRecord plan_record(const Plan& plan, const Required& required = {});
 
 }  // namespace axiscert

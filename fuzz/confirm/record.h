@@ -1,47 +1,47 @@
 // The record: the deterministic result of a run, and run.json, which holds everything that varies between runs.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/confirm/plan.h"
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
 
 namespace axiscert {
 
-inline constexpr const char* record_schema = "axiscert-record/3";
-
-// record.json: contains no clock, host, thread count, target or compiler.
+// Contains no clock, host, thread count, target or compiler.
 // Makes the witnesses' queries again and examines each by all oracles.
-Json record_of(const Plan& plan, const CampaignResult& result, const Required& required);
+Record record_of(const Plan& plan, const CampaignResult& result, const Required& required);
 
 // Counts of a tally as a family of the record has them, and those of its findings by kind: what levels read, and adds
 // up over stretches. Without medians, places and addresses.
 Json counts_json(const Kernel& kernel, const Tally& tally);
-// The critical radius of all queries of a tally.
-Json critical_radius_json(CriticalRadiusTally tally);
-// A family's member "invariance".
-Json invariance_of(const SeededSource& of, const Asymmetry& asymmetry);
+std::map<ImageKind, ImageChangesRecord> invariance_of(const SeededSource& of, const Asymmetry& asymmetry);
 
 // run.json: times, throughput, machine, target, compiler and library versions. `started` is ISO 8601, UTC.
 Json run_info(const Plan& plan, const CampaignResult& result, const std::string& target_asked,
               const std::string& started, double seconds);
 
-// An entry of the record's "kernels": what the kernel says of itself, without figures and families. `plugins`: files
-// that were given by path, its own among them.
-Json entry_json(const std::vector<FileInfo>& plugins, const Kernel& kernel, Precision precision);
+// What the kernel says of itself, without figures and families. `plugins`: files that were given by path, its own among
+// them.
+KernelRecord kernel_record(const std::vector<FileInfo>& plugins, const Kernel& kernel, Precision precision);
+// The data that a kernel exposes: its verdict, its comparisons and their sides if it exposes them.
+std::vector<Exposure> exposures_of(const Kernel& kernel);
+// The limits that a kernel declares; empty if it has none, and empty for each limit that it does not set.
+std::optional<LimitsRecord> limits_of(const Limits& limits);
+// Its promises about motions.
+PolicyRecord policy_of(const MotionPolicy& policy);
+// The names of the measures that a kernel gives.
+std::vector<Name> given_measures(const Kernel& kernel);
 
-// A query as in the query file: each group of the entry's columns as an array of hex strings, or as one string.
+// The numbers of a query by the group of the entry's columns.
 template <class Real>
-void put_query(Json& into, const TestEntry& entry, const Numbers<Real>& numbers);
-// The data that a kernel exposes: "verdict", and "comparisons" and "sides" if it exposes them.
-Json exposures_json(const Kernel& kernel);
-// The limits that a kernel declares; null if it has none, and null for each limit that it does not set.
-Json limits_json(const Limits& limits);
-// A JSON number; text if binary64 cannot represent it.
-Json decimal_json(Decimal6 decimal);
+Named<GroupNumbers> groups_of_numbers(const TestEntry& entry, const Numbers<Real>& numbers);
 // Flips in the form in which `check` and the witnesses list them.
-Json flips_json(const TestDescription& test, const Judgement& judgement);
+std::vector<FlipRecord> flips_of(const TestDescription& test, const Judgement& judgement);
 
 }  // namespace axiscert

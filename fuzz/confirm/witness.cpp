@@ -14,41 +14,33 @@ namespace {
 
 // The class of a query with a wrong verdict, which was counted as this one if as any. Throws OracleDisagreement.
 template <class Real>
-std::string_view class_of_wrong(const TestDescription& test, const Numbers<Real>& numbers,
-                                std::optional<InputClass> counted) {
+InputClass class_of_wrong(const TestDescription& test, const Numbers<Real>& numbers,
+                          std::optional<InputClass> counted) {
   const std::string_view found = capabilities_of(test).input_classes->of(numbers).front();
-  if (counted && found != input_class_names[*counted]) {
-    throw OracleDisagreement(fmt::format("the input was counted as {}, and is {}", input_class_names[*counted], found),
-                             numbers, test);
+  for (const InputClass which : enumerators<InputClass>) {
+    if (name(which) == found && counted.value_or(which) == which) return which;
   }
-  return found;
+  throw OracleDisagreement(
+      fmt::format("the input was counted as {}, and is {}", counted ? name(*counted) : "none", found), numbers, test);
 }
 
 }  // namespace
 
 template <class Real>
-void put_query(Json& into, const TestEntry& entry, const Numbers<Real>& numbers) {
+Named<GroupNumbers> groups_of_numbers(const TestEntry& entry, const Numbers<Real>& numbers) {
+  Named<GroupNumbers> groups;
   for (const auto& [name, first, size] : groups_of(entry)) {
-    Json& member = into[std::string(name)];
-    if (size == 1) {
-      member = format_number(numbers[first]);
-      continue;
-    }
-    member = Json::array();
-    for (std::size_t k = first; k < first + size; ++k) member.push_back(format_number(numbers[k]));
+    for (std::size_t k = first; k < first + size; ++k) groups.put(name).numbers.push_back(format_number(numbers[k]));
   }
+  return groups;
 }
-template void put_query<float>(Json&, const TestEntry&, const Numbers<float>&);
-template void put_query<double>(Json&, const TestEntry&, const Numbers<double>&);
+template Named<GroupNumbers> groups_of_numbers<float>(const TestEntry&, const Numbers<float>&);
+template Named<GroupNumbers> groups_of_numbers<double>(const TestEntry&, const Numbers<double>&);
 
-Json flips_json(const TestDescription& test, const Judgement& judgement) {
-  Json flips = Json::array();
+std::vector<FlipRecord> flips_of(const TestDescription& test, const Judgement& judgement) {
+  std::vector<FlipRecord> flips;
   for (const Flip& flip : judgement.flips()) {
-    flips.push_back({{"level", level_names[flip.level]},
-                     {"name", name(test, flip)},
-                     {"kind", flip_kind_names[flip.kind]},
-                     {"decisive", flip.decisive},
-                     {"links", names(flip.links)}});
+    flips.push_back({flip.level, name(test, flip), flip.kind, flip.decisive, {flip.links.begin(), flip.links.end()}});
   }
   return flips;
 }
@@ -138,17 +130,18 @@ void WitnessWriter::note_motion(const MotionTally& motion, Shown& shown) {
   const auto largest = [](const char* what, const char* unit) {
     return [=](double size) { return fmt::format("{}: {:.6g}{}", what, size, unit); };
   };
-  note(motion.no_time, [](bool given) { return given ? "a time outside [0, 1]" : "a contact without a time"; });
-  note(motion.late.largest_ulps, worst("latest time", " ulps"));
-  note(motion.late.largest_in_u, worst("latest time", " u of the displacement"));
-  note(motion.late_tunnels.deepest, worst("deepest tunnel of a late time", ""));
-  note(motion.missed_tunnels.deepest, worst("deepest tunnel of a missed contact", ""));
-  note(motion.early.largest_ulps, worst("earliest time", " ulps"));
-  note(motion.early.largest_in_u, worst("earliest time", " u of the displacement"));
-  note(motion.largest_gap, largest("largest gap of an early time", " of the scene"));
-  note(motion.wrong_feature, [](bool) { return "a feature that is not touched first"; });
-  note(motion.largest_angle, largest("largest angle of a normal", " radians"));
-  note(motion.largest_point_error, largest("largest error of a contact's point", " of the scene"));
+  const TimeTally& time = *motion.time;
+  note(time.no_time, [](bool given) { return given ? "a time outside [0, 1]" : "a contact without a time"; });
+  note(time.late_errors.largest_ulps, worst("latest time", " ulps"));
+  note(time.late_errors.largest_in_u, worst("latest time", " u of the displacement"));
+  note(time.late_tunnels.deepest, worst("deepest tunnel of a late time", ""));
+  note(motion.missed.deepest, worst("deepest tunnel of a missed contact", ""));
+  note(time.early_errors.largest_ulps, worst("earliest time", " ulps"));
+  note(time.early_errors.largest_in_u, worst("earliest time", " u of the displacement"));
+  note(time.largest_gap, largest("largest gap of an early time", " of the scene"));
+  note(motion.feature->first_wrong, [](bool) { return "a feature that is not touched first"; });
+  note(motion.normal->largest_angle, largest("largest angle of a normal", " radians"));
+  note(motion.point->largest_error, largest("largest error of a contact's point", " of the scene"));
 }
 
 template <class Real>
@@ -167,30 +160,32 @@ void WitnessWriter::write(const Kernel& kernel, const SeededSource& of, const Sh
   for (const auto& [position, what] : shown) {
     const Numbers<Real> numbers = source.make<Real>(of.seed, position);
     const Examination found = examined(kernel, source, position, numbers);
-    Json witness = {{"id", fmt::format("w{}", witnesses_.size() + 1)}, {"precision", name(precision_of<Real>)}};
-    put_query(witness, source.test().entries[source.entry()], numbers);
-    witness["kernel"] = kernel.id;
-    witness["family"] = source.name();
-    witness["address"] = of.address(position);
-    witness["truth"] = name(found.truth.verdict);
-    witness["computed"] = name(found.answer.verdict);
-    witness["touching"] = found.truth.touching;
-    witness["depth"] = found.depth ? Json(*found.depth) : Json(nullptr);
+    WitnessRecord& witness = witnesses_.emplace_back();
+    witness.id = fmt::format("w{}", witnesses_.size());
+    witness.precision = precision_of<Real>;
+    witness.numbers = groups_of_numbers(source.test().entries[source.entry()], numbers);
+    witness.kernel = kernel.id;
+    witness.family = source.name();
+    witness.address = of.address(position);
+    witness.truth = found.truth.verdict;
+    witness.computed = found.answer.verdict;
+    witness.touching = found.truth.touching;
+    witness.depth = found.depth;
     if (has_input_classes(kernel) && found.judgement.verdict_flip) {
-      witness["class"] = class_of_wrong(test, numbers, what.input_class);
+      witness.input_class = class_of_wrong(test, numbers, what.input_class);
     }
-    witness["exact_comparisons"] =
-        found.judgement.exact ? Json(bit_string(*found.judgement.exact, test.comparisons.size())) : Json(nullptr);
-    witness["computed_comparisons"] =
-        found.answer.bits ? Json(bit_string(*found.answer.bits, test.comparisons.size())) : Json(nullptr);
-    witness["shows"] = what.texts;
-    witness["flips"] = flips_json(test, found.judgement);
-    witness["sides"] = sides == nullptr ? Json(nullptr) : sides->of(numbers, kernel, found, what.largest_errors);
+    const auto bits = [&](const std::optional<ComparisonBits>& all) {
+      return all ? std::optional(BitText(bit_string(*all, test.comparisons.size()))) : std::nullopt;
+    };
+    witness.exact_comparisons = bits(found.judgement.exact);
+    witness.computed_comparisons = bits(found.answer.bits);
+    witness.shows = what.texts;
+    witness.flips = flips_of(test, found.judgement);
+    if (sides != nullptr) witness.sides = sides->of(numbers, kernel, found, what.largest_errors);
     if (!test.measures.empty()) {
-      witness["measures"] = measures_json(test, found);
-      witness["first_contact"] = first_contact_json(oracles_of(test, source.entry()), found.truth, numbers);
+      witness.measures.emplace(measures_of(test, found));
+      witness.first_contact.emplace(first_contact_of(oracles_of(test, source.entry()), found.truth, numbers));
     }
-    witnesses_.push_back(std::move(witness));
   }
 }
 

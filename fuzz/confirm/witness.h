@@ -23,7 +23,7 @@ class WitnessWriter {
   // which answers change with an image, the first image and its base. A query that
   // shows several of these is stored once.
   void add(const Kernel& kernel, const SeededSource& of, const Tally& tally, const std::optional<Asymmetry>& asymmetry);
-  Json take() && { return std::move(witnesses_); }
+  std::vector<WitnessRecord> take() && { return std::move(witnesses_); }
 
  private:
   // The things that a query shows, in the order found, and the comparisons for which it has the largest error.
@@ -44,7 +44,7 @@ class WitnessWriter {
   const StoredReplies* replies_;  // null: the kernels are asked
   const std::string& target_;
   std::optional<Examiner> examiner_;  // for the kernel that was added last
-  Json witnesses_ = Json::array();
+  std::vector<WitnessRecord> witnesses_;
 };
 
 }  // namespace axiscert

@@ -133,7 +133,7 @@ const Property* Diagnosis::find(std::string_view name) const {
 
 LookedAt Diagnosis::looked_at() const {
   LookedAt all;
-  for (const Property& property : properties) all.merge(property.looked_at);
+  for (const Property& property : properties) merge_fields(all, property.looked_at);
   return all;
 }
 
@@ -143,36 +143,6 @@ Diagnosis diagnose(const Kernel& kernel, const DiagnosisOptions& options) {
   }
   return options.precision == Precision::binary32 ? diagnosis::diagnosed<float>(kernel, options)
                                                   : diagnosis::diagnosed<double>(kernel, options);
-}
-
-Json property_json(const Property& property) {
-  Json witnesses = Json::array();
-  for (const DiagnosisWitness& witness : property.witnesses) {
-    witnesses.push_back({{"query", Json::parse(witness.query)},
-                         {"answered", witness.answered},
-                         {"truth", witness.truth},
-                         {"shows", witness.shows}});
-  }
-  return {{"name", property.name},
-          {"value", property.value},
-          {"sentence", property.sentence},
-          {"queries", property.queries},
-          {"looked_at", looked_at_json(property.looked_at)},
-          {"measured", property.measured},
-          {"witnesses", witnesses}};
-}
-
-Json diagnosis_json(const Diagnosis& diagnosis) {
-  Json properties = Json::array();
-  for (const Property& property : diagnosis.properties) properties.push_back(property_json(property));
-  return {{"kernel", diagnosis.kernel},
-          {"test", diagnosis.test->id},
-          {"precision", name(diagnosis.precision)},
-          {"seed", diagnosis.seed},
-          {"may_decline", diagnosis.may_decline},
-          {"complete", diagnosis.complete},
-          {"looked_at", looked_at_json(diagnosis.looked_at())},
-          {"properties", properties}};
 }
 
 }  // namespace axiscert

@@ -30,20 +30,44 @@ std::span<const PropertyKind> property_kinds();
 
 // A query that shows why a property has its value.
 struct DiagnosisWitness {
-  std::string query;     // a line of a query file
-  std::string answered;  // what the kernel said: a verdict's name, or several in the order of `asked`
-  std::string truth;     // "separated", "contact" or "touching"
-  std::string shows;     // one line: how it was asked, and what follows
+  QueryLine query;
+  std::string answered, truth, shows;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = DiagnosisWitness;
+    return visit(
+        field(&Of::query, {"query", "A query as in a query file."}),
+        field(&Of::answered, {"answered", "The kernel's verdict; where it was asked in two ways both, with a comma."}),
+        field(&Of::truth,
+              {"truth", "The exact answer: contact, separated, invalid, or touching, at a distance of exactly r."}),
+        field(&Of::shows, {"shows", "How it was asked, and what follows, in a line."}));
+  }
 };
 
 struct Property {
-  std::string name;                              // of its kind
-  std::string value;                             // one of its kind's values, or not_known or not_asked
-  std::string sentence;                          // plain English, for a reader who has not read the probe
-  std::uint64_t queries = 0;                     // answers on which the value rests
-  std::vector<DiagnosisWitness> witnesses = {};  // a few, or none where no single query shows it
-  Json measured = nullptr;                       // numbers by name, such as the size of a threshold; null: none
-  LookedAt looked_at = {};                       // the answers that were asked for here, by what became of them
+  std::string name, value, sentence;
+  std::uint64_t queries = 0;
+  std::vector<DiagnosisWitness> witnesses = {};
+  Json measured = nullptr;
+  LookedAt looked_at = {};
+
+  static constexpr std::string_view about = "One property, with what its value rests on.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = Property;
+    return visit(
+        field(&Of::name, {"name", "Which property."}),
+        field(&Of::value,
+              {"value",
+               "One of the property's values, not_known or not_asked; of nearest_form the id of a built-in kernel."}),
+        field(&Of::sentence, {"sentence", "The same in words, for a reader who has not read the probe."}),
+        field(&Of::queries, {"queries", "Answers of the kernel that were looked at."}),
+        field(&Of::witnesses, {"witnesses", "A few queries that show it; none where no single query does."}),
+        field(&Of::measured, {"measured", "Numbers by name, such as the size of a threshold; null: none."}),
+        field(&Of::looked_at,
+              {"looked_at",
+               "What became of them, without those that invariance is counted from. A value needs half of them "
+               "decided and within the limits, but where one answer shows it."}));
+  }
 };
 
 struct Diagnosis {
@@ -51,14 +75,32 @@ struct Diagnosis {
   const TestDescription* test = nullptr;
   Precision precision = Precision::binary32;
   std::uint64_t seed = 1;
-  bool may_decline = false;               // the kernel declares that it may answer `undecided`
-  bool complete = true;                   // false: interrupted, and the properties that were not reached are missing
+  bool may_decline = false, complete = true;
   std::vector<Property> properties = {};  // in the order of property_kinds()
 
   // Null where there is none of that name.
   const Property* find(std::string_view name) const;
   // Over all properties. Where nothing was decided, nothing is known of the kernel.
   LookedAt looked_at() const;
+  std::string test_id() const { return std::string(test->id); }
+  WholeNumber whole_seed() const { return {seed}; }
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = Diagnosis;
+    return visit(
+        field(&Of::kernel, {"kernel", "The kernel as given."}), journalled(&Of::test),
+        field(&Of::test_id, {"test", "The test that it answers."}),
+        field(&Of::precision, {"precision", "The precision of the queries."}), journalled(&Of::seed),
+        field(&Of::whole_seed, {"seed", "The seed of all random choices."}),
+        field(&Of::may_decline, {"may_decline", "Whether the kernel declares that it may answer `undecided`."}),
+        field(&Of::complete,
+              {"complete", "False where it was interrupted: the properties that were not reached are missing."}),
+        field(&Of::looked_at,
+              {"looked_at",
+               "The answers over all properties, without those that invariance is counted from. With none decided, "
+               "nothing is known of the kernel."}),
+        field(&Of::properties, {"properties", "In the order in which they were asked."}));
+  }
 };
 
 struct DiagnosisOptions {
@@ -72,9 +114,5 @@ struct DiagnosisOptions {
 // Asks the kernel: some ten thousands of queries, in a few seconds for a built-in kernel. Depends on the kernel, the
 // precision and the seed alone. Throws Error where the kernel does not exist in the precision, and OracleDisagreement.
 Diagnosis diagnose(const Kernel& kernel, const DiagnosisOptions& options);
-
-// A property and a diagnosis as JSON: what `axiscert diagnose --format json` prints.
-Json property_json(const Property& property);
-Json diagnosis_json(const Diagnosis& diagnosis);
 
 }  // namespace axiscert

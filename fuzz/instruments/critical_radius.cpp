@@ -5,6 +5,7 @@
 
 #include "exact/trait/critical_radius.h"
 #include "exact/trait/oracles.h"
+#include "fuzz/fields/merge.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/judging/for_each_judged.h"
@@ -124,33 +125,10 @@ CriticalRadiusResult measure_all(const CriticalRadiusPlan& plan, const ShowProgr
   const auto visit = [&](JudgedBatch<Real>& batch, CriticalRadiusResult& result) {
     measure_batch(plan, batch, result);
   };
-  const auto merge = [](CriticalRadiusResult& result, const CriticalRadiusResult& later) {
-    for (std::size_t s = 0; s < result.left_out.size(); ++s) {
-      result.left_out[s] += later.left_out[s];
-      for (std::size_t k = 0; k < result.cells.size(); ++k) result.cells[k][s].merge(later.cells[k][s]);
-    }
-  };
-  return for_each_judged<Real>(judged, none, report, {}, visit, merge).counts;
+  return for_each_judged<Real>(judged, none, report, {}, visit, merge_fields<CriticalRadiusResult>).counts;
 }
 
 }  // namespace
-
-void CriticalRadii::merge(const CriticalRadii& later) {
-  measured += later.measured;
-  right += later.right;
-  early += later.early;
-  late += later.late;
-  unbounded += later.unbounded;
-  unanswered += later.unanswered;
-  undecided += later.undecided;
-  invalid += later.invalid;
-  outside_limits += later.outside_limits;
-  reversals += later.reversals;
-  for (const auto& [error, count] : later.errors) errors[error] += count;
-  if (later.worst_early) keep_greatest(worst_early, *later.worst_early);
-  if (later.worst_late) keep_greatest(worst_late, *later.worst_late);
-  if (!first_reversal) first_reversal = later.first_reversal;
-}
 
 std::optional<Decimal6> CriticalRadii::quantile(double share) const {
   const auto wanted = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(measured)));

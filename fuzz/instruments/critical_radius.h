@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fuzz/campaign/progress.h"
+#include "fuzz/fields/field.h"
 #include "fuzz/instruments/extreme.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
@@ -51,18 +52,28 @@ struct CriticalRadii {
   std::optional<Measured> worst_early, worst_late;
   std::optional<ReversalWitness> first_reversal;
 
-  void merge(const CriticalRadii& later);  // `later` is from later positions
   // The least error that `share` of the measured ones do not exceed; empty if that is an unbounded one, or none was
   // measured.
   std::optional<Decimal6> quantile(double share) const;
   std::uint64_t within(const Decimal6& error) const;
   bool operator==(const CriticalRadii&) const = default;
+  // Merged in the order of positions.
+  static constexpr auto fields(auto&& visit) {
+    using Of = CriticalRadii;
+    return merged(visit, &Of::measured, &Of::right, &Of::early, &Of::late, &Of::unbounded, &Of::unanswered,
+                  &Of::undecided, &Of::invalid, &Of::outside_limits, &Of::reversals, &Of::errors,
+                  journalled(&Of::worst_early, GreatestMeasured()), journalled(&Of::worst_late, GreatestMeasured()),
+                  journalled(&Of::first_reversal, by::first));
+  }
 };
 
 struct CriticalRadiusResult {
   std::vector<std::uint64_t> left_out;            // by source: invalid queries, and distances beyond the precision
   std::vector<std::vector<CriticalRadii>> cells;  // by kernel, by source
   bool operator==(const CriticalRadiusResult&) const = default;
+  static constexpr auto fields(auto&& visit) {
+    return merged(visit, journalled(&CriticalRadiusResult::left_out, by::added), &CriticalRadiusResult::cells);
+  }
 };
 
 // Measures the scalar form of each kernel; the result depends on the plan alone, not on its threads.

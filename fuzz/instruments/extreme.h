@@ -26,4 +26,16 @@ inline void keep_least(std::optional<Measured>& kept, const Measured& other) {
   }
 }
 
+// How two are merged.
+struct GreatestMeasured {
+  static void merge(std::optional<Measured>& kept, const std::optional<Measured>& other) {
+    if (other) keep_greatest(kept, *other);
+  }
+};
+struct LeastMeasured {
+  static void merge(std::optional<Measured>& kept, const std::optional<Measured>& other) {
+    if (other) keep_least(kept, *other);
+  }
+};
+
 }  // namespace axiscert

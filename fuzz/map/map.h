@@ -46,6 +46,7 @@ inline constexpr EnumArray<PixelClass, std::string_view> pixel_class_names = {"n
                                                                               "no_uncertain",
                                                                               "yes",
                                                                               "no"};
+constexpr std::string_view name(PixelClass which) { return pixel_class_names[which]; }
 // Whether the kernel said yes or no there, within its limits: only such a pixel shows anything about it.
 constexpr bool is_decided(PixelClass pixel) {
   return pixel != PixelClass::no_query && pixel != PixelClass::outside_limits && pixel != PixelClass::undecided &&

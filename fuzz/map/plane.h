@@ -24,6 +24,7 @@ enum class PlaneKind : std::uint8_t { ulps, exponents };
 template <>
 inline constexpr std::size_t enum_count<PlaneKind> = 2;
 inline constexpr EnumArray<PlaneKind, std::string_view> plane_kind_names = {"ulps", "exponents"};
+constexpr std::string_view name(PlaneKind which) { return plane_kind_names[which]; }
 
 struct PlaneSide {
   MovedNumbers numbers;

@@ -23,7 +23,7 @@ constexpr int depths_each = 4;
 
 }  // namespace
 
-Json record_of_kernels(const MutationPlan& plan, Precision precision, std::uint64_t trials,
+Record record_of_kernels(const MutationPlan& plan, Precision precision, std::uint64_t trials,
                        std::vector<const Kernel*> kernels) {
   Plan campaign;
   campaign.questions.seed = plan.seed;
@@ -96,28 +96,8 @@ void compare(const MutationPlan& plan, const std::vector<BlackBoxResult*>& survi
       if (family.exact_arithmetic) ++(truth.touching ? counts.touching_in_exact : counts.wrong_in_exact);
       if (truth.touching || depths++ >= depths_each) continue;
       const double deep = batch.oracles().depth(batch[i]).value_or(0);
-      if (counts.deepest_family != nullptr && deep <= counts.deepest) continue;
-      counts.deepest_family = &family;
-      counts.deepest_position = batch.position(i);
-      counts.deepest = deep;
+      if (!counts.deepest || deep > counts.deepest->depth) counts.deepest = {&family, batch.position(i), deep};
     }
-  }
-}
-
-void merge_survivals(Survivals& all, const Survivals& later) {
-  for (std::size_t m = 0; m < all.size(); ++m) {
-    Survival& counts = all[m];
-    const Survival& more = later[m];
-    counts.queries += more.queries;
-    counts.other_verdicts += more.other_verdicts;
-    counts.wrong += more.wrong;
-    counts.wrong_in_exact += more.wrong_in_exact;
-    counts.touching_in_exact += more.touching_in_exact;
-    if (more.deepest_family == nullptr) continue;
-    if (counts.deepest_family != nullptr && more.deepest <= counts.deepest) continue;
-    counts.deepest_family = more.deepest_family;
-    counts.deepest_position = more.deepest_position;
-    counts.deepest = more.deepest;
   }
 }
 
@@ -215,7 +195,7 @@ class Judge {
     judged.interrupted = &interrupted_;
     const auto visit = [&](JudgedBatch<Real>& batch, Survivals& found) { compare(plan_, survivors, batch, found); };
     const Survivals found = for_each_judged<Real>(judged, Survivals(survivors.size()), report_, "survivors compared",
-                                                  visit, merge_survivals)
+                                                  visit, axiscert::merge<Survivals>)
                                 .counts;
     for (std::size_t m = 0; m < survivors.size(); ++m) survivors[m]->survival = found[m];
   }

@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/fields/merge.h"
 #include "fuzz/mutation/mutation.h"
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
 
 namespace axiscert {
 
@@ -18,17 +19,37 @@ namespace axiscert {
 struct GateFailure {
   std::string kernel, precision, family, what;
 };
-using Gate = std::function<std::vector<GateFailure>(const Json& record)>;
+using Gate = std::function<std::vector<GateFailure>(const Record& record)>;
+
+// A wrong verdict: the deeper of two, or the earlier.
+struct DeepestWrong {
+  const Family* family;
+  std::uint64_t position;
+  double depth;
+
+  void merge(const DeepestWrong& later) {
+    if (later.depth > depth) *this = later;
+  }
+};
 
 // Why a mutant passes: how it differs from the kernel that it is made from on all queries asked.
 struct Survival {
-  std::uint64_t queries = 0, other_verdicts = 0;
-  std::uint64_t wrong = 0;                 // of these, wrong ones
-  std::uint64_t wrong_in_exact = 0;        // of these, in families with exact arithmetic, spheres that touch apart
-  std::uint64_t touching_in_exact = 0;     // spheres that touch, there
-  const Family* deepest_family = nullptr;  // of the first wrong ones of each family and batch
-  std::uint64_t deepest_position = 0;
-  double deepest = 0;
+  std::uint64_t queries = 0, other_verdicts = 0, wrong = 0, wrong_in_exact = 0, touching_in_exact = 0;
+  std::optional<DeepestWrong> deepest;  // of the first wrong ones of each family and batch
+
+  double depth() const { return deepest ? deepest->depth : 0; }
+  static constexpr auto fields(auto&& visit) {
+    using Of = Survival;
+    return visit(
+        field(&Of::queries, {"queries", "Of all families together."}),
+        field(&Of::other_verdicts, {"other_verdicts", "Verdicts other than that of the kernel without the fault."}),
+        field(&Of::wrong, {"wrong", "Other verdicts that are wrong."}),
+        field(&Of::wrong_in_exact,
+              {"wrong_in_exact_arithmetic", "Of these, in families with exact arithmetic, touching spheres apart."}),
+        field(&Of::touching_in_exact, {"touching_in_exact_arithmetic",
+                                       "Of the wrong ones, touching spheres in families with exact arithmetic."}),
+        journalled(&Of::deepest));
+  }
 };
 
 struct BlackBoxResult {
@@ -55,7 +76,7 @@ struct BlackBoxScore {
 
 // The record that `run` makes of these kernels, of one test, on the first `trials` queries of each of the plan's
 // families. Throws OracleDisagreement.
-Json record_of_kernels(const MutationPlan& plan, Precision precision, std::uint64_t trials,
+Record record_of_kernels(const MutationPlan& plan, Precision precision, std::uint64_t trials,
                        std::vector<const Kernel*> kernels);
 
 // Runs each mutant in rounds of more and more queries, until the gate refuses it or it has passed on all of the plan's.

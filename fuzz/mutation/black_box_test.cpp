@@ -24,15 +24,14 @@ MutationPlan box_plan(const std::vector<const char*>& mutants, std::uint64_t tri
 }
 
 // A gate of the test's own: wrong verdicts in exact arithmetic, spheres that touch apart.
-std::vector<GateFailure> wrong_in_exact_arithmetic(const Json& record) {
+std::vector<GateFailure> wrong_in_exact_arithmetic(const Record& record) {
   std::vector<GateFailure> failures;
-  for (const Json& kernel : record["kernels"]) {
-    EXPECT_TRUE(kernel["reference"].is_null());  // nothing but verdicts is known of it
-    for (const auto& [family, result] : kernel["families"].items()) {
-      const Json& verdict = result["verdict"];
-      const auto count = [&](const char* member) { return verdict[member].get<std::uint64_t>(); };
-      if (result["exact_arithmetic"] && count("false_separation") + count("false_contact") > count("touching_flips"))
-        failures.push_back({kernel["id"], kernel["precision"], family, "wrong"});
+  for (const KernelRecord& kernel : record.kernels) {
+    EXPECT_FALSE(kernel.reference);  // nothing but verdicts is known of it
+    for (const auto& [family, result] : kernel.families) {
+      const VerdictTally& verdict = result.verdict;
+      if (result.exact_arithmetic && verdict.false_separation + verdict.false_contact > verdict.touching_flips)
+        failures.push_back({kernel.id, std::string(name(kernel.precision)), family, "wrong"});
     }
   }
   return failures;
@@ -63,9 +62,10 @@ TEST(BlackBoxes, AreRefusedAsTheGateSaysOrPassForAReason) {
   ASSERT_FALSE(score.controls.empty());
   for (const BlackBoxControl& control : score.controls) EXPECT_FALSE(control.refused) << control.id;
   // A gate that refuses everybody is seen by the kernels that are right.
-  const Gate everybody = [](const Json& record) {
+  const Gate everybody = [](const Record& record) {
     std::vector<GateFailure> failures;
-    for (const Json& kernel : record["kernels"]) failures.push_back({kernel["id"], kernel["precision"], "", "all"});
+    for (const KernelRecord& kernel : record.kernels)
+      failures.push_back({kernel.id, std::string(name(kernel.precision)), "", "all"});
     return failures;
   };
   const BlackBoxScore refused = judge_black_boxes(plan, everybody, never_stopped, {});

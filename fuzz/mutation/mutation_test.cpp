@@ -141,7 +141,7 @@ TEST(Mutation, ACampaignCatchesItAtTheSameQuery) {
       campaign.questions.trials = [](const Source&, Precision) { return 5000; };
       campaign.running.target = std::string(scalar_target);
       const CampaignResult judged = run_campaign(campaign, not_interrupted, [](const Progress&) {});
-      const auto& first = judged.cells[0].tallies[0].verdict.first_by_link[Link::implementation];
+      const auto& first = judged.cells[0].tallies[0].verdict.first_by_link[Link::implementation].position;
       ASSERT_EQ(found.has_value(), first.has_value()) << id << ' ' << family;
       EXPECT_EQ(found ? found->position : 0, first.value_or(0)) << id << ' ' << family;
     }

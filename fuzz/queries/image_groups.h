@@ -26,6 +26,7 @@ template <>
 inline constexpr std::size_t enum_count<ImageKind> = 8;
 inline constexpr EnumArray<ImageKind, std::string_view> image_kind_names = {
     "order", "axes", "mirror", "scale", "translation", "reversal", "split", "halving"};
+constexpr std::string_view name(ImageKind which) { return image_kind_names[which]; }
 
 // Whether the verdict on the base decides that on an image of this kind: a motion may meet what its half does not.
 constexpr bool decides_image(ImageKind kind, Verdict base) {

@@ -47,7 +47,7 @@ Beginning<Real> first_found(const SearchPlan& plan, const std::vector<Aim>& aims
   run.running.target = plan.target;
   run.running.threads = plan.threads;
   const CampaignResult result = run_campaign(run, interrupted, {});
-  for (const CellResult& cell : result.cells) beginning.looked_at.merge(looked_at_of(cell.tallies.front()));
+  for (const CellResult& cell : result.cells) merge_fields(beginning.looked_at, looked_at_of(cell.tallies.front()));
   for (std::size_t i = 0; i < aims.size(); ++i) {
     const Aim& aim = aims[i];
     std::vector<Found<double>> wrong;

@@ -184,7 +184,7 @@ class Search {
         const std::lock_guard lock(mutex);
         const std::size_t aim = slots_[*island % slots_.size()].aim;
         for (const Entry& entry : found.entries) known_[aim].fresh.put(entry);
-        looked_at_[aim].merge(found.looked_at);
+        merge_fields(looked_at_[aim], found.looked_at);
         report({islands_, evaluations_, elapsed()});
       }
     };

@@ -61,7 +61,7 @@ struct SearchResult {
 
   LookedAt evaluated() const {  // for any aim
     LookedAt all;
-    for (const LookedAt& of_aim : looked_at) all.merge(of_aim);
+    for (const LookedAt& of_aim : looked_at) merge_fields(all, of_aim);
     return all;
   }
 };

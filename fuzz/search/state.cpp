@@ -44,20 +44,21 @@ struct Kind {
 constexpr Kind kinds[] = {
     {"lineage ", &StoredPools::lineage}, {"fresh ", &StoredPools::fresh}, {"best ", &StoredPools::best}};
 
-// The counts of queries in a state, by name.
-constexpr std::pair<const char*, std::uint64_t LookedAt::*> looked_at_members[] = {
-    {"decided", &LookedAt::decided},
-    {"undecided", &LookedAt::undecided},
-    {"invalid", &LookedAt::invalid},
-    {"unanswered", &LookedAt::unanswered},
-    {"outside_limits", &LookedAt::outside_limits},
-    {"no_query", &LookedAt::no_query}};
+// Calls visit(name, count) for each count of queries in a state.
+template <class Of, class Visit>
+void for_each_count(Of& looked_at, const Visit& visit) {
+  for_each_field<LookedAt>([&](const auto& field) {
+    if constexpr (std::is_same_v<decltype(value_of(looked_at, field)), decltype((looked_at.decided))>)
+      visit(std::string(field.name), value_of(looked_at, field));
+  });
+}
 
 Json stored_looked_at(const LookedAt& looked_at) {
   Json json = Json::object();
-  for (const auto& [key, member] : looked_at_members) json[key] = looked_at.*member;
+  for_each_count(looked_at, [&](const std::string& key, std::uint64_t count) { json[key] = count; });
   if (const auto& fault = looked_at.first_fault) {
-    json["first_fault"] = {{"place", fault->place}, {"said", name(fault->said)}, {"query", fault->query}};
+    json["first_fault"] = {
+        {"place", fault->place}, {"said", name(fault->said)}, {"query", static_cast<const std::string&>(fault->query)}};
   }
   return json;
 }
@@ -66,10 +67,10 @@ LookedAt parse_looked_at(const Json& json) {
   const auto fail = [] { return Error("the state to resume from does not say how much was looked at"); };
   if (!json.is_object()) throw fail();
   LookedAt looked_at;
-  for (const auto& [key, member] : looked_at_members) {
+  for_each_count(looked_at, [&](const std::string& key, std::uint64_t& count) {
     if (!json.contains(key) || !json[key].is_number_unsigned()) throw fail();
-    looked_at.*member = json[key].get<std::uint64_t>();
-  }
+    count = json[key].get<std::uint64_t>();
+  });
   if (!json.contains("first_fault")) return looked_at;
   const Json& fault = json["first_fault"];
   if (!fault.is_object() || !fault.value("place", Json()).is_number_unsigned() ||

@@ -76,7 +76,7 @@ void ErrorWatch<Real>::look(const DecidedBatch<Real>& batch, const std::vector<A
   if (!any_failing_) return;
   for (const ComparisonBits failing : failing_) {
     for (std::size_t i = 0; i < axis_count; ++i)
-      tally_.axes[i].tolerance_failures += (failing & axis_comparisons[i]) != 0;
+      *tally_.axes[i].tolerance_failures += (failing & axis_comparisons[i]) != 0;
   }
 }
 
@@ -176,11 +176,11 @@ void ErrorWatch<Real>::judge(const SuspectError& suspect) {
   }
   ComparisonTally& comparison = tally_.comparisons[k];
   if (!std::isfinite(lhs) || !std::isfinite(rhs)) {
-    ++comparison.range_events;
+    ++*comparison.range_events;
     return;
   }
   if (!std::isfinite(upper) && has_bit(both_sides_zero(batch_->signs[i].signs), k)) {
-    comparison.error_without_scale += lhs != rhs;  // any difference is over |0| + |0|
+    *comparison.error_without_scale += lhs != rhs;  // any difference is over |0| + |0|
     return;
   }
   if (lower == 0 && is_exactly_zero(i, k)) return;
@@ -194,14 +194,14 @@ void ErrorWatch<Real>::judge(const SuspectError& suspect) {
   Largest& largest = largest_[k];
   const auto exactly = [&] { return SideError(lhs, rhs, sides_of(i).comparison(k)); };
   const auto fail = [&] {
-    ++comparison.tolerance_failures;
+    ++*comparison.tolerance_failures;
     failing_[i] |= one_bit<ComparisonBits>(k);
     any_failing_ = true;
   };
   if (!std::isfinite(upper)) {
     const SideError error = exactly();
     if (error.kind() == SideError::Kind::without_scale) {
-      ++comparison.error_without_scale;
+      ++*comparison.error_without_scale;
       return;
     }
     if (tolerances_[k] && error.exceeds(*tolerances_[k])) fail();

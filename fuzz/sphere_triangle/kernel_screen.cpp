@@ -80,7 +80,7 @@ void KernelScreen<Real>::count_clear(const DecidedBatch<Real>& batch) {
 
 template <class Real>
 void KernelScreen<Real>::count_engine_like(std::uint64_t queries) {
-  if (!kernel_.limits.any()) tally_.verdict.engine.queries += queries;
+  if (!kernel_.limits.any()) tally_.verdict.engine->queries += queries;
 }
 
 template <class Real>
@@ -182,7 +182,7 @@ void KernelScreen<Real>::check_sides(std::size_t i, const ExactSides& exact, con
       failing |= one_bit<AxisBits>(comparisons[k].axis);
     }
   }
-  for (std::size_t k = 0; k < axis_count; ++k) tally_.axes[k].tolerance_failures += has_bit(failing, k);
+  for (std::size_t k = 0; k < axis_count; ++k) *tally_.axes[k].tolerance_failures += has_bit(failing, k);
   if (!is_checked) return;
   for (std::size_t k = 0; k < comparison_count; ++k) {
     const SideError error(computed.lhs[k], computed.rhs[k], exact.comparison(k));
@@ -198,7 +198,7 @@ void KernelScreen<Real>::measure_margins(std::size_t i, AskedSphereTriangle<Real
   if (!said.bits || !is_within(kernel_.limits, asked.query())) return;
   const ExactSides* sides = asked.sides(formulae_);
   if (sides == nullptr) return;
-  count_margins<Real>(tally_.margins, *sides, sides->holding(nonstrict_comparisons(kernel_.strictness)), *said.bits);
+  count_margins<Real>(tally_.comparisons, *sides, sides->holding(nonstrict_comparisons(kernel_.strictness)), *said.bits);
 }
 
 template <class Real>

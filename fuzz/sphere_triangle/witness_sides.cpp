@@ -66,40 +66,38 @@ Rational unit_in_last_place(const Rational& x) {
 // any ulp.
 constexpr double least_error = 1e-300;
 
-Json decimal(const Decimal6& d) {
+ErrorNumber error_number(const Decimal6& d) {
   const double value = d.value();
-  if (d.is_zero()) return 0.0;
-  return std::isfinite(value) ? Json(std::max(value, least_error)) : Json(d.text());
+  if (d.is_zero()) return {};
+  return std::isfinite(value) ? ErrorNumber{std::max(value, least_error)} : ErrorNumber{value, d.text()};
 }
 
-// Null if the computed side is not finite.
+// Empty if the computed side is not finite.
 template <class Real>
-Json error_ulps(double computed, const Rational& exact_side) {
-  if (!std::isfinite(computed)) return nullptr;
-  return decimal(
+std::optional<ErrorNumber> error_ulps(double computed, const Rational& exact_side) {
+  if (!std::isfinite(computed)) return std::nullopt;
+  return error_number(
       round_up(Rational(abs(Rational(exact(computed) - exact_side)) / unit_in_last_place<Real>(exact_side))));
 }
 
 template <class Real>
-Json side_json(const ExactComparison& sides, const std::optional<ShownSides>& computed, std::size_t i) {
-  Json json = {
-      {"exact", nullptr}, {"computed", nullptr}, {"lhs_ulps", nullptr}, {"rhs_ulps", nullptr}, {"error_u", nullptr}};
+SidesRecord sides_of(const ExactComparison& sides, const std::optional<ShownSides>& computed, std::size_t i) {
+  SidesRecord record;
   const Rational lhs = rational(sides.lhs.over), rhs = rational(sides.rhs.over),
                  denominator = rational(sides.rhs.under);
   if (!sides.is_undefined) {
-    json["exact"] = {{"lhs", digits_of(lhs, sides.is_rooted, 0, denominator)},
-                     {"rhs", digits_of(rhs, false, 0, denominator)},
-                     {"margin", digits_of(lhs, sides.is_rooted, rhs, denominator)}};
+    record.exact = {digits_of(lhs, sides.is_rooted, 0, denominator), digits_of(rhs, false, 0, denominator),
+                    digits_of(lhs, sides.is_rooted, rhs, denominator)};
   }
-  if (!computed) return json;
+  if (!computed) return record;
   const auto l = static_cast<Real>(computed->lhs[i]), r = static_cast<Real>(computed->rhs[i]);
-  json["computed"] = {{"lhs", format_number(l)}, {"rhs", format_number(r)}};
-  if (sides.is_undefined) return json;
-  if (!sides.is_rooted) json["lhs_ulps"] = error_ulps<Real>(computed->lhs[i], lhs / denominator);
-  json["rhs_ulps"] = error_ulps<Real>(computed->rhs[i], rhs / denominator);
+  record.computed = {format_number(l), format_number(r)};
+  if (sides.is_undefined) return record;
+  if (!sides.is_rooted) record.lhs_ulps = error_ulps<Real>(computed->lhs[i], lhs / denominator);
+  record.rhs_ulps = error_ulps<Real>(computed->rhs[i], rhs / denominator);
   const SideError error(l, r, sides);
-  if (error.kind() == SideError::Kind::finite) json["error_u"] = decimal(error.rounded_up());
-  return json;
+  if (error.kind() == SideError::Kind::finite) record.error_u = error_number(error.rounded_up());
+  return record;
 }
 
 ComparisonBits worth_showing(const Judgement& judgement, ComparisonBits largest_errors) {
@@ -113,29 +111,29 @@ ComparisonBits worth_showing(const Judgement& judgement, ComparisonBits largest_
 
 class SphereTriangleSides final : public WitnessSides {
  public:
-  Json of(const Numbers<float>& q, const Kernel& kernel, const Examination& found,
-          ComparisonBits largest_errors) const override {
+  std::optional<Named<SidesRecord>> of(const Numbers<float>& q, const Kernel& kernel, const Examination& found,
+                                       ComparisonBits largest_errors) const override {
     return sides<float>(q, kernel, found, largest_errors);
   }
-  Json of(const Numbers<double>& q, const Kernel& kernel, const Examination& found,
-          ComparisonBits largest_errors) const override {
+  std::optional<Named<SidesRecord>> of(const Numbers<double>& q, const Kernel& kernel, const Examination& found,
+                                       ComparisonBits largest_errors) const override {
     return sides<double>(q, kernel, found, largest_errors);
   }
 
  private:
   template <class Real>
-  static Json sides(const Query<Real>& q, const Kernel& kernel, const Examination& found,
-                    ComparisonBits largest_errors) {
-    if (found.truth.verdict == Verdict::invalid || !has_comparisons(formulae_of(kernel))) return nullptr;
+  static std::optional<Named<SidesRecord>> sides(const Query<Real>& q, const Kernel& kernel, const Examination& found,
+                                                 ComparisonBits largest_errors) {
+    if (found.truth.verdict == Verdict::invalid || !has_comparisons(formulae_of(kernel))) return std::nullopt;
     const ExactSides exact = exact_sides(formulae_of(kernel), q);
-    Json json = Json::object();
+    Named<SidesRecord> all;
     const ComparisonBits which = worth_showing(found.judgement, largest_errors);
     for (std::size_t i = 0; i < comparison_count; ++i) {
       if (has_bit(which, i)) {
-        json[std::string(comparisons[i].name)] = side_json<Real>(exact.comparison(i), found.sides, i);
+        all.put(comparisons[i].name) = sides_of<Real>(exact.comparison(i), found.sides, i);
       }
     }
-    return json;
+    return all;
   }
 };
 

@@ -53,6 +53,7 @@ inline constexpr EnumArray<Comparison, ComparisonInfo> comparisons = {{
     {"edge_ca.side_b", Axis::edge_ca, false},
 }};
 constexpr const ComparisonInfo& info(Comparison c) { return comparisons[c]; }
+constexpr std::string_view name(Comparison c) { return info(c).name; }
 
 // Bit i is comparison i, or axis i: the bits of kernel/names.h in as few bytes as sixteen and seven take, where
 // millions are kept.

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
+#include <utility>
 
 #include "kernel/finding.h"
 #include "reports/run_folder/identity.h"
@@ -25,81 +25,79 @@ constexpr std::string_view feature_counts[] = {"wrong"};
 constexpr std::string_view contact_maxima[] = {"deepest_tunnel"};
 constexpr std::string_view time_errors[] = {"latest_u", "earliest_u"};
 
-std::uint64_t count_of(const Json& count) { return count.get<std::uint64_t>(); }
-
 class Collector {
  public:
-  Collector(std::vector<Cell>& cells, const Json& record) : cells_(cells), identities_(identities_of(record)) {}
+  Collector(std::vector<Cell>& cells, const Record& record) : cells_(cells), identities_(identities_of(record)) {}
 
-  void add_family(const Json& kernel, const std::string& family, const Json& result) {
-    kernel_ = kernel["id"];
-    precision_ = kernel["precision"];
+  void add_family(const KernelRecord& kernel, const std::string& family, const FamilyRecord& result) {
+    kernel_ = kernel.id;
+    precision_ = name(kernel.precision);
     family_ = family;
-    const Json &verdict = result["verdict"], &outside = verdict["outside_limits"];
-    const std::uint64_t valid = count_of(result["trials"]) - count_of(result["truth"]["invalid"]);
-    const std::uint64_t within = valid - (outside.is_null() ? 0 : count_of(outside["trials"]));
-    const std::uint64_t bases = count_of(result["base_triangles"]);
-    for (const std::string_view member : verdict_counts) add_count("verdict", member, verdict[member], within, bases);
-    for (const std::string_view member : verdict_maxima) {
-      add("verdict", member, Cell::Kind::maximum).figure = verdict[member];
-    }
-    if (const auto motion = result.find("motion"); motion != result.end()) add_contacts(*motion, within, bases);
-    if (result["comparisons"].is_null()) return;
-    for (const auto& [comparison, tally] : result["comparisons"].items()) {
-      for (const std::string_view member : comparison_counts) {
-        if (!tally[member].is_null()) add_count(comparison, member, tally[member], within, bases);
-      }
-      // Null where no sides were measured.
-      if (!tally["max_error_u"].is_null())
-        add(comparison, "max_error_u", Cell::Kind::maximum).figure = tally["max_error_u"];
+    bases_ = result.base_triangles;
+    const VerdictTally& verdict = result.verdict;
+    const std::uint64_t outside = verdict.outside_limits ? verdict.outside_limits->trials : 0;
+    among_ = result.trials - result.truth.invalid - outside;
+    add_count("verdict", "false_separation", verdict.false_separation);
+    add_count("verdict", "false_contact", verdict.false_contact);
+    add_count("verdict", "undecided", verdict.undecided);
+    add_count("verdict", "invalid", verdict.invalid);
+    add_count("verdict", "unanswered", verdict.unanswered);
+    add_maximum("verdict", "deepest_false_separation", verdict.deepest_false_separation);
+    add_maximum("verdict", "deepest_false_contact", verdict.deepest_false_contact);
+    if (result.motion) add_contacts(*result.motion);
+    if (!result.comparisons) return;
+    for (const auto& [comparison, tally] : *result.comparisons) {
+      add_count(comparison, "false_separation", tally.false_separation);
+      add_count(comparison, "missed_separation", tally.missed_separation);
+      if (tally.tolerance_failures) add_count(comparison, "tolerance_failures", *tally.tolerance_failures);
+      if (tally.max_error) add_maximum(comparison, "max_error_u", *tally.max_error);
     }
   }
 
-  void add_finding(const Json& finding) {
-    const auto text = [&](const char* member) {
-      return finding[member].is_null() ? "" : finding[member].get<std::string>();
-    };
-    kernel_ = text("kernel");
-    precision_ = text("precision");
-    family_ = text("family");
-    add("finding", text("kind"), Cell::Kind::finding).figure = finding["count"];
+  void add_finding(const FindingRecord& finding) {
+    kernel_ = finding.kernel;
+    precision_ = finding.precision ? name(*finding.precision) : "";
+    family_ = finding.family.value_or("");
+    add("finding", name(finding.kind), Cell::Kind::finding).figure = finding.count;
   }
 
  private:
   // The first contacts of one family; nothing for what the kernel does not give.
-  void add_contacts(const Json& motion, std::uint64_t within, std::uint64_t bases) {
-    const auto add_tunnels = [&](const std::string& place, const Json& tunnels, std::uint64_t among) {
-      add_count(place, "through", tunnels["through"], among, bases);
-      add(place, "deepest_tunnel", Cell::Kind::maximum).figure = number_of(tunnels["deepest_tunnel"]);
+  void add_contacts(const MotionTally& motion) {
+    const auto add_tunnels = [&](const char* place, const TunnelTally& tunnels) {
+      add_count(place, "through", tunnels.through);
+      add_maximum(place, "deepest_tunnel", tunnels.deepest);
     };
-    const std::uint64_t hits = count_of(motion["hits"]);
-    add_tunnels("missed", motion["missed"], within);
-    if (const Json& time = motion["time"]; !time.is_null()) {
-      for (const char* member : {"late", "early", "none", "invalid"})
-        add_count("time", member, time[member], hits, bases);
-      add_tunnels("time", time["late_tunnels"], hits);
-      add("time", "latest_u", Cell::Kind::maximum).figure = time["late_errors"]["largest_in_u"];
-      add("time", "earliest_u", Cell::Kind::maximum).figure = time["early_errors"]["largest_in_u"];
+    add_tunnels("missed", motion.missed);
+    const std::uint64_t within = std::exchange(among_, motion.hits);
+    if (const auto& time = motion.time) {
+      add_count("time", "late", time->late);
+      add_count("time", "early", time->early);
+      add_count("time", "none", time->none);
+      add_count("time", "invalid", time->invalid);
+      add_tunnels("time", time->late_tunnels);
+      add_maximum("time", "latest_u", time->late_errors.largest_in_u);
+      add_maximum("time", "earliest_u", time->early_errors.largest_in_u);
     }
-    if (const Json& feature = motion["feature"]; !feature.is_null())
-      add_count("feature", "wrong", feature["wrong"], count_of(feature["judged"]), bases);
-  }
-
-  // A record has a number below the range of binary64 as text: its least number is told from zero as well.
-  static Json number_of(const Json& tunnel) {
-    return tunnel.is_string() ? Json(std::numeric_limits<double>::denorm_min()) : tunnel;
+    if (motion.feature) {
+      among_ = motion.feature->judged;
+      add_count("feature", "wrong", motion.feature->wrong);
+    }
+    among_ = within;
   }
 
   Cell& add(const std::string& place, std::string_view member, Cell::Kind kind) {
     return cells_.emplace_back(
         Cell{kernel_, precision_, family_, place, std::string(member), kind, 0, {}, 0, identity()});
   }
-  void add_count(const std::string& place, std::string_view member, const Json& figure, std::uint64_t among,
-                 std::uint64_t bases) {
+  void add_count(const std::string& place, std::string_view member, std::uint64_t figure) {
     Cell& cell = add(place, member, Cell::Kind::count);
     cell.figure = figure;
-    cell.of = {count_of(figure), std::max(among, count_of(figure))};
-    cell.independent = std::min(bases, cell.of.trials);
+    cell.of = {figure, std::max(among_, figure)};
+    cell.independent = std::min(bases_, cell.of.trials);
+  }
+  void add_maximum(const std::string& place, std::string_view member, const auto& figure) {
+    add(place, member, Cell::Kind::maximum).figure = json_of(figure);
   }
 
   // A record that was edited may hold a kernel that its plan does not.
@@ -111,27 +109,28 @@ class Collector {
   std::vector<Cell>& cells_;
   Identities identities_;
   std::string kernel_, precision_, family_;
+  std::uint64_t among_ = 0, bases_ = 0;  // queries among which is counted, and those that do not share a triangle
 };
 
-bool shows_flip(const Json& witness, const Cell& cell) {
-  return std::any_of(witness["flips"].begin(), witness["flips"].end(), [&](const Json& flip) {
-    return flip["name"] == cell.place &&
-           (cell.member == "deepest_" + flip["kind"].get<std::string>() || flip["kind"] == cell.member);
+bool shows_flip(const WitnessRecord& witness, const Cell& cell) {
+  return std::ranges::any_of(witness.flips, [&](const FlipRecord& flip) {
+    const std::string_view kind = name(flip.kind);
+    return flip.name == cell.place && (cell.member == kind || cell.member == fmt::format("deepest_{}", kind));
   });
 }
 
 // Whether a witness of a test of motions shows what a cell of first contacts counts.
-bool shows_contact(const Json& witness, const Cell& cell) {
-  const auto found = witness.find("measures");
-  if (found == witness.end() || found->is_null()) return false;
-  const Json &measures = *found, time = measures.value("time", Json());
-  const bool is_missed = witness["computed"] != witness["truth"];
-  if (cell.place == "feature") return measures.value("feature_is_right", Json()) == false;
-  if (cell.member == "latest_u" || cell.member == "earliest_u")
-    return time == (cell.member == "latest_u" ? "late" : "early");
-  if (cell.member != "through" && cell.member != "deepest_tunnel") return time == cell.member;
-  if (measures["tunnel"].is_null() || is_missed != (cell.place == "missed")) return false;
-  return cell.member == "deepest_tunnel" || measures["tunnel"] == 1;
+bool shows_contact(const WitnessRecord& witness, const Cell& cell) {
+  if (!witness.measures || !*witness.measures) return false;
+  const MeasuresRecord& measures = **witness.measures;
+  const std::optional<TimeVerdict> time = measures.time.value_or(std::nullopt);
+  if (cell.place == "feature") return measures.feature_is_right.value_or(std::nullopt) == false;
+  if (cell.member == "latest_u") return time == TimeVerdict::late;
+  if (cell.member == "earliest_u") return time == TimeVerdict::early;
+  if (cell.member != "through" && cell.member != "deepest_tunnel") return time && name(*time) == cell.member;
+  const bool is_missed = witness.computed != witness.truth;
+  if (!measures.tunnel || is_missed != (cell.place == "missed")) return false;
+  return cell.member == "deepest_tunnel" || measures.tunnel->value == 1;
 }
 
 }  // namespace
@@ -161,12 +160,12 @@ std::vector<std::string_view> members_of(std::string_view place) {
   return all;
 }
 
-std::vector<Cell> cells_of(const Json& record) {
+std::vector<Cell> cells_of(const Record& record) {
   std::vector<Cell> cells;
   Collector collector(cells, record);
-  for (const Json& finding : record["findings"]) collector.add_finding(finding);
-  for (const Json& kernel : record["kernels"]) {
-    for (const auto& [family, result] : kernel["families"].items()) collector.add_family(kernel, family, result);
+  for (const FindingRecord& finding : record.findings) collector.add_finding(finding);
+  for (const KernelRecord& kernel : record.kernels) {
+    for (const auto& [family, result] : kernel.families) collector.add_family(kernel, family, result);
   }
   return cells;
 }
@@ -178,16 +177,16 @@ std::string cell_text(const Json& key) {
   return fmt::format("{} {} on {}: {}", part(0), part(1), part(2), part(3));
 }
 
-WitnessesByCell::WitnessesByCell(const Json& record) {
-  for (const Json& witness : record["witnesses"])
-    by_place_[{witness["kernel"], witness["precision"], witness["family"]}].push_back(&witness);
+WitnessesByCell::WitnessesByCell(const Record& record) {
+  for (const WitnessRecord& witness : record.witnesses)
+    by_place_[{witness.kernel, std::string(name(witness.precision)), witness.family}].push_back(&witness);
 }
 
-std::vector<const Json*> WitnessesByCell::of(const Cell& cell) const {
+std::vector<const WitnessRecord*> WitnessesByCell::of(const Cell& cell) const {
   const auto place = by_place_.find({cell.kernel, cell.precision, cell.family});
   if (place == by_place_.end()) return {};
-  std::vector<const Json*> found;
-  std::ranges::copy_if(place->second, std::back_inserter(found), [&](const Json* witness) {
+  std::vector<const WitnessRecord*> found;
+  std::ranges::copy_if(place->second, std::back_inserter(found), [&](const WitnessRecord* witness) {
     return cell.is_of_contacts() ? shows_contact(*witness, cell) : shows_flip(*witness, cell);
   });
   return found;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "reports/comparison/two_proportions.h"
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
 
 namespace axiscert {
 
@@ -29,7 +29,7 @@ struct Cell {
   std::string place;                      // "verdict", a comparison, "finding", or one of first contacts
   std::string member;                     // the name in the record; for a finding, its kind
   Kind kind = Kind::count;
-  Json figure = 0;                // a maximum may be the text of a number that binary64 cannot hold
+  Json figure = 0;                // as the record has it: a maximum may be the text of a number beyond binary64
   Proportion of;                  // for a count: the number of queries among which it was counted
   std::uint64_t independent = 0;  // how many of these queries do not share a triangle
   std::string identity = {};      // what other runs know the kernel by; `kernel` is its id in this record
@@ -50,8 +50,8 @@ std::vector<std::string_view> members_of(std::string_view place);
 // Whether a cell is the largest error in u: compared on the same queries, and not held by a ratchet.
 bool is_error_in_u(const Cell& cell);
 
-// The cells in the record's order, including those with the figure zero. `record` must be one that read_run accepted.
-std::vector<Cell> cells_of(const Json& record);
+// The cells in the record's order, including those with the figure zero.
+std::vector<Cell> cells_of(const Record& record);
 
 // The first 16 hex digits of the SHA-256 of a cell's key: the same in every run that has the cell, whatever its figure.
 std::string fingerprint(const Json& key);
@@ -61,13 +61,13 @@ std::string cell_text(const Json& key);
 // The witnesses of a record, which has to outlive this, by the cells that they show: a large run has thousands of each.
 class WitnessesByCell {
  public:
-  explicit WitnessesByCell(const Json& record);
+  explicit WitnessesByCell(const Record& record);
   // Those that show the cell, in the record's order.
-  std::vector<const Json*> of(const Cell& cell) const;
+  std::vector<const WitnessRecord*> of(const Cell& cell) const;
 
  private:
   using Place = std::array<std::string, 3>;  // kernel, precision, family
-  std::map<Place, std::vector<const Json*>> by_place_;
+  std::map<Place, std::vector<const WitnessRecord*>> by_place_;
 };
 
 }  // namespace axiscert

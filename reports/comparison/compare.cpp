@@ -23,16 +23,25 @@ Change direction(const Cell& before, const Cell& after, bool grew) {
   return after.is_zero() ? Change::fixed : Change::better;
 }
 
+// That of a cell which has one.
+Precision precision_of_name(const std::string& text) {
+  return text == name(Precision::binary32) ? Precision::binary32 : Precision::binary64;
+}
+// Whether a record has a kernel in the precision of a cell, which a finding of loading does not have.
+bool has_entry(const Record& record, const std::string& id, const std::string& precision) {
+  return !precision.empty() && precision_entry(record, id, precision_of_name(precision)) != nullptr;
+}
+
 // By kernel (its id in OLD), precision and family.
 using FamilyOfKernel = std::array<std::string, 3>;
 
 class Comparer {
  public:
-  Comparer(const Json& before, const Json& after)
+  Comparer(const Record& before, const Record& after)
       : before_(before), after_(after), pairs_(before, after), unloaded_(not_judged(after)) {}
 
   RunComparison run(std::vector<Replayed> replayed, const std::vector<std::string>& allowed) {
-    result_.families = before_["plan"]["families"].size();
+    result_.families = before_.plan.families.size();
     say_runs();
     say_kernels();
     for (const ComparedKernel& kernel : pairs_.all()) {
@@ -50,7 +59,6 @@ class Comparer {
   }
 
  private:
-  static std::string text(const Json& name) { return name.get<std::string>(); }
   bool is_unloaded(const ComparedKernel& kernel) const { return contains(unloaded_, kernel.after); }
   static bool contains(const std::vector<std::string>& all, const std::string& one) {
     return std::ranges::find(all, one) != all.end();
@@ -68,15 +76,16 @@ class Comparer {
 
   void say_runs() {
     for (const auto& [run, record] : {std::pair("OLD", &before_), {"NEW", &after_}}) {
-      if (!(*record)["complete"])
+      if (!record->complete)
         say({run, "is INTERRUPTED: what it lacks cannot be told from what is right", {}, "", Absence::fails});
     }
-    const Json &then = before_["plan"]["families"], &now = after_["plan"]["families"];
-    const auto say_missing = [&](const Json& from, const Json& in, const char* why, Absence absence) {
-      for (const Json& family : from) {
-        if (std::find(in.begin(), in.end(), family) != in.end()) continue;
-        say({text(family), why, {}, text(family), absence});
-        lost_.insert(text(family));
+    const std::vector<Name>&then = before_.plan.families, &now = after_.plan.families;
+    const auto say_missing = [&](const std::vector<Name>& from, const std::vector<Name>& in, const char* why,
+                                 Absence absence) {
+      for (const Name& family : from) {
+        if (std::ranges::find(in, family) != in.end()) continue;
+        say({family, why, {}, family, absence});
+        lost_.insert(family);
       }
     };
     say_missing(then, now, "is only in OLD", Absence::fails);
@@ -97,15 +106,15 @@ class Comparer {
 
   // Compares what a kernel that both runs judged promises in each precision, and over how many queries of each family.
   void compare_promises(const ComparedKernel& kernel) {
-    for (const Json* now : precision_entries(after_, kernel.after)) {
-      if (const Json& precision = (*now)["precision"]; precision_entry(before_, kernel.before, precision) == nullptr)
-        say(fmt::format("{} {}", kernel.after, text(precision)), "is only in NEW", kernel, Absence::only_new);
+    for (const KernelRecord* now : precision_entries(after_, kernel.after)) {
+      if (precision_entry(before_, kernel.before, now->precision) == nullptr)
+        say(fmt::format("{} {}", kernel.after, name(now->precision)), "is only in NEW", kernel, Absence::only_new);
     }
-    for (const Json* then : precision_entries(before_, kernel.before)) {
-      const std::string precision = (*then)["precision"], who = fmt::format("{} {}", kernel.before, precision);
-      const Json* const now = precision_entry(after_, kernel.after, precision);
+    for (const KernelRecord* then : precision_entries(before_, kernel.before)) {
+      const std::string precision(name(then->precision)), who = fmt::format("{} {}", kernel.before, precision);
+      const KernelRecord* const now = precision_entry(after_, kernel.after, then->precision);
       if (now == nullptr) {
-        say_lost(kernel, precision, who);
+        say_lost(kernel, then->precision, who);
         continue;
       }
       if (const Evidence evidence = evidence_of(*now); evidence.population != 0 && evidence.decided() == 0)
@@ -115,9 +124,8 @@ class Comparer {
         compare_populations(kernel, *then, *now);
         continue;
       }
-      for (const auto& [family, result] : (*then)["families"].items())
-        apart_.insert({kernel.before, precision, family});
-      for (const auto& [family, result] : (*now)["families"].items()) apart_.insert({kernel.before, precision, family});
+      for (const auto& [family, result] : then->families) apart_.insert({kernel.before, precision, family});
+      for (const auto& [family, result] : now->families) apart_.insert({kernel.before, precision, family});
       // A promise of less is said as worse.
       const std::string how = change.less.empty() ? fmt::format(" ({})", change.text()) : "";
       say(who, populations(evidence_of(*then), evidence_of(*now)) + how, kernel);
@@ -125,13 +133,14 @@ class Comparer {
     }
   }
 
-  void say_lost(const ComparedKernel& kernel, const std::string& precision, const std::string& who) {
-    const Json& asked = after_["plan"]["precisions"];
-    if (std::find(asked.begin(), asked.end(), precision) == asked.end())
-      return say(who, fmt::format("is only in OLD: NEW was not run in {}", precision), kernel);
+  void say_lost(const ComparedKernel& kernel, Precision precision, const std::string& who) {
+    const std::vector<Precision>& asked = after_.plan.precisions;
+    if (std::ranges::find(asked, precision) == asked.end())
+      return say(who, fmt::format("is only in OLD: NEW was not run in {}", name(precision)), kernel);
     say(who, "is only in OLD", kernel);
-    result_.promises.push_back(
-        {kernel.name, precision, {{fmt::format("it does not exist in {} any more", precision)}, {}}});
+    result_.promises.push_back({kernel.name,
+                                std::string(name(precision)),
+                                {{fmt::format("it does not exist in {} any more", name(precision))}, {}}});
   }
 
   static std::string populations(const Evidence& then, const Evidence& now) {
@@ -139,17 +148,17 @@ class Comparer {
                        thousands(now.promised()));
   }
 
-  void compare_populations(const ComparedKernel& kernel, const Json& then, const Json& now) {
-    const std::string precision = then["precision"];
-    for (const auto& [family, result] : then["families"].items()) {
-      const auto other = now["families"].find(family);
-      if (other == now["families"].end()) continue;
+  void compare_populations(const ComparedKernel& kernel, const KernelRecord& then, const KernelRecord& now) {
+    const std::string precision(name(then.precision));
+    for (const auto& [family, result] : then.families) {
+      const FamilyRecord* const other = now.families.find(family);
+      if (other == nullptr) continue;
       const Evidence old = evidence_of(then, result), fresh = evidence_of(now, *other);
       if (old.promised() == fresh.promised() && fresh.promised() != 0) continue;
-      const bool are_same = has_same_queries(family, precision);
+      const bool are_same = has_same_queries(family, then.precision);
       // Too few show no difference, whatever they are.
-      const bool are_few = fresh.promised() < std::min(least_looked_at, old.promised()) &&
-                           (*other)["trials"].get<std::uint64_t>() < result["trials"].get<std::uint64_t>();
+      const bool are_few =
+          fresh.promised() < std::min(least_looked_at, old.promised()) && other->trials < result.trials;
       if (!are_same && !are_few && old.promised() != 0 && fresh.promised() != 0) continue;
       apart_.insert({kernel.before, precision, family});
       NotCompared absent{fmt::format("{} {} on {}", kernel.before, precision, family), populations(old, fresh),
@@ -197,9 +206,8 @@ class Comparer {
   void note_absent(const Cell& cell, bool is_before, const std::string& why, Absence absence) {
     const ComparedKernel& kernel = pairs_.of(cell, is_before);
     if (!kernel.is_in_both() || lost_.contains(cell.family) || is_apart(cell, is_before)) return;
-    if (precision_entry(is_before ? after_ : before_, is_before ? kernel.after : kernel.before, cell.precision) ==
-        nullptr)
-      return;
+    const Record& other = is_before ? after_ : before_;
+    if (!has_entry(other, is_before ? kernel.after : kernel.before, cell.precision)) return;
     const std::string family = fmt::format("{} {} on {}", cell.kernel, cell.precision, cell.family);
     for (const std::string& whole : {family, family + ": comparisons"}) {
       if (said_.contains(whole + "\n" + kernel.name)) return;
@@ -225,20 +233,20 @@ class Comparer {
 
   bool is_asked_in_new(const Cell& cell) {
     const ComparedKernel& kernel = pairs_.of(cell, true);
-    if (kernel.after.empty() || is_unloaded(kernel) || !after_["complete"]) return false;
+    if (kernel.after.empty() || is_unloaded(kernel) || !after_.complete) return false;
     if (cell.precision.empty()) return true;
-    const Json* const entry = precision_entry(after_, kernel.after, cell.precision);
-    return entry != nullptr && (cell.family.empty() || (*entry)["families"].contains(cell.family));
+    const KernelRecord* const entry = precision_entry(after_, kernel.after, precision_of_name(cell.precision));
+    return entry != nullptr && (cell.family.empty() || entry->families.contains(cell.family));
   }
 
-  bool has_same_queries(const std::string& family, const std::string& precision) const {
-    const Json mine = queries_of(before_["plan"], family, precision);
-    return !mine.is_null() && mine == queries_of(after_["plan"], family, precision);
+  bool has_same_queries(const std::string& family, Precision precision) const {
+    const Json mine = queries_of(before_.plan, family, precision);
+    return !mine.is_null() && mine == queries_of(after_.plan, family, precision);
   }
 
-  static Json tolerance_of(const Json& record, const Cell& cell) {
-    const Json& tolerances = record["plan"]["tolerance"];
-    return tolerances.contains(cell.place) ? tolerances[cell.place] : Json(nullptr);
+  static std::string tolerance_of(const Record& record, const Cell& cell) {
+    const auto* tolerance = record.plan.tolerance.find(cell.place);
+    return tolerance == nullptr ? "" : *tolerance;
   }
 
   void add(Cell before, Cell after) {
@@ -246,7 +254,8 @@ class Comparer {
     if (before.member == "tolerance_failures" && tolerance_of(before_, before) != tolerance_of(after_, after))
       return note_absent(before, true, "was counted with a different tolerance", Absence::fails);
     ComparedCell compared{std::move(before), std::move(after)};
-    compared.same_queries = has_same_queries(compared.before.family, compared.before.precision);
+    compared.same_queries = !compared.before.precision.empty() &&
+                            has_same_queries(compared.before.family, precision_of_name(compared.before.precision));
     const Cell &x = compared.before, &y = compared.after;
     if (x.kind == Cell::Kind::count && !compared.same_queries) {
       const auto [u, v] = independent(x, y);
@@ -264,7 +273,7 @@ class Comparer {
     if (cell.place != "verdict") return false;
     if (cell.member == "invalid" || cell.member == "unanswered") return true;
     if (cell.member != "undecided") return false;
-    const Json* const entry = precision_entry(after_, cell.kernel, cell.precision);
+    const KernelRecord* const entry = precision_entry(after_, cell.kernel, precision_of_name(cell.precision));
     return entry != nullptr && !promise_in(*entry).may_decline;
   }
 
@@ -297,22 +306,22 @@ class Comparer {
         compared_.emplace(cell.before.kernel, cell.before.precision);
       }
       if (!cell.is_alarm()) continue;
-      for (const Json* witness : witnesses.of(cell.after)) cell.witnesses.push_back((*witness)["id"]);
+      for (const WitnessRecord* witness : witnesses.of(cell.after)) cell.witnesses.push_back(witness->id);
     }
   }
 
   void say_kernels_without_cells() {
     for (const ComparedKernel& kernel : pairs_.all()) {
       if (!kernel.is_in_both() || is_unloaded(kernel)) continue;
-      for (const Json* then : precision_entries(before_, kernel.before)) {
-        if (compared_.contains({kernel.before, text((*then)["precision"])})) continue;
-        say(fmt::format("{} {}", kernel.before, text((*then)["precision"])),
-            "has no family with promised queries in both runs", kernel);
+      for (const KernelRecord* then : precision_entries(before_, kernel.before)) {
+        const std::string precision(name(then->precision));
+        if (compared_.contains({kernel.before, precision})) continue;
+        say(fmt::format("{} {}", kernel.before, precision), "has no family with promised queries in both runs", kernel);
       }
     }
   }
 
-  const Json &before_, &after_;
+  const Record &before_, &after_;
   KernelPairs pairs_;
   std::vector<std::string> unloaded_;  // ids in NEW
   RunComparison result_;
@@ -365,15 +374,15 @@ std::size_t RunComparison::count(Change change) const {
       std::count_if(cells.begin(), cells.end(), [&](const ComparedCell& cell) { return cell.change == change; }));
 }
 
-void require_same_test(const Json& before, const Json& after, const std::string& before_name,
+void require_same_test(const Record& before, const Record& after, const std::string& before_name,
                        const std::string& after_name) {
-  const Json &old_test = before["plan"]["test"], &new_test = after["plan"]["test"];
+  const std::string &old_test = before.plan.test, &new_test = after.plan.test;
   if (old_test == new_test) return;
   throw Error(fmt::format("{} is of the test {}, and {} of {}; only runs of one test can be compared", before_name,
-                          old_test.get<std::string>(), after_name, new_test.get<std::string>()));
+                          old_test, after_name, new_test));
 }
 
-RunComparison compare_records(const Json& before, const Json& after, std::vector<Replayed> replayed,
+RunComparison compare_records(const Record& before, const Record& after, std::vector<Replayed> replayed,
                               const std::vector<std::string>& allowed) {
   require_same_test(before, after, "OLD", "NEW");
   return Comparer(before, after).run(std::move(replayed), allowed);

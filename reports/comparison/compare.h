@@ -86,12 +86,12 @@ struct RunComparison {
 std::pair<Proportion, Proportion> independent(const Cell& x, const Cell& y);
 
 // Throws Error where two records are of different tests; `before_name` and `after_name` are those that it shows.
-void require_same_test(const Json& before, const Json& after, const std::string& before_name,
+void require_same_test(const Record& before, const Record& after, const std::string& before_name,
                        const std::string& after_name);
 
 // Compares two records of one test that read_run accepted; `replayed` holds OLD's witnesses and may be empty, `allowed`
 // what is allowed not to be compared. Throws Error as require_same_test and allow do.
-RunComparison compare_records(const Json& before, const Json& after, std::vector<Replayed> replayed,
+RunComparison compare_records(const Record& before, const Record& after, std::vector<Replayed> replayed,
                               const std::vector<std::string>& allowed = {});
 
 }  // namespace axiscert

@@ -2,7 +2,7 @@
 #include "reports/comparison/compare.h"
 
 #include "reports/comparison/show.h"
-#include "reports/testing/test_run.h"
+#include "reports/testing/edited_record.h"
 
 namespace axiscert {
 namespace {
@@ -25,7 +25,7 @@ const ComparedCell& cell(const RunComparison& comparison, const std::string& nam
 }
 
 std::string markdown(const Json& before, const Json& after) {
-  return comparison_markdown({before, after, "old", "new"}, compare_records(before, after, {}));
+  return markdown_of(before, after, compare_records(before, after, {}));
 }
 
 TEST(Compare, ARunWithItselfDoesNotDiffer) {
@@ -117,12 +117,7 @@ TEST(Compare, WhatOnlyOneHasIsNotCompared) {
 TEST(Compare, AFindingIsNewWhateverTheSeed) {
   const Json before = stored_record();
   Json after = other_seed();
-  after["findings"].push_back({{"kernel", "published"},
-                               {"precision", "binary32"},
-                               {"family", "tangent"},
-                               {"kind", "crash"},
-                               {"count", 1},
-                               {"detail", "signal 11"}});
+  after["findings"].push_back(crash_on("tangent"));
   EXPECT_EQ(answer(compare_records(before, after, {})), "worse: 1 new");
   EXPECT_EQ(answer(compare_records(after, before, {})), "better: 1 fixed");
 }
@@ -151,8 +146,9 @@ TEST(Compare, NamesAreTextInMarkdownAndOnThePage) {
   for (Json& family : after["kernels"][1]["families"]) family["verdict"]["false_separation"] = 900;
   after["kernels"][0]["families"].erase("mesh/</script><script>alert(1)");
   EXPECT_THAT(markdown(before, after), HasSubstr("mesh/&lt;/script>"));
+  const Record then = edited(before), now = edited(after);
   const std::string page =
-      instrument_page(comparison_report({before, after, "old", "<b>new</b>"}, compare_records(before, after, {})));
+      instrument_page(comparison_report({then, now, "old", "<b>new</b>"}, compare_records(then, now, {})));
   EXPECT_THAT(page, HasSubstr("&lt;/<wbr>script&gt;&lt;script&gt;alert(1)"));
   EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
   EXPECT_THAT(page, Not(HasSubstr("<b>new")));

@@ -1,6 +1,7 @@
 // The first contacts of two runs of a test of motions against each other.
 #include "reports/comparison/compare.h"
 #include "reports/comparison/show.h"
+#include "reports/testing/edited_record.h"
 #include "reports/testing/motion_run.h"
 
 namespace axiscert {
@@ -34,11 +35,10 @@ TEST(CompareContacts, OneLateTimeMoreIsWorseAndOneLessIsBetter) {
   const RunComparison better = compared(nine, five);
   EXPECT_THAT(changed_cells(better), ElementsAre("time.late better"));
   EXPECT_TRUE(better.passes());
-  const ComparedRuns runs{motions(five), motions(nine), "old", "new"};
-  const std::string text = comparison_markdown(runs, worse);
+  const std::string text = markdown_of(motions(five), motions(nine), worse);
   EXPECT_THAT(text, HasSubstr("5 of 900"));
   EXPECT_THAT(text, HasSubstr("9 of 900"));
-  const Json json = comparison_json(runs, worse);
+  const Json json = data_of(motions(five), motions(nine), worse);
   for (const Json& cell : json["cells"]) {
     if (cell["place"] != "time" || cell["figure"] != "late") continue;
     EXPECT_EQ(cell["old"], 5);
@@ -70,7 +70,7 @@ TEST(CompareContacts, OnOtherQueriesOnlyWhatChanceDoesNotExplain) {
   EXPECT_THAT(changed_cells(with_other_seed(9, 0.75)), IsEmpty());
   const RunComparison worse = with_other_seed(90, 0.75);
   EXPECT_THAT(changed_cells(worse), ElementsAre("time.late worse"));
-  EXPECT_THAT(comparison_markdown({motions(contacts(5, 0.25, 0)), motions(contacts(90, 0.75, 0)), "old", "new"}, worse),
+  EXPECT_THAT(markdown_of(motions(contacts(5, 0.25, 0)), motions(contacts(90, 0.75, 0)), worse),
               Not(HasSubstr("deepest_tunnel")));
 }
 
@@ -85,11 +85,11 @@ TEST(CompareContacts, MeasuresThatOnlyOneRunGivesAreSaid) {
   EXPECT_TRUE(gained.passes());
   EXPECT_THAT(answer(gained),
               testing::StartsWith("no change; only in NEW: <script> binary32: 'time' of first contacts; "));
-  EXPECT_THAT(comparison_markdown({with, without, "old", "new"}, lost), HasSubstr("tangent: first contacts"));
+  EXPECT_THAT(markdown_of(with, without, lost), HasSubstr("tangent: first contacts"));
 }
 
 TEST(CompareContacts, AnotherTestHasNone) {
-  for (const Cell& cell : cells_of(stored_record())) EXPECT_FALSE(cell.is_of_contacts()) << cell.name();
+  for (const Cell& cell : cells_of(edited(stored_record()))) EXPECT_FALSE(cell.is_of_contacts()) << cell.name();
 }
 
 }  // namespace

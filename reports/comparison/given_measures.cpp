@@ -9,18 +9,17 @@ namespace axiscert {
 namespace {
 
 // The names of a kernel's measures, by precision; none in a record of a test or of a version without them.
-std::map<std::string, Json> measures_by_precision(const Json& record, const std::string& id) {
-  std::map<std::string, Json> all;
-  for (const Json& kernel : record["kernels"]) {
-    if (kernel["id"] != id) continue;
-    all.emplace(kernel["precision"].get<std::string>(), kernel.value("measures", Json::array()));
+std::map<Precision, std::vector<Name>> measures_by_precision(const Record& record, const std::string& id) {
+  std::map<Precision, std::vector<Name>> all;
+  for (const KernelRecord& kernel : record.kernels) {
+    if (kernel.id == id) all.emplace(kernel.precision, kernel.measures.value_or(std::vector<Name>()));
   }
   return all;
 }
 
 // The first that the others have not; empty where they have all.
-std::string first_missing(const Json& measures, const Json& others) {
-  for (const Json& measure : measures) {
+std::string first_missing(const std::vector<Name>& measures, const std::vector<Name>& others) {
+  for (const std::string& measure : measures) {
     if (std::find(others.begin(), others.end(), measure) == others.end()) return measure;
   }
   return "";
@@ -28,15 +27,15 @@ std::string first_missing(const Json& measures, const Json& others) {
 
 }  // namespace
 
-void say_given_by_one(const Json& before, const Json& after, const ComparedKernel& kernel,
+void say_given_by_one(const Record& before, const Record& after, const ComparedKernel& kernel,
                       std::vector<NotCompared>& absent) {
   const auto now = measures_by_precision(after, kernel.after);
   for (const auto& [precision, then] : measures_by_precision(before, kernel.before)) {
     const auto found = now.find(precision);
     if (found == now.end()) continue;
-    const auto say = [&](const std::string& measure, const char* why, Absence absence) {
+    const auto say = [&, precision = precision](const std::string& measure, const char* why, Absence absence) {
       if (measure.empty()) return;
-      absent.push_back({fmt::format("{} {}: '{}' of first contacts", kernel.name, precision, measure), why,
+      absent.push_back({fmt::format("{} {}: '{}' of first contacts", kernel.name, name(precision), measure), why,
                         kernel.names(), "", absence});
     };
     say(first_missing(then, found->second), "it gives that in OLD and not in NEW", Absence::fails);

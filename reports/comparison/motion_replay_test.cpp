@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t replay_seed = 3;
 
-Json record_of_motions(const char* kernel, std::initializer_list<const char*> families) {
+Record record_of_motions(const char* kernel, std::initializer_list<const char*> families) {
   Plan plan;
   plan.questions.seed = replay_seed;
   plan.answerers.kernels = {&find_kernel(kernel)};
@@ -26,8 +26,8 @@ Json record_of_motions(const char* kernel, std::initializer_list<const char*> fa
 }
 
 // The record as though another kernel had given it.
-Json as_of(Json record, const char* kernel) {
-  for (Json& witness : record["witnesses"]) witness["kernel"] = kernel;
+Record as_of(Record record, const char* kernel) {
+  for (WitnessRecord& witness : record.witnesses) witness.kernel = kernel;
   return record;
 }
 
@@ -36,9 +36,9 @@ std::ptrdiff_t count_of(const std::vector<Replayed>& all, ReplayOutcome outcome)
 }
 
 TEST(ReplayMotions, TheSameKernelDoesAsBefore) {
-  const Json rounded = record_of_motions("moving-sphere/rounded", {"moving-sphere/approach", "moving-sphere/graze"}),
-             ends = record_of_motions("moving-sphere/ends-gated", {"moving-sphere/ends_approach"});
-  for (const Json& record : {rounded, ends}) {
+  const Record rounded = record_of_motions("moving-sphere/rounded", {"moving-sphere/approach", "moving-sphere/graze"}),
+               ends = record_of_motions("moving-sphere/ends-gated", {"moving-sphere/ends_approach"});
+  for (const Record& record : {rounded, ends}) {
     const std::vector<Replayed> all = replay_witnesses(record, scalar_target);
     ASSERT_GT(all.size(), 3u) << "seed " << replay_seed;
     for (const Replayed& r : all) EXPECT_EQ(r.outcome, ReplayOutcome::as_before) << r.id << ": " << r.note;
@@ -47,14 +47,14 @@ TEST(ReplayMotions, TheSameKernelDoesAsBefore) {
 
 TEST(ReplayMotions, AnotherKernelMendsVerdictsOrIsLate) {
   // Phantoms of the strict sides are mended by the others.
-  const Json strict = record_of_motions("moving-sphere/twenty", {"moving-sphere/line_sweep"});
+  const Record strict = record_of_motions("moving-sphere/twenty", {"moving-sphere/line_sweep"});
   const auto mended = replay_witnesses(as_of(strict, "moving-sphere/twenty-nonstrict"), scalar_target);
   EXPECT_GT(count_of(mended, ReplayOutcome::mended), 0) << "seed " << replay_seed;
   // Witnesses of the best times that there are; the other kernel is late on some of them.
-  const Json best = record_of_motions("moving-sphere/gated", {"moving-sphere/general"});
-  Json early = as_of(best, "moving-sphere/rounded");
-  for (Json& witness : early["witnesses"]) {
-    if (witness["measures"].is_object()) witness["measures"]["time"] = "early";
+  const Record best = record_of_motions("moving-sphere/gated", {"moving-sphere/general"});
+  Record early = as_of(best, "moving-sphere/rounded");
+  for (WitnessRecord& witness : early.witnesses) {
+    if (witness.measures && *witness.measures) (*witness.measures)->time = TimeVerdict::early;
   }
   const auto late = replay_witnesses(early, scalar_target);
   EXPECT_GT(count_of(late, ReplayOutcome::wrong_now), 0) << "seed " << replay_seed;
@@ -63,7 +63,7 @@ TEST(ReplayMotions, AnotherKernelMendsVerdictsOrIsLate) {
 }
 
 TEST(ReplayMotions, AKernelOfAnotherEntryIsNotAskedAndPromisesItNoMore) {
-  const Json record = record_of_motions("moving-sphere/rounded", {"moving-sphere/approach"});
+  const Record record = record_of_motions("moving-sphere/rounded", {"moving-sphere/approach"});
   for (const Replayed& r : replay_witnesses(as_of(record, "moving-sphere/ends-rounded"), scalar_target)) {
     EXPECT_EQ(r.outcome, ReplayOutcome::not_promised);
     EXPECT_EQ(r.note, "it takes the entry endpoints of the test moving-sphere here");

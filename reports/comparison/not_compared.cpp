@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t most_reasons = 3;  // that a first line gives
 constexpr std::size_t most_names = 20;   // that a message lists
 
-bool is_named(const NotCompared& absent, const std::string& name) {
+bool has_name(const NotCompared& absent, const std::string& name) {
   if (name.empty()) return false;
   return absent.what == name || absent.family == name ||
          std::ranges::find(absent.kernels, name) != absent.kernels.end();
@@ -38,7 +38,7 @@ void allow(std::vector<NotCompared>& all, const std::vector<std::string>& names)
   for (const std::string& name : names) {
     bool is_met = false;
     for (NotCompared& absent : all) {
-      if (!is_named(absent, name)) continue;
+      if (!has_name(absent, name)) continue;
       is_met = true;
       if (absent.absence == Absence::fails) absent.absence = Absence::allowed;
     }

@@ -5,7 +5,7 @@
 
 #include "reports/comparison/compare.h"
 #include "reports/comparison/show.h"
-#include "reports/testing/test_run.h"
+#include "reports/testing/edited_record.h"
 
 namespace axiscert {
 namespace {
@@ -80,12 +80,7 @@ TEST(NotCompared, AnInterruptedRunIsNoPassWhicheverItIs) {
 // A finding that an interrupted run, or one without the family, does not have is not mended.
 TEST(NotCompared, AFindingOnWhatWasNotAskedIsNotFixed) {
   Json before = stored_record();
-  before["findings"].push_back({{"kernel", "published"},
-                                {"precision", "binary32"},
-                                {"family", "lattice"},
-                                {"kind", "crash"},
-                                {"count", 1},
-                                {"detail", "signal 11"}});
+  before["findings"].push_back(crash_on("lattice"));
   Json asked = stored_record(), cut = stored_record();
   cut["complete"] = false;
   EXPECT_EQ(compare_records(before, asked, {}).count(Change::fixed), 1u);

@@ -6,14 +6,14 @@
 
 namespace axiscert {
 
-KernelPairs::KernelPairs(const Json& before, const Json& after)
+KernelPairs::KernelPairs(const Record& before, const Record& after)
     : before_(before), after_(after), identities_(identities_of(before, after)) {
-  for (const Json& id : before["plan"]["kernels"]) {
+  for (const std::string& id : before.plan.kernels) {
     ComparedKernel& kernel = kernels_.emplace_back();
     kernel.name = identity(id, true);
     kernel.before = id;
   }
-  for (const Json& id : after["plan"]["kernels"]) {
+  for (const std::string& id : after.plan.kernels) {
     const std::string& name = identity(id, false);
     ComparedKernel* both = called(name);
     if (both == nullptr) both = &kernels_.emplace_back(ComparedKernel{name});
@@ -21,8 +21,8 @@ KernelPairs::KernelPairs(const Json& before, const Json& after)
   }
   for (ComparedKernel& kernel : kernels_) {
     if (!kernel.is_in_both()) continue;
-    const Json then = digest_of(before, kernel.before), now = digest_of(after, kernel.after);
-    kernel.has_digests = !then.is_null() && !now.is_null();
+    const Digests then = digests_of(before, kernel.before), now = digests_of(after, kernel.after);
+    kernel.has_digests = !then.empty() && !now.empty();
     kernel.digest_change = digest_change(then, now);
   }
 }
@@ -50,33 +50,33 @@ ComparedKernel& KernelPairs::of(const Cell& cell, bool is_before) {
 std::string KernelPairs::reason(const ComparedKernel& kernel) const {
   const bool is_before = !kernel.before.empty();
   const std::string& id = is_before ? kernel.before : kernel.after;
-  const Json &own = is_before ? before_ : after_, &other = is_before ? after_ : before_;
+  const Record &own = is_before ? before_ : after_, &other = is_before ? after_ : before_;
   const char* const which = is_before ? "NEW" : "OLD";
-  const Json& ids = other["plan"]["kernels"];
+  const std::vector<Name>& ids = other.plan.kernels;
   const std::string name = declared_name(own, id);
-  if (std::ranges::any_of(ids, [&](const Json& given) { return given == id; })) {
+  if (std::ranges::find(ids, id) != ids.end()) {
     const std::string there = declared_name(other, id);
     if (there.empty()) return fmt::format("; in {} it could not be loaded", which);
     return fmt::format("; in {} it declares another name, '{}' and not '{}'", which, there, name);
   }
-  for (const Json& given : ids) {
+  for (const std::string& given : ids) {
     if (!name.empty() && declared_name(other, given) == name)
       return fmt::format("; several kernels of one run declare the name '{}', so each is known by its id", name);
   }
   return "";
 }
 
-std::vector<const Json*> precision_entries(const Json& record, const std::string& id) {
-  std::vector<const Json*> entries;
-  for (const Json& kernel : record["kernels"]) {
-    if (kernel["id"] == id) entries.push_back(&kernel);
+std::vector<const KernelRecord*> precision_entries(const Record& record, const std::string& id) {
+  std::vector<const KernelRecord*> entries;
+  for (const KernelRecord& kernel : record.kernels) {
+    if (kernel.id == id) entries.push_back(&kernel);
   }
   return entries;
 }
 
-const Json* precision_entry(const Json& record, const std::string& id, const Json& precision) {
-  for (const Json* entry : precision_entries(record, id)) {
-    if ((*entry)["precision"] == precision) return entry;
+const KernelRecord* precision_entry(const Record& record, const std::string& id, Precision precision) {
+  for (const KernelRecord* entry : precision_entries(record, id)) {
+    if (entry->precision == precision) return entry;
   }
   return nullptr;
 }

@@ -13,7 +13,7 @@ namespace axiscert {
 class KernelPairs {
  public:
   // The records have to outlive this.
-  KernelPairs(const Json& before, const Json& after);
+  KernelPairs(const Record& before, const Record& after);
 
   std::vector<ComparedKernel>& all() { return kernels_; }
   const std::string& identity(const std::string& id, bool is_before) const;
@@ -25,14 +25,14 @@ class KernelPairs {
  private:
   ComparedKernel* called(const std::string& name);
 
-  const Json &before_, &after_;
+  const Record &before_, &after_;
   std::pair<Identities, Identities> identities_;
   std::vector<ComparedKernel> kernels_;  // OLD's, then those that only NEW has
 };
 
 // The entries of a kernel in a record, one for each precision in which it was run.
-std::vector<const Json*> precision_entries(const Json& record, const std::string& id);
+std::vector<const KernelRecord*> precision_entries(const Record& record, const std::string& id);
 // That of one precision; null where there is none.
-const Json* precision_entry(const Json& record, const std::string& id, const Json& precision);
+const KernelRecord* precision_entry(const Record& record, const std::string& id, Precision precision);
 
 }  // namespace axiscert

@@ -8,15 +8,15 @@
 #include <set>
 
 #include "kernel/base/error.h"
-#include "reports/evidence/evidence.h"
 
 namespace axiscert {
 namespace {
 
 // One bound of the limits. 0 is none.
 struct Bound {
-  std::string_view quantity, sign, member;
+  std::string_view quantity, sign;
   double Limits::*value;
+  std::optional<double> LimitsRecord::*stated;
 
   bool is_least() const { return sign == ">="; }
   // "from 1e+30", "to 1e+06", "none".
@@ -28,11 +28,11 @@ struct Bound {
     return is_least() ? now > before : now < before;
   }
 };
-constexpr Bound bounds[] = {{"coordinate", ">=", "least_coordinate", &Limits::least_coordinate},
-                            {"coordinate", "<=", "greatest_coordinate", &Limits::greatest_coordinate},
-                            {"area", ">=", "least_area", &Limits::least_area},
-                            {"radius", ">=", "least_radius", &Limits::least_radius},
-                            {"radius", "<=", "greatest_radius", &Limits::greatest_radius}};
+constexpr Bound bounds[] = {{"coordinate", ">=", &Limits::least_coordinate, &LimitsRecord::least_coordinate},
+                            {"coordinate", "<=", &Limits::greatest_coordinate, &LimitsRecord::greatest_coordinate},
+                            {"area", ">=", &Limits::least_area, &LimitsRecord::least_area},
+                            {"radius", ">=", &Limits::least_radius, &LimitsRecord::least_radius},
+                            {"radius", "<=", &Limits::greatest_radius, &LimitsRecord::greatest_radius}};
 constexpr std::string_view may_decline_word = "may_decline";
 
 template <Enumeration Enum>
@@ -41,16 +41,6 @@ std::optional<Enum> named(std::string_view text, const auto& names) {
     if (names[one] == text) return one;
   }
   return std::nullopt;
-}
-
-// The enumerator that a record, which was checked, names.
-template <Enumeration Enum>
-Enum of_record(const Json& text, const auto& names) {
-  const auto found = named<Enum>(text.get_ref<const std::string&>(), names);
-  if (!found)
-    throw Error(
-        fmt::format("a promise of a record is '{}', which is none of: {}", text.dump(), fmt::join(names, ", ")));
-  return *found;
 }
 
 // The policies leave out the more, the later they stand in their enum.
@@ -122,22 +112,14 @@ class Reader {
 
 }  // namespace
 
-Promise promise_in(const Json& entry) {
-  const Json json = promise_of(entry);
+Promise promise_in(const KernelRecord& entry) {
   Promise promise;
-  promise.touching = of_record<Touching>(json["touching"], touching_names);
-  promise.may_decline = json["may_decline"].get<bool>();
-  if (const Json& limits = json["limits"]; !limits.is_null()) {
-    for (const Bound& bound : bounds) {
-      const Json& value = limits[std::string(bound.member)];
-      if (!value.is_null()) promise.limits.*(bound.value) = value.get<double>();
-    }
+  promise.touching = entry.touching;
+  promise.may_decline = entry.may_decline;
+  if (entry.limits) {
+    for (const Bound& bound : bounds) promise.limits.*(bound.value) = ((*entry.limits).*(bound.stated)).value_or(0);
   }
-  if (const auto motion = json.find("motion"); motion != json.end() && !motion->is_null()) {
-    promise.motion = MotionPolicy{of_record<StartPolicy>((*motion)["start"], start_policy_names),
-                                  of_record<StillPolicy>((*motion)["still"], still_policy_names),
-                                  of_record<SidesPolicy>((*motion)["sides"], sides_policy_names)};
-  }
+  if (entry.motion) promise.motion = MotionPolicy{entry.motion->start, entry.motion->still, entry.motion->sides};
   return promise;
 }
 

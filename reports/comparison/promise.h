@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/text/json.h"
+#include "fuzz/record/kernel_record.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
@@ -20,8 +20,8 @@ struct Promise {
   bool operator==(const Promise&) const = default;
 };
 
-// That of an entry of a record's "kernels", and that of a kernel as it is loaded here.
-Promise promise_in(const Json& entry);
+// That of a kernel of a record, and that of a kernel as it is loaded here.
+Promise promise_in(const KernelRecord& entry);
 Promise promise_of_kernel(const Kernel& kernel);
 
 // How a promise differs from one before, a text for each part: "radius from 1e+30, was none".

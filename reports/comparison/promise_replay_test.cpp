@@ -17,7 +17,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::Not;
 
-Json recorded_by(const std::string& kernel, std::initializer_list<const char*> families, std::uint64_t trials = 256) {
+Record recorded_by(const std::string& kernel, std::initializer_list<const char*> families, std::uint64_t trials = 256) {
   Plan plan;
   plan.questions.seed = 3;
   plan.answerers.kernels = {&find_kernel(kernel)};
@@ -33,11 +33,11 @@ Json recorded_by(const std::string& kernel, std::initializer_list<const char*> f
 std::string promises(const char* kind) { return fmt::format("plugin:{}/promises/{}.so", BUILD_FOLDER, kind); }
 
 // The witnesses of the record, as though this kind of kernel/plugin/promises had given them.
-std::vector<Replayed> replayed_by(Json record, const char* kind) {
+std::vector<Replayed> replayed_by(Record record, const char* kind) {
   const std::string id = promises(kind);
-  record["plan"]["kernels"][0] = id;
-  for (Json& kernel : record["kernels"]) kernel["id"] = id;
-  for (Json& witness : record["witnesses"]) witness["kernel"] = id;
+  record.plan.kernels[0] = id;
+  for (KernelRecord& kernel : record.kernels) kernel.id = id;
+  for (WitnessRecord& witness : record.witnesses) witness.kernel = id;
   return replay_witnesses(record, scalar_target, {{id, id}});
 }
 
@@ -49,8 +49,8 @@ std::set<std::string> outcomes(const std::vector<Replayed>& all) {
 
 // Phantom contacts, and a kernel that is right about them, is not any more to answer them, or does not answer them.
 TEST(ReplayPromises, OnlyARightVerdictIsMended) {
-  const Json wrong = recorded_by(promises("always_contact"), {"general", "far"});
-  ASSERT_GT(wrong["witnesses"].size(), 3u);
+  const Record wrong = recorded_by(promises("always_contact"), {"general", "far"});
+  ASSERT_GT(wrong.witnesses.size(), 3u);
   EXPECT_THAT(outcomes(replayed_by(wrong, "always_contact")), ElementsAre("as before"));
   EXPECT_THAT(outcomes(replayed_by(wrong, "keeps_its_promise")), ElementsAre("mended"));
   for (const char* kind : {"declines_separations", "answers_77"}) {
@@ -62,7 +62,7 @@ TEST(ReplayPromises, OnlyARightVerdictIsMended) {
 }
 
 TEST(ReplayPromises, WhatIsNotPromisedAnyMoreIsNotMended) {
-  const Json wrong = recorded_by(promises("always_contact"), {"general", "far"});
+  const Record wrong = recorded_by(promises("always_contact"), {"general", "far"});
   const auto limited = replayed_by(wrong, "limited_to_nothing"), gone = replayed_by(wrong, "binary64_alone");
   for (const auto& all : {limited, gone}) {
     EXPECT_THAT(outcomes(all), ElementsAre("no longer promised"));
@@ -71,44 +71,41 @@ TEST(ReplayPromises, WhatIsNotPromisedAnyMoreIsNotMended) {
   EXPECT_EQ(limited[0].note, "radius from 1e+300, was none");
   EXPECT_EQ(gone[0].note, "it does not exist in binary32 here");
   // A query that was not promised in OLD either has not been lost.
-  Json never = wrong;
-  for (Json& kernel : never["kernels"]) {
-    kernel["limits"] = {{"least_coordinate", nullptr},
-                        {"greatest_coordinate", nullptr},
-                        {"least_area", nullptr},
-                        {"least_radius", 1e300},
-                        {"greatest_radius", nullptr}};
-  }
+  Record never = wrong;
+  for (KernelRecord& kernel : never.kernels) kernel.limits.emplace().least_radius = 1e300;
   EXPECT_THAT(outcomes(replayed_by(never, "limited_to_nothing")), Not(Contains("no longer promised")));
 }
 
 // Witnesses of comparisons under right verdicts: no answer is wrong now, unless the kernel may decline.
 TEST(ReplayPromises, NoAnswerWhereTheVerdictWasRightIsWrongNow) {
-  Json right = recorded_by("published", {"tangent"});
-  std::erase_if(right["witnesses"].get_ref<Json::array_t&>(), [](const Json& witness) {
-    return witness["truth"] != witness["computed"] || witness["truth"] != "contact";
+  Record right = recorded_by("published", {"tangent"});
+  std::erase_if(right.witnesses, [](const WitnessRecord& witness) {
+    return witness.truth != witness.computed || witness.truth != Verdict::contact;
   });
-  ASSERT_GT(right["witnesses"].size(), 0u);
+  ASSERT_GT(right.witnesses.size(), 0u);
   EXPECT_THAT(outcomes(replayed_by(right, "answers_77")), ElementsAre("wrong now"));
   EXPECT_THAT(outcomes(replayed_by(right, "declines_contacts")), ElementsAre("no verdict now")) << "it declares that";
 }
 
 // A kernel without a promise of touching queries is not held to those that it was held to.
 TEST(ReplayPromises, TouchingQueriesThatAreEitherNowAreNotMended) {
-  Json record = recorded_by("published", {"lattice"});
-  Json& kernel = record["kernels"][0];
-  Json witness = Json::parse(R"({"id": "touching", "precision": "binary32", "family": "lattice", "kernel": "published",
+  Record record = recorded_by("published", {"lattice"});
+  KernelRecord& kernel = record.kernels[0];
+  const Json witness =
+      Json::parse(R"({"id": "touching", "precision": "binary32", "family": "lattice", "kernel": "published",
+    "address": "1:lattice:1:binary32:0:1", "depth": 0, "exact_comparisons": null, "computed_comparisons": null,
+    "shows": [], "sides": null,
     "a": ["0x1p+0", "0x0p+0", "0x0p+0"], "b": ["0x1p+1", "0x0p+0", "0x0p+0"], "c": ["0x1p+1", "0x1p+0", "0x0p+0"],
     "p": ["0x0p+0", "0x0p+0", "0x0p+0"], "r": "0x1p+0", "truth": "contact", "computed": "separated", "touching": true,
     "flips": [{"level": "verdict", "name": "verdict", "kind": "false_separation", "decisive": true, "links": ["rounding"]}]})");
-  record["witnesses"] = Json::array({witness});
+  record.witnesses = {read_as<WitnessRecord>(witness)};
   const std::string either = fmt::format("plugin:{}/layouts/before_may_decline.so", BUILD_FOLDER);
-  kernel["id"] = record["witnesses"][0]["kernel"] = record["plan"]["kernels"][0] = either;
+  kernel.id = record.witnesses[0].kernel = record.plan.kernels[0] = either;
   const auto replayed = [&] { return replay_witnesses(record, scalar_target, {{either, either}}); };
   const auto now = replayed();
   EXPECT_THAT(outcomes(now), ElementsAre("no longer promised"));
   EXPECT_THAT(now[0].note, testing::HasSubstr("touching either, was contact"));
-  kernel["touching"] = "either";
+  kernel.touching = Touching::either;
   EXPECT_THAT(outcomes(replayed()), Not(Contains("no longer promised")));
 }
 

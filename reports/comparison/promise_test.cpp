@@ -4,6 +4,7 @@
 
 #include "reports/comparison/compare.h"
 #include "reports/comparison/show.h"
+#include "reports/testing/edited_record.h"
 #include "reports/testing/limited_run.h"
 #include "reports/testing/motion_run.h"
 
@@ -74,7 +75,7 @@ TEST(Promise, AWordThatIsNoPartOfItIsRefused) {
 }
 
 std::string markdown_of_promises(const Json& before, const Json& after) {
-  return comparison_markdown({before, after, "old", "new"}, compare_records(before, after, {}));
+  return markdown_of(before, after, compare_records(before, after, {}));
 }
 
 // A kernel that limits itself to what it is right about was "better: 14 fixed".
@@ -174,12 +175,7 @@ TEST(ComparePromises, OtherPopulationsOfOnePromiseAreNotCompared) {
 
 TEST(ComparePromises, FindingsAreComparedWhateverIsPromised) {
   Json after = with_least_radius(1e30, 450);
-  after["findings"].push_back({{"kernel", "published"},
-                               {"precision", "binary32"},
-                               {"family", "tangent"},
-                               {"kind", "crash"},
-                               {"count", 1},
-                               {"detail", "signal 11"}});
+  after["findings"].push_back(crash_on("tangent"));
   EXPECT_EQ(compare_records(stored_record(), after, {}).count(Change::fresh), 1u);
 }
 
@@ -204,7 +200,7 @@ TEST(ComparePromises, OneUndeclaredDeclineIsNewOnAnyQueries) {
 
 TEST(ComparePromises, JsonHasThem) {
   const Json before = stored_record(), after = with_least_radius(1e30, 450);
-  const Json json = comparison_json({before, after, "old", "new"}, compare_records(before, after, {}));
+  const Json json = data_of(before, after, compare_records(before, after, {}));
   EXPECT_EQ(json["promises"], Json::parse(R"([{"kernel": "published", "precision": "binary32",
                                                "less": ["radius from 1e+30, was none"], "other": []}])"));
   EXPECT_EQ(json["passes"], false);

@@ -23,35 +23,33 @@ namespace {
 
 // How one answer to a valid query is wrong.
 struct Wrongs {
-  Json flips;
+  std::vector<FlipRecord> flips;
   // A reported contact may have, besides, a time that is not safe, and a wrong feature. An early time is neither.
   std::vector<std::string> contact = {};
-  // Where the answer is neither separated nor contact: "undecided", "invalid" or "unanswered".
-  std::string no_verdict = {};
+  std::optional<Verdict> no_verdict = {};  // the answer, where it is neither separated nor contact
   bool may_decline = false;
 
-  bool is_none() const { return flips.empty() && contact.empty() && no_verdict.empty(); }
+  bool is_none() const { return flips.empty() && contact.empty() && !no_verdict; }
   // A wrong verdict, or none where the kernel owes one.
   bool has_wrong_verdict() const {
-    const auto is_verdict = [](const Json& flip) { return flip["level"] == "verdict"; };
-    return std::any_of(flips.begin(), flips.end(), is_verdict) ||
-           (!no_verdict.empty() && !(no_verdict == name(Verdict::undecided) && may_decline));
+    const auto is_verdict = [](const FlipRecord& flip) { return flip.level == Level::verdict; };
+    return std::ranges::any_of(flips, is_verdict) || (no_verdict && !(no_verdict == Verdict::undecided && may_decline));
   }
   bool is_like(const Wrongs& other) const {
     return flips == other.flips && contact == other.contact && no_verdict == other.no_verdict;
   }
 };
 
-Wrongs wrongs_of(const Json& flips, const Json& measures, const std::string& verdict, bool may_decline) {
-  Wrongs found{flips};
+Wrongs wrongs_of(std::vector<FlipRecord> flips, const std::optional<MeasuresRecord>& measures, Verdict verdict,
+                 bool may_decline) {
+  Wrongs found{std::move(flips)};
   found.may_decline = may_decline;
-  if (verdict != name(Verdict::separated) && verdict != name(Verdict::contact)) found.no_verdict = verdict;
-  if (!measures.is_object()) return found;
-  const auto time = measures.find("time");
-  if (time != measures.end() && (*time == "late" || *time == "none" || *time == "invalid"))
-    found.contact.push_back(fmt::format("time {}", time->get<std::string>()));
-  const auto feature = measures.find("feature_is_right");
-  if (feature != measures.end() && *feature == false) found.contact.emplace_back("feature wrong");
+  if (verdict != Verdict::separated && verdict != Verdict::contact) found.no_verdict = verdict;
+  if (!measures) return found;
+  const std::optional<TimeVerdict> time = measures->time.value_or(std::nullopt);
+  if (time == TimeVerdict::late || time == TimeVerdict::none || time == TimeVerdict::invalid)
+    found.contact.push_back(fmt::format("time {}", name(*time)));
+  if (measures->feature_is_right.value_or(std::nullopt) == false) found.contact.emplace_back("feature wrong");
   return found;
 }
 
@@ -61,16 +59,18 @@ ReplayOutcome outcome_of(const Wrongs& before, const Wrongs& now) {
   });
   if (!before.has_wrong_verdict() && (now.has_wrong_verdict() || is_new_in_contact)) return ReplayOutcome::wrong_now;
   if (before.is_like(now)) return ReplayOutcome::as_before;
-  if (!now.no_verdict.empty() && before.no_verdict.empty()) return ReplayOutcome::no_verdict;
+  if (now.no_verdict && !before.no_verdict) return ReplayOutcome::no_verdict;
   return now.is_none() ? ReplayOutcome::mended : ReplayOutcome::changed;
 }
 
 std::string wrongs_text(const Wrongs& wrongs) {
   std::vector<std::string> texts = wrongs.contact;
-  if (!wrongs.no_verdict.empty()) texts.push_back(wrongs.no_verdict);
-  for (const Json& flip : wrongs.flips) {
-    texts.push_back(fmt::format("{} {} [{}]", flip["name"].get<std::string>(), flip["kind"].get<std::string>(),
-                                fmt::join(flip["links"].get<std::vector<std::string>>(), ", ")));
+  if (wrongs.no_verdict) texts.emplace_back(name(*wrongs.no_verdict));
+  for (const FlipRecord& flip : wrongs.flips) {
+    std::vector<std::string_view> links;
+    for (const Link link : flip.links) links.push_back(name(link));
+    const std::string& place = flip.name;
+    texts.push_back(fmt::format("{} {} [{}]", place, name(flip.kind), fmt::join(links, ", ")));
   }
   return texts.empty() ? "no flip" : fmt::format("{}", fmt::join(texts, "; "));
 }
@@ -114,9 +114,8 @@ struct Asked {
                         stored.numbers);
     };
     const Examination found = std::visit([&](const auto& q) { return examiner->examine(q); }, stored.numbers);
-    const std::string verdict(name(found.answer.verdict));
-    Said all{wrongs_of(flips_json(*kernel->test, found.judgement), measures_json(*kernel->test, found), verdict,
-                       kernel->may_decline)};
+    Said all{wrongs_of(flips_of(*kernel->test, found.judgement), measures_of(*kernel->test, found),
+                       found.answer.verdict, kernel->may_decline)};
     all.was_promised = is_within_promise(then, found.truth.touching);
     all.is_promised = is_within_promise(now, found.truth.touching);
     return all;
@@ -124,9 +123,9 @@ struct Asked {
 };
 
 // The promise that a record states of a witness's kernel; a record that was edited may not have it.
-Promise promise_in_record(const Json& record, const Json& witness) {
-  for (const Json& entry : record["kernels"]) {
-    if (entry["id"] == witness["kernel"] && entry["precision"] == witness["precision"]) return promise_in(entry);
+Promise promise_in_record(const Record& record, const WitnessRecord& witness) {
+  for (const KernelRecord& entry : record.kernels) {
+    if (entry.id == witness.kernel && entry.precision == witness.precision) return promise_in(entry);
   }
   return {};
 }
@@ -141,18 +140,18 @@ std::string refusal(const Kernel& kernel, const StoredQuery& stored) {
 
 }  // namespace
 
-std::vector<Replayed> replay_witnesses(const Json& record, std::string_view target, const TrustedPlugins& trusted) {
-  const TestDescription& test = test_of(record["plan"]);
+std::vector<Replayed> replay_witnesses(const Record& record, std::string_view target, const TrustedPlugins& trusted) {
+  const TestDescription& test = test_of(record.plan);
   std::map<std::string, Asked> kernels;
   std::vector<Replayed> all;
-  for (const Json& witness : record["witnesses"]) {
-    Replayed& replayed = all.emplace_back(Replayed{witness["id"], witness["kernel"], witness["precision"],
-                                                   witness["family"], ReplayOutcome::not_replayed, ""});
-    if (record["plan"].contains("replies")) {
+  for (const WitnessRecord& witness : record.witnesses) {
+    Replayed& replayed = all.emplace_back(Replayed{witness.id, witness.kernel, std::string(name(witness.precision)),
+                                                   witness.family, ReplayOutcome::not_replayed, ""});
+    if (record.plan.replies) {
       replayed.note = "its answers came through a pipe";
       continue;
     }
-    Json line = witness;
+    Json line = json_of(witness);
     line["test"] = test.id;
     const StoredQuery stored = query_of_json(line.dump(), Place{"witness " + replayed.id, 1});
     const Asked& asked = kernels.try_emplace(replayed.kernel, replayed.kernel, target, trusted).first->second;
@@ -167,7 +166,7 @@ std::vector<Replayed> replay_witnesses(const Json& record, std::string_view targ
     }
     const Promise then = promise_in_record(record, witness);
     const Wrongs before =
-        wrongs_of(witness["flips"], witness.value("measures", Json()), witness["computed"], then.may_decline);
+        wrongs_of(witness.flips, witness.measures.value_or(std::nullopt), witness.computed, then.may_decline);
     const Asked::Said said = asked.on(stored, then);
     if (said.was_promised && !said.is_promised) {
       replayed.outcome = ReplayOutcome::not_promised;

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
 #include "kernel/base/enum_array.h"
 
 namespace axiscert {
@@ -38,6 +38,7 @@ using TrustedPlugins = std::map<std::string, std::string>;
 
 // Evaluates every witness of the record, in its order. A plug-in is loaded only where `trusted` has its id: a record
 // that came by mail must not choose what code runs here. Throws OracleDisagreement.
-std::vector<Replayed> replay_witnesses(const Json& record, std::string_view target, const TrustedPlugins& trusted = {});
+std::vector<Replayed> replay_witnesses(const Record& record, std::string_view target,
+                                       const TrustedPlugins& trusted = {});
 
 }  // namespace axiscert

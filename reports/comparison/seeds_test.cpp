@@ -15,7 +15,7 @@ struct Sample {
   std::vector<Precision> precisions;
 };
 
-Json run(const Sample& sample, const std::string& kernel, std::uint64_t seed) {
+Record run(const Sample& sample, const std::string& kernel, std::uint64_t seed) {
   Plan plan;
   plan.questions.seed = seed;
   plan.answerers.kernels = {&find_kernel(kernel)};
@@ -29,11 +29,10 @@ Json run(const Sample& sample, const std::string& kernel, std::uint64_t seed) {
 }
 
 // The record with its kernel renamed, as a new version of that other kernel would give it.
-Json renamed(Json record, const std::string& id) {
-  record["plan"]["kernels"][0] = id;
-  for (const char* list : {"kernels", "witnesses"}) {
-    for (Json& entry : record[list]) entry[std::string_view(list) == "kernels" ? "id" : "kernel"] = id;
-  }
+Record renamed(Record record, const std::string& id) {
+  record.plan.kernels[0] = id;
+  for (KernelRecord& kernel : record.kernels) kernel.id = id;
+  for (WitnessRecord& witness : record.witnesses) witness.kernel = id;
   return record;
 }
 
@@ -41,7 +40,7 @@ Json renamed(Json record, const std::string& id) {
 int alarms(const Sample& sample, std::uint64_t pairs) {
   int found = 0;
   for (std::uint64_t i = 0; i < pairs; ++i) {
-    const Json before = run(sample, "published", 2 * i + 1), after = run(sample, "published", 2 * i + 2);
+    const Record before = run(sample, "published", 2 * i + 1), after = run(sample, "published", 2 * i + 2);
     const RunComparison comparison = compare_records(before, after, {});
     EXPECT_GT(comparison.tested, 0u);
     if (comparison.alarms() == 0) continue;
@@ -60,7 +59,7 @@ TEST(CompareSeeds, TwentyPairsOfSeedsGiveAtMostOneAlarm) {
 // The same test has to detect a real difference: strict sides invent contacts.
 TEST(CompareSeeds, AnotherKernelIsSeenAcrossSeeds) {
   const Sample sample{{"repeated"}, 512, {Precision::binary32}};
-  const Json before = run(sample, "nonstrict", 1), after = renamed(run(sample, "published", 2), "nonstrict");
+  const Record before = run(sample, "nonstrict", 1), after = renamed(run(sample, "published", 2), "nonstrict");
   const RunComparison worse = compare_records(before, after, {}), better = compare_records(after, before, {});
   const auto phantoms = [](const RunComparison& comparison) {
     for (const ComparedCell& cell : comparison.cells) {
@@ -73,7 +72,7 @@ TEST(CompareSeeds, AnotherKernelIsSeenAcrossSeeds) {
 }
 
 TEST(CompareSeeds, KnownWitnessesOfTheSameKernelDoAsBefore) {
-  const Json record = run({{"tangent", "repeated"}, 256, {Precision::binary32, Precision::binary64}}, "published", 1);
+  const Record record = run({{"tangent", "repeated"}, 256, {Precision::binary32, Precision::binary64}}, "published", 1);
   const std::vector<Replayed> replayed = replay_witnesses(record, scalar_target);
   ASSERT_GT(replayed.size(), 20u);
   for (const Replayed& r : replayed) EXPECT_EQ(r.outcome, ReplayOutcome::as_before) << r.id << ": " << r.note;
@@ -95,7 +94,7 @@ TEST(CompareSeeds, KnownWitnessesOfAnotherKernelDoNot) {
 // The file does not exist: the note of a replay that tried to load it says so.
 TEST(CompareSeeds, APluginThatARecordNamesIsLoadedForWhoNamesItAlone) {
   const std::string id = "plugin:/no such.so";
-  const Json record = renamed(run({{"repeated"}, 64, {Precision::binary32}}, "published", 1), id);
+  const Record record = renamed(run({{"repeated"}, 64, {Precision::binary32}}, "published", 1), id);
   const auto untrusted = replay_witnesses(record, scalar_target);
   const auto trusted = replay_witnesses(record, scalar_target, {{id, id}});
   ASSERT_FALSE(untrusted.empty());

@@ -143,12 +143,12 @@ std::vector<std::string> changes(const RunComparison& comparison) {
 }
 
 // The witnesses of NEW that show an alarm, each once, in the cells' order.
-std::vector<const Json*> new_witnesses(const ComparedRuns& runs, const RunComparison& comparison) {
-  std::vector<const Json*> found;
+std::vector<const WitnessRecord*> new_witnesses(const ComparedRuns& runs, const RunComparison& comparison) {
+  std::vector<const WitnessRecord*> found;
   for (const ComparedCell& cell : comparison.cells) {
     for (const std::string& id : cell.witnesses) {
-      for (const Json& witness : runs.after["witnesses"]) {
-        if (witness["id"] == id && std::find(found.begin(), found.end(), &witness) == found.end())
+      for (const WitnessRecord& witness : runs.after.witnesses) {
+        if (witness.id == id && std::find(found.begin(), found.end(), &witness) == found.end())
           found.push_back(&witness);
       }
     }
@@ -159,17 +159,17 @@ std::vector<const Json*> new_witnesses(const ComparedRuns& runs, const RunCompar
 InstrumentTable witness_table(const ComparedRuns& runs, const RunComparison& comparison) {
   InstrumentTable table{
       "Witnesses of NEW that show it", {"witness", "kernel", "exact", "computed", "reproduced by"}, {}};
-  for (const Json* w : new_witnesses(runs, comparison)) {
-    table.rows.push_back(
-        {(*w)["id"], (*w)["kernel"], (*w)["truth"], (*w)["computed"], replay_command(*w, runs.after["plan"])});
+  for (const WitnessRecord* w : new_witnesses(runs, comparison)) {
+    table.rows.push_back({w->id, w->kernel, std::string(name(w->truth)), std::string(name(w->computed)),
+                          replay_command(*w, runs.after.plan)});
   }
   return table;
 }
 
-std::string run_text(const char* which, const std::string& folder, const Json& record) {
-  const Json& plan = record["plan"];
-  return fmt::format("{}: {}, axiscert {}, seed {}{}", which, as_utf8(folder), plan["axiscert"].get<std::string>(),
-                     plan["seed"].dump(), record["complete"].get<bool>() ? "" : ", INTERRUPTED");
+std::string run_text(const char* which, const std::string& folder, const Record& record) {
+  const std::string& version = record.plan.axiscert;
+  return fmt::format("{}: {}, axiscert {}, seed {}{}", which, as_utf8(folder), version, record.plan.seed.value,
+                     record.complete ? "" : ", INTERRUPTED");
 }
 
 std::vector<std::string> notes(const ComparedRuns& runs, const RunComparison& comparison) {
@@ -270,11 +270,11 @@ std::string comparison_markdown(const ComparedRuns& runs, const RunComparison& c
 }
 
 Json comparison_json(const ComparedRuns& runs, const RunComparison& comparison) {
-  const auto run = [](const std::string& folder, const Json& record) {
+  const auto run = [](const std::string& folder, const Record& record) {
     return Json{{"folder", as_utf8(folder)},
-                {"axiscert", record["plan"]["axiscert"]},
-                {"seed", record["plan"]["seed"]},
-                {"complete", record["complete"]}};
+                {"axiscert", json_of(record.plan.axiscert)},
+                {"seed", record.plan.seed.value},
+                {"complete", record.complete}};
   };
   Json json = {{"schema", "axiscert-comparison/2"},
                {"old", run(runs.before_name, runs.before)},
@@ -343,7 +343,7 @@ Json comparison_json(const ComparedRuns& runs, const RunComparison& comparison) 
   for (const NotCompared& n : comparison.not_compared)
     absent.push_back({{"what", n.what}, {"why", n.why}, {"state", absence_names[n.absence]}});
   Json& witnesses = json["new_witnesses"] = Json::array();
-  for (const Json* witness : new_witnesses(runs, comparison)) witnesses.push_back(*witness);
+  for (const WitnessRecord* witness : new_witnesses(runs, comparison)) witnesses.push_back(json_of(*witness));
   return json;
 }
 

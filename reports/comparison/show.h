@@ -10,8 +10,8 @@ namespace axiscert {
 
 // The two records, and the paths of their folders as they were given, in whatever bytes.
 struct ComparedRuns {
-  const Json& before;
-  const Json& after;
+  const Record& before;
+  const Record& after;
   std::string before_name, after_name;
 };
 

@@ -3,12 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
 #include "kernel/names.h"
 #include "reports/wording/summary.h"
 
@@ -42,14 +41,29 @@ struct Evidence {
   // promised: then this is too small, and the level fails in any case.
   std::uint64_t decided() const;
   void add(const Evidence& other);
+
+  static constexpr std::string_view about = "The queries of the families that a level requires.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = Evidence;
+    return visit(
+        field(&Of::population, {"population", "Valid queries."}),
+        field(&Of::outside, {"outside_limits", "Of these, beyond the kernel's limits or policies."}),
+        field(&Of::touching,
+              {"touching_not_promised", "Of the rest, those that touch, where the kernel promises nothing of touch."}),
+        journalled(&Of::contacts), journalled(&Of::separations), field(&Of::promised, {"promised", "The rest."}),
+        journalled(&Of::declined_contacts), journalled(&Of::declined_separations),
+        field(&Of::declined, {"declined", "Promised, and answered undecided."}),
+        field(&Of::invalid, {"invalid", "Within the limits, and called invalid."}),
+        field(&Of::unanswered, {"unanswered", "Within the limits, and without an answer."}),
+        field(&Of::decided, {"decided", "Promised, and called separated or contact."}));
+  }
 };
 
 // `touching`: what the kernel promises of touch.
 Evidence evidence_of(Touching touching, const Tally& tally);
-// `kernel` is an entry of a record's "kernels", `result` one of its "families".
-Evidence evidence_of(const Json& kernel, const Json& result);
-// The evidence of all families of a kernel's entry.
-Evidence evidence_of(const Json& kernel);
+Evidence evidence_of(const KernelRecord& kernel, const FamilyRecord& result);
+// The evidence of all families of a kernel.
+Evidence evidence_of(const KernelRecord& kernel);
 
 // Whether `declined` of so many is more than the kernel may: fewer than `share` of them are decided.
 bool declines_too_many(std::uint64_t declined, std::uint64_t of, double share);
@@ -63,17 +77,11 @@ std::string evidence_text(const Evidence& evidence, std::uint64_t looked_at);
 // ones.
 double upper_bound_percent(std::uint64_t n);
 
-// For zero failures of a kernel's entry in a family, or in all of them: the 95 % upper limit of their rate, per million
+// For zero failures of a kernel in a family, or in all of them: the 95 % upper limit of their rate, per million
 // queries of this generator, 1e6 (1 - 0.05^(1/N)) for N base triangles, or N decided queries where these are fewer.
 // Negative where none was decided.
-double zero_limit_per_million(const Json& kernel, const Json& family);
+double zero_limit_per_million(const KernelRecord& kernel, const FamilyRecord& family);
 // "0 (< 11.4 per million, 95 %)", "12 (45.8 per million)"; "not checked" where no promised query was decided.
-std::string with_rate(std::uint64_t count, const Json& kernel, const Json& family);
-
-Json evidence_json(const Evidence& evidence);
-
-// The promise of a kernel's entry in words, one line for each part that it limits; two kernels promise the same where
-// these are equal. Members: "limits", "motion" (policies), "touching", "may_decline".
-Json promise_of(const Json& kernel);
+std::string with_rate(std::uint64_t count, const KernelRecord& kernel, const FamilyRecord& family);
 
 }  // namespace axiscert

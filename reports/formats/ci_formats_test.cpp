@@ -106,7 +106,7 @@ TEST(Sarif, AKernelsSourceIsTheLocationAndTheWitnessIsRelated) {
 }
 
 TEST(Sarif, WhatTheRatchetAcceptsIsASuppressedNote) {
-  const Json record = stored_record();
+  const Record record = read_as<Record>(stored_record());
   std::string text = ratchet_text(record);
   const std::string open = "EXPIRY OWNER REASON";
   text.replace(text.find(open), open.size(), "2030-01-01 mk \"as published\"");

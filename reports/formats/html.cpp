@@ -35,38 +35,49 @@ constexpr std::size_t page_bytes = 2'900'000;
 constexpr std::size_t image_bytes = 1'000'000;
 constexpr std::size_t page_witnesses = 2000;
 
-// The schema's description of each counter: the page's column notes.
-Json notes() {
-  const Json schema = Json::parse(embedded::record_schema_json);
-  Json notes;
-  for (const char* part : {"family", "truth", "verdict", "links", "axis", "comparison", "critical_radius", "axes",
-                           "comparisons", "outside_limits", "finding", "asymmetry", "engine_like"}) {
-    for (const auto& [member, rule] : schema["$defs"][part]["properties"].items()) {
-      notes[part][member] = rule.value("description", "");
-    }
-  }
+// What a struct says of each of its fields.
+template <class T>
+Json sentences() {
+  Json notes = Json::object();
+  const Json schema = json_schema_of<T>();
+  for (const auto& [member, rule] : schema["properties"].items()) notes[member] = rule.value("description", "");
   return notes;
 }
 
-std::string decimal(const Json& number, const Json& precision) {
-  const std::string text = number;
-  return precision == name(Precision::binary32) ? fmt::format("{}", parse_number<float>(text))
-                                                : fmt::format("{}", parse_number<double>(text));
+// The page's column notes.
+Json notes() {
+  return {{"family", sentences<FamilyRecord>()},
+          {"truth", sentences<TruthCounts>()},
+          {"verdict", sentences<VerdictTally>()},
+          {"formula_links", sentences<FormulaLinks>()},
+          {"axis", sentences<AxisTally>()},
+          {"comparison", sentences<ComparisonTally>()},
+          {"critical_radius", sentences<CriticalRadiusRecord>()},
+          {"outside_limits", sentences<OutsideTally>()},
+          {"finding", sentences<FindingRecord>()},
+          {"asymmetry", sentences<AsymmetryRecord>()}};
 }
 
-Json witness_card(const Json& witness, const Json& plan) {
-  Json card = witness;
+// The shortest decimal text of a number of the precision.
+std::string decimal(const std::string& text, Precision precision) {
+  return precision == Precision::binary32 ? fmt::format("{}", parse_number<float>(text))
+                                          : fmt::format("{}", parse_number<double>(text));
+}
+
+Json decimals_of(const GroupNumbers& group, Precision precision) {
+  if (group.numbers.size() == 1) return decimal(group.numbers.front(), precision);
+  Json all = Json::array();
+  for (const std::string& number : group.numbers) all.push_back(decimal(number, precision));
+  return all;
+}
+
+Json witness_card(const WitnessRecord& witness, const PlanRecord& plan) {
+  Json card = json_of(witness);
   Json& decimals = card["decimal"] = Json::object();
+  for (const auto& [group, numbers] : witness.numbers) decimals[group] = decimals_of(numbers, witness.precision);
   const TestDescription& test = test_of(plan);
   const TestEntry& entry = *entry_of(test, witness);
-  for (const ColumnGroup& group : groups_of(entry)) {
-    const std::string member(group.name);
-    const Json& numbers = witness[member];
-    if (numbers.is_string()) decimals[member] = decimal(numbers, witness["precision"]);
-    else
-      for (const Json& number : numbers) decimals[member].push_back(decimal(number, witness["precision"]));
-  }
-  if (const std::string_view name = written_name(test); !name.empty()) card["test"] = name;
+  if (const std::string_view written = written_name(test); !written.empty()) card["test"] = written;
   if (&entry != &test.entries.front()) card["entry"] = entry.name;
   card["command"] = replay_command(witness, plan);
   return card;
@@ -85,51 +96,49 @@ Json throughput(const Json& info) {
   return rows;
 }
 
-Json kernel_data(const Json& kernel) {
-  Json data = kernel;
-  const auto limit = [&](const Json& family) {
+Json kernel_data(const KernelRecord& kernel) {
+  Json data = json_of(kernel);
+  const auto limit = [&](const FamilyRecord& family) {
     const double per_million = zero_limit_per_million(kernel, family);
     return per_million < 0 ? Json(nullptr) : Json(per_million);
   };
-  for (Json& family : data["families"]) family["zero_limit_per_million"] = limit(family);
+  for (const auto& [family, result] : kernel.families)
+    data["families"][family]["zero_limit_per_million"] = limit(result);
   data["touching_text"] = touching_text(kernel);
   data["limits_text"] = limits_text(kernel);
   data["classes"] = classes_data(kernel);
-  data["all"] = all_families(kernel);
-  if (data["all"].empty()) {
-    data["all"] = nullptr;
-    return data;
-  }
-  data["all"]["zero_limit_per_million"] = limit(data["all"]);
+  data["all"] = nullptr;
+  const std::optional<FamilyRecord> total = all_families(kernel);
+  if (!total) return data;
+  Json& all = data["all"] = json_of(*total);
+  all["verdict"].erase("first_by_link");  // places in a family cannot be added up
+  all["zero_limit_per_million"] = limit(*total);
   const Evidence evidence = evidence_of(kernel);
   data["evidence_text"] = evidence_text(evidence, evidence.decided());
   data["is_unanswered"] = evidence.decided() == 0;
-  data["engine_text"] = engine_text(data["all"]);
-  data["bias_text"] = bias_text(data["all"]);
-  if (has_depths(data["all"])) {
-    data["depths"]["columns"] = depth_columns();
-    for (const char* kind : {"false_separation", "false_contact"})
-      data["depths"][kind] = depth_counts(data["all"]["verdict"]["depths"][kind]);
+  data["engine_text"] = engine_text(*total);
+  data["bias_text"] = bias_text(*total);
+  if (const std::optional<DepthTally>& depths = total->verdict.depths) {
+    data["depths"] = {{"columns", depth_columns()},
+                      {"false_separation", depth_counts(depths->false_separation)},
+                      {"false_contact", depth_counts(depths->false_contact)}};
   }
   return data;
 }
 
-Json findings_data(const Json& record) {
+Json findings_data(const Record& record) {
   Json data = Json::array();
   for (const FindingGroup& group : finding_groups(record)) {
-    const Json& finding = *group.first;
-    Json& shown = data.emplace_back();
-    for (const char* member : {"kernel", "precision", "family", "kind", "count", "detail", "address"}) {
-      shown[member] = finding[member];
-    }
+    Json& shown = data.emplace_back(json_of(*group.first));
+    for (const auto& [columns, numbers] : group.first->numbers) shown.erase(columns);
     shown["others"] = group.others_text();
-    shown["command"] = finding["address"].is_null() ? "" : replay_command(finding, record["plan"]);
+    shown["command"] = replay_command(*group.first, record.plan);
   }
   return data;
 }
 
-Json requirement_data(const Json& record) {
-  const Requirements required = requirements_of(record["plan"]);
+Json requirement_data(const Record& record) {
+  const Requirements required = requirements_of(record.plan);
   if (required.levels.empty()) return nullptr;
   const std::vector<LevelOutcome> outcomes = outcomes_of(record);
   Json data = {{"levels", Json::array()},
@@ -149,11 +158,10 @@ Json requirement_data(const Json& record) {
   return data;
 }
 
-Json cards(const Json& record, std::size_t limit, const std::set<std::string>& named) {
-  Json data = {{"total", record["witnesses"].size()}, {"cards", Json::array()}};
-  for (const Json* witness : shown_witnesses(record, limit, named)) {
-    data["cards"].push_back(witness_card(*witness, record["plan"]));
-  }
+Json cards(const Record& record, std::size_t limit, const std::set<std::string>& named) {
+  Json data = {{"total", record.witnesses.size()}, {"cards", Json::array()}};
+  for (const WitnessRecord* witness : shown_witnesses(record, limit, named))
+    data["cards"].push_back(witness_card(*witness, record.plan));
   return data;
 }
 
@@ -172,16 +180,20 @@ Json steps(const Json& info) {
 }
 
 Json page_data(const Run& run) {
-  const Json& record = run.record;
-  Json data = {{"complete", record["complete"]}, {"plan", record["plan"]}, {"requirement", requirement_data(record)},
-               {"links", Json::object()},        {"notes", notes()},       {"kernels", Json::array()}};
+  const Record& record = run.record;
+  Json data = {{"complete", record.complete},
+               {"plan", json_of(record.plan)},
+               {"requirement", requirement_data(record)},
+               {"links", Json::object()},
+               {"notes", notes()},
+               {"kernels", Json::array()}};
   data["plan"].erase("seed");  // 64 bits, while a number in a page holds 53; the facts have it as text
   for (std::size_t i = 0; i < link_count; ++i) data["links"][std::string(link_names[i])] = link_meanings[i];
-  for (const Json& kernel : record["kernels"]) data["kernels"].push_back(kernel_data(kernel));
+  for (const KernelRecord& kernel : record.kernels) data["kernels"].push_back(kernel_data(kernel));
   data["findings"] = findings_data(record);
   data["not_judged"] = not_judged(record);
   data["unjudged"] = unjudged(record);
-  data["command"] = run_command(record["plan"]);
+  data["command"] = run_command(record.plan);
   data["facts"] = plan_facts(run);
   data["throughput"] = throughput(run.info);
   data["not_checked"] = not_checked(record);
@@ -191,7 +203,7 @@ Json page_data(const Run& run) {
   data["files"] = raw_files(run.folder);
   data["motion_note"] = motion_note;
   Json& clauses = data["comparisons"] = Json::object();  // the axis, or other clause, of each
-  const TestDescription& test = test_of(record["plan"]);
+  const TestDescription& test = test_of(record.plan);
   for (const TestComparison& comparison : test.comparisons)
     clauses[std::string(comparison.name)] = test.clauses[comparison.clause].name;
   return data;
@@ -215,7 +227,7 @@ std::string render_html(const Run& run) {
     return filled(embedded::report_html, places);
   };
   std::set<std::string> named;  // where a level is not met
-  if (!requirements_of(run.record["plan"]).levels.empty()) {
+  if (!requirements_of(run.record.plan).levels.empty()) {
     for (const Failure& failure : failures_of(outcomes_of(run.record))) named.insert(failure.witness);
   }
   const std::size_t taken = with("").size(), room = page_bytes - std::min(page_bytes, taken);

@@ -57,7 +57,7 @@ TEST(Html, CarriesSumsLimitsAndTheRequirement) {
   EXPECT_EQ(all["critical_radius"]["median_ulps"], 0.25);
   // 1e6 (1 - 0.05^(1/12)): the mesh's 3000 queries share 12 triangles.
   EXPECT_NEAR(data["kernels"][0]["families"]["mesh/a|b.obj"]["zero_limit_per_million"].get<double>(), 220922.2, 0.1);
-  EXPECT_EQ(data["requirement"]["failures"].size(), unmet(stored_record(), "logic").size());
+  EXPECT_EQ(data["requirement"]["failures"].size(), unmet(read_as<Record>(stored_record()), "logic").size());
   EXPECT_FALSE(data["plan"].contains("seed"));
 }
 

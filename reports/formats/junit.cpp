@@ -69,17 +69,22 @@ std::string place_of(const Json& failure) {
   return cell.substr(0, cell.rfind('.'));
 }
 
+bool is_of_kernel(const Json& failure, const KernelRecord& kernel) {
+  return failure["kernel"] == kernel.id && failure["precision"] == name(kernel.precision);
+}
+
 // Whether a failure of ratchet.json is about this case: a family's verdict, with what is said of its contacts, or
 // comparison.
-bool is_about_case(const Json& failure, const Json& kernel, const std::string& family, const std::string& place) {
-  if (failure["kernel"] != kernel["id"] || failure["precision"] != kernel["precision"] || failure["family"] != family)
-    return false;
+bool is_about_case(const Json& failure, const KernelRecord& kernel, const std::string& family,
+                   const std::string& place) {
+  if (!is_of_kernel(failure, kernel) || failure["family"] != family) return false;
   const std::string given = place_of(failure);
   return given == place || (place == "verdict" && is_place_of_contacts(given));
 }
 
 // The ratchet's failures for a case of a run with --ratchet; empty where there are none.
-std::string ratchet_outcome(const Json& held, const Json& kernel, const std::string& family, const std::string& place) {
+std::string ratchet_outcome(const Json& held, const KernelRecord& kernel, const std::string& family,
+                            const std::string& place) {
   std::string detail;
   for (const Json& failure : held["failures"]) {
     if (is_about_case(failure, kernel, family, place)) detail += failure["text"].get<std::string>() + "\n";
@@ -87,9 +92,10 @@ std::string ratchet_outcome(const Json& held, const Json& kernel, const std::str
   return detail.empty() ? "" : failure("ratchet", "worse than accepted, or expired", detail);
 }
 
-std::string verdict_outcome(const std::vector<LevelOutcome>& outcomes, const Json& kernel, const std::string& family) {
+std::string verdict_outcome(const std::vector<LevelOutcome>& outcomes, const KernelRecord& kernel,
+                            const std::string& family) {
   std::string message, detail, why_skipped = "nothing is required of it (--require)";
-  const Evidence evidence = evidence_of(kernel, kernel["families"][family]);
+  const Evidence evidence = evidence_of(kernel, kernel.families.at(family));
   bool is_seen = false;
   for (const LevelOutcome& outcome : outcomes) {
     if (!outcome.is_of(kernel)) continue;
@@ -113,7 +119,7 @@ std::string verdict_outcome(const std::vector<LevelOutcome>& outcomes, const Jso
 }
 
 // A case for each level that is not checked: failed, or skipped where that is allowed.
-void add_unchecked(Suite& suite, const std::vector<LevelOutcome>& outcomes, const Json& kernel) {
+void add_unchecked(Suite& suite, const std::vector<LevelOutcome>& outcomes, const KernelRecord& kernel) {
   for (const LevelOutcome& outcome : outcomes) {
     if (!outcome.is_of(kernel) || outcome.state != LevelState::not_checked) continue;
     const std::string test = "requirement " + outcome.asked.text;
@@ -122,28 +128,28 @@ void add_unchecked(Suite& suite, const std::vector<LevelOutcome>& outcomes, cons
   }
 }
 
-std::string tolerance_outcome(const Json& tally, const Json& tolerance) {
-  if (tolerance.is_null()) return skipped("no tolerance was given for it (--tolerance)");
-  if (tally["tolerance_failures"].is_null()) return skipped("the kernel does not show its sides");
-  if (tally["tolerance_failures"] == 0) return "";
+// `tolerance`: null where none was given.
+std::string tolerance_outcome(const ComparisonTally& tally, const std::string* tolerance) {
+  if (tolerance == nullptr) return skipped("no tolerance was given for it (--tolerance)");
+  if (!tally.tolerance_failures) return skipped("the kernel does not show its sides");
+  if (*tally.tolerance_failures == 0) return "";
   const std::string message =
       fmt::format("{} errors above {} u; the smallest tolerance that passes is {} u",
-                  thousands(tally["tolerance_failures"].get<std::uint64_t>()), tolerance.get<std::string>(),
-                  error_amount(tally["smallest_passing_tolerance"]));
+                  thousands(*tally.tolerance_failures), *tolerance, error_amount(tally.smallest_passing_tolerance()));
   return failure("tolerance", message, message);
 }
 
 // Whether a failure of the ratchet is about everything of the kernel in this precision: that it promises less, say, so
 // that no figure of it was compared.
-bool fails_as_a_whole(const Json& held, const Json& kernel) {
+bool fails_as_a_whole(const Json& held, const KernelRecord& kernel) {
   return std::any_of(held["failures"].begin(), held["failures"].end(),
                      [&](const Json& failure) { return is_about_case(failure, kernel, "*", "*"); });
 }
 
 // A case's outcome together with the ratchet's: Ant's schema allows one failure for each case. A case of which nothing
 // else was required was still checked by the ratchet.
-std::string with_ratchet(const Json& held, const Json& kernel, const std::string& family, const std::string& place,
-                         const std::string& outcome) {
+std::string with_ratchet(const Json& held, const KernelRecord& kernel, const std::string& family,
+                         const std::string& place, const std::string& outcome) {
   if (held.is_null()) return outcome;
   const std::string worse = ratchet_outcome(held, kernel, family, place);
   if (worse.empty()) return outcome.starts_with("<skipped") && !fails_as_a_whole(held, kernel) ? "" : outcome;
@@ -153,58 +159,54 @@ std::string with_ratchet(const Json& held, const Json& kernel, const std::string
   return outcome.substr(0, outcome.size() - end.size()) + worse.substr(text);
 }
 
-void add_finding(Suite& suite, const Json& finding, const Json& plan) {
-  const std::string family = finding["family"].is_null() ? "loading" : finding["family"].get<std::string>();
-  const std::string replay = finding["address"].is_null() ? "" : "\n" + replay_command(finding, plan);
-  const std::string text = finding_text(finding);
-  suite.add(family + " " + finding["kind"].get<std::string>(), failure("finding", text, text + replay), finding);
+void add_finding(Suite& suite, const FindingRecord& finding, const PlanRecord& plan) {
+  const std::string family = finding.family.value_or("loading"), command = replay_command(finding, plan);
+  const std::string text = finding_text(finding), replay = command.empty() ? "" : "\n" + command;
+  suite.add(fmt::format("{} {}", family, name(finding.kind)), failure("finding", text, text + replay),
+            json_of(finding));
 }
 
 // The suite of a kernel that could not be loaded.
-Suite suite_of_findings(const Run& run, const std::string& kernel) {
+Suite suite_of_findings(const Record& record, const std::string& kernel) {
   Suite suite{kernel};
-  for (const Json& finding : run.record["findings"]) {
-    if (finding["kernel"] == kernel) add_finding(suite, finding, run.record["plan"]);
+  for (const FindingRecord& finding : record.findings) {
+    if (finding.kernel == kernel) add_finding(suite, finding, record.plan);
   }
   return suite;
 }
 
-Suite suite_of(const Run& run, const Json& kernel, const std::vector<LevelOutcome>& outcomes) {
-  const Json& plan = run.record["plan"];
-  Suite suite{fmt::format("{} {}", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>())};
-  for (const Json& finding : run.record["findings"]) {
-    if (is_about(finding, kernel)) add_finding(suite, finding, run.record["plan"]);
+Suite suite_of(const Run& run, const KernelRecord& kernel, const std::vector<LevelOutcome>& outcomes) {
+  const Record& record = run.record;
+  Suite suite{fmt::format("{} {}", kernel.id, name(kernel.precision))};
+  for (const FindingRecord& finding : record.findings) {
+    if (is_about(finding, kernel)) add_finding(suite, finding, record.plan);
   }
-  const std::string name =
-      fmt::format("{} {}: ", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>());
-  for (const std::string& sentence : unjudged(run.record)) {
-    if (sentence.starts_with(name)) suite.add("judged", failure("not judged", sentence, sentence), Json::object());
+  for (const std::string& sentence : unjudged(record)) {
+    if (sentence.starts_with(suite.name + ": "))
+      suite.add("judged", failure("not judged", sentence, sentence), Json::object());
   }
   add_unchecked(suite, outcomes, kernel);
-  for (const Json& name : plan["families"]) {
-    const std::string family = name;
-    if (!kernel["families"].contains(family)) {
+  for (const std::string& family : record.plan.families) {
+    const FamilyRecord* const result = kernel.families.find(family);
+    if (result == nullptr) {
       suite.add(family + " verdict", skipped("no query of this family was run"), Json::object());
       continue;
     }
-    const Json& result = kernel["families"][family];
-    Json counts = {{"trials", result["trials"]}, {"truth", result["truth"]}};
-    counts.update(result["verdict"]);
+    Json counts = {{"trials", result->trials}, {"truth", json_of(result->truth)}};
+    counts.update(json_of(result->verdict));
     const auto held = [&](const std::string& place, const std::string& outcome) {
       return with_ratchet(run.ratchet, kernel, family, place, outcome);
     };
     suite.add(family + " verdict", held("verdict", verdict_outcome(outcomes, kernel, family)), counts);
-    if (result["comparisons"].is_null()) continue;  // said once, below
-    for (const TestComparison& judged : test_of(plan).comparisons) {
-      const std::string comparison(judged.name);
-      const Json& tally = result["comparisons"][comparison];
-      const std::string outcome = tolerance_outcome(tally, plan["tolerance"].value(comparison, Json(nullptr)));
-      suite.add(family + " " + comparison, held(comparison, outcome), tally);
+    if (!result->comparisons) continue;  // said once, below
+    for (const auto& [comparison, tally] : *result->comparisons) {
+      const std::string outcome = tolerance_outcome(tally, record.plan.tolerance.find(comparison));
+      suite.add(family + " " + comparison, held(comparison, outcome), json_of(tally));
     }
   }
-  if (kernel["exposes"] == Json::array({"verdict"}))
+  if (kernel.exposes == std::vector{Exposure::verdict})
     suite.add("comparisons", skipped("the kernel shows only verdicts"), Json::object());
-  if (!run.record["complete"].get<bool>()) {
+  if (!record.complete) {
     const std::string message = "the run was interrupted; the results cover only the queries that were run";
     suite.add("complete", failure("interrupted", message, message), Json::object());
   }
@@ -217,12 +219,11 @@ Suite suite_of_ratchet(const Run& run) {
   const auto has_case = [&](const Json& failure) {
     const std::string place = place_of(failure);
     if (place == "finding") return false;
-    for (const Json& kernel : run.record["kernels"]) {
-      const Json& families = kernel["families"];
-      if (kernel["id"] != failure["kernel"] || kernel["precision"] != failure["precision"]) continue;
-      const auto family = families.find(failure["family"].get<std::string>());
-      if (family == families.end()) continue;
-      return place == "verdict" || is_place_of_contacts(place) || !(*family)["comparisons"].is_null();
+    for (const KernelRecord& kernel : run.record.kernels) {
+      if (!is_of_kernel(failure, kernel)) continue;
+      const FamilyRecord* const family = kernel.families.find(failure["family"].get<std::string>());
+      if (family == nullptr) continue;
+      return place == "verdict" || is_place_of_contacts(place) || family->comparisons.has_value();
     }
     return false;
   };
@@ -250,8 +251,8 @@ std::string render_junit(const Run& run) {
   std::string suites;
   std::size_t id = 0;
   std::vector<Suite> listed;
-  for (const std::string& kernel : not_judged(run.record)) listed.push_back(suite_of_findings(run, kernel));
-  for (const Json& kernel : run.record["kernels"]) listed.push_back(suite_of(run, kernel, outcomes));
+  for (const std::string& kernel : not_judged(run.record)) listed.push_back(suite_of_findings(run.record, kernel));
+  for (const KernelRecord& kernel : run.record.kernels) listed.push_back(suite_of(run, kernel, outcomes));
   if (!run.ratchet.is_null()) {
     if (Suite rest = suite_of_ratchet(run); rest.tests != 0) listed.push_back(std::move(rest));
   }

@@ -24,40 +24,48 @@ namespace {
 
 constexpr std::size_t table_witnesses = 10;
 
-std::string depth(const Json& value) { return amount(value.get<double>(), 4); }
-std::string optional_amount(const Json& value) { return value.is_null() ? "none" : amount(value.get<double>(), 4); }
-std::uint64_t number(const Json& value) { return value.get<std::uint64_t>(); }
+std::string depth(double value) { return amount(value, 4); }
+std::string optional_amount(std::optional<double> value) { return value ? amount(*value, 4) : "none"; }
 
 // The broken links with their counts, as in "rounding 12, range 3"; "none" where there are none.
-std::string links(const Json& counts) {
+std::string links(const LinkCounts& counts) {
   std::vector<std::string> broken;
-  for (const auto& [link, n] : counts.items()) {
-    if (n != 0) broken.push_back(fmt::format("{} {}", link, count_text(n)));
+  for (const Link link : enumerators<Link>) {
+    if (counts[link] != 0) broken.push_back(fmt::format("{} {}", name(link), thousands(counts[link])));
   }
   return broken.empty() ? "none" : fmt::format("{}", fmt::join(broken, ", "));
+}
+
+// The number of the first query with each link, counted from 1; 0: none.
+LinkCounts first_of(const EnumArray<Link, FirstQuery>& first_by_link) {
+  LinkCounts numbers{};
+  for (const Link link : enumerators<Link>) {
+    if (first_by_link[link].position) numbers[link] = *first_by_link[link].position + 1;
+  }
+  return numbers;
 }
 
 class MarkdownReport {
  public:
   explicit MarkdownReport(const Run& run)
-      : run_(run), record_(run.record), plan_(run.record["plan"]), outcomes_(outcomes_of(run.record)) {
-    for (const Json& kernel : record_["kernels"]) totals_.push_back(all_families(kernel));
+      : run_(run), record_(run.record), plan_(run.record.plan), outcomes_(outcomes_of(run.record)) {
+    for (const KernelRecord& kernel : record_.kernels) totals_.push_back(all_families(kernel));
   }
 
   std::string text() const {
     std::string text = "# axiscert report\n";
-    if (!record_["complete"].get<bool>()) {
+    if (!record_.complete) {
       text += "\n> **INCOMPLETE**: the run was interrupted. The figures below cover only the queries that were run.\n";
     }
     for (const std::string& sentence : unjudged(record_)) text += fmt::format("\n> **{}**\n", plain(sentence, 2000));
     return text + ratchet() + findings() + requirements_section(record_, outcomes_) + summary() +
            motion_section(record_) + classes_section(record_) + depths_section(record_) + families() + outside() +
-           asymmetries() + signs_section(record_, totals_, "axes") + signs_section(record_, totals_, "comparisons") +
-           broken_links() + witnesses() + critical_radius() + reproduce();
+           asymmetries() + axes_section(record_, totals_) + comparisons_section(record_, totals_) + broken_links() +
+           witnesses() + critical_radius() + reproduce();
   }
 
  private:
-  std::string requirement_of(const Json& kernel) const {
+  std::string requirement_of(const KernelRecord& kernel) const {
     const LevelOutcome* worst = worst_of(outcomes_, kernel);
     return worst == nullptr || worst->passes() ? state_text(worst) : fmt::format("**{}**", state_text(worst));
   }
@@ -77,14 +85,14 @@ class MarkdownReport {
   }
 
   std::string findings() const {
-    if (record_["findings"].empty()) return "";
+    if (record_.findings.empty()) return "";
     Section section("Findings");
     section.line("Faults of plug-ins other than wrong answers. A kernel with a finding meets no requirement.");
     for (const FindingGroup& group : finding_groups(record_)) {
-      const Json& first = *group.first;
       const std::string others = group.others.empty() ? "" : "; " + plain(group.others_text(), 2000);
-      const std::string replay = first["address"].is_null() ? "" : "\n" + code_block(replay_command(first, plan_));
-      section.add(fmt::format("\n- {}{}\n{}", plain(finding_text(first), 2000), others, replay));
+      const std::string command = replay_command(*group.first, plan_);
+      const std::string replay = command.empty() ? "" : "\n" + code_block(command);
+      section.add(fmt::format("\n- {}{}\n{}", plain(finding_text(*group.first), 2000), others, replay));
     }
     return section.text();
   }
@@ -100,25 +108,25 @@ class MarkdownReport {
           {plain(kernel), "", "**not judged**", "could not be loaded, see Findings", "0", "", "", "", "", "", "", ""});
     }
     for (std::size_t k = 0; k < totals_.size(); ++k) {
-      const Json &kernel = record_["kernels"][k], &total = totals_[k];
-      std::vector<std::string> cells = {plain(kernel["id"]), kernel["precision"], requirement_of(kernel)};
-      if (total.empty()) {
+      const KernelRecord& kernel = record_.kernels[k];
+      std::vector<std::string> cells = {plain(kernel.id), std::string(name(kernel.precision)), requirement_of(kernel)};
+      if (!totals_[k]) {
         cells.insert(cells.end(), {"not checked: no family ran", "0", "", "", "", "", "", "", ""});
       } else {
-        const Json& verdict = total["verdict"];
-        cells.insert(
-            cells.end(),
-            {links(verdict["links"]), count_text(total["trials"]),
-             with_rate(number(verdict["false_separation"]), kernel, total), depth(verdict["deepest_false_separation"]),
-             with_rate(number(verdict["false_contact"]), kernel, total), depth(verdict["deepest_false_contact"]),
-             count_text(verdict["undecided"]), count_text(verdict["invalid"]), count_text(verdict["unanswered"])});
+        const FamilyRecord& total = *totals_[k];
+        const VerdictTally& verdict = total.verdict;
+        cells.insert(cells.end(),
+                     {links(verdict.links), thousands(total.trials), with_rate(verdict.false_separation, kernel, total),
+                      depth(verdict.deepest_false_separation.best()), with_rate(verdict.false_contact, kernel, total),
+                      depth(verdict.deepest_false_contact.best()), thousands(verdict.undecided),
+                      thousands(verdict.invalid), thousands(verdict.unanswered)});
       }
       section.row(cells);
     }
-    for (const Json& kernel : record_["kernels"]) {
-      if (kernel["touching"] == name(Touching::contact) && !has_limits(kernel)) continue;
-      section.line(fmt::format("\n{} {} declares: {}; limits: {}.", plain(kernel["id"]),
-                               kernel["precision"].get<std::string>(), touching_text(kernel), limits_text(kernel)));
+    for (const KernelRecord& kernel : record_.kernels) {
+      if (kernel.touching == Touching::contact && !has_limits(kernel)) continue;
+      section.line(fmt::format("\n{} {} declares: {}; limits: {}.", plain(kernel.id), name(kernel.precision),
+                               touching_text(kernel), limits_text(kernel)));
     }
     section.line(
         "\nDepth, how far a wrong verdict is from being right, is a share of the scene: |d - r| / max(|A-P|, |B-P|, "
@@ -130,9 +138,10 @@ class MarkdownReport {
 
   template <class Visit>
   void for_each_family(const Visit& visit) const {
-    for (const Json& kernel : record_["kernels"]) {
-      for (const auto& [family, result] : kernel["families"].items()) {
-        visit(std::vector<std::string>{plain(kernel["id"]), kernel["precision"], plain(family)}, kernel, result);
+    for (const KernelRecord& kernel : record_.kernels) {
+      for (const auto& [family, result] : kernel.families) {
+        visit(std::vector<std::string>{plain(kernel.id), std::string(name(kernel.precision)), plain(family)}, kernel,
+              result);
       }
     }
   }
@@ -143,16 +152,16 @@ class MarkdownReport {
         {"kernel", "precision", "family", "broken links", "trials", "separated", "contact", "touching", "invalid",
          "false_separation", "deepest", "false_contact", "deepest", "touching flips", "undecided", "no answer"},
         4);
-    for_each_family([&](std::vector<std::string> cells, const Json& kernel, const Json& result) {
-      const Json &truth = result["truth"], &verdict = result["verdict"];
-      if (result["exact_arithmetic"].get<bool>()) cells.back() += " (exact arithmetic)";
-      cells.insert(
-          cells.end(),
-          {links(verdict["links"]), count_text(result["trials"]), count_text(truth["separated"]),
-           count_text(truth["contact"]), count_text(truth["touching"]), count_text(truth["invalid"]),
-           with_rate(number(verdict["false_separation"]), kernel, result), depth(verdict["deepest_false_separation"]),
-           with_rate(number(verdict["false_contact"]), kernel, result), depth(verdict["deepest_false_contact"]),
-           count_text(verdict["touching_flips"]), count_text(verdict["undecided"]), count_text(verdict["unanswered"])});
+    for_each_family([&](std::vector<std::string> cells, const KernelRecord& kernel, const FamilyRecord& result) {
+      const TruthCounts& truth = result.truth;
+      const VerdictTally& verdict = result.verdict;
+      if (result.exact_arithmetic) cells.back() += " (exact arithmetic)";
+      cells.insert(cells.end(),
+                   {links(verdict.links), thousands(result.trials), thousands(truth.separated),
+                    thousands(truth.contact), thousands(truth.touching), thousands(truth.invalid),
+                    with_rate(verdict.false_separation, kernel, result), depth(verdict.deepest_false_separation.best()),
+                    with_rate(verdict.false_contact, kernel, result), depth(verdict.deepest_false_contact.best()),
+                    thousands(verdict.touching_flips), thousands(verdict.undecided), thousands(verdict.unanswered)});
       section.row(cells);
     });
     return section.text();
@@ -166,13 +175,12 @@ class MarkdownReport {
     bool any = false;
     section.head(
         {"kernel", "precision", "family", "queries", "false_separation", "false_contact", "deepest", "no answer"}, 3);
-    for_each_family([&](std::vector<std::string> cells, const Json&, const Json& result) {
-      const Json& apart = result["verdict"]["outside_limits"];
-      if (apart.is_null()) return;
+    for_each_family([&](std::vector<std::string> cells, const KernelRecord&, const FamilyRecord& result) {
+      const std::optional<OutsideTally>& apart = result.verdict.outside_limits;
+      if (!apart) return;
       any = true;
-      cells.insert(cells.end(),
-                   {count_text(apart["trials"]), count_text(apart["false_separation"]),
-                    count_text(apart["false_contact"]), depth(apart["deepest"]), count_text(apart["unanswered"])});
+      cells.insert(cells.end(), {thousands(apart->trials), thousands(apart->false_separation),
+                                 thousands(apart->false_contact), depth(apart->deepest), thousands(apart->unanswered)});
       section.row(cells);
     });
     return any ? section.text() : "";
@@ -189,38 +197,29 @@ class MarkdownReport {
     section.head({"kernel", "precision", "family", "first image with another verdict", "images", "other verdicts",
                   "other comparisons"},
                  4);
-    for_each_family([&](std::vector<std::string> cells, const Json&, const Json& result) {
-      if (!result.contains("asymmetry")) return;
+    for_each_family([&](std::vector<std::string> cells, const KernelRecord&, const FamilyRecord& result) {
+      if (!result.asymmetry) return;
       any = true;
-      const Json &found = result["asymmetry"], &first = found["first_verdict"];
-      cells.insert(cells.end(), {first.is_null() ? "none" : plain(first["image"]), count_text(found["images"]),
-                                 count_text(found["verdicts"]), count_text(found["comparisons"])});
+      const AsymmetryRecord& found = *result.asymmetry;
+      cells.insert(cells.end(), {found.first_verdict ? plain(found.first_verdict->image) : "none",
+                                 thousands(found.images), thousands(found.verdicts), thousands(found.comparisons)});
       section.row(cells);
     });
     return any ? section.text() : "";
   }
 
-  // The links that have a first query.
-  static Json first_of(const Json& first_by_link) {
-    Json found = Json::object();
-    for (const auto& [link, position] : first_by_link.items()) {
-      if (!position.is_null()) found[link] = position;
-    }
-    return found;
-  }
-
   std::string broken_links() const {
     Section section("Broken links by family");
     bool any = false;
-    for_each_family([&](std::vector<std::string> cells, const Json&, const Json& result) {
-      const std::string wrong = links(result["verdict"]["links"]), masked = links(result["verdict"]["masked_links"]);
+    for_each_family([&](std::vector<std::string> cells, const KernelRecord&, const FamilyRecord& result) {
+      const std::string wrong = links(result.verdict.links), masked = links(result.verdict.masked_links);
       if (wrong == "none" && masked == "none") return;
       if (!any)
         section.head(
             {"kernel", "precision", "family", "of wrong verdicts", "first query with it", "cancelled, verdict right"},
             6);
       any = true;
-      cells.insert(cells.end(), {wrong, links(first_of(result["verdict"]["first_by_link"])), masked});
+      cells.insert(cells.end(), {wrong, links(first_of(result.verdict.first_by_link)), masked});
       section.row(cells);
     });
     if (!any) section.line("None.");
@@ -231,16 +230,13 @@ class MarkdownReport {
     Section section("Worst witnesses");
     const auto worst = worst_witnesses(record_, table_witnesses);
     section.line(fmt::format("{} of {}, the deepest of each kernel, family and kind; witnesses.jsonl has all.",
-                             worst.size(), record_["witnesses"].size()));
+                             worst.size(), record_.witnesses.size()));
     for (std::size_t i = 0; i < worst.size(); ++i) {
-      const Json& w = *worst[i];
-      const std::string depth_text =
-          w["depth"].is_null() ? "" : fmt::format(", depth {}", amount(w["depth"].get<double>(), 4));
-      section.add(fmt::format("\n{}. {}: {} {} on {}: {} computed, {}{} exact{}\n\n{}", i + 1, plain(w["id"]),
-                              plain(w["kernel"]), w["precision"].get<std::string>(), plain(w["family"]),
-                              w["computed"].get<std::string>(), w["truth"].get<std::string>(),
-                              w["touching"].get<bool>() ? " (touching)" : "", depth_text,
-                              code_block(replay_command(w, plan_))));
+      const WitnessRecord& w = *worst[i];
+      const std::string depth_text = w.depth ? fmt::format(", depth {}", depth(*w.depth)) : "";
+      section.add(fmt::format("\n{}. {}: {} {} on {}: {} computed, {}{} exact{}\n\n{}", i + 1, plain(w.id),
+                              plain(w.kernel), name(w.precision), plain(w.family), name(w.computed), name(w.truth),
+                              w.touching ? " (touching)" : "", depth_text, code_block(replay_command(w, plan_))));
     }
     return section.text();
   }
@@ -256,18 +252,17 @@ class MarkdownReport {
     section.head({"kernel", "precision", "family", "sampled", "median", "largest", "unbounded", "no answer", "declined",
                   "called invalid"},
                  3);
-    const auto row = [&](std::vector<std::string> cells, const Json& radius) {
-      cells.insert(cells.end(),
-                   {count_text(radius["sampled"]), optional_amount(radius["median_ulps"]),
-                    optional_amount(radius["largest_ulps"]), count_text(radius["unbounded"]),
-                    count_text(radius["unanswered"]), count_text(radius["undecided"]), count_text(radius["invalid"])});
+    const auto row = [&](std::vector<std::string> cells, const CriticalRadiusRecord& radius) {
+      cells.insert(cells.end(), {thousands(radius.sampled), optional_amount(radius.median_ulps),
+                                 optional_amount(radius.largest_ulps), thousands(radius.unbounded),
+                                 thousands(radius.unanswered), thousands(radius.undecided), thousands(radius.invalid)});
       section.row(cells);
     };
-    for (const Json& kernel : record_["kernels"]) {
-      row({plain(kernel["id"]), kernel["precision"], "all"}, kernel["critical_radius"]);
+    for (const KernelRecord& kernel : record_.kernels) {
+      row({plain(kernel.id), std::string(name(kernel.precision)), "all"}, kernel.critical_radius);
     }
-    for_each_family([&](const std::vector<std::string>& cells, const Json&, const Json& result) {
-      row(cells, result["critical_radius"]);
+    for_each_family([&](const std::vector<std::string>& cells, const KernelRecord&, const FamilyRecord& result) {
+      row(cells, result.critical_radius);
     });
     return section.text();
   }
@@ -287,8 +282,9 @@ class MarkdownReport {
   }
 
   const Run& run_;
-  const Json &record_, &plan_;
-  std::vector<Json> totals_;
+  const Record& record_;
+  const PlanRecord& plan_;
+  std::vector<std::optional<FamilyRecord>> totals_;
   std::vector<LevelOutcome> outcomes_;
 };
 

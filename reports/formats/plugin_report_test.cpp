@@ -27,8 +27,8 @@ void misbehaves(const Query<double>&, std::size_t i, Verdict& verdict, std::vect
 }
 void no_fault(const Query<double>&, std::size_t, Verdict&, std::vector<Finding>&) {}
 
-Json record_with(std::vector<const Kernel*> kernels, const std::vector<std::string>& families, std::uint64_t trials,
-                 const std::string& require = "") {
+Record record_with(std::vector<const Kernel*> kernels, const std::vector<std::string>& families, std::uint64_t trials,
+                   const std::string& require = "") {
   Plan plan;
   plan.answerers.kernels = std::move(kernels);
   for (const std::string& name : families) plan.questions.sources.push_back(family_source(find_family(name)));
@@ -38,14 +38,13 @@ Json record_with(std::vector<const Kernel*> kernels, const std::vector<std::stri
   plan.answerers.plugins = {{.name = "mine.so", .kind = "plugin", .sha256 = std::string(64, 'a')},
                             {.name = "gone.so", .kind = "plugin"}};
   const std::atomic<bool> never = false;
-  const Json record = record_of(plan, run_campaign(plan, never, [](const Progress&) {}),
-                                require.empty() ? Required{} : Required{{require}, {}});
-  check_record(record, "record.json");
-  return record;
+  const Record record = record_of(plan, run_campaign(plan, never, [](const Progress&) {}),
+                                  require.empty() ? Required{} : Required{{require}, {}});
+  return read_record(json_of(record), "record.json");
 }
 
 // A plug-in that misbehaves, one that was not loaded, and one that is only limited.
-Json plugin_record(const std::string& require = "") {
+Record plugin_record(const std::string& require = "") {
   const Kernel bad = supervised_kernel("plugin:mine.so", misbehaves);
   const Kernel gone = unloadable_kernel("plugin:gone.so", "no such file, " + evil);
   Kernel limited = black_box("plugin:box.so", no_fault);
@@ -54,59 +53,61 @@ Json plugin_record(const std::string& require = "") {
   return record_with({&bad, &gone, &limited}, {"general", "scale"}, 2048, require);
 }
 
-std::vector<std::string> unmet_texts(const Json& record, const std::string& level) {
+std::vector<std::string> unmet_texts(const Record& record, const std::string& level) {
   std::vector<std::string> lines;
   for (const Failure& failure : unmet(record, level)) lines.push_back(failure.text());
   return lines;
 }
 
 TEST(PluginRecord, HasEachFindingWithItsFirstQuery) {
-  const Json record = plugin_record(), findings = record["findings"];
+  const Record record = plugin_record();
+  const std::vector<FindingRecord>& findings = record.findings;
   ASSERT_EQ(findings.size(), 5u);  // two on each family, and one made in loading
-  EXPECT_EQ(findings[0]["kind"], "crash");
-  EXPECT_EQ(findings[0]["family"], "general");
-  EXPECT_EQ(findings[0]["count"], 2);
-  EXPECT_EQ(findings[0]["address"], "1:general:2:binary32:0:3");
-  EXPECT_TRUE(findings[0]["a"].is_array());
-  EXPECT_EQ(findings[1]["kind"], "out_of_bounds");
-  EXPECT_EQ(findings[4]["kernel"], "plugin:gone.so");
-  for (const char* member : {"precision", "family", "address", "a", "r"}) EXPECT_TRUE(findings[4][member].is_null());
+  EXPECT_EQ(findings[0].kind, FindingKind::crash);
+  EXPECT_EQ(findings[0].family, "general");
+  EXPECT_EQ(findings[0].count, 2u);
+  EXPECT_EQ(findings[0].address, "1:general:2:binary32:0:3");
+  EXPECT_EQ(findings[0].numbers.at("a").value().numbers.size(), 3u);
+  EXPECT_EQ(findings[1].kind, FindingKind::out_of_bounds);
+  EXPECT_EQ(findings[4].kernel, "plugin:gone.so");
+  EXPECT_FALSE(findings[4].precision || findings[4].family || findings[4].address);
+  for (const char* group : {"a", "r"}) EXPECT_FALSE(findings[4].numbers.at(group));
   EXPECT_EQ(not_judged(record), std::vector<std::string>{"plugin:gone.so"});
-  EXPECT_EQ(record["kernels"][0]["families"]["general"]["verdict"]["unanswered"], 2);
+  EXPECT_EQ(record.kernels[0].families.at("general").verdict.unanswered, 2u);
 }
 
 TEST(PluginRecord, SaysWhatEachKernelClaims) {
-  const Json record = plugin_record();
-  const Json &bad = record["kernels"][0], &limited = record["kernels"][1];
-  EXPECT_EQ(bad["reference"], false);
-  EXPECT_TRUE(bad["limits"].is_null());
-  EXPECT_TRUE(bad["families"]["scale"]["verdict"]["outside_limits"].is_null());
-  EXPECT_TRUE(limited["reference"].is_null());
-  EXPECT_EQ(limited["touching"], "either");
-  EXPECT_EQ(limited["limits"]["least_area"], 0.125);
-  EXPECT_TRUE(limited["limits"]["least_radius"].is_null());
-  EXPECT_GT(limited["families"]["scale"]["verdict"]["outside_limits"]["trials"], 0);
-  EXPECT_TRUE(limited["families"]["scale"]["comparisons"].is_null()) << "it shows only verdicts";
-  EXPECT_GT(bad["families"]["general"]["axes"]["plane"]["links"].size(), 3u);
-  EXPECT_EQ(record["plan"]["files"][0]["sha256"], std::string(64, 'a'));
-  EXPECT_TRUE(record["plan"]["files"][1]["sha256"].is_null());
+  const Record record = plugin_record();
+  const KernelRecord &bad = record.kernels[0], &limited = record.kernels[1];
+  EXPECT_EQ(bad.reference, false);
+  EXPECT_FALSE(bad.limits);
+  EXPECT_FALSE(bad.families.at("scale").verdict.outside_limits);
+  EXPECT_FALSE(limited.reference);
+  EXPECT_EQ(limited.touching, Touching::either);
+  EXPECT_EQ(limited.limits.value().least_area, 0.125);
+  EXPECT_FALSE(limited.limits->least_radius);
+  EXPECT_GT(limited.families.at("scale").verdict.outside_limits.value().trials, 0u);
+  EXPECT_FALSE(limited.families.at("scale").comparisons) << "it shows only verdicts";
+  EXPECT_TRUE(bad.families.at("general").axes.value().contains("plane"));
+  EXPECT_EQ(record.plan.files[0].sha256, std::string(64, 'a'));
+  EXPECT_FALSE(record.plan.files[1].sha256);
 }
 
 TEST(PluginRecord, OfNothingButAKernelThatCouldNotBeLoaded) {
   const Kernel gone = unloadable_kernel("plugin:gone.so", "no such file");
-  const Json record = record_with({&gone}, {"general"}, 10, "logic");
-  EXPECT_TRUE(record["kernels"].empty());
+  const Record record = record_with({&gone}, {"general"}, 10, "logic");
+  EXPECT_TRUE(record.kernels.empty());
   for (const char* level : {"logic", "range", "exact", "conservative", "conservative=1"}) {
     EXPECT_EQ(unmet_texts(record, level), std::vector<std::string>{"plugin:gone.so: load: no such file"}) << level;
   }
-  const TestFolder folder(record);
+  const TestFolder folder(json_of(record));
   render_reports(folder.path());
   EXPECT_THAT(folder.read("report.md"), HasSubstr("plugin:gone.so: NOT JUDGED: it could not be loaded"));
   EXPECT_THAT(folder.read("junit.xml"), HasSubstr("tests=\"1\" failures=\"1\""));
 }
 
 TEST(PluginRequirement, NoLevelIsMetWithAFindingOrWithoutAnAnswer) {
-  const Json record = plugin_record();
+  const Record record = plugin_record();
   for (const char* level : {"logic", "range", "exact", "conservative"}) {
     const auto texts = unmet_texts(record, level);
     EXPECT_THAT(texts, testing::Contains("plugin:gone.so: load: no such file, " + evil)) << level;
@@ -131,9 +132,9 @@ TEST(PluginRequirement, WhatIsOutsideTheLimitsIsNoRequirement) {
   Kernel kernel = black_box("plugin:mine.so", wrong_outside);
   EXPECT_FALSE(unmet(record_with({&kernel}, {"scale"}, 1000), "conservative").empty());
   kernel.limits = {.least_coordinate = 0x1p-10, .greatest_coordinate = 0x1p10};
-  const Json record = record_with({&kernel}, {"scale"}, 1000);
+  const Record record = record_with({&kernel}, {"scale"}, 1000);
   EXPECT_TRUE(unmet(record, "conservative").empty());
-  EXPECT_GT(record["kernels"][0]["families"]["scale"]["verdict"]["outside_limits"]["unanswered"], 0);
+  EXPECT_GT(record.kernels[0].families.at("scale").verdict.outside_limits->unanswered, 0u);
 }
 
 // A kernel that says contact too late misses contacts, one that says it too early invents them.
@@ -144,17 +145,19 @@ TEST(PluginRecord, SaysToWhichSideAKernelErrs) {
       other.r *= factor;
       if (is_valid(q)) verdict = distance_order(other) > 0 ? Verdict::separated : Verdict::contact;
     });
-    const Json record = record_with({&kernel}, {"general"}, 2048);
-    const Json &family = record["kernels"][0]["families"]["general"], &radius = family["critical_radius"];
+    const Record record = record_with({&kernel}, {"general"}, 2048);
+    const FamilyRecord& family = record.kernels[0].families.at("general");
+    const CriticalRadiusRecord& radius = family.critical_radius;
     const bool is_late = factor < 1;
-    EXPECT_EQ(radius[is_late ? "late" : "early"], radius["sampled"]);
-    EXPECT_EQ(radius[is_late ? "early" : "late"], 0);
-    EXPECT_EQ(radius["signed_median_ulps"].get<double>() > 0, is_late);
+    EXPECT_EQ(is_late ? radius.late : radius.early, radius.sampled);
+    EXPECT_EQ(is_late ? radius.early : radius.late, 0u);
+    EXPECT_EQ(radius.signed_median_ulps.value().value > 0, is_late);
     EXPECT_THAT(bias_text(family),
                 HasSubstr(is_late ? "missed contacts alone; critical radius early on 0, late on 8"
                                   : "phantom contacts alone; critical radius early on 8, late on 0"));
     EXPECT_THAT(engine_text(family), HasSubstr(" on 2,048 engine-like queries"));
-    EXPECT_GT(family["verdict"]["engine_like"][is_late ? "false_separation" : "false_contact"], 0);
+    const EngineTally& engine = family.verdict.engine.value();
+    EXPECT_GT(is_late ? engine.false_separation() : engine.false_contact(), 0u);
   }
 }
 
@@ -163,9 +166,9 @@ TEST(PluginRecord, SaysToWhichSideAKernelErrs) {
 TEST(PluginRequirement, LogicOfFormulaeInAnOrderOfTheirOwn) {
   const std::vector<std::string> families = {"tangent", "sliver", "lattice", "scale"};
   const Kernel fused = supervised_kernel("fused", no_fault, "reduced-nonstrict+fma");
-  const Json right = record_with({&fused}, families, 1000);
-  EXPECT_GT(right["kernels"][0]["families"]["tangent"]["verdict"]["links"]["unattributed"], 0);
-  EXPECT_GT(right["kernels"][0]["families"]["scale"]["verdict"]["links"]["unattributed"], 0);
+  const Record right = record_with({&fused}, families, 1000);
+  for (const char* family : {"tangent", "scale"})
+    EXPECT_GT(right.kernels[0].families.at(family).verdict.links[Link::unattributed], 0u);
   EXPECT_TRUE(unmet(right, "logic").empty());
   EXPECT_TRUE(unmet(right, "range").empty());
 
@@ -185,13 +188,13 @@ TEST(PluginRequirement, LogicOfFormulaeInAnOrderOfTheirOwn) {
     if (is_valid(q) && distance_order(q) == 0) verdict = Verdict::separated;
   };
   const Kernel another = supervised_kernel("touching", touching_wrong, "reduced-nonstrict");
-  const Json record = record_with({&another}, {"lattice"}, 1000);
-  EXPECT_GT(record["kernels"][0]["families"]["lattice"]["verdict"]["touching_flips"], 0);
+  const Record record = record_with({&another}, {"lattice"}, 1000);
+  EXPECT_GT(record.kernels[0].families.at("lattice").verdict.touching_flips, 0u);
   EXPECT_TRUE(unmet(record, "logic").empty()) << "touching spheres are not counted";
 }
 
 TEST(PluginReports, FindingsStandFirstWithTheirReplay) {
-  const TestFolder folder(plugin_record("logic"));
+  const TestFolder folder(json_of(plugin_record("logic")));
   render_reports(folder.path());
   const std::string markdown = folder.read("report.md");
   EXPECT_LT(markdown.find("## Findings"), markdown.find("## Summary"));
@@ -208,7 +211,7 @@ TEST(PluginReports, FindingsStandFirstWithTheirReplay) {
 }
 
 TEST(PluginReports, EachFindingIsAFailedCase) {
-  const TestFolder folder(plugin_record());  // no requirement: a finding fails all the same
+  const TestFolder folder(json_of(plugin_record()));  // no requirement: a finding fails all the same
   render_reports(folder.path());
   const std::string junit = folder.read("junit.xml");
   EXPECT_EQ(occurrences(junit, "<failure "), 5u);
@@ -218,7 +221,7 @@ TEST(PluginReports, EachFindingIsAFailedCase) {
 }
 
 TEST(PluginReports, ThePageHasThemAsData) {
-  const TestFolder folder(plugin_record("logic"));
+  const TestFolder folder(json_of(plugin_record("logic")));
   render_reports(folder.path());
   const Json data = page_data(folder.read("report.html"));
   ASSERT_EQ(data["findings"].size(), 3u);  // each kind once, with the families on which it showed
@@ -232,18 +235,18 @@ TEST(PluginReports, ThePageHasThemAsData) {
 }
 
 TEST(PluginReports, ARateIsOfQueriesWithinTheLimits) {
-  const Json kernel = stored_record()["kernels"][0];
-  Json family = kernel["families"]["lattice"];
+  const KernelRecord kernel = read_as<KernelRecord>(stored_record()["kernels"][0]);
+  FamilyRecord family = kernel.families.at("lattice");
   EXPECT_EQ(per_million(1, family), 2000);
-  family["verdict"]["outside_limits"] = {{"trials", 400}, {"contact", 240}, {"touching", 48}};
+  family.verdict.outside_limits = OutsideTally{.trials = 400, .contact = 240, .touching = 48};
   EXPECT_EQ(per_million(1, family), 10000);
   EXPECT_GT(zero_limit_per_million(kernel, family), 29000) << "100 queries, not 500";
-  family["verdict"]["undecided"] = 100;
+  family.verdict.undecided = 100;
   EXPECT_LT(zero_limit_per_million(kernel, family), 0) << "none of them was decided";
 }
 
 TEST(PluginFolder, FindingsThatContradictTheRecordAreRefused) {
-  const Json record = plugin_record();
+  const Json record = json_of(plugin_record());
   const auto error_after = [&](const std::function<void(Json&)>& edit) {
     Json edited = record;
     edit(edited);

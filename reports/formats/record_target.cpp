@@ -12,9 +12,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace axiscert::fuzzing;
   const MemoryFile file(text_of(data, size));
   Run run;
-  if (!accepts([&] { run.record = read_json(file.path()); })) return 0;
-  accepts([&] { check_run_info(run.record, "run.json"); });
-  if (!accepts([&] { check_record(run.record, "record.json"); })) return 0;
+  Json json;
+  if (!accepts([&] { json = read_json(file.path()); })) return 0;
+  accepts([&] { check_run_info(json, "run.json"); });
+  if (!accepts([&] { run.record = read_record(json, "record.json"); })) return 0;
   run.folder = "/nonexistent";  // a folder without attachments
   for (const Format* format : formats()) {
     accepts([&] {

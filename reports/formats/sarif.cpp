@@ -100,7 +100,7 @@ class Log {
   }
 
   Json json() const {
-    Json driver = {{"name", "axiscert"}, {"version", record_["plan"]["axiscert"]}, {"rules", Json::array()}};
+    Json driver = {{"name", "axiscert"}, {"version", json_of(record_.plan.axiscert)}, {"rules", Json::array()}};
     for (const Rule& rule : rules) driver["rules"].push_back(rule_json(rule));
     for (const Rule* rule : {&finding_rule, &ratchet_rule, &unchecked_rule})
       driver["rules"].push_back(rule_json(*rule));
@@ -114,7 +114,7 @@ class Log {
       if (outcome.state == LevelState::not_checked) results.push_back(unchecked_result(outcome));
     }
     for (const std::string& sentence : unjudged(record_)) results.push_back(unjudged_result(sentence));
-    const Json invocation = {{"executionSuccessful", record_["complete"]}};
+    const Json invocation = {{"executionSuccessful", record_.complete}};
     const Json run = {{"tool", {{"driver", driver}}},
                       {"invocations", Json::array({invocation})},
                       {"columnKind", "unicodeCodePoints"},
@@ -127,7 +127,7 @@ class Log {
  private:
   Json result(const Cell& cell, const Rule& rule) const {
     const auto witnesses = witnesses_.of(cell);
-    const Json* const worst = deepest(witnesses);
+    const WitnessRecord* const worst = deepest(witnesses);
     const std::string where = fmt::format("{} {} on {}, {}", cell.kernel, cell.precision, cell.family, cell.place);
     const char* const among = rule.of == CountOf::time ? "contacts found" : "queries";
     std::string message = fmt::format("{}: {} of {} {}. {}", where, thousands(cell.count()), thousands(cell.of.trials),
@@ -135,7 +135,7 @@ class Log {
     if (cell.kind == Cell::Kind::finding) message = finding_message(cell);
     if (const std::string depths = depths_of(cell); !depths.empty())
       message += fmt::format(" By depth, of the scene: {}.", depths);
-    if (worst != nullptr) message += " Reproduced by: " + replay_command(*worst, record_["plan"]);
+    if (worst != nullptr) message += " Reproduced by: " + replay_command(*worst, record_.plan);
     const bool is_unmet = std::any_of(failures_.begin(), failures_.end(), [&](const Failure& failure) {
       return cell.place == "verdict" && failure.kernel == cell.kernel && failure.precision == cell.precision &&
              failure.family == cell.family;
@@ -178,17 +178,18 @@ class Log {
   // The depths of a cell's wrong verdicts; empty for any other cell.
   std::string depths_of(const Cell& cell) const {
     if (cell.place != "verdict" || (cell.member != "false_separation" && cell.member != "false_contact")) return "";
-    for (const Json& kernel : record_["kernels"]) {
-      if (kernel["id"] != cell.kernel || kernel["precision"] != cell.precision) continue;
-      const Json& family = kernel["families"][cell.family];
-      return has_depths(family) ? depths_text(family["verdict"]["depths"][cell.member]) : "";
+    for (const KernelRecord& kernel : record_.kernels) {
+      if (kernel.id != cell.kernel || name(kernel.precision) != cell.precision) continue;
+      const std::optional<DepthTally>& depths = kernel.families.at(cell.family).verdict.depths;
+      if (!depths) return "";
+      return depths_text(cell.member == "false_separation" ? depths->false_separation : depths->false_contact);
     }
     return "";
   }
 
   Json ratchet_result(const Json& failure) const {
     Json key = Json::array({failure["kernel"], failure["precision"], failure["family"], failure["cell"]});
-    const Json* worst = nullptr;
+    const WitnessRecord* worst = nullptr;
     for (const Cell& cell : cells_) {
       if (cell.key_of(cell.kernel) != key) continue;
       worst = deepest(witnesses_.of(cell));
@@ -209,8 +210,7 @@ class Log {
   Json unjudged_result(const std::string& sentence) const {
     const std::string who = sentence.substr(0, sentence.find(": NOT JUDGED"));
     std::string kernel = who;
-    for (const Json& id : record_["plan"]["kernels"]) {
-      const std::string one = id;
+    for (const std::string& one : record_.plan.kernels) {
       if (who == one || who.starts_with(one + " ")) kernel = one;
     }
     const Json key = Json::array({kernel, "", "", "judged"});
@@ -240,8 +240,8 @@ class Log {
 
   // Where the kernel is written and, as a related place, the line of the witness in witnesses.jsonl. Without a source
   // the latter is the place; without a witness, the first line.
-  void put_places(Json& result, const std::string& kernel, const Json& key, const Json* witness) const {
-    const std::ptrdiff_t line = witness == nullptr ? 1 : witness - &record_["witnesses"][0] + 1;
+  void put_places(Json& result, const std::string& kernel, const Json& key, const WitnessRecord* witness) const {
+    const std::ptrdiff_t line = witness == nullptr ? 1 : witness - record_.witnesses.data() + 1;
     const auto part = [&](std::size_t i) { return key[i].get<std::string>(); };
     const auto place = [](const std::string& file, const Json& at) -> Json {
       return {{"physicalLocation", {{"artifactLocation", {{"uri", file}}}, {"region", {{"startLine", at}}}}}};
@@ -249,7 +249,7 @@ class Log {
     Json shown = place("witnesses.jsonl", line);
     if (const auto source = sources_.find(kernel); source != sources_.end()) {
       if (witness != nullptr) {
-        shown["message"] = {{"text", message_text("The deepest witness, " + (*witness)["id"].get<std::string>())}};
+        shown["message"] = {{"text", message_text("The deepest witness, " + witness->id)}};
         result["relatedLocations"] = Json::array({shown});
       }
       shown = place(uri_of((*source)["file"]), (*source)["line"]);
@@ -285,25 +285,24 @@ class Log {
   }
 
   std::string finding_message(const Cell& cell) const {
-    for (const Json& finding : record_["findings"]) {
-      const auto is = [&](const char* member, const std::string& text) {
-        return finding[member].is_null() ? text.empty() : finding[member] == text;
-      };
-      if (is("kernel", cell.kernel) && is("precision", cell.precision) && is("family", cell.family) &&
-          is("kind", cell.member))
+    for (const FindingRecord& finding : record_.findings) {
+      const std::string_view precision = finding.precision ? name(*finding.precision) : "";
+      if (finding.kernel == cell.kernel && precision == cell.precision && finding.family.value_or("") == cell.family &&
+          name(finding.kind) == cell.member)
         return finding_text(finding);
     }
     return cell.member;
   }
 
-  static const Json* deepest(const std::vector<const Json*>& witnesses) {
-    const auto depth = [](const Json* w) { return (*w)["depth"].is_null() ? -1.0 : (*w)["depth"].get<double>(); };
-    const auto found = std::max_element(witnesses.begin(), witnesses.end(),
-                                        [&](const Json* x, const Json* y) { return depth(x) < depth(y); });
+  static const WitnessRecord* deepest(const std::vector<const WitnessRecord*>& witnesses) {
+    const auto found =
+        std::max_element(witnesses.begin(), witnesses.end(),
+                         [](const WitnessRecord* x, const WitnessRecord* y) { return x->depth < y->depth; });
     return found == witnesses.end() ? nullptr : *found;
   }
 
-  const Json &record_, &held_;
+  const Record& record_;
+  const Json& held_;
   std::vector<Cell> cells_;
   WitnessesByCell witnesses_;
   std::vector<LevelOutcome> outcomes_;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
 
 namespace axiscert {
 
@@ -15,11 +15,11 @@ namespace axiscert {
 // kernel, precision, family and place of a flip one that shows it. The causes come first, then the other wrong
 // verdicts, then those that were kept for another reason; in each of the three ordinary queries before others, and
 // deeper verdicts before less deep ones.
-std::vector<const Json*> shown_witnesses(const Json& record, std::size_t limit,
-                                         const std::set<std::string>& named = {});
+std::vector<const WitnessRecord*> shown_witnesses(const Record& record, std::size_t limit,
+                                                  const std::set<std::string>& named = {});
 
 // Whether a scene could ask it: every number is zero or normal and at most 2^20, and a length that is not zero is at
 // least 2^-20: from a micrometre to a thousand kilometres where the unit is a metre.
-bool is_ordinary(const Json& witness, const Json& plan);
+bool is_ordinary(const WitnessRecord& witness, const PlanRecord& plan);
 
 }  // namespace axiscert

@@ -22,10 +22,11 @@ Json wrong(const char* id, double depth, Json links, const char* radius = "0x1p-
 }
 
 std::vector<std::string> ids_of(const std::vector<Json>& witnesses, std::size_t limit = 100) {
-  Json record = stored_record();
-  record["witnesses"] = witnesses;
+  Json stored = stored_record();
+  stored["witnesses"] = witnesses;
+  const Record record = read_as<Record>(stored);
   std::vector<std::string> ids;
-  for (const Json* witness : shown_witnesses(record, limit)) ids.push_back((*witness)["id"]);
+  for (const WitnessRecord* witness : shown_witnesses(record, limit)) ids.push_back(witness->id);
   return ids;
 }
 
@@ -67,21 +68,25 @@ TEST(WitnessOrder, KeepsTheCausesWhereThereIsRoomForFew) {
 
 TEST(WitnessOrder, HasTheOnesThatAreNamed) {
   const Json rounding = Json::array({"rounding"});
-  Json record = stored_record();
-  record["witnesses"] = {wrong("r1", 0.9, rounding), wrong("r2", 0.8, rounding), wrong("r3", 0.7, rounding)};
+  Json stored = stored_record();
+  stored["witnesses"] = {wrong("r1", 0.9, rounding), wrong("r2", 0.8, rounding), wrong("r3", 0.7, rounding)};
+  const Record record = read_as<Record>(stored);
   const auto shown = shown_witnesses(record, 2, {"r3"});
   ASSERT_EQ(shown.size(), 2u);
-  EXPECT_EQ((*shown[1])["id"], "r3");
+  EXPECT_EQ(shown[1]->id, "r3");
 }
 
 TEST(WitnessOrder, OrdinaryIsOfTheSizesOfAScene) {
-  const Json plan = stored_record()["plan"];
-  EXPECT_TRUE(is_ordinary(wrong("w", 1, Json::array({"range"}), "0x0p+0"), plan));
-  EXPECT_TRUE(is_ordinary(wrong("w", 1, Json::array({"range"}), "0x1p+20"), plan));
+  const PlanRecord plan = read_as<PlanRecord>(stored_record()["plan"]);
+  const auto with_radius = [](const char* radius) {
+    return read_as<WitnessRecord>(wrong("w", 1, Json::array({"range"}), radius));
+  };
+  EXPECT_TRUE(is_ordinary(with_radius("0x0p+0"), plan));
+  EXPECT_TRUE(is_ordinary(with_radius("0x1p+20"), plan));
   for (const char* radius : {"0x1.8p+20", "0x1p-21", "0x1p-149", "nan", "inf"})
-    EXPECT_FALSE(is_ordinary(wrong("w", 1, Json::array({"range"}), radius), plan)) << radius;
-  Json subnormal = wrong("w", 1, Json::array({"range"}));
-  subnormal["a"][0] = "0x1p-149";
+    EXPECT_FALSE(is_ordinary(with_radius(radius), plan)) << radius;
+  WitnessRecord subnormal = with_radius("0x1p-1");
+  subnormal.numbers.at("a").numbers[0] = "0x1p-149";
   EXPECT_FALSE(is_ordinary(subnormal, plan));
 }
 

@@ -8,16 +8,15 @@ namespace axiscert {
 namespace {
 
 std::string render_witnesses(const Run& run) {
-  const TestDescription& test = test_of(run.record["plan"]);
+  const TestDescription& test = test_of(run.record.plan);
   std::string text;
-  for (const Json& witness : run.record["witnesses"]) {
-    Json query = {{"id", witness["id"]}, {"precision", witness["precision"]}};
+  for (const WitnessRecord& witness : run.record.witnesses) {
+    Json query = {{"id", json_of(witness.id)}, {"precision", name(witness.precision)}};
     const TestEntry& entry = *entry_of(test, witness);
-    if (const std::string_view name = written_name(test); !name.empty()) query["test"] = name;
+    if (const std::string_view written = written_name(test); !written.empty()) query["test"] = written;
     if (&entry != &test.entries.front()) query["entry"] = entry.name;
-    for (const ColumnGroup& group : groups_of(entry)) {
-      member_at(query, group.name) = witness[std::string(group.name)];
-    }
+    for (const ColumnGroup& group : groups_of(entry))
+      member_at(query, group.name) = json_of(witness.numbers.at(group.name));
     text += query.dump() + "\n";
   }
   return text;

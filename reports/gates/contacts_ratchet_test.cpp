@@ -1,5 +1,6 @@
 // A ratchet of a run of a test of motions: late times and tunnels that are accepted, and no more of them.
 #include "reports/gates/ratchet_text.h"
+#include "reports/testing/edited_record.h"
 #include "reports/testing/motion_run.h"
 
 namespace axiscert {

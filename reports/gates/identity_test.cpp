@@ -5,7 +5,7 @@
 
 #include "reports/comparison/compare.h"
 #include "reports/comparison/show.h"
-#include "reports/testing/test_run.h"
+#include "reports/testing/edited_record.h"
 #include "reports/gates/ratchet_text.h"
 #include "reports/gates/unjudged.h"
 
@@ -41,7 +41,7 @@ void make_plugin(Json& record, std::size_t index, const std::string& id, const s
 Json with_plugin(const std::string& id, const std::string& name = "mine", const std::string& sha256 = one_digest) {
   Json record = stored_record();
   make_plugin(record, 0, id, name, sha256);
-  check_record(record, "record.json");
+  read_record(record, "record.json");
   return record;
 }
 
@@ -74,12 +74,12 @@ Ratchet ratchet_of(const Json& record) {
 }
 
 TEST(Identity, IsTheNameOfAPlugInAndTheIdOfAnyOther) {
-  EXPECT_THAT(identities_of(with_plugin("plugin:k.so")),
+  EXPECT_THAT(identities_of(edited(with_plugin("plugin:k.so"))),
               ElementsAre(testing::Pair("<script>", "<script>"), testing::Pair("plugin:k.so", "plugin/mine")));
 }
 
 TEST(Identity, APlugInThatSharesItsNameIsKnownByItsId) {
-  EXPECT_THAT(identities_of(with_two("mine", "mine")),
+  EXPECT_THAT(identities_of(edited(with_two("mine", "mine"))),
               ElementsAre(testing::Pair("plugin:a.so", "plugin:a.so"), testing::Pair("plugin:b.so", "plugin:b.so")));
   // In one of the records that are compared is enough.
   const Json one = with_plugin("plugin:a.so");
@@ -96,7 +96,7 @@ TEST(Identity, AnotherPathOfTheSameNameIsTheSameKernel) {
   EXPECT_TRUE(found.passes());
   EXPECT_THAT(found.not_compared, IsEmpty());
   EXPECT_EQ(found.kernels[0].digest_change, "");
-  EXPECT_THAT(comparison_markdown({before, after, "old", "new"}, found),
+  EXPECT_THAT(markdown_of(before, after, found),
               HasSubstr("| plugin/mine | plugin:k.so | plugin:./moved/renamed.so | the same |"));
   const RatchetOutcome outcome = hold_against(ratchet_of(before), after, "2026-06-15");
   EXPECT_THAT(outcome.failures, IsEmpty());
@@ -108,7 +108,7 @@ TEST(Identity, OtherBytesOfTheSameNameAreAChange) {
   const RunComparison found = compare_records(before, after, {});
   EXPECT_EQ(found.kernels[0].digest_change, "its plugin was SHA-256 111111111111..., and is 222222222222...");
   EXPECT_TRUE(found.passes()) << "a change is told, it is no fault";
-  EXPECT_EQ(comparison_json({before, after, "old", "new"}, found)["kernels"][0]["changed"], true);
+  EXPECT_EQ(data_of(before, after, found)["kernels"][0]["changed"], true);
   const RatchetOutcome outcome = hold_against(ratchet_of(before), after, "2026-06-15");
   EXPECT_THAT(outcome.failures, IsEmpty());
   EXPECT_THAT(outcome.changed,
@@ -138,10 +138,10 @@ TEST(Unchecked, TwoRunsWithNothingInCommonAreNoPass) {
   EXPECT_EQ(found.compared(), 0u);
   EXPECT_FALSE(found.passes());
   EXPECT_THAT(answer(found), testing::StartsWith("NOT COMPARED: nothing was compared"));
-  EXPECT_THAT(comparison_markdown({before, after, "old", "new"}, found),
+  EXPECT_THAT(markdown_of(before, after, found),
               testing::AllOf(HasSubstr("| plugin:a.so | is only in OLD | 1 |"),
                              HasSubstr("| plugin:b.so | is only in NEW | no fault |")));
-  const Json json = comparison_json({before, after, "old", "new"}, found);
+  const Json json = data_of(before, after, found);
   EXPECT_EQ(json["compared"], 0);
   EXPECT_EQ(json["passes"], false);
 }
@@ -180,14 +180,19 @@ TEST(Unjudged, IsAKernelThatDidNotLoadAndAFamilyWithoutQueries) {
               ElementsAre(HasSubstr("<script>: NOT JUDGED on mesh/a|b.obj: no valid query")));
   Json record = stored_record();
   record["plan"]["kernels"].push_back("plugin:text.so");
-  record["findings"].push_back({{"kernel", "plugin:text.so"}, {"kind", "load"}, {"detail", "file too short"}});
+  record["findings"].push_back(load_fault_of("plugin:text.so", "file too short"));
   EXPECT_THAT(unjudged(record), Contains("plugin:text.so: NOT JUDGED: it could not be loaded: file too short"));
   record = stored_record();
   for (Json& family : record["kernels"][0]["families"]) {
     const std::uint64_t valid =
         family["truth"]["separated"].get<std::uint64_t>() + family["truth"]["contact"].get<std::uint64_t>();
-    family["verdict"]["outside_limits"] = {
-        {"trials", valid}, {"contact", family["truth"]["contact"]}, {"touching", family["truth"]["touching"]}};
+    family["verdict"]["outside_limits"] = {{"trials", valid},
+                                           {"false_separation", 0},
+                                           {"false_contact", 0},
+                                           {"unanswered", 0},
+                                           {"contact", family["truth"]["contact"]},
+                                           {"touching", family["truth"]["touching"]},
+                                           {"deepest", 0.0}};
   }
   EXPECT_THAT(unjudged(record),
               Contains("published binary32: NOT JUDGED: every valid query is outside the limits that it declares"));

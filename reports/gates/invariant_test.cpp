@@ -1,6 +1,6 @@
 // Verdicts that change with an exact image: what `logic` and `invariant=KIND` refuse, and how they say it.
 #include "reports/gates/requirement.h"
-#include "reports/testing/test_run.h"
+#include "reports/testing/edited_record.h"
 #include "reports/wording/invariance.h"
 
 namespace axiscert {
@@ -138,8 +138,8 @@ TEST(Invariant, AnUnknownKindIsToldTheKinds) {
 }
 
 TEST(Invariant, PowersAreToldFromTheOneNearestToOne) {
-  EXPECT_EQ(powers_text({{"-20", 1}, {"-3", 1}}), "from 2^-3 down");
-  EXPECT_EQ(powers_text({{"7", 1}, {"17", 1}, {"-12", 4}}), "from 2^-12 down and from 2^7 up");
+  EXPECT_EQ(powers_text({{-20, 1}, {-3, 1}}), "from 2^-3 down");
+  EXPECT_EQ(powers_text({{7, 1}, {17, 1}, {-12, 4}}), "from 2^-12 down and from 2^7 up");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // never-late and no-tunnel: times that a record says are late, missing or deep, and kernels of which nothing is known.
 #include "reports/gates/requirement.h"
+#include "reports/testing/edited_record.h"
 #include "reports/testing/motion_run.h"
 
 namespace axiscert {

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "reports/testing/test_run.h"
+#include "reports/testing/edited_record.h"
 
 namespace axiscert {
 namespace {
@@ -129,7 +129,7 @@ TEST(LevelOutcome, MayBeLeftUncheckedByName) {
   record["plan"]["allow_unchecked"] = {"range"};
   const auto outcomes = outcomes_of(record);
   EXPECT_TRUE(pass(outcomes));
-  EXPECT_EQ(state_text(worst_of(outcomes, record["kernels"][0])), "NOT CHECKED, which is allowed");
+  EXPECT_EQ(state_text(worst_of(outcomes, edited(record).kernels[0])), "NOT CHECKED, which is allowed");
   EXPECT_EQ(outcomes[1].state, LevelState::not_checked) << "it is not called met";
   record["plan"]["allow_unchecked"] = {"exact"};
   EXPECT_THROW(outcomes_of(record), Error) << "exact is not required";
@@ -142,12 +142,7 @@ TEST(LevelOutcome, AKernelThatCouldNotBeLoadedMeetsNothingWhateverIsAllowed) {
   record["kernels"] = Json::array();
   record["plan"]["kernels"] = {"plugin:gone.so"};
   record["plan"]["allow_unchecked"] = {"logic"};
-  record["findings"] = Json::array({{{"kernel", "plugin:gone.so"},
-                                     {"precision", nullptr},
-                                     {"family", nullptr},
-                                     {"kind", "load"},
-                                     {"count", 1},
-                                     {"detail", "no such file"}}});
+  record["findings"] = Json::array({load_fault_of("plugin:gone.so", "no such file")});
   const auto outcomes = outcomes_of(record);
   ASSERT_EQ(outcomes.size(), 1u);
   EXPECT_EQ(outcomes[0].state, LevelState::not_met);

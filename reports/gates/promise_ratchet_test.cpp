@@ -1,5 +1,6 @@
 // A ratchet holds what each kernel promises: who promises less is worse, and who promises other things is not compared.
 #include "reports/gates/ratchet_text.h"
+#include "reports/testing/edited_record.h"
 #include "reports/testing/limited_run.h"
 
 namespace axiscert {
@@ -120,12 +121,7 @@ TEST(RatchetOfPromises, AKernelThatDecidesNothingIsNotHeld) {
 
 TEST(RatchetOfPromises, FindingsAreHeldWhateverIsPromised) {
   Json now = with_least_radius(1e30, 450);
-  now["findings"].push_back({{"kernel", "published"},
-                             {"precision", "binary32"},
-                             {"family", "tangent"},
-                             {"kind", "crash"},
-                             {"count", 1},
-                             {"detail", "signal 11"}});
+  now["findings"].push_back(crash_on("tangent"));
   EXPECT_THAT(failures_of_promises(held_to(stored_record(), now)),
               Contains(HasSubstr("finding.crash: 1, accepted is 0")));
 }

@@ -43,27 +43,26 @@ struct Ranked {
 using Group = std::vector<const RatchetEntry*>;
 
 // The promise of a kernel's entry in a record; one that was edited may hold a kernel that its plan does not.
-HeldPromise promise_held(const Json& kernel, const Identities& identities) {
-  const auto known = identities.find(kernel["id"].get<std::string>());
-  return {known == identities.end() ? kernel["id"].get<std::string>() : known->second, kernel["precision"],
+HeldPromise promise_held(const KernelRecord& kernel, const Identities& identities) {
+  const auto known = identities.find(kernel.id);
+  return {known == identities.end() ? kernel.id : known->second, std::string(name(kernel.precision)),
           promise_in(kernel), evidence_of(kernel).promised(), 0};
 }
 
 class Holder {
  public:
-  Holder(const Ratchet& ratchet, const Json& record, std::string today)
+  Holder(const Ratchet& ratchet, const Record& record, std::string today)
       : ratchet_(ratchet), record_(record), identities_(identities_of(record)), today_(std::move(today)) {
     for (const auto& [id, identity] : identities_) {
       ids_[identity] = id;
       ids_[id] = id;
-      if (Json digest = digest_of(record, id); !digest.is_null()) digests_[identity] = std::move(digest);
+      if (Digests digests = digests_of(record, id); !digests.empty()) digests_[identity] = std::move(digests);
     }
-    for (const Json& kernel : record["kernels"])
-      judged_.emplace(kernel["id"].get<std::string>(), kernel["precision"].get<std::string>());
+    for (const KernelRecord& kernel : record.kernels) judged_.emplace(kernel.id, name(kernel.precision));
   }
 
   RatchetOutcome run() {
-    for (const Json& kernel : record_["kernels"]) hold_promise(kernel);
+    for (const KernelRecord& kernel : record_.kernels) hold_promise(kernel);
     for (const Cell& cell : cells_of(record_)) {
       for (const std::string& known_by : {cell.identity, cell.kernel})
         shown_.insert(fingerprint(cell.key_of(known_by)));
@@ -86,16 +85,16 @@ class Holder {
       return x.severity != y.severity ? x.severity < y.severity : x.excess > y.excess;
     });
     for (Ranked& ranked : failures_) outcome_.failures.push_back(std::move(ranked.failure));
-    outcome_.accepted = ratchet_file(ratchet_.plan, test_of(record_["plan"]), promises_, accepted_, digests_);
+    outcome_.accepted = ratchet_file(ratchet_.plan, test_of(record_.plan), promises_, accepted_, digests_);
     return std::move(outcome_);
   }
 
  private:
   // One kernel in one precision, that the run judged.
-  void hold_promise(const Json& kernel) {
+  void hold_promise(const KernelRecord& kernel) {
     const HeldPromise now = promise_held(kernel, identities_);
     promises_.push_back(now);
-    const std::string id = kernel["id"], who = fmt::format("{} {}", id, now.precision);
+    const std::string id = kernel.id, who = fmt::format("{} {}", id, now.precision);
     if (const Evidence evidence = evidence_of(kernel); evidence.population != 0 && evidence.decided() == 0) {
       fail_all(now, id,
                fmt::format("NOT CHECKED: {} decided none of its {} promised queries: no figure of it says anything",
@@ -274,11 +273,11 @@ class Holder {
   }
 
   const Ratchet& ratchet_;
-  const Json& record_;
+  const Record& record_;
   Identities identities_;
   std::string today_;
   std::map<std::string, std::string> ids_;                // of the record, by identity and by id
-  std::map<std::string, Json> digests_;                   // by identity
+  std::map<std::string, Digests> digests_;                // by identity
   std::set<std::pair<std::string, std::string>> judged_;  // ids and precisions
   std::set<std::pair<std::string, std::string>> apart_;   // of these, those that promise other things now
   std::set<std::pair<std::string, std::string>> told_;    // as keys have them: those that fail as a whole
@@ -301,7 +300,7 @@ const HeldPromise* find_promise(const std::vector<HeldPromise>& all, const std::
   return found == all.end() ? nullptr : &*found;
 }
 
-void require_plan(const Ratchet& ratchet, const Json& plan) {
+void require_plan(const Ratchet& ratchet, const PlanRecord& plan) {
   if (const std::string_view test = test_of(plan).id; test != ratchet.test) {
     throw Error(fmt::format("{}: of the test {}, and this run is of {}; figures of two tests are not comparable",
                             ratchet.name, ratchet.test, test));
@@ -314,8 +313,8 @@ void require_plan(const Ratchet& ratchet, const Json& plan) {
       ratchet.name, ratchet.plan, given.empty() ? "one that cannot be repeated" : given));
 }
 
-RatchetOutcome hold_against(const Ratchet& ratchet, const Json& record, const std::string& today) {
-  require_plan(ratchet, record["plan"]);
+RatchetOutcome hold_against(const Ratchet& ratchet, const Record& record, const std::string& today) {
+  require_plan(ratchet, record.plan);
   return Holder(ratchet, record, today).run();
 }
 
@@ -340,8 +339,8 @@ Json outcome_json(const Ratchet& ratchet, const RatchetOutcome& outcome) {
   return json;
 }
 
-std::string ratchet_text(const Json& record) {
-  const std::string plan = plan_fingerprint(record["plan"]);
+std::string ratchet_text(const Record& record) {
+  const std::string plan = plan_fingerprint(record.plan);
   if (plan.empty())
     return "# The queries of this run depended on the time available: no other run can be compared with it.\n";
   std::vector<RatchetEntry> entries;
@@ -350,12 +349,12 @@ std::string ratchet_text(const Json& record) {
   }
   const Identities identities = identities_of(record);
   std::vector<HeldPromise> promises;
-  for (const Json& kernel : record["kernels"]) promises.push_back(promise_held(kernel, identities));
-  std::map<std::string, Json> digests;
+  for (const KernelRecord& kernel : record.kernels) promises.push_back(promise_held(kernel, identities));
+  std::map<std::string, Digests> digests;
   for (const auto& [id, identity] : identities) {
-    if (Json digest = digest_of(record, id); !digest.is_null()) digests[identity] = std::move(digest);
+    if (Digests files = digests_of(record, id); !files.empty()) digests[identity] = std::move(files);
   }
-  return ratchet_file(plan, test_of(record["plan"]), promises, entries, digests);
+  return ratchet_file(plan, test_of(record.plan), promises, entries, digests);
 }
 
 }  // namespace axiscert

@@ -10,9 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
 #include "kernel/test.h"
 #include "reports/comparison/promise.h"
+#include "reports/run_folder/identity.h"
 
 namespace axiscert {
 
@@ -44,12 +45,12 @@ struct Ratchet {
   std::string test;  // its id
   std::vector<HeldPromise> promises;
   std::map<std::string, RatchetEntry> entries;  // by fingerprint
-  std::map<std::string, Json> digests;          // of the kernels' files, by the kernel as the keys have it
+  std::map<std::string, Digests> digests;       // of the kernels' files, by the kernel as the keys have it
 };
 
-// Throws Error where a record's `plan` is of another test than the ratchet, is not the ratchet's, or cannot be
+// Throws Error where the plan of a record is of another test than the ratchet, is not the ratchet's, or cannot be
 // repeated.
-void require_plan(const Ratchet& ratchet, const Json& plan);
+void require_plan(const Ratchet& ratchet, const PlanRecord& plan);
 
 struct RatchetFailure {
   Json key;            // that of the cell, or of all cells of a kernel and precision: family and name are "*"
@@ -66,13 +67,13 @@ struct RatchetOutcome {
                          // is worse
 };
 // Compares a record with the ratchet; `today` is YYYY-MM-DD. Throws Error as require_plan does.
-RatchetOutcome hold_against(const Ratchet& ratchet, const Json& record, const std::string& today);
+RatchetOutcome hold_against(const Ratchet& ratchet, const Record& record, const std::string& today);
 
 // The outcome for the reports of a run, `ratchet_outcome_file` in its folder: conforms to ratchet.schema.json.
 Json outcome_json(const Ratchet& ratchet, const RatchetOutcome& outcome);
 
 // The file that accepts the record as it is, with EXPIRY, OWNER and REASON left to fill in; only a comment where the
 // record depended on time.
-std::string ratchet_text(const Json& record);
+std::string ratchet_text(const Record& record);
 
 }  // namespace axiscert

@@ -1,7 +1,7 @@
 // The ratchet reads what it wrote, refuses what nobody has reviewed, and lets nothing get worse.
 #include "reports/gates/ratchet_text.h"
 
-#include "reports/testing/test_run.h"
+#include "reports/testing/edited_record.h"
 
 namespace axiscert {
 namespace {

@@ -145,15 +145,15 @@ class Lines {
     if (words.size() < 2) line.fail("kernel: without a kernel: KERNEL [FILE:SHA256]...");
     kernel_ = words[1];
     family_.reset();
-    Json digest;
+    Digests digests;
     for (std::size_t i = 2; i < words.size(); ++i) {
       const std::size_t colon = words[i].rfind(':');
       const std::string hash = colon == words[i].npos ? "" : words[i].substr(colon + 1);
       if (colon == 0 || hash.size() != 64 || hash.find_first_not_of("0123456789abcdef") != hash.npos)
         line.fail(fmt::format("'{}' is not FILE:SHA256 with 64 hex digits", words[i]));
-      digest.push_back({{"kind", words[i].substr(0, colon)}, {"sha256", hash}});
+      digests.push_back({words[i].substr(0, colon), hash});
     }
-    if (!digest.is_null()) ratchet_.digests[*kernel_] = digest;
+    if (!digests.empty()) ratchet_.digests[*kernel_] = digests;
   }
 
   void add_figures(const std::vector<std::string>& words, const Line& line) {
@@ -277,7 +277,7 @@ Ratchet read_ratchet(const std::string& path) {
 }
 
 std::string ratchet_file(const std::string& plan, const TestDescription& test, const std::vector<HeldPromise>& promises,
-                         const std::vector<RatchetEntry>& entries, const std::map<std::string, Json>& digests) {
+                         const std::vector<RatchetEntry>& entries, const std::map<std::string, Digests>& digests) {
   const std::string_view named = written_name(test);
   std::string text = fmt::format(
       "{} {}{}\n# promise: on what each kernel is held to be right; accept: until when, by whom, why; docs/ci.md\n",
@@ -287,8 +287,7 @@ std::string ratchet_file(const std::string& plan, const TestDescription& test, c
     std::string line = "kernel: " + word(kernel);
     const auto digest = digests.find(kernel);
     if (!written.insert(kernel).second || digest == digests.end()) return line;
-    for (const Json& file : digest->second)
-      line += fmt::format(" {}", word(file["kind"].get<std::string>() + ":" + file["sha256"].get<std::string>()));
+    for (const DigestRecord& file : digest->second) line += " " + word(file.kind + ":" + file.sha256);
     return line;
   };
   std::string kernel;

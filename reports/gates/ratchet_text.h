@@ -39,6 +39,6 @@ const Waiver& open_waiver();
 // The file: promises first; what is alike in `entries` is written once, in the order in which it first appears, and
 // what is open comes last. `line` is not read.
 std::string ratchet_file(const std::string& plan, const TestDescription& test, const std::vector<HeldPromise>& promises,
-                         const std::vector<RatchetEntry>& entries, const std::map<std::string, Json>& digests);
+                         const std::vector<RatchetEntry>& entries, const std::map<std::string, Digests>& digests);
 
 }  // namespace axiscert

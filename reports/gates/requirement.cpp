@@ -36,36 +36,28 @@ std::string usages() {
   return fmt::format("{}", fmt::join(usages, ", "));
 }
 
-Failure failure_of_finding(const Json& finding) {
-  const auto text = [&](const char* member) {
-    return finding[member].is_null() ? "" : finding[member].get<std::string>();
-  };
-  return {text("kernel"),
-          text("precision"),
-          text("family"),
-          finding["count"].get<std::uint64_t>(),
-          fmt::format("{}: {}", text("kind"), text("detail")),
-          ""};
+Failure failure_of_finding(const FindingRecord& finding) {
+  return {finding.kernel, std::string(finding.precision ? name(*finding.precision) : ""), finding.family.value_or(""),
+          finding.count,  fmt::format("{}: {}", name(finding.kind), finding.detail),      ""};
 }
 
 // The failures that fail every level.
-std::vector<Failure> failures_anywhere(const Json& record, const Subject& subject) {
+std::vector<Failure> failures_anywhere(const Record& record, const Subject& subject) {
   std::vector<Failure> failures;
-  for (const Json& finding : record["findings"]) {
+  for (const FindingRecord& finding : record.findings) {
     if (is_about(finding, subject.kernel())) failures.push_back(failure_of_finding(finding));
   }
-  const auto nothing = [](const Json&) { return false; };  // such an answer is not a flip
-  const bool may_decline = subject.kernel()["may_decline"].get<bool>();
-  for (const auto& [family, result] : subject.families().items()) {
+  const auto nothing = [](const FlipRecord&) { return false; };  // such an answer is not a flip
+  for (const auto& [family, result] : subject.families()) {
     const Evidence evidence = subject.evidence(result);
     subject.add(failures, family, evidence.unanswered, "valid queries without an answer", nothing);
     subject.add(failures, family, evidence.invalid, "answers `invalid` to valid queries", nothing);
-    if (!may_decline) {
-      subject.add(failures, family, result["verdict"]["undecided"].get<std::uint64_t>(),
+    if (!subject.kernel().may_decline) {
+      subject.add(failures, family, result.verdict.undecided,
                   "valid queries declined by a kernel that does not declare may_decline", nothing);
     }
-    subject.add(failures, family, result["critical_radius"]["unanswered"].get<std::uint64_t>(),
-                "searches for a critical radius without an answer", nothing);
+    subject.add(failures, family, result.critical_radius.unanswered, "searches for a critical radius without an answer",
+                nothing);
   }
   return failures;
 }
@@ -74,22 +66,20 @@ std::vector<Failure> failures_anywhere(const Json& record, const Subject& subjec
 bool is_file(const std::string& family) { return family.starts_with("queries/") || family == "corpus"; }
 
 // Why a kernel entry shows nothing, or not all that was asked for; empty where it does.
-std::string gap_of(const Json& record, const Subject& subject) {
-  const Json& plan = record["plan"];
-  if (!record["complete"].get<bool>()) return "the run was interrupted";
-  if (subject.families().empty()) {
-    return fmt::format("no query of it was run in {}", subject.kernel()["precision"].get<std::string>());
-  }
+std::string gap_of(const Record& record, const Subject& subject) {
+  const Precision precision = subject.kernel().precision;
+  if (!record.complete) return "the run was interrupted";
+  if (subject.families().empty()) return fmt::format("no query of it was run in {}", name(precision));
   if (const Evidence all = evidence_of(subject.kernel()); all.decided() == 0) {
     return all.promised() == 0 && all.outside != 0 ? "every valid query is outside the limits that it declares"
                                                    : "it called no valid query within its limits separated or contact";
   }
   std::vector<std::string> empty;
-  for (const auto& [family, by_precision] : plan["trials"].items()) {
+  for (const auto& [family, by_precision] : record.plan.trials) {
     std::uint64_t queries = 0;
-    for (const Json& count : by_precision) queries += count.get<std::uint64_t>();
-    const auto here = by_precision.find(subject.kernel()["precision"].get<std::string>());
-    const bool is_reached = is_file(family) || here == by_precision.end() || *here != 0;
+    for (const auto& [each, count] : by_precision) queries += count;
+    const auto here = by_precision.find(precision);
+    const bool is_reached = is_file(family) || here == by_precision.end() || here->second != 0;
     if (queries == 0 || !is_reached) empty.push_back(family);
   }
   return empty.empty() ? "" : fmt::format("no query was run of {}", fmt::join(empty, ", "));
@@ -119,10 +109,9 @@ std::string_view broken_words(const AskedLevel& asked) { return asked.name == "e
 // How much of each family was looked at. Fills in what the outcome says of it; returns why that is too little, or is
 // empty.
 std::string weigh(const Subject& subject, const LevelFindings& found, double share, LevelOutcome& outcome) {
-  const bool may_decline = subject.kernel()["may_decline"].get<bool>();
   Shortfall few, declining;
   for (const auto& [family, look] : found.families) {
-    const Evidence evidence = subject.evidence(subject.families()[family]);
+    const Evidence evidence = subject.evidence(subject.families().at(family));
     if (evidence.population == 0) continue;
     outcome.evidence.add(evidence);
     outcome.looked_at += look.looked_at;
@@ -138,7 +127,7 @@ std::string weigh(const Subject& subject, const LevelFindings& found, double sha
                           look.concerned == 1 ? "query" : "queries", family, least_looked_at,
                           broken_words(outcome.asked)));
     }
-    if (!may_decline) continue;
+    if (!subject.kernel().may_decline) continue;
     const auto check = [&](std::uint64_t declined, std::uint64_t of, const char* what) {
       if (declines_too_many(declined, of, share)) {
         declining.add(fmt::format("it declines {} of {} {} of {}, and has to decide {} of them", thousands(declined),
@@ -165,10 +154,9 @@ std::string weigh(const Subject& subject, const LevelFindings& found, double sha
   };
   std::uint64_t contacts = 0, separations = 0;
   for (const auto& [family, look] : found.families) {
-    const Json& truth = subject.families()[family]["truth"];
-    contacts +=
-        truth["contact"].get<std::uint64_t>() - (all.touching == 0 ? 0 : truth["touching"].get<std::uint64_t>());
-    separations += truth["separated"].get<std::uint64_t>();
+    const TruthCounts& truth = subject.families().at(family).truth;
+    contacts += truth.contact - (all.touching == 0 ? 0 : truth.touching);
+    separations += truth.separated;
   }
   const std::string missing = of_kind(all.contacts, all.declined_contacts, contacts, "contacts");
   return missing.empty() ? of_kind(all.separations, all.declined_separations, separations, "separations") : missing;
@@ -182,8 +170,7 @@ std::string fewest_text(const Subject& subject, const LevelFindings& found, cons
   std::string family;
   std::uint64_t fewest = 0;
   for (const auto& [name, look] : found.families) {
-    const Json& result = subject.families()[name];
-    const std::uint64_t independent = std::min(look.looked_at, result["base_triangles"].get<std::uint64_t>());
+    const std::uint64_t independent = std::min(look.looked_at, subject.families().at(name).base_triangles);
     if (look.looked_at == 0 || (!family.empty() && independent >= fewest)) continue;
     family = name;
     fewest = independent;
@@ -194,9 +181,9 @@ std::string fewest_text(const Subject& subject, const LevelFindings& found, cons
       thousands(fewest), family, upper_bound_percent(fewest), broken_words(asked));
 }
 
-LevelOutcome outcome_of(const Json& record, const Json& kernel, const AskedLevel& asked, double share) {
+LevelOutcome outcome_of(const Record& record, const KernelRecord& kernel, const AskedLevel& asked, double share) {
   const Subject subject(record, kernel);
-  LevelOutcome outcome{asked, kernel["id"], kernel["precision"]};
+  LevelOutcome outcome{asked, kernel.id, std::string(name(kernel.precision))};
   outcome.failures = failures_anywhere(record, subject);
   LevelFindings found = level_of(asked).judge(asked, subject);
   outcome.unseen = std::move(found.unseen);
@@ -238,26 +225,26 @@ std::vector<std::string> yardsticks(const std::vector<AskedLevel>& levels) {
   return kernels;
 }
 
-std::vector<LevelOutcome> outcomes(const Json& record, const Requirements& required) {
+std::vector<LevelOutcome> outcomes(const Record& record, const Requirements& required) {
   std::vector<LevelOutcome> all;
   const std::vector<std::string> unloaded = not_judged(record), exempt = yardsticks(required.levels);
   const double share = decided_share(required.levels);
   for (const AskedLevel& asked : required.levels) {
     for (const std::string& id : unloaded) {
       LevelOutcome outcome{asked, id, "", LevelState::not_met};
-      for (const Json& finding : record["findings"]) {
-        if (finding["kernel"] == id) outcome.failures.push_back(failure_of_finding(finding));
+      for (const FindingRecord& finding : record.findings) {
+        if (finding.kernel == id) outcome.failures.push_back(failure_of_finding(finding));
       }
       all.push_back(std::move(outcome));
     }
     const std::size_t before = all.size();
-    for (const Json& kernel : record["kernels"]) {
-      if (std::find(exempt.begin(), exempt.end(), kernel["id"].get<std::string>()) == exempt.end())
+    for (const KernelRecord& kernel : record.kernels) {
+      if (std::find(exempt.begin(), exempt.end(), kernel.id) == exempt.end())
         all.push_back(outcome_of(record, kernel, asked, share));
     }
     if (all.size() != before || !unloaded.empty()) continue;
-    for (const Json& kernel : record["kernels"]) {
-      LevelOutcome outcome{asked, kernel["id"], kernel["precision"], LevelState::not_checked};
+    for (const KernelRecord& kernel : record.kernels) {
+      LevelOutcome outcome{asked, kernel.id, std::string(name(kernel.precision)), LevelState::not_checked};
       outcome.reason = "others are measured against it, and no other kernel was run";
       all.push_back(std::move(outcome));
     }
@@ -286,9 +273,8 @@ std::string_view name(LevelState state) {
   return "NOT CHECKED";
 }
 
-bool LevelOutcome::is_of(const Json& entry) const {
-  return entry["id"].get_ref<const std::string&>() == kernel &&
-         (precision.empty() || entry["precision"].get_ref<const std::string&>() == precision);
+bool LevelOutcome::is_of(const KernelRecord& entry) const {
+  return entry.id == kernel && (precision.empty() || name(entry.precision) == precision);
 }
 
 std::string LevelOutcome::claim() const {
@@ -336,13 +322,10 @@ std::string levels_help() {
   return text;
 }
 
-Requirements requirements_of(const Json& plan) {
+Requirements requirements_of(const PlanRecord& plan) {
   Requirements required;
-  const Json& given = plan["require"];
-  for (const Json& level : given.is_null() || given.is_array() ? given : Json::array({given}))
-    required.levels.push_back(parse_level(level));
-  for (const Json& level : plan.value("allow_unchecked", Json::array())) {
-    const std::string name = level;
+  for (const std::string& level : plan.require.levels) required.levels.push_back(parse_level(level));
+  for (const std::string& name : plan.allow_unchecked.value_or(std::vector<LevelText>())) {
     const bool is_required = std::any_of(required.levels.begin(), required.levels.end(), [&](const AskedLevel& asked) {
       return asked.text == name || asked.name == name;
     });
@@ -353,15 +336,15 @@ Requirements requirements_of(const Json& plan) {
   return required;
 }
 
-std::vector<std::string> yardsticks_of(const Json& plan) { return yardsticks(requirements_of(plan).levels); }
+std::vector<std::string> yardsticks_of(const PlanRecord& plan) { return yardsticks(requirements_of(plan).levels); }
 
-std::vector<LevelOutcome> outcomes_of(const Json& record) { return outcomes(record, requirements_of(record["plan"])); }
+std::vector<LevelOutcome> outcomes_of(const Record& record) { return outcomes(record, requirements_of(record.plan)); }
 
-std::vector<LevelOutcome> outcomes_at(const Json& record, const std::string& level) {
+std::vector<LevelOutcome> outcomes_at(const Record& record, const std::string& level) {
   return outcomes(record, {{parse_level(level)}, {}});
 }
 
-const LevelOutcome* worst_of(const std::vector<LevelOutcome>& outcomes, const Json& kernel) {
+const LevelOutcome* worst_of(const std::vector<LevelOutcome>& outcomes, const KernelRecord& kernel) {
   const auto badness = [](const LevelOutcome& outcome) {
     if (outcome.state == LevelState::not_checked) return outcome.is_allowed ? 1 : 2;
     return outcome.state == LevelState::met ? 0 : 3;
@@ -408,7 +391,7 @@ Json outcomes_json(const std::vector<LevelOutcome>& outcomes) {
                               {"leaves_out", outcome.leaves_out},
                               {"text", outcome.text()},
                               {"looked_at", outcome.looked_at},
-                              {"evidence", evidence_json(outcome.evidence)},
+                              {"evidence", json_of(outcome.evidence)},
                               {"families", outcome.families},
                               {"outside_limits", outcome.outside},
                               {"failures", Json::array()}});
@@ -419,7 +402,7 @@ Json outcomes_json(const std::vector<LevelOutcome>& outcomes) {
   return all;
 }
 
-std::vector<Failure> unmet(const Json& record, const std::string& level) {
+std::vector<Failure> unmet(const Record& record, const std::string& level) {
   return failures_of(outcomes_at(record, level));
 }
 

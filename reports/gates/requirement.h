@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
 #include "reports/gates/levels/level.h"
 
 namespace axiscert {
@@ -30,7 +30,7 @@ struct LevelOutcome {
   bool has_limits = false;                   // the kernel promises less than everything
 
   bool passes() const { return state == LevelState::met || is_allowed; }
-  bool is_of(const Json& kernel) const;  // whether it is about this entry of the record's "kernels"
+  bool is_of(const KernelRecord& entry) const;  // whether it is about this kernel of the record
   // "exact", or of a kernel with limits "exact within its limits: 19 of 27 families".
   std::string claim() const;
   // "1 of 45 promised queries looked at, 44 declined, 2,655 of 2,700 outside its limits"; empty where nothing could be
@@ -48,16 +48,15 @@ std::string sentence_of(const AskedLevel& asked);
 // Lists the levels with their meanings, for --help.
 std::string levels_help();
 
-// The requirements of a plan: its member "require" is null, a level or a list of levels, and "allow_unchecked", where
-// it is there, lists those that may be left unchecked.
+// The requirements of a plan: the levels, and those of them that may be left unchecked.
 struct Requirements {
   std::vector<AskedLevel> levels;
   std::vector<std::string> allowed;  // as in `text` or `name` of a level
 };
 // Throws Error as parse_level does, and for an allowed level that is not required.
-Requirements requirements_of(const Json& plan);
+Requirements requirements_of(const PlanRecord& plan);
 // The kernels that levels measure others against: they have to meet no level themselves.
-std::vector<std::string> yardsticks_of(const Json& plan);
+std::vector<std::string> yardsticks_of(const PlanRecord& plan);
 
 // The outcomes of what the record's plan requires: by level, then in the order of the record's kernels, those that
 // could not be loaded first.
@@ -74,13 +73,13 @@ std::vector<std::string> yardsticks_of(const Json& plan);
 // and where of the contacts of these families, and of the separations, least_of_each_kind were decided, or all.
 //
 // Empty where nothing is required. Throws Error as requirements_of does.
-std::vector<LevelOutcome> outcomes_of(const Json& record);
+std::vector<LevelOutcome> outcomes_of(const Record& record);
 // The same for one level, whatever the plan requires.
-std::vector<LevelOutcome> outcomes_at(const Json& record, const std::string& level);
+std::vector<LevelOutcome> outcomes_at(const Record& record, const std::string& level);
 
-// The worst of what came of the levels for one entry of the record's "kernels": not met, then not checked, then what
+// The worst of what came of the levels for one kernel of the record: not met, then not checked, then what
 // may be left unchecked. Null where nothing is required of it.
-const LevelOutcome* worst_of(const std::vector<LevelOutcome>& outcomes, const Json& kernel);
+const LevelOutcome* worst_of(const std::vector<LevelOutcome>& outcomes, const KernelRecord& kernel);
 // "met", "not met", "NOT CHECKED", "NOT CHECKED, which is allowed"; "none given" where nothing is required.
 std::string state_text(const LevelOutcome* worst);
 
@@ -92,6 +91,6 @@ std::vector<Failure> failures_of(const std::vector<LevelOutcome>& outcomes);
 Json outcomes_json(const std::vector<LevelOutcome>& outcomes);
 
 // The failures of a record at a level; empty where no kernel fails it, which does not mean that it was checked.
-std::vector<Failure> unmet(const Json& record, const std::string& level);
+std::vector<Failure> unmet(const Record& record, const std::string& level);
 
 }  // namespace axiscert

@@ -1,6 +1,6 @@
 // Records that each level of --require accepts and refuses.
 #include "reports/gates/requirement.h"
-#include "reports/testing/test_run.h"
+#include "reports/testing/edited_record.h"
 
 namespace axiscert {
 namespace {

@@ -24,22 +24,21 @@ struct TimesSeen {
   std::uint64_t hits = 0, best = 0, early = 0, late = 0, untimed = 0, missed = 0, phantom = 0;
   std::vector<std::string> refused_by;
 
-  void add(const Json& record, const Json& kernel) {
-    const auto count = [](const Json& of, const char* member) { return of[member].get<std::uint64_t>(); };
-    for (const Json& family : kernel["families"]) {
-      const Json &verdict = family["verdict"], &time = family["motion"]["time"];
-      hits += count(family["motion"], "hits");
-      best += count(time, "best");
-      early += count(time, "early");
-      late += count(time, "late");
-      untimed += count(time, "none") + count(time, "invalid");
-      missed += count(verdict, "false_separation");
-      phantom += count(verdict, "false_contact");
+  void add(const Record& record, const KernelRecord& kernel) {
+    for (const auto& [family, result] : kernel.families) {
+      const TimeTally& time = *result.motion->time;
+      hits += result.motion->hits;
+      best += time.best;
+      early += time.early;
+      late += time.late;
+      untimed += time.none + time.invalid;
+      missed += result.verdict.false_separation;
+      phantom += result.verdict.false_contact;
     }
     for (const char* level : {"logic", "never-late", "no-tunnel"}) {
       if (std::find(refused_by.begin(), refused_by.end(), level) != refused_by.end()) continue;
       for (const Failure& failure : unmet(record, level)) {
-        if (failure.kernel != kernel["id"].get<std::string>()) continue;
+        if (failure.kernel != kernel.id) continue;
         refused_by.emplace_back(level);
         break;
       }
@@ -67,8 +66,8 @@ EnumArray<TimeFault, TimesSeen> seen_of_all() {
   plan.seed = time_mutants_seed;
   EnumArray<TimeFault, TimesSeen> seen{};
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {
-    const Json record = record_of_kernels(plan, precision, motions_each, asked);
-    for (const TimeFault fault : enumerators<TimeFault>) seen[fault].add(record, record["kernels"][index_of(fault)]);
+    const Record record = record_of_kernels(plan, precision, motions_each, asked);
+    for (const TimeFault fault : enumerators<TimeFault>) seen[fault].add(record, record.kernels[index_of(fault)]);
   }
   return seen;
 }

@@ -13,17 +13,17 @@ namespace axiscert {
 namespace {
 
 // Valid queries of a family that one kernel was asked, in all of its precisions.
-std::uint64_t valid_queries(const Json& record, const Json& id, const std::string& family) {
+std::uint64_t valid_queries(const Record& record, const std::string& id, const std::string& family) {
   std::uint64_t sum = 0;
-  for (const Json& kernel : record["kernels"]) {
-    const auto result = kernel["families"].find(family);
-    if (kernel["id"] == id && result != kernel["families"].end()) sum += evidence_of(kernel, *result).population;
+  for (const KernelRecord& kernel : record.kernels) {
+    const FamilyRecord* result = kernel.families.find(family);
+    if (kernel.id == id && result != nullptr) sum += evidence_of(kernel, *result).population;
   }
   return sum;
 }
 
 // Why a kernel in one precision gave nothing to judge; empty where it did, and where it was asked nothing.
-std::string nothing_of(const Json& kernel) {
+std::string nothing_of(const KernelRecord& kernel) {
   const Evidence evidence = evidence_of(kernel);
   if (evidence.population == 0 || evidence.decided() != 0) return "";
   if (evidence.promised() == 0) {
@@ -38,31 +38,30 @@ std::string nothing_of(const Json& kernel) {
 
 }  // namespace
 
-std::vector<std::string> unjudged(const Json& record) {
+std::vector<std::string> unjudged(const Record& record) {
   std::vector<std::string> sentences;
   const std::vector<std::string> unloaded = not_judged(record);
   for (const std::string& id : unloaded) {
     std::string why;
-    for (const Json& finding : record["findings"]) {
-      if (finding["kernel"] == id) why = ": " + finding["detail"].get<std::string>();
+    for (const FindingRecord& finding : record.findings) {
+      if (finding.kernel == id) why = ": " + finding.detail;
     }
     sentences.push_back(fmt::format("{}: NOT JUDGED: it could not be loaded{}", id, why));
   }
-  for (const Json& id : record["plan"]["kernels"]) {
-    const std::string name = id;
-    if (std::find(unloaded.begin(), unloaded.end(), name) != unloaded.end()) continue;
+  for (const std::string& id : record.plan.kernels) {
+    if (std::find(unloaded.begin(), unloaded.end(), id) != unloaded.end()) continue;
     std::vector<std::string> empty;
-    for (const Json& family : record["plan"]["families"]) {
+    for (const std::string& family : record.plan.families) {
       if (valid_queries(record, id, family) == 0) empty.push_back(family);
     }
     if (!empty.empty()) {
-      sentences.push_back(fmt::format("{}: NOT JUDGED on {}: no valid query in a precision in which it exists", name,
+      sentences.push_back(fmt::format("{}: NOT JUDGED on {}: no valid query in a precision in which it exists", id,
                                       fmt::join(empty, ", ")));
     }
-    for (const Json& kernel : record["kernels"]) {
-      if (kernel["id"] != id) continue;
+    for (const KernelRecord& kernel : record.kernels) {
+      if (kernel.id != id) continue;
       if (const std::string why = nothing_of(kernel); !why.empty())
-        sentences.push_back(fmt::format("{} {}: NOT JUDGED: {}", name, kernel["precision"].get<std::string>(), why));
+        sentences.push_back(fmt::format("{} {}: NOT JUDGED: {}", id, name(kernel.precision), why));
     }
   }
   return sentences;

@@ -1,29 +1,45 @@
-// The data that instruments and lists print for other programs: JSON with a head, and CSV of its rows. docs/data.md
-// describes both.
+// The head of the JSON that instruments and lists print for other programs. docs/data.md describes it.
 #pragma once
 
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "fuzz/text/json.h"
+#include "fuzz/fields/json_form.h"
+#include "kernel/base/version.h"
 
 namespace axiscert {
 
-// {"schema": SCHEMA, "axiscert": the version, "revision": its commit, MEMBERS...}. The schema is
-// reports/schemas/NAME.schema.json, where SCHEMA is axiscert-NAME/VERSION.
-Json headed(std::string_view schema, const Json& members);
+// {"schema": SCHEMA, "axiscert": the version, "revision": its commit, MEMBERS...}, where SCHEMA is
+// axiscert-NAME/VERSION.
+inline Json headed(std::string_view schema, const Json& members) {
+  Json data = {{"schema", schema}, {"axiscert", axiscert_version}, {"revision", axiscert_revision}};
+  data.update(members);
+  return data;
+}
 
-// The CSV of such JSON (RFC 4180, with a line of names): its rows, one observation a line. Null is an empty cell, an
-// array of texts or numbers its elements with spaces between them. Throws std::logic_error for a schema that has no
-// table.
-std::string csv_of(const Json& data);
+// The same head of a struct: `File` says its `format`, and has this as its first base.
+template <class File>
+struct DataHead {
+  FormatName<File> schema;
+  Name axiscert = std::string(axiscert_version), revision = std::string(axiscert_revision);
 
-struct DataTable {
-  std::vector<std::string> columns;  // a name is a member of a row, or with dots the path to one
-  std::vector<Json> rows;            // a member that a row lacks is an empty cell
+  static constexpr auto fields(auto&& visit) {
+    using Of = DataHead;
+    return visit(field(&Of::schema, {"schema", "The format of this file."}),
+                 field(&Of::axiscert, {"axiscert", "The version that wrote it."}),
+                 field(&Of::revision, {"revision",
+                                       "The commit that it was built from, with -dirty where the tree differed; "
+                                       "unknown without a repository."}));
+  }
 };
-DataTable table_of(const Json& data);
-std::string csv_text(const DataTable& table);
+template <class File>
+struct CommandData : DataHead<File> {
+  Name command;
+
+  static constexpr auto fields(auto&& visit) {
+    return visit(base<CommandData, DataHead<File>>(),
+                 field(&CommandData::command, {"command", "The command that makes the same file again."}));
+  }
+};
 
 }  // namespace axiscert

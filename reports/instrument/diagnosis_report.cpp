@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "reports/instrument/data.h"
 #include "reports/instrument/figures.h"
 #include "reports/instrument/looked_at.h"
 
@@ -32,6 +31,22 @@ InstrumentTable diagnosis_witness_table(const Diagnosis& diagnosis) {
 
 }  // namespace
 
+Json diagnosis_data_schema() {
+  Json schema = json_schema_of<DiagnosisData>(), names = Json::array(), values = Json::array();
+  const auto add = [&](Json of_kind) { values.push_back(Json{{"properties", std::move(of_kind)}}); };
+  add({{"value", {{"enum", Json::array({not_known, not_asked})}}}});
+  for (const PropertyKind& kind : property_kinds()) {
+    names.push_back(kind.name);
+    Json of_kind = {{"name", {{"const", kind.name}}}};
+    if (!kind.values.empty()) of_kind["value"] = {{"enum", kind.values}};
+    add(std::move(of_kind));
+  }
+  Json& property = schema["properties"]["properties"]["items"];
+  property["properties"]["name"]["enum"] = std::move(names);
+  property["anyOf"] = std::move(values);
+  return schema;
+}
+
 InstrumentReport diagnosis_report(const Diagnosis& diagnosis, const std::string& command) {
   InstrumentReport report;
   report.name = "diagnosis";
@@ -54,9 +69,10 @@ InstrumentReport diagnosis_report(const Diagnosis& diagnosis, const std::string&
   if (InstrumentTable witnesses = diagnosis_witness_table(diagnosis); !witnesses.rows.empty()) {
     report.tables.push_back(std::move(witnesses));
   }
-  Json members = {{"command", command}};
-  members.update(diagnosis_json(diagnosis));
-  report.data = headed(diagnosis_schema, members);
+  DiagnosisData data;
+  data.command = command;
+  data.diagnosis = diagnosis;
+  report.data = json_of(data);
   return report;
 }
 

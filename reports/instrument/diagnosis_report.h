@@ -2,11 +2,24 @@
 #pragma once
 
 #include "fuzz/diagnosis/diagnosis.h"
+#include "reports/instrument/data.h"
 #include "reports/instrument/instrument.h"
 
 namespace axiscert {
 
-inline constexpr const char* diagnosis_schema = "axiscert-diagnosis/1";
+struct DiagnosisData : CommandData<DiagnosisData> {
+  static constexpr std::string_view format = "axiscert-diagnosis/1", title = "What a kernel is like";
+  Diagnosis diagnosis;
+
+  static constexpr std::string_view about =
+      "diagnosis.json, which `axiscert diagnose` writes. It depends on the kernel, the precision and the seed alone. "
+      "docs/diagnosis.md says what decides each value.";
+  static constexpr auto fields(auto&& visit) {
+    return visit(base<DiagnosisData, CommandData<DiagnosisData>>(), inlined(&DiagnosisData::diagnosis));
+  }
+};
+// Its schema, with the values of each property.
+Json diagnosis_data_schema();
 
 InstrumentReport diagnosis_report(const Diagnosis& diagnosis, const std::string& command);
 // The witnesses as a query file, in the order of the properties; the id of each names its property.

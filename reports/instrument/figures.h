@@ -4,19 +4,37 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "fuzz/fields/json_form.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/instruments/extreme.h"
-#include "fuzz/text/json.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
 
-// A JSON number; text where binary64 cannot hold it.
-inline Json number_json(const Decimal6& decimal) {
-  const double value = decimal.value();
-  return std::isfinite(value) ? Json(value) : Json(decimal.text());
+// Errors of the smallest radius that a kernel calls a contact.
+struct RadiusSummary {
+  std::uint64_t sampled = 0;
+  std::optional<double> median_ulps, largest_ulps;
+  std::uint64_t unbounded = 0;
+
+  static constexpr std::string_view about = "The smallest radius that the kernel calls a contact.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = RadiusSummary;
+    return visit(
+        field(&Of::sampled, {"sampled", "Triangles that were measured."}),
+        field(&Of::median_ulps,
+              {"median_ulps", "The median error of the critical radius, in ulps of the exact distance.", "ulps"}),
+        field(&Of::largest_ulps, {"largest_ulps", "The greatest.", "ulps"}),
+        field(&Of::unbounded, {"unbounded", "Triangles for which no radius is a contact."}));
+  }
+};
+inline RadiusSummary radius_summary(const std::vector<double>& ascending, std::uint64_t unbounded) {
+  const auto at = [&](std::size_t i) { return ascending.empty() ? std::nullopt : std::optional(ascending[i]); };
+  return {ascending.size() + unbounded, at((ascending.size() - 1) / 2), at(ascending.size() - 1), unbounded};
 }
+
 // The number to four significant digits.
 inline std::string shown(const Decimal6& decimal) {
   const double value = decimal.value();
@@ -30,11 +48,6 @@ struct QueryOrigin {
 
   std::string address(const Source& source, std::uint64_t position) const {
     return text(address_of(source, seed, precision, position));
-  }
-  // {NAME: value, "address": ...}, or null.
-  Json measured_json(const std::optional<Measured>& measured, const char* name, const Source& source) const {
-    if (!measured) return nullptr;
-    return {{name, number_json(measured->value)}, {"address", address(source, measured->position)}};
   }
 };
 

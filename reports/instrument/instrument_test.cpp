@@ -89,10 +89,10 @@ TEST(LookedAtText, ShowsTheFirstFault) {
   one.invalid = later.undecided = 1;
   one.first_fault = {1, Verdict::invalid, "{\"id\":\"first\"}"};
   later.first_fault = {2, Verdict::undecided, "{\"id\":\"second\"}"};
-  later.merge(one);
+  merge_fields(later, one);
   EXPECT_EQ(faults_text(later, false),
             "Fault: no verdict on 2 valid queries within its limits. The first, invalid: {\"id\":\"first\"}");
-  EXPECT_EQ(looked_at_json(later)["first_fault"]["said"], "invalid");
+  EXPECT_EQ(json_of(later)["first_fault"]["said"], "invalid");
 }
 
 }  // namespace

@@ -4,34 +4,17 @@
 #include <fmt/ranges.h>
 
 #include "kernel/base/error.h"
-#include "reports/page/embedded.h"
-#include "reports/instrument/data.h"
 #include "reports/instrument/instrument.h"
 #include "reports/run_folder/parsed_json.h"
-#include "reports/run_folder/schema.h"
 
 namespace axiscert {
 namespace {
 
-constexpr const char* index_schema = "axiscert-maps/2";
-
 std::string text_of(const Colour& c) { return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue); }
 
-Json legend_json() {
-  Json legend = Json::array();
-  for (const LegendEntry& entry : map_legend()) {
-    legend.push_back(
-        {{"class", pixel_class_names[entry.pixel]}, {"colour", text_of(entry.colour)}, {"meaning", entry.meaning}});
-  }
-  return legend;
+SideData side_data(const PlaneSide& side) {
+  return {side.numbers.name, side.pixels, side.origin(), static_cast<std::uint64_t>(side.step)};
 }
-
-Json side_json(const PlaneSide& side) {
-  return {{"numbers", side.numbers.name}, {"pixels", side.pixels}, {"origin", side.origin()}, {"step", side.step}};
-}
-
-// The characters allowed in the name of a map, which begins the names of its files.
-constexpr std::string_view name_letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
 
 std::string picture_file(const std::string& map, const MapPlan& plan, const MapSubject& subject) {
   return fmt::format("{}-{}.png", map, name(subject, *plan.kernel->test));
@@ -39,10 +22,10 @@ std::string picture_file(const std::string& map, const MapPlan& plan, const MapS
 
 // "Nothing was looked at in verdict: no pixel is decided. ": what stands before anything else; empty where every
 // picture has a decided pixel.
-std::string nothing_looked_at(const Json& map) {
+std::string nothing_looked_at(const MapData& map) {
   std::vector<std::string> pictures;
-  for (const Json& picture : map["pictures"]) {
-    if (picture["decided"] == 0) pictures.push_back(picture["name"]);
+  for (const PictureData& picture : map.pictures) {
+    if (picture.decided == 0) pictures.push_back(picture.name);
   }
   if (pictures.empty()) return "";
   return fmt::format("Nothing was looked at in {}: no pixel is decided. ", fmt::join(pictures, ", "));
@@ -73,34 +56,28 @@ const std::array<LegendEntry, pixel_class_count>& map_legend() {
   return legend;
 }
 
-Json map_json(const std::string& map_name, const MapPlan& plan, const std::vector<MapPicture>& pictures,
-              const std::string& command) {
-  if (map_name.empty() || map_name.find_first_not_of(name_letters) != map_name.npos) {
+MapData map_data(const std::string& map_name, const MapPlan& plan, const std::vector<MapPicture>& pictures,
+                 const std::string& command) {
+  if (!std::regex_match(map_name, std::regex{std::string(MapNameRule::pattern)}))
     throw Error(fmt::format("--name {}: a name may contain only letters, digits, _ and -", map_name));
-  }
-  Json map = {{"name", map_name},
-              {"command", command},
-              {"kernel", plan.kernel->id},
-              {"may_decline", plan.kernel->may_decline},
-              {"precision", name(plan.witness.precision)},
-              {"kind", plane_kind_names[plan.plane.kind]},
-              {"along", side_json(plan.plane.along)},
-              {"across", side_json(plan.plane.across)},
-              {"witness", Json::parse(query_line(plan.witness))},
-              {"pictures", Json::array()}};
+  MapData map{map_name,
+              command,
+              plan.kernel->id,
+              plan.kernel->may_decline,
+              plan.witness.precision,
+              plan.plane.kind,
+              side_data(plan.plane.along),
+              side_data(plan.plane.across),
+              query_line(plan.witness),
+              {}};
   for (const MapPicture& picture : pictures) {
-    Json counts = Json::object();
-    for (std::size_t c = 0; c < pixel_class_count; ++c) counts[std::string(pixel_class_names[c])] = picture.counts[c];
-    map["pictures"].push_back({{"level", level_names[picture.subject.level]},
-                               {"name", name(picture.subject, *plan.kernel->test)},
-                               {"file", picture_file(map_name, plan, picture.subject)},
-                               {"decided", picture.decided()},
-                               {"counts", counts}});
+    map.pictures.push_back({picture.subject.level, name(picture.subject, *plan.kernel->test),
+                            picture_file(map_name, plan, picture.subject), picture.decided(), picture.counts});
   }
   return map;
 }
 
-std::map<std::string, std::string> map_files(const Json& map, const MapPlan& plan,
+std::map<std::string, std::string> map_files(const MapData& map, const MapPlan& plan,
                                              const std::vector<MapPicture>& pictures, const std::string& index) {
   std::map<std::string, std::string> files;
   std::vector<Colour> palette;
@@ -108,62 +85,56 @@ std::map<std::string, std::string> map_files(const Json& map, const MapPlan& pla
   for (const MapPicture& picture : pictures) {
     static_assert(sizeof(PixelClass) == 1);
     const std::span pixels(reinterpret_cast<const std::uint8_t*>(picture.pixels.data()), picture.pixels.size());
-    files[picture_file(map["name"], plan, picture.subject)] = indexed_png(plan.plane.columns(), pixels, palette);
+    files[picture_file(map.name, plan, picture.subject)] = indexed_png(plan.plane.columns(), pixels, palette);
   }
-  std::vector<Json> maps;
+  std::vector<MapData> maps;
   if (!index.empty()) {
-    Json given = Json::value_t::discarded;  // stays so where the index is not JSON, for the schema to refuse
     try {
-      given = parsed_json(index);
-    } catch (const Json::exception&) {
+      maps = read_as<MapsData>(parsed_json(index)).maps;
+    } catch (const std::exception& fault) {
+      throw Error(fmt::format("maps/{}: does not conform to {}: {}; remove it, or give another --out", map_index_file,
+                              MapsData::format, fault.what()));
     }
-    check_schema(Json::parse(embedded::maps_schema_json), given, fmt::format("maps/{}", map_index_file),
-                 "remove it, or give another --out");
-    for (const Json& other : given["maps"]) {
-      if (other["name"] != map["name"]) maps.push_back(other);
-    }
+    std::erase_if(maps, [&](const MapData& other) { return other.name == map.name; });
   }
   maps.push_back(map);
-  files[std::string(map_index_file)] = index_of(maps).dump(1) + "\n";
+  files[std::string(map_index_file)] = index_of(std::move(maps)).dump(1) + "\n";
   return files;
 }
 
-Json index_of(const std::vector<Json>& maps) {
-  return headed(index_schema, {{"legend", legend_json()}, {"maps", maps}});
+Json index_of(std::vector<MapData> maps) {
+  MapsData index;
+  for (const LegendEntry& entry : map_legend())
+    index.legend.push_back({entry.pixel, text_of(entry.colour), entry.meaning});
+  index.maps = std::move(maps);
+  return json_of(index);
 }
 
-std::string map_text(const Json& map) {
-  const auto side = [&](const char* which) {
-    const Json& s = map[which];
-    return fmt::format("{} {}, {} pixels of {}", which, s["numbers"].get<std::string>(), s["pixels"].get<std::size_t>(),
-                       map["kind"] == "ulps" ? fmt::format("{} ulp", s["step"].get<std::int64_t>())
-                                             : fmt::format("2^{}", s["step"].get<std::int64_t>()));
+std::string map_text(const MapData& map) {
+  const auto side = [&](const char* which, const SideData& s) {
+    return fmt::format("{} {}, {} pixels of {}", which, s.numbers, s.pixels,
+                       map.kind == PlaneKind::ulps ? fmt::format("{} ulp", s.step) : fmt::format("2^{}", s.step));
   };
   InstrumentReport report;
-  report.title =
-      nothing_looked_at(map) + fmt::format("{} in {} around {}: {}, {}", map["kernel"].get<std::string>(),
-                                           map["precision"].get<std::string>(), map["witness"]["id"].get<std::string>(),
-                                           side("along"), side("across"));
-  report.command = map["command"];
+  report.title = nothing_looked_at(map) + fmt::format("{} in {} around {}: {}, {}", map.kernel, name(map.precision),
+                                                      Json::parse(std::string(map.witness))["id"].get<std::string>(),
+                                                      side("along", map.along), side("across", map.across));
+  report.command = map.command;
   InstrumentTable table{"Pixels", {"picture", "decided"}, {}};
   for (const std::string_view c : pixel_class_names) table.columns.emplace_back(c);
-  for (const Json& picture : map["pictures"]) {
-    std::vector<std::string> row = {picture["name"], picture["decided"].dump()};
-    for (const std::string_view c : pixel_class_names) row.push_back(picture["counts"][std::string(c)].dump());
-    table.rows.push_back(row);
+  for (const PictureData& picture : map.pictures) {
+    auto& row = table.rows.emplace_back(std::vector<std::string>{picture.name, fmt::format("{}", picture.decided)});
+    for (const std::uint64_t count : picture.counts) row.push_back(fmt::format("{}", count));
   }
   report.tables.push_back(table);
-  for (const LegendEntry& entry : map_legend()) {
+  for (const LegendEntry& entry : map_legend())
+    report.notes.push_back(fmt::format("{} {}: {}", name(entry.pixel), text_of(entry.colour), entry.meaning));
+  for (const PictureData& picture : map.pictures) {
+    const std::uint64_t undecided = picture.counts[PixelClass::undecided];
+    if (map.may_decline || undecided == 0) continue;
     report.notes.push_back(
-        fmt::format("{} {}: {}", pixel_class_names[entry.pixel], text_of(entry.colour), entry.meaning));
-  }
-  for (const Json& picture : map["pictures"]) {
-    const Json& counts = picture["counts"];
-    if (map["may_decline"] == true || counts["undecided"] == 0) continue;
-    report.notes.push_back(
-        fmt::format("{}: {} pixels are undecided, and the kernel does not declare that it may "
-                    "decline: a fault.",
-                    picture["name"].get<std::string>(), counts["undecided"].dump()));
+        fmt::format("{}: {} pixels are undecided, and the kernel does not declare that it may decline: a fault.",
+                    picture.name, undecided));
   }
   return instrument_text(report);
 }

@@ -8,7 +8,7 @@
 #include "fuzz/search/proved.h"
 #include "reports/instrument/figures.h"
 #include "reports/instrument/looked_at.h"
-#include "kernel/base/version.h"
+#include "reports/instrument/search_data.h"
 
 namespace axiscert {
 namespace {
@@ -116,7 +116,7 @@ class SearchReport {
     for (const Goal goal : enumerators<Goal>) {
       LookedAt of_goal;
       for (std::size_t i = 0; i < result_.aims.size(); ++i) {
-        if (result_.aims[i].goal == goal) of_goal.merge(result_.looked_at[i]);
+        if (result_.aims[i].goal == goal) merge_fields(of_goal, result_.looked_at[i]);
       }
       if (of_goal.asked() != 0) add(std::string(goal_names[goal]), of_goal);
     }
@@ -149,59 +149,65 @@ class SearchReport {
     return table;
   }
 
-  static Json witness_json(const Find& find) { return Json::parse(query_line(find.witness)); }
-  static Json error_json(const Find* find) { return find ? number_json(find->value) : Json(nullptr); }
-  static Json range_json(const Find* find) {
-    if (!find) return nullptr;
-    return {{"exponent", find->range_exponent}, {"witness", witness_json(*find)}};
+  template <class Of, class Made>
+  static auto made_of(const Of* find, Made made) -> std::optional<decltype(made(*find))> {
+    return find ? std::optional(made(*find)) : std::nullopt;
+  }
+  static QueryLine witness_of(const Find& find) { return query_line(find.witness); }
+  static Decimal6 value_of(const Find& find) { return find.value; }
+  static RangeFindData range_of(const Find& find) { return {find.range_exponent, witness_of(find)}; }
+  static WrongVerdictFindData wrong_verdict_of(const Find& find) {
+    WrongVerdictFindData wrong{find.value, {}, witness_of(find)};
+    for (const Link link : find.links) wrong.links.push_back(link);
+    return wrong;
+  }
+  static RadiusFindData radius_of(const Find& find) { return {find.value, witness_of(find)}; }
+
+  ComparisonFindData comparison_data(std::size_t which) const {
+    const Find *error = find({Goal::error, which}), *relative = find({Goal::relative_error, which});
+    return {std::string(test().comparisons[which].name),
+            made_of(error, value_of),
+            proved_error(*plan_.kernel, plan_.precision, which),
+            made_of(error, witness_of),
+            made_of(relative, value_of),
+            made_of(relative, witness_of),
+            made_of(find({Goal::overflow, which}), range_of),
+            made_of(find({Goal::underflow, which}), range_of)};
+  }
+
+  VerdictFindsData verdict_data() const {
+    VerdictFindsData finds;
+    for (const Goal goal : verdict_goals()) {
+      const Find* found = find({goal});
+      if (goal == Goal::missed_contact) finds.missed_contact.emplace(made_of(found, wrong_verdict_of));
+      if (goal == Goal::phantom_contact) finds.phantom_contact.emplace(made_of(found, wrong_verdict_of));
+      if (goal == Goal::critical_radius) finds.critical_radius.emplace(made_of(found, radius_of));
+    }
+    return finds;
+  }
+
+  static std::vector<Name> names_of(const std::vector<SourcePtr>& sources) {
+    std::vector<Name> all;
+    for (const SourcePtr& source : sources) all.push_back(source->name());
+    return all;
   }
 
   Json data() const {
-    Json comparisons_json = Json::array(), verdict = Json::object(), families = Json::array();
-    for (const std::size_t which : comparisons_asked()) {
-      const Find *error = find({Goal::error, which}), *relative = find({Goal::relative_error, which});
-      const auto proved = proved_error(*plan_.kernel, plan_.precision, which);
-      comparisons_json.push_back({{"name", test().comparisons[which].name},
-                                  {"attained_u", error_json(error)},
-                                  {"proved_u", proved ? number_json(*proved) : Json(nullptr)},
-                                  {"witness", error ? witness_json(*error) : Json(nullptr)},
-                                  {"relative_u", error_json(relative)},
-                                  {"relative_witness", relative ? witness_json(*relative) : Json(nullptr)},
-                                  {"overflow", range_json(find({Goal::overflow, which}))},
-                                  {"underflow", range_json(find({Goal::underflow, which}))}});
-    }
-    for (const Goal goal : verdict_goals()) {
-      const Find* found = find({goal});
-      Json& entry = verdict[name(Aim{goal}, test())] = nullptr;
-      if (!found) continue;
-      entry = {{unit(goal), number_json(found->value)}};
-      if (goal != Goal::critical_radius) entry["links"] = names(found->links);
-      entry["witness"] = witness_json(*found);
-    }
-    for (const SourcePtr& source : plan_.sources) families.push_back(source->name());
-    Json first_families = Json::array(), by_goal = Json::object();
-    for (std::size_t i = 0; i < result_.aims.size(); ++i) {
-      by_goal[name(result_.aims[i], test())] = looked_at_json(result_.looked_at[i]);
-    }
-    for (const SourcePtr& source : plan_.first_sources) first_families.push_back(source->name());
-    return {{"schema", search_schema},
-            {"axiscert", axiscert_version},
-            {"revision", axiscert_revision},
-            {"complete", result_.complete},
-            {"kernel", plan_.kernel->id},
-            {"precision", name(plan_.precision)},
-            {"seed", plan_.seed},
-            {"families", families},
-            {"evaluations", result_.evaluations},
-            {"may_decline", may_decline()},
-            {"looked_at", looked_at_json(all_)},
-            {"looked_at_by_goal", by_goal},
-            {"comparisons", comparisons_json},
-            {"verdict", verdict},
-            {"begun_from",
-             {{"queries", plan_.first_queries},
-              {"families", first_families},
-              {"looked_at", looked_at_json(result_.begun)}}}};
+    SearchData data;
+    data.complete = result_.complete;
+    data.kernel = plan_.kernel->id;
+    data.precision = plan_.precision;
+    data.seed = {plan_.seed};
+    data.families = names_of(plan_.sources);
+    data.evaluations = result_.evaluations;
+    data.may_decline = may_decline();
+    data.looked_at = all_;
+    for (std::size_t i = 0; i < result_.aims.size(); ++i)
+      data.looked_at_by_goal.put(name(result_.aims[i], test())) = result_.looked_at[i];
+    for (const std::size_t which : comparisons_asked()) data.comparisons.push_back(comparison_data(which));
+    data.verdict = verdict_data();
+    data.begun_from = {plan_.first_queries, names_of(plan_.first_sources), result_.begun};
+    return json_of(data);
   }
 
   const SearchPlan& plan_;
@@ -213,7 +219,7 @@ class SearchReport {
 
 LookedAt search_looked_at(const SearchResult& result) {
   LookedAt all = result.evaluated();
-  all.merge(result.begun);
+  merge_fields(all, result.begun);
   return all;
 }
 

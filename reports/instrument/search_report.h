@@ -6,8 +6,6 @@
 
 namespace axiscert {
 
-inline constexpr const char* search_schema = "axiscert-search/1";
-
 InstrumentReport search_report(const SearchPlan& plan, const SearchResult& result, const std::string& command);
 // All queries that the search looked at: those that were evaluated, and those of the run before. Where none of them was
 // decided, it says nothing about the kernel.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/instrument/data.h"
 #include "reports/instrument/figures.h"
 #include "reports/instrument/looked_at.h"
 #include "reports/league/league_trust.h"
@@ -41,7 +40,7 @@ std::string family_cell(const Tally& tally) {
   add('d', tally.verdict.undecided);
   add('n', tally.verdict.invalid);
   add('u', tally.verdict.unanswered);
-  add('o', tally.verdict.outside_limits.trials);
+  add('o', tally.verdict.outside_limits->trials);
   return cell;
 }
 
@@ -162,7 +161,7 @@ class LeagueReport {
           deepest(all.verdict.deepest_false_separation.best(), said), wrong_count(all.verdict.false_contact, said),
           deepest(all.verdict.deepest_false_contact.best(), said), thousands(all.verdict.undecided),
           thousands(all.verdict.invalid), thousands(all.verdict.unanswered),
-          thousands(all.verdict.outside_limits.trials), radius.median, radius.largest,
+          thousands(all.verdict.outside_limits->trials), radius.median, radius.largest,
           thousands(count_of(all, FindingKind::hang)), thousands(count_of(all, FindingKind::crash)),
           thousands(other_findings(all))});
       const std::optional<double> ns = time(k, precision);
@@ -195,7 +194,7 @@ class LeagueReport {
 
   // Each claims the bits of the published test, so that its own fault is distinguished from rounding and range.
   static std::optional<std::uint64_t> caught(const Tally& tally) {
-    return tally.verdict.first_by_link[Link::implementation];
+    return tally.verdict.first_by_link[Link::implementation].position;
   }
 
   InstrumentTable faults(Precision precision) const {
@@ -245,74 +244,65 @@ class LeagueReport {
   }
 
   Tally sum(std::size_t k, Precision precision) const {
-    Tally all(*league_.kernels[k]->test);
+    Tally all = empty_tally(*league_.kernels[k]->test);
     for_each_cell(k, precision, [&](const Source&, const Tally& tally) { all.merge(tally); });
     return all;
   }
 
   Json data(const std::string& command) const {
-    Json kernels = Json::array();
+    LeagueData data;
+    data.command = command;
+    data.seed = {league_.questions.seed};
     for (std::size_t k = 0; k < league_.kernels.size(); ++k) {
       const Kernel& kernel = *league_.kernels[k];
       for (const Precision precision : league_.questions.precisions) {
         if (!kernel.has(precision)) continue;
-        const std::optional<double> ns = time(k, precision);
-        Json entry = {{"id", kernel.id},
-                      {"precision", name(precision)},
-                      {"summary", kernel.summary},
-                      {"touching", name(kernel.touching)},
-                      {"may_decline", kernel.may_decline},
-                      {"has_planted_fault", k >= league_.contenders},
-                      {"ns", ns ? Json(*ns) : Json(nullptr)},
-                      {"worst", k < league_.contenders ? worst_json(league_, result_, k, precision) : Json(nullptr)},
-                      {"trust", Json::object()},
-                      {"families", Json::object()}};
+        LeagueKernelData& entry = data.kernels.emplace_back();
+        entry.id = kernel.id;
+        entry.precision = precision;
+        entry.summary = kernel.summary;
+        entry.touching = kernel.touching;
+        entry.may_decline = kernel.may_decline;
+        entry.has_planted_fault = k >= league_.contenders;
+        entry.ns = time(k, precision);
+        if (k < league_.contenders) entry.worst = worst_data(league_, result_, k, precision);
         for (const TrustGroup* group : groups_asked(league_.questions.sources)) {
           const Trust trust = trust_in(kernel, tally_of_group(league_, result_, k, precision, group));
-          entry["trust"][std::string(group->name)] = {{"answer", trust.answer}, {"words", trust.words}};
+          entry.trust.put(group->name) = {trust.answer, trust.words};
         }
         for_each_cell(k, precision, [&](const Source& source, const Tally& tally) {
-          entry["families"][source.name()] = family_json(tally);
+          entry.families.put(source.name()) = family_data(tally);
         });
-        kernels.push_back(std::move(entry));
       }
     }
-    return headed("axiscert-league/2", {{"command", command},
-                                        {"seed", league_.questions.seed},
-                                        {"kernels", std::move(kernels)},
-                                        {"not_checked", league_.not_checked}});
+    data.not_checked.assign(league_.not_checked.begin(), league_.not_checked.end());
+    return json_of(data);
   }
 
-  static Json family_json(const Tally& tally) {
+  static LeagueFamilyData family_data(const Tally& tally) {
     const VerdictTally& verdict = tally.verdict;
     std::vector<double> errors = sizes(tally.critical_radius.errors_ulps);
     std::sort(errors.begin(), errors.end());
-    const auto error = [&](std::size_t i) { return errors.empty() ? Json(nullptr) : Json(errors[i]); };
-    const auto position = caught(tally);
-    const std::uint64_t said = decided(tally);
-    const auto measured = [&](const auto& value) { return said == 0 ? Json(nullptr) : Json(value); };
-    Json json = {{"trials", tally.trials},
-                 {"decided", said},
-                 {"false_separation", measured(verdict.false_separation)},
-                 {"false_contact", measured(verdict.false_contact)},
-                 {"touching_flips", measured(verdict.touching_flips)},
-                 {"deepest_false_separation", measured(verdict.deepest_false_separation.best())},
-                 {"deepest_false_contact", measured(verdict.deepest_false_contact.best())},
-                 {"undecided", verdict.undecided},
-                 {"invalid", verdict.invalid},
-                 {"unanswered", verdict.unanswered},
-                 {"outside_limits", verdict.outside_limits.trials},
-                 {"caught_after", position ? Json(*position + 1) : Json(nullptr)},
-                 {"critical_radius",
-                  {{"sampled", errors.size() + tally.critical_radius.unbounded},
-                   {"median_ulps", error((errors.size() - 1) / 2)},
-                   {"largest_ulps", error(errors.size() - 1)},
-                   {"unbounded", tally.critical_radius.unbounded}}},
-                 {"findings", Json::object()}};
-    for (std::size_t i = 0; i < finding_kind_count; ++i) {
-      if (tally.findings[i].count != 0) json["findings"][std::string(finding_kind_names[i])] = tally.findings[i].count;
+    LeagueFamilyData data;
+    data.trials = tally.trials;
+    data.decided = decided(tally);
+    if (data.decided != 0) {
+      data.false_separation = verdict.false_separation;
+      data.false_contact = verdict.false_contact;
+      data.touching_flips = verdict.touching_flips;
+      data.deepest_false_separation = verdict.deepest_false_separation.best();
+      data.deepest_false_contact = verdict.deepest_false_contact.best();
     }
-    return json;
+    data.undecided = verdict.undecided;
+    data.invalid = verdict.invalid;
+    data.unanswered = verdict.unanswered;
+    data.outside_limits = verdict.outside_limits->trials;
+    if (const auto position = caught(tally)) data.caught_after = *position + 1;
+    data.critical_radius = radius_summary(errors, tally.critical_radius.unbounded);
+    for (const FindingKind kind : enumerators<FindingKind>) {
+      if (tally.findings[kind].count != 0) data.findings[kind] = tally.findings[kind].count;
+    }
+    return data;
   }
 
   const League& league_;

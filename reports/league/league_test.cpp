@@ -15,10 +15,10 @@ namespace {
 
 // Half of the queries are contacts, one more where their number is odd.
 Tally tally_of(std::uint64_t trials, std::uint64_t missed, std::uint64_t invented) {
-  Tally tally(sphere_triangle_test());
+  Tally tally = empty_tally(sphere_triangle_test());
   tally.trials = trials;
-  tally.separated = trials / 2;
-  tally.contact = trials - tally.separated;
+  tally.truth.separated = trials / 2;
+  tally.truth.contact = trials - tally.truth.separated;
   tally.verdict.false_separation = missed;
   tally.verdict.false_contact = invented;
   return tally;
@@ -72,7 +72,7 @@ TEST(LeagueTrust, IsNotGivenAfterOneAnswerThatNoKernelMayGive) {
 
 TEST(LeagueTrust, IsNotGivenToAKernelThatLimitsItselfToNothing) {
   Tally tally = tally_of(4096, 0, 0);
-  OutsideTally& outside = tally.verdict.outside_limits;
+  OutsideTally& outside = *tally.verdict.outside_limits;
   outside.trials = 4096;
   outside.contact = 2048;
   EXPECT_EQ(trust_text(tally), "not looked at: 0 of 4,096 decided; 4,096 outside its limits");
@@ -90,8 +90,8 @@ TEST(LeagueTrust, IsRarelyWhereLessThanOneInAThousandIsWrong) {
 
 TEST(LeagueTrust, CountsOfVerdictsAndNamesEverythingElse) {
   Tally tally = tally_of(1010, 1, 0);
-  tally.invalid = 2;
-  tally.contact -= 2;
+  tally.truth.invalid = 2;
+  tally.truth.contact -= 2;
   tally.verdict.undecided = 3;
   tally.verdict.invalid = 1;
   tally.verdict.unanswered = 4;

@@ -70,7 +70,7 @@ Trust trust_in(const Kernel& kernel, const Tally& tally) {
     trust.words = wrong_words(tally, said);
   } else if (said == 0) {
     trust.answer = "not looked at";
-    trust.words = fmt::format("0 of {} decided", thousands(tally.trials - tally.invalid));
+    trust.words = fmt::format("0 of {} decided", thousands(tally.trials - tally.truth.invalid));
   } else if (std::string few = too_few_words(evidence_of(kernel.touching, tally), said); !few.empty()) {
     trust.answer = "too few";
     trust.words = std::move(few);
@@ -84,15 +84,15 @@ Trust trust_in(const Kernel& kernel, const Tally& tally) {
   }
   if (verdict.invalid != 0) trust.words += fmt::format("; calls {} invalid", thousands(verdict.invalid));
   if (verdict.unanswered != 0) trust.words += fmt::format("; no answer to {}", thousands(verdict.unanswered));
-  if (verdict.outside_limits.trials != 0) {
-    trust.words += fmt::format("; {} outside its limits", thousands(verdict.outside_limits.trials));
+  if (verdict.outside_limits->trials != 0) {
+    trust.words += fmt::format("; {} outside its limits", thousands(verdict.outside_limits->trials));
   }
   return trust;
 }
 
 Tally tally_of_group(const League& league, const CampaignResult& result, std::size_t k, Precision precision,
                      const TrustGroup* group) {
-  Tally all(*league.kernels[k]->test);
+  Tally all = empty_tally(*league.kernels[k]->test);
   for (const CellResult& cell : result.cells) {
     if (cell.precision != precision) continue;
     if (group == nullptr || group->has(league.questions.sources[cell.source]->name())) all.merge(cell.tallies[k]);

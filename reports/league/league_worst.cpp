@@ -95,7 +95,7 @@ InstrumentScene worst_scene(const WorstQuery& worst, std::uint64_t seed) {
       fmt::format("It {}. Family {}, address {}.", worst_sentence(worst, seed), worst.source->name(), address);
   std::vector<std::string> numbers;
   with_query(worst, seed, [&](const auto& q) {
-    put_query(scene.query, entry, q);
+    scene.query = json_of(groups_of_numbers(entry, q));
     for (std::size_t i = 0; i < entry.columns.size(); ++i) {
       numbers.push_back(fmt::format("{}", static_cast<double>(q[i])));
     }
@@ -131,13 +131,14 @@ InstrumentTable worst_table(const League& league, const CampaignResult& result) 
   return table;
 }
 
-Json worst_json(const League& league, const CampaignResult& result, std::size_t k, Precision precision) {
+std::optional<WorstData> worst_data(const League& league, const CampaignResult& result, std::size_t k,
+                                    Precision precision) {
   const std::optional<WorstQuery> found = worst_of(league, result, k, precision);
-  if (!found) return nullptr;
+  if (!found) return std::nullopt;
   const InstrumentScene scene = worst_scene(*found, league.questions.seed);
-  return {{"what", kind_of(*found)}, {"family", found->source->name()},
-          {"depth", found->depth},   {"address", found->address(league.questions.seed)},
-          {"query", scene.query},    {"code", scene.code.empty() ? Json(nullptr) : Json(scene.code)}};
+  return WorstData{kind_of(*found), found->source->name(),
+                   found->depth,    found->address(league.questions.seed),
+                   scene.query,     scene.code.empty() ? std::nullopt : std::optional(scene.code)};
 }
 
 }  // namespace axiscert

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/league/league_data.h"
 #include "reports/league/league_report.h"
 
 namespace axiscert {
@@ -33,7 +34,8 @@ InstrumentScene worst_scene(const WorstQuery& worst, std::uint64_t seed);
 
 // A row for each contender and precision, with a scene where a verdict was wrong; else it says among how many.
 InstrumentTable worst_table(const League& league, const CampaignResult& result);
-// One row's figures by name, its query and its code; null where no verdict was wrong.
-Json worst_json(const League& league, const CampaignResult& result, std::size_t k, Precision precision);
+// One row's figures, its query and its code; none where no verdict was wrong.
+std::optional<WorstData> worst_data(const League& league, const CampaignResult& result, std::size_t k,
+                                    Precision precision);
 
 }  // namespace axiscert

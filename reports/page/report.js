@@ -82,7 +82,7 @@ function missing_parts(data) {
   const commands = parts_not_run(data).flatMap(([, command, meaning], i) => [i === 0 ? '' : '; ', el('code', '', `axiscert ${command} --out DIR`), `: ${meaning}`]);
   return [...(commands.length === 0 ? [] : [el('span', '', 'Not run here, and added to this page by ', el('code', '', 'axiscert report DIR'),
                                                ' where DIR is its folder: ', ...commands, '.')]),
-          ...(counts_margins ? [] : ['Distribution of margins: no kernel here shows comparisons, or an earlier version ran it.'])];
+          ...(counts_margins ? [] : ['Distribution of margins: no kernel here shows comparisons, or none was measured.'])];
 }
 
 // The data as the page holds them: compressed, in base64.

@@ -5,8 +5,9 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
 
 namespace axiscert {
 
@@ -14,19 +15,20 @@ namespace axiscert {
 // kernel: one that comes with axiscert, one that could not be loaded, and plug-ins of one run that declare the same
 // name.
 using Identities = std::map<std::string, std::string>;
-Identities identities_of(const Json& record);
+Identities identities_of(const Record& record);
 
 // The same for two records that are compared: equal texts mean the same kernel. Where one of the two has a name twice,
 // those who declare it are known by their ids.
-std::pair<Identities, Identities> identities_of(const Json& before, const Json& after);
+std::pair<Identities, Identities> identities_of(const Record& before, const Record& after);
 
-// The digests of a kernel's files in a record; null where it has none, or the record does not have the kernel.
-Json digest_of(const Json& record, const std::string& id);
+// The digests of a kernel's files in a record; empty where it has none, or the record does not have the kernel.
+using Digests = std::vector<DigestRecord>;
+Digests digests_of(const Record& record, const std::string& id);
 // The name that a kernel of the record declares; empty where it declares none.
-std::string declared_name(const Json& record, const std::string& id);
+std::string declared_name(const Record& record, const std::string& id);
 
 // Which files have other bytes: "its plugin was SHA-256 0123456789ab..., and is 89abcdef0123...". Empty where the
-// digests are equal, or one of them is null.
-std::string digest_change(const Json& before, const Json& after);
+// digests are equal, or there are none in one.
+std::string digest_change(const Digests& before, const Digests& after);
 
 }  // namespace axiscert

@@ -9,34 +9,30 @@ namespace axiscert {
 
 std::string short_sha256(const std::string& text) { return sha256_hex(std::as_bytes(std::span(text))).substr(0, 16); }
 
-Json queries_of(const Json& plan, const std::string& family, const std::string& precision) {
+Json queries_of(const PlanRecord& plan, const std::string& family, Precision precision) {
   // The number of queries of a run that was stopped by time or by hand does not follow from its plan.
-  if (!plan["units_done"].is_null() || !plan["trials"].contains(family) ||
-      !plan["trials"][family].contains(precision)) {
-    return nullptr;
-  }
-  Json queries = {{"generator", plan["generators"][family]["version"]}, {"trials", plan["trials"][family][precision]}};
+  if (plan.units_done) return nullptr;
+  const auto* trials = plan.trials.find(family);
+  if (trials == nullptr || !trials->contains(precision)) return nullptr;
+  Json queries = {{"generator", plan.generators.at(family).version}, {"trials", trials->at(precision)}};
   bool is_list = false;
-  for (const Json& file : plan["files"]) {
-    const std::string kind = file["kind"], name = file["name"];
-    const bool is_source = family == kind + "/" + name || (family == "corpus" && name == family && kind == "queries");
-    if (!is_source) continue;
-    queries["sha256"] = file["sha256"];
-    is_list |= kind == "queries";
+  for (const FileRecord& file : plan.files) {
+    const bool is_queries = file.kind == "queries";
+    if (family != file.kind + "/" + file.name && !(family == "corpus" && file.name == family && is_queries)) continue;
+    queries["sha256"] = json_of(file.sha256);
+    is_list |= is_queries;
   }
-  if (!is_list) queries["seed"] = plan["seed"];  // a list of queries is the same with every seed
+  if (!is_list) queries["seed"] = json_of(plan.seed);  // a list of queries is the same with every seed
   return queries;
 }
 
-std::string plan_fingerprint(const Json& plan) {
-  if (!plan["units_done"].is_null()) return "";
-  Json all = {{"tolerance", plan["tolerance"]}, {"families", Json::object()}};
+std::string plan_fingerprint(const PlanRecord& plan) {
+  if (plan.units_done) return "";
+  Json all = {{"tolerance", json_of(plan.tolerance)}, {"families", Json::object()}};
   if (const std::string_view name = written_name(test_of(plan)); !name.empty()) all["test"] = name;
-  for (const Json& name : plan["families"]) {
-    const std::string family = name;
-    for (const Json& precision : plan["precisions"]) {
-      all["families"][family][precision.get<std::string>()] = queries_of(plan, family, precision);
-    }
+  for (const std::string& family : plan.families) {
+    for (const Precision precision : plan.precisions)
+      all["families"][family][std::string(name(precision))] = queries_of(plan, family, precision);
   }
   return short_sha256(all.dump());
 }

@@ -9,11 +9,11 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <tuple>
 #include <vector>
 
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
-#include "kernel/motion_policy.h"
 #include "kernel/names.h"
 #include "reports/page/embedded.h"
 #include "reports/run_folder/parsed_json.h"
@@ -27,175 +27,196 @@ namespace {
 
 constexpr const char* advice = "run it again, or restore the file as it was written";
 
-// Conditions that the schema cannot express: sums, and names that refer to each other.
+// Conditions that the fields cannot express: sums, and names that refer to each other.
 class RecordCheck {
  public:
-  RecordCheck(const Json& record, const std::string& name)
-      : record_(record), name_(name), test_(test_of(record["plan"])) {}
+  RecordCheck(const Record& record, const std::string& name)
+      : record_(record), plan_(record.plan), name_(name), test_(test_of(record.plan)) {}
 
   void check() const {
-    const Json& plan = record_["plan"];
-    std::set<Json> entries, cells, families(plan["families"].begin(), plan["families"].end()), ids;
-    for (const Json& kernel : record_["kernels"]) {
-      const Json entry = Json::array({kernel["id"], kernel["precision"]});
-      const std::string where = fmt::format("kernel {} in {}", entry[0].dump(), kernel["precision"].get<std::string>());
-      require(entries.insert(entry).second, where, "appears twice");
-      for (const auto& [family, result] : kernel["families"].items()) {
-        require(families.count(family) != 0, where, fmt::format("family {} is not in the plan", Json(family).dump()));
-        cells.insert(Json::array({kernel["id"], kernel["precision"], family}));
-        check_counts(kernel, result, fmt::format("{}, family {}", where, Json(family).dump()));
+    check_plan();
+    std::set<std::pair<std::string, Precision>> entries;
+    std::set<Place> places;
+    for (const KernelRecord& kernel : record_.kernels) {
+      const std::string where = fmt::format("kernel {} in {}", shown_name(kernel.id), name(kernel.precision));
+      require(entries.emplace(kernel.id, kernel.precision).second, where, "appears twice");
+      for (const auto& [family, result] : kernel.families) {
+        require(contains(plan_.families, family), where,
+                fmt::format("family {} is not in the plan", shown_name(family)));
+        places.emplace(kernel.id, kernel.precision, family);
+        check_counts(kernel, result, fmt::format("{}, family {}", where, shown_name(family)));
       }
-      require(kernel["reference"].is_null() == kernel["formulae"].is_null(), where,
+      require(kernel.reference.has_value() == kernel.formulae.has_value(), where,
               "formulae and reference go together: both are null, or neither");
+      require(!kernel.digest || !kernel.digest->empty(), where, "a digest of no file");
+      require(!kernel.exposes.empty(), where, "it exposes nothing");
+      require_once(kernel.exposes, where + "/exposes");
     }
-    check_findings(cells);
-    for (const Json& witness : record_["witnesses"]) {
-      const std::string where = fmt::format("witness {}", witness["id"].dump());
-      require(ids.insert(witness["id"]).second, where, "appears twice");
-      check_numbers(witness, where);
-      require(cells.count(Json::array({witness["kernel"], witness["precision"], witness["family"]})) != 0, where,
+    check_findings(places);
+    std::set<std::string> ids;
+    for (const WitnessRecord& witness : record_.witnesses) {
+      const std::string where = fmt::format("witness {}", shown_name(witness.id));
+      require(ids.insert(witness.id).second, where, "appears twice");
+      for (const ColumnGroup& group : groups_of(*entry_of(test_, witness)))
+        check_numbers(witness.precision, witness.numbers.at(group.name), fmt::format("{}, {}", where, group.name));
+      require(places.contains({witness.kernel, witness.precision, witness.family}), where,
               "its kernel, precision and family are not in the record");
     }
   }
 
  private:
+  using Place = std::tuple<std::string, Precision, std::string>;  // kernel, precision and family
+
+  static std::string shown_name(const std::string& name) { return json_of(name).dump(); }
+  static bool contains(const std::vector<Name>& all, const std::string& one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
+  }
+
   void require(bool holds, const std::string& where, const std::string& problem) const {
     if (!holds) throw Error(fmt::format("{}: {}: {}; restore the file as it was written", name_, where, problem));
   }
   void require_no(const std::optional<std::string>& fault, const std::string& where) const {
     require(!fault, where, fault.value_or(""));
   }
+  template <class One>
+  void require_once(const std::vector<One>& all, const std::string& where) const {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto end = all.begin() + static_cast<std::ptrdiff_t>(i);
+      require(std::find(all.begin(), end, all[i]) == end, fmt::format("{}/{}", where, i),
+              json_of(all[i]).dump() + " appears twice");
+    }
+  }
 
-  void check_findings(const std::set<Json>& cells) const {
-    std::set<Json> kinds, explained;
-    for (const Json& finding : record_["findings"]) {
-      const Json kind = Json::array({finding["kernel"], finding["precision"], finding["family"], finding["kind"]});
+  void check_plan() const {
+    require(!plan_.kernels.empty(), "/plan/kernels", "has no kernel");
+    require_once(plan_.kernels, "/plan/kernels");
+    require_once(plan_.precisions, "/plan/precisions");
+    require_once(plan_.families, "/plan/families");
+  }
+
+  void check_findings(const std::set<Place>& places) const {
+    std::set<std::tuple<std::string, Precision, std::string, FindingKind>> kinds;
+    std::set<std::string> explained;
+    for (const FindingRecord& finding : record_.findings) {
       const std::string where =
-          fmt::format("finding {} of kernel {}", finding["kind"].dump(), finding["kernel"].dump());
-      const bool of_loading = finding["family"].is_null();
-      const auto goes_together = [&](const std::string& member) {
-        require(finding[member].is_null() == of_loading, where,
+          fmt::format("finding {} of kernel {}", json_of(finding.kind).dump(), shown_name(finding.kernel));
+      const auto goes_together = [&](std::string_view member, bool has_it) {
+        require(has_it == finding.family.has_value(), where,
                 fmt::format("family and {} go together: both are null, or neither", member));
       };
-      for (const char* member : {"precision", "address"}) goes_together(member);
-      for (const ColumnGroup& group : groups_of(*entry_of(test_, finding))) goes_together(std::string(group.name));
-      if (of_loading) {
-        explained.insert(finding["kernel"]);
+      goes_together("precision", finding.precision.has_value());
+      goes_together("address", finding.address.has_value());
+      const std::vector<ColumnGroup> groups = groups_of(*entry_of(test_, finding));
+      for (const ColumnGroup& group : groups) goes_together(group.name, finding.numbers.at(group.name).has_value());
+      if (!finding.family) {
+        explained.insert(finding.kernel);
         continue;
       }
-      require(kinds.insert(kind).second, where, "appears twice");
-      require(finding["count"] != 0, where, "a count of zero");
-      require(cells.count(Json::array({kind[0], kind[1], kind[2]})) != 0, where,
+      require(kinds.emplace(finding.kernel, *finding.precision, *finding.family, finding.kind).second, where,
+              "appears twice");
+      require(finding.count != 0, where, "a count of zero");
+      require(places.contains({finding.kernel, *finding.precision, *finding.family}), where,
               "its kernel, precision and family are not in the record");
-      check_numbers(finding, where);
+      for (const ColumnGroup& group : groups)
+        check_numbers(*finding.precision, *finding.numbers.at(group.name), fmt::format("{}, {}", where, group.name));
     }
-    std::set<Json> planned(record_["plan"]["kernels"].begin(), record_["plan"]["kernels"].end()), judged;
-    for (const Json& kernel : record_["kernels"]) judged.insert(kernel["id"]);
-    for (const Json& id : planned) {
-      require(judged.count(id) + explained.count(id) != 0, fmt::format("kernel {}", id.dump()),
+    std::set<std::string> judged;
+    for (const KernelRecord& kernel : record_.kernels) judged.insert(kernel.id);
+    for (const std::string& id : std::set<std::string>(plan_.kernels.begin(), plan_.kernels.end())) {
+      require(judged.contains(id) || explained.contains(id), "kernel " + shown_name(id),
               "is only in the plan, and no finding of loading says why");
     }
-    for (const Json& id : explained) {
-      require(planned.count(id) != 0, fmt::format("kernel {}", id.dump()), "has a finding and is not in the plan");
-    }
+    for (const std::string& id : explained)
+      require(contains(plan_.kernels, id), "kernel " + shown_name(id), "has a finding and is not in the plan");
   }
 
   // The kernel's convention for touching spheres decides which verdicts can be wrong there.
-  void check_verdict(const Json& kernel, const Json& family, const std::string& where) const {
-    const auto number = [](const Json& count) { return count.get<std::uint64_t>(); };
-    const Json &truth = family["truth"], &verdict = family["verdict"], &outside = verdict["outside_limits"];
-    const std::uint64_t touching = number(truth["touching"]), contact = number(truth["contact"]);
-    const std::uint64_t separated = number(truth["separated"]), valid = contact + separated;
-    const std::string convention = kernel["touching"];
-    const bool is_complete = record_["complete"];
-    const std::uint64_t must_touch = convention == name(Touching::contact) ? contact : contact - touching;
-    const std::uint64_t must_not = convention == name(Touching::separated) ? separated + touching : separated;
-    require(outside.is_null() == !has_limits(kernel), where,
+  void check_verdict(const KernelRecord& kernel, const FamilyRecord& family, const std::string& where) const {
+    const TruthCounts& truth = family.truth;
+    const VerdictTally& verdict = family.verdict;
+    const std::uint64_t touching = truth.touching, contact = truth.contact, separated = truth.separated;
+    const std::uint64_t valid = contact + separated;
+    const std::uint64_t must_touch = kernel.touching == Touching::contact ? contact : contact - touching;
+    const std::uint64_t must_not = kernel.touching == Touching::separated ? separated + touching : separated;
+    require(verdict.outside_limits.has_value() == has_limits(kernel), where,
             "outside_limits is counted where the kernel declares limits, and only there");
-    std::uint64_t missed = number(verdict["false_separation"]), phantom = number(verdict["false_contact"]);
+    std::uint64_t missed = verdict.false_separation, phantom = verdict.false_contact;
     const std::uint64_t wrong = missed + phantom;
-    std::uint64_t outside_trials = 0;
-    if (!outside.is_null()) {
-      outside_trials = number(outside["trials"]);
-      missed += number(outside["false_separation"]);
-      phantom += number(outside["false_contact"]);
-      require(outside_trials <= valid, where, "more queries outside the limits than valid ones");
-      require(number(outside["contact"]) <= std::min(outside_trials, contact) &&
-                  number(outside["touching"]) <= std::min(number(outside["contact"]), touching) &&
-                  outside_trials - number(outside["contact"]) <= separated,
-              where, "more contacts, touching or separated queries outside the limits than there are");
-      require(number(outside["false_separation"]) + number(outside["false_contact"]) + number(outside["unanswered"]) <=
-                  outside_trials,
-              where, "more wrong and missing answers outside the limits than queries there");
-    }
+    const OutsideTally outside = verdict.outside_limits.value_or(OutsideTally());
+    missed += outside.false_separation;
+    phantom += outside.false_contact;
+    require(outside.trials <= valid, where, "more queries outside the limits than valid ones");
+    require(outside.contact <= std::min(outside.trials, contact) &&
+                outside.touching <= std::min(outside.contact, touching) &&
+                outside.trials - outside.contact <= separated,
+            where, "more contacts, touching or separated queries outside the limits than there are");
+    require(outside.false_separation + outside.false_contact + outside.unanswered <= outside.trials, where,
+            "more wrong and missing answers outside the limits than queries there");
     require(missed <= must_touch, where, "more false_separation verdicts than contacts");
     require(phantom <= must_not, where, "more false_contact verdicts than separated queries");
-    require(wrong + number(verdict["undecided"]) + number(verdict["invalid"]) + number(verdict["unanswered"]) <=
-                valid - outside_trials,
-            where, "more wrong, undecided, invalid and unanswered verdicts than valid queries");
-    require(number(verdict["undecided_contact"]) <= std::min(number(verdict["undecided"]), contact) &&
-                number(verdict["undecided_touching"]) <= std::min(number(verdict["undecided_contact"]), touching) &&
-                number(verdict["undecided"]) - number(verdict["undecided_contact"]) <= separated,
+    require(wrong + verdict.undecided + verdict.invalid + verdict.unanswered <= valid - outside.trials, where,
+            "more wrong, undecided, invalid and unanswered verdicts than valid queries");
+    require(verdict.undecided_contact <= std::min(verdict.undecided, contact) &&
+                verdict.undecided_touching <= std::min(verdict.undecided_contact, touching) &&
+                verdict.undecided - verdict.undecided_contact <= separated,
             where, "undecided_contact and undecided_touching do not fit undecided and the truth");
-    require(number(verdict["touching_flips"]) <= wrong, where, "more touching_flips than wrong verdicts");
+    require(verdict.touching_flips <= wrong, where, "more touching_flips than wrong verdicts");
     require_no(fault_of_depths(verdict, valid), where);
-    for (const auto& [link, count] : verdict["links"].items()) {
-      const std::uint64_t of_touching = number(verdict["touching_links"][link]);
-      require(number(count) <= wrong, where, fmt::format("more broken {} links than wrong verdicts", link));
-      require(of_touching <= number(count) && of_touching <= number(verdict["touching_flips"]), where,
-              fmt::format("more broken {} links of touching queries than there can be", link));
-      const Json& first = verdict["first_by_link"][link];
-      const std::uint64_t apart = link == "implementation" ? 0 : of_touching;
-      require(first.is_null() == (apart == number(count)), where,
-              fmt::format("first_by_link and links do not agree on {}", link));
+    for (const Link link : enumerators<Link>) {
+      const std::uint64_t count = verdict.links[link], of_touching = verdict.touching_links[link];
+      require(count <= wrong, where, fmt::format("more broken {} links than wrong verdicts", name(link)));
+      require(of_touching <= count && of_touching <= verdict.touching_flips, where,
+              fmt::format("more broken {} links of touching queries than there can be", name(link)));
+      const std::optional<std::uint64_t> first = verdict.first_by_link[link].position;
+      const std::uint64_t apart = link == Link::implementation ? 0 : of_touching;
+      require(first.has_value() == (apart != count), where,
+              fmt::format("first_by_link and links do not agree on {}", name(link)));
       // An interrupted run may have judged queries from anywhere in the plan.
-      require(first.is_null() || (first != 0 && (!is_complete || number(first) <= number(family["trials"]))), where,
-              fmt::format("first_by_link of {} is not a query of the family", link));
+      require(!first || !record_.complete || *first < family.trials, where,
+              fmt::format("first_by_link of {} is not a query of the family", name(link)));
     }
   }
 
-  void check_numbers(const Json& witness, const std::string& where) const {
-    for (const ColumnGroup& group : groups_of(*entry_of(test_, witness))) {
-      const std::string member(group.name);
-      const Json list = witness[member].is_array() ? witness[member] : Json::array({witness[member]});
-      for (const Json& number : list) {
-        try {
-          if (witness["precision"] == name(Precision::binary32)) parse_number<float>(number.get<std::string>());
-          else parse_number<double>(number.get<std::string>());
-        } catch (const Error& wrong) {
-          require(false, where + ", " + member, wrong.what());
-        }
+  void check_numbers(Precision precision, const GroupNumbers& group, const std::string& where) const {
+    for (const std::string& number : group.numbers) {
+      try {
+        if (precision == Precision::binary32) parse_number<float>(number);
+        else parse_number<double>(number);
+      } catch (const Error& wrong) {
+        require(false, where, wrong.what());
       }
     }
   }
 
-  void check_counts(const Json& kernel, const Json& family, const std::string& where) const {
-    const auto number = [](const Json& count) { return count.get<std::uint64_t>(); };
-    const Json& truth = family["truth"];
-    const std::uint64_t trials = number(family["trials"]), contact = number(truth["contact"]);
-    const std::uint64_t separated = number(truth["separated"]);
-    require(separated + contact + number(truth["invalid"]) == trials, where, "the truths do not add up to the trials");
-    require(number(truth["touching"]) <= contact, where, "more touching queries than contacts");
-    require(number(family["base_triangles"]) <= trials, where, "more base_triangles than trials");
+  void check_counts(const KernelRecord& kernel, const FamilyRecord& family, const std::string& where) const {
+    const TruthCounts& truth = family.truth;
+    require(truth.separated + truth.contact + truth.invalid == family.trials, where,
+            "the truths do not add up to the trials");
+    require(truth.touching <= truth.contact, where, "more touching queries than contacts");
+    require(family.base_triangles <= family.trials, where, "more base_triangles than trials");
     check_verdict(kernel, family, where);
     require_no(fault_of_classes(kernel, family), where);
-    for (const char* level : {"axes", "comparisons"}) {
-      if (family[level].is_null()) continue;
-      for (const auto& [sign, tally] : family[level].items()) {
-        require(number(tally["masked"]) + number(tally["decisive"]) ==
-                    number(tally["false_separation"]) + number(tally["missed_separation"]),
-                where + ", " + sign, "masked and decisive do not add up to the flips");
+    require(!kernel.measures || kernel.measures->empty() || (family.motion && family.motion->time), where,
+            "without the times of its first contacts, which the kernel gives");
+    const auto check_signs = [&](const auto& signs) {
+      if (!signs) return;
+      for (const auto& [sign, tally] : *signs) {
+        require(tally.masked + tally.decisive == tally.false_separation + tally.missed_separation, where + ", " + sign,
+                "masked and decisive do not add up to the flips");
       }
-    }
+    };
+    check_signs(family.axes);
+    check_signs(family.comparisons);
   }
 
-  const Json& record_;
+  const Record& record_;
+  const PlanRecord& plan_;
   const std::string& name_;
   const TestDescription& test_;
 };
 
 // Names first: the other conditions go by them.
-void check_names(const Json& record, const std::string& name) {
+void check_names(const Record& record, const std::string& name) {
   std::optional<std::string> fault;
   try {
     fault = fault_of_names(record);
@@ -207,17 +228,18 @@ void check_names(const Json& record, const std::string& name) {
 
 }  // namespace
 
-void check_record(const Json& record, const std::string& name) {
-  check_schema(Json::parse(embedded::record_schema_json), record, name, advice);
+Record read_record(const Json& json, const std::string& name) {
+  const auto record = read_file<Record>(json, name, advice);
   check_names(record, name);
   RecordCheck(record, name).check();
+  return record;
 }
 
 void check_run_info(const Json& info, const std::string& name) {
   check_schema(Json::parse(embedded::run_schema_json), info, name, advice);
 }
 
-const TestDescription& test_of(const Json& plan) { return find_test(plan["test"].get<std::string>()); }
+const TestDescription& test_of(const PlanRecord& plan) { return find_test(plan.test); }
 
 Json read_json(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -242,12 +264,11 @@ Run read_run(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(record, ignored)) {
     throw Error(fmt::format("{}: does not exist; give the folder that `axiscert run --out` wrote", record.string()));
   }
-  Run run{read_json(record), nullptr, nullptr, folder};
-  check_record(run.record, record.string());
+  Run run{read_record(read_json(record), record.string()), nullptr, nullptr, folder};
   if (const auto held = folder / ratchet_outcome_file; std::filesystem::exists(held, ignored)) {
     run.ratchet = read_json(held);
     check_schema(Json::parse(embedded::ratchet_schema_json), run.ratchet, held.string(), advice);
-    if (run.ratchet["plan"] != plan_fingerprint(run.record["plan"]))
+    if (run.ratchet["plan"] != plan_fingerprint(run.record.plan))
       throw Error(fmt::format("{}: belongs to another plan than the record next to it; remove it", held.string()));
   }
   if (std::filesystem::exists(info, ignored)) {
@@ -257,13 +278,8 @@ Run read_run(const std::filesystem::path& folder) {
   return run;
 }
 
-bool has_limits(const Json& kernel) {
-  const auto policy = kernel.find("motion");
-  const bool promises_all_motions =
-      policy == kernel.end() || ((*policy)["start"] == start_policy_names[StartPolicy::reported] &&
-                                 (*policy)["still"] == still_policy_names[StillPolicy::reported] &&
-                                 (*policy)["sides"] == sides_policy_names[SidesPolicy::both]);
-  return !kernel["limits"].is_null() || !promises_all_motions;
+bool has_limits(const KernelRecord& kernel) {
+  return kernel.limits.has_value() || kernel.motion.value_or(PolicyRecord()) != PolicyRecord();
 }
 
 void write_files(const std::filesystem::path& folder, const std::map<std::string, std::string>& texts) {

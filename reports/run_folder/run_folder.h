@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "fuzz/record/record.h"
 #include "fuzz/text/json.h"
 #include "kernel/test.h"
 
@@ -14,25 +15,25 @@ namespace axiscert {
 inline constexpr const char* ratchet_outcome_file = "ratchet.json";
 
 struct Run {
-  Json record;                   // conforms to record.schema.json
+  Record record;
   Json info;                     // conforms to run.schema.json; null where the folder has no run.json
   Json ratchet;                  // conforms to ratchet.schema.json; null where the run was not compared with one
   std::filesystem::path folder;  // may hold what other commands wrote next to these files
 };
 
 // The test that a record's plan is about. Throws Error where there is no such test.
-const TestDescription& test_of(const Json& plan);
+const TestDescription& test_of(const PlanRecord& plan);
 
-// Whether a kernel entry of a record states limits of its promise: by numbers, or of motions.
-bool has_limits(const Json& kernel);
+// Whether a kernel of a record states limits of its promise: by numbers, or of motions.
+bool has_limits(const KernelRecord& kernel);
 
 // Reads a JSON file. Throws Error where it cannot be read or is not JSON.
 Json read_json(const std::filesystem::path& path);
 // Throws Error that names the file and says what would be right: no record, not JSON, another schema, a member that the
 // schema does not allow, counts that contradict each other.
 Run read_run(const std::filesystem::path& folder);
-// The same checks for values already in memory; the names are those that an Error shows.
-void check_record(const Json& record, const std::string& name);
+// The same for values already in memory; the names are those that an Error shows.
+Record read_record(const Json& record, const std::string& name);
 void check_run_info(const Json& info, const std::string& name);
 
 // Replaces the named files of the folder: every text is on disk before the first file changes. Throws Error.

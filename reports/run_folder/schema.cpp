@@ -162,20 +162,26 @@ std::optional<std::string> schema_fault(const Json& schema, const Json& value) {
   return Checker(schema).check(schema, value, "");
 }
 
-void check_schema(const Json& schema, const Json& value, const std::string& name, const std::string& advice) {
-  const auto& expected = schema.at("properties").at("schema").at("const").get_ref<const std::string&>();
-  if (!value.is_object() || !value.contains("schema")) {
-    throw Error(fmt::format("{}: has no \"schema\": \"{}\", which axiscert writes; {}", name, expected, advice));
-  }
-  if (value["schema"] != expected) {
+void require_format(const Json& value, std::string_view format, const std::string& name, const std::string& advice) {
+  if (!value.is_object() || !value.contains("schema"))
+    throw Error(fmt::format("{}: has no \"schema\": \"{}\", which axiscert writes; {}", name, format, advice));
+  if (value["schema"] != format) {
     throw Error(
         fmt::format("{}: its schema is {}, but this axiscert reads \"{}\"; use the axiscert that wrote it, or run "
                     "again",
-                    name, shown(value["schema"].dump()), expected));
+                    name, shown(value["schema"].dump()), format));
   }
-  if (const auto fault = schema_fault(schema, value)) {
-    throw Error(fmt::format("{}: does not conform to {}: {}; {}", name, expected, *fault, advice));
-  }
+}
+
+void refuse_file(std::string_view format, const std::string& fault, const std::string& name,
+                 const std::string& advice) {
+  throw Error(fmt::format("{}: does not conform to {}: {}; {}", name, format, fault, advice));
+}
+
+void check_schema(const Json& schema, const Json& value, const std::string& name, const std::string& advice) {
+  const auto& format = schema.at("properties").at("schema").at("const").get_ref<const std::string&>();
+  require_format(value, format, name, advice);
+  if (const auto fault = schema_fault(schema, value)) refuse_file(format, *fault, name, advice);
 }
 
 }  // namespace axiscert

@@ -3,8 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
-#include "fuzz/text/json.h"
+#include "fuzz/fields/json_form.h"
 
 namespace axiscert {
 
@@ -16,5 +17,21 @@ std::optional<std::string> schema_fault(const Json& schema, const Json& value);
 // Throws Error where the value's "schema" is not the one that `schema` describes, or where the value does not conform
 // to it. The text names the file, says what would be right, and ends with `advice`: what to do about a damaged file.
 void check_schema(const Json& schema, const Json& value, const std::string& name, const std::string& advice);
+
+// Throws the Errors of check_schema for a file of another format, and for one that does not conform to its own.
+void require_format(const Json& value, std::string_view format, const std::string& name, const std::string& advice);
+[[noreturn]] void refuse_file(std::string_view format, const std::string& fault, const std::string& name,
+                              const std::string& advice);
+
+// A file as its struct, whose fields it has to have.
+template <Fielded File>
+File read_file(const Json& value, const std::string& name, const std::string& advice) {
+  require_format(value, File::format, name, advice);
+  try {
+    return read_as<File>(value);
+  } catch (const JsonFault& fault) {
+    refuse_file(File::format, fault.what(), name, advice);
+  }
+}
 
 }  // namespace axiscert

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "fuzz/campaign/counts/class_tally.h"
 #include "reports/wording/summary.h"
 
@@ -18,28 +20,26 @@ const EnumArray<InputClass, std::string_view> class_meanings = {
     "neither the shape, the place nor the scale of the input excuses it: look for a fault of logic, or for a constant "
     "such as an epsilon"};
 
-bool has_classes(const Json& kernel) {
-  for (const auto& [family, result] : kernel["families"].items()) {
-    if (result.contains("classes")) return true;
-  }
-  return false;
+bool has_classes(const KernelRecord& kernel) {
+  return std::any_of(kernel.families.begin(), kernel.families.end(),
+                     [](const auto& family) { return family.second.classes.has_value(); });
 }
 
-std::vector<ClassRow> class_rows(const Json& kernel) {
+std::vector<ClassRow> class_rows(const KernelRecord& kernel) {
   std::vector<ClassRow> rows;
   for (const InputClass which : enumerators<InputClass>) {
     ClassRow row{which, 0, 0, 0, "", ""};
-    for (const auto& [family, result] : kernel["families"].items()) {
-      const Json classes = result.value("classes", Json::object());
-      const auto found = classes.find(std::string(input_class_names[which]));
-      if (found == classes.end()) continue;
-      row.missed += (*found)["false_separation"].get<std::uint64_t>();
-      row.phantom += (*found)["false_contact"].get<std::uint64_t>();
-      const double deepest = (*found)["deepest"];
-      if (row.witness.empty() || deepest > row.deepest) {
-        row.deepest = deepest;
+    for (const auto& [family, result] : kernel.families) {
+      if (!result.classes) continue;
+      const auto found = result.classes->find(which);
+      if (found == result.classes->end()) continue;
+      const ClassRecord& of = found->second;
+      row.missed += of.false_separation;
+      row.phantom += of.false_contact;
+      if (row.witness.empty() || of.deepest.best() > row.deepest) {
+        row.deepest = of.deepest.best();
         row.family = family;
-        row.witness = (*found)["witness"];
+        row.witness = of.witness;
       }
     }
     if (row.missed + row.phantom != 0) rows.push_back(row);
@@ -47,20 +47,19 @@ std::vector<ClassRow> class_rows(const Json& kernel) {
   return rows;
 }
 
-std::string nearest_sentence(const Json& kernel) {
-  const Json nearest = kernel.value("nearest", Json());
-  if (nearest.is_null()) return "";
-  const auto count = [&](const char* member) { return nearest[member].get<std::uint64_t>(); };
-  const std::uint64_t both = count("both"), either = count("either");
+std::string nearest_sentence(const KernelRecord& kernel) {
+  if (!kernel.nearest || !*kernel.nearest) return "";
+  const NearestRecord& nearest = **kernel.nearest;
   return fmt::format(
       "{}{}, wrong on {} % of the queries on which either is ({} of {}, among {}: the first {} of each family and the "
       "deepest)",
-      2 * both >= either ? "Nearest of the built-in kernels: " : "No built-in kernel fails alike; the nearest is ",
-      nearest["kernel"].get<std::string>(), amount(100 * static_cast<double>(both) / static_cast<double>(either), 3),
-      thousands(both), thousands(either), thousands(count("queries")), thousands(nearest_queries));
+      2 * nearest.both >= nearest.either ? "Nearest of the built-in kernels: "
+                                         : "No built-in kernel fails alike; the nearest is ",
+      nearest.kernel, amount(100 * static_cast<double>(nearest.both) / static_cast<double>(nearest.either), 3),
+      thousands(nearest.both), thousands(nearest.either), thousands(nearest.queries), thousands(nearest_queries));
 }
 
-Json classes_data(const Json& kernel) {
+Json classes_data(const KernelRecord& kernel) {
   if (!has_classes(kernel)) return nullptr;
   Json rows = Json::array();
   for (const ClassRow& row : class_rows(kernel)) {

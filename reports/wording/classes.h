@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/sphere_triangle/measures/input_class.h"
-#include "fuzz/text/json.h"
+#include "fuzz/record/kernel_record.h"
 
 namespace axiscert {
 
@@ -23,17 +22,17 @@ struct ClassRow {
   std::string family, witness;  // of the deepest: its family and its address
 };
 
-// Whether a record's kernel entry has classes: those whose links do not say why they are wrong.
-bool has_classes(const Json& kernel);
+// Whether a kernel has classes: those whose links do not say why they are wrong.
+bool has_classes(const KernelRecord& kernel);
 
 // The classes with a wrong verdict, in the order of InputClass.
-std::vector<ClassRow> class_rows(const Json& kernel);
+std::vector<ClassRow> class_rows(const KernelRecord& kernel);
 
 // "Nearest of the built-in kernels: published, wrong on 93 % of the queries on which either is (412 of 443; ...)."
 // Empty where the entry has none.
-std::string nearest_sentence(const Json& kernel);
+std::string nearest_sentence(const KernelRecord& kernel);
 
 // The same as members for the page: rows with their meanings, and the sentence. Null for a kernel without classes.
-Json classes_data(const Json& kernel);
+Json classes_data(const KernelRecord& kernel);
 
 }  // namespace axiscert

@@ -10,34 +10,35 @@
 namespace axiscert {
 namespace {
 
-std::string times(const Json& count) { return count == 1 ? "once" : thousands(count.get<std::uint64_t>()) + " times"; }
+std::string times(std::uint64_t count) { return count == 1 ? "once" : thousands(count) + " times"; }
+
+bool are_alike(const FindingRecord& x, const FindingRecord& y) {
+  return x.kernel == y.kernel && x.precision == y.precision && x.kind == y.kind;
+}
 
 }  // namespace
 
-std::string finding_text(const Json& finding) {
-  const auto text = [&](const char* member) { return finding[member].get<std::string>(); };
-  if (finding["family"].is_null()) {
-    const std::string in = finding["precision"].is_null() ? "" : " " + text("precision");
-    return fmt::format("{}{}: {}: {}", text("kernel"), in, text("kind"), text("detail"));
-  }
-  return fmt::format("{} {}: {} on family {}, {}, first at {}: {}", text("kernel"), text("precision"), text("kind"),
-                     text("family"), times(finding["count"]), text("address"), text("detail"));
+std::string finding_text(const FindingRecord& finding) {
+  const std::string in = finding.precision ? fmt::format(" {}", name(*finding.precision)) : "";
+  const std::string who = fmt::format("{}{}: {}", finding.kernel, in, name(finding.kind));
+  if (!finding.family) return fmt::format("{}: {}", who, finding.detail);
+  return fmt::format("{} on family {}, {}, first at {}: {}", who, *finding.family, times(finding.count),
+                     finding.address.value_or(""), finding.detail);
 }
 
 std::string FindingGroup::others_text() const {
   std::vector<std::string> families;
-  for (const Json* other : others) {
-    families.push_back(fmt::format("{} ({})", (*other)["family"].get<std::string>(), times((*other)["count"])));
+  for (const FindingRecord* other : others) {
+    families.push_back(fmt::format("{} ({})", other->family.value_or(""), times(other->count)));
   }
   return families.empty() ? "" : fmt::format("also on family {}", fmt::join(families, ", "));
 }
 
-std::vector<FindingGroup> finding_groups(const Json& record) {
+std::vector<FindingGroup> finding_groups(const Record& record) {
   std::vector<FindingGroup> groups;
-  for (const Json& finding : record["findings"]) {
+  for (const FindingRecord& finding : record.findings) {
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const FindingGroup& group) {
-      const auto equal = [&](const char* member) { return (*group.first)[member] == finding[member]; };
-      return equal("kernel") && equal("precision") && equal("kind") && !finding["family"].is_null();
+      return finding.family && are_alike(*group.first, finding);
     });
     if (same == groups.end()) groups.push_back({&finding, {}});
     else same->others.push_back(&finding);
@@ -45,16 +46,15 @@ std::vector<FindingGroup> finding_groups(const Json& record) {
   return groups;
 }
 
-bool is_about(const Json& finding, const Json& kernel) {
-  return finding["kernel"] == kernel["id"] &&
-         (finding["precision"].is_null() || finding["precision"] == kernel["precision"]);
+bool is_about(const FindingRecord& finding, const KernelRecord& kernel) {
+  return finding.kernel == kernel.id && (!finding.precision || *finding.precision == kernel.precision);
 }
 
-std::vector<std::string> not_judged(const Json& record) {
+std::vector<std::string> not_judged(const Record& record) {
   std::vector<std::string> ids;
-  for (const Json& id : record["plan"]["kernels"]) {
-    const auto& entries = record["kernels"];
-    const bool judged = std::any_of(entries.begin(), entries.end(), [&](const Json& e) { return e["id"] == id; });
+  for (const Name& id : record.plan.kernels) {
+    const auto& entries = record.kernels;
+    const bool judged = std::any_of(entries.begin(), entries.end(), [&](const KernelRecord& e) { return e.id == id; });
     if (!judged) ids.push_back(id);
   }
   return ids;

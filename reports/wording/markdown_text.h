@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,10 +49,8 @@ inline std::string code_block(const std::string& text) {
   return fmt::format("{}\n{}\n{}\n", fence, text, fence);
 }
 
-// A count of a record; null where nothing was counted.
-inline std::string count_text(const Json& count) {
-  return count.is_null() ? "not checked" : thousands(count.get<std::uint64_t>());
-}
+// A count; empty where nothing was counted.
+inline std::string count_text(std::optional<std::uint64_t> count) { return count ? thousands(*count) : "not checked"; }
 
 // A section that takes the lines that fit, in the order given, and says how many did not.
 class Section {

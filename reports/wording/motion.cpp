@@ -3,11 +3,6 @@
 #include "reports/wording/summary.h"
 
 namespace axiscert {
-namespace {
-
-std::string count_in(const Json& object, const char* member) { return thousands(object[member].get<std::uint64_t>()); }
-
-}  // namespace
 
 const char* const motion_note =
     "Late is after the exact first contact, early before the best time, the greatest number that is not late. A tunnel "
@@ -21,33 +16,30 @@ const std::vector<std::string>& motion_columns() {
   return columns;
 }
 
-std::vector<std::string> motion_cells(const Json& family) {
-  const auto found = family.find("motion");
-  if (found == family.end()) return {};
-  const Json &motion = *found, &time = motion["time"], &missed = motion["missed"];
-  if (time.is_null() && missed["deepest_tunnel"] == 0) return {};
-  std::vector<std::string> cells = {count_in(motion, "hits")};
-  if (time.is_null()) {
+std::vector<std::string> motion_cells(const FamilyRecord& family) {
+  if (!family.motion) return {};
+  const MotionTally& motion = *family.motion;
+  if (!motion.time && motion.missed.deepest.best().is_zero()) return {};
+  std::vector<std::string> cells = {thousands(motion.hits)};
+  if (!motion.time) {
     cells.resize(9, "-");
   } else {
-    const auto put_side = [&](const char* side, const Json& errors) {
-      cells.push_back(count_in(time, side));
-      cells.push_back(error_amount(errors["largest_ulps"]));
-      cells.push_back(error_amount(errors["largest_in_u"]));
+    const TimeTally& time = *motion.time;
+    const auto put_side = [&](std::uint64_t count, const TimeErrors& errors) {
+      cells.push_back(thousands(count));
+      cells.push_back(error_amount(errors.largest_ulps.best()));
+      cells.push_back(error_amount(errors.largest_in_u.best()));
     };
-    put_side("late", time["late_errors"]);
-    cells.push_back(error_amount(time["late_tunnels"]["deepest_tunnel"]));
-    put_side("early", time["early_errors"]);
-    cells.push_back(thousands(time["none"].get<std::uint64_t>() + time["invalid"].get<std::uint64_t>()));
+    put_side(time.late, time.late_errors);
+    cells.push_back(error_amount(time.late_tunnels.deepest.best()));
+    put_side(time.early, time.early_errors);
+    cells.push_back(thousands(time.none + time.invalid));
   }
-  const auto put = [&](const char* measure, const auto& text) {
-    cells.push_back(motion[measure].is_null() ? "-" : text(motion[measure]));
-  };
-  put("feature", [](const Json& feature) { return count_in(feature, "wrong"); });
-  put("normal", [](const Json& normal) { return amount(normal["largest_angle"].get<double>(), 3); });
-  put("point", [](const Json& point) { return amount(point["largest_error"].get<double>(), 3); });
-  cells.push_back(count_in(missed, "through"));
-  cells.push_back(error_amount(missed["deepest_tunnel"]));
+  cells.push_back(motion.feature ? thousands(motion.feature->wrong) : "-");
+  cells.push_back(motion.normal ? amount(motion.normal->largest_angle.best(), 3) : "-");
+  cells.push_back(motion.point ? amount(motion.point->largest_error.best(), 3) : "-");
+  cells.push_back(thousands(motion.missed.through));
+  cells.push_back(error_amount(motion.missed.deepest.best()));
   return cells;
 }
 

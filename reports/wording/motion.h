@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/text/json.h"
+#include "fuzz/record/family_record.h"
 
 namespace axiscert {
 
 const std::vector<std::string>& motion_columns();
 // A cell for each column, of the results of a family or of all; "-" where the kernel does not give what it is about.
 // Empty in a test without measures, and where the kernel gives no time and misses nothing by more than touching.
-std::vector<std::string> motion_cells(const Json& family);
+std::vector<std::string> motion_cells(const FamilyRecord& family);
 // The meaning of the columns.
 extern const char* const motion_note;
 

@@ -9,31 +9,37 @@ namespace {
 
 using testing::ElementsAre;
 
-Json tunnels(double deepest) { return {{"through", deepest == 1 ? 2 : 0}, {"deepest_tunnel", deepest}}; }
-Json time_errors(const Json& ulps, double in_u) {
-  return {{"largest_ulps", ulps}, {"largest_in_u", in_u}, {"by_power", Json::object()}};
+TunnelTally tunnels(double deepest) {
+  return read_as<TunnelTally>({{"through", deepest == 1 ? 2 : 0}, {"deepest_tunnel", deepest}});
+}
+TimeErrors time_errors(const Json& ulps, double in_u) {
+  return read_as<TimeErrors>({{"largest_ulps", ulps}, {"largest_in_u", in_u}, {"by_power", Json::object()}});
 }
 
-Json family_of(Json time, double missed) {
-  return {{"motion",
-           {{"hits", 1200},
-            {"missed", tunnels(missed)},
-            {"time", std::move(time)},
-            {"feature", nullptr},
-            {"normal", {{"judged", 7}, {"largest_angle", 0.25}}},
-            {"point", nullptr}}}};
+FamilyRecord family_of(std::optional<TimeTally> time, double missed) {
+  NormalTally normal;
+  normal.judged = 7;
+  normal.largest_angle.offer({0.25, 0});
+  FamilyRecord family;
+  family.motion = {.hits = 1200,
+                   .missed = tunnels(missed),
+                   .time = std::move(time),
+                   .feature = std::nullopt,
+                   .normal = normal,
+                   .point = std::nullopt};
+  return family;
 }
 
 TEST(MotionWords, ARowHasACellForEachColumn) {
-  const Json time = {{"none", 1},
-                     {"invalid", 2},
-                     {"early", 30},
-                     {"best", 1100},
-                     {"late", 67},
-                     {"late_errors", time_errors("1.5e+320", 8)},
-                     {"late_tunnels", tunnels(0.5)},
-                     {"early_errors", time_errors(3.5, 0.125)},
-                     {"largest_gap", 0.0}};
+  TimeTally time;
+  time.none = 1;
+  time.invalid = 2;
+  time.early = 30;
+  time.best = 1100;
+  time.late = 67;
+  time.late_errors = time_errors("1.5e+320", 8);
+  time.late_tunnels = tunnels(0.5);
+  time.early_errors = time_errors(3.5, 0.125);
   const auto cells = motion_cells(family_of(time, 1));
   EXPECT_EQ(cells.size(), motion_columns().size());
   EXPECT_THAT(
@@ -41,10 +47,10 @@ TEST(MotionWords, ARowHasACellForEachColumn) {
 }
 
 TEST(MotionWords, AKernelWithoutTimesHasARowWhereItMisses) {
-  EXPECT_TRUE(motion_cells(family_of(nullptr, 0)).empty());
-  EXPECT_THAT(motion_cells(family_of(nullptr, 0.75)),
+  EXPECT_TRUE(motion_cells(family_of(std::nullopt, 0)).empty());
+  EXPECT_THAT(motion_cells(family_of(std::nullopt, 0.75)),
               ElementsAre("1,200", "-", "-", "-", "-", "-", "-", "-", "-", "-", "0.25", "-", "0", "0.75"));
-  EXPECT_TRUE(motion_cells(Json::object()).empty()) << "a test without measures";
+  EXPECT_TRUE(motion_cells(FamilyRecord()).empty()) << "a test without measures";
 }
 
 }  // namespace

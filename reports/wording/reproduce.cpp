@@ -51,93 +51,92 @@ std::string source_option(const std::string& family) {
 bool is_file(const std::string& family) { return family.starts_with("mesh/") || family.starts_with("queries/"); }
 
 // The common number of queries of all generated families, if there is one: the value of --trials.
-std::optional<std::uint64_t> common_trials(const Json& plan) {
+std::optional<std::uint64_t> common_trials(const PlanRecord& plan) {
   std::set<std::uint64_t> counts;
-  for (const auto& [family, by_precision] : plan["trials"].items()) {
+  for (const auto& [family, by_precision] : plan.trials) {
     if (family.starts_with("queries/") || family == "corpus") continue;
-    for (const Json& count : by_precision) counts.insert(count.get<std::uint64_t>());
+    for (const auto& [precision, count] : by_precision) counts.insert(count);
   }
   return counts.size() == 1 ? std::optional(*counts.begin()) : std::nullopt;
 }
 
 // Where every comparison has a tolerance, the most frequent one is given for all of them, followed by the exceptions.
-std::string tolerance_options(const Json& tolerances, const TestDescription& test) {
+std::string tolerance_options(const PlanRecord& plan) {
   std::map<std::string, std::size_t> uses;
-  for (const Json& tolerance : tolerances) ++uses[tolerance];
+  for (const auto& [comparison, tolerance] : plan.tolerance) ++uses[tolerance];
   std::string common, options;
-  if (tolerances.size() == test.comparisons.size()) {
+  if (!uses.empty() && plan.tolerance.size() == test_of(plan).comparisons.size()) {
     common = std::max_element(uses.begin(), uses.end(), [](const auto& x, const auto& y) {
                return x.second < y.second;
              })->first;
     options = " --tolerance " + shell_word(common);
   }
-  for (const auto& [comparison, tolerance] : tolerances.items()) {
-    if (tolerance != common) options += " --tolerance " + shell_word(comparison + "=" + tolerance.get<std::string>());
+  for (const auto& [comparison, tolerance] : plan.tolerance) {
+    if (tolerance != common) options += " --tolerance " + shell_word(comparison + "=" + tolerance);
   }
   return options;
 }
 
-std::string require_options(const Json& plan) {
-  const Json& given = plan["require"];
+std::string require_options(const PlanRecord& plan) {
   std::string options;
-  for (const Json& level : given.is_null() || given.is_array() ? given : Json::array({given}))
-    options += " --require " + shell_word(level);
-  for (const Json& level : plan.value("allow_unchecked", Json::array()))
-    options += " --allow-unchecked " + shell_word(level);
+  for (const std::string& level : plan.require.levels) options += " --require " + shell_word(level);
+  if (!plan.allow_unchecked) return options;
+  for (const std::string& level : *plan.allow_unchecked) options += " --allow-unchecked " + shell_word(level);
   return options;
 }
 
-std::string joined(const Json& names) {
-  return fmt::format("{}", fmt::join(names.get<std::vector<std::string>>(), ", "));
+std::string joined(const std::vector<Precision>& precisions) {
+  std::vector<std::string_view> names;
+  for (const Precision precision : precisions) names.push_back(name(precision));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+std::string joined(const std::vector<Name>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+
+std::string file_kind(const FileRecord& file) {
+  if (file.kind == "mesh") return "mesh";
+  if (file.kind == "queries") return "query file";
+  return file.kind == "plugin" ? "plug-in" : fmt::format("program's {}", file.kind);
 }
 
-std::string file_kind(const Json& file) {
-  if (file["kind"] == "mesh") return "mesh";
-  if (file["kind"] == "queries") return "query file";
-  return file["kind"] == "plugin" ? "plug-in" : fmt::format("program's {}", file["kind"].get<std::string>());
-}
-
-std::string file_fact(const Json& file) {
-  const std::string name = file["name"];
-  if (file["kind"] != "mesh" && file["kind"] != "queries") {  // of a kernel
-    return file["sha256"].is_null() ? name + ", which could not be read"
-                                    : fmt::format("{}; SHA-256 {}", name, file["sha256"].get<std::string>());
+std::string file_fact(const FileRecord& file) {
+  const bool is_mesh = file.kind == "mesh", is_of_kernel = !is_mesh && file.kind != "queries";
+  if (is_of_kernel && !file.sha256) return file.name + ", which could not be read";
+  const auto count = [](std::optional<std::uint64_t> of) { return thousands(of.value_or(0)); };
+  std::string contents;
+  if (is_mesh) {
+    contents = fmt::format(", {} triangles, {} of zero area, {} other primitives skipped", count(file.triangles),
+                           count(file.degenerate_triangles), count(file.skipped_primitives));
+  } else if (!is_of_kernel) {
+    contents = fmt::format(", {} queries", count(file.queries));
   }
-  const auto count = [&](const char* member) { return thousands(file[member].get<std::uint64_t>()); };
-  const std::string contents =
-      file["kind"] == "mesh"
-          ? fmt::format("{} triangles, {} of zero area, {} other primitives skipped", count("triangles"),
-                        count("degenerate_triangles"), count("skipped_primitives"))
-          : fmt::format("{} queries", count("queries"));
-  return fmt::format("{}, {}; SHA-256 {}", name, contents, file["sha256"].get<std::string>());
+  return fmt::format("{}{}; SHA-256 {}", file.name, contents, file.sha256.value_or(""));
 }
 
-std::string source_options(const Json& plan) {
+std::string source_options(const PlanRecord& plan) {
   std::string options;
-  for (const Json& family : plan["families"]) options += source_option(family);
+  for (const std::string& family : plan.families) options += source_option(family);
   if (const auto trials = common_trials(plan)) options += fmt::format(" --trials {}", *trials);
-  return options + fmt::format(" --seed {}", plan["seed"].dump());
+  return options + fmt::format(" --seed {}", plan.seed.value);
 }
 
-std::string judge_command(const Json& plan) {
-  const Json& replies = plan["replies"];
+std::string judge_command(const PlanRecord& plan) {
+  const RepliesRecord& replies = *plan.replies;
   std::string command = "axiscert judge";
-  if (plan["kernels"][0] != "pipe") command += " --as " + shell_word(plan["kernels"][0]);
-  if (!replies["conforms_to"].is_null()) command += " --conforms-to " + shell_word(replies["conforms_to"]);
-  if (!replies["formulae"].is_null()) command += " --formulae " + shell_word(replies["formulae"]);
-  if (replies["touching"] != "contact") command += " --touching " + shell_word(replies["touching"]);
-  if (replies["may_decline"].get<bool>()) command += " --may-decline";
+  if (plan.kernels.front() != "pipe") command += " --as " + shell_word(plan.kernels.front());
+  if (replies.conforms_to) command += " --conforms-to " + shell_word(*replies.conforms_to);
+  if (replies.formulae) command += " --formulae " + shell_word(*replies.formulae);
+  if (replies.touching != Touching::contact) command += fmt::format(" --touching {}", name(replies.touching));
+  if (replies.may_decline) command += " --may-decline";
   return command;
 }
 
 // One stream for each precision; through files where there are two.
-std::string pipe_command(const Json& plan) {
-  const bool has_two = plan["precisions"].size() == 2;
-  const Json& replies = plan["replies"];
-  const std::string measures =
-      replies.contains("measures") ? fmt::format(" --measures {}", replies["measures"].get<std::uint64_t>()) : "";
+std::string pipe_command(const PlanRecord& plan) {
+  const bool has_two = plan.precisions.size() == 2;
+  const std::string measures = plan.replies->measures ? fmt::format(" --measures {}", *plan.replies->measures) : "";
   std::string command, files;
-  for (const std::string precision : plan["precisions"]) {
+  for (const Precision each : plan.precisions) {
+    const std::string_view precision = name(each);
     command += fmt::format("axiscert generate{} --precision {} --binary{} | PROGRAM", source_options(plan), precision,
                            measures);
     command += has_two ? fmt::format(" > {0}.replies && ", precision) : " | ";
@@ -146,6 +145,16 @@ std::string pipe_command(const Json& plan) {
   command += judge_command(plan) + files;
   command += require_options(plan);
   return command;
+}
+
+// The commands that ask one kernel about the query of an address.
+std::string replay(const std::string& address, const std::string& family, const std::string& kernel,
+                   Precision precision, const PlanRecord& plan) {
+  const std::string query = fmt::format("axiscert query {}{} > witness.jsonl && ", quoted(address),
+                                        is_file(family) ? source_option(family) : "");
+  if (!plan.replies) return fmt::format("{}axiscert check witness.jsonl --kernel {}", query, shell_word(kernel));
+  return fmt::format("{}axiscert generate --queries witness.jsonl --precision {} --binary | PROGRAM | {} --out witness",
+                     query, name(precision), judge_command(plan));
 }
 
 }  // namespace
@@ -157,39 +166,38 @@ std::string shell_word(const std::string& text) {
   return is_plain ? text : quoted(text);
 }
 
-std::string replay_command(const Json& witness, const Json& plan) {
-  const std::string family = witness["family"], kernel = witness["kernel"];
-  const std::string query = fmt::format("axiscert query {}{} > witness.jsonl && ", quoted(witness["address"]),
-                                        is_file(family) ? source_option(family) : "");
-  if (!plan.contains("replies"))
-    return fmt::format("{}axiscert check witness.jsonl --kernel {}", query, shell_word(kernel));
-  return fmt::format("{}axiscert generate --queries witness.jsonl --precision {} --binary | PROGRAM | {} --out witness",
-                     query, witness["precision"].get<std::string>(), judge_command(plan));
+std::string replay_command(const WitnessRecord& witness, const PlanRecord& plan) {
+  return replay(witness.address, witness.family, witness.kernel, witness.precision, plan);
+}
+std::string replay_command(const FindingRecord& finding, const PlanRecord& plan) {
+  if (!finding.address) return "";
+  return replay(*finding.address, finding.family.value(), finding.kernel, finding.precision.value(), plan);
 }
 
 std::string compare_command(const std::string& before, const std::string& after) {
   return fmt::format("axiscert compare {} {}", shell_word(before), shell_word(after));
 }
 
-std::string run_command(const Json& plan) {
-  if (!plan["units_done"].is_null()) return "";
-  if (plan.contains("replies")) return pipe_command(plan);
+std::string run_command(const PlanRecord& plan) {
+  if (plan.units_done) return "";
+  if (plan.replies) return pipe_command(plan);
   std::string command = "axiscert run";
-  for (const Json& kernel : plan["kernels"]) command += " --kernel " + shell_word(kernel);
+  for (const std::string& kernel : plan.kernels) command += " --kernel " + shell_word(kernel);
   command += source_options(plan);
-  if (plan["precisions"].size() == 1) command += " --precision " + shell_word(plan["precisions"][0]);
-  command += tolerance_options(plan["tolerance"], test_of(plan));
+  if (plan.precisions.size() == 1) command += fmt::format(" --precision {}", name(plan.precisions.front()));
+  command += tolerance_options(plan);
   command += require_options(plan);
   return command;
 }
 
 std::vector<std::pair<std::string, std::string>> plan_facts(const Run& run) {
-  const Json &plan = run.record["plan"], &info = run.info;
-  std::vector<std::pair<std::string, std::string>> facts = {{"axiscert", plan["axiscert"]},
-                                                            {"seed", plan["seed"].dump()},
-                                                            {"kernels", joined(plan["kernels"])},
-                                                            {"precisions", joined(plan["precisions"])}};
-  for (const Json& file : plan["files"]) facts.emplace_back(file_kind(file), file_fact(file));
+  const PlanRecord& plan = run.record.plan;
+  const Json& info = run.info;
+  std::vector<std::pair<std::string, std::string>> facts = {{"axiscert", plan.axiscert},
+                                                            {"seed", std::to_string(plan.seed.value)},
+                                                            {"kernels", joined(plan.kernels)},
+                                                            {"precisions", joined(plan.precisions)}};
+  for (const FileRecord& file : plan.files) facts.emplace_back(file_kind(file), file_fact(file));
   const auto add = [&](const char* label, const Json& from, const char* member, auto&& text) {
     if (from.contains(member)) facts.emplace_back(label, text(from[member]));
   };
@@ -221,47 +229,44 @@ std::vector<std::pair<std::string, std::string>> plan_facts(const Run& run) {
   return facts;
 }
 
-std::vector<std::string> not_checked(const Json& record) {
-  const Json& plan = record["plan"];
+std::vector<std::string> not_checked(const Record& record) {
+  const PlanRecord& plan = record.plan;
   std::vector<std::string> open = {"Proofs: a run observes; it proves nothing about a kernel."};
-  if (plan["tolerance"].empty()) {
+  if (plan.tolerance.empty()) {
     open.push_back("Tolerance: none was given (--tolerance), so no comparison's error failed or passed.");
-  } else if (const std::size_t all = test_of(plan).comparisons.size(); plan["tolerance"].size() < all) {
-    open.push_back(fmt::format("Tolerance: given for {} of the {} comparisons.", plan["tolerance"].size(), all));
+  } else if (const std::size_t all = test_of(plan).comparisons.size(); plan.tolerance.size() < all) {
+    open.push_back(fmt::format("Tolerance: given for {} of the {} comparisons.", plan.tolerance.size(), all));
   }
-  if (plan.contains("replies")) {
+  if (plan.replies) {
     open.push_back("Errors of the sides, and critical radii: replies were judged here, which contain neither.");
   }
-  if (plan["require"].is_null())
+  if (plan.require.levels.empty())
     open.push_back("Requirement: none was given (--require), so nothing here failed or passed.");
   for (const std::string& id : not_judged(record)) {
     open.push_back(fmt::format("{}: it could not be loaded, so it was not judged. Its findings say why.", id));
   }
-  for (const Json& kernel : record["kernels"]) {
-    const std::string who =
-        fmt::format("{} in {}", kernel["id"].get<std::string>(), kernel["precision"].get<std::string>());
-    if (kernel["exposes"] == Json::array({"verdict"})) {
+  for (const KernelRecord& kernel : record.kernels) {
+    const std::string who = fmt::format("{} in {}", kernel.id, name(kernel.precision));
+    if (kernel.exposes == std::vector{Exposure::verdict}) {
       open.push_back(fmt::format("Comparisons and axes of {}: it shows only verdicts.", who));
     }
     std::uint64_t outside = 0;
-    for (const Json& family : kernel["families"]) {
-      const Json& counted = family["verdict"]["outside_limits"];
-      if (!counted.is_null()) outside += counted["trials"].get<std::uint64_t>();
-    }
+    for (const auto& [family, result] : kernel.families)
+      outside += result.verdict.outside_limits.value_or(OutsideTally()).trials;
     if (outside != 0) {
       open.push_back(
           fmt::format("{} queries outside the limits that {} declares: counted separately, outside of any requirement.",
                       thousands(outside), who));
     }
-    std::vector<std::string> missing;
-    for (const Json& family : plan["families"]) {
-      if (!kernel["families"].contains(family)) missing.push_back(family);
+    std::vector<std::string_view> missing;
+    for (const Name& family : plan.families) {
+      if (!kernel.families.contains(family)) missing.push_back(family);
     }
     if (!missing.empty())
       open.push_back(fmt::format("Families of the plan without a query for {}: {}.", who, fmt::join(missing, ", ")));
   }
   open.push_back(
-      fmt::format("Queries of other kinds than the plan's families make. These are: {}.", joined(plan["families"])));
+      fmt::format("Queries of other kinds than the plan's families make. These are: {}.", joined(plan.families)));
   return open;
 }
 

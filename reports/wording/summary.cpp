@@ -7,25 +7,19 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <set>
+#include <tuple>
 
+#include "fuzz/fields/merge.h"
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert {
 namespace {
 
-// Members that are maxima over queries; every other number is a count.
-const std::set<std::string, std::less<>> maxima = {"deepest",
-                                                   "deepest_false_separation",
-                                                   "deepest_false_contact",
-                                                   "max_error_u",
-                                                   "smallest_passing_tolerance",
-                                                   "largest_ulps",
-                                                   "largest_in_u",
-                                                   "deepest_tunnel",
-                                                   "largest_gap",
-                                                   "largest_angle",
-                                                   "largest_error"};
+// Number of queries that can count as a failure: valid, and within the kernel's limits.
+std::uint64_t valid_queries(const FamilyCounts& family) {
+  const std::optional<OutsideTally>& outside = family.verdict.outside_limits;
+  return family.trials - family.truth.invalid - (outside ? outside->trials : 0);
+}
 
 // The six digits of a text of a number too large for binary64 are kept by the logarithm.
 double magnitude(const Json& number) {
@@ -36,28 +30,6 @@ double magnitude(const Json& number) {
   std::from_chars(text.data(), text.data() + e, mantissa);
   std::from_chars(text.data() + e + 2, text.data() + text.size(), exponent);
   return exponent + std::log10(mantissa);
-}
-
-void merge(Json& total, const Json& part, const std::string& name) {
-  if (part.is_null()) return;
-  if (total.is_null()) {
-    total = part;
-  } else if (part.is_object()) {
-    for (const auto& [member, value] : part.items()) merge(total[member], value, member);
-  } else if (part.is_boolean()) {
-    total = total.get<bool>() && part.get<bool>();
-  } else if (maxima.count(name) != 0) {
-    if (is_less(total, part)) total = part;
-  } else {
-    total = total.get<std::uint64_t>() + part.get<std::uint64_t>();
-  }
-}
-
-// Number of queries that can count as a failure: valid, and within the kernel's limits.
-std::uint64_t valid_queries(const Json& family) {
-  const Json& outside = family["verdict"]["outside_limits"];
-  return family["trials"].get<std::uint64_t>() - family["truth"]["invalid"].get<std::uint64_t>() -
-         (outside.is_null() ? 0 : outside["trials"].get<std::uint64_t>());
 }
 
 }  // namespace
@@ -71,29 +43,17 @@ const EnumArray<Link, std::string_view> link_meanings = {
     "or "
     "the truth where it claims none, and its answer is not known."};
 
-bool is_less(const Json& x, const Json& y) {
-  if (x.is_number() && y.is_number()) return x.get<double>() < y.get<double>();
-  return magnitude(x) < magnitude(y);
-}
-
-void add_counts(Json& total, const Json& part) { merge(total, part, ""); }
-
-Json all_families(const Json& kernel) {
-  Json total;
-  for (Json family : kernel["families"]) {
-    for (const char* median : {"median_ulps", "signed_median_ulps"}) family["critical_radius"].erase(median);
-    family["verdict"].erase("first_by_link");  // places in a family cannot be added up
-    family.erase("asymmetry");                 // exist for a few families only
-    family.erase("invariance");
-    family.erase("classes");  // added up in reports/wording/classes.cpp
-    merge(total, family, "");
-  }
-  if (total.is_null()) return Json::object();
-  total["critical_radius"] = kernel["critical_radius"];
+std::optional<FamilyRecord> all_families(const KernelRecord& kernel) {
+  if (kernel.families.empty()) return std::nullopt;
+  FamilyRecord total;
+  FamilyCounts& counts = total;
+  counts = kernel.families[0];
+  for (std::size_t i = 1; i < kernel.families.size(); ++i) merge_fields<FamilyCounts>(counts, kernel.families[i]);
+  total.critical_radius = kernel.critical_radius;
   return total;
 }
 
-double per_million(std::uint64_t count, const Json& family) {
+double per_million(std::uint64_t count, const FamilyCounts& family) {
   const std::uint64_t n = valid_queries(family);
   return n == 0 ? 0 : 1e6 * static_cast<double>(count) / static_cast<double>(n);
 }
@@ -136,66 +96,88 @@ std::string amount(double value, int digits) {
   return thousands(static_cast<std::uint64_t>(rounded)) + (point == text.npos ? "" : text.substr(point));
 }
 
-std::string error_amount(const Json& error) {
-  if (error.is_null()) return "not measured";
-  return error.is_number() ? amount(error.get<double>()) : error.get<std::string>();
+std::string error_amount(const std::optional<Decimal6>& error) {
+  if (!error) return "not measured";
+  const double value = error->value();
+  return std::isfinite(value) ? amount(value) : error->text();
 }
 
-std::string touching_text(const Json& kernel) {
-  if (kernel["touching"] == name(Touching::separated)) return "a touching sphere is separated";
-  if (kernel["touching"] == name(Touching::either)) return "a touching sphere may be called either";
+std::string error_amount(const Json& figure) {
+  if (figure.is_null()) return "not measured";
+  return figure.is_number() ? amount(figure.get<double>()) : figure.get<std::string>();
+}
+
+bool is_less(const Json& x, const Json& y) {
+  if (x.is_number() && y.is_number()) return x.get<double>() < y.get<double>();
+  return magnitude(x) < magnitude(y);
+}
+
+std::string touching_text(const KernelRecord& kernel) {
+  switch (kernel.touching) {
+    case Touching::contact:
+      break;
+    case Touching::separated:
+      return "a touching sphere is separated";
+    case Touching::either:
+      return "a touching sphere may be called either";
+  }
   return "a touching sphere is in contact";
 }
 
 namespace {
 
 // The part of its promise about motions that the kernel leaves out.
-void add_policy(const Json& kernel, std::vector<std::string>& parts) {
-  const auto policy = kernel.find("motion");
-  if (policy == kernel.end()) return;
-  if ((*policy)["start"] == "ignored") parts.emplace_back("no contact before the motion");
-  if ((*policy)["start"] == "approaching") parts.emplace_back("no contact before a motion that does not approach");
-  if ((*policy)["still"] == "ignored") parts.emplace_back("a displacement that is not zero");
-  if ((*policy)["sides"] == "front") parts.emplace_back("triangles met from the front");
+void add_policy(const KernelRecord& kernel, std::vector<std::string>& parts) {
+  if (!kernel.motion) return;
+  const PolicyRecord& policy = *kernel.motion;
+  if (policy.start == StartPolicy::ignored) parts.emplace_back("no contact before the motion");
+  if (policy.start == StartPolicy::approaching) parts.emplace_back("no contact before a motion that does not approach");
+  if (policy.still == StillPolicy::ignored) parts.emplace_back("a displacement that is not zero");
+  if (policy.sides == SidesPolicy::front) parts.emplace_back("triangles met from the front");
+}
+
+// The witness's place among those of its kernel, precision, family and kinds of wrong verdict.
+using WitnessGroup = std::tuple<std::string, Precision, std::string, std::vector<FlipKind>>;
+
+WitnessGroup group_of(const WitnessRecord& witness) {
+  std::vector<FlipKind> kinds;
+  for (const FlipRecord& flip : witness.flips) {
+    if (flip.level == Level::verdict) kinds.push_back(flip.kind);
+  }
+  return {witness.kernel, witness.precision, witness.family, kinds};
 }
 
 }  // namespace
 
-std::string limits_text(const Json& kernel) {
+std::string limits_text(const KernelRecord& kernel) {
   if (!has_limits(kernel)) return "none: it promises to be right everywhere";
   std::vector<std::string> parts;
   add_policy(kernel, parts);
-  const Json& limits = kernel["limits"];
-  if (limits.is_null()) return fmt::format("{}", fmt::join(parts, ", "));
-  const auto range = [&](const std::string& what, const Json& least, const Json& greatest) {
+  if (!kernel.limits) return fmt::format("{}", fmt::join(parts, ", "));
+  const LimitsRecord& limits = *kernel.limits;
+  const auto range = [&](const std::string& what, std::optional<double> least, std::optional<double> greatest) {
     std::string part = what;
-    if (!least.is_null()) part += fmt::format(" from {:.6g}", least.get<double>());
-    if (!greatest.is_null()) part += fmt::format(" to {:.6g}", greatest.get<double>());
+    if (least) part += fmt::format(" from {:.6g}", *least);
+    if (greatest) part += fmt::format(" to {:.6g}", *greatest);
     if (part != what) parts.push_back(part);
   };
-  range("|coordinates|", limits["least_coordinate"], limits["greatest_coordinate"]);
-  range("area", limits["least_area"], nullptr);
-  range("radius", limits["least_radius"], limits["greatest_radius"]);
+  range("|coordinates|", limits.least_coordinate, limits.greatest_coordinate);
+  range("area", limits.least_area, std::nullopt);
+  range("radius", limits.least_radius, limits.greatest_radius);
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::vector<const Json*> worst_witnesses(const Json& record, std::size_t limit) {
-  std::vector<const Json*> witnesses;
-  for (const Json& witness : record["witnesses"]) witnesses.push_back(&witness);
-  const auto depth = [](const Json* w) { return (*w)["depth"].is_null() ? -1.0 : (*w)["depth"].get<double>(); };
-  const auto deeper = [&](const Json* x, const Json* y) { return depth(x) > depth(y); };
+std::vector<const WitnessRecord*> worst_witnesses(const Record& record, std::size_t limit) {
+  std::vector<const WitnessRecord*> witnesses;
+  for (const WitnessRecord& witness : record.witnesses) witnesses.push_back(&witness);
+  const auto deeper = [](const WitnessRecord* x, const WitnessRecord* y) { return x->depth > y->depth; };
   std::stable_sort(witnesses.begin(), witnesses.end(), deeper);
 
-  std::map<std::string, std::size_t> seen;  // by kernel, precision, family and kind
-  std::map<const Json*, std::size_t> rank;
-  for (const Json* w : witnesses) {
-    Json group = Json::array({(*w)["kernel"], (*w)["precision"], (*w)["family"]});
-    for (const Json& flip : (*w)["flips"]) {
-      if (flip["level"] == "verdict") group.push_back(flip["kind"]);
-    }
-    rank[w] = seen[group.dump()]++;
-  }
-  std::stable_sort(witnesses.begin(), witnesses.end(), [&](const Json* x, const Json* y) { return rank[x] < rank[y]; });
+  std::map<WitnessGroup, std::size_t> seen;
+  std::map<const WitnessRecord*, std::size_t> rank;
+  for (const WitnessRecord* w : witnesses) rank[w] = seen[group_of(*w)]++;
+  std::stable_sort(witnesses.begin(), witnesses.end(),
+                   [&](const WitnessRecord* x, const WitnessRecord* y) { return rank[x] < rank[y]; });
   witnesses.resize(std::min(limit, witnesses.size()));
   std::stable_sort(witnesses.begin(), witnesses.end(), deeper);
   return witnesses;

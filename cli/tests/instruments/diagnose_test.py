@@ -5,7 +5,7 @@ import unittest
 
 import jsonschema
 
-from command import BUILD, SCHEMAS, Case, axiscert
+from command import BUILD, Case, axiscert, schema_of
 
 PROPERTIES = ["touching", "sides", "overlap_at_start", "degenerate_triangles", "absolute_threshold", "range_window", "subnormal_numbers", "operation_order",
               "inner_precision", "repeated", "position_in_batch", "batch_length", "neighbours", "nearest_form"]
@@ -16,7 +16,7 @@ class Diagnose(Case):
         done = axiscert("diagnose", *args, "--format", "json")
         self.assertEqual(done.returncode, 0, done.stderr)
         data = json.loads(done.stdout)
-        jsonschema.validate(data, json.loads((SCHEMAS / "diagnosis.schema.json").read_text()))
+        jsonschema.validate(data, schema_of("diagnosis"))
         self.assertEqual([p["name"] for p in data["properties"]], PROPERTIES)
         return data, {p["name"]: p["value"] for p in data["properties"]}
 

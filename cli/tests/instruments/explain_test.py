@@ -3,7 +3,9 @@
 import re
 import unittest
 
-from command import ROOT, Case, axiscert
+import jsonschema
+
+from command import ROOT, Case, axiscert, schema_of
 
 HEADINGS = re.findall(r"^## (.*)$", (ROOT / "docs/glossary.md").read_text(), re.MULTILINE)
 
@@ -33,6 +35,17 @@ class Explain(Case):
             self.explained(word)
         for word in ("query", "specification", "rounding", "range", "implementation", "unattributed", "level", "not checked"):
             self.explained(word)
+
+    def test_a_figure_of_the_record_has_its_sentence_and_unit(self):
+        said = self.explained("max_error_u")
+        self.assertTrue(said.startswith("kernels.families.axes.max_error_u, kernels.families.comparisons.max_error_u (u): The largest "), said)
+        self.assertIn("kernels.families.base_triangles: Number of different triangles", self.explained("base-triangles"))
+
+    def test_the_schema_of_a_record_says_the_same(self):
+        schema = schema_of("record")
+        jsonschema.validators.validator_for(schema).check_schema(schema)
+        self.assertEqual(schema["properties"]["schema"], {"const": "axiscert-record/3", "description": schema["properties"]["schema"]["description"]})
+        self.refused("explain", "--schema", "recrd", says=["--schema", "record"])
 
     def test_an_unknown_word_is_told_its_neighbours(self):
         self.refused("explain", "dept", says=["unknown word 'dept'", "did you mean 'depth'?"])

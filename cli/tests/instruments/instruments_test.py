@@ -5,7 +5,7 @@ import unittest
 
 import jsonschema
 
-from command import SCHEMAS, Case, axiscert
+from command import Case, axiscert, schema_of
 
 
 class Instruments(Case):
@@ -223,7 +223,7 @@ class Search(Case):
         checked = json.loads(done.stdout)
         self.assertEqual((checked["exact"]["verdict"], checked["computed"]["verdict"]), ("contact", "separated"))
         self.assertEqual(checked["flips"][0]["links"], missed["links"])
-        schema = json.loads((SCHEMAS / "search.schema.json").read_text())
+        schema = schema_of("search")
         jsonschema.validators.validator_for(schema)(schema).validate(found)
 
     def test_resuming_is_the_same_as_not_stopping(self):

@@ -5,7 +5,7 @@ import unittest
 
 import jsonschema
 
-from command import BUILD, SCHEMAS, Case, axiscert
+from command import BUILD, Case, axiscert, schema_of
 
 CONTACT = {"id": "contact", "precision": "binary32", "a": [1, 0, 0], "b": [0, 1, 0], "c": [0, 0, 1], "p": [0, 0, 0], "r": 2}
 APART = {**CONTACT, "id": "apart", "r": 0.5}
@@ -29,7 +29,7 @@ class LookedAt(Case):
         done = axiscert(*args, *QUICK, "--format", "json", stdin=stdin)
         self.assertEqual(done.returncode, code, f"{args}: {done.stdout[:300]}{done.stderr}")
         data = json.loads(done.stdout)
-        jsonschema.validate(data, json.loads((SCHEMAS / f"{schema}.schema.json").read_text()))
+        jsonschema.validate(data, schema_of(schema))
         return data
 
     def text(self, *args, code=0, stdin=None):
@@ -75,7 +75,7 @@ class LookedAt(Case):
         done = axiscert("map", "-", "--size", 16, "--kernel", kernel, *QUICK, "--out", self.folder, "--format", "json", stdin=json.dumps(CONTACT))
         self.assertEqual(done.returncode, code, done.stderr)
         data = json.loads(done.stdout)
-        jsonschema.validate(data, json.loads((SCHEMAS / "maps.schema.json").read_text()))
+        jsonschema.validate(data, schema_of("maps"))
         return data["maps"][0]["pictures"][0]
 
     def test_a_map_without_a_decided_pixel_says_so_first(self):

@@ -5,7 +5,7 @@ import unittest
 
 import jsonschema
 
-from command import DIVISOR, SCHEMAS, Case, axiscert
+from command import DIVISOR, Case, axiscert, schema_of
 
 
 class MutateCase(Case):
@@ -23,7 +23,7 @@ class MutateByVerdict(MutateCase):
         faults = ("drop", "fma", "clamp", "plus-relative", "early-contact")
         chosen = [word for fault in faults for word in ("--mutant", fault)]
         found = self.mutate(*self.PLAN, *chosen, "--magnitude", 0.1, "--magnitude", "1e-20", "--out", out)
-        schema = json.loads((SCHEMAS / "mutation-by-verdict.schema.json").read_text())
+        schema = schema_of("mutation-by-verdict")
         jsonschema.validators.validator_for(schema)(schema).validate(found)
         self.assertEqual(json.loads((out / "mutation-by-verdict.json").read_text()), found)
         again = axiscert(*found["command"].split()[1:], "--format", "json", "--threads", 1)
@@ -66,7 +66,7 @@ class MutateMotions(MutateCase):
         self.assertEqual({name.split("/")[0] for name in found["families"]}, {"moving-sphere"})
         self.assertEqual(found["score"]["binary32"]["mutants"], 20 + 1)
         self.assertEqual([m["id"] for m in found["mutants"] if m["caught"] is None], [])
-        schema = json.loads((SCHEMAS / "mutation.schema.json").read_text())
+        schema = schema_of("mutation")
         jsonschema.validators.validator_for(schema)(schema).validate(found)
         again = axiscert(*found["command"].split()[1:], "--format", "json", "--threads", 1)
         self.assertEqual(json.loads(again.stdout), found)
@@ -102,7 +102,7 @@ class Mutate(MutateCase):
             if DIVISOR == 1:
                 self.assertEqual(score["survived"], 0)
             self.assertGreater(score["caught_within_10000"], score["mutants"] / 2)
-        schema = json.loads((SCHEMAS / "mutation.schema.json").read_text())
+        schema = schema_of("mutation")
         jsonschema.validators.validator_for(schema)(schema).validate(found)
         self.assertEqual(json.loads((out / "mutation.json").read_text()), found)
         self.assertIn("nonstrict\\~drop:edge_ab", (out / "mutation.md").read_text())

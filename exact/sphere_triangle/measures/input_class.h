@@ -29,6 +29,7 @@ template <>
 inline constexpr std::size_t enum_count<InputClass> = 8;
 inline constexpr EnumArray<InputClass, std::string_view> input_class_names = {
     "tie", "near_tie", "scale", "repeated", "collinear", "sliver", "far", "ordinary"};
+constexpr std::string_view name(InputClass which) { return input_class_names[which]; }
 using InputClassSet = EnumSet<InputClass, std::uint8_t>;
 
 // Precondition: the set is not empty.

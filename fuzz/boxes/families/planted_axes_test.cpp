@@ -78,7 +78,7 @@ std::vector<Tally> tallies_of(const std::deque<Kernel>& kernels, std::uint64_t q
   plan.running.target = resolve_target("auto");
   plan.running.threads = 2;
   const std::atomic<bool> never = false;
-  std::vector<Tally> all(plan.answerers.kernels.size(), Tally(box_box_test()));
+  std::vector<Tally> all(plan.answerers.kernels.size(), empty_tally(box_box_test()));
   for (const CellResult& cell : run_campaign(plan, never, [](const Progress&) {}).cells) {
     for (std::size_t k = 0; k < all.size(); ++k) all[k].merge(cell.tallies[k]);
   }
@@ -95,7 +95,7 @@ void expect_caught(AxisFault fault, std::uint64_t queries) {
   const std::vector<Tally> tallies = tallies_of(kernels, queries);
   for (std::size_t k = 0; k < kernels.size(); ++k) {
     if (k < axis_count) {
-      EXPECT_GT(tallies[k].comparisons.at(k).links[Link::implementation], 0u) << kernels[k].id;
+      EXPECT_GT(tallies[k].comparisons[k].links.implementation, 0u) << kernels[k].id;
     } else {
       EXPECT_GT(deepest(tallies[k]), 1e-3) << kernels[k].id << ", seed 7";
     }

@@ -1,7 +1,5 @@
 #include "fuzz/campaign/counts/class_tally.h"
 
-#include <algorithm>
-
 #include "fuzz/campaign/counts/tally.h"
 #include "fuzz/queries/capabilities.h"
 
@@ -27,19 +25,6 @@ InputClass class_of_wrong(const Query<Real>& q, bool is_touching, DepthOf& depth
 bool has_input_classes(const Kernel& kernel) {
   const Capabilities& has = capabilities_of(*kernel.test);  // a screen counts them
   return has.input_classes != nullptr && has.screens != nullptr && (kernel.formulae.empty() || !kernel.is_reference);
-}
-
-void ClassTally::merge(const ClassTally& other) {
-  for (const InputClass which : enumerators<InputClass>) {
-    ClassCount& into = classes[which];
-    const ClassCount& from = other.classes[which];
-    into.false_separation += from.false_separation;
-    into.false_contact += from.false_contact;
-    into.deepest.merge(from.deepest);
-  }
-  const auto middle = static_cast<std::ptrdiff_t>(first_wrong.size());
-  first_wrong.insert(first_wrong.end(), other.first_wrong.begin(), other.first_wrong.end());
-  std::inplace_merge(first_wrong.begin(), first_wrong.begin() + middle, first_wrong.end());
 }
 
 template <class Real>

@@ -21,14 +21,23 @@ inline constexpr std::uint64_t nearest_queries = 1024;
 struct ClassCount {
   std::uint64_t false_separation = 0, false_contact = 0;
   Leaders<double> deepest;  // of both kinds, ranked by depth
+
+  static constexpr std::string_view about = "The wrong verdicts on input of one class.";
+  static constexpr auto fields(auto&& visit) {
+    return visit(field(&ClassCount::false_separation, {"false_separation", "Missed contacts."}),
+                 field(&ClassCount::false_contact, {"false_contact", "Phantom contacts."}),
+                 field(&ClassCount::deepest, {"deepest", "The greatest depth of them.", "of the scene"}));
+  }
 };
 
 // Empty for a kernel without classes. The result of merging does not depend on the order.
 struct ClassTally {
   EnumArray<InputClass, ClassCount> classes;
-  std::vector<std::uint64_t> first_wrong;  // positions of wrong verdicts below nearest_queries, ascending
+  std::vector<std::uint64_t> first_wrong;  // positions of wrong verdicts below nearest_queries, in any order
 
-  void merge(const ClassTally& other);
+  static constexpr auto fields(auto&& visit) {
+    return visit(journalled(&ClassTally::classes), journalled(&ClassTally::first_wrong));
+  }
 };
 
 class DepthOf;

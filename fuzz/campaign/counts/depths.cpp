@@ -31,13 +31,6 @@ std::string decade_name(std::size_t decade) {
   return std::to_string(static_cast<int>(decade) - 2 + least_decade);
 }
 
-void DepthTally::merge(const DepthTally& other) {
-  for (std::size_t i = 0; i < decade_count; ++i) {
-    false_separation[i] += other.false_separation[i];
-    false_contact[i] += other.false_contact[i];
-  }
-}
-
 void count_depth(DepthTally& depths, EngineTally& engine, FlipKind kind, DepthOf& depth) {
   const std::size_t decade = decade_of(depth);
   ++depths.of(kind)[decade];

@@ -1,13 +1,13 @@
 // How deep wrong verdicts are: counts by decade of their depth, and those on queries such as an engine asks.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 
 #include "exact/judge/depth_of.h"
 #include "exact/judge/judge.h"
+#include "fuzz/fields/sparse.h"
 
 namespace axiscert {
 
@@ -21,21 +21,49 @@ std::size_t decade_of(DepthOf& depth);
 // "zero", "less", "-20" ... "-1", "0".
 std::string decade_name(std::size_t decade);
 
-using DecadeCounts = std::array<std::uint64_t, decade_count>;
+struct Decades {
+  static constexpr std::size_t size = decade_count;
+  static std::string name(std::size_t decade) { return decade_name(decade); }
+  static constexpr std::string_view about =
+      "Counts by decade: k is depths from 10^k to below 10^(k+1), zero that of touching, less all others below 10^-20, "
+      "too small for a double or not. Depth and power of ten are the nearest binary64 of each. A decade without a "
+      "count is not written.";
+};
+using DecadeCounts = SparseCounts<Decades>;
 
 // Wrong verdicts by direction and decade.
 struct DepthTally {
   DecadeCounts false_separation{}, false_contact{};
 
   DecadeCounts& of(FlipKind kind) { return kind == FlipKind::false_separation ? false_separation : false_contact; }
-  void merge(const DepthTally& other);
   bool operator==(const DepthTally&) const = default;
+
+  static constexpr std::string_view about = "Wrong verdicts by decade of depth.";
+  static constexpr auto fields(auto&& visit) {
+    return visit(field(&DepthTally::false_separation, {"false_separation", "Missed contacts."}),
+                 field(&DepthTally::false_contact, {"false_contact", "Phantom contacts."}));
+  }
 };
 
 // Wrong verdicts on queries such as an engine asks (DepthOf::engine_threshold).
 struct EngineTally {
-  std::uint64_t queries = 0;  // within the kernel's limits
+  std::uint64_t queries = 0;
   DepthTally wrong;
+
+  std::uint64_t false_separation() const { return wrong.false_separation.sum(); }
+  std::uint64_t false_contact() const { return wrong.false_contact.sum(); }
+
+  static constexpr std::string_view about =
+      "Results on engine-like queries: every number is zero or normal, no |coordinate| is above 2^20, and the radius "
+      "is "
+      "from 2^-20 to 2^20. Wrong verdicts count where their depth is above 16 u.";
+  static constexpr auto fields(auto&& visit) {
+    return visit(
+        field(&EngineTally::queries, {"queries", "Engine-like queries within the kernel's limits."}),
+        field(&EngineTally::false_separation, {"false_separation", "Missed contacts among them, deeper than 16 u."}),
+        field(&EngineTally::false_contact, {"false_contact", "Phantom contacts among them, deeper than 16 u."}),
+        field(&EngineTally::wrong, {"depths", {}}));
+  }
 };
 
 // Counts a wrong verdict.

@@ -115,13 +115,13 @@ TYPED_TEST(EngineLike, CountsOfAUnitAddUp) {
     const auto exact = run_unit(plan, *source, precision_of<Real>, 0, size).tallies;
     for (std::size_t k = 0; k < quick.size(); ++k) {
       const VerdictTally& verdict = quick[k].verdict;
-      EXPECT_EQ(sum(verdict.depths.false_separation), verdict.false_separation) << name;
-      EXPECT_EQ(sum(verdict.depths.false_contact), verdict.false_contact) << name;
+      EXPECT_EQ(sum(verdict.depths->false_separation), verdict.false_separation) << name;
+      EXPECT_EQ(sum(verdict.depths->false_contact), verdict.false_contact) << name;
       EXPECT_EQ(verdict.depths, exact[k].verdict.depths) << name;
-      EXPECT_EQ(verdict.engine.wrong, exact[k].verdict.engine.wrong) << name;
-      EXPECT_EQ(verdict.engine.queries, engine_like) << name;
-      EXPECT_EQ(exact[k].verdict.engine.queries, engine_like) << name;
-      EXPECT_LE(sum(verdict.engine.wrong.false_contact), verdict.false_contact) << name;
+      EXPECT_EQ(verdict.engine->wrong, exact[k].verdict.engine->wrong) << name;
+      EXPECT_EQ(verdict.engine->queries, engine_like) << name;
+      EXPECT_EQ(exact[k].verdict.engine->queries, engine_like) << name;
+      EXPECT_LE(sum(verdict.engine->wrong.false_contact), verdict.false_contact) << name;
     }
   }
 }

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "fuzz/fields/json_form.h"
+
 namespace axiscert {
 
 // A query worth keeping, by its position in the source: the record makes it again. The greater rank wins, then the
@@ -31,6 +33,19 @@ class Leaders {
   }
   const std::vector<Candidate<Rank>>& candidates() const { return kept_; }
   Rank best() const { return kept_.empty() ? Rank() : kept_.front().rank; }
+  void put(auto& encoder) const {
+    encoder.put(kept_.size());
+    for (const auto& [rank, position] : kept_) {
+      encoder.put(rank);
+      encoder.put(position);
+    }
+  }
+  void get(auto& decoder) {
+    for (std::size_t count = decoder.next_size(capacity_); count > 0; --count) {
+      const Rank rank = decoder.template next_of<Rank>();
+      offer({rank, decoder.template next_of<std::uint64_t>()});
+    }
+  }
   // Whether a candidate of at most this rank could still be kept.
   bool could_keep(const Candidate<Rank>& at_most) const {
     return kept_.size() < capacity_ || before(at_most, kept_.back());
@@ -43,6 +58,18 @@ class Leaders {
 
   std::size_t capacity_;
   std::vector<Candidate<Rank>> kept_;
+};
+
+// JSON has the best rank, 0 where there is none; its query is a witness.
+template <class Rank>
+struct JsonForm<Leaders<Rank>> {
+  static Json write(const Leaders<Rank>& leaders) { return json_of(leaders.best()); }
+  static void read(const JsonPlace& place, Leaders<Rank>& into) {
+    Rank best{};
+    read_json(place, best);
+    if (best != Rank{}) into.offer({best, 0});
+  }
+  static Json schema() { return json_schema_of<Rank>(); }
 };
 
 }  // namespace axiscert

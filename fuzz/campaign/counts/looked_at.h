@@ -7,9 +7,10 @@
 
 #include "exact/trait/oracles.h"
 #include "fuzz/campaign/counts/tally.h"
+#include "fuzz/fields/merge.h"
 #include "fuzz/files/query_file.h"
+#include "fuzz/files/query_object.h"
 #include "fuzz/queries/query_shape.h"
-#include "fuzz/text/json.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
@@ -25,8 +26,16 @@ struct LookedAt {
   struct Fault {
     std::uint64_t place;  // the first is that of the least place
     Verdict said;
-    std::string query;  // a line of a query file
+    QueryLine query;
+
+    void merge(const Fault& other) {
+      if (other.place < place) *this = other;
+    }
     bool operator==(const Fault&) const = default;
+    static constexpr auto fields(auto&& visit) {
+      return visit(journalled(&Fault::place), field(&Fault::said, {"said", "The answer."}),
+                   field(&Fault::query, {"query", "A line of a query file."}));
+    }
   };
   std::optional<Fault> first_fault = {};
 
@@ -51,30 +60,25 @@ struct LookedAt {
         break;
     }
   }
-  void merge(const LookedAt& other) {
-    decided += other.decided;
-    undecided += other.undecided;
-    invalid += other.invalid;
-    unanswered += other.unanswered;
-    outside_limits += other.outside_limits;
-    no_query += other.no_query;
-    if (other.first_fault && (!first_fault || other.first_fault->place < first_fault->place)) {
-      first_fault = other.first_fault;
-    }
-  }
   bool operator==(const LookedAt&) const = default;
-};
 
-inline Json looked_at_json(const LookedAt& looked_at) {
-  Json fault = nullptr;
-  if (looked_at.first_fault) {
-    fault = {{"said", name(looked_at.first_fault->said)}, {"query", Json::parse(looked_at.first_fault->query)}};
+  static constexpr std::string_view about =
+      "Queries that were asked, by what became of them. Only decided ones show anything about the kernel.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = LookedAt;
+    return visit(
+        field(&Of::asked, {"asked", "All of them."}),
+        field(&Of::decided, {"decided", "Valid, within the kernel's limits, and called contact or separated."}),
+        field(&Of::undecided, {"undecided", "It declined: a fault, unless it declares that it may."}),
+        field(&Of::invalid, {"invalid", "It called a valid query invalid: a fault."}),
+        field(&Of::unanswered, {"unanswered", "It gave no answer, or one that is none: a fault."}),
+        field(&Of::outside_limits, {"outside_limits", "Outside its limits or policies, whatever it answered."}),
+        field(&Of::no_query, {"no_query", "Not valid, whatever it answered."}),
+        field(&Of::first_fault,
+              {"first_fault",
+               "The first answer that no kernel may give to a query within its limits; null: none, or not kept."}));
   }
-  return {{"asked", looked_at.asked()},         {"decided", looked_at.decided},
-          {"undecided", looked_at.undecided},   {"invalid", looked_at.invalid},
-          {"unanswered", looked_at.unanswered}, {"outside_limits", looked_at.outside_limits},
-          {"no_query", looked_at.no_query},     {"first_fault", std::move(fault)}};
-}
+};
 
 // The counts of a cell of a run, without its first fault.
 inline LookedAt looked_at_of(const Tally& tally) {
@@ -83,8 +87,8 @@ inline LookedAt looked_at_of(const Tally& tally) {
   found.undecided = verdict.undecided;
   found.invalid = verdict.invalid;
   found.unanswered = verdict.unanswered;
-  found.outside_limits = verdict.outside_limits.trials;
-  found.no_query = tally.invalid;
+  found.outside_limits = verdict.outside_limits->trials;
+  found.no_query = tally.truth.invalid;
   found.decided = tally.trials - found.asked();
   return found;
 }

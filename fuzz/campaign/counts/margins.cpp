@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <string>
 
 #include "exact/trait/side_error.h"
+#include "fuzz/campaign/counts/tally.h"
 
 namespace axiscert {
 namespace {
@@ -48,26 +50,46 @@ std::optional<int> margin_exponent(const ExactComparison& exact) {
 template std::optional<int> margin_exponent<float>(const ExactComparison&);
 template std::optional<int> margin_exponent<double>(const ExactComparison&);
 
-void MarginTally::add(std::size_t comparison, int exponent, MarginCount more) {
-  MarginCount& count = counts_[{static_cast<std::uint8_t>(comparison), static_cast<std::int8_t>(exponent)}];
-  count.right += more.right;
-  count.wrong += more.wrong;
+Json JsonForm<MarginCounts>::write(const MarginCounts& counts) {
+  Json json = Json::object();
+  for (const auto& [exponent, count] : counts.by_exponent) {
+    json[exponent == tied_margin ? "tie" : std::to_string(exponent)] = count;
+  }
+  return json;
 }
-
-void MarginTally::merge(const MarginTally& other) {
-  for (const auto& [key, count] : other.counts_) add(key.first, key.second, count);
+void JsonForm<MarginCounts>::read(const JsonPlace& place, MarginCounts& into) {
+  place.require_type(place.value().is_object(), "object");
+  into = {};
+  for (const auto& [name, value] : place.value().items()) {
+    int exponent = tied_margin;
+    while (exponent <= greatest_margin_exponent &&
+           (exponent == tied_margin ? name != "tie" : name != std::to_string(exponent)))
+      ++exponent;
+    if (exponent > greatest_margin_exponent) place.at(name).refuse("under a name that is not in the schema");
+    read_json(place.at(name), into.by_exponent[exponent]);
+  }
+}
+Json JsonForm<MarginCounts>::schema() {
+  return {
+      {"description",
+       "Under k the queries with a margin above 2^k u and not above 2^(k+1) u; -8 includes all below it; tie: lhs = "
+       "rhs. A missing count is zero."},
+      {"type", "object"},
+      {"propertyNames", {{"pattern", "^(tie|0|-[1-8]|[1-9]|[1-4][0-9]|5[0-2])$"}, {"maxLength", 3}}},
+      {"additionalProperties", json_schema_of<std::uint64_t>()}};
 }
 
 template <class Real>
-void count_margins(MarginTally& tally, const ExactSides& sides, ComparisonBits exact, ComparisonBits computed) {
+void count_margins(Named<ComparisonTally>& tallies, const ExactSides& sides, ComparisonBits exact,
+                   ComparisonBits computed) {
   const ComparisonBits wrong = exact ^ computed;
   for (std::size_t i = 0; i < sides.lhs.size(); ++i) {
-    const std::optional<int> exponent = margin_exponent<Real>(sides.comparison(i));
-    const bool is_wrong = has_bit(wrong, i);
-    if (exponent) tally.add(i, *exponent, {!is_wrong, is_wrong});
+    MarginTally& tally = tallies[i].margins;
+    if (const std::optional<int> exponent = margin_exponent<Real>(sides.comparison(i)))
+      ++(has_bit(wrong, i) ? tally.wrong : tally.right).by_exponent[*exponent];
   }
 }
-template void count_margins<float>(MarginTally&, const ExactSides&, ComparisonBits, ComparisonBits);
-template void count_margins<double>(MarginTally&, const ExactSides&, ComparisonBits, ComparisonBits);
+template void count_margins<float>(Named<ComparisonTally>&, const ExactSides&, ComparisonBits, ComparisonBits);
+template void count_margins<double>(Named<ComparisonTally>&, const ExactSides&, ComparisonBits, ComparisonBits);
 
 }  // namespace axiscert

@@ -2,17 +2,18 @@
 // measured: a finite comparison has the wrong sign only if its error is no less than its margin.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <utility>
+#include <string_view>
 
+#include "fuzz/fields/json_form.h"
 #include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
 
+struct ComparisonTally;
 struct ExactComparison;
 struct ExactSides;
 
@@ -24,31 +25,49 @@ constexpr bool has_margins(std::uint64_t position) { return position < margin_qu
 // The k with 2^k < |l - r| / (u (|l| + |r|)) <= 2^(k+1), exactly, for exact sides l and r and u = 2^-24 or 2^-53
 // depending on Real; least_margin_exponent also represents all smaller exponents. `tied_margin` if l = r; empty if l or
 // r is undefined.
-inline constexpr int least_margin_exponent = -8;
+inline constexpr int least_margin_exponent = -8, greatest_margin_exponent = 52;
 inline constexpr int tied_margin = least_margin_exponent - 1;
 template <class Real>
 std::optional<int> margin_exponent(const ExactComparison& exact);
 
-struct MarginCount {
-  std::uint64_t right = 0, wrong = 0;  // according to the computed sign
+// Counts by exponent. Without zeros: empty for most units.
+struct MarginCounts {
+  std::map<int, std::uint64_t> by_exponent;
+
+  void merge(const MarginCounts& other) {
+    for (const auto& [exponent, count] : other.by_exponent) by_exponent[exponent] += count;
+  }
+  void put(auto& encoder) const { encoder.put(by_exponent); }
+  void get(auto& decoder) { decoder.get(by_exponent); }
+  bool operator==(const MarginCounts&) const = default;
+};
+template <>
+struct JsonForm<MarginCounts> {
+  static Json write(const MarginCounts& counts);
+  static void read(const JsonPlace& place, MarginCounts& into);
+  static Json schema();
 };
 
-// Counts by comparison and exponent; the result of merging does not depend on the order. Contains no zeros: it is empty
-// for most units.
-class MarginTally {
- public:
-  using Counts = std::map<std::pair<std::uint8_t, std::int8_t>, MarginCount>;
+// Of one comparison, according to its computed sign.
+struct MarginTally {
+  MarginCounts right, wrong;
 
-  void add(std::size_t comparison, int exponent, MarginCount more);
-  void merge(const MarginTally& other);
-  const Counts& counts() const { return counts_; }
-
- private:
-  Counts counts_;
+  bool operator==(const MarginTally&) const = default;
+  static constexpr std::string_view about =
+      "Numbers of queries by exact margin |lhs - rhs| / (u (|lhs| + |rhs|)), over those of the first "
+      "plan.margin_queries queries that have an answer and exact sides. A comparison with finite computed sides is "
+      "wrong "
+      "only where its error is no less than its margin.";
+  static constexpr auto fields(auto&& visit) {
+    return visit(field(&MarginTally::right,
+                       {"right", "Queries where the kernel's comparison agrees with its formula in exact arithmetic."}),
+                 field(&MarginTally::wrong, {"wrong", "Queries where it does not."}));
+  }
 };
 
 // One query with a valid truth: `exact` and `computed` are the signs, each by the kernel's own strictness.
 template <class Real>
-void count_margins(MarginTally& tally, const ExactSides& sides, ComparisonBits exact, ComparisonBits computed);
+void count_margins(Named<ComparisonTally>& tallies, const ExactSides& sides, ComparisonBits exact,
+                   ComparisonBits computed);
 
 }  // namespace axiscert

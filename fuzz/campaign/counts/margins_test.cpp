@@ -88,10 +88,9 @@ Plan plan_of(const std::string& kernel, bool exact_only) {
   return plan;
 }
 
-std::string counts_text(const MarginTally& tally) {
+std::string counts_text(const Tally& tally) {
   std::string text;
-  for (const auto& [key, count] : tally.counts())
-    text += fmt::format("{} {}: {} {}\n", key.first, key.second, count.right, count.wrong);
+  for (const auto& [name, comparison] : tally.comparisons) text += name + json_of(comparison.margins).dump() + "\n";
   return text;
 }
 
@@ -102,11 +101,14 @@ TEST(Margins, AreOfTheFirstQueriesOfEachSourceAlone) {
   const UnitResult whole = run_unit(plan, *plan.questions.sources[1], Precision::binary32, 0, asked),
                    first = run_unit(plan, *plan.questions.sources[1], Precision::binary32, 0, margin_queries),
                    next = run_unit(plan, *plan.questions.sources[1], Precision::binary32, 1, 40);
-  EXPECT_EQ(counts_text(whole.tallies[0].margins), counts_text(first.tallies[0].margins));
-  EXPECT_TRUE(next.tallies[0].margins.counts().empty());
-  std::array<std::uint64_t, comparison_count> measured{};
-  for (const auto& [key, count] : whole.tallies[0].margins.counts()) measured[key.first] += count.right + count.wrong;
-  for (const std::uint64_t n : measured) EXPECT_EQ(n, margin_queries);
+  EXPECT_EQ(counts_text(whole.tallies[0]), counts_text(first.tallies[0]));
+  for (const auto& [name, comparison] : next.tallies[0].comparisons) EXPECT_EQ(comparison.margins, MarginTally());
+  for (const auto& [name, comparison] : whole.tallies[0].comparisons) {
+    std::uint64_t measured = 0;
+    for (const auto& [exponent, count] : comparison.margins.right.by_exponent) measured += count;
+    for (const auto& [exponent, count] : comparison.margins.wrong.by_exponent) measured += count;
+    EXPECT_EQ(measured, margin_queries) << name;
+  }
 }
 
 TEST(Margins, AreTheSameWithoutFilters) {
@@ -114,7 +116,7 @@ TEST(Margins, AreTheSameWithoutFilters) {
     const Plan fast = plan_of(kernel, false), slow = plan_of(kernel, true);
     const UnitResult x = run_unit(fast, *fast.questions.sources[2], Precision::binary32, 0, 64),
                      y = run_unit(slow, *slow.questions.sources[2], Precision::binary32, 0, 64);
-    EXPECT_EQ(counts_text(x.tallies[0].margins), counts_text(y.tallies[0].margins)) << kernel;
+    EXPECT_EQ(counts_text(x.tallies[0]), counts_text(y.tallies[0])) << kernel;
   }
 }
 
@@ -127,13 +129,14 @@ TEST(Margins, NoFiniteComparisonIsWrongAboveItsLargestError) {
     for (const Precision precision : plan.questions.precisions) {
       const UnitResult done = run_unit(plan, *source, precision, 0, asked);
       const Tally& tally = done.tallies[0];
-      for (const auto& [key, count] : tally.margins.counts()) {
-        wrong += count.wrong;
-        const ComparisonTally& comparison = tally.comparisons[key.first];
-        if (count.wrong == 0 || key.second == tied_margin || comparison.range_events != 0) continue;
-        const double above = key.second == least_margin_exponent ? 0 : std::ldexp(1.0, key.second);
-        EXPECT_LT(above, comparison.largest_error.best().value())
-            << source->name() << " " << name(precision) << " " << comparisons[key.first].name;
+      for (const auto& [of, comparison] : tally.comparisons) {
+        for (const auto& [exponent, count] : comparison.margins.wrong.by_exponent) {
+          wrong += count;
+          if (exponent == tied_margin || *comparison.range_events != 0) continue;
+          const double above = exponent == least_margin_exponent ? 0 : std::ldexp(1.0, exponent);
+          EXPECT_LT(above, comparison.largest_error.best().value())
+              << source->name() << " " << name(precision) << " " << of;
+        }
       }
     }
   }

@@ -4,25 +4,20 @@
 
 #include "exact/trait/oracles.h"
 #include "exact/trait/side_error.h"
+#include "fuzz/fields/merge.h"
 
 namespace axiscert {
 namespace {
-
-void add(LinkCounts& into, const LinkCounts& from) {
-  for (const Link link : enumerators<Link>) into[link] += from[link];
-}
 
 void add(LinkCounts& into, LinkSet links, std::uint64_t times) {
   for (const Link link : enumerators<Link>) into[link] += links.contains(link) * times;
 }
 
-void merge_signs(SignTally& into, const SignTally& from) {
-  into.false_separation += from.false_separation;
-  into.missed_separation += from.missed_separation;
-  into.masked += from.masked;
-  into.decisive += from.decisive;
-  into.tolerance_failures += from.tolerance_failures;
-  add(into.links, from.links);
+void add(FormulaLinks& into, LinkSet links, std::uint64_t times) {
+  into.rounding += links.contains(Link::rounding) * times;
+  into.range += links.contains(Link::range) * times;
+  into.implementation += links.contains(Link::implementation) * times;
+  into.unattributed += links.contains(Link::unattributed) * times;
 }
 
 void count_flip(SignTally& tally, const Flip& flip, std::uint64_t times) {
@@ -31,61 +26,14 @@ void count_flip(SignTally& tally, const Flip& flip, std::uint64_t times) {
   add(tally.links, flip.links, times);
 }
 
-void keep_first(std::optional<std::uint64_t>& first, std::optional<std::uint64_t> position) {
-  if (position && (!first || *position < *first)) first = position;
-}
-
-void merge_finding(FindingTally& into, const FindingTally& from) {
-  if (from.count == 0) return;
-  if (into.count == 0 || from.first < into.first) {
-    into.first = from.first;
-    into.detail = from.detail;
-  }
-  into.count += from.count;
-}
-
-void merge_outside(OutsideTally& into, const OutsideTally& from) {
-  into.trials += from.trials;
-  into.false_separation += from.false_separation;
-  into.false_contact += from.false_contact;
-  into.unanswered += from.unanswered;
-  into.contact += from.contact;
-  into.touching += from.touching;
-  into.deepest = std::max(into.deepest, from.deepest);
-}
-
-void merge_verdict(VerdictTally& into, const VerdictTally& from) {
-  into.false_separation += from.false_separation;
-  into.false_contact += from.false_contact;
-  into.undecided += from.undecided;
-  into.invalid += from.invalid;
-  into.unanswered += from.unanswered;
-  into.undecided_contact += from.undecided_contact;
-  into.undecided_touching += from.undecided_touching;
-  into.touching_flips += from.touching_flips;
-  add(into.links, from.links);
-  add(into.masked_links, from.masked_links);
-  add(into.touching_links, from.touching_links);
-  into.deepest_false_separation.merge(from.deepest_false_separation);
-  into.deepest_false_contact.merge(from.deepest_false_contact);
-  for (const Link link : enumerators<Link>) {
-    into.deepest_by_link[link].merge(from.deepest_by_link[link]);
-    keep_first(into.first_by_link[link], from.first_by_link[link]);
-  }
-  merge_outside(into.outside_limits, from.outside_limits);
-  into.depths.merge(from.depths);
-  into.engine.queries += from.engine.queries;
-  into.engine.wrong.merge(from.engine.wrong);
-}
-
 void count_truth(Tally& tally, const Truth& truth, std::uint64_t times = 1) {
   tally.trials += times;
   if (truth.verdict == Verdict::invalid) {
-    tally.invalid += times;
+    tally.truth.invalid += times;
     return;
   }
-  (truth.verdict == Verdict::separated ? tally.separated : tally.contact) += times;
-  if (truth.touching) tally.touching += times;
+  (truth.verdict == Verdict::separated ? tally.truth.separated : tally.truth.contact) += times;
+  if (truth.touching) tally.truth.touching += times;
 }
 
 // Calls visit(leaders) with each of a tally's in which a wrong verdict's depth has a place.
@@ -113,51 +61,32 @@ void keep_first_verdict(VerdictTally& tally, std::uint64_t position, bool touchi
   for (const Link link : flip.links) {
     // No convention explains a difference from the reference.
     const bool is_explained = touching && link != Link::implementation;
-    if (!is_explained) keep_first(tally.first_by_link[link], position);
+    if (!is_explained) tally.first_by_link[link].offer(position);
   }
 }
 
 }  // namespace
 
-void CriticalRadiusTally::merge(const CriticalRadiusTally& other) {
-  errors_ulps.insert(errors_ulps.end(), other.errors_ulps.begin(), other.errors_ulps.end());
-  unbounded += other.unbounded;
-  unanswered += other.unanswered;
-  undecided += other.undecided;
-  invalid += other.invalid;
+void FindingTally::merge(const FindingTally& other) {
+  if (other.count == 0) return;
+  if (count == 0 || other.first < first) {
+    first = other.first;
+    detail = other.detail;
+  }
+  count += other.count;
 }
 
-void Tally::merge(const Tally& other) {
-  trials += other.trials;
-  separated += other.separated;
-  contact += other.contact;
-  touching += other.touching;
-  invalid += other.invalid;
-  merge_verdict(verdict, other.verdict);
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    merge_signs(axes[i], other.axes[i]);
-    axes[i].sole_separator += other.axes[i].sole_separator;
-  }
-  for (std::size_t i = 0; i < comparisons.size(); ++i) {
-    ComparisonTally& into = comparisons[i];
-    const ComparisonTally& from = other.comparisons[i];
-    merge_signs(into, from);
-    into.ties += from.ties;
-    into.range_events += from.range_events;
-    into.error_without_scale += from.error_without_scale;
-    into.largest_error.merge(from.largest_error);
-    into.false_witness.merge(from.false_witness);
-    into.missed_witness.merge(from.missed_witness);
-  }
-  critical_radius.merge(other.critical_radius);
-  for (const FindingKind kind : enumerators<FindingKind>) merge_finding(findings[kind], other.findings[kind]);
-  margins.merge(other.margins);
-  classes.merge(other.classes);
-  motion.merge(other.motion);
+void Tally::merge(const Tally& other) { merge_fields(*this, other); }
+
+Tally empty_tally(const TestDescription& test) {
+  Tally tally;
+  for (const TestClause& clause : test.clauses) tally.axes.put(clause.name);
+  for (const TestComparison& comparison : test.comparisons) tally.comparisons.put(comparison.name);
+  return tally;
 }
 
 void count_depth(Tally& tally, std::uint64_t position, const Flip& flip, DepthOf& depth, const Standing& standing) {
-  count_depth(tally.verdict.depths, tally.verdict.engine, flip.kind, depth);
+  count_depth(*tally.verdict.depths, *tally.verdict.engine, flip.kind, depth);
   const Candidate<double> at_most{depth.at_most(), position};
   if (!could_keep(tally.verdict, flip, at_most) || !standing.could_keep_depth(flip, at_most)) return;
   const Candidate<double> candidate{depth.exactly(), position};
@@ -219,7 +148,7 @@ void count(Tally& tally, std::uint64_t position, const Truth& truth, ComparisonB
 
 void count_outside(Tally& tally, const Truth& truth, const Answer& answer, const Judgement& judgement, DepthOf& depth) {
   count_truth(tally, truth);
-  OutsideTally& outside = tally.verdict.outside_limits;
+  OutsideTally& outside = *tally.verdict.outside_limits;
   ++outside.trials;
   outside.contact += truth.verdict == Verdict::contact;
   outside.touching += truth.touching;
@@ -235,8 +164,7 @@ bool Standing::could_keep_depth(const Flip& flip, const Candidate<double>& at_mo
 
 Standing standing_of(const Tally& tally) {
   Standing standing;
-  for (const ComparisonTally& comparison : tally.comparisons)
-    standing.largest_error.push_back(comparison.largest_error);
+  for (const auto& [name, comparison] : tally.comparisons) standing.largest_error.push_back(comparison.largest_error);
   standing.verdict.deepest_false_separation = tally.verdict.deepest_false_separation;
   standing.verdict.deepest_false_contact = tally.verdict.deepest_false_contact;
   standing.verdict.deepest_by_link = tally.verdict.deepest_by_link;
@@ -244,17 +172,17 @@ Standing standing_of(const Tally& tally) {
 }
 
 void count_finding(Tally& tally, FindingKind kind, std::uint64_t position, const std::string& detail) {
-  merge_finding(tally.findings[kind], {1, position, detail});
+  tally.findings[kind].merge({1, position, detail});
 }
 
 bool count_side_error(ComparisonTally& comparison, std::uint64_t position, const SideError& error,
                       const std::optional<Rational>& tolerated) {
   switch (error.kind()) {
     case SideError::Kind::range_event:
-      ++comparison.range_events;
+      ++*comparison.range_events;
       break;
     case SideError::Kind::without_scale:
-      ++comparison.error_without_scale;
+      ++*comparison.error_without_scale;
       break;
     case SideError::Kind::finite:
       // The bound only selects; what is compared and stored is the exact error.
@@ -262,7 +190,7 @@ bool count_side_error(ComparisonTally& comparison, std::uint64_t position, const
         comparison.largest_error.offer({error.rounded_up(), position});
       }
       if (tolerated && error.exceeds(*tolerated)) {
-        ++comparison.tolerance_failures;
+        ++*comparison.tolerance_failures;
         return true;
       }
       break;
@@ -283,7 +211,7 @@ void count_errors(Tally& tally, std::uint64_t position, const TestDescription& t
       failing |= one_bit<ClauseBits>(test.comparisons[i].clause);
     }
   }
-  for_each_bit(failing, [&](std::size_t i) { ++tally.axes[i].tolerance_failures; });
+  for_each_bit(failing, [&](std::size_t i) { ++*tally.axes[i].tolerance_failures; });
 }
 template void count_errors(Tally&, std::uint64_t, const TestDescription&, const ExactSides&, const Answers<float>&,
                            std::size_t, const Tolerances&);

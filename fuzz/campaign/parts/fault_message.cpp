@@ -12,7 +12,7 @@ namespace {
 
 using Cbor = nlohmann::json;
 
-Cbor json_of(const std::exception_ptr& fault) {
+Cbor fault_json(const std::exception_ptr& fault) {
   try {
     std::rethrow_exception(fault);
   } catch (const OracleDisagreement& d) {
@@ -30,7 +30,7 @@ Cbor json_of(const std::exception_ptr& fault) {
 
 std::string fault_message(const std::exception_ptr& fault) {
   std::string bytes;
-  Cbor::to_cbor(json_of(fault), bytes);
+  Cbor::to_cbor(fault_json(fault), bytes);
   return bytes;
 }
 

@@ -86,7 +86,7 @@ TEST(Stretch, IsItsUnitsMerged) {
   ASSERT_EQ(stretches.count(), 1u);
   const Entry entry = run_stretch(plan, stretches, 0);
   for (std::size_t k = 0; k < plan.answerers.kernels.size(); ++k) {
-    Tally merged(sphere_triangle_test());
+    Tally merged = empty_tally(sphere_triangle_test());
     for (std::uint64_t unit = 3; unit-- > 0;) {
       merged.merge(run_unit(plan, *plan.questions.sources[0], Precision::binary32, unit, unit == 2 ? 100 : unit_size)
                        .tallies[k]);

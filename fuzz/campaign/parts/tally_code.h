@@ -14,6 +14,11 @@ struct Costs {
   double core_seconds = 0;
   std::uint64_t second_opinions = 0;
   StepCounts steps;
+
+  static constexpr auto fields(auto&& visit) {
+    return visit(journalled(&Costs::core_seconds, by::added), journalled(&Costs::second_opinions),
+                 journalled(&Costs::steps));
+  }
 };
 
 std::string encode(const Tally& tally);

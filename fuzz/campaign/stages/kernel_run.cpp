@@ -40,7 +40,7 @@ typename KernelRun<Real>::Judged KernelRun<Real>::judge(std::size_t i, CloseLook
     return found;
   }
   // Those of a kernel without limits are counted in bulk.
-  if (kernel_.limits.any() && std::isfinite(look.depth().engine_threshold())) ++tally_.verdict.engine.queries;
+  if (kernel_.limits.any() && std::isfinite(look.depth().engine_threshold())) ++tally_.verdict.engine->queries;
   count(tally_, position(i), look.truth(), found.chain ? found.chain->ties : ComparisonBits{0}, said, found.judgement,
         look.depth(), standing_);
   if (!kernel_.test->measures.empty()) {

@@ -10,6 +10,7 @@
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/fields/merge.h"
 #include "fuzz/sphere_triangle/formulae/valid_queries.h"
 #include "fuzz/judging/for_each_judged.h"
 
@@ -142,8 +143,8 @@ struct Job {
   Request request;
 };
 
-void merge(const Findings& found, const ConditionPlan& plan, std::vector<std::vector<ByComparison>>& taken,
-           ConditionResult& result, std::vector<Job>& jobs) {
+void add_findings(const Findings& found, const ConditionPlan& plan, std::vector<std::vector<ByComparison>>& taken,
+                  ConditionResult& result, std::vector<Job>& jobs) {
   const std::size_t source = found.source;
   result.invalid[source] += found.invalid;
   for (std::size_t k = 0; k < found.kernels.size(); ++k) {
@@ -173,7 +174,7 @@ ConditionResult measure(const ConditionPlan& plan, const ShowProgress& report) {
   std::vector<std::vector<ByComparison>> taken(plan.kernels.size());
   for (auto& by_source : taken) by_source.resize(plan.sources.size());
   std::vector<Job> jobs;
-  for (const Findings& found : findings) merge(found, plan, taken, result, jobs);
+  for (const Findings& found : findings) add_findings(found, plan, taken, result, jobs);
 
   std::vector<Evaluated> evaluated(jobs.size());
   ProgressCount conditioned(report, jobs.size(), "conditions");
@@ -186,7 +187,7 @@ ConditionResult measure(const ConditionPlan& plan, const ShowProgress& report) {
   });
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     ConditionCell& cell = result.cells[jobs[i].kernel][jobs[i].source];
-    for (std::size_t c = 0; c < comparison_count; ++c) cell.comparisons[c].add(evaluated[i].comparisons[c]);
+    axiscert::merge(cell.comparisons, evaluated[i].comparisons);
     auto& kappa_u = result.flip_kappa_u[jobs[i].kernel];
     kappa_u.insert(kappa_u.end(), evaluated[i].flip_kappa_u.begin(), evaluated[i].flip_kappa_u.end());
   }
@@ -199,23 +200,9 @@ ConditionResult measure(const ConditionPlan& plan, const ShowProgress& report) {
 
 }  // namespace
 
-void ConditionCounts::add(const ConditionCounts& other) {
-  flips += other.flips;
-  evaluated += other.evaluated;
-  ill_conditioned += other.ill_conditioned;
-  ties += other.ties;
-  unstable += other.unstable;
-  range += other.range;
-  undefined += other.undefined;
-  not_decided += other.not_decided;
-  sampled += other.sampled;
-  if (other.least_unstable) keep_least(least_unstable, *other.least_unstable);
-  if (other.greatest_right) keep_greatest(greatest_right, *other.greatest_right);
-}
-
 ConditionCounts ConditionCell::total() const {
   ConditionCounts sum;
-  for (const ConditionCounts& counts : comparisons) sum.add(counts);
+  for (const ConditionCounts& counts : comparisons) merge_fields(sum, counts);
   return sum;
 }
 

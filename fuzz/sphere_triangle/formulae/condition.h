@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fuzz/campaign/progress.h"
+#include "fuzz/fields/field.h"
 #include "fuzz/instruments/extreme.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
@@ -25,19 +26,29 @@ struct ConditionPlan {
 // One comparison of a kernel on one source. A flip is a difference between the kernel's bit and that of its own
 // formulae in exact arithmetic. evaluated = ill_conditioned + unstable + undefined + not_decided.
 struct ConditionCounts {
-  std::uint64_t flips = 0, evaluated = 0;
-  std::uint64_t ill_conditioned = 0;       // kappa u >= 1, ties included
-  std::uint64_t ties = 0;                  // ill-conditioned with an exact margin of 0
-  std::uint64_t unstable = 0;              // kappa u < 1: the formula is to blame
-  std::uint64_t range = 0;                 // unstable, but right with an unbounded exponent
-  std::uint64_t undefined = 0;             // 0/0 in exact arithmetic
-  std::uint64_t not_decided = 0;           // no derivative
+  std::uint64_t flips = 0, evaluated = 0, ill_conditioned = 0, ties = 0, unstable = 0, range = 0, undefined = 0,
+                not_decided = 0;
   std::optional<Measured> least_unstable;  // kappa u, except for range: the clearest evidence against the formula
-  std::uint64_t sampled = 0;               // comparisons that did not flip, with a nonzero exact margin
+  std::uint64_t sampled = 0;
   std::optional<Measured> greatest_right;  // kappa u of those
 
-  void add(const ConditionCounts& other);
   bool operator==(const ConditionCounts&) const = default;
+  static constexpr auto fields(auto&& visit) {
+    using Of = ConditionCounts;
+    return visit(
+        field(&Of::flips, {"flips", "Answers that differ from the exact sign."}),
+        field(&Of::evaluated, {"evaluated", "Flips that were examined."}),
+        field(&Of::ill_conditioned,
+              {"ill_conditioned", "Flips that the rounding of the query alone may cause: kappa u is at least 1."}),
+        field(&Of::ties, {"ties", "Of these, exact ties."}),
+        field(&Of::unstable, {"unstable", "Flips caused by the formula: kappa u is below 1."}),
+        field(&Of::range, {"range", "Of these, right if exponents were unlimited."}),
+        field(&Of::undefined, {"undefined", "Flips where the exact comparison is 0/0."}),
+        field(&Of::not_decided, {"not_decided", "Flips where the margin has no derivative."}),
+        journalled(&Of::least_unstable, LeastMeasured()),
+        field(&Of::sampled, {"sampled", "Right answers that were examined: those with an exact margin other than 0."}),
+        journalled(&Of::greatest_right, GreatestMeasured()));
+  }
 };
 
 // How far the centre has to move for the answer to be right, relative to the scene:

@@ -10,6 +10,8 @@
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/fields/merge.h"
+#include "fuzz/fields/merge.h"
 #include "fuzz/sphere_triangle/formulae/valid_queries.h"
 #include "fuzz/judging/for_each_judged.h"
 
@@ -91,11 +93,8 @@ Accuracies accuracies(const LadderPlan& plan, const ShowProgress& report) {
   const auto visit = [&](JudgedBatch<Real>& batch, Accuracies& found) {
     judge_formulae(plan, batch, found.data() + batch.source_index() * plan.kernels.size());
   };
-  const auto merge = [](Accuracies& all, const Accuracies& later) {
-    for (std::size_t i = 0; i < all.size(); ++i) all[i].merge(later[i]);
-  };
   const Accuracies none(plan.sources.size() * plan.kernels.size());
-  return for_each_judged<Real>(judged, none, report, "accuracy", visit, merge).counts;
+  return for_each_judged<Real>(judged, none, report, "accuracy", visit, axiscert::merge<Accuracies>).counts;
 }
 
 template <class Real>
@@ -114,29 +113,10 @@ void measure_range_and_speed(const LadderPlan& plan, std::vector<LadderEntry>& e
 
 }  // namespace
 
-void ComparisonAccuracy::merge(const ComparisonAccuracy& other) {
-  false_separation += other.false_separation;
-  missed_separation += other.missed_separation;
-  by_range += other.by_range;
-  range_events += other.range_events;
-  without_scale += other.without_scale;
-  errors.merge(other.errors);
-}
-
 ComparisonAccuracy KernelAccuracy::of(ComparisonBits which) const {
   ComparisonAccuracy sum;
-  for_each_bit(which, [&](std::size_t i) { sum.merge(comparisons[i]); });
+  for_each_bit(which, [&](std::size_t i) { merge_fields(sum, comparisons[i]); });
   return sum;
-}
-
-void KernelAccuracy::merge(const KernelAccuracy& other) {
-  queries += other.queries;
-  false_separation += other.false_separation;
-  false_contact += other.false_contact;
-  touching_flips += other.touching_flips;
-  for (std::size_t i = 0; i < comparison_count; ++i) comparisons[i].merge(other.comparisons[i]);
-  radius_errors_ulps.insert(radius_errors_ulps.end(), other.radius_errors_ulps.begin(), other.radius_errors_ulps.end());
-  radius_unbounded += other.radius_unbounded;
 }
 
 std::vector<LadderEntry> measure_ladder(const LadderPlan& plan, const ShowProgress& report) {
@@ -149,7 +129,7 @@ std::vector<LadderEntry> measure_ladder(const LadderPlan& plan, const ShowProgre
     for (std::size_t s = 0; s < plan.sources.size(); ++s) {
       KernelAccuracy& one = found[s * plan.kernels.size() + k];
       std::sort(one.radius_errors_ulps.begin(), one.radius_errors_ulps.end());
-      entry.all.merge(one);
+      merge_fields(entry.all, one);
       entry.by_source.push_back(std::move(one));
     }
     std::sort(entry.all.radius_errors_ulps.begin(), entry.all.radius_errors_ulps.end());

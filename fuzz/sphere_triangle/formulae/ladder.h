@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fuzz/campaign/progress.h"
+#include "fuzz/fields/field.h"
 #include "fuzz/sphere_triangle/formulae/error_spread.h"
 #include "fuzz/sphere_triangle/formulae/axis_windows.h"
 #include "fuzz/sphere_triangle/formulae/kernel_speed.h"
@@ -21,17 +22,22 @@ struct LadderPlan {
 
 // One comparison, or several together, relative to the kernel's own formulae in exact arithmetic.
 struct ComparisonAccuracy {
-  std::uint64_t false_separation = 0, missed_separation = 0;
-  // The sign errors that the same operations with an unbounded exponent do not make.
-  std::uint64_t by_range = 0;
+  std::uint64_t false_separation = 0, missed_separation = 0, by_range = 0;
   // Computed sides that are not finite; errors over |l| + |r| = 0. Neither is among the errors.
   std::uint64_t range_events = 0, without_scale = 0;
   ErrorSpread errors;  // empty if the kernel does not expose its sides
 
   std::uint64_t sign_errors() const { return false_separation + missed_separation; }
   std::uint64_t rounding_sign_errors() const { return sign_errors() - by_range; }
-  void merge(const ComparisonAccuracy& other);
   bool operator==(const ComparisonAccuracy&) const = default;
+  static constexpr auto fields(auto&& visit) {
+    using Of = ComparisonAccuracy;
+    return visit(field(&Of::false_separation,
+                       {"false_separation", "How often the kernel wrongly says yes; of the verdict a missed contact."}),
+                 field(&Of::missed_separation, {"missed_separation", "How often the kernel wrongly says no."}),
+                 field(&Of::by_range, {"by_range", "How many of both are right once exponents are unlimited."}),
+                 journalled(&Of::range_events), journalled(&Of::without_scale), journalled(&Of::errors));
+  }
 };
 
 // One kernel on the queries of one source, or of several.
@@ -49,8 +55,12 @@ struct KernelAccuracy {
   }
   // Several comparisons together.
   ComparisonAccuracy of(ComparisonBits which) const;
-  void merge(const KernelAccuracy& other);
   bool operator==(const KernelAccuracy&) const = default;
+  static constexpr auto fields(auto&& visit) {
+    using Of = KernelAccuracy;
+    return merged(visit, &Of::queries, &Of::false_separation, &Of::false_contact, &Of::touching_flips, &Of::comparisons,
+                  &Of::radius_errors_ulps, &Of::radius_unbounded);
+  }
 };
 
 struct LadderEntry {

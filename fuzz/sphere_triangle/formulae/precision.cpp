@@ -6,6 +6,7 @@
 
 #include "exact/sphere_triangle/unbounded/at_precision.h"
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/fields/merge.h"
 #include "fuzz/sphere_triangle/formulae/valid_queries.h"
 #include "fuzz/judging/for_each_judged.h"
 
@@ -16,7 +17,7 @@ using enum ExponentRange;
 
 constexpr std::size_t block = 32;  // queries; a query takes milliseconds
 
-PrecisionTally empty_tally(const PrecisionPlan& plan) {
+PrecisionTally no_precision(const PrecisionPlan& plan) {
   PrecisionTally tally;
   tally.kernels.resize(plan.kernels.size());
   for (KernelPrecision& kernel : tally.kernels) kernel.steps.resize(plan.bits.size());
@@ -51,8 +52,8 @@ void measure_kernel(const PrecisionPlan& plan, const Kernel& kernel, const Query
       }
     }
     PrecisionStep& step = out.steps[i];
-    count_step(step.ranges[unlimited], found.unlimited, exact, truth);
-    count_step(step.ranges[limited], found.limited, exact, truth);
+    count_step(step.unlimited, found.unlimited, exact, truth);
+    count_step(step.limited, found.limited, exact, truth);
     step.rounding += found.unlimited.verdict != exact.verdict;
     step.range += found.limited.verdict != found.unlimited.verdict;
   }
@@ -82,27 +83,8 @@ PrecisionTallies measure_sources(const PrecisionPlan& plan, const ShowProgress& 
   const auto visit = [&](JudgedBatch<Real>& batch, PrecisionTallies& tallies) {
     measure_batch(plan, batch, tallies[batch.source_index()]);
   };
-  const auto merge = [](PrecisionTallies& all, const PrecisionTallies& later) {
-    for (std::size_t s = 0; s < all.size(); ++s) all[s].merge(later[s]);
-  };
-  const PrecisionTallies none(plan.sources.size(), empty_tally(plan));
-  return for_each_judged<Real>(judged, none, report, {}, visit, merge).counts;
-}
-
-void merge(VerdictFlips& into, const VerdictFlips& other) {
-  into.false_separation += other.false_separation;
-  into.false_contact += other.false_contact;
-}
-
-void merge(PrecisionStep& into, const PrecisionStep& other) {
-  for (std::size_t r = 0; r < into.ranges.size(); ++r) {
-    merge(into.ranges[r].verdict, other.ranges[r].verdict);
-    for (std::size_t i = 0; i < comparison_count; ++i) {
-      into.ranges[r].comparisons[i] += other.ranges[r].comparisons[i];
-    }
-  }
-  into.rounding += other.rounding;
-  into.range += other.range;
+  const PrecisionTallies none(plan.sources.size(), no_precision(plan));
+  return for_each_judged<Real>(judged, none, report, {}, visit, axiscert::merge<PrecisionTallies>).counts;
 }
 
 // The least number of bits from which on `flips` counts none.
@@ -122,16 +104,6 @@ std::vector<int> default_precision_bits() {
   return {8, 10, 11, 12, 14, 16, 18, 20, 22, 24, 26, 28, 32, 36, 40, 44, 48, 53, 64, 80, 96, 113, 128, 160, 192, 256};
 }
 
-void KernelPrecision::merge(const KernelPrecision& other) {
-  axiscert::merge(exact, other.exact);
-  for (std::size_t i = 0; i < steps.size(); ++i) axiscert::merge(steps[i], other.steps[i]);
-}
-
-void PrecisionTally::merge(const PrecisionTally& other) {
-  queries += other.queries;
-  for (std::size_t k = 0; k < kernels.size(); ++k) kernels[k].merge(other.kernels[k]);
-}
-
 std::vector<PrecisionTally> measure_precision(const PrecisionPlan& plan, const ShowProgress& report) {
   for (const Kernel* kernel : plan.kernels) {
     if (formulae_of(*kernel) == Formulae::none || kernel->arithmetic != Arithmetic::plain) {
@@ -147,7 +119,7 @@ std::vector<PrecisionTally> measure_precision(const PrecisionPlan& plan, const S
 
 PrecisionTally total(const std::vector<PrecisionTally>& tallies) {
   PrecisionTally sum = tallies.front();
-  for (std::size_t i = 1; i < tallies.size(); ++i) sum.merge(tallies[i]);
+  for (std::size_t i = 1; i < tallies.size(); ++i) merge_fields(sum, tallies[i]);
   return sum;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fuzz/campaign/progress.h"
+#include "fuzz/fields/field.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/names.h"
@@ -36,36 +37,61 @@ struct VerdictFlips {
   std::uint64_t false_separation = 0, false_contact = 0;
   std::uint64_t total() const { return false_separation + false_contact; }
   bool operator==(const VerdictFlips&) const = default;
+
+  static constexpr std::string_view about = "Wrong verdicts.";
+  static constexpr auto fields(auto&& visit) {
+    return visit(field(&VerdictFlips::false_separation, {"false_separation", "Missed contacts."}),
+                 field(&VerdictFlips::false_contact, {"false_contact", "Phantom contacts."}));
+  }
 };
 
 // One kernel's formulae at one number of bits, in one exponent range.
 struct PrecisionCounts {
   VerdictFlips verdict;
-  EnumArray<Comparison, std::uint64_t> comparisons{};  // those that differ from the kernel's own exact ones
+  EnumArray<Comparison, std::uint64_t> comparisons{};
   bool operator==(const PrecisionCounts&) const = default;
+
+  static constexpr auto fields(auto&& visit) {
+    return visit(
+        field(&PrecisionCounts::verdict, {"verdict", VerdictFlips::about}),
+        field(&PrecisionCounts::comparisons, {"comparisons", "Flips of each comparison against its own exact sign."}));
+  }
 };
 
 struct PrecisionStep {
-  EnumArray<ExponentRange, PrecisionCounts> ranges;
-  // Verdicts that differ between exact arithmetic and unlimited exponents; and between unlimited and limited ones.
+  PrecisionCounts unlimited, limited;
   std::uint64_t rounding = 0, range = 0;
-  const PrecisionCounts& in(ExponentRange range_) const { return ranges[range_]; }
+  PrecisionCounts& in(ExponentRange which) { return which == ExponentRange::unlimited ? unlimited : limited; }
+  const PrecisionCounts& in(ExponentRange which) const { return const_cast<PrecisionStep*>(this)->in(which); }
   bool operator==(const PrecisionStep&) const = default;
+
+  static constexpr std::string_view about = "At one number of bits.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = PrecisionStep;
+    return visit(field(&Of::unlimited, {"unlimited", "With exponents that have no limit."}),
+                 field(&Of::limited, {"limited", "With the exponents of the precision of the queries."}),
+                 field(&Of::rounding, {"rounding",
+                                       "Verdicts that rounding changes: exact arithmetic's and, with unlimited "
+                                       "exponents, that of these bits differ."}),
+                 field(&Of::range, {"range", "Verdicts that the limited exponents change."}));
+  }
 };
 
 struct KernelPrecision {
   VerdictFlips exact;                // flips of the formulae in exact arithmetic: no number of bits removes these
   std::vector<PrecisionStep> steps;  // one per entry of the plan's bits
-  void merge(const KernelPrecision& other);
   bool operator==(const KernelPrecision&) const = default;
+  static constexpr auto fields(auto&& visit) { return merged(visit, &KernelPrecision::exact, &KernelPrecision::steps); }
 };
 
 // One source, or several together.
 struct PrecisionTally {
   std::uint64_t queries = 0;             // valid queries only
   std::vector<KernelPrecision> kernels;  // in the plan's order
-  void merge(const PrecisionTally& other);
   bool operator==(const PrecisionTally&) const = default;
+  static constexpr auto fields(auto&& visit) {
+    return merged(visit, &PrecisionTally::queries, &PrecisionTally::kernels);
+  }
 };
 
 // One tally per source. Depends on the plan alone, not on threads. Throws Error for a kernel whose formulae are not
@@ -81,6 +107,14 @@ PrecisionTally total(const std::vector<PrecisionTally>& tallies);
 //   sufficient_bits   a flip of any of some comparisons
 struct SufficientVerdictBits {
   std::optional<int> verdict, own_verdict;
+
+  static constexpr auto fields(auto&& visit) {
+    return visit(
+        field(&SufficientVerdictBits::verdict,
+              {"verdict", "From so many bits on no verdict of these queries is wrong; null: none of those asked."}),
+        field(&SufficientVerdictBits::own_verdict,
+              {"own_verdict", "The same against the formulae in exact arithmetic."}));
+  }
 };
 SufficientVerdictBits sufficient_verdict_bits(const PrecisionPlan& plan, const KernelPrecision& kernel);
 std::optional<int> sufficient_bits(const PrecisionPlan& plan, const KernelPrecision& kernel, ComparisonBits which);

@@ -196,16 +196,16 @@ TEST(MeasurePrecision, SufficientBitsAreTheLastRunWithoutAFlip) {
   KernelPrecision kernel;
   kernel.steps.resize(plan.bits.size());
   const auto side_c = index_of(Comparison::vertex_a_side_c);
-  auto& flips = kernel.steps[1].ranges[0];
+  auto& flips = kernel.steps[1].unlimited;
   flips.comparisons[side_c] = 1;
   flips.verdict.false_contact = 1;
-  kernel.steps[3].ranges[1].comparisons[side_c] = 1;  // limited exponents do not count
+  kernel.steps[3].limited.comparisons[side_c] = 1;  // limited exponents do not count
   kernel.steps[3].rounding = 1;
   EXPECT_EQ(sufficient_bits(plan, kernel, one_bit<ComparisonBits>(side_c)), 24);
   EXPECT_EQ(sufficient_bits(plan, kernel, one_bit<ComparisonBits>(side_c + 1)), 8);
   EXPECT_EQ(sufficient_verdict_bits(plan, kernel).verdict, 24);
   EXPECT_EQ(sufficient_verdict_bits(plan, kernel).own_verdict, 256);
-  kernel.steps[4].ranges[0].comparisons[side_c] = 1;
+  kernel.steps[4].unlimited.comparisons[side_c] = 1;
   EXPECT_EQ(sufficient_bits(plan, kernel, one_bit<ComparisonBits>(side_c)), std::nullopt);
 }
 

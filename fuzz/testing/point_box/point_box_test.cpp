@@ -36,7 +36,7 @@ Plan toy_plan(std::vector<const Kernel*> kernels) {
 }
 
 Json toy_record(const Plan& plan) {
-  return record_of(plan, run_campaign(plan, never, [](const Progress&) {}), {});
+  return json_of(record_of(plan, run_campaign(plan, never, [](const Progress&) {}), {}));
 }
 
 const Json& entry_of(const Json& record, std::string_view kernel, Precision precision) {

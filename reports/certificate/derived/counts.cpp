@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <regex>
 #include <span>
 
-#include "exact/sphere_triangle/measures/input_class.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/sha256.h"
@@ -25,10 +25,20 @@ bool is_nothing(const Json& value) {
 // An error beyond binary64, whose six digits a record has as text: "1.5e+620".
 bool is_beyond_binary64(const std::string& text) {
   static const std::regex form("[0-9](\\.[0-9]{1,5})?e\\+[0-9]{3,6}");
-  return std::regex_match(text, form);
+  double value = 0;
+  return std::regex_match(text, form) &&
+         std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc::result_out_of_range;
 }
 
 }  // namespace
+
+void RadiiAdded::merge(CriticalRadiusRecord& into, const CriticalRadiusRecord& from) {
+  using Of = CriticalRadiusRecord;
+  for (const auto count :
+       {&Of::sampled, &Of::unbounded, &Of::unanswered, &Of::undecided, &Of::invalid, &Of::early, &Of::late})
+    into.*count += from.*count;
+  into.largest_ulps = std::max(into.largest_ulps, from.largest_ulps);
+}
 
 Json sparse_counts(const Json& counts) {
   if (counts.is_number_float()) return fmt::format("{}", counts.get<double>());
@@ -54,12 +64,12 @@ Json stretch_json(const std::vector<const Kernel*>& kernels, const Stretches& st
   return {{"stretch", entry.stretch}, {"of", stretches.text(entry.stretch)}, {"sha256", digests}, {"counts", counts}};
 }
 
-Json no_counts(const Json& entry, const TestDescription& test) {
+Json no_counts(const KernelRecord& entry, const TestDescription& test) {
   Kernel kernel;  // of which nothing is asked but what it promises and shows
   kernel.test = &test;
   if (has_limits(entry)) kernel.limits.least_radius = 1;
-  if (const auto measures = entry.find("measures"); measures != entry.end()) kernel.measure_count = measures->size();
-  Json none = counts_json(kernel, Tally(test));
+  if (entry.measures) kernel.measure_count = entry.measures->size();
+  Json none = counts_json(kernel, empty_tally(test));
   none["critical_radius"]["largest_ulps"] = 0.0;
   if (none.contains("classes")) {
     for (const InputClass which : enumerators<InputClass>)

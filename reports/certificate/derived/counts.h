@@ -1,15 +1,37 @@
 // The counts of a stretch in a certificate: a record's family without zeros.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 
 #include "fuzz/campaign/parts/stretch.h"
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
 #include "kernel/test.h"
 
 namespace axiscert {
 
-// The counts of counts_json (fuzz/confirm/record.h) without zeros, nulls and empty objects; fractions are decimal
+// Sums: all but the medians.
+struct RadiiAdded {
+  static void merge(CriticalRadiusRecord& into, const CriticalRadiusRecord& from);
+};
+
+// The counts of one stretch, or of several of a family added up: what counts_json (fuzz/confirm/record.h) has of them,
+// and nothing in all other members.
+struct StretchCounts : FamilyCounts {
+  CriticalRadiusRecord critical_radius;
+  std::optional<std::map<InputClass, ClassCount>> classes;
+  std::map<FindingKind, std::uint64_t> findings;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = StretchCounts;
+    return visit(base<Of, FamilyCounts>(), field(&Of::critical_radius, {"critical_radius", {}}, RadiiAdded()),
+                 field(&Of::classes, {.name = "classes", .about = {}, .may_be_absent = true}),
+                 field(&Of::findings, {"findings", {}}));
+  }
+};
+
+// The counts of counts_json without zeros, nulls and empty objects; fractions are decimal
 // texts.
 Json sparse_counts(const Json& counts);
 
@@ -18,7 +40,7 @@ Json sparse_counts(const Json& counts);
 Json stretch_json(const std::vector<const Kernel*>& kernels, const Stretches& stretches, const Entry& entry);
 
 // All counts that a kernel's entry of a record has in a family, each zero.
-Json no_counts(const Json& entry, const TestDescription& test);
+Json no_counts(const KernelRecord& entry, const TestDescription& test);
 
 // The whole counts again, from `none`, what no_counts gave. Throws NotValid, which begins with `where`, for a member
 // that is not there, a number that is none, or a count above `most`.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "exact/sphere_triangle/measures/input_class.h"
 #include "fuzz/certify/effort.h"
 #include "fuzz/certify/safe_margin.h"
 #include "fuzz/text/number_text.h"
@@ -28,41 +27,40 @@ namespace {
 
 constexpr const char* effort_of_replies = "replies";
 
-std::vector<const Json*> entries_of(const Json& record, const Json& kernel) {
-  std::vector<const Json*> entries;
-  for (const Json& entry : record["kernels"]) {
-    if (entry["id"] == kernel) entries.push_back(&entry);
+std::vector<const KernelRecord*> entries_of(const Record& record, const std::string& kernel) {
+  std::vector<const KernelRecord*> entries;
+  for (const KernelRecord& entry : record.kernels) {
+    if (entry.id == kernel) entries.push_back(&entry);
   }
   return entries;
 }
 
 // The kernel with what it promises and shows, as its entries of the record have it.
-Json kernel_members(const Json& kernel, const Json& record) {
+Json kernel_members(const Json& kernel, const Record& record) {
   Json members = kernel, precisions = Json::array();
-  const std::vector<const Json*> entries = entries_of(record, kernel["id"]);
-  for (const Json* entry : entries) precisions.push_back((*entry)["precision"]);
-  const Json& entry = *entries.front();
-  members["exposes"] = entry["exposes"];
-  members["touching"] = entry["touching"];
-  members["may_decline"] = entry["may_decline"];
+  const std::vector<const KernelRecord*> entries = entries_of(record, kernel["id"]);
+  for (const KernelRecord* entry : entries) precisions.push_back(name(entry->precision));
+  const KernelRecord& entry = *entries.front();
+  members["exposes"] = json_of(entry.exposes);
+  members["touching"] = name(entry.touching);
+  members["may_decline"] = entry.may_decline;
   members["limits"] = has_limits(entry) ? Json(limits_text(entry)) : Json(nullptr);
   members["precisions"] = precisions;
-  members["summary"] = entry["summary"];
+  members["summary"] = entry.summary;
   return members;
 }
 
-Json asked_members(const Json& predicate, const Json& record) {
+Json asked_members(const Json& predicate, const Record& record) {
   Evidence all;
   std::uint64_t queries = 0;
-  for (const Json* entry : entries_of(record, predicate["kernel"]["id"])) {
+  for (const KernelRecord* entry : entries_of(record, predicate["kernel"]["id"])) {
     all.add(evidence_of(*entry));
-    for (const Json& family : (*entry)["families"]) queries += family["trials"].get<std::uint64_t>();
+    for (const auto& [family, result] : entry->families) queries += result.trials;
   }
-  const Json& plan = record["plan"];
   return {{"effort", predicate["asked"]["effort"]},
-          {"seed", plan["seed"]},
+          {"seed", record.plan.seed.value},
           {"stretches", predicate["materials"]["tallies"].size()},
-          {"families", plan["families"]},
+          {"families", json_of(record.plan.families)},
           {"queries", queries},
           {"looked_at", all.decided()},
           {"left_out",
@@ -75,27 +73,27 @@ Json asked_members(const Json& predicate, const Json& record) {
 }
 
 // Every kernel of the run, on the same queries.
-Json comparison_of(const Json& record) {
+Json comparison_of(const Record& record) {
   Json rows = Json::array();
-  for (const Json& entry : record["kernels"]) {
-    const Json total = all_families(entry);
-    if (total.empty()) continue;
-    const Json &verdict = total["verdict"], &radius = entry["critical_radius"];
-    const auto ulps = [&](const char* member) {
-      return radius[member].is_number() ? Json(amount(radius[member].get<double>(), 3)) : radius[member];
+  for (const KernelRecord& entry : record.kernels) {
+    const auto total = all_families(entry);
+    if (!total) continue;
+    const VerdictTally& verdict = total->verdict;
+    const auto ulps = [](const std::optional<double>& error) {
+      return error ? Json(amount(*error, 3)) : Json(nullptr);
     };
-    rows.push_back({{"kernel", entry["id"]},
-                    {"precision", entry["precision"]},
+    rows.push_back({{"kernel", json_of(entry.id)},
+                    {"precision", name(entry.precision)},
                     {"looked_at", evidence_of(entry).decided()},
-                    {"missed", verdict["false_separation"]},
-                    {"deepest_missed", amount(verdict["deepest_false_separation"].get<double>(), 3)},
-                    {"phantom", verdict["false_contact"]},
-                    {"deepest_phantom", amount(verdict["deepest_false_contact"].get<double>(), 3)},
-                    {"undecided", verdict["undecided"]},
-                    {"invalid", verdict["invalid"]},
-                    {"unanswered", verdict["unanswered"]},
-                    {"median_ulps", ulps("median_ulps")},
-                    {"largest_ulps", ulps("largest_ulps")}});
+                    {"missed", verdict.false_separation},
+                    {"deepest_missed", amount(verdict.deepest_false_separation.best(), 3)},
+                    {"phantom", verdict.false_contact},
+                    {"deepest_phantom", amount(verdict.deepest_false_contact.best(), 3)},
+                    {"undecided", verdict.undecided},
+                    {"invalid", verdict.invalid},
+                    {"unanswered", verdict.unanswered},
+                    {"median_ulps", ulps(entry.critical_radius.median_ulps)},
+                    {"largest_ulps", ulps(entry.critical_radius.largest_ulps)}});
   }
   return rows;
 }
@@ -215,26 +213,33 @@ bool is_class(const Json& cause) {
   return std::ranges::find(input_class_names, cause.get_ref<const std::string&>()) != input_class_names.end();
 }
 
+std::uint64_t broken_links(const VerdictTally& verdict, const Json& link) {
+  for (const Link one : enumerators<Link>) {
+    if (link == name(one)) return verdict.links[one];
+  }
+  return 0;
+}
+
 // A link as the cause is known of a witness alone: then it is one of those that the counts have.
-bool breaks_by_link(const Json& stated, const Json& derived, const Json& record, const Json& kernel) {
+bool breaks_by_link(const Json& stated, const Json& derived, const Record& record, const std::string& kernel) {
   if (!derived.is_null() && (derived["cause"] == "finding" || is_class(derived["cause"]))) return false;
   bool is_any_missed = false, is_any_phantom = false, is_there = false;
   const bool is_missed = !stated.is_null() && stated["what"] == "missed contact";
-  for (const Json* entry : entries_of(record, kernel)) {
-    const Json total = all_families(*entry);
-    if (total.empty()) continue;
-    const Json& verdict = total["verdict"];
-    is_any_missed = is_any_missed || verdict["false_separation"] != 0;
-    is_any_phantom = is_any_phantom || verdict["false_contact"] != 0;
-    if (stated.is_null() || (*entry)["precision"] != stated["precision"]) continue;
-    is_there = stated["count"] == verdict[is_missed ? "false_separation" : "false_contact"] && stated["count"] != 0 &&
-               verdict["links"].value(stated["cause"].get<std::string>(), Json(0)) != 0;
+  for (const KernelRecord* entry : entries_of(record, kernel)) {
+    const auto total = all_families(*entry);
+    if (!total) continue;
+    const VerdictTally& verdict = total->verdict;
+    is_any_missed = is_any_missed || verdict.false_separation != 0;
+    is_any_phantom = is_any_phantom || verdict.false_contact != 0;
+    if (stated.is_null() || stated["precision"] != name(entry->precision)) continue;
+    const std::uint64_t count = is_missed ? verdict.false_separation : verdict.false_contact;
+    is_there = stated["count"] == count && count != 0 && broken_links(verdict, stated["cause"]) != 0;
   }
   if (stated.is_null()) return !is_any_missed && !is_any_phantom && derived.is_null();
   return is_there && is_any_missed == is_missed && (is_missed || stated["what"] == "phantom contact");
 }
 
-void require_breaks(const Json& stated, const Json& derived, const Json& record, const Json& kernel,
+void require_breaks(const Json& stated, const Json& derived, const Record& record, const std::string& kernel,
                     const std::string& name) {
   if (!stated.is_null() && is_same(stated, derived)) return;
   if (breaks_by_link(stated, derived, record, kernel)) return;
@@ -250,7 +255,7 @@ void require_asked(const Json& stated, const Json& derived, const std::string& n
   }
 }
 
-void require_margins(const Json& predicate, const Json& record, const std::string& name) {
+void require_margins(const Json& predicate, const Record& record, const std::string& name) {
   const Json& margins = predicate["safe_margin"];
   if (margins["reason"].is_null() == margins["precisions"].empty())
     throw NotValid(fmt::format("{}: it has no safe margin, and no reason, or both", name));
@@ -265,14 +270,14 @@ void require_margins(const Json& predicate, const Json& record, const std::strin
     }
     return;
   }
-  const std::vector<const Json*> entries = entries_of(record, predicate["kernel"]["id"]);
+  const std::vector<const KernelRecord*> entries = entries_of(record, predicate["kernel"]["id"]);
   if (margins["precisions"].size() != entries.size())
     throw NotValid(fmt::format("{}: it has safe margins of {} of {} precisions", name, margins["precisions"].size(),
                                entries.size()));
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const Json& margin = margins["precisions"][i];
     std::string fault;
-    if (margin["precision"] != (*entries[i])["precision"]) fault = "its precisions are in another order";
+    if (margin["precision"] != axiscert::name(entries[i]->precision)) fault = "its precisions are in another order";
     else fault = margin_fault(margin, *entries[i]);
     if (!fault.empty())
       throw NotValid(fmt::format("{}: its safe margin in {}: {}", name, margin["precision"].get<std::string>(), fault));
@@ -285,7 +290,7 @@ bool is_made_by_this(const Json& predicate) {
   return predicate["materials"]["axiscert"]["sources"] == source_digests().sources;
 }
 
-Json derived_members(const Json& predicate, const Json& record) {
+Json derived_members(const Json& predicate, const Record& record) {
   const std::string id = predicate["kernel"]["id"];
   Json members = {{"kernel", kernel_members(predicate["kernel"], record)}, {"asked", asked_members(predicate, record)}};
   members["levels"] = levels_json(record, id, predicate["search"]["precisions"]);
@@ -296,8 +301,8 @@ Json derived_members(const Json& predicate, const Json& record) {
   return members;
 }
 
-Json require_derived(const Json& predicate, const std::string& name) {
-  Json record = reduced_record(predicate, name);
+Record require_derived(const Json& predicate, const std::string& name) {
+  Record record = reduced_record(predicate, name);
   require_effort(predicate, name);
   const Json derived = derived_members(predicate, record);
   const bool has_our_words = is_made_by_this(predicate);
@@ -323,9 +328,9 @@ Json require_derived(const Json& predicate, const std::string& name) {
   return record;
 }
 
-bool has_answers(const Json& record, const std::string& kernel) {
+bool has_answers(const Record& record, const std::string& kernel) {
   return std::ranges::all_of(entries_of(record, kernel),
-                             [](const Json* entry) { return evidence_of(*entry).decided() != 0; });
+                             [](const KernelRecord* entry) { return evidence_of(*entry).decided() != 0; });
 }
 
 void require_effort(const Json& predicate, const std::string& name) {
@@ -334,7 +339,7 @@ void require_effort(const Json& predicate, const std::string& name) {
     throw NotValid(fmt::format("{}: effort {} of a kernel that is {}", name, effort, kind));
   if (kind == "replies") return;
   const Json& plan = predicate["materials"]["plan"]["plan"];
-  const TestDescription& test = test_of(plan);
+  const TestDescription& test = find_test(plan["test"].get<std::string>());
   for (const auto& [family, by_precision] : plan["trials"].items()) {
     if (family == "corpus" || family.starts_with("queries/")) continue;  // as they are
     const std::uint64_t asks = trials_of(parse_effort(effort), test, family, kind != "built-in");

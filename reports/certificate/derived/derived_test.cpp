@@ -2,6 +2,7 @@
 #include "reports/certificate/derived/derived.h"
 
 #include "fuzz/campaign/parts/gathered.h"
+#include "fuzz/confirm/plan.h"
 #include "fuzz/confirm/record.h"
 #include "kernel/base/version.h"
 #include "reports/certificate/derived/counts.h"
@@ -24,7 +25,8 @@ constexpr std::uint64_t trials = 256;  // as effort smoke asks
 
 // A run of one kernel and its yardsticks, and the predicate that is made of it.
 struct Certified {
-  Json record, predicate;
+  Record record;
+  Json predicate;
 };
 
 Certified certified(const std::vector<std::string>& ids, const std::vector<std::string>& families) {
@@ -52,11 +54,12 @@ Certified certified(const std::vector<std::string>& ids, const std::vector<std::
                  {"test", plan.questions.test().id},
                  {"entry", plan.questions.test().entries[0].name}};
   p["asked"]["effort"] = "smoke";
-  p["materials"] = {{"axiscert", {{"version", axiscert_version}, {"sources", source_digests().sources}}},
-                    {"plan", {{"units_per_stretch", stretches.units_each()}, {"plan", portable_plan(plan_json(plan))}}},
-                    {"kernels", kernels_of_record(made.record)},
-                    {"findings", findings_of_record(made.record)},
-                    {"tallies", tallies}};
+  p["materials"] = {
+      {"axiscert", {{"version", axiscert_version}, {"sources", source_digests().sources}}},
+      {"plan", {{"units_per_stretch", stretches.units_each()}, {"plan", portable_plan(json_of(plan_record(plan)))}}},
+      {"kernels", kernels_of_record(made.record)},
+      {"findings", findings_of_record(made.record)},
+      {"tallies", tallies}};
   p["search"] = {{"reason", "a search is not what is tested"}, {"precisions", Json::object()}};
   p["safe_margin"] = {{"reason", std::string(margin_answered_otherwise) + "a margin is not what is tested"},
                       {"precisions", Json::array()}};
@@ -85,10 +88,11 @@ std::string refusal_of(const Json& predicate) {
 std::string text_of_json(const Json& json) { return canonical_json(without_fractions(json)); }
 
 TEST(ReducedRecord, HasTheCountsOfTheRecordThatLevelsRead) {
-  const Json reduced = reduced_record(of_published().predicate, "it");
-  ASSERT_EQ(reduced["kernels"].size(), of_published().record["kernels"].size());
+  const Json reduced = json_of(reduced_record(of_published().predicate, "it"));
+  const Json record = json_of(of_published().record);
+  ASSERT_EQ(reduced["kernels"].size(), record["kernels"].size());
   for (std::size_t i = 0; i < reduced["kernels"].size(); ++i) {
-    const Json &entry = reduced["kernels"][i], &whole = of_published().record["kernels"][i];
+    const Json &entry = reduced["kernels"][i], &whole = record["kernels"][i];
     for (const char* member : {"id", "precision", "limits", "touching", "may_decline", "critical_radius", "reference"})
       EXPECT_EQ(text_of_json({entry[member]}), text_of_json({whole[member]})) << member;
     ASSERT_EQ(entry["families"].size(), whole["families"].size());
@@ -96,8 +100,12 @@ TEST(ReducedRecord, HasTheCountsOfTheRecordThatLevelsRead) {
       for (const char* member : {"trials", "truth", "base_triangles", "exact_arithmetic"})
         EXPECT_EQ(text_of_json({entry["families"][family][member]}), text_of_json({result[member]}))
             << family << member;
-      for (const auto& [member, value] : entry["families"][family]["verdict"].items())
+      for (const auto& [member, value] : entry["families"][family]["verdict"].items()) {
+        // Which are in no certificate.
+        if (member == "masked_links" || member == "first_by_link" || member == "depths" || member == "engine_like")
+          continue;
         EXPECT_EQ(text_of_json({value}), text_of_json({result["verdict"][member]})) << family << " " << member;
+      }
       EXPECT_EQ(result.contains("invariance"), entry["families"][family].contains("invariance"));
       if (result.contains("invariance")) {
         EXPECT_EQ(text_of_json(result["invariance"]), text_of_json(entry["families"][family]["invariance"]));
@@ -157,7 +165,7 @@ TEST(Derived, EachContradictionIsNamed) {
          }
          p["materials"]["kernels"] = kept;
        }},
-      {"is no whole number",
+      {"/by_size/much: 1 under a name that is not in the schema",
        [](Json& p) {
          for (Json& kernel : p["materials"]["kernels"])
            for (Json& family : kernel["families"])

@@ -21,16 +21,17 @@ std::string disagreement(const std::string& what, std::uint64_t stated, std::uin
 }
 
 // The counts of the run's stretches.
-std::string fault_beside_counts(const Json& margin, const Json& entry) {
+std::string fault_beside_counts(const Json& margin, const KernelRecord& entry) {
   const Evidence evidence = evidence_of(entry);
-  const Json total = all_families(entry);
-  if (total.empty()) return "no query was run in that precision";
-  const Json &verdict = total["verdict"], &contacts = margin["contacts"]["of_run"];
+  const auto total = all_families(entry);
+  if (!total) return "no query was run in that precision";
+  const VerdictTally& verdict = total->verdict;
+  const Json& contacts = margin["contacts"]["of_run"];
   const std::pair<const char*, std::pair<std::uint64_t, std::uint64_t>> pairs[] = {
       {"promised queries", {margin_count(margin, "queries"), evidence.promised()}},
-      {"phantom contacts", {margin_count(margin, "phantoms"), margin_count(verdict, "false_contact")}},
+      {"phantom contacts", {margin_count(margin, "phantoms"), verdict.false_contact}},
       {"contacts of the run", {margin_count(contacts, "asked"), evidence.contacts}},
-      {"missed contacts of the run", {margin_count(contacts, "missed"), margin_count(verdict, "false_separation")}},
+      {"missed contacts of the run", {margin_count(contacts, "missed"), verdict.false_separation}},
       {"declined contacts of the run", {margin_count(contacts, "declined"), evidence.declined_contacts}}};
   for (const auto& [what, counts] : pairs) {
     if (std::string fault = disagreement(what, counts.first, counts.second, "its counts"); !fault.empty()) return fault;
@@ -116,7 +117,7 @@ std::string fault_of_growth(const Json& margin, const char* way) {
 
 }  // namespace
 
-std::string margin_fault(const Json& margin, const Json& entry) {
+std::string margin_fault(const Json& margin, const KernelRecord& entry) {
   std::string fault = fault_beside_counts(margin, entry);
   if (fault.empty()) fault = fault_of_sums(margin);
   for (const char* way : {"factor", "amount"}) {

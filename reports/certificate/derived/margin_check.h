@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "fuzz/text/json.h"
+#include "fuzz/record/kernel_record.h"
 
 namespace axiscert {
 
@@ -19,6 +19,6 @@ inline constexpr std::string_view margin_answered_otherwise =
 // Held to the counts: the run's queries, phantoms and contacts, by what the kernel answered to each. Held to itself:
 // parts add up to the whole, the greatest of the parts is the one stated, and factor and amount are those of r and the
 // radius from which the kernel says contact. Not derived: that radius, and how many phantoms a growth makes.
-std::string margin_fault(const Json& margin, const Json& entry);
+std::string margin_fault(const Json& margin, const KernelRecord& entry);
 
 }  // namespace axiscert

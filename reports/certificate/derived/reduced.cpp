@@ -1,14 +1,14 @@
 #include "reports/certificate/derived/reduced.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 
-#include "fuzz/confirm/record.h"
+#include "fuzz/fields/merge.h"
 #include "fuzz/queries/image_groups.h"
 #include "fuzz/text/number_text.h"
 #include "reports/certificate/derived/counts.h"
@@ -24,8 +24,6 @@ namespace {
 // So that no sum of counts overflows; deep asks 2^30.
 constexpr std::uint64_t most_queries = std::uint64_t{1} << 48;
 
-std::uint64_t reduced_count(const Json& object, const char* member) { return object[member].get<std::uint64_t>(); }
-
 class Reducer {
  public:
   Reducer(const Json& predicate, const std::string& name)
@@ -34,7 +32,7 @@ class Reducer {
         materials_(predicate["materials"]),
         plan_(plan_again()),
         test_(test_of(plan_)),
-        stretches_(cells(), reduced_count(materials_["plan"], "units_per_stretch")) {}
+        stretches_(cells(), materials_["plan"]["units_per_stretch"].get<std::uint64_t>()) {}
 
   const Stretches& stretches() const { return stretches_; }
   void require_usual_stretches() const {
@@ -44,56 +42,54 @@ class Reducer {
           fmt::format("its stretches have {} units, and `certify` makes them of {}", stretches_.units_each(), usual));
   }
 
-  Json record() {
+  Record record() const {
     require_all_stretches();
-    Json record = {{"schema", record_schema}, {"complete", true},          {"plan", plan_},
-                   {"kernels", kernels()},    {"findings", Json::array()}, {"witnesses", Json::array()}};
-    add_up(record);
-    take_findings(record);
+    Record record;
+    record.plan = plan_;
+    record.kernels = kernels();
+    take_findings(record, put_families(record));
     return record;
   }
 
  private:
   [[noreturn]] void refuse(const std::string& what) const { throw NotValid(fmt::format("{}: {}", name_, what)); }
 
-  Json plan_again() const {
-    Json plan = materials_["plan"]["plan"];
-    if (!plan.contains("kernels") || !plan["kernels"].is_array() || plan["kernels"].empty() ||
-        plan["kernels"][0] != portable_id) {
+  PlanRecord plan_again() const {
+    Json json = materials_["plan"]["plan"];
+    if (!json.contains("kernels") || !json["kernels"].is_array() || json["kernels"].empty() ||
+        json["kernels"][0] != portable_id) {
       refuse("the first kernel of its plan is not called \"kernel\"");
     }
-    plan["kernels"][0] = kernel_["id"];
-    plan["axiscert"] = materials_["axiscert"]["version"];
-    require_form("plan", plan, name_ + ": its plan");
-    if (!plan["units_done"].is_null()) refuse("its plan was not done to its end");
-    if (plan.value("test", Json()) != kernel_["test"]) refuse("its kernel and its plan are of different tests");
-    for (const Json& family : plan["families"]) {
-      const Json by_precision = plan["trials"].value(family.get<std::string>(), Json::object());
-      for (const Json& precision : plan["precisions"]) {
-        const Json count = by_precision.value(precision.get<std::string>(), Json());
-        if (!count.is_number_integer() || count > most_queries)
-          refuse(fmt::format("its plan does not say how many queries of {} are asked in {}", shown(family.dump()),
-                             precision.get<std::string>()));
+    json["kernels"][0] = kernel_["id"];
+    json["axiscert"] = materials_["axiscert"]["version"];
+    auto plan = form_again<PlanRecord>(json, name_ + ": its plan");
+    if (plan.units_done) refuse("its plan was not done to its end");
+    if (plan.test != kernel_["test"].get<std::string>()) refuse("its kernel and its plan are of different tests");
+    for (const std::string& family : plan.families) {
+      const auto* const by_precision = plan.trials.find(family);
+      for (const Precision precision : plan.precisions) {
+        if (by_precision == nullptr || !by_precision->contains(precision) || by_precision->at(precision) > most_queries)
+          refuse(fmt::format("its plan does not say how many queries of {} are asked in {}", shown(Json(family).dump()),
+                             name(precision)));
       }
-      if (!plan["generators"].contains(family.get<std::string>()))
-        refuse(fmt::format("its plan does not say what makes the queries of {}", shown(family.dump())));
+      if (!plan.generators.contains(family))
+        refuse(fmt::format("its plan does not say what makes the queries of {}", shown(Json(family).dump())));
     }
-    for (const char* member : {"trials", "generators"}) {
-      if (plan[member].size() != plan["families"].size())
-        refuse(fmt::format("its plan has {} of other families", member));
-    }
+    const auto require_no_others = [&](const char* member, std::size_t size) {
+      if (size != plan.families.size()) refuse(fmt::format("its plan has {} of other families", member));
+    };
+    require_no_others("trials", plan.trials.size());
+    require_no_others("generators", plan.generators.size());
     return plan;
   }
 
   std::vector<PlannedCell> cells() const {
     std::vector<PlannedCell> cells;
     for (const Precision precision : {Precision::binary64, Precision::binary32}) {  // as cells_of
-      const Json& all = plan_["precisions"];
-      if (std::find(all.begin(), all.end(), Json(name(precision))) == all.end()) continue;
-      for (std::size_t s = 0; s < plan_["families"].size(); ++s) {
-        const std::string family = plan_["families"][s];
-        cells.push_back(
-            {s, precision, reduced_count(plan_["trials"][family], std::string(name(precision)).c_str()), family});
+      if (std::ranges::find(plan_.precisions, precision) == plan_.precisions.end()) continue;
+      for (std::size_t s = 0; s < plan_.families.size(); ++s) {
+        const std::string& family = plan_.families[s];
+        cells.push_back({s, precision, plan_.trials.at(family).at(precision), family});
       }
     }
     return cells;
@@ -105,7 +101,7 @@ class Reducer {
     const std::uint64_t count = stretches_.count();
     std::uint64_t next = 0;
     for (const Json& tally : tallies) {
-      const std::uint64_t number = reduced_count(tally, "stretch");
+      const std::uint64_t number = tally["stretch"].get<std::uint64_t>();
       if (number >= count) refuse(fmt::format("it has a stretch {}, and its plan has {}", number, thousands(count)));
       if (number < next)
         refuse(fmt::format("its stretches are not in rising order, each once: {} is there again", number));
@@ -121,80 +117,98 @@ class Reducer {
     }
   }
 
-  Json kernels() const {
-    Json kernels = Json::array();
+  // In the order of the materials.
+  std::vector<KernelRecord> kernels() const {
+    std::vector<KernelRecord> kernels;
     std::set<std::pair<std::string, std::string>> seen;
     for (const Json& entry : materials_["kernels"]) {
       const std::string where = fmt::format("{}: its kernel {} {}", name_, shown(entry["id"].get<std::string>()),
                                             entry["precision"].get<std::string>());
-      kernels.push_back(entry_again(entry, kernel_["id"], where));
+      const std::string& id = kernels.emplace_back(entry_again(entry, kernel_["id"], where)).id;
       if (!seen.emplace(entry["id"], entry["precision"]).second) throw NotValid(where + " is there twice");
-      if (std::ranges::find(plan_["kernels"], kernels.back()["id"]) == plan_["kernels"].end())
-        throw NotValid(where + " is none of its plan");
+      if (std::ranges::find(plan_.kernels, id) == plan_.kernels.end()) throw NotValid(where + " is none of its plan");
     }
-    for (const Json& id : plan_["kernels"]) {
-      if (std::ranges::none_of(kernels, [&](const Json& entry) { return entry["id"] == id; }))
-        refuse(fmt::format("it has no counts of the kernel {}", shown(id.get<std::string>())));
+    for (const std::string& id : plan_.kernels) {
+      if (std::ranges::none_of(kernels, [&](const KernelRecord& entry) { return entry.id == id; }))
+        refuse(fmt::format("it has no counts of the kernel {}", shown(id)));
     }
     return kernels;
   }
 
-  // Adds the counts of every stretch to the families of its kernels.
-  void add_up(Json& record) {
+  using ByFamily = std::map<std::string, StretchCounts>;
+
+  // The counts of every stretch added up, of each of the kernels.
+  std::vector<ByFamily> added_up(const std::vector<KernelRecord>& kernels) const {
     struct Place {
-      Json* entry = nullptr;  // none where the kernel does not exist in that precision
+      std::size_t entry;
       Json none;
     };
-    // By kernel of the plan and precision.
-    std::map<std::pair<std::size_t, std::string>, Place> places;
-    for (std::size_t k = 0; k < plan_["kernels"].size(); ++k) {
-      for (Json& entry : record["kernels"]) {
-        if (entry["id"] == plan_["kernels"][k])
-          places[{k, entry["precision"].get<std::string>()}] = {&entry, no_counts(entry, test_)};
+    // By kernel of the plan and precision: none where the kernel does not exist in that precision.
+    std::map<std::pair<std::size_t, Precision>, Place> places;
+    for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
+      for (std::size_t i = 0; i < kernels.size(); ++i) {
+        if (kernels[i].id == plan_.kernels[k]) places[{k, kernels[i].precision}] = {i, no_counts(kernels[i], test_)};
       }
     }
-    std::map<const Json*, std::map<std::string, Json>> by_entry;
+    std::vector<ByFamily> totals(kernels.size());
     for (const Json& tally : materials_["tallies"]) {
-      const std::uint64_t number = reduced_count(tally, "stretch");
+      const std::uint64_t number = tally["stretch"].get<std::uint64_t>();
       const Stretch stretch = stretches_.at(number);
-      const std::string precision(name(stretch.precision)), family = plan_["families"][stretch.source];
       const std::string of = stretches_.text(number);
       if (tally["of"] != of)
         refuse(fmt::format("its stretch {} is said to be {}, and is {} in its plan", number, shown(tally["of"].dump()),
                            of));
       const Json& counts = tally["counts"];
-      if (counts.size() != plan_["kernels"].size() || tally["sha256"].size() != plan_["kernels"].size())
-        refuse(
-            fmt::format("{}: {} kernels were run, and it has {} tallies", of, plan_["kernels"].size(), counts.size()));
-      std::optional<Json> truth;  // the same for every kernel
+      if (counts.size() != plan_.kernels.size() || tally["sha256"].size() != plan_.kernels.size())
+        refuse(fmt::format("{}: {} kernels were run, and it has {} tallies", of, plan_.kernels.size(), counts.size()));
+      std::optional<TruthCounts> truth;  // the same for every kernel
       for (std::size_t k = 0; k < counts.size(); ++k) {
-        const std::string where =
-            fmt::format("{}: {}: the counts of {}", name_, of, plan_["kernels"][k].get<std::string>());
-        const auto place = places.find({k, precision});
+        const std::string& id = plan_.kernels[k];
+        const std::string where = fmt::format("{}: {}: the counts of {}", name_, of, id);
+        const auto place = places.find({k, stretch.precision});
         if (place == places.end()) {
           if (!counts[k].empty()) throw NotValid(where + ": it does not exist in that precision");
           continue;
         }
-        Json whole = whole_counts(place->second.none, counts[k], 1024 * stretch.queries, where);
-        require_counts(whole, stretch.queries, where);
-        Json& total = by_entry[place->second.entry][family];
-        if (!truth) truth = whole["truth"];
-        if (*truth != whole["truth"])
+        const auto& [entry, none] = place->second;
+        const StretchCounts whole =
+            counts_again(whole_counts(none, counts[k], 1024 * stretch.queries, where), stretch.queries, where);
+        if (!truth) truth = whole.truth;
+        if (*truth != whole.truth)
           throw NotValid(
               fmt::format("{}: the truth of the same queries is another than for the kernel before it", where));
-        add_counts(total, whole);
+        const auto [total, is_first] = totals[entry].try_emplace(plan_.families[stretch.source], whole);
+        if (!is_first) merge_fields(total->second, whole);
       }
     }
-    for (Json& entry : record["kernels"]) put_families(entry, by_entry[&entry]);
+    return totals;
   }
 
-  void put_families(Json& entry, std::map<std::string, Json>& totals) const {
-    const Json& stated = families_stated(entry);
-    const std::string who =
-        fmt::format("{}: {} {}", name_, entry["id"].get<std::string>(), entry["precision"].get<std::string>());
-    Json radius;
-    for (const Json& named : plan_["families"]) {
-      const std::string family = named;
+  // By kernel, precision and family.
+  using Findings = std::map<std::tuple<std::string, Precision, std::string, FindingKind>, std::uint64_t>;
+
+  // Returns the findings that the stretches have.
+  Findings put_families(Record& record) const {
+    Findings findings;
+    const std::vector<ByFamily> totals = added_up(record.kernels);
+    for (std::size_t i = 0; i < record.kernels.size(); ++i) {
+      KernelRecord& entry = record.kernels[i];
+      put_families(entry, materials_["kernels"][i]["families"], totals[i]);
+      for (const auto& [family, total] : totals[i]) {
+        for (const auto& [kind, count] : total.findings) {
+          if (count != 0) findings[{entry.id, entry.precision, family, kind}] = count;
+        }
+      }
+    }
+    return findings;
+  }
+
+  // `stated`: what the certificate says of its families beside the stretches.
+  void put_families(KernelRecord& entry, const Json& stated, const ByFamily& totals) const {
+    const std::string& id = entry.id;
+    const std::string who = fmt::format("{}: {} {}", name_, id, name(entry.precision));
+    std::optional<CriticalRadiusRecord> radius;
+    for (const std::string& family : plan_.families) {
       const auto total = totals.find(family);
       const bool is_there = total != totals.end();
       if (stated.contains(family) != is_there)
@@ -202,119 +216,109 @@ class Reducer {
                                    who, family, is_there ? "is" : "is not"));
       if (!is_there) continue;
       const std::string where = fmt::format("{} on {}", who, family);
-      Json result = std::move(total->second);
+      const StretchCounts& counts = total->second;
       const Json& beside = stated[family];
-      result["base_triangles"] = beside["base_triangles"];
-      if (result["base_triangles"] > result["trials"]) throw NotValid(where + ": more triangles than queries");
-      result["exact_arithmetic"] = plan_["generators"][family]["exact_arithmetic"];
-      result["axes"] = result["comparisons"] = nullptr;
-      add_counts(radius, result["critical_radius"]);
+      FamilyRecord& result = entry.families.put(family);
+      static_cast<FamilyCounts&>(result) = counts;
+      result.critical_radius = counts.critical_radius;
+      if (counts.classes) {
+        result.classes.emplace();
+        for (const auto& [which, count] : *counts.classes) (*result.classes)[which] = {count, {}};
+      }
+      result.base_triangles = beside["base_triangles"].get<std::uint64_t>();
+      if (result.base_triangles > result.trials) throw NotValid(where + ": more triangles than queries");
+      result.exact_arithmetic = plan_.generators.at(family).exact_arithmetic;
+      if (radius) RadiiAdded::merge(*radius, counts.critical_radius);
+      else radius = counts.critical_radius;
       put_invariance(result, beside, family, where);
-      entry["families"][family] = std::move(result);
     }
-    if (stated.size() != entry["families"].size()) throw NotValid(who + ": it has families that its plan has not");
-    put_radius(entry["critical_radius"], radius, who);
+    if (stated.size() != entry.families.size()) throw NotValid(who + ": it has families that its plan has not");
+    if (radius) require_radius(entry.critical_radius, *radius, who);
   }
 
-  const Json& families_stated(const Json& entry) const {
-    for (const Json& stated : materials_["kernels"]) {
-      const Json& id = stated["id"] == portable_id ? kernel_["id"] : stated["id"];
-      if (id == entry["id"] && stated["precision"] == entry["precision"]) return stated["families"];
-    }
-    throw std::logic_error("an entry that came from nowhere");
-  }
-
-  static void put_invariance(Json& result, const Json& beside, const std::string& family, const std::string& where) {
+  static void put_invariance(FamilyRecord& result, const Json& beside, const std::string& family,
+                             const std::string& where) {
     const ImageGroup* group = image_group(family);
     if (group != nullptr && !beside.contains("invariance"))
       throw NotValid(where + ": it does not say what its images came to");
     if (!beside.contains("invariance")) return;
-    result["invariance"] = invariance_again(beside["invariance"], where);
+    result.invariance = invariance_again(beside["invariance"], where);
     for (std::size_t i = 1; group != nullptr && i < group->size; ++i) {
-      const std::string_view kind = image_kind_names[group->kind(i)];
-      if (!result["invariance"].contains(std::string(kind)))
-        throw NotValid(fmt::format("{}: it does not say what its images of {} came to", where, kind));
+      if (!result.invariance->contains(group->kind(i)))
+        throw NotValid(fmt::format("{}: it does not say what its images of {} came to", where, name(group->kind(i))));
     }
-    for (const Json& changes : result["invariance"]) {
-      if (changes["images"] > result["trials"]) throw NotValid(where + ": more images than queries");
+    for (const auto& [kind, changes] : *result.invariance) {
+      if (changes.images > result.trials) throw NotValid(where + ": more images than queries");
     }
   }
 
-  // All but the medians follows from the stretches.
-  static void put_radius(Json& stated, Json& radius, const std::string& who) {
-    if (radius.is_null()) return;
-    const bool has_errors = reduced_count(radius, "sampled") > reduced_count(radius, "unbounded");
-    if (!has_errors) radius["largest_ulps"] = nullptr;
-    for (const auto& [member, value] : radius.items()) {
-      if (stated[member] != value)
+  // All but the medians follows from the stretches, `counted`.
+  static void require_radius(const CriticalRadiusRecord& stated, CriticalRadiusRecord counted, const std::string& who) {
+    const bool has_errors = counted.sampled > counted.unbounded;
+    if (!has_errors) counted.largest_ulps.reset();
+    counted.median_ulps = stated.median_ulps;
+    counted.signed_median_ulps = stated.signed_median_ulps;
+    const Json radius = json_of(stated), counted_radius = json_of(counted);
+    for (const auto& [member, value] : counted_radius.items()) {
+      if (radius[member] != value)
         throw NotValid(fmt::format("{}: critical_radius: {} is {}, and its stretches come to {}", who, member,
-                                   shown(stated[member].dump()), value.dump()));
+                                   shown(radius[member].dump()), value.dump()));
     }
-    if (stated["median_ulps"].is_null() == has_errors)
+    if (stated.median_ulps.has_value() != has_errors)
       throw NotValid(fmt::format("{}: critical_radius: it has {} median error", who, has_errors ? "no" : "a"));
   }
 
-  void take_findings(Json& record) const {
-    std::map<std::tuple<std::string, std::string, std::string, std::string>, std::uint64_t> counted;
-    for (Json& entry : record["kernels"]) {
-      for (auto& [family, result] : entry["families"].items()) {
-        for (const auto& [kind, count] : result["findings"].items()) {
-          if (count != 0) counted[{entry["id"], entry["precision"], family, kind}] = count.get<std::uint64_t>();
-        }
-        result.erase("findings");
-      }
-    }
-    for (Json finding : materials_["findings"]) {
-      if (finding["kernel"] == portable_id) finding["kernel"] = kernel_["id"];
-      const std::string what = fmt::format("its finding {} of {}", shown(finding["kind"].get<std::string>()),
-                                           shown(finding["kernel"].get<std::string>()));
-      if (!finding["family"].is_null()) {
-        if (finding["precision"].is_null()) refuse(what + " is in no precision");
-        const auto found = counted.find({finding["kernel"], finding["precision"], finding["family"], finding["kind"]});
-        if (found == counted.end() || finding["count"] != found->second)
-          refuse(fmt::format("{} is counted {} times, and {} in its stretches", what, finding["count"].dump(),
+  void take_findings(Record& record, Findings counted) const {
+    for (Json stated : materials_["findings"]) {
+      if (stated["kernel"] == portable_id) stated["kernel"] = kernel_["id"];
+      const std::string what = fmt::format("its finding {} of {}", shown(stated["kind"].get<std::string>()),
+                                           shown(stated["kernel"].get<std::string>()));
+      auto finding = form_again<FindingRecord>(stated, fmt::format("{}: {}", name_, what));
+      if (finding.family) {
+        if (!finding.precision) refuse(what + " is in no precision");
+        const auto found = counted.find({finding.kernel, *finding.precision, *finding.family, finding.kind});
+        if (found == counted.end() || finding.count != found->second)
+          refuse(fmt::format("{} is counted {} times, and {} in its stretches", what, finding.count,
                              found == counted.end() ? 0 : found->second));
         counted.erase(found);
       }
-      record["findings"].push_back(finding);
+      record.findings.push_back(std::move(finding));
     }
     for (const auto& [key, count] : counted)
-      refuse(fmt::format("its stretches have the finding {} of {}, which it does not name", std::get<3>(key),
-                         std::get<0>(key)));
+      refuse(fmt::format("its stretches have the finding {} of {}, which it does not name",
+                         name(std::get<FindingKind>(key)), std::get<0>(key)));
   }
 
   const std::string& name_;
   const Json &kernel_, &materials_;
-  const Json plan_;
+  const PlanRecord plan_;
   const TestDescription& test_;
   const Stretches stretches_;
 };
 
 }  // namespace
 
-Json kernels_of_record(const Json& record) {
+Json kernels_of_record(const Record& record) {
   Json kernels = Json::array();
-  for (Json entry : record["kernels"]) {
-    Json families = Json::object();
-    for (const auto& [family, result] : entry["families"].items()) {
-      families[family] = {{"base_triangles", result["base_triangles"]}};
-      if (result.contains("invariance")) families[family]["invariance"] = result["invariance"];
+  for (const KernelRecord& kernel : record.kernels) {
+    KernelRecord said = kernel;
+    said.families = {};
+    if (said.id == record.plan.kernels.front()) said.id = portable_id;
+    Json& entry = kernels.emplace_back(json_of(said));
+    for (const auto& [family, result] : kernel.families) {
+      Json& beside = entry["families"][family] = {{"base_triangles", result.base_triangles}};
+      if (result.invariance) beside["invariance"] = json_of(*result.invariance);
     }
-    if (entry["id"] == record["plan"]["kernels"][0]) entry["id"] = portable_id;
-    entry["families"] = std::move(families);
-    kernels.push_back(without_fractions(entry));
   }
-  return kernels;
+  return without_fractions(kernels);
 }
 
-Json findings_of_record(const Json& record) {
+Json findings_of_record(const Record& record) {
   Json findings = Json::array();
-  for (const Json& finding : record["findings"]) {
-    Json kept = Json::object();
-    for (const char* member : {"kernel", "precision", "family", "kind", "count", "detail", "address"})
-      kept[member] = finding[member];
-    if (kept["kernel"] == record["plan"]["kernels"][0]) kept["kernel"] = portable_id;
-    findings.push_back(kept);
+  for (FindingRecord finding : record.findings) {
+    finding.numbers = {};
+    if (finding.kernel == record.plan.kernels.front()) finding.kernel = portable_id;
+    findings.push_back(json_of(finding));
   }
   return findings;
 }
@@ -325,6 +329,6 @@ void require_usual_stretches(const Json& predicate, const std::string& name) {
   Reducer(predicate, name).require_usual_stretches();
 }
 
-Json reduced_record(const Json& predicate, const std::string& name) { return Reducer(predicate, name).record(); }
+Record reduced_record(const Json& predicate, const std::string& name) { return Reducer(predicate, name).record(); }
 
 }  // namespace axiscert

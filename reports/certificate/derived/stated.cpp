@@ -3,30 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 
 #include "fuzz/text/number_text.h"
-#include "reports/certificate/derived/counts.h"
 #include "reports/certificate/statement/canonical.h"
-#include "reports/page/embedded.h"
-#include "reports/run_folder/schema.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
 namespace {
-
-std::uint64_t number_at(const Json& object, const char* member) { return object[member].get<std::uint64_t>(); }
-
-// Counts by size have whole numbers as names.
-void require_sizes(const Json& by_size, const std::string& where) {
-  for (const auto& [text, count] : by_size.items()) {
-    int size = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), size);
-    if (problem != std::errc() || end != text.data() + text.size())
-      throw NotValid(fmt::format("{}: the size {} is no whole number", where, shown(text)));
-  }
-}
 
 // The member of an object, where it is one of that kind; else null, and the schema will say so.
 Json* part_at(Json& object, const char* member, Json::value_t kind) {
@@ -37,13 +21,7 @@ Json* part_at(Json& object, const char* member, Json::value_t kind) {
 
 }  // namespace
 
-void require_form(const char* definition, const Json& part, const std::string& where) {
-  static const Json definitions = Json::parse(embedded::record_schema_json)["$defs"];
-  const Json schema = {{"$defs", definitions}, {"$ref", fmt::format("#/$defs/{}", definition)}};
-  if (const auto fault = schema_fault(schema, part)) throw NotValid(fmt::format("{}: {}", where, *fault));
-}
-
-Json invariance_again(Json invariance, const std::string& where) {
+std::map<ImageKind, ImageChangesRecord> invariance_again(Json invariance, const std::string& where) {
   for (auto& [kind, changes] : invariance.items()) {
     Json* const wrong = part_at(changes, "wrong", Json::value_t::object);
     if (wrong == nullptr) continue;
@@ -58,20 +36,18 @@ Json invariance_again(Json invariance, const std::string& where) {
       }
     }
   }
-  require_form("invariance", invariance, where);
-  for (const auto& [kind, changes] : invariance.items()) {
-    require_sizes(changes["by_size"], where);
-    const bool has_units = changes.contains("range") && !changes["range"].is_null();
-    if (has_units != changes.contains("wrong"))
-      throw NotValid(fmt::format("{}: {} has no counts of wrong verdicts in other units of length", where, kind));
-    if (has_units) require_sizes(changes["wrong"]["by_size"], where);
-    if (number_at(changes, "changed") > number_at(changes, "images"))
+  auto read = form_again<std::map<ImageKind, ImageChangesRecord>>(invariance, where);
+  for (const auto& [kind, changes] : read) {
+    const bool has_units = changes.range && *changes.range;
+    if (has_units != changes.wrong.has_value())
+      throw NotValid(fmt::format("{}: {} has no counts of wrong verdicts in other units of length", where, name(kind)));
+    if (changes.changed > changes.images)
       throw NotValid(fmt::format("{}: more images changed than were compared", where));
   }
-  return invariance;
+  return read;
 }
 
-Json entry_again(Json entry, const Json& id, const std::string& where) {
+KernelRecord entry_again(Json entry, const std::string& id, const std::string& where) {
   if (entry["id"] == portable_id) entry["id"] = id;
   for (const char* part : {"limits", "critical_radius"}) {
     Json* const numbers = part_at(entry, part, Json::value_t::object);
@@ -81,54 +57,64 @@ Json entry_again(Json entry, const Json& id, const std::string& where) {
     }
   }
   entry["families"] = Json::object();
-  require_form("kernel", entry, where);
-  return entry;
+  return form_again<KernelRecord>(entry, where);
 }
 
-void require_counts(const Json& counts, std::uint64_t queries, const std::string& where) {
-  const Json &truth = counts["truth"], &verdict = counts["verdict"], &outside = verdict["outside_limits"];
+namespace {
+
+void require_counts(const StretchCounts& counts, std::uint64_t queries, const std::string& where) {
+  const TruthCounts& truth = counts.truth;
+  const VerdictTally& verdict = counts.verdict;
   const auto require = [&](bool holds, const char* what) {
     if (!holds) throw NotValid(fmt::format("{}: {}", where, what));
   };
-  if (number_at(counts, "trials") != queries) {
-    throw NotValid(fmt::format("{}: {} queries, and its plan has {} there", where,
-                               thousands(number_at(counts, "trials")), thousands(queries)));
+  if (counts.trials != queries) {
+    throw NotValid(
+        fmt::format("{}: {} queries, and its plan has {} there", where, thousands(counts.trials), thousands(queries)));
   }
-  const std::uint64_t separated = number_at(truth, "separated"), contact = number_at(truth, "contact");
-  require(separated <= queries && contact <= queries && separated + contact + number_at(truth, "invalid") == queries,
+  require(truth.separated <= queries && truth.contact <= queries &&
+              truth.separated + truth.contact + truth.invalid == queries,
           "separated, contact and invalid are not all queries");
-  require(number_at(truth, "touching") <= contact, "more queries touch than are contacts");
-  const std::uint64_t valid = separated + contact,
-                      outside_trials = outside.is_null() ? 0 : number_at(outside, "trials");
-  require(outside_trials <= valid, "more queries are outside its limits than are valid");
-  if (!outside.is_null()) {
-    require(number_at(outside, "contact") <= std::min(contact, outside_trials) &&
-                number_at(outside, "touching") <= number_at(outside, "contact") &&
-                outside_trials - number_at(outside, "contact") <= separated,
-            "the queries outside its limits are more than those of their truth");
-  }
-  std::uint64_t answered = outside_trials;
-  for (const char* member : {"false_separation", "false_contact", "undecided", "invalid", "unanswered"}) {
-    require(number_at(verdict, member) <= queries, "more wrong or missing answers than queries");
-    answered += number_at(verdict, member);
+  require(truth.touching <= truth.contact, "more queries touch than are contacts");
+  const OutsideTally outside = verdict.outside_limits.value_or(OutsideTally());
+  const std::uint64_t valid = truth.separated + truth.contact;
+  require(outside.trials <= valid, "more queries are outside its limits than are valid");
+  require(outside.contact <= std::min(truth.contact, outside.trials) && outside.touching <= outside.contact &&
+              outside.trials - outside.contact <= truth.separated,
+          "the queries outside its limits are more than those of their truth");
+  std::uint64_t answered = outside.trials;
+  for (const std::uint64_t count :
+       {verdict.false_separation, verdict.false_contact, verdict.undecided, verdict.invalid, verdict.unanswered}) {
+    require(count <= queries, "more wrong or missing answers than queries");
+    answered += count;
   }
   require(answered <= valid, "more wrong or missing answers than valid queries");
-  require(number_at(verdict, "undecided_contact") <= number_at(verdict, "undecided") &&
-              number_at(verdict, "undecided_touching") <= number_at(verdict, "undecided_contact"),
+  require(verdict.undecided_contact <= verdict.undecided && verdict.undecided_touching <= verdict.undecided_contact,
           "more declined contacts than declined queries");
   // A touching query that a kernel means to call separated is a contact, and a false one.
-  require(number_at(verdict, "false_separation") + number_at(verdict, "undecided_contact") <= contact,
-          "more missed contacts than contacts");
-  require(number_at(verdict, "touching_flips") <=
-              number_at(verdict, "false_separation") + number_at(verdict, "false_contact"),
+  require(verdict.false_separation + verdict.undecided_contact <= truth.contact, "more missed contacts than contacts");
+  require(verdict.touching_flips <= verdict.false_separation + verdict.false_contact,
           "more wrong verdicts on touching queries than wrong verdicts");
-  for (const auto& [depth, count] :
-       {std::pair("deepest_false_separation", "false_separation"), {"deepest_false_contact", "false_contact"}}) {
-    require(number_at(verdict, count) != 0 || verdict[depth] == 0, "a depth of wrong verdicts, and none is wrong");
-  }
-  require(verdict["deepest"] == std::max(verdict["deepest_false_separation"].get<double>(),
-                                         verdict["deepest_false_contact"].get<double>()),
-          "the deepest wrong verdict is another than those of the two kinds");
+  require((verdict.false_separation != 0 || verdict.deepest_false_separation.best() == 0) &&
+              (verdict.false_contact != 0 || verdict.deepest_false_contact.best() == 0),
+          "a depth of wrong verdicts, and none is wrong");
+}
+
+}  // namespace
+
+StretchCounts counts_again(const Json& whole, std::uint64_t queries, const std::string& where) {
+  StretchCounts none;
+  none.verdict.depths.reset();
+  none.verdict.engine.reset();
+  if (whole.contains("motion")) none.motion.emplace();
+  Json counts = json_of(none);
+  counts.update(whole, true);
+  const Json& verdict = counts["verdict"];
+  if (verdict["deepest"] != std::max(verdict["deepest_false_separation"], verdict["deepest_false_contact"]))
+    throw NotValid(where + ": the deepest wrong verdict is another than those of the two kinds");
+  auto read = form_again<StretchCounts>(counts, where);
+  require_counts(read, queries, where);
+  return read;
 }
 
 }  // namespace axiscert

@@ -2,25 +2,37 @@
 // record's form. All throw NotValid, which begins with `where`.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstdint>
+#include <map>
 #include <string>
 
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
+#include "reports/certificate/derived/counts.h"
+#include "reports/certificate/statement/canonical.h"
 
 namespace axiscert {
 
 // The id of its kernel in a certificate, in all that does not depend on where the kernel's files are.
 inline constexpr const char* portable_id = "kernel";
 
-// Against its definition in record.schema.json.
-void require_form(const char* definition, const Json& part, const std::string& where);
+// A part of a record, from its JSON.
+template <class T>
+T form_again(const Json& part, const std::string& where) {
+  try {
+    return read_as<T>(part);
+  } catch (const Error& fault) {
+    throw NotValid(fmt::format("{}: {}", where, fault.what()));
+  }
+}
 
 // A kernel's entry of the record, without its families; `id` is the kernel's.
-Json entry_again(Json entry, const Json& id, const std::string& where);
+KernelRecord entry_again(Json entry, const std::string& id, const std::string& where);
 // A family's "invariance".
-Json invariance_again(Json invariance, const std::string& where);
+std::map<ImageKind, ImageChangesRecord> invariance_again(Json invariance, const std::string& where);
 
-// The counts of one stretch, of so many queries, agree with each other.
-void require_counts(const Json& counts, std::uint64_t queries, const std::string& where);
+// The whole counts of one stretch, of so many queries, which agree with each other.
+StretchCounts counts_again(const Json& whole, std::uint64_t queries, const std::string& where);
 
 }  // namespace axiscert

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/sphere_triangle/measures/input_class.h"
 #include "reports/certificate/findings/situations.h"
 #include "reports/certificate/statement/statement.h"
 #include "reports/run_folder/run_folder.h"
@@ -78,53 +77,51 @@ Json break_json(const std::string& precision, const std::string& what, const Cau
 }
 
 // The deepest cause of a kind of wrong verdict in a kernel's entry: `missed` or phantom contacts.
-std::optional<Cause> deepest_cause(const Json& record, const Json& entry, bool missed) {
+std::optional<Cause> deepest_cause(const Record& record, const KernelRecord& kernel, bool missed) {
   std::optional<Cause> deepest;
   const auto offer = [&](Cause cause) {
     if (cause.count != 0 && (!deepest || cause.deepest > deepest->deepest)) deepest = std::move(cause);
   };
-  const std::string kind = missed ? "false_separation" : "false_contact";
   // By the class of its input, where the links do not say why.
-  for (const auto& [family, result] : entry["families"].items()) {
-    const Json classes = result.value("classes", Json::object());
-    for (const InputClass which : enumerators<InputClass>) {
-      const auto found = classes.find(std::string(input_class_names[which]));
-      if (found == classes.end()) continue;
-      offer({std::string(input_class_names[which]), std::string(class_meanings[which]),
-             (*found)[kind].get<std::uint64_t>(), (*found)["deepest"].get<double>()});
+  for (const auto& [family, result] : kernel.families) {
+    if (!result.classes) continue;
+    for (const auto& [which, found] : *result.classes) {
+      offer({std::string(name(which)), std::string(class_meanings[which]),
+             missed ? found.false_separation : found.false_contact, found.deepest.best()});
     }
   }
   if (deepest) return deepest;
   // Else by the links of its witnesses.
-  const Json total = all_families(entry);
-  if (!total.contains("verdict") || total["verdict"][kind] == 0) return std::nullopt;
-  for (const Json& witness : record["witnesses"]) {
-    if (witness["kernel"] != entry["id"] || witness["precision"] != entry["precision"] || witness["depth"].is_null())
-      continue;
-    for (const Json& flip : witness["flips"]) {
-      if (flip["level"] != "verdict" || flip["kind"] != kind) continue;
+  const std::optional<FamilyRecord> total = all_families(kernel);
+  if (!total) return std::nullopt;
+  const VerdictTally& verdict = total->verdict;
+  const std::uint64_t count = missed ? verdict.false_separation : verdict.false_contact;
+  if (count == 0) return std::nullopt;
+  const FlipKind kind = missed ? FlipKind::false_separation : FlipKind::false_contact;
+  for (const WitnessRecord& witness : record.witnesses) {
+    if (witness.kernel != kernel.id || witness.precision != kernel.precision || !witness.depth) continue;
+    for (const FlipRecord& flip : witness.flips) {
+      if (flip.level != Level::verdict || flip.kind != kind) continue;
       for (const Link link : enumerators<Link>) {
-        const std::string name(link_names[link]);
-        if (std::find(flip["links"].begin(), flip["links"].end(), name) == flip["links"].end()) continue;
-        offer({name, std::string(link_meanings[link]), total["verdict"][kind].get<std::uint64_t>(),
-               witness["depth"].get<double>()});
+        if (std::find(flip.links.begin(), flip.links.end(), link) != flip.links.end())
+          offer({std::string(name(link)), std::string(link_meanings[link]), count, *witness.depth});
       }
     }
   }
   if (deepest) return deepest;
   const Link unknown = Link::unattributed;
-  return Cause{std::string(link_names[unknown]), std::string(link_meanings[unknown]),
-               total["verdict"][kind].get<std::uint64_t>(), total["verdict"]["deepest_" + kind].get<double>()};
+  return Cause{std::string(name(unknown)), std::string(link_meanings[unknown]), count,
+               (missed ? verdict.deepest_false_separation : verdict.deepest_false_contact).best()};
 }
 
 // The query alone, by the groups of its test's columns in whichever entry it is.
-Json query_of(const Json& witness, const TestDescription& test) {
+Json query_of(const WitnessRecord& witness, const TestDescription& test) {
   Json query = Json::object();
   if (const std::string_view name = written_name(test); !name.empty()) query["test"] = name;
   for (const TestEntry& entry : test.entries) {
     for (const ColumnGroup& group : groups_of(entry)) {
-      if (const auto numbers = witness.find(std::string(group.name)); numbers != witness.end())
-        query[std::string(group.name)] = *numbers;
+      if (const GroupNumbers* numbers = witness.numbers.find(group.name))
+        query[std::string(group.name)] = json_of(*numbers);
     }
   }
   return query;
@@ -155,24 +152,24 @@ Json break_of_situation(const Json& situation, bool missed) {
 
 }  // namespace
 
-Json what_breaks_first(const Json& record, const std::string& kernel) {
-  for (const Json& finding : record["findings"]) {
-    if (finding["kernel"] == kernel)
-      return break_json("", "finding", {"finding", finding_text(finding), finding["count"].get<std::uint64_t>(), 0});
+Json what_breaks_first(const Record& record, const std::string& kernel) {
+  for (const FindingRecord& finding : record.findings) {
+    if (finding.kernel == kernel)
+      return break_json("", "finding", {"finding", finding_text(finding), finding.count, 0});
   }
   for (const bool missed : {true, false}) {
     std::optional<Cause> deepest;
     std::string precision;
-    for (const Json& entry : record["kernels"]) {
-      if (entry["id"] != kernel) continue;
+    for (const KernelRecord& entry : record.kernels) {
+      if (entry.id != kernel) continue;
       const std::optional<Cause> cause = deepest_cause(record, entry, missed);
       if (!cause || (deepest && cause->deepest <= deepest->deepest)) continue;
       deepest = cause;
-      precision = entry["precision"];
+      precision = name(entry.precision);
     }
     if (!deepest) continue;
     // Where only the verdict is seen, the situation says more than that nothing is known.
-    if (deepest->name == link_names[Link::unattributed]) break;
+    if (deepest->name == name(Link::unattributed)) break;
     return break_json(precision, missed ? "missed contact" : "phantom contact", *deepest);
   }
   bool missed = true;
@@ -181,7 +178,7 @@ Json what_breaks_first(const Json& record, const std::string& kernel) {
   return first == nullptr ? Json() : break_of_situation(*first, missed);
 }
 
-Json where_it_is_wrong(const Json& record, const std::string& kernel) {
+Json where_it_is_wrong(const Record& record, const std::string& kernel) {
   Json situations = situations_json(record, kernel);
   for (Json& situation : situations) {
     for (const char* depth : {"deepest_missed", "deepest_phantom"}) situation[depth] = amount(situation[depth], 3);
@@ -195,34 +192,28 @@ std::vector<std::string_view> advised_sections() {
   return sections;
 }
 
-Json worst_of_certificate(const Json& record, const std::string& kernel) {
+Json worst_of_certificate(const Record& record, const std::string& kernel) {
   constexpr std::size_t most = 3;
-  Json own = record;
-  own["witnesses"] = Json::array();
-  for (const Json& witness : record["witnesses"]) {
-    if (witness["kernel"] == kernel) own["witnesses"].push_back(witness);
-  }
+  Record own = record;
+  std::erase_if(own.witnesses, [&](const WitnessRecord& witness) { return witness.kernel != kernel; });
   Json worst = Json::array();
   std::set<std::string> families;
   for (const bool another_family : {true, false}) {
-    for (const Json* witness : worst_witnesses(own, own["witnesses"].size())) {
-      const std::string family = (*witness)["family"], address = (*witness)["address"];
+    for (const WitnessRecord* witness : worst_witnesses(own, own.witnesses.size())) {
       if (worst.size() == most) return worst;
       const bool is_there =
-          std::any_of(worst.begin(), worst.end(), [&](const Json& w) { return w["address"] == address; });
-      if (is_there || (another_family && !families.insert(family).second)) continue;
-      const Json query = query_of(*witness, test_of(record["plan"]));
-      const std::string truth =
-          (*witness)["touching"].get<bool>() ? "touching" : (*witness)["truth"].get<std::string>();
+          std::any_of(worst.begin(), worst.end(), [&](const Json& w) { return w["address"] == witness->address; });
+      if (is_there || (another_family && !families.insert(witness->family).second)) continue;
+      const Json query = query_of(*witness, test_of(record.plan));
+      const std::string_view truth = witness->touching ? "touching" : name(witness->truth);
       const std::string depth =
-          (*witness)["depth"].is_null() ? "" : fmt::format(", {} of the scene deep", amount((*witness)["depth"], 3));
-      worst.push_back(
-          {{"title", fmt::format("{} {}, family {}", kernel, (*witness)["precision"].get<std::string>(), family)},
-           {"sentence", fmt::format("The truth is {}, the kernel says {}{}. Address {}.", truth,
-                                    (*witness)["computed"].get<std::string>(), depth, address)},
-           {"address", address},
-           {"command", replay_command(*witness, record["plan"])},
-           {"query", without_fractions(query)}});
+          witness->depth ? fmt::format(", {} of the scene deep", amount(*witness->depth, 3)) : std::string();
+      worst.push_back({{"title", fmt::format("{} {}, family {}", kernel, name(witness->precision), witness->family)},
+                       {"sentence", fmt::format("The truth is {}, the kernel says {}{}. Address {}.", truth,
+                                                name(witness->computed), depth, witness->address)},
+                       {"address", witness->address},
+                       {"command", replay_command(*witness, record.plan)},
+                       {"query", without_fractions(query)}});
     }
   }
   return worst;

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reports/testing/test_run.h"
+#include "reports/testing/edited_record.h"
 
 namespace axiscert {
 namespace {
@@ -12,7 +12,10 @@ namespace {
 using testing::HasSubstr;
 
 Json class_counts(int missed, int phantom, double deepest) {
-  return {{"false_separation", missed}, {"false_contact", phantom}, {"deepest", deepest}};
+  return {{"false_separation", missed},
+          {"false_contact", phantom},
+          {"deepest", deepest},
+          {"witness", "1:tangent:1:binary32:0:5"}};
 }
 // The stored record with wrong verdicts of `published` on `tangent` counted by classes of the input.
 Json record_with(const Json& classes) {
@@ -22,10 +25,10 @@ Json record_with(const Json& classes) {
 }
 
 TEST(WhatBreaksFirst, IsTheClassOfTheDeepestMissedContact) {
-  const Json first = what_breaks_first(record_with({{"tie", class_counts(3, 0, 0.1)},
-                                                    {"scale", class_counts(2, 0, 0.5)},
-                                                    {"far", class_counts(0, 9, 0.9)},
-                                                    {"sliver", class_counts(4, 0, 0.2)}}),
+  const Json first = what_breaks_first(edited(record_with({{"tie", class_counts(3, 0, 0.1)},
+                                                           {"scale", class_counts(2, 0, 0.5)},
+                                                           {"far", class_counts(0, 9, 0.9)},
+                                                           {"sliver", class_counts(4, 0, 0.2)}})),
                                        "published");
   EXPECT_EQ(first["cause"], "scale");
   EXPECT_EQ(first["what"], "missed contact");
@@ -39,13 +42,13 @@ TEST(WhatBreaksFirst, IsAPhantomWhereNoContactIsMissed) {
   Json record = record_with({{"far", class_counts(0, 9, 0.9)}, {"tie", class_counts(0, 3, 0.1)}});
   // Nor by the links of a witness.
   for (auto& [name, family] : record["kernels"][0]["families"].items()) family["verdict"]["false_separation"] = 0;
-  const Json first = what_breaks_first(record, "published");
+  const Json first = what_breaks_first(edited(record), "published");
   EXPECT_EQ(first["cause"], "far");
   EXPECT_EQ(first["what"], "phantom contact");
 }
 
 TEST(WhatBreaksFirst, IsTheLinkOfTheDeepestWitnessWithoutClasses) {
-  const Json first = what_breaks_first(stored_record(), "published");
+  const Json first = what_breaks_first(edited(stored_record()), "published");
   EXPECT_EQ(first["cause"], "rounding");
   EXPECT_EQ(first["what"], "missed contact");
   EXPECT_EQ(first["deepest"], "0.25");
@@ -60,15 +63,15 @@ TEST(WhatBreaksFirst, IsAFindingOfTheKernelBeforeAnyVerdict) {
                                      {"count", 2},
                                      {"address", "1:tangent:1:binary32:0:5"},
                                      {"detail", "it died"}}});
-  EXPECT_EQ(what_breaks_first(record, "published")["cause"], "tie");
+  EXPECT_EQ(what_breaks_first(edited(record), "published")["cause"], "tie");
   record["findings"][0]["kernel"] = "published";
-  const Json first = what_breaks_first(record, "published");
+  const Json first = what_breaks_first(edited(record), "published");
   EXPECT_EQ(first["cause"], "finding");
   EXPECT_EQ(first["count"], 2);
 }
 
 TEST(WitnessesOfACertificate, AreTheKernelsOwnEachOnceAndOfAsManyFamiliesAsThereAre) {
-  const Json worst = worst_of_certificate(stored_record(), "published");
+  const Json worst = worst_of_certificate(edited(stored_record()), "published");
   ASSERT_EQ(worst.size(), 3u);
   EXPECT_EQ(worst[0]["address"], "1:tangent:1:binary32:0:34");
   EXPECT_THAT(worst[1]["address"].get<std::string>(), testing::StartsWith("1:mesh-"));
@@ -83,7 +86,7 @@ TEST(WitnessesOfACertificate, OfAnotherTestNameItAndHaveAllItsNumbers) {
   Json record = stored_record();
   record["plan"]["test"] = "moving-sphere";
   for (Json& witness : record["witnesses"]) witness["d"] = {"0x1p+0", "0x0p+0", "0x0p+0"};
-  const Json worst = worst_of_certificate(record, "published");
+  const Json worst = worst_of_certificate(edited(record), "published");
   ASSERT_FALSE(worst.empty());
   EXPECT_EQ(worst[0]["query"].value("test", std::string()), "moving-sphere");
   EXPECT_EQ(worst[0]["query"].value("d", Json()), record["witnesses"][0]["d"]);

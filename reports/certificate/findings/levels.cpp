@@ -75,9 +75,11 @@ std::string contradiction(const LevelOutcome& outcome, const Json& search) {
   return missed.empty() ? phantom : missed;
 }
 
-std::string observed(const Json& entry, const std::string& level, const std::string& covers) {
+std::string observed(const KernelRecord& kernel, const std::string& level, const std::string& covers) {
   if (!is_of_verdicts(level)) return covers;
-  const double limit = zero_limit_per_million(entry, all_families(entry));
+  const std::optional<FamilyRecord> total = all_families(kernel);
+  if (!total) return covers;
+  const double limit = zero_limit_per_million(kernel, *total);
   if (limit < 0) return covers;
   return fmt::format(
       "{}; where nothing was found, its rate is below {} per million queries of these generators, with 95 % (each "
@@ -85,14 +87,14 @@ std::string observed(const Json& entry, const std::string& level, const std::str
       covers, amount(limit, 3));
 }
 
-const Json* record_entry_of(const Json& record, const LevelOutcome& outcome) {
-  for (const Json& kernel : record["kernels"]) {
+const KernelRecord* record_entry_of(const Record& record, const LevelOutcome& outcome) {
+  for (const KernelRecord& kernel : record.kernels) {
     if (outcome.is_of(kernel)) return &kernel;
   }
   return nullptr;
 }
 
-Json level_json(const Json& record, const LevelOutcome& outcome, const Json& search) {
+Json level_json(const Record& record, const LevelOutcome& outcome, const Json& search) {
   Json rests = Json::array(), failures = Json::array();
   std::size_t failure_count = outcome.failures.size();
   std::string_view state = name(outcome.state);
@@ -109,7 +111,7 @@ Json level_json(const Json& record, const LevelOutcome& outcome, const Json& sea
   if (state == "met") {
     if (const std::string proof = proved_at(outcome.kernel, outcome.asked.text); !proof.empty())
       rests.push_back({{"kind", "proved"}, {"text", proof}});
-    const Json* entry = record_entry_of(record, outcome);
+    const KernelRecord* entry = record_entry_of(record, outcome);
     rests.push_back({{"kind", "observed"},
                      {"text", entry ? observed(*entry, outcome.asked.name, outcome.covers) : outcome.covers}});
     if (!search.is_null() && is_of_verdicts(outcome.asked.name)) {
@@ -160,10 +162,10 @@ std::vector<std::string> levels_asked(const std::vector<std::string>& yardsticks
   return asked;
 }
 
-Json levels_json(const Json& record, const std::string& kernel, const Json& searches) {
+Json levels_json(const Record& record, const std::string& kernel, const Json& searches) {
   Json levels = Json::array();
   std::vector<std::string> yardsticks;
-  for (const Json& id : record["plan"]["kernels"]) {
+  for (const Name& id : record.plan.kernels) {
     if (id != kernel) yardsticks.push_back(id);
   }
   for (const std::string& level : levels_asked(yardsticks)) {

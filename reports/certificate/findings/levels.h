@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
 
 namespace axiscert {
 
@@ -18,7 +18,7 @@ std::vector<std::string> levels_asked(const std::vector<std::string>& yardsticks
 //   that was not checked
 // The kernel is one of the record's, and the others are its yardsticks. `searches` has, by precision, what certify's
 // search found (search_json), or null where none was made.
-Json levels_json(const Json& record, const std::string& kernel, const Json& searches);
+Json levels_json(const Record& record, const std::string& kernel, const Json& searches);
 
 // The sentence that says what is proved of a built-in kernel at a level; empty where nothing is.
 std::string proved_at(const std::string& kernel, const std::string& level);

@@ -11,7 +11,7 @@
 #include <regex>
 
 #include "fuzz/text/file_bytes.h"
-#include "reports/testing/test_run.h"
+#include "reports/testing/edited_record.h"
 
 namespace axiscert {
 namespace {
@@ -49,7 +49,7 @@ std::map<std::string, Json> levels_beside(const Json& finds) {
   record["kernels"][0]["families"].erase("tangent");
   const Json searches = {{"binary32", {{"evaluations", 12345}, {"finds", finds}}}};
   std::map<std::string, Json> levels;
-  for (const Json& level : levels_json(record, "published", searches)) {
+  for (const Json& level : levels_json(edited(record), "published", searches)) {
     if (level["precision"] == "binary32") levels[level["level"].get<std::string>()] = level;
   }
   return levels;

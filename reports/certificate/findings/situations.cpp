@@ -30,10 +30,10 @@ struct WrongVerdicts {
   double deepest_missed = 0, deepest_phantom = 0;
   std::vector<std::pair<double, std::string>> families = {};  // by their deepest
 
-  void add(const std::string& family, const Json& verdict) {
-    const std::uint64_t more = verdict["false_separation"], others = verdict["false_contact"];
+  void add(const std::string& family, const VerdictTally& verdict) {
+    const std::uint64_t more = verdict.false_separation, others = verdict.false_contact;
     if (more + others == 0) return;
-    const double of_missed = verdict["deepest_false_separation"], of_phantom = verdict["deepest_false_contact"];
+    const double of_missed = verdict.deepest_false_separation.best(), of_phantom = verdict.deepest_false_contact.best();
     missed += more;
     phantom += others;
     deepest_missed = std::max(deepest_missed, of_missed);
@@ -44,21 +44,21 @@ struct WrongVerdicts {
 
 }  // namespace
 
-Json situations_json(const Json& record, const std::string& kernel) {
+Json situations_json(const Record& record, const std::string& kernel) {
   Json found = Json::array();
-  const std::span<const Situation> situations = test_words_of(test_of(record["plan"])).situations;
+  const std::span<const Situation> situations = test_words_of(test_of(record.plan)).situations;
   for (const Situation& situation : situations) {
-    for (const Json& entry : record["kernels"]) {
-      if (entry["id"] != kernel) continue;
+    for (const KernelRecord& entry : record.kernels) {
+      if (entry.id != kernel) continue;
       WrongVerdicts tally;
-      for (const auto& [family, result] : entry["families"].items()) {
-        if (&situation_of(situations, family) == &situation) tally.add(family, result["verdict"]);
+      for (const auto& [family, result] : entry.families) {
+        if (&situation_of(situations, family) == &situation) tally.add(family, result.verdict);
       }
       if (tally.families.empty()) continue;
       std::ranges::stable_sort(tally.families, [](const auto& x, const auto& y) { return x.first > y.first; });
       Json families = Json::array();
       for (const auto& [depth, family] : tally.families) families.push_back(family);
-      found.push_back({{"precision", entry["precision"]},
+      found.push_back({{"precision", name(entry.precision)},
                        {"situation", situation.name},
                        {"meaning", situation.meaning},
                        {"families", families},

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
 
 namespace axiscert {
 
@@ -23,7 +23,7 @@ inline constexpr double visible_depth = 0.001;
 // The situations in which a kernel is wrong, an entry for each precision: precision, situation, meaning, families
 // (those with a wrong verdict, the deepest first), missed, deepest_missed, phantom, deepest_phantom, advice, section.
 // In the order of TestWords::situations. Depths are numbers here.
-Json situations_json(const Json& record, const std::string& kernel);
+Json situations_json(const Record& record, const std::string& kernel);
 
 // The entry of these that breaks first: the most everyday one with missed contacts of a visible depth, else with such
 // phantoms, else that with the deepest missed contact, or phantom. Null where there is none. `missed` says which it is.

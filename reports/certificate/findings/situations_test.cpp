@@ -79,21 +79,19 @@ struct Wrong {
 };
 
 // The record of a kernel of moving-sphere, wrong on these families.
-Json record_of(const std::map<std::string, Wrong>& families) {
-  Json entry = {
-      {"id", "k"}, {"precision", "binary32"}, {"critical_radius", Json::object()}, {"families", Json::object()}};
+Record record_of(const std::map<std::string, Wrong>& families) {
+  Record record;
+  record.plan.test = "moving-sphere";
+  KernelRecord& kernel = record.kernels.emplace_back();
+  kernel.id = "k";
   for (const auto& [family, wrong] : families) {
-    entry["families"]["moving-sphere/" + family] = {{"critical_radius", Json::object()},
-                                                    {"verdict",
-                                                     {{"false_separation", wrong.missed},
-                                                      {"false_contact", wrong.phantom},
-                                                      {"deepest_false_separation", wrong.deepest_missed},
-                                                      {"deepest_false_contact", wrong.deepest_phantom}}}};
+    VerdictTally& verdict = kernel.families.put("moving-sphere/" + family).verdict;
+    verdict.false_separation = static_cast<std::uint64_t>(wrong.missed);
+    verdict.false_contact = static_cast<std::uint64_t>(wrong.phantom);
+    verdict.deepest_false_separation.offer({wrong.deepest_missed, 0});
+    verdict.deepest_false_contact.offer({wrong.deepest_phantom, 0});
   }
-  return {{"plan", {{"test", "moving-sphere"}}},
-          {"kernels", Json::array({entry})},
-          {"findings", Json::array()},
-          {"witnesses", Json::array()}};
+  return record;
 }
 
 Json first_of(const std::map<std::string, Wrong>& families) {
@@ -124,7 +122,7 @@ TEST(Situations, TheMostEverydayOneWithAVisibleDepthBreaksFirst) {
 }
 
 TEST(Situations, AreSaidWithTheirFamiliesTheDepthAndWhatToDo) {
-  const Json record = record_of({{"lattice", {3, 0, 0.25, 0}}, {"general", {0, 2, 0, 1e-8}}});
+  const Record record = record_of({{"lattice", {3, 0, 0.25, 0}}, {"general", {0, 2, 0, 1e-8}}});
   Json predicate = {{"kernel", {{"id", "k"}, {"test", "moving-sphere"}}},
                     {"breaks_first", what_breaks_first(record, "k")},
                     {"situations", where_it_is_wrong(record, "k")},

@@ -7,7 +7,7 @@
 
 namespace axiscert {
 
-std::string classes_section(const Json& record) {
+std::string classes_section(const Record& record) {
   Section section("Why, by the class of the input");
   section.line(
       "Kernels whose links do not say why they are wrong: each wrong verdict is in the first of these classes whose "
@@ -16,19 +16,18 @@ std::string classes_section(const Json& record) {
   section.head({"kernel", "precision", "class", "what it says", "deepest witness", "missed contacts",
                 "phantom contacts", "deepest"},
                5);
-  for (const Json& kernel : record["kernels"]) {
+  for (const KernelRecord& kernel : record.kernels) {
     for (const ClassRow& row : class_rows(kernel)) {
       any = true;
-      section.row({plain(kernel["id"]), kernel["precision"], std::string(input_class_names[row.which]),
+      section.row({plain(kernel.id), std::string(name(kernel.precision)), std::string(name(row.which)),
                    std::string(class_meanings[row.which]), plain(row.witness), thousands(row.missed),
                    thousands(row.phantom), amount(row.deepest, 4)});
     }
   }
-  for (const Json& kernel : record["kernels"]) {
+  for (const KernelRecord& kernel : record.kernels) {
     const std::string nearest = nearest_sentence(kernel);
     if (nearest.empty()) continue;
-    section.line(
-        fmt::format("\n{} {}: {}.", plain(kernel["id"]), kernel["precision"].get<std::string>(), plain(nearest, 2000)));
+    section.line(fmt::format("\n{} {}: {}.", plain(kernel.id), name(kernel.precision), plain(nearest, 2000)));
   }
   return any ? section.text() : "";
 }

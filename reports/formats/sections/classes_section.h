@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
 
 namespace axiscert {
 
 // Empty where no kernel of the record has a wrong verdict in a class of input.
-std::string classes_section(const Json& record);
+std::string classes_section(const Record& record);
 
 }  // namespace axiscert

@@ -9,18 +9,23 @@ namespace axiscert {
 namespace {
 
 // Adds a row for each direction in which a verdict of `family` is wrong.
-void add_depth_rows(Section& section, const Json& kernel, const std::string& name, const Json& family) {
-  for (const auto& [kind, what] : {std::pair("false_separation", "missed"), {"false_contact", "phantom"}}) {
-    if (family["verdict"][kind] == 0) continue;
-    std::vector<std::string> cells = {plain(kernel["id"]), kernel["precision"], plain(name), what};
-    for (const std::uint64_t count : depth_counts(family["verdict"]["depths"][kind])) cells.push_back(thousands(count));
+void add_depth_rows(Section& section, const KernelRecord& kernel, const std::string& family_name,
+                    const FamilyRecord& family) {
+  const VerdictTally& verdict = family.verdict;
+  const auto add = [&](const char* what, std::uint64_t wrong, const DecadeCounts& depths) {
+    if (wrong == 0) return;
+    std::vector<std::string> cells = {plain(kernel.id), std::string(name(kernel.precision)), plain(family_name), what};
+    for (const std::uint64_t count : depth_counts(depths)) cells.push_back(thousands(count));
     section.row(cells);
-  }
+  };
+  if (!verdict.depths) return;
+  add("missed", verdict.false_separation, verdict.depths->false_separation);
+  add("phantom", verdict.false_contact, verdict.depths->false_contact);
 }
 
 }  // namespace
 
-std::string depths_section(const Json& record) {
+std::string depths_section(const Record& record) {
   Section section("Depth of wrong verdicts");
   section.line(
       "Wrong verdicts by depth, each column from its depth to that of the next one; zero is a sphere that touches. An "
@@ -32,17 +37,15 @@ std::string depths_section(const Json& record) {
   section.head(columns, 4);
   bool any = false;
   std::string sentences;
-  for (const Json& kernel : record["kernels"]) {
-    const Json total = all_families(kernel);
-    if (!has_depths(total)) continue;
-    const Json& verdict = total["verdict"];
-    if (verdict["false_separation"] == 0 && verdict["false_contact"] == 0) continue;
+  for (const KernelRecord& kernel : record.kernels) {
+    const std::optional<FamilyRecord> total = all_families(kernel);
+    if (!total || !total->verdict.depths) continue;
+    if (total->verdict.false_separation == 0 && total->verdict.false_contact == 0) continue;
     any = true;
-    add_depth_rows(section, kernel, "all", total);
-    for (const auto& [family, result] : kernel["families"].items()) add_depth_rows(section, kernel, family, result);
-    for (const std::string& told : {engine_text(total), bias_text(total)}) {
-      if (!told.empty())
-        sentences += fmt::format("\n{} {}: {}.\n", plain(kernel["id"]), kernel["precision"].get<std::string>(), told);
+    add_depth_rows(section, kernel, "all", *total);
+    for (const auto& [family, result] : kernel.families) add_depth_rows(section, kernel, family, result);
+    for (const std::string& told : {engine_text(*total), bias_text(*total)}) {
+      if (!told.empty()) sentences += fmt::format("\n{} {}: {}.\n", plain(kernel.id), name(kernel.precision), told);
     }
   }
   section.add(sentences);

@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
 
 namespace axiscert {
 
-// Empty where nothing is wrong, and where the record has no depths by decade.
-std::string depths_section(const Json& record);
+// Empty where nothing is wrong, and for a test without depths.
+std::string depths_section(const Record& record);
 
 }  // namespace axiscert

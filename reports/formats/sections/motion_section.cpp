@@ -6,24 +6,24 @@
 
 namespace axiscert {
 
-std::string motion_section(const Json& record) {
+std::string motion_section(const Record& record) {
   Section section("First contacts");
   section.line(std::string(motion_note) + "\n");
   std::vector<std::string> columns = {"kernel", "precision", "family"};
   columns.insert(columns.end(), motion_columns().begin(), motion_columns().end());
   section.head(columns, 3);
   bool any = false;
-  for (const Json& kernel : record["kernels"]) {
-    const auto add = [&](const std::string& name, const Json& family) {
+  for (const KernelRecord& kernel : record.kernels) {
+    const auto add = [&](const std::string& shown_name, const FamilyRecord& family) {
       const std::vector<std::string> cells = motion_cells(family);
       if (cells.empty()) return;
       any = true;
-      std::vector<std::string> row = {plain(kernel["id"]), kernel["precision"], plain(name)};
+      std::vector<std::string> row = {plain(kernel.id), std::string(name(kernel.precision)), plain(shown_name)};
       row.insert(row.end(), cells.begin(), cells.end());
       section.row(row);
     };
-    add("all", all_families(kernel));
-    for (const auto& [family, result] : kernel["families"].items()) add(family, result);
+    if (const auto total = all_families(kernel)) add("all", *total);
+    for (const auto& [family, result] : kernel.families) add(family, result);
   }
   return any ? section.text() : "";
 }

@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
 
 namespace axiscert {
 
 // Empty for a test without measures, and where there is nothing to say.
-std::string motion_section(const Json& record);
+std::string motion_section(const Record& record);
 
 }  // namespace axiscert

@@ -27,8 +27,8 @@ std::string meaning_of(const LevelOutcome& outcome) {
 
 }  // namespace
 
-std::string requirements_section(const Json& record, const std::vector<LevelOutcome>& outcomes) {
-  const Requirements required = requirements_of(record["plan"]);
+std::string requirements_section(const Record& record, const std::vector<LevelOutcome>& outcomes) {
+  const Requirements required = requirements_of(record.plan);
   if (required.levels.empty()) return "";
   Section section("Requirements");
   for (const AskedLevel& asked : required.levels)

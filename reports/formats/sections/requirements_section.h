@@ -9,6 +9,6 @@
 namespace axiscert {
 
 // Empty where nothing is required.
-std::string requirements_section(const Json& record, const std::vector<LevelOutcome>& outcomes);
+std::string requirements_section(const Record& record, const std::vector<LevelOutcome>& outcomes);
 
 }  // namespace axiscert

@@ -5,47 +5,63 @@
 namespace axiscert {
 namespace {
 
-std::vector<std::string> sign_columns(const std::string& level) {
-  std::vector<std::string> columns = {"kernel",           "precision",          level == "axes" ? "axis" : "comparison",
-                                      "false_separation", "missed_separation",  "decisive",
-                                      "masked",           "tolerance failures", "max_error_u"};
-  if (level == "axes") columns.push_back("sole_separator");
-  else columns.insert(columns.end(), {"ties", "range_events", "error_without_scale"});
-  return columns;
+using Cells = std::vector<std::string>;
+
+std::string measured(std::optional<std::uint64_t> count) { return count ? thousands(*count) : "not measured"; }
+
+// The figures that only one of the two levels has.
+Cells own_cells(const AxisTally& tally) { return {measured(tally.sole_separator)}; }
+Cells own_cells(const ComparisonTally& tally) {
+  return {measured(tally.ties), measured(tally.range_events), measured(tally.error_without_scale)};
+}
+
+template <class Tally>
+std::string signs_section(const std::string& title, const std::string& level, const Cells& own_columns,
+                          const Record& record, const std::vector<std::optional<FamilyRecord>>& totals,
+                          std::optional<Named<Tally>> FamilyCounts::*signs) {
+  Section section(title);
+  Cells columns = {"kernel", "precision",          level,        "false_separation", "missed_separation", "decisive",
+                   "masked", "tolerance failures", "max_error_u"};
+  columns.insert(columns.end(), own_columns.begin(), own_columns.end());
+  section.head(columns, 3);
+  std::vector<Cells> with_flips, without;
+  for (std::size_t k = 0; k < totals.size(); ++k) {
+    if (!totals[k]) continue;
+    const KernelRecord& kernel = record.kernels[k];
+    const Cells of = {plain(kernel.id), std::string(name(kernel.precision))};
+    if (!((*totals[k]).*signs)) {
+      Cells& cells = without.emplace_back(of);
+      cells.emplace_back("not exposed");
+      cells.resize(columns.size());
+      continue;
+    }
+    for (const auto& [sign, tally] : *((*totals[k]).*signs)) {
+      const bool has_flips = tally.false_separation != 0 || tally.missed_separation != 0;
+      Cells& cells = (has_flips ? with_flips : without).emplace_back(of);
+      cells.push_back(sign);
+      for (const std::optional<std::uint64_t> count :
+           {std::optional(tally.false_separation), std::optional(tally.missed_separation),
+            std::optional(tally.decisive), std::optional(tally.masked), tally.tolerance_failures})
+        cells.push_back(count_text(count));
+      cells.push_back(error_amount(tally.max_error));
+      for (const std::string& cell : own_cells(tally)) cells.push_back(cell);
+    }
+  }
+  for (const auto* rows : {&with_flips, &without}) {
+    for (const Cells& cells : *rows) section.row(cells);
+  }
+  section.line("\nmax_error_u is also the smallest tolerance that passes.");
+  return section.text();
 }
 
 }  // namespace
 
-std::string signs_section(const Json& record, const std::vector<Json>& totals, const std::string& level) {
-  Section section(level == "axes" ? "Axes, over all families" : "Comparisons, over all families");
-  const std::vector<std::string> columns = sign_columns(level);
-  section.head(columns, 3);
-  std::vector<std::vector<std::string>> with_flips, without;
-  for (std::size_t k = 0; k < totals.size(); ++k) {
-    const Json& kernel = record["kernels"][k];
-    if (totals[k].empty()) continue;
-    if (totals[k][level].is_null()) {
-      std::vector<std::string> cells = {plain(kernel["id"]), kernel["precision"], "not exposed"};
-      cells.resize(columns.size());
-      without.push_back(cells);
-      continue;
-    }
-    for (const auto& [name, tally] : totals[k][level].items()) {
-      std::vector<std::string> cells = {plain(kernel["id"]), kernel["precision"], name};
-      for (const char* member : {"false_separation", "missed_separation", "decisive", "masked", "tolerance_failures"})
-        cells.push_back(count_text(tally[member]));
-      cells.push_back(error_amount(tally["max_error_u"]));
-      for (std::size_t i = cells.size(); i < columns.size(); ++i)
-        cells.push_back(tally[columns[i]].is_null() ? "not measured" : count_text(tally[columns[i]]));
-      const bool has_flips = tally["false_separation"] != 0 || tally["missed_separation"] != 0;
-      (has_flips ? with_flips : without).push_back(cells);
-    }
-  }
-  for (const auto* rows : {&with_flips, &without}) {
-    for (const auto& cells : *rows) section.row(cells);
-  }
-  section.line("\nmax_error_u is also the smallest tolerance that passes.");
-  return section.text();
+std::string axes_section(const Record& record, const std::vector<std::optional<FamilyRecord>>& totals) {
+  return signs_section("Axes, over all families", "axis", {"sole_separator"}, record, totals, &FamilyCounts::axes);
+}
+std::string comparisons_section(const Record& record, const std::vector<std::optional<FamilyRecord>>& totals) {
+  return signs_section("Comparisons, over all families", "comparison", {"ties", "range_events", "error_without_scale"},
+                       record, totals, &FamilyCounts::comparisons);
 }
 
 }  // namespace axiscert

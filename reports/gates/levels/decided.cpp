@@ -14,7 +14,7 @@ namespace {
 LevelFindings judge_decided(const AskedLevel& asked, const Subject& subject) {
   const double share = decided_argument(asked);
   LevelFindings found;
-  for (const auto& [family, result] : subject.families().items()) {
+  for (const auto& [family, result] : subject.families()) {
     const Evidence evidence = subject.evidence(result);
     found.families[family] = {evidence.population, evidence.promised()};  // a declined query is an answer to this level
     const auto check = [&](std::uint64_t declined, std::uint64_t of, const char* what) {
@@ -22,7 +22,7 @@ LevelFindings judge_decided(const AskedLevel& asked, const Subject& subject) {
       subject.add(
           found.failures, family, declined,
           fmt::format("{} declined, of {} promised, and {} of these have to be decided", what, thousands(of), share),
-          [](const Json&) { return false; });
+          [](const FlipRecord&) { return false; });
     };
     check(evidence.declined_contacts, evidence.contacts, "contacts");
     check(evidence.declined_separations, evidence.separations, "separations");

@@ -16,22 +16,22 @@ struct Allowed {
 };
 constexpr double no_wrong = -1, any_depth = std::numeric_limits<double>::infinity();
 
-bool is_missed(const Json& flip) { return flip["kind"] == "false_separation"; }
-bool is_phantom(const Json& flip) { return flip["kind"] == "false_contact"; }
-
 LevelFindings judge_depths(const Subject& subject, const Allowed& allowed) {
   LevelFindings found;
-  for (const auto& [family, result] : subject.families().items()) {
-    const Json& verdict = result["verdict"];
-    const auto check = [&](const std::string& kind, const std::string& what, double most, const Subject::Shows& shows) {
-      const double deepest = verdict["deepest_" + kind].get<double>();
+  for (const auto& [family, result] : subject.families()) {
+    const VerdictTally& verdict = result.verdict;
+    const auto check = [&, family = family](FlipKind kind, std::uint64_t count, double deepest, const std::string& what,
+                                            double most) {
       if (deepest <= most) return;
       const std::string how_deep =
           most == no_wrong ? "" : fmt::format(", the deepest by {:.4g} of the scene: {} is allowed", deepest, most);
-      subject.add(found.failures, family, verdict[kind].get<std::uint64_t>(), what + how_deep, shows);
+      subject.add(found.failures, family, count, what + how_deep,
+                  [kind](const FlipRecord& flip) { return flip.kind == kind; });
     };
-    check("false_separation", "missed contacts", allowed.missed, is_missed);
-    check("false_contact", "phantom contacts", allowed.phantom, is_phantom);
+    check(FlipKind::false_separation, verdict.false_separation, verdict.deepest_false_separation.best(),
+          "missed contacts", allowed.missed);
+    check(FlipKind::false_contact, verdict.false_contact, verdict.deepest_false_contact.best(), "phantom contacts",
+          allowed.phantom);
     found.families[family] = subject.whole_look(result);
   }
   found.covers =
@@ -42,7 +42,7 @@ LevelFindings judge_depths(const Subject& subject, const Allowed& allowed) {
 
 LevelFindings judge_to_depth(const Subject& subject, const Allowed& allowed) {
   LevelFindings found = judge_depths(subject, allowed);
-  const TestDescription& test = test_of(subject.record()["plan"]);
+  const TestDescription& test = test_of(subject.record().plan);
   if (!oracles_of(test).has_depth())
     found.not_checked = fmt::format("the test {} states no depth of a wrong verdict", test.id);
   return found;

@@ -27,13 +27,13 @@ constexpr EnumArray<ImageKind, std::string_view> kind_words = {  // "the same qu
 // few queries.
 std::string families_with(ImageKind kind, const Subject& subject) {
   std::vector<std::string> options, asked;
-  for (const Family* family : families_of(test_of(subject.record()["plan"]))) {
+  for (const Family* family : families_of(test_of(subject.record().plan))) {
     const ImageGroup* group = image_group(family->name);
     if (group == nullptr || (kind == ImageKind::scale && group->range == nullptr)) continue;
     bool makes = false;
     for (std::size_t i = 1; i < group->size; ++i) makes |= group->kind(i) == kind;
     if (!makes) continue;
-    if (subject.families().contains(std::string(family->name))) asked.emplace_back(family->name);
+    if (subject.families().contains(family->name)) asked.emplace_back(family->name);
     else options.push_back(fmt::format("--family {}", family->name));
   }
   if (options.empty() && !asked.empty())
@@ -49,7 +49,7 @@ ImageKind kind_of(const AskedLevel& asked) {
                           fmt::join(image_kind_names, ", "), asked.name));
 }
 
-std::string size_text(ImageKind kind, const Json& by_size) {
+std::string size_text(ImageKind kind, const CountsBySize& by_size) {
   if (kind == ImageKind::scale) return " " + powers_text(by_size);
   if (kind == ImageKind::translation) return fmt::format(" by 2^{} or more", least_size(by_size));
   return "";
@@ -57,30 +57,27 @@ std::string size_text(ImageKind kind, const Json& by_size) {
 
 LevelFindings judge_invariant(const AskedLevel& asked, const Subject& subject) {
   const ImageKind kind = kind_of(asked);
-  const std::string name(image_kind_names[kind]);
   LevelFindings found;
   std::uint64_t images = 0;
   std::vector<std::string> families;
-  for (const auto& [family, result] : subject.families().items()) {
-    const Json* changes = changes_of(result, name);
+  for (const auto& [family, result] : subject.families()) {
     // Where the range is not known, a power of two may change what overflows.
-    if (changes == nullptr || (kind == ImageKind::scale && (*changes)["range"].is_null())) {
+    const ImageChangesRecord* changes = kind == ImageKind::scale ? units_of(result) : changes_of(result, kind);
+    if (changes == nullptr) {
       found.unseen.push_back(family);
       continue;
     }
-    const auto compared = (*changes)["images"].get<std::uint64_t>(),
-               declined = (*changes)["undecided"].get<std::uint64_t>();
-    images += compared;
+    images += changes->images;
     families.push_back(family);
-    found.families[family] = subject.pairs_look(result, compared, declined);
+    found.families[family] = subject.pairs_look(result, changes->images, changes->undecided);
     if (kind == ImageKind::scale) {
       const UnitChange change = unit_change(*changes);
       subject.add_pair(found.failures, family, change.count, change.what, change.first);
     } else {
-      subject.add_pair(found.failures, family, (*changes)["changed"].get<std::uint64_t>(),
-                       fmt::format("another verdict on the same query {}{}", kind_words[kind],
-                                   size_text(kind, (*changes)["by_size"])),
-                       (*changes)["first"]);
+      subject.add_pair(
+          found.failures, family, changes->changed,
+          fmt::format("another verdict on the same query {}{}", kind_words[kind], size_text(kind, changes->by_size)),
+          changes->first);
     }
   }
   if (images == 0) {

@@ -20,19 +20,19 @@ using Basis = Subject::Basis;
 // Whether a wrong verdict, touching spheres apart, is wrong logic. For a kernel without a reference this is not so in
 // families of images, in which its own precision may leave its range: it is held to the clear ones that it has right in
 // one unit of length.
-bool is_of_exact_arithmetic(const Subject& subject, const Json& result) {
+bool is_of_exact_arithmetic(const Subject& subject, const FamilyRecord& result) {
   const bool is_judged_by_images = subject.basis() != Basis::reference && units_of(result) != nullptr;
-  return result["exact_arithmetic"].get<bool>() && !is_judged_by_images;
+  return result.exact_arithmetic && !is_judged_by_images;
 }
 
 // The look at a family of exact arithmetic is at the queries that do not touch.
-FamilyLook look_at_exact(const Subject& subject, const Json& result) {
+FamilyLook look_at_exact(const Subject& subject, const FamilyRecord& result) {
   const Evidence evidence = subject.evidence(result);
-  const Json &verdict = result["verdict"], &outside = verdict["outside_limits"];
-  const auto touching = result["truth"]["touching"].get<std::uint64_t>();
+  const VerdictTally& verdict = result.verdict;
+  const std::uint64_t touching = result.truth.touching;
   // Touching queries that are promised and decided; of a kernel that promises nothing of touch there are none.
-  std::uint64_t touched = evidence.touching != 0 ? 0 : touching - verdict["undecided_touching"].get<std::uint64_t>();
-  if (!outside.is_null()) touched -= std::min(touched, outside["touching"].get<std::uint64_t>());
+  std::uint64_t touched = evidence.touching != 0 ? 0 : touching - verdict.undecided_touching;
+  if (verdict.outside_limits) touched -= std::min(touched, verdict.outside_limits->touching);
   const std::uint64_t decided = evidence.decided();
   return {evidence.population - touching, decided - std::min(decided, touched)};
 }
@@ -44,7 +44,7 @@ struct ExactFamilies {
 };
 ExactFamilies exact_families_of(const Subject& subject) {
   ExactFamilies exact;
-  for (const auto& [family, result] : subject.families().items()) {
+  for (const auto& [family, result] : subject.families()) {
     if (!is_of_exact_arithmetic(subject, result)) continue;
     const std::uint64_t queries = look_at_exact(subject, result).looked_at;
     if (queries == 0) continue;
@@ -61,11 +61,11 @@ struct Units {
 };
 Units units_that_ran(const Subject& subject) {
   Units units;
-  for (const auto& [family, result] : subject.families().items()) {
-    const Json* scale = units_of(result);
-    if (scale == nullptr || (*scale)["images"] == 0) continue;
+  for (const auto& [family, result] : subject.families()) {
+    const ImageChangesRecord* scale = units_of(result);
+    if (scale == nullptr || scale->images == 0) continue;
     units.names.push_back(family);
-    units.images += (*scale)["images"].get<std::uint64_t>();
+    units.images += scale->images;
   }
   return units;
 }
@@ -73,21 +73,19 @@ Units units_that_ran(const Subject& subject) {
 // The families that a run without one could have had.
 std::string families_to_add(const Subject& subject) {
   std::vector<std::string> options;
-  for (const Family* family : families_of(test_of(subject.record()["plan"]))) {
+  for (const Family* family : families_of(test_of(subject.record().plan))) {
     if (family->exact_arithmetic && image_group(family->name) == nullptr)
       options.push_back(fmt::format("--family {}", family->name));
   }
   return options.empty() ? "this test has none" : "add " + fmt::format("{}", fmt::join(options, " "));
 }
 
-void find_logic_failures(const Subject& subject, const std::string& family, const Json& result,
+void find_logic_failures(const Subject& subject, const std::string& family, const FamilyRecord& result,
                          std::vector<Failure>& failures) {
-  const Json& verdict = result["verdict"];
+  const VerdictTally& verdict = result.verdict;
   const bool exact_arithmetic = is_of_exact_arithmetic(subject, result);
-  const auto number = [&](const char* member) { return verdict[member].get<std::uint64_t>(); };
-  const auto of_link = [&](Link link) { return verdict["links"][std::string(link_names[link])].get<std::uint64_t>(); };
   // No rounding of a right kernel differs between two units of length. One with a reference has its range told apart.
-  if (const Json* units = units_of(result); units != nullptr && subject.basis() != Basis::reference) {
+  if (const ImageChangesRecord* units = units_of(result); units != nullptr && subject.basis() != Basis::reference) {
     const UnitChange change = unit_change(*units);
     subject.add_pair(failures, family, change.count, change.what, change.first);
   }
@@ -95,20 +93,19 @@ void find_logic_failures(const Subject& subject, const std::string& family, cons
     // Without formulae to compare with, a wrong verdict in exact arithmetic is wrong logic. A method of the kernel's
     // own may still round there, and for a touching sphere any rounding shows.
     if (!exact_arithmetic) return;
-    const std::uint64_t wrong = number("false_separation") + number("false_contact");
+    const std::uint64_t wrong = verdict.false_separation + verdict.false_contact;
     subject.add(
-        failures, family, wrong - number("touching_flips"),
-        "wrong verdicts in exact arithmetic, touching ones not counted", [](const Json&) { return true; }, false);
+        failures, family, wrong - verdict.touching_flips,
+        "wrong verdicts in exact arithmetic, touching ones not counted", [](const FlipRecord&) { return true; }, false);
     return;
   }
   for (const Link link : {Link::specification, Link::implementation})
-    subject.add_link(failures, family, link, of_link(link));
+    subject.add_link(failures, family, link, verdict.links[link]);
   // Formulae evaluated in an order of operations of the kernel's own: where they round, an unattributed difference
   // may be rounding and is not a fault of logic. In exact arithmetic it is one.
   if (subject.basis() == Basis::formulae && exact_arithmetic) {
-    const std::string name(link_names[Link::unattributed]);
-    const auto touching = verdict["touching_links"][name].get<std::uint64_t>();
-    subject.add_link(failures, family, Link::unattributed, of_link(Link::unattributed) - touching);
+    const Link link = Link::unattributed;
+    subject.add_link(failures, family, link, verdict.links[link] - verdict.touching_links[link]);
   }
 }
 
@@ -126,11 +123,10 @@ LevelFindings judge_logic(const AskedLevel&, const Subject& subject) { return lo
 
 LevelFindings logic_findings(const Subject& subject) {
   LevelFindings found;
-  for (const auto& [family, result] : subject.families().items())
-    find_logic_failures(subject, family, result, found.failures);
+  for (const auto& [family, result] : subject.families()) find_logic_failures(subject, family, result, found.failures);
   const std::string queries = thousands(subject.decided());
   if (subject.basis() == Basis::reference) {
-    for (const auto& [family, result] : subject.families().items()) found.families[family] = subject.whole_look(result);
+    for (const auto& [family, result] : subject.families()) found.families[family] = subject.whole_look(result);
     found.covers = fmt::format(
         "every wrong verdict on {} queries of {}, each compared with the kernel's own formulae, exact and as its "
         "reference computes them",
@@ -140,14 +136,12 @@ LevelFindings logic_findings(const Subject& subject) {
   }
   const ExactFamilies exact = exact_families_of(subject);
   const bool has_formulae = subject.basis() == Basis::formulae;
-  for (const auto& [family, result] : subject.families().items()) {
-    const Json* units = units_of(result);
+  for (const auto& [family, result] : subject.families()) {
+    const ImageChangesRecord* units = units_of(result);
     if (is_of_exact_arithmetic(subject, result)) {
       found.families[family] = look_at_exact(subject, result);
     } else if (units != nullptr) {
-      const auto compared = (*units)["images"].get<std::uint64_t>(),
-                 declined = (*units)["undecided"].get<std::uint64_t>();
-      found.families[family] = subject.pairs_look(result, compared, declined);
+      found.families[family] = subject.pairs_look(result, units->images, units->undecided);
     } else {
       found.unseen.push_back(family);
     }

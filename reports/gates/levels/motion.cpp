@@ -32,42 +32,38 @@ double tunnel_argument(const AskedLevel& asked) {
 
 // Why times cannot be judged: the test has none, or the kernel gives none, or there was no hit.
 std::string times_unseen(const Subject& subject) {
-  const TestDescription& test = test_of(subject.record()["plan"]);
+  const TestDescription& test = test_of(subject.record().plan);
   if (test.measures.empty()) return fmt::format("the test {} has no time of contact", test.id);
-  const auto measures = subject.kernel().find("measures");
-  if (measures == subject.kernel().end() || measures->empty()) return "the kernel gives no time of contact";
-  for (const Json& family : subject.families()) {
-    if (family["motion"]["hits"].get<std::uint64_t>() != 0) return "";
+  const auto& measures = subject.kernel().measures;
+  if (!measures || measures->empty()) return "the kernel gives no time of contact";
+  for (const auto& [family, result] : subject.families()) {
+    if (result.motion->hits != 0) return "";
   }
   return "no query has a contact that it found";
 }
 
-std::uint64_t count_at(const Json& object, const char* member) { return object[member].get<std::uint64_t>(); }
-
 // Hits of which nothing is known, since they have no time in [0, 1], and families without any hit.
 void add_untimed(const Subject& subject, LevelFindings& found) {
-  for (const auto& [family, result] : subject.families().items()) {
-    const Json& time = result["motion"]["time"];
-    if (result["motion"]["hits"] == 0) found.unseen.push_back(family);
-    subject.add_shown(found.failures, family, count_at(time, "none"), "contacts without a time",
-                      "a contact without a time");
-    subject.add_shown(found.failures, family, count_at(time, "invalid"), "contacts with a time outside [0, 1]",
+  for (const auto& [family, result] : subject.families()) {
+    const TimeTally& time = *result.motion->time;
+    if (result.motion->hits == 0) found.unseen.push_back(family);
+    subject.add_shown(found.failures, family, time.none, "contacts without a time", "a contact without a time");
+    subject.add_shown(found.failures, family, time.invalid, "contacts with a time outside [0, 1]",
                       "a time outside [0, 1]");
   }
 }
 
 // Contacts that were found; with `missed` those that were not are looked at too.
 void look_at_contacts(const Subject& subject, bool missed, LevelFindings& found) {
-  for (const auto& [family, result] : subject.families().items()) {
-    std::uint64_t looked_at = count_at(result["motion"], "hits");
-    if (missed) looked_at += count_at(result["verdict"], "false_separation");
-    found.families[family] = {count_at(result["truth"], "contact"), looked_at};
+  for (const auto& [family, result] : subject.families()) {
+    const std::uint64_t looked_at = result.motion->hits + (missed ? result.verdict.false_separation : 0);
+    found.families[family] = {result.truth.contact, looked_at};
   }
 }
 
 std::string hits_covered(const Subject& subject) {
   std::uint64_t hits = 0;
-  for (const Json& family : subject.families()) hits += count_at(family["motion"], "hits");
+  for (const auto& [family, result] : subject.families()) hits += result.motion->hits;
   return fmt::format("{} contacts of {}, the time of each compared with the exact one", thousands(hits),
                      subject.list_of_families());
 }
@@ -78,12 +74,12 @@ LevelFindings judge_never_late(const AskedLevel&, const Subject& subject) {
   if (!found.not_checked.empty()) return found;
   add_untimed(subject, found);
   look_at_contacts(subject, false, found);
-  for (const auto& [family, result] : subject.families().items()) {
-    const Json &time = result["motion"]["time"], &largest = time["late_errors"]["largest_in_u"];
-    subject.add_shown(
-        found.failures, family, count_at(time, "late"),
-        fmt::format("times after the first contact, the latest by {} u of the displacement", error_amount(largest)),
-        "latest time");
+  for (const auto& [family, result] : subject.families()) {
+    const TimeTally& time = *result.motion->time;
+    subject.add_shown(found.failures, family, time.late,
+                      fmt::format("times after the first contact, the latest by {} u of the displacement",
+                                  error_amount(time.late_errors.largest_in_u.best())),
+                      "latest time");
   }
   found.covers = hits_covered(subject);
   found.leaves_out = "missed contacts, which no-tunnel and conservative ask about";
@@ -97,13 +93,14 @@ LevelFindings judge_no_tunnel(const AskedLevel& asked, const Subject& subject) {
   if (!found.not_checked.empty()) return found;
   add_untimed(subject, found);
   look_at_contacts(subject, true, found);
-  for (const auto& [family, result] : subject.families().items()) {
-    const auto check = [&](const Json& tunnels, const char* many, const char* one, const char* shown) {
-      const double deepest = tunnels["deepest_tunnel"].get<double>();
+  for (const auto& [family, result] : subject.families()) {
+    const auto check = [&, family = family](const TunnelTally& tunnels, const char* many, const char* one,
+                                            const char* shown) {
+      const double deepest = tunnels.deepest.best().value();
       if (deepest < most) return;
       // The record counts those that go through; of the others it has the deepest.
       if (most == whole_radius) {
-        subject.add_shown(found.failures, family, count_at(tunnels, "through"),
+        subject.add_shown(found.failures, family, tunnels.through,
                           fmt::format("{} with which the centre comes to the triangle", many), shown);
         return;
       }
@@ -111,10 +108,8 @@ LevelFindings judge_no_tunnel(const AskedLevel& asked, const Subject& subject) {
           found.failures, family, 1,
           fmt::format("{} goes in by {:.6g} of the radius, and less than {} is allowed", one, deepest, most), shown);
     };
-    check(result["motion"]["missed"], "missed contacts", "the deepest missed contact",
-          "deepest tunnel of a missed contact");
-    check(result["motion"]["time"]["late_tunnels"], "late times", "the deepest late time",
-          "deepest tunnel of a late time");
+    check(result.motion->missed, "missed contacts", "the deepest missed contact", "deepest tunnel of a missed contact");
+    check(result.motion->time->late_tunnels, "late times", "the deepest late time", "deepest tunnel of a late time");
   }
   found.covers = hits_covered(subject) + ", and every missed contact";
   found.leaves_out = "queries that these families do not make";

@@ -44,12 +44,13 @@ double rate_of(const Cell& cell) {
 
 LevelFindings judge_no_worse_than(const AskedLevel& asked, const Subject& subject) {
   LevelFindings found;
-  const std::string &other = asked.argument, kernel = subject.kernel()["id"], precision = subject.kernel()["precision"];
+  const KernelRecord& own = subject.kernel();
+  const std::string &other = asked.argument, precision(name(own.precision));
   const std::vector<Cell> cells = cells_of(subject.record());
   std::vector<Pair> pairs;
   std::vector<double> p;
   for (const Cell& cell : cells) {
-    const bool is_mine = cell.kernel == kernel && cell.precision == precision && cell.place == "verdict";
+    const bool is_mine = cell.kernel == own.id && cell.precision == precision && cell.place == "verdict";
     if (!is_mine || (cell.member != "false_separation" && cell.member != "false_contact")) continue;
     const Cell* theirs = counterpart(cells, cell, other);
     if (theirs == nullptr) {
@@ -60,11 +61,11 @@ LevelFindings judge_no_worse_than(const AskedLevel& asked, const Subject& subjec
     pairs.push_back({cell, *theirs, fisher_two_sided(x, y)});
     p.push_back(pairs.back().p);
   }
-  for (const Json& entry : subject.record()["kernels"]) {
-    if (entry["id"] != other || entry["precision"] != precision) continue;
-    for (const auto& [family, result] : subject.families().items()) {
+  for (const KernelRecord& entry : subject.record().kernels) {
+    if (entry.id != other || entry.precision != own.precision) continue;
+    for (const auto& [family, result] : subject.families()) {
       const std::uint64_t mine = subject.evidence(result).promised(),
-                          theirs = evidence_of(entry, entry["families"][family]).promised();
+                          theirs = evidence_of(entry, entry.families.at(family)).promised();
       if (mine == theirs) continue;
       found.not_checked = fmt::format("on {} it promises {} queries, and {} {}: the counts are of other queries",
                                       family, thousands(mine), other, thousands(theirs));
@@ -75,14 +76,14 @@ LevelFindings judge_no_worse_than(const AskedLevel& asked, const Subject& subjec
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto& [mine, others, alone] = pairs[i];
     if (corrected[i] > family_wise_error || rate_of(mine) <= rate_of(others)) continue;
-    const std::string kind = mine.member;
+    const bool is_missed = mine.member == name(FlipKind::false_separation);
+    const FlipKind kind = is_missed ? FlipKind::false_separation : FlipKind::false_contact;
     subject.add(found.failures, mine.family, mine.of.failures,
                 fmt::format("{} contacts, {}, more than {} with {} (p = {:.2g} after Holm's correction)",
-                            kind == "false_separation" ? "missed" : "phantom", rate_text(mine), other,
-                            rate_text(others), corrected[i]),
-                [kind](const Json& flip) { return flip["kind"] == kind; });
+                            is_missed ? "missed" : "phantom", rate_text(mine), other, rate_text(others), corrected[i]),
+                [kind](const FlipRecord& flip) { return flip.kind == kind; });
   }
-  for (const auto& [family, result] : subject.families().items()) found.families[family] = subject.whole_look(result);
+  for (const auto& [family, result] : subject.families()) found.families[family] = subject.whole_look(result);
   found.covers = fmt::format(
       "missed and phantom contacts of {}, each count beside that of {} on the same queries, by Fisher's exact test "
       "with "

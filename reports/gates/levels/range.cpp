@@ -17,9 +17,8 @@ std::string range_sentence(const AskedLevel&) {
 LevelFindings judge_range(const AskedLevel&, const Subject& subject) {
   LevelFindings found = logic_findings(subject);
   if (subject.basis() == Subject::Basis::reference) {
-    for (const auto& [family, result] : subject.families().items()) {
-      const auto broken = result["verdict"]["links"][std::string(link_names[Link::range])].get<std::uint64_t>();
-      subject.add_link(found.failures, family, Link::range, broken);
+    for (const auto& [family, result] : subject.families()) {
+      subject.add_link(found.failures, family, Link::range, result.verdict.links[Link::range]);
     }
     found.leaves_out = "rounding, and queries that these families do not make";
     return found;
@@ -28,7 +27,7 @@ LevelFindings judge_range(const AskedLevel&, const Subject& subject) {
   const std::string wrong = thousands(subject.wrong_verdicts());
   if (subject.wrong_verdicts() == 0) {
     found.unseen.clear();
-    for (const auto& [family, result] : subject.families().items()) found.families[family] = subject.whole_look(result);
+    for (const auto& [family, result] : subject.families()) found.families[family] = subject.whole_look(result);
     found.covers = fmt::format("{} queries of {}: no verdict is wrong, so none is by range",
                                thousands(subject.decided()), subject.list_of_families());
     found.leaves_out = "queries that these families do not make";

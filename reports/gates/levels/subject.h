@@ -3,11 +3,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "exact/judge/judge.h"
-#include "fuzz/text/json.h"
+#include "fuzz/record/record.h"
 #include "reports/evidence/evidence.h"
 
 namespace axiscert {
@@ -31,12 +32,12 @@ struct FamilyLook {
 
 class Subject {
  public:
-  // `kernel` is an entry of the record's "kernels". Both have to outlive the subject.
-  Subject(const Json& record, const Json& kernel) : record_(record), kernel_(kernel) {}
+  // `kernel` is one of the record's. Both have to outlive the subject.
+  Subject(const Record& record, const KernelRecord& kernel) : record_(record), kernel_(kernel) {}
 
-  const Json& record() const { return record_; }
-  const Json& kernel() const { return kernel_; }
-  const Json& families() const { return kernel_["families"]; }  // by name
+  const Record& record() const { return record_; }
+  const KernelRecord& kernel() const { return kernel_; }
+  const Named<FamilyRecord>& families() const { return kernel_.families; }
 
   // The cause of a wrong verdict is told by these.
   enum class Basis {
@@ -46,14 +47,14 @@ class Subject {
   };
   Basis basis() const;
   // How much of a family there is to judge it by.
-  Evidence evidence(const Json& result) const { return evidence_of(kernel_, result); }
+  Evidence evidence(const FamilyRecord& result) const { return evidence_of(kernel_, result); }
   // The look of a level that judges every verdict of a family.
-  FamilyLook whole_look(const Json& result) const;
+  FamilyLook whole_look(const FamilyRecord& result) const;
   // The look of one that judges pairs of a query and its image. Pairs with a query outside the limits are in no count:
   // there may be as many as such queries.
-  FamilyLook pairs_look(const Json& result, std::uint64_t compared, std::uint64_t declined) const;
+  FamilyLook pairs_look(const FamilyRecord& result, std::uint64_t compared, std::uint64_t declined) const;
 
-  using Shows = std::function<bool(const Json& verdict_flip)>;
+  using Shows = std::function<bool(const FlipRecord& verdict_flip)>;
   // Adds a failure of this kernel, unless `count` is 0; its witness is the deepest of which a flip of the verdict
   // `shows` it.
   void add(std::vector<Failure>& failures, const std::string& family, std::uint64_t count, const std::string& what,
@@ -66,17 +67,21 @@ class Subject {
   void add_shown(std::vector<Failure>& failures, const std::string& family, std::uint64_t count,
                  const std::string& what, std::string_view reason) const;
 
-  // Adds a failure of this kernel that two queries show together, unless `count` is 0. `pair` has the addresses of
-  // "base" and "image", of which the witness is the second; null: none is known.
+  // Adds a failure of this kernel that two queries show together, unless `count` is 0; the witness is the image. Empty:
+  // none is known.
   void add_pair(std::vector<Failure>& failures, const std::string& family, std::uint64_t count, const std::string& what,
-                const Json& pair) const;
+                const std::optional<AddressPair>& pair) const;
 
   std::uint64_t wrong_verdicts() const;  // over all families
   std::uint64_t decided() const;         // over all families
   std::string list_of_families() const;  // "general, tangent", or "26 families"
 
  private:
-  const Json &record_, &kernel_;
+  Failure failure(const std::string& family, std::uint64_t count, const std::string& what) const;
+  bool is_of(const WitnessRecord& witness, const std::string& family) const;
+
+  const Record& record_;
+  const KernelRecord& kernel_;
 };
 
 }  // namespace axiscert

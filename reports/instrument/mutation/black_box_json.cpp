@@ -1,94 +1,51 @@
-// mutation-by-verdict.json: schemas/mutation-by-verdict.schema.json.
+// mutation-by-verdict.json.
 #include "fuzz/queries/address.h"
 #include "reports/instrument/mutation/black_box_reason.h"
 #include "reports/instrument/mutation/black_box_report.h"
-#include "kernel/base/version.h"
 
 namespace axiscert {
 namespace {
 
 using namespace black_box;
 
-class BlackBoxJson {
- public:
-  BlackBoxJson(const MutationPlan& plan, const BlackBoxScore& score) : plan_(plan), score_(score) {}
+std::optional<FailureData> failure_data(const std::optional<GateFailure>& failure) {
+  return failure ? std::optional(FailureData{failure->family, failure->what}) : std::nullopt;
+}
 
-  Json data(const std::string& require, const std::string& command) const {
-    Json all = Json::array(), families = Json::array(), scores = Json::object(), controls = Json::array();
-    for (const BlackBoxResult& r : score_.mutants) all.push_back(mutant_json(r));
-    for (const Family* family : plan_.families) families.push_back(family->name);
-    for (const Precision precision : plan_.precisions) {
-      BoxScore of_precision;
-      for (const BlackBoxResult& r : score_.mutants) {
-        if (r.precision == precision) of_precision.add(r);
-      }
-      scores[std::string(name(precision))] = of_precision.json();
-    }
-    for (const BlackBoxControl& c : score_.controls) {
-      controls.push_back({{"kernel", c.id}, {"precision", name(c.precision)}, {"refused", failure_json(c.refused)}});
-    }
-    return {{"schema", black_box_schema},
-            {"axiscert", axiscert_version},
-            {"revision", axiscert_revision},
-            {"command", command},
-            {"complete", score_.complete},
-            {"kernel", plan_.base},
-            {"require", require},
-            {"seed", plan_.seed},
-            {"trials", plan_.trials},
-            {"families", families},
-            {"score", scores},
-            {"mutants", all},
-            {"controls", controls}};
+std::optional<SurvivalData> survival_data(const MutationPlan& plan, const BlackBoxResult& r) {
+  if (!r.survival || r.refused) return std::nullopt;
+  SurvivalData survival{*r.survival, {}};
+  if (const auto& deepest = r.survival->deepest) {
+    const SourcePtr source = family_source(*deepest->family);
+    survival.deepest = {deepest->family->name, text(address_of(*source, plan.seed, r.precision, deepest->position)),
+                        deepest->depth};
   }
-
- private:
-  static Json failure_json(const std::optional<GateFailure>& failure) {
-    if (!failure) return nullptr;
-    return {{"family", failure->family}, {"what", failure->what}};
-  }
-
-  Json survival_json(const BlackBoxResult& r) const {
-    if (!r.survival || r.refused) return nullptr;
-    const Survival& s = *r.survival;
-    Json deepest = nullptr;
-    if (s.deepest_family != nullptr) {
-      const SourcePtr source = family_source(*s.deepest_family);
-      deepest = {{"family", s.deepest_family->name},
-                 {"address", text(address_of(*source, plan_.seed, r.precision, s.deepest_position))},
-                 {"depth", s.deepest}};
-    }
-    return {{"queries", s.queries},
-            {"other_verdicts", s.other_verdicts},
-            {"wrong", s.wrong},
-            {"wrong_in_exact_arithmetic", s.wrong_in_exact},
-            {"touching_in_exact_arithmetic", s.touching_in_exact},
-            {"deepest", deepest}};
-  }
-
-  Json mutant_json(const BlackBoxResult& r) const {
-    const mutants::Mutant& m = *r.mutant;
-    return {{"id", m.id},
-            {"precision", name(r.precision)},
-            {"fault", m.fault},
-            {"where", m.where},
-            {"what", m.what},
-            {"magnitude", has_magnitude(r) ? Json(m.magnitude) : Json(nullptr)},
-            {"trials", r.trials},
-            {"refused", failure_json(r.refused)},
-            {"reason", r.refused || (!r.survival && !is_equivalent(r)) ? Json(nullptr) : Json(reason_of(r).id)},
-            {"survival", survival_json(r)}};
-  }
-
-  const MutationPlan& plan_;
-  const BlackBoxScore& score_;
-};
+  return survival;
+}
 
 }  // namespace
 
 Json black_box_json(const MutationPlan& plan, const BlackBoxScore& score, const std::string& require,
                     const std::string& command) {
-  return BlackBoxJson(plan, score).data(require, command);
+  MutationByVerdictData data;
+  data.command = command;
+  data.run = run_data(plan, score.complete, require);
+  for (const Precision precision : plan.precisions) {
+    BoxScore of_precision;
+    for (const BlackBoxResult& r : score.mutants) {
+      if (r.precision == precision) of_precision.add(r);
+    }
+    data.score[precision] = of_precision;
+  }
+  for (const BlackBoxResult& r : score.mutants) {
+    const bool has_reason = !r.refused && (r.survival || is_equivalent(r));
+    data.mutants.push_back({mutant_data(*r.mutant, r.precision),
+                            has_magnitude(r) ? std::optional(r.mutant->magnitude) : std::nullopt, r.trials,
+                            failure_data(r.refused), has_reason ? std::optional<Name>(reason_of(r).id) : std::nullopt,
+                            survival_data(plan, r)});
+  }
+  for (const BlackBoxControl& c : score.controls) data.controls.push_back({c.id, c.precision, failure_data(c.refused)});
+  return json_of(data);
 }
 
 }  // namespace axiscert

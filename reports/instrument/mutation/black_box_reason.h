@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/mutation/black_box.h"
+#include "reports/instrument/mutation/mutation_data.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert::black_box {
@@ -37,19 +37,14 @@ inline const PassReason& reason_of(const BlackBoxResult& r) {
   return s.touching_in_exact != 0 ? touching : rounding;
 }
 
-struct BoxScore {
-  std::uint64_t mutants = 0, equivalent = 0, refused = 0;
+struct BoxScore : GateScoreData {
   void add(const BlackBoxResult& r) {
     ++mutants;
     equivalent += is_equivalent(r);
     refused += !is_equivalent(r) && r.refused;
   }
-  std::uint64_t survived() const { return mutants - equivalent - refused; }
   std::vector<std::string> cells() const {
     return {thousands(mutants), thousands(equivalent), thousands(refused), thousands(survived())};
-  }
-  Json json() const {
-    return {{"mutants", mutants}, {"equivalent", equivalent}, {"refused", refused}, {"survived", survived()}};
   }
 };
 

@@ -155,7 +155,7 @@ class BlackBoxReport {
       const std::string place = has_magnitude(r) ? r.mutant->id.substr(0, r.mutant->id.rfind(':')) : "";
       Row& row = rows[{fault, place, index_of(r.precision), reason_of(r).sentence}];
       row.all.push_back(&r);
-      if (row.deepest == nullptr || r.survival->deepest > row.deepest->survival->deepest) row.deepest = &r;
+      if (row.deepest == nullptr || r.survival->depth() > row.deepest->survival->depth()) row.deepest = &r;
     }
     InstrumentTable table{"Survived", {"mutants", "precision", "which", "reason", "wrong verdicts", "deepest"}, {}};
     for (const auto& [key, row] : rows) {
@@ -177,9 +177,9 @@ class BlackBoxReport {
           {thousands(row.all.size()), std::string(name(r.precision)),
            has_magnitude(r) ? fmt::format("{}, E = {}", place, fmt::join(which, ", ")) : list, reason_of(r).sentence,
            wrong == 0 ? "0" : fmt::format("{}{}", row.all.size() == 1 ? "" : "up to ", thousands(wrong)),
-           r.survival->deepest_family == nullptr
+           !r.survival->deepest
                ? "-"
-               : fmt::format("{} on {}", amount(r.survival->deepest, 3), r.survival->deepest_family->name)});
+               : fmt::format("{} on {}", amount(r.survival->depth(), 3), r.survival->deepest->family->name)});
     }
     return table;
   }

@@ -9,8 +9,6 @@
 
 namespace axiscert {
 
-inline constexpr const char* black_box_schema = "axiscert-mutation-by-verdict/1";
-
 // Answers that a gate that is right would not give: it refused a kernel that is right, or a mutant that nothing
 // distinguishes from one. Empty if there is none.
 std::vector<std::string> black_box_faults(const BlackBoxScore& score);

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "fuzz/queries/address.h"
+#include "reports/instrument/mutation/mutation_data.h"
 #include "reports/wording/markdown_text.h"
-#include "kernel/base/version.h"
 
 namespace axiscert {
 namespace {
@@ -58,15 +58,8 @@ struct Score {
             last == queries.end() ? "-" : thousands(*last),
             thousands(by_formulae)};
   }
-  Json json() const {
-    const auto middle = median();
-    return {{"mutants", mutants},
-            {"equivalent", equivalent},
-            {"caught", caught},
-            {"survived", mutants - equivalent - caught},
-            {"caught_within_10000", soon},
-            {"median_queries", middle ? Json(*middle) : Json(nullptr)},
-            {"caught_by_formulae_alone", by_formulae}};
+  CatchScoreData data() const {
+    return {mutants, equivalent, caught, mutants - equivalent - caught, soon, median(), by_formulae};
   }
 };
 
@@ -206,52 +199,27 @@ class MutationReport {
     return table;
   }
 
-  Json catch_json(const MutantResult& r, const std::optional<Catch>& found) const {
-    if (!found) return nullptr;
+  std::optional<CatchData> catch_data(const MutantResult& r, const std::optional<Catch>& found) const {
+    if (!found) return std::nullopt;
     const SourcePtr source = family_source(*found->family);
-    return {{"family", found->family->name},
-            {"queries", found->queries},
-            {"address", text(address_of(*source, plan_.seed, r.precision, found->position))},
-            {"kind", flip_kind_names[found->kind]},
-            {"depth", found->depth}};
+    return CatchData{found->family->name, found->queries,
+                     text(address_of(*source, plan_.seed, r.precision, found->position)), found->kind, found->depth};
   }
 
   Json data(const std::string& command) const {
-    Json all = Json::array(), families = Json::array(), scores = Json::object(), control = Json::array();
+    MutationData data;
+    data.command = command;
+    data.run = run_data(plan_, result_.complete, "logic");
+    for (const Precision precision : plan_.precisions) data.score[precision] = score(precision).data();
     for (const MutantResult& r : result_.mutants) {
       const std::string* equivalent = equivalence_of(r);
-      Json entry = {{"id", r.mutant->id},
-                    {"precision", name(r.precision)},
-                    {"fault", r.mutant->fault},
-                    {"where", r.mutant->where},
-                    {"what", r.mutant->what},
-                    {"caught", catch_json(r, r.by_bits)},
-                    {"caught_by_formulae_alone", catch_json(r, r.by_formulae)},
-                    {"equivalent", equivalent ? Json(*equivalent) : Json(nullptr)}};
-      all.push_back(std::move(entry));
+      data.mutants.push_back({mutant_data(*r.mutant, r.precision), catch_data(r, r.by_bits),
+                              catch_data(r, r.by_formulae),
+                              equivalent ? std::optional<Name>(*equivalent) : std::nullopt});
     }
-    for (const Family* family : plan_.families) families.push_back(family->name);
-    for (const Precision precision : plan_.precisions) scores[std::string(name(precision))] = score(precision).json();
-    for (const Control& c : controls_) {
-      control.push_back({{"kernel", c.id},
-                         {"precision", name(c.precision)},
-                         {"claims", c.claims_bits ? "bits" : "formulae"},
-                         {"queries", c.queries},
-                         {"flagged", c.flagged}});
-    }
-    return {{"schema", mutation_schema},
-            {"axiscert", axiscert_version},
-            {"revision", axiscert_revision},
-            {"command", command},
-            {"complete", result_.complete},
-            {"kernel", plan_.base},
-            {"require", "logic"},
-            {"seed", plan_.seed},
-            {"trials", plan_.trials},
-            {"families", families},
-            {"score", scores},
-            {"mutants", all},
-            {"controls", control}};
+    for (const Control& c : controls_)
+      data.controls.push_back({c.id, c.precision, c.claims_bits ? "bits" : "formulae", c.queries, c.flagged});
+    return json_of(data);
   }
 
   const MutationPlan& plan_;
@@ -260,6 +228,12 @@ class MutationReport {
 };
 
 }  // namespace
+
+MutationRunData run_data(const MutationPlan& plan, bool complete, const std::string& require) {
+  MutationRunData run{complete, plan.base, require, {plan.seed}, plan.trials, {}};
+  for (const Family* family : plan.families) run.families.push_back(family->name);
+  return run;
+}
 
 std::vector<std::string> mutation_faults(const MutationResult& result, const std::vector<Control>& controls) {
   std::vector<std::string> faults;

@@ -6,8 +6,6 @@
 
 namespace axiscert {
 
-inline constexpr const char* mutation_schema = "axiscert-mutation/1";
-
 // Faults of the harness, or of an argument for equivalence; empty if there are none.
 std::vector<std::string> mutation_faults(const MutationResult& result, const std::vector<Control>& controls);
 

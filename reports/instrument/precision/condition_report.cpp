@@ -7,9 +7,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "fuzz/fields/merge.h"
 #include "kernel/sphere_triangle/names.h"
-#include "reports/instrument/data.h"
 #include "reports/instrument/figures.h"
+#include "reports/instrument/precision/condition_data.h"
 
 namespace axiscert {
 namespace {
@@ -104,7 +105,7 @@ class ConditionReport {
     std::size_t family = 0;
     for (std::size_t s = 0; s < plan_.sources.size(); ++s) {
       const ConditionCounts& counts = result_.cells[k][s].comparisons[comparison];
-      sum.add(counts);
+      merge_fields(sum, counts);
       if (counts.least_unstable && (!least || counts.least_unstable->value < least->value)) {
         least = counts.least_unstable;
         family = s;
@@ -182,52 +183,40 @@ class ConditionReport {
     return plot;
   }
 
-  Json counts_json(const ConditionCounts& c, const Source& source) const {
-    return {{"flips", c.flips},
-            {"evaluated", c.evaluated},
-            {"ill_conditioned", c.ill_conditioned},
-            {"ties", c.ties},
-            {"unstable", c.unstable},
-            {"range", c.range},
-            {"undefined", c.undefined},
-            {"not_decided", c.not_decided},
-            {"least_unstable", origin_.measured_json(c.least_unstable, "kappa_u", source)},
-            {"sampled", c.sampled},
-            {"greatest_right", origin_.measured_json(c.greatest_right, "kappa_u", source)}};
+  ConditionCountsData data_of(const ConditionCounts& counts, const Source& source) const {
+    const auto at = [&](const std::optional<Measured>& found) {
+      return found ? std::optional(KappaAt{found->value, origin_.address(source, found->position)}) : std::nullopt;
+    };
+    return {counts, at(counts.least_unstable), at(counts.greatest_right)};
+  }
+
+  ConditionRow row_of(std::size_t k, std::size_t s) const {
+    const Cell& cell = result_.cells[k][s];
+    ConditionRow row{
+        plan_.kernels[k]->id, source(s).name(), result_.invalid[s], data_of(cell.total(), source(s)), {}, {}};
+    for (std::size_t i = 0; i < comparison_count; ++i)
+      row.comparisons.put(comparisons[i].name) = data_of(cell.comparisons[i], source(s));
+    row.wrong_verdicts = {cell.false_separation, cell.false_contact, {}, {}, {}};
+    if (cell.deepest) {
+      row.wrong_verdicts.median_depth_u = in_u(median(cell));
+      row.wrong_verdicts.worst_depth_u = in_u(cell.deepest->depth);
+      row.wrong_verdicts.worst_address = origin_.address(source(s), cell.deepest->position);
+    }
+    return row;
   }
 
   Json data(const std::string& command) const {
-    Json rows = Json::array();
+    ConditionData data;
+    data.command = command;
+    data.precision = plan_.precision;
+    data.trials = plan_.trials;
+    data.seed = {plan_.seed};
+    data.flip_limit = plan_.flip_limit;
+    data.sample = plan_.sample;
     for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
-      for (std::size_t s = 0; s < plan_.sources.size(); ++s) {
-        const Cell& cell = result_.cells[k][s];
-        Json row = {{"kernel", plan_.kernels[k]->id},
-                    {"family", source(s).name()},
-                    {"invalid", result_.invalid[s]},
-                    {"total", counts_json(cell.total(), source(s))}};
-        for (std::size_t i = 0; i < comparison_count; ++i) {
-          row["comparisons"][std::string(comparisons[i].name)] = counts_json(cell.comparisons[i], source(s));
-        }
-        row["wrong_verdicts"] = {{"false_separation", cell.false_separation},
-                                 {"false_contact", cell.false_contact},
-                                 {"median_depth_u", nullptr},
-                                 {"worst_depth_u", nullptr},
-                                 {"worst_address", nullptr}};
-        if (cell.deepest) {
-          row["wrong_verdicts"]["median_depth_u"] = in_u(median(cell));
-          row["wrong_verdicts"]["worst_depth_u"] = in_u(cell.deepest->depth);
-          row["wrong_verdicts"]["worst_address"] = origin_.address(source(s), cell.deepest->position);
-        }
-        rows.push_back(row);
-      }
+      for (std::size_t s = 0; s < plan_.sources.size(); ++s) data.rows.push_back(row_of(k, s));
     }
-    return headed("axiscert-condition/1", {{"command", command},
-                                           {"precision", name(plan_.precision)},
-                                           {"trials", plan_.trials},
-                                           {"seed", plan_.seed},
-                                           {"flip_limit", plan_.flip_limit},
-                                           {"sample", plan_.sample},
-                                           {"rows", rows}});
+    return json_of(data);
   }
 
   const ConditionPlan& plan_;

@@ -3,9 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "reports/instrument/data.h"
+#include "fuzz/fields/merge.h"
 #include "reports/instrument/figures.h"
 #include "reports/instrument/looked_at.h"
+#include "reports/instrument/precision/critical_radius_data.h"
 
 namespace axiscert {
 namespace {
@@ -123,7 +124,7 @@ class CriticalRadiusReport {
   }
   CriticalRadii all(std::size_t k) const {
     CriticalRadii sum;
-    for (const CriticalRadii& cell : result_.cells[k]) sum.merge(cell);
+    for (const CriticalRadii& cell : result_.cells[k]) merge_fields(sum, cell);
     return sum;
   }
   // The greater of the two worst errors.
@@ -202,54 +203,52 @@ class CriticalRadiusReport {
     return plot;
   }
 
-  Json cell_json(const CriticalRadii& cell) const {
-    const auto at = [&](double q) {
-      const auto error = cell.quantile(q);
-      return error ? number_json(*error) : Json(nullptr);
+  static CriticalRadiiData data_of(const CriticalRadii& cell) {
+    const auto of_measured = [&](std::uint64_t count) {
+      return cell.measured == 0 ? std::nullopt : std::optional(count);
     };
-    const auto of_measured = [&](std::uint64_t count) { return cell.measured == 0 ? Json(nullptr) : Json(count); };
-    return {{"measured", cell.measured},
-            {"right", of_measured(cell.right)},
-            {"within_1_ulp", of_measured(cell.within(one_ulp))},
-            {"median_ulps", at(0.5)},
-            {"p99_ulps", at(0.99)},
-            {"early", of_measured(cell.early)},
-            {"late", of_measured(cell.late)},
-            {"unbounded", of_measured(cell.unbounded)},
-            {"not_monotone", of_measured(cell.reversals)},
-            {"undecided", cell.undecided},
-            {"invalid", cell.invalid},
-            {"unanswered", cell.unanswered},
-            {"outside_limits", cell.outside_limits}};
+    return {cell.measured,
+            of_measured(cell.right),
+            of_measured(cell.within(one_ulp)),
+            cell.quantile(0.5),
+            cell.quantile(0.99),
+            of_measured(cell.early),
+            of_measured(cell.late),
+            of_measured(cell.unbounded),
+            of_measured(cell.reversals),
+            cell.undecided,
+            cell.invalid,
+            cell.unanswered,
+            cell.outside_limits};
+  }
+
+  CriticalRadiusRow row_of(std::size_t k, std::size_t s) const {
+    const CriticalRadii& cell = result_.cells[k][s];
+    const auto worst_at = [&](const std::optional<Measured>& worst) {
+      return worst ? std::optional(UlpsAt{worst->value, origin_.address(source(s), worst->position)}) : std::nullopt;
+    };
+    CriticalRadiusRow row{plan_.kernels[k]->id,
+                          source(s).name(),
+                          data_of(cell),
+                          result_.left_out[s],
+                          worst_at(cell.worst_early),
+                          worst_at(cell.worst_late),
+                          {}};
+    if (const auto& reversal = cell.first_reversal) row.not_monotone_witness = {reversal->contact, reversal->separated};
+    return row;
   }
 
   Json data(const std::string& command) const {
-    Json rows = Json::array(), totals = Json::array();
+    CriticalRadiusData data;
+    data.command = command;
+    data.precision = plan_.precision;
+    data.trials = plan_.trials;
+    data.seed = {plan_.seed};
     for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
-      Json total = {{"kernel", plan_.kernels[k]->id}};
-      total.update(cell_json(all(k)));
-      totals.push_back(total);
-      for (std::size_t s = 0; s < plan_.sources.size(); ++s) {
-        const CriticalRadii& cell = result_.cells[k][s];
-        Json row = {{"kernel", plan_.kernels[k]->id}, {"family", source(s).name()}};
-        row.update(cell_json(cell));
-        row["left_out"] = result_.left_out[s];
-        row["worst_early"] = origin_.measured_json(cell.worst_early, "ulps", source(s));
-        row["worst_late"] = origin_.measured_json(cell.worst_late, "ulps", source(s));
-        row["not_monotone_witness"] = nullptr;
-        if (cell.first_reversal) {
-          row["not_monotone_witness"] = {Json::parse(cell.first_reversal->contact),
-                                         Json::parse(cell.first_reversal->separated)};
-        }
-        rows.push_back(row);
-      }
+      data.totals.push_back({plan_.kernels[k]->id, data_of(all(k))});
+      for (std::size_t s = 0; s < plan_.sources.size(); ++s) data.rows.push_back(row_of(k, s));
     }
-    return headed("axiscert-critical-radius/2", {{"command", command},
-                                                 {"precision", name(plan_.precision)},
-                                                 {"trials", plan_.trials},
-                                                 {"seed", plan_.seed},
-                                                 {"totals", totals},
-                                                 {"rows", rows}});
+    return json_of(data);
   }
 
   const CriticalRadiusPlan& plan_;
@@ -263,7 +262,7 @@ std::vector<std::string> unmeasured_kernels(const CriticalRadiusPlan& plan, cons
   std::vector<std::string> silent;
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     CriticalRadii sum;
-    for (const CriticalRadii& cell : result.cells[k]) sum.merge(cell);
+    for (const CriticalRadii& cell : result.cells[k]) merge_fields(sum, cell);
     if (sum.measured != 0) continue;
     const std::string why = not_measured_text(sum, plan.kernels[k]->may_decline);
     silent.push_back(why.empty() ? plan.kernels[k]->id : fmt::format("{} ({})", plan.kernels[k]->id, why));

@@ -1,144 +1,102 @@
-#include <cmath>
-
 #include "fuzz/sphere_triangle/formulae/ladder_steps.h"
-#include "reports/instrument/data.h"
+#include "reports/instrument/precision/ladder_data.h"
 #include "reports/instrument/precision/ladder_report.h"
 
 namespace axiscert {
 namespace {
 
-// As in a record: the text of the number where binary64 cannot hold it.
-Json number(Decimal6 decimal) {
-  const double value = decimal.value();
-  return std::isfinite(value) ? Json(value) : Json(decimal.text());
-}
-Json number(std::optional<double> value) {
-  if (!value) return nullptr;
-  return std::isfinite(*value) ? Json(*value) : Json("beyond binary64");
-}
-Json number(const std::optional<ExponentWindow>& window) {
-  return window ? Json{window->low, window->high} : Json(nullptr);
+WindowData window_data(const std::optional<ExponentWindow>& window) {
+  return window ? WindowData({window->low, window->high}) : WindowData();
 }
 
-Json accuracy_json(const ComparisonAccuracy& accuracy, bool has_sides) {
-  Json json = {{"false_separation", accuracy.false_separation},
-               {"missed_separation", accuracy.missed_separation},
-               {"by_range", accuracy.by_range}};
-  if (!has_sides) return json;
-  json["median_u"] = number(accuracy.errors.quantile(50));
-  json["p99_u"] = number(accuracy.errors.quantile(99));
-  json["worst_u"] = accuracy.errors.count() == 0 ? Json(nullptr) : number(accuracy.errors.worst());
-  json["errors"] = accuracy.errors.count();
-  json["range_events"] = accuracy.range_events;
-  json["error_without_scale"] = accuracy.without_scale;
-  return json;
+FiguresData figures_data(const ComparisonAccuracy& accuracy, bool has_sides) {
+  FiguresData figures{accuracy, {}, {}, {}, {}, {}, {}, {}};
+  if (!has_sides) return figures;
+  const ErrorSpread& errors = accuracy.errors;
+  const auto at = [&](unsigned percent) {
+    const std::optional<double> error = errors.quantile(percent);
+    return error ? std::optional(ErrorQuantile{*error}) : std::nullopt;
+  };
+  figures.median_u.emplace(at(50));
+  figures.p99_u.emplace(at(99));
+  figures.worst_u.emplace(errors.count() == 0 ? std::nullopt : std::optional(errors.worst()));
+  figures.errors = errors.count();
+  figures.range_events = accuracy.range_events;
+  figures.error_without_scale = accuracy.without_scale;
+  return figures;
 }
 
-Json critical_radius_json(const KernelAccuracy& accuracy) {
-  const auto& ascending = accuracy.radius_errors_ulps;
-  const auto at = [&](std::size_t i) { return ascending.empty() ? Json(nullptr) : Json(ascending[i]); };
-  return {{"sampled", ascending.size() + accuracy.radius_unbounded},
-          {"median_ulps", at((ascending.size() - 1) / 2)},
-          {"largest_ulps", at(ascending.size() - 1)},
-          {"unbounded", accuracy.radius_unbounded}};
-}
-
-Json kernel_json(const KernelAccuracy& accuracy, bool has_sides) {
-  Json json = {{"queries", accuracy.queries},
-               {"verdict",
-                {{"false_separation", accuracy.false_separation},
-                 {"false_contact", accuracy.false_contact},
-                 {"touching_flips", accuracy.touching_flips},
-                 {"flips_per_million", accuracy.flips_per_million()}}},
-               {"critical_radius", critical_radius_json(accuracy)}};
-  for (std::size_t i = 0; i < axis_count; ++i) {
-    json["axes"][std::string(axis_names[i])] = accuracy_json(accuracy.of(axis_comparisons[i]), has_sides);
-  }
+LadderResultData result_data(const KernelAccuracy& accuracy, bool has_sides) {
+  LadderResultData result;
+  result.queries = accuracy.queries;
+  result.verdict = {accuracy.false_separation, accuracy.false_contact, accuracy.touching_flips,
+                    accuracy.flips_per_million()};
+  result.critical_radius = radius_summary(accuracy.radius_errors_ulps, accuracy.radius_unbounded);
+  const auto of = [&](ComparisonBits which) { return figures_data(accuracy.of(which), has_sides); };
+  for (std::size_t i = 0; i < axis_count; ++i) result.axes.put(axis_names[i]) = of(axis_comparisons[i]);
   for (std::size_t i = 0; i < axis_kind_count; ++i) {
     const ComparisonBits which = comparisons_of_kind(static_cast<AxisKind>(i));
-    Json& kind = json["kinds"][std::string(axis_kind_names[i])] = accuracy_json(accuracy.of(which), has_sides);
     const auto radius = static_cast<ComparisonBits>(which & ~side_comparisons);
     const auto side = static_cast<ComparisonBits>(which & side_comparisons);
-    kind["radius"] = accuracy_json(accuracy.of(radius), has_sides);
-    if (side != 0) kind["side"] = accuracy_json(accuracy.of(side), has_sides);
+    KindData& kind = result.kinds.put(axis_kind_names[i]) = {of(which), of(radius), {}};
+    if (side != 0) kind.side = of(side);
   }
-  for (std::size_t i = 0; i < comparison_count; ++i) {
-    json["comparisons"][std::string(comparisons[i].name)] = accuracy_json(accuracy.comparisons[i], has_sides);
-  }
-  return json;
+  for (std::size_t i = 0; i < comparison_count; ++i)
+    result.comparisons.put(comparisons[i].name) = figures_data(accuracy.comparisons[i], has_sides);
+  return result;
 }
 
-Json entry_json(const LadderPlan& plan, const LadderEntry& entry) {
+LadderKernelData kernel_data(const LadderPlan& plan, const LadderEntry& entry) {
   const bool has_sides = entry.kernel->exposes == Exposure::sides;
-  Json json = {{"id", entry.kernel->id}, {"summary", entry.kernel->summary}, {"shows_sides", has_sides}};
-  json.update(kernel_json(entry.all, has_sides));
-  for (std::size_t i = 0; i < axis_count; ++i) {
-    json["axes"][std::string(axis_names[i])]["window"] = number(entry.windows[i]);
-  }
+  LadderKernelData kernel{entry.kernel->id, entry.kernel->summary, has_sides, result_data(entry.all, has_sides), {}};
+  for (std::size_t i = 0; i < axis_count; ++i) kernel.all.axes[i].window.emplace(window_data(entry.windows[i]));
   for (std::size_t i = 0; i < axis_kind_count; ++i) {
-    json["kinds"][std::string(axis_kind_names[i])]["window"] =
-        number(common_window(entry.windows, axes_of_kind(static_cast<AxisKind>(i))));
+    kernel.all.kinds[i].figures.window.emplace(
+        window_data(common_window(entry.windows, axes_of_kind(static_cast<AxisKind>(i)))));
   }
-  for (std::size_t s = 0; s < plan.sources.size(); ++s) {
-    json["families"][plan.sources[s]->name()] = kernel_json(entry.by_source[s], has_sides);
-  }
-  return json;
+  for (std::size_t s = 0; s < plan.sources.size(); ++s)
+    kernel.families.put(plan.sources[s]->name()) = result_data(entry.by_source[s], has_sides);
+  return kernel;
 }
 
-Json speed_json(const std::vector<LadderEntry>& entries) {
-  Json json = {{"unit", "ns a query, median"},
-               {"queries", speed_queries},
-               {"repetitions", speed_repetitions},
-               {"kernels", Json::object()},
-               {"front", Json::array()}};
+LadderSpeedData speed_data(const std::vector<LadderEntry>& entries) {
+  LadderSpeedData speed;
   for (const LadderEntry& entry : entries) {
-    Json& kernel = json["kernels"][entry.kernel->id] = {{"scalar", entry.speed->scalar_ns},
-                                                        {"scalar_least", entry.speed->least_scalar_ns}};
-    if (entry.speed->best_target) kernel[entry.speed->best_target->first] = entry.speed->best_target->second;
+    Named<double>& kernel = speed.kernels.put(entry.kernel->id);
+    kernel.put("scalar") = entry.speed->scalar_ns;
+    kernel.put("scalar_least") = entry.speed->least_scalar_ns;
+    if (const auto& best = entry.speed->best_target) kernel.put(best->first) = best->second;
   }
-  for (const std::size_t i : accuracy_speed_front(entries)) json["front"].push_back(entries[i].kernel->id);
-  return json;
-}
-
-Json steps_json(const std::vector<LadderEntry>& entries, const std::vector<LadderStep>& steps) {
-  Json all = Json::array();
-  for (const LadderStep& step : steps) {
-    all.push_back({{"from", entries[step.from].kernel->id}, {"to", entries[step.to].kernel->id}});
-  }
-  return all;
-}
-
-Json costliest_json(const std::vector<LadderEntry>& entries, const std::vector<LadderStep>& steps) {
-  Json json = Json::object();
-  const auto step = [&](std::optional<std::size_t> i) { return i ? Json(entries[steps[*i].to].kernel->id) : Json(); };
-  for (std::size_t i = 0; i < axis_kind_count; ++i) {
-    const CostliestSteps costliest = costliest_steps(entries, steps, static_cast<AxisKind>(i));
-    json[std::string(axis_kind_names[i])] = {{"sign_errors", step(costliest.sign_errors)},
-                                             {"rounding_sign_errors", step(costliest.rounding_sign_errors)},
-                                             {"worst_error", step(costliest.worst_error)},
-                                             {"range", step(costliest.range)}};
-  }
-  return json;
+  for (const std::size_t i : accuracy_speed_front(entries)) speed.front.push_back(entries[i].kernel->id);
+  return speed;
 }
 
 }  // namespace
 
 Json ladder_json(const LadderPlan& plan, const std::vector<LadderEntry>& entries, const std::string& command) {
   const ExponentWindow scanned = scanned_exponents(plan.precision);
+  LadderData data;
+  data.command = command;
+  data.precision = plan.precision;
+  data.seed = {plan.seed};
+  data.trials = plan.trials;
+  for (const SourcePtr& source : plan.sources) data.families.push_back(source->name());
+  data.scanned_exponents = {scanned.low, scanned.high};
+  for (const LadderEntry& entry : entries) data.kernels.push_back(kernel_data(plan, entry));
   const std::vector<LadderStep> steps = ladder_steps(entries);
-  Json json = {{"command", command},
-               {"precision", name(plan.precision)},
-               {"seed", plan.seed},
-               {"trials", plan.trials},
-               {"families", Json::array()},
-               {"scanned_exponents", {scanned.low, scanned.high}},
-               {"kernels", Json::array()},
-               {"steps", steps_json(entries, steps)},
-               {"costliest_steps", costliest_json(entries, steps)}};
-  for (const SourcePtr& source : plan.sources) json["families"].push_back(source->name());
-  for (const LadderEntry& entry : entries) json["kernels"].push_back(entry_json(plan, entry));
-  if (plan.speed) json["speed"] = speed_json(entries);
-  return headed("axiscert-ladder/1", json);
+  for (const LadderStep& step : steps)
+    data.steps.push_back({entries[step.from].kernel->id, entries[step.to].kernel->id});
+  const auto made = [&](std::optional<std::size_t> i) {
+    return i ? std::optional<Name>(entries[steps[*i].to].kernel->id) : std::nullopt;
+  };
+  for (const AxisKind kind : enumerators<AxisKind>) {
+    const CostliestSteps costliest = costliest_steps(entries, steps, kind);
+    data.costliest_steps.put(axis_kind_names[kind]) = {made(costliest.sign_errors),
+                                                       made(costliest.rounding_sign_errors),
+                                                       made(costliest.worst_error), made(costliest.range)};
+  }
+  if (plan.speed) data.speed = speed_data(entries);
+  return json_of(data);
 }
 
 }  // namespace axiscert

@@ -8,7 +8,7 @@
 
 #include "exact/sphere_triangle/unbounded/degree.h"
 #include "kernel/formulae_list.h"
-#include "reports/instrument/data.h"
+#include "reports/instrument/precision/precision_data.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -169,72 +169,44 @@ std::vector<InstrumentPlot> plots(const PrecisionPlan& plan, const PrecisionTall
   return all_plots;
 }
 
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
-Json verdict_json(const VerdictFlips& v) {
-  return {{"false_separation", v.false_separation}, {"false_contact", v.false_contact}};
-}
-
-Json counts_json(const PrecisionCounts& counts) {
-  Json flipped = Json::object();
-  for (std::size_t i = 0; i < comparison_count; ++i) flipped[comparisons[i].name] = counts.comparisons[i];
-  return {{"verdict", verdict_json(counts.verdict)}, {"comparisons", flipped}};
-}
-
-Json tally_json(const PrecisionPlan& plan, const PrecisionTally& tally) {
-  Json kernels = Json::object();
+PrecisionTallyData tally_data(const PrecisionPlan& plan, const PrecisionTally& tally) {
+  PrecisionTallyData data{tally.queries, {}};
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     const KernelPrecision& kernel = tally.kernels[k];
-    Json steps = Json::array();
-    for (std::size_t i = 0; i < plan.bits.size(); ++i) {
-      const PrecisionStep& step = kernel.steps[i];
-      steps.push_back({{"bits", plan.bits[i]},
-                       {"unlimited", counts_json(step.in(unlimited))},
-                       {"limited", counts_json(step.in(limited))},
-                       {"rounding", step.rounding},
-                       {"range", step.range}});
-    }
-    kernels[plan.kernels[k]->id] = {{"exact", verdict_json(kernel.exact)}, {"precisions", steps}};
+    KernelPrecisionData& of = data.kernels.put(plan.kernels[k]->id) = {kernel.exact, {}};
+    for (std::size_t i = 0; i < plan.bits.size(); ++i) of.precisions.push_back({plan.bits[i], kernel.steps[i]});
   }
-  return {{"queries", tally.queries}, {"kernels", kernels}};
+  return data;
 }
 
-Json sufficient_json(const PrecisionPlan& plan, const PrecisionTally& all) {
-  Json kernels = Json::object();
-  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
-    const SufficientVerdictBits verdict = sufficient_verdict_bits(plan, all.kernels[k]);
-    Json kernel = {{"verdict", or_null(verdict.verdict)}, {"own_verdict", or_null(verdict.own_verdict)}};
-    if (const auto degrees = degrees_of(formulae_of(*plan.kernels[k]))) {
-      for (std::size_t i = 0; i < comparison_count; ++i) {
-        const ComparisonDegree& d = (*degrees)[i];
-        const auto which = one_bit<ComparisonBits>(i);
-        kernel["comparisons"][comparisons[i].name] = {
-            {"degree_lhs", or_null(d.lhs)},
-            {"degree_rhs", or_null(d.rhs)},
-            {"integer_bits", d.bits ? Json{{"per_bit", d.bits->per_bit}, {"constant", d.bits->constant}} : Json()},
-            {"sufficient_bits", or_null(sufficient_bits(plan, all.kernels[k], which))}};
-      }
-    }
-    kernels[plan.kernels[k]->id] = std::move(kernel);
+SufficientData sufficient_data(const PrecisionPlan& plan, const Kernel& kernel, const KernelPrecision& found) {
+  SufficientData data{sufficient_verdict_bits(plan, found), {}};
+  const auto degrees = degrees_of(formulae_of(kernel));
+  if (!degrees) return data;
+  data.comparisons.emplace();
+  for (std::size_t i = 0; i < comparison_count; ++i) {
+    const ComparisonDegree& d = (*degrees)[i];
+    data.comparisons->put(comparisons[i].name) = {
+        d.lhs, d.rhs, d.bits ? std::optional(IntegerBitsData{d.bits->per_bit, d.bits->constant}) : std::nullopt,
+        sufficient_bits(plan, found, one_bit<ComparisonBits>(i))};
   }
-  return kernels;
+  return data;
 }
 
-Json data(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies, const PrecisionTally& all,
-          const std::string& command) {
-  Json families = Json::object();
-  for (std::size_t s = 0; s < tallies.size(); ++s) families[plan.sources[s]->name()] = tally_json(plan, tallies[s]);
-  return headed("axiscert-precision/1", {{"command", command},
-                                         {"precision", name(plan.precision)},
-                                         {"trials", plan.trials},
-                                         {"seed", plan.seed},
-                                         {"bits", plan.bits},
-                                         {"sufficient", sufficient_json(plan, all)},
-                                         {"all", tally_json(plan, all)},
-                                         {"families", families}});
+Json precision_json(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies, const PrecisionTally& all,
+                    const std::string& command) {
+  PrecisionData data;
+  data.command = command;
+  data.precision = plan.precision;
+  data.trials = plan.trials;
+  data.seed = {plan.seed};
+  data.bits = plan.bits;
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k)
+    data.sufficient.put(plan.kernels[k]->id) = sufficient_data(plan, *plan.kernels[k], all.kernels[k]);
+  data.all = tally_data(plan, all);
+  for (std::size_t s = 0; s < tallies.size(); ++s)
+    data.families.put(plan.sources[s]->name()) = tally_data(plan, tallies[s]);
+  return json_of(data);
 }
 
 std::vector<std::string> notes(const PrecisionPlan& plan, const PrecisionTally& all) {
@@ -275,7 +247,7 @@ InstrumentReport precision_report(const PrecisionPlan& plan, const std::vector<P
                           notes(plan, all),
                           {verdict_table(plan, all, unlimited), verdict_table(plan, all, limited)},
                           plots(plan, all),
-                          data(plan, tallies, all, command)};
+                          precision_json(plan, tallies, all, command)};
   const auto own = std::find(plan.bits.begin(), plan.bits.end(), own_digits(plan));
   if (own != plan.bits.end()) {
     const auto step = static_cast<std::size_t>(own - plan.bits.begin());

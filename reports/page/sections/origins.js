@@ -94,7 +94,7 @@ function show_ladder(data) {
   const place = document.getElementById('ladder');
   const {ladder} = data.attached;
   if (ladder === null || !ladder.speed) return leave_out(place);
-  const axes = Object.keys(data.notes.axes);
+  const axes = [...new Set(ladder.kernels.flatMap((kernel) => Object.keys(kernel.axes ?? {})))];
   let axis = axes[0];
   let measure = ladder_measures[0];
   const figures = el('div');

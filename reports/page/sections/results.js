@@ -57,7 +57,7 @@ function families_table(data, rows) {
 function link_counts_table(data, rows) {
   const links = Object.keys(data.links);
   const group = (label, member) => links.map((link) => column.count(link, (row) => row.result.verdict[member][link], {
-    group: label, note: data.notes.links[link], alarm: member === 'links' ? 'bad' : undefined}));
+    group: label, note: data.links[link], alarm: member === 'links' ? 'bad' : undefined}));
   return table('Broken links', [
     ...family_columns(), ...group('wrong verdicts', 'links'),
     ...links.map((link) => column.count(link, (row) => row.result.verdict.first_by_link[link],
@@ -131,7 +131,7 @@ function show_families(data) {
 function sign_columns(notes, level) {
   const of = (member, more) => column.count(member, (row) => row.tally[member], {note: notes[level][member], ...more});
   const links = ['rounding', 'range', 'implementation', 'unattributed'].map((link) =>
-    column.count(link, (row) => row.tally.links[link], {group: 'links broken by flips', note: notes.links[link]}));
+    column.count(link, (row) => row.tally.links[link], {group: 'links broken by flips', note: notes.formula_links[link]}));
   return [
     column.text(level, (row) => row.name, {cell: (th, value) => th.append(el('span', 'name', value))}),
     of('false_separation', {group: 'flips', alarm: 'bad'}), of('missed_separation', {group: 'flips', alarm: 'warn'}),

@@ -1,0 +1,283 @@
+// One kernel's results on one family.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "fuzz/campaign/counts/tally.h"
+#include "fuzz/fields/json_form.h"
+#include "fuzz/queries/image_groups.h"
+
+namespace axiscert {
+
+// A summary of a CriticalRadiusTally.
+struct CriticalRadiusRecord {
+  std::uint64_t sampled = 0;
+  std::optional<double> median_ulps, largest_ulps;
+  std::uint64_t unbounded = 0, unanswered = 0, undecided = 0, invalid = 0;
+  std::optional<SignedNumber> signed_median_ulps;
+  std::uint64_t early = 0, late = 0;
+
+  static constexpr std::string_view about =
+      "The distance of the smallest radius for which the kernel says contact from the exact distance.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = CriticalRadiusRecord;
+    return visit(
+        field(&Of::sampled, {"sampled", "Queries whose critical radius was found by bisection."}),
+        field(
+            &Of::median_ulps,
+            {"median_ulps",
+             "Median of the finite errors, in ulps of the correctly rounded exact distance; null where there is none.",
+             "ulps"}),
+        field(&Of::largest_ulps,
+              {"largest_ulps", "Largest finite error, in the same ulps; null where there is none.", "ulps"}),
+        field(
+            &Of::unbounded,
+            {"unbounded", "Sampled queries for which the kernel says contact for no finite radius within its limits."}),
+        field(&Of::unanswered,
+              {"unanswered", "Queries whose search ended at a radius that got no answer: not sampled."}),
+        field(
+            &Of::undecided,
+            {"undecided",
+             "Queries of which the kernel declined some radius that was asked: not sampled, since the change that was "
+             "found may be one to that."}),
+        field(
+            &Of::invalid,
+            {"invalid", "Queries of which the kernel called some radius that was asked invalid: not sampled either."}),
+        field(&Of::signed_median_ulps,
+              {"signed_median_ulps",
+               "Median of the finite errors with their signs: negative where the kernel says contact too early, at a "
+               "radius below the exact distance.",
+               "ulps"}),
+        field(&Of::early,
+              {"early",
+               "Sampled queries whose critical radius is below the exact distance, correctly rounded: phantom contacts "
+               "there."}),
+        field(&Of::late,
+              {"late",
+               "Sampled queries whose critical radius is more than one ulp above that: missed contacts there; a right "
+               "kernel's is at most one ulp above."}));
+  }
+};
+CriticalRadiusRecord summary_of(CriticalRadiusTally tally);
+
+// Two queries to which the kernel gives different answers, by their addresses.
+struct AddressPair {
+  Name base, image;
+
+  static constexpr std::string_view about =
+      "Two queries to which the kernel gives different answers; null where there are none.";
+  static constexpr auto fields(auto&& visit) {
+    return visit(field(&AddressPair::base, {"base", "Address of the query."}),
+                 field(&AddressPair::image, {"image", "Address of its image."}));
+  }
+};
+
+struct AsymmetryRecord {
+  std::uint64_t images = 0, verdicts = 0, comparisons = 0;
+  std::optional<AddressPair> first_verdict, first_comparison;
+
+  static constexpr std::string_view about =
+      "For a family of images: answers of the kernel to an exact image of a query, in another order of its vertices, "
+      "turned, mirrored, translated or scaled, that differ from its answer to the query. No exact answer differs. "
+      "Absent "
+      "where a family makes no images.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = AsymmetryRecord;
+    return visit(
+        field(&Of::images,
+              {"images",
+               "Images compared with their base: whole groups among the first 2^22 queries, with an answer to both and "
+               "both within the kernel's limits."}),
+        field(&Of::verdicts, {"verdicts", "Images with another verdict than the base."}),
+        field(&Of::comparisons,
+              {"comparisons",
+               "Images with another comparison by the base's names, whatever the verdict; 0 for a kernel that shows "
+               "none."}),
+        field(&Of::first_verdict, {"first_verdict", "The first with another verdict; null: none."}),
+        field(&Of::first_comparison, {"first_comparison", "The first with another comparison; null: none."}));
+  }
+};
+
+struct ComparedQuantity {
+  Name quantity;
+  int degree = 0;
+  double least = 0, greatest = 0;
+  std::uint64_t explains = 0;
+
+  static constexpr std::string_view about = "One quantity.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = ComparedQuantity;
+    return visit(field(&Of::quantity, {"quantity", "What may have been compared, in terms of the query."}),
+                 field(&Of::degree,
+                       {"degree", "The power of s by which the quantity grows where every number is multiplied by s."}),
+                 field(&Of::least, {"least", "The number is not less."}),
+                 field(&Of::greatest, {"greatest", "The number is not greater."}),
+                 field(&Of::explains, {"explains", "Bases for which this quantity passes the number."}));
+  }
+};
+
+struct AbsoluteSizeRecord {
+  std::uint64_t bases = 0;
+  std::vector<ComparedQuantity> compared;
+
+  static constexpr std::string_view about =
+      "An estimate of the number with which a kernel compares something that has a size, such as an epsilon: from at "
+      "most 256 bases of depth above 2^-10, the first, that are right times one power of two and wrong times the next.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = AbsoluteSizeRecord;
+    return visit(
+        field(&Of::bases, {"bases", "Bases used."}),
+        field(&Of::compared,
+              {"compared",
+               "The quantities that may have been compared, at most three: those that pass a common number between the "
+               "two powers for most of the bases, at least three quarters of them."}));
+  }
+};
+
+// Counts by size: of the kind scale the power of two, as its exponent; of a translation the exponent of its greatest
+// coordinate; 0 of the other kinds.
+using CountsBySize = std::map<int, std::uint64_t>;
+
+struct UnitFaultsRecord {
+  std::uint64_t count = 0;
+  CountsBySize by_size;
+  std::optional<AddressPair> first;
+  AbsoluteSizeRecord where_small, where_large;
+
+  static constexpr std::string_view about =
+      "Images within the range to which the answer is wrong, of a base to which it is right and whose depth exceeds "
+      "2^-10. No rounding differs between the two, so that something was compared with a number of the kernel's own.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = UnitFaultsRecord;
+    return visit(
+        field(&Of::count, {"count", "Images."}), field(&Of::by_size, {"by_size", "The same by power of two."}),
+        field(&Of::first, {"first", "The pair whose power is nearest to 1, and the first of these; null: none."}),
+        field(&Of::where_small, {"where_small", "The estimate from answers that are wrong where numbers are small."}),
+        field(&Of::where_large, {"where_large", "The estimate from answers that are wrong where numbers are large."}));
+  }
+};
+
+struct PowerRangeRecord {
+  int least = 0, greatest = 0;
+
+  static constexpr auto fields(auto&& visit) {
+    return visit(field(&PowerRangeRecord::least, {"least", "The exponent of the least power."}),
+                 field(&PowerRangeRecord::greatest, {"greatest", "The exponent of the greatest power."}));
+  }
+};
+
+struct ImageChangesRecord {
+  std::uint64_t images = 0, changed = 0, undecided = 0;
+  CountsBySize by_size;
+  std::optional<AddressPair> first;
+  std::optional<std::optional<PowerRangeRecord>> range;
+  std::optional<UnitFaultsRecord> wrong;
+
+  static constexpr std::string_view about = "Images of one kind that were compared with their base.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = ImageChangesRecord;
+    return visit(
+        field(&Of::images,
+              {"images",
+               "Images of this kind whose verdict was compared with their base's: both within the kernel's limits, "
+               "neither unanswered nor undecided."}),
+        field(&Of::changed, {"changed", "Images with another verdict than the base."}),
+        field(&Of::undecided,
+              {"undecided", "Images that were not compared, since the kernel declined the image or its base."}),
+        field(&Of::by_size,
+              {"by_size",
+               "Those that changed, by size: of the kind scale the power of two, as its exponent; of a translation the "
+               "exponent of its greatest coordinate; 0 of the other kinds."}),
+        field(&Of::first,
+              {"first",
+               "The pair of the least size, for a power of two regardless of its sign, and the first of these; null: "
+               "none."}),
+        field(
+            &Of::range,
+            {.name = "range",
+             .about = "Of the kind scale: all images are times powers of two from 2^least to 2^greatest, within which "
+                      "no form of degree 6 overflows or underflows; null where that is not known of every base.",
+             .may_be_absent = true}),
+        field(&Of::wrong, {.name = "wrong",
+                           .about = "Of the kind scale, with a range: those that are wrong although the base is right.",
+                           .may_be_absent = true}));
+  }
+};
+
+struct ClassRecord : ClassCount {
+  Name witness;
+
+  static constexpr std::string_view about = ClassCount::about;
+  static constexpr auto fields(auto&& visit) {
+    return visit(base<ClassRecord, ClassCount>(),
+                 field(&ClassRecord::witness, {"witness", "The address of the deepest."}));
+  }
+};
+
+// What adds up over families.
+struct FamilyCounts {
+  std::uint64_t trials = 0, base_triangles = 0;
+  bool exact_arithmetic = false;
+  TruthCounts truth;
+  VerdictTally verdict;
+  std::optional<Named<AxisTally>> axes;
+  std::optional<Named<ComparisonTally>> comparisons;
+  std::optional<MotionTally> motion;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = FamilyCounts;
+    return visit(
+        field(&Of::trials, {"trials", "Number of queries: separated + contact + invalid."}),
+        field(
+            &Of::base_triangles,
+            {"base_triangles",
+             "Number of different triangles among them. Queries that share a triangle are not independent, so limits "
+             "for zero failures count triangles. Of a query file of a test without triangles, the number of different "
+             "queries."}),
+        field(&Of::exact_arithmetic,
+              {"exact_arithmetic", "The precision's arithmetic is exact on every query of the family."}, by::least),
+        field(&Of::truth, {"truth", {}}), field(&Of::verdict, {"verdict", {}}),
+        field(&Of::axes, {"axes", "Results per axis, or other clause; null for a kernel that shows only verdicts."}),
+        field(&Of::comparisons,
+              {"comparisons",
+               "Results per comparison, in the order of the strings of bits; null for a kernel that shows only "
+               "verdicts."}),
+        field(&Of::motion,
+              {.name = "motion",
+               .about = "The first contacts that the kernel reports, against the exact one. Absent for a test without "
+                        "measures.",
+               .may_be_absent = true}));
+  }
+};
+
+struct FamilyRecord : FamilyCounts {
+  CriticalRadiusRecord critical_radius;
+  std::optional<AsymmetryRecord> asymmetry;
+  std::optional<std::map<ImageKind, ImageChangesRecord>> invariance;
+  std::optional<std::map<InputClass, ClassRecord>> classes;
+
+  static constexpr std::string_view about = "One kernel's results on one family.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = FamilyRecord;
+    return visit(
+        base<Of, FamilyCounts>(), field(&Of::critical_radius, {"critical_radius", "Critical radii on this family."}),
+        field(&Of::asymmetry, {.name = "asymmetry", .about = AsymmetryRecord::about, .may_be_absent = true}),
+        field(&Of::invariance,
+              {.name = "invariance",
+               .about = "For a family of images: the same images by kind. Absent where a family makes no images.",
+               .may_be_absent = true}),
+        field(
+            &Of::classes,
+            {.name = "classes",
+             .about = "Wrong verdicts by the class of the input, the first of these whose definition it meets; "
+                      "together all wrong verdicts of the family. A class without any is left out. Absent for a kernel "
+                      "with a reference, whose links say why it is wrong. L is the greatest |coordinate of A-P, B-P, "
+                      "C-P| or r, E that of the edges.",
+             .may_be_absent = true}));
+  }
+};
+
+}  // namespace axiscert

@@ -1,0 +1,183 @@
+// The plan of a run as its record states it: with the files and this version of axiscert, enough to make it again.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fuzz/fields/json_form.h"
+#include "kernel/names.h"
+
+namespace axiscert {
+
+struct Sha256Rule {
+  static constexpr std::size_t longest = 64;
+  static constexpr std::string_view pattern = "^[0-9a-f]{64}$";
+};
+using Sha256 = Text<Sha256Rule>;
+
+struct FileKindRule {
+  static constexpr std::size_t longest = 64;
+  static constexpr std::string_view pattern = "^(mesh|queries|plugin|manifest|program(-[0-9]+)?|file(-[0-9]+)?|lock)$";
+};
+
+// A decimal number of u.
+struct ToleranceRule {
+  static constexpr std::size_t longest = 1000;
+  static constexpr std::string_view pattern = "^[-+]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)?$";
+};
+
+struct LevelRule {
+  static constexpr std::size_t longest = 4200;
+};
+using LevelText = Text<LevelRule>;
+
+struct GeneratorRecord {
+  std::uint64_t version = 0;
+  bool exact_arithmetic = false;
+  std::string purpose;
+
+  static constexpr std::string_view about = "A family's source of queries.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = GeneratorRecord;
+    return visit(
+        field(&Of::version, {"version", "Raised whenever the same address would make another query."}),
+        field(&Of::exact_arithmetic,
+              {"exact_arithmetic",
+               "Whether the precision's arithmetic is exact on every query, so that no rounding can be the cause of an "
+               "error."}),
+        field(&Of::purpose, {"purpose", "The purpose of the family, in one line."}));
+  }
+};
+
+struct FileRecord {
+  Name name;
+  Text<FileKindRule> kind;
+  std::optional<Sha256> sha256;
+  std::optional<std::uint64_t> queries, triangles, degenerate_triangles, skipped_primitives;
+
+  static constexpr std::string_view about = "A file that was read.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = FileRecord;
+    return visit(
+        field(&Of::name, {"name", "Base name."}),
+        field(&Of::kind,
+              {"kind",
+               "mesh: triangles at which the queries aim; queries: stored queries, or the corpus; plugin: somebody "
+               "else's "
+               "kernel; manifest, program or file, lock: a program's manifest, a file that its command names, the lock "
+               "file of its packages."}),
+        field(&Of::sha256, {"sha256", "SHA-256 of the file's bytes; null where it could not be read."}),
+        field(&Of::queries, {.name = "queries", .about = "Of queries: those read.", .may_be_absent = true}),
+        field(&Of::triangles, {.name = "triangles", .about = "Of a mesh: triangles read.", .may_be_absent = true}),
+        field(&Of::degenerate_triangles, {.name = "degenerate_triangles",
+                                          .about = "Of a mesh: triangles of exactly zero area among them.",
+                                          .may_be_absent = true}),
+        field(&Of::skipped_primitives, {.name = "skipped_primitives",
+                                        .about = "Of a mesh: points and lines, which have no triangle.",
+                                        .may_be_absent = true}));
+  }
+};
+
+struct RepliesRecord {
+  std::optional<std::string> conforms_to, formulae;
+  Touching touching = Touching::contact;
+  bool may_decline = false;
+  std::optional<std::uint64_t> measures;
+
+  static constexpr std::string_view about =
+      "Present where the replies of a program were judged (axiscert judge) and no kernel was run: what the program "
+      "claims to be.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = RepliesRecord;
+    return visit(
+        field(&Of::conforms_to,
+              {"conforms_to", "The kernel that it claims to equal bit for bit, as given to --conforms-to."}),
+        field(&Of::formulae, {"formulae", "The kernel whose formulae it claims to evaluate, as given to --formulae."}),
+        field(&Of::touching, {"touching", "Its intended answer for a sphere that touches the triangle."}),
+        field(&Of::may_decline, {"may_decline", "Whether it may answer `undecided`, as --may-decline says."}),
+        field(&Of::measures,
+              {.name = "measures",
+               .about = "So many of the test's measures came with each reply, from the first on, as given to generate "
+                        "--measures. Absent: none.",
+               .may_be_absent = true}));
+  }
+};
+
+// What was given to --require: JSON has null where there is none, one level as text, several as an array.
+struct RequiredLevels {
+  std::vector<LevelText> levels;
+};
+template <>
+struct JsonForm<RequiredLevels> {
+  static Json write(const RequiredLevels& value);
+  static void read(const JsonPlace& place, RequiredLevels& into);
+  static Json schema();
+};
+
+// For each family, a count in each precision.
+using CountsByFamily = Named<std::map<Precision, std::uint64_t>>;
+
+struct PlanRecord {
+  Name axiscert, test;
+  WholeNumber seed;
+  std::vector<Name> kernels;
+  std::vector<Precision> precisions;
+  std::vector<Name> families;
+  Named<GeneratorRecord> generators;
+  CountsByFamily trials;
+  std::vector<FileRecord> files;
+  Named<Text<ToleranceRule>> tolerance;
+  RequiredLevels require;
+  std::optional<std::vector<LevelText>> allow_unchecked;
+  std::uint64_t margin_queries = 0;
+  std::optional<RepliesRecord> replies;
+  std::optional<CountsByFamily> units_done;
+
+  static constexpr std::string_view about =
+      "The plan of the run: together with the files and this version of axiscert, enough to make the record again.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = PlanRecord;
+    return visit(
+        field(&Of::axiscert, {"axiscert", "The version of axiscert that ran it."}),
+        field(&Of::test,
+              {"test",
+               "The test of all kernels and queries, as `axiscert tests` lists it. Its description says which axes, "
+               "comparisons and numbers of a query this record has: those and no others."}),
+        field(&Of::seed, {"seed", "The seed of every generator's random stream; 64 bits."}),
+        field(&Of::kernels, {"kernels", "Ids as given to --kernel."}),
+        field(&Of::precisions,
+              {"precisions", "The precisions asked for in which a kernel exists; empty where none could be loaded."}),
+        field(&Of::families,
+              {"families",
+               "In order: generator families by name, meshes as mesh/FILE, query files as queries/FILE, the corpus as "
+               "corpus."}),
+        field(&Of::generators, {"generators", "The generator of each family's queries."}),
+        field(&Of::trials, {"trials", "Number of queries, per family and precision."}),
+        field(&Of::files, {"files", "The meshes, query files and plug-ins that were read, by base name."}),
+        field(&Of::tolerance,
+              {"tolerance",
+               "The error T, in u, above which a comparison of the test fails, as it was written. A comparison without "
+               "one is not checked."}),
+        field(&Of::require,
+              {"require",
+               "What was given to --require: a level, or several of them as a list; null where none was given."}),
+        field(&Of::allow_unchecked,
+              {.name = "allow_unchecked",
+               .about = "The levels that pass where they are not checked, as given to --allow-unchecked; absent where "
+                        "there are none.",
+               .may_be_absent = true}),
+        field(&Of::margin_queries,
+              {"margin_queries",
+               "The number of queries, the first of each family and precision, whose exact margins were counted."}),
+        field(&Of::replies, {.name = "replies", .about = RepliesRecord::about, .may_be_absent = true}),
+        field(&Of::units_done,
+              {"units_done",
+               "Units of 2^16 queries done, per family and precision, where the plan does not determine them: with "
+               "--time, or after an interruption. Null otherwise."}));
+  }
+};
+
+}  // namespace axiscert

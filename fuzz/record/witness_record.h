@@ -1,0 +1,297 @@
+// Queries that a record keeps: witnesses of wrong answers and extremes, and findings.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "exact/judge/judge.h"
+#include "exact/judge/motion_judgement.h"
+#include "exact/sphere_triangle/measures/input_class.h"
+#include "fuzz/fields/json_form.h"
+#include "kernel/finding.h"
+#include "kernel/names.h"
+
+namespace axiscert {
+
+// A C hex-float, exact in the query's precision.
+struct HexRule {
+  static constexpr std::size_t longest = 40;
+  static constexpr std::string_view pattern = "^(-?0x[01]([.][0-9a-f]+)?p[-+][0-9]+|nan|-?inf)$";
+};
+using HexNumber = Text<HexRule>;
+// At most 17 significant digits.
+struct DigitsRule {
+  static constexpr std::size_t longest = 40;
+  static constexpr std::string_view pattern = "^-?[0-9]+([.][0-9]+)?(e[-+][0-9]+)?$";
+};
+using Digits = Text<DigitsRule>;
+// One 0 or 1 for each comparison of the test, in their order.
+struct BitsRule {
+  static constexpr std::size_t longest = 64;
+  static constexpr std::string_view pattern = "^[01]+$";
+};
+using BitText = Text<BitsRule>;
+
+// One number of a query, or those of a group of columns that belong together: JSON has text or an array of it.
+struct GroupNumbers {
+  std::vector<HexNumber> numbers;
+  bool operator==(const GroupNumbers&) const = default;
+};
+template <>
+struct JsonForm<GroupNumbers> {
+  static Json write(const GroupNumbers& value);
+  static void read(const JsonPlace& place, GroupNumbers& into);
+  static Json schema();
+};
+
+struct FlipRecord {
+  Level level = Level::verdict;
+  Name name;
+  FlipKind kind = FlipKind::false_separation;
+  bool decisive = false;
+  std::vector<Link> links;
+
+  bool operator==(const FlipRecord&) const = default;
+  static constexpr std::string_view about =
+      "One place where the kernel differs: from the truth at the verdict, from its own exact formulae elsewhere.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = FlipRecord;
+    return visit(
+        field(&Of::level, {"level", "The level at which it shows."}),
+        field(&Of::name, {"name", "verdict, an axis or a comparison."}),
+        field(&Of::kind, {"kind", "The direction: the kernel wrongly says yes, or wrongly says no."}),
+        field(&Of::decisive, {"decisive", "Whether the verdict is wrong because of it; otherwise it is masked."}),
+        field(&Of::links, {"links", "The links broken here."}));
+  }
+};
+
+struct ExactSidesRecord {
+  Digits lhs, rhs, margin;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = ExactSidesRecord;
+    return visit(field(&Of::lhs, {"lhs", "Left side."}), field(&Of::rhs, {"rhs", "Right side."}),
+                 field(&Of::margin, {"margin", "lhs - rhs, rounded once: not the difference of the two texts."}));
+  }
+};
+struct ComputedSidesRecord {
+  HexNumber lhs, rhs;
+
+  static constexpr auto fields(auto&& visit) {
+    return visit(field(&ComputedSidesRecord::lhs, {"lhs", "Left side."}),
+                 field(&ComputedSidesRecord::rhs, {"rhs", "Right side."}));
+  }
+};
+struct SidesRecord {
+  std::optional<ExactSidesRecord> exact;
+  std::optional<ComputedSidesRecord> computed;
+  std::optional<ErrorNumber> lhs_ulps, rhs_ulps, error_u;
+
+  static constexpr std::string_view about = "The sides of one comparison.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = SidesRecord;
+    return visit(
+        field(&Of::exact,
+              {"exact",
+               "The kernel's own formulae in exact arithmetic, to 17 significant digits; null where they are undefined "
+               "(0/0)."}),
+        field(&Of::computed, {"computed", "The sides as computed by the kernel; null where it does not show them."}),
+        field(&Of::lhs_ulps,
+              {"lhs_ulps",
+               "|computed - exact| lhs, in ulps of the exact one, rounded up, to 1e-300 where it is less but not zero; "
+               "null: not finite, not shown, or a root.",
+               "ulps"}),
+        field(&Of::rhs_ulps, {"rhs_ulps", "The same for rhs.", "ulps"}),
+        field(
+            &Of::error_u,
+            {"error_u", "The error of the comparison on this query, as in max_error_u; null where it has none.", "u"}));
+  }
+};
+
+struct MeasuresRecord {
+  Named<HexNumber> given;
+  std::optional<ErrorNumber> tunnel;
+  // Absent together, where nothing of the motion was judged; null each where the kernel does not give it.
+  std::optional<std::optional<TimeVerdict>> time;
+  std::optional<std::optional<ErrorNumber>> ulps, in_u;
+  std::optional<std::optional<double>> gap;
+  std::optional<std::optional<bool>> feature_is_right;
+  std::optional<std::optional<double>> normal_angle, point_error;
+
+  static constexpr std::string_view about =
+      "What a kernel said of the first contact on this query, and how it is wrong. Absent for a test without measures; "
+      "null where it gave none beside a contact, and missed none.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = MeasuresRecord;
+    return visit(
+        field(&Of::given, {"given", "The measures by name."}),
+        field(&Of::tunnel, {"tunnel", "Of a late time or a missed contact.", "radii"}),
+        field(&Of::time,
+              {.name = "time",
+               .about = "What is said of the time: none, invalid, early, best, late; null where the kernel gives no "
+                        "times.",
+               .may_be_absent = true}),
+        field(&Of::ulps,
+              {.name = "ulps",
+               .about = "The error of an early or late time in units in the last place of the best one, rounded up.",
+               .unit = "ulps",
+               .may_be_absent = true}),
+        field(&Of::in_u,
+              {.name = "in_u", .about = "The same in u of the displacement.", .unit = "u", .may_be_absent = true}),
+        field(&Of::gap, {.name = "gap",
+                         .about = "Of an early time, relative to the scene.",
+                         .unit = "of the scene",
+                         .may_be_absent = true}),
+        field(&Of::feature_is_right,
+              {.name = "feature_is_right", .about = "Null where no feature is given.", .may_be_absent = true}),
+        field(&Of::normal_angle, {.name = "normal_angle",
+                                  .about = "In radians; null where it is not judged.",
+                                  .unit = "radians",
+                                  .may_be_absent = true}),
+        field(&Of::point_error, {.name = "point_error",
+                                 .about = "Relative to the scene; null where it is not judged.",
+                                 .unit = "of the scene",
+                                 .may_be_absent = true}));
+  }
+};
+
+// Three numbers: x, y and z.
+using PlaceNumbers = std::array<SignedNumber, 3>;
+
+struct FirstContactRecord {
+  std::optional<HexNumber> time;
+  std::optional<std::vector<Name>> features;
+  Name start;
+  std::optional<double> after_time;
+  std::optional<PlaceNumbers> point, point_from_a;
+  std::optional<std::optional<PlaceNumbers>> normal;
+
+  static constexpr std::string_view about =
+      "The exact first contact. Absent for a test without measures; null where the query is invalid.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = FirstContactRecord;
+    return visit(
+        field(
+            &Of::time,
+            {"time",
+             "The best time: the greatest number of the precision that is not late; null where there is no contact."}),
+        field(&Of::features,
+              {"features",
+               "All parts of the triangle that are nearest to the centre then; null where there is no contact."}),
+        field(&Of::start, {"start", "Sphere and triangle before the motion: overlap, touching or clear."}),
+        field(&Of::after_time,
+              {.name = "after_time",
+               .about = "The exact time less the best one. It and what follows is there where there is contact, each "
+                        "number the nearest of binary64.",
+               .may_be_absent = true}),
+        field(&Of::point, {.name = "point",
+                           .about = "The triangle's point that is nearest to the centre then.",
+                           .may_be_absent = true}),
+        field(
+            &Of::point_from_a,
+            {.name = "point_from_a",
+             .about = "The same point less A: rounded after the subtraction, so that it has all its digits however far "
+                      "both are from the origin.",
+             .may_be_absent = true}),
+        field(&Of::normal, {.name = "normal",
+                            .about = "The unit vector from there to the centre; null where they are one point.",
+                            .may_be_absent = true}));
+  }
+};
+
+struct WitnessRecord {
+  Name id;
+  Precision precision = Precision::binary32;
+  Named<GroupNumbers> numbers;  // of the query, by group of columns
+  Name kernel, family, address;
+  Verdict truth = Verdict::contact, computed = Verdict::contact;
+  bool touching = false;
+  std::optional<double> depth;
+  std::optional<InputClass> input_class;
+  std::optional<BitText> exact_comparisons, computed_comparisons;
+  std::vector<std::string> shows;
+  std::vector<FlipRecord> flips;
+  std::optional<Named<SidesRecord>> sides;
+  std::optional<std::optional<MeasuresRecord>> measures;
+  std::optional<std::optional<FirstContactRecord>> first_contact;
+
+  static constexpr std::string_view about =
+      "A query, with one kernel's results on it. The numbers of the query have the names of the groups of columns of "
+      "its "
+      "test.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = WitnessRecord;
+    return visit(
+        field(&Of::id, {"id", "Unique in this record."}), field(&Of::precision, {"precision", "Of the query."}),
+        rest(&Of::numbers), field(&Of::kernel, {"kernel", "The kernel that shows it."}),
+        field(&Of::family, {"family", "The family it came from."}),
+        field(&Of::address, {"address", "The address from which `axiscert query` makes it again."}),
+        field(&Of::truth, {"truth", "The geometric truth."}),
+        field(&Of::computed, {"computed", "The kernel's verdict."}),
+        field(&Of::touching, {"touching", "Whether the exact distance equals r."}),
+        field(&Of::depth, {"depth", "The depth of a wrong verdict; null where the verdict is right.", "of the scene"}),
+        field(&Of::input_class,
+              {.name = "class",
+               .about = "The class of the input of a wrong verdict; absent for a kernel without family.classes.",
+               .may_be_absent = true}),
+        field(
+            &Of::exact_comparisons,
+            {"exact_comparisons",
+             "The comparisons of the kernel's own formulae in exact arithmetic, one 0 or 1 each; null where there are "
+             "none."}),
+        field(&Of::computed_comparisons,
+              {"computed_comparisons", "The comparisons as computed by the kernel; null where it does not show them."}),
+        field(&Of::shows, {"shows", "The reasons for which it was kept."}),
+        field(&Of::flips, {"flips", "Flips in the order verdict, axes, comparisons."}),
+        field(&Of::sides,
+              {"sides",
+               "The two sides of each comparison of the axes that flip and of those with the largest error. Null where "
+               "the kernel claims no formulae with comparisons."}),
+        field(&Of::measures, {.name = "measures", .about = MeasuresRecord::about, .may_be_absent = true}),
+        field(&Of::first_contact,
+              {.name = "first_contact", .about = FirstContactRecord::about, .may_be_absent = true}));
+  }
+};
+
+struct FindingRecord {
+  Name kernel;
+  std::optional<Precision> precision;
+  std::optional<Name> family;
+  FindingKind kind = FindingKind::load;
+  std::uint64_t count = 0;
+  std::string detail;
+  std::optional<Name> address;
+  Named<std::optional<GroupNumbers>> numbers;  // of the query, by group of columns
+
+  static constexpr std::string_view about =
+      "One kind of fault of a plug-in, other than a wrong answer, on one family; it was found in loading where "
+      "precision, "
+      "family, address and query are null. The numbers of the query have the names of the groups of columns of its "
+      "test.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = FindingRecord;
+    return visit(
+        field(&Of::kernel, {"kernel", "The kernel at fault."}),
+        field(&Of::precision, {"precision", "The precision in which it occurred; null: in loading."}),
+        field(&Of::family, {"family", "The family on which it occurred; null: in loading."}),
+        field(
+            &Of::kind,
+            {"kind",
+             "load: cannot be loaded, or declares something that cannot be true; abi: made for another version of the "
+             "interface; crash: a signal, or the process exited; hang: no answer in time; out_of_bounds: touched "
+             "memory "
+             "next to an array, or wrote to an input; nondeterministic: another answer to the same batch; "
+             "batch_dependent: another answer depending on the query's place in the batch; environment: left the "
+             "floating-point environment changed; inconsistent: no verdict, or one that its own comparisons "
+             "contradict."}),
+        field(&Of::count, {"count", "Number of occurrences."}),
+        field(&Of::detail, {"detail", "The observation at the first occurrence."}),
+        field(&Of::address, {"address", "The address of the first query that showed it; null: in loading."}),
+        rest(&Of::numbers));
+  }
+};
+
+}  // namespace axiscert

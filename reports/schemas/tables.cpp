@@ -1,0 +1,294 @@
+// The rows of each command's JSON as a table of one observation a line. Columns follow from the fields where a row of
+// JSON is a line. Every column is described in docs/data.md, which cli.Data compares with what is printed.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+#include "kernel/sphere_triangle/names.h"
+#include "reports/instrument/mutation/mutation_data.h"
+#include "reports/instrument/precision/condition_data.h"
+#include "reports/instrument/precision/critical_radius_data.h"
+#include "reports/league/league_data.h"
+#include "reports/schemas/schemas.h"
+
+namespace axiscert {
+namespace {
+
+struct DataTable {
+  std::vector<std::string> columns;  // a name is a member of a row, or with dots the path to one
+  std::vector<Json> rows;            // a member that a row lacks is an empty cell
+};
+
+// The member of that name, or the one at the end of the path that it is; null where there is none.
+const Json* csv_member(const Json& row, std::string_view name) {
+  if (!row.is_object()) return nullptr;
+  if (const auto found = row.find(std::string(name)); found != row.end()) return &*found;
+  for (std::size_t dot = name.find('.'); dot != name.npos; dot = name.find('.', dot + 1)) {
+    const auto found = row.find(std::string(name.substr(0, dot)));
+    if (found == row.end()) continue;
+    if (const Json* inner = csv_member(*found, name.substr(dot + 1))) return inner;
+  }
+  return nullptr;
+}
+
+std::string csv_cell(const Json* value) {
+  if (value == nullptr || value->is_null()) return "";
+  if (value->is_string()) return value->get<std::string>();
+  if (!value->is_array()) return value->dump();
+  std::string text;
+  for (const Json& element : *value) text += (text.empty() ? "" : " ") + csv_cell(&element);
+  return text;
+}
+
+std::string csv_quoted(const std::string& cell) {
+  if (cell.find_first_of(",\"\r\n") == cell.npos) return cell;
+  std::string text = "\"";
+  for (const char c : cell) text += c == '"' ? "\"\"" : std::string(1, c);
+  return text + '"';
+}
+
+std::string csv_text(const DataTable& table) {
+  std::string text;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) text += (c == 0 ? "" : ",") + csv_quoted(table.columns[c]);
+  text += '\n';
+  for (const Json& row : table.rows) {
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+      text += (c == 0 ? "" : ",") + csv_quoted(csv_cell(csv_member(row, table.columns[c])));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+using DataColumns = std::vector<std::string>;
+
+// The words of a text.
+DataColumns columns_in(std::string_view text) {
+  std::istringstream words{std::string(text)};
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+// A cell is a number or text, or a list of these; members of a member are cells of their own. Maps, lists of others and
+// queries are left out.
+void add_columns(DataColumns& columns, const Json& schema, const std::string& path) {
+  if (schema.contains("anyOf")) return add_columns(columns, schema["anyOf"][1], path);
+  if (schema.contains("properties")) {
+    for (const auto& [name, member] : schema["properties"].items())
+      add_columns(columns, member, path.empty() ? name : path + "." + name);
+    return;
+  }
+  const Json& innermost = schema.contains("items") ? schema["items"] : schema;
+  if (innermost.value("type", Json()) != "object") columns.push_back(path);
+}
+// `first`, and the cells of a row that is a T.
+template <class T>
+DataColumns with_columns_of(DataColumns first) {
+  add_columns(first, json_schema_of<T>(), "");
+  return first;
+}
+
+// The elements of an array as they are.
+DataTable listed_rows(const Json& rows, DataColumns columns) {
+  return {std::move(columns), std::vector<Json>(rows.begin(), rows.end())};
+}
+
+// A row with `first` before what it has.
+Json extended(Json first, const Json& row) {
+  first.update(row);
+  return first;
+}
+
+DataTable ladder_rows(const Json& data) {
+  DataTable table{
+      columns_in("kernel family level name queries false_separation missed_separation false_contact touching_flips "
+                 "by_range median_u p99_u worst_u errors range_events error_without_scale window.low window.high "
+                 "critical_radius.median_ulps critical_radius.largest_ulps critical_radius.unbounded scalar_ns"),
+      {}};
+  for (const Json& kernel : data["kernels"]) {
+    const auto add = [&](const Json& family, const Json& result) {
+      const Json head = {{"kernel", kernel["id"]}, {"family", family}};
+      const auto add_place = [&](const char* level, const std::string& name, const Json& figures) {
+        Json row =
+            extended(extended(head, {{"level", level}, {"name", name}, {"queries", result["queries"]}}), figures);
+        if (const Json window = figures.value("window", Json()); window.is_array())
+          row["window"] = {{"low", window[0]}, {"high", window[1]}};
+        table.rows.push_back(std::move(row));
+      };
+      Json verdict = extended(result["verdict"], {{"critical_radius", result["critical_radius"]}});
+      if (family.is_null() && data.contains("speed"))
+        verdict["scalar_ns"] = data["speed"]["kernels"][kernel["id"].get<std::string>()]["scalar"];
+      add_place("verdict", "verdict", verdict);
+      for (const auto& [name, figures] : result["axes"].items()) add_place("axis", name, figures);
+      for (const auto& [name, figures] : result["kinds"].items()) {
+        add_place("kind", name, figures);
+        for (const char* side : {"radius", "side"}) {
+          if (figures.contains(side)) add_place("kind", name + "." + side, figures[side]);
+        }
+      }
+      for (const auto& [name, figures] : result["comparisons"].items()) add_place("comparison", name, figures);
+    };
+    add(nullptr, kernel);
+    for (const auto& [family, result] : kernel["families"].items()) add(family, result);
+  }
+  return table;
+}
+
+DataTable precision_rows(const Json& data) {
+  DataTable table{columns_in("kernel family bits exponents queries false_separation false_contact rounding range"), {}};
+  for (const ComparisonInfo& comparison : comparisons) table.columns.emplace_back(comparison.name);
+  const auto add = [&](const Json& family, const Json& result) {
+    for (const auto& [kernel, figures] : result["kernels"].items()) {
+      const Json head = {{"kernel", kernel}, {"family", family}, {"queries", result["queries"]}};
+      table.rows.push_back(extended(head, figures["exact"]));
+      for (const Json& step : figures["precisions"]) {
+        for (const char* exponents : {"unlimited", "limited"}) {
+          Json row =
+              extended(extended(head, {{"bits", step["bits"]}, {"exponents", exponents}}), step[exponents]["verdict"]);
+          row.update(step[exponents]["comparisons"]);
+          row.update({{"rounding", step["rounding"]}, {"range", step["range"]}});
+          table.rows.push_back(std::move(row));
+        }
+      }
+    }
+  };
+  add(nullptr, data["all"]);
+  for (const auto& [family, result] : data["families"].items()) add(family, result);
+  return table;
+}
+
+DataTable condition_rows(const Json& data) {
+  DataTable table{
+      with_columns_of<WrongVerdictsData>(with_columns_of<ConditionCountsData>(columns_in("kernel family comparison"))),
+      {}};
+  for (const Json& row : data["rows"]) {
+    const Json head = {{"kernel", row["kernel"]}, {"family", row["family"]}};
+    table.rows.push_back(extended(extended(head, row["total"]), row["wrong_verdicts"]));
+    for (const auto& [name, counts] : row["comparisons"].items())
+      table.rows.push_back(extended(extended(head, {{"comparison", name}}), counts));
+  }
+  return table;
+}
+
+DataTable critical_radius_rows(const Json& data) {
+  DataTable table = listed_rows(data["totals"], with_columns_of<CriticalRadiusRow>({}));
+  table.rows.insert(table.rows.end(), data["rows"].begin(), data["rows"].end());
+  return table;
+}
+
+DataTable league_rows(const Json& data) {
+  DataTable table{with_columns_of<LeagueFamilyData>(
+                      columns_in("kernel precision family touching has_planted_fault ns may_decline")),
+                  {}};
+  for (const Json& kernel : data["kernels"]) {
+    for (const auto& [family, figures] : kernel["families"].items()) {
+      Json row = {{"kernel", kernel["id"]}, {"family", family}};
+      for (const char* member : {"precision", "touching", "has_planted_fault", "ns", "may_decline"})
+        row[member] = kernel[member];
+      table.rows.push_back(extended(std::move(row), figures));
+    }
+  }
+  return table;
+}
+
+DataTable search_rows(const Json& data) {
+  DataTable table{
+      columns_in("kernel precision level name attained_u proved_u relative_u overflow.exponent underflow.exponent "
+                 "depth ulps links asked decided undecided invalid unanswered outside_limits"),
+      {}};
+  const Json head = {{"kernel", data["kernel"]}, {"precision", data["precision"]}};
+  for (const Json& comparison : data["comparisons"]) {
+    const Json& of_errors = data["looked_at_by_goal"]["error " + comparison["name"].get<std::string>()];
+    table.rows.push_back(extended(extended(extended(head, {{"level", "comparison"}}), of_errors), comparison));
+  }
+  for (const auto& [name, found] : data["verdict"].items()) {
+    const Json row = extended(extended(head, {{"level", "verdict"}, {"name", name}}), data["looked_at_by_goal"][name]);
+    table.rows.push_back(found.is_null() ? row : extended(row, found));
+  }
+  return table;
+}
+
+// A property a line, with the first of the queries that show it.
+DataTable diagnosis_rows(const Json& data) {
+  DataTable table{columns_in("kernel test precision seed name value sentence queries witnesses witness.answered "
+                             "witness.truth witness.shows looked_at.asked looked_at.decided looked_at.undecided "
+                             "looked_at.invalid looked_at.unanswered looked_at.outside_limits"),
+                  {}};
+  for (const Json& property : data["properties"]) {
+    Json row = property;
+    for (const char* member : {"kernel", "test", "precision", "seed"}) row[member] = data[member];
+    const Json& witnesses = property["witnesses"];
+    row["witnesses"] = witnesses.size();
+    if (!witnesses.empty()) row["witness"] = witnesses[0];
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+DataTable maps_rows(const Json& data) {
+  DataTable table{columns_in("map kernel precision kind along.numbers across.numbers level name file decided"), {}};
+  for (const Json& entry : data["legend"]) table.columns.push_back(entry["class"]);
+  for (const Json& map : data["maps"]) {
+    for (const Json& picture : map["pictures"]) {
+      Json row = {{"map", map["name"]}};
+      for (const char* member : {"kernel", "precision", "kind", "along", "across"}) row[member] = map[member];
+      for (const char* member : {"level", "name", "file", "decided"}) row[member] = picture[member];
+      table.rows.push_back(extended(std::move(row), picture["counts"]));
+    }
+  }
+  return table;
+}
+
+DataTable mutation_by_verdict_rows(const Json& data) {
+  return listed_rows(data["mutants"], with_columns_of<JudgedMutantData>({}));
+}
+
+struct NamedTable {
+  std::string_view name;  // axiscert-NAME/1 is the schema
+  DataTable (*table)(const Json&);
+};
+constexpr std::array named_tables = {
+    NamedTable{"ladder", ladder_rows},
+    NamedTable{"precision", precision_rows},
+    NamedTable{"condition", condition_rows},
+    NamedTable{"critical-radius", critical_radius_rows},
+    NamedTable{"league", league_rows},
+    NamedTable{"search", search_rows},
+    NamedTable{"diagnosis", diagnosis_rows},
+    NamedTable{"maps", maps_rows},
+    NamedTable{"mutation-by-verdict", mutation_by_verdict_rows},
+};
+
+// Those whose rows are the elements of a member as they are.
+struct ListedTable {
+  std::string_view name, rows, columns;
+};
+constexpr std::array listed_tables = {
+    ListedTable{"mutation", "mutants",
+                "id precision fault where what caught.family caught.queries caught.address caught.kind caught.depth "
+                "caught_by_formulae_alone.family caught_by_formulae_alone.queries equivalent"},
+    ListedTable{"mutation-of-certified", "steps", "step precision mutants shown equivalent by_the_recording_alone"},
+    ListedTable{"proofs", "bounds", "comparison kernel precision domain bound_u attained_u ratio status file"},
+    ListedTable{"kernels", "kernels", "id summary test entry formulae precisions targets exposes source"},
+    ListedTable{"families", "families", "name test purpose version exact_arithmetic cost"},
+    ListedTable{"tests", "tests", "id asks rule touching kernels families"},
+};
+
+}  // namespace
+
+std::string csv_of(const Json& data) {
+  const std::string schema = data.at("schema");
+  for (const NamedTable& named : named_tables) {
+    if (schema.starts_with(fmt::format("axiscert-{}/", named.name))) return csv_text(named.table(data));
+  }
+  for (const ListedTable& listed : listed_tables) {
+    if (schema.starts_with(fmt::format("axiscert-{}/", listed.name)))
+      return csv_text(listed_rows(data[std::string(listed.rows)], columns_in(listed.columns)));
+  }
+  throw std::logic_error(schema + " has no table");
+}
+
+}  // namespace axiscert
