@@ -53,8 +53,8 @@ def literals(line):
 
 def known_in(text, kinds):
     """What a literal knows by name: [(name, kind)]."""
-    told = [(name, kind) for word in re.findall(r"[\w-]+/[\w-]+|--(?:require|family|test)[ =][\w-]+", text)
-            for kind, all_names in kinds.items() for name in re.split("[/ =]", word)[:: 1 if word.startswith("--") else 2] if name in all_names]
+    told = [(name, "predicate") for name in re.findall(r"([\w-]+)/[\w-]", text) if name in kinds["predicate"]]
+    told += [(name, kind) for name in re.findall(r"--(?:require|family|test)[ =]([\w-]+)", text) for kind in kinds if name in kinds[kind]]
     words = text.split()
     for kind, all_names in kinds.items():
         if words and all(word in all_names for word in words) and not (len(words) == 1 and words[0] in HOMONYMS):
