@@ -21,6 +21,7 @@
 #include "reports/certificate/findings/asked_words.h"
 #include "reports/certificate/statement/canonical.h"
 #include "reports/certificate/statement/statement.h"
+#include "reports/gates/levels/level.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -313,7 +314,8 @@ int verify_or_throw(const VerifyOptions& options) {
     }
     recheck_certificate(certificate, options, id);
   }
-  for (const char* level : {"exact", "conservative", "logic"}) {
+  for (const GateLevel* each : badge_levels()) {
+    const std::string level(each->name());
     const std::string state = state_of_level(derived, level);
     fmt::print("{}: {}\n", state == "met" ? claim_of_level(derived, level) + decided_text(derived) : level, state);
   }

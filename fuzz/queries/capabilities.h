@@ -21,6 +21,7 @@ class WitnessSides;
 struct CriticalRadiusDefaults;
 struct ImageGroup;
 struct MeshQueries;
+struct Situations;
 struct StoredQuery;
 namespace diagnosis {
 struct DiagnosisScenes;
@@ -36,6 +37,10 @@ struct Capabilities {
   bool has_engine_queries = false;              // which the screen counts (fuzz/campaign/counts/depths.h)
   const Quantities* quantities = nullptr;       // fuzz/confirm/absolute_size.h
   const WitnessSides* witness_sides = nullptr;  // fuzz/confirm/witness_sides.h
+
+  // Of the documents: what the test's built-in kernels answer.
+  std::string_view section_of_forms = {};
+  const Situations* situations = nullptr;  // fuzz/queries/situation.h
 
   std::span<const std::string_view> correct_forms = {};          // kernels that are right over the reals: fuzz/mutation
   const diagnosis::DiagnosisScenes* diagnosis_scenes = nullptr;  // fuzz/diagnosis/scenes/scenes.h

@@ -30,6 +30,7 @@ const Capabilities& sphere_triangle_capabilities() {
       .has_engine_queries = true,
       .quantities = &sphere_triangle_quantities(),
       .witness_sides = &sphere_triangle_witness_sides(),
+      .section_of_forms = "docs/kernels.md#what-each-answers",
       .correct_forms = correct_forms,
       .diagnosis_scenes = &diagnosis::sphere_triangle_scenes(),
       .critical_radius_defaults = &critical_radius,

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fuzz/diagnosis/diagnosis.h"
-#include "reports/certificate/findings/test_words.h"
+#include "fuzz/queries/capabilities.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -49,7 +49,7 @@ std::string said_of(const Json& property, const Json& kernel, bool has_others) {
   const std::string value = property["value"];
   if (property["name"] == "nearest_form" && value != not_known && value != not_asked && kernel["id"] != value)
     return fmt::format("{}answers as {} does, see {}", has_others ? "otherwise " : "", value,
-                       test_words_of(find_test(kernel["test"].get<std::string>())).section_of_forms);
+                       capabilities_of(find_test(kernel["test"].get<std::string>())).section_of_forms);
   for (const Peculiarity& known : peculiarities) {
     if (property["name"] == known.property && value == known.value) return std::string(known.says);
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fuzz/record/record.h"
+#include "reports/gates/levels/level.h"
 
 namespace axiscert {
 
@@ -21,6 +22,6 @@ std::vector<std::string> levels_asked(const std::vector<std::string>& yardsticks
 Json levels_json(const Record& record, const std::string& kernel, const Json& searches);
 
 // The sentence that says what is proved of a built-in kernel at a level; empty where nothing is.
-std::string proved_at(const std::string& kernel, const std::string& level);
+std::string proved_at(const std::string& kernel, const AskedLevel& asked);
 
 }  // namespace axiscert

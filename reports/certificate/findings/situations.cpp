@@ -2,26 +2,19 @@
 
 #include <algorithm>
 
-#include "reports/certificate/findings/test_words.h"
+#include "fuzz/files/corpus.h"
+#include "fuzz/queries/capabilities.h"
+#include "fuzz/queries/family.h"
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert {
 namespace {
 
-bool has_word(std::string_view words, std::string_view word) {
-  for (std::size_t at = words.find(word); at != words.npos; at = words.find(word, at + 1)) {
-    const std::size_t end = at + word.size();
-    if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' ')) return true;
+const Situation* situation_of(const TestDescription& test, std::string_view name) {
+  for (const Family* family : families_of(test)) {
+    if (family->name == name) return family->situation;
   }
-  return false;
-}
-
-const Situation& situation_of(std::span<const Situation> situations, std::string_view family) {
-  const std::string_view own = family.substr(family.find('/') + 1);
-  for (const Situation& situation : situations) {
-    if (has_word(situation.families, own)) return situation;
-  }
-  return situations.back();
+  return name == corpus_name ? &of_corpus : &capabilities_of(test).situations->own;
 }
 
 // The wrong verdicts of one situation in one precision.
@@ -46,28 +39,32 @@ struct WrongVerdicts {
 
 Json situations_json(const Record& record, const std::string& kernel) {
   Json found = Json::array();
-  const std::span<const Situation> situations = test_words_of(test_of(record.plan)).situations;
-  for (const Situation& situation : situations) {
+  const TestDescription& test = test_of(record.plan);
+  const Situations* situations = capabilities_of(test).situations;
+  if (situations == nullptr) return found;
+  std::vector<const Situation*> in_order(situations->of_families.begin(), situations->of_families.end());
+  in_order.insert(in_order.end(), {&of_corpus, &situations->own});
+  for (const Situation* situation : in_order) {
     for (const KernelRecord& entry : record.kernels) {
       if (entry.id != kernel) continue;
       WrongVerdicts tally;
       for (const auto& [family, result] : entry.families) {
-        if (&situation_of(situations, family) == &situation) tally.add(family, result.verdict);
+        if (situation_of(test, family) == situation) tally.add(family, result.verdict);
       }
       if (tally.families.empty()) continue;
       std::ranges::stable_sort(tally.families, [](const auto& x, const auto& y) { return x.first > y.first; });
       Json families = Json::array();
       for (const auto& [depth, family] : tally.families) families.push_back(family);
       found.push_back({{"precision", name(entry.precision)},
-                       {"situation", situation.name},
-                       {"meaning", situation.meaning},
+                       {"situation", situation->name},
+                       {"meaning", situation->meaning},
                        {"families", families},
                        {"missed", tally.missed},
                        {"deepest_missed", tally.deepest_missed},
                        {"phantom", tally.phantom},
                        {"deepest_phantom", tally.deepest_phantom},
-                       {"advice", situation.advice},
-                       {"section", situation.section}});
+                       {"advice", situation->advice},
+                       {"section", situation->section}});
     }
   }
   return found;
