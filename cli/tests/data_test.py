@@ -37,6 +37,8 @@ MOTION = ('{"id":"m","test":"moving-sphere","precision":"binary32","a":[0,0,0],"
 LINES = {
     "check": ((("check", "-", "--kernel", "published", "--errors"), QUERY % 1), (("check", "-", "--kernel", "published"), QUERY % -1),
               (("check", "-", "--kernel", "closest-point"), QUERY % 2), (("check", "-", "--kernel", "moving-sphere/twenty"), MOTION)),
+    "row": ((("check", "1:repeated:2:binary32:0:0-40", "--kernel", "published", "--kernel", "eigen"), None),
+            (("check", "1:nonfinite:2:binary64:0:0-40"), None), (("check", "1:moving-sphere/approach:1:binary32:0:0-40", "--kernel", "moving-sphere/gated"), None)),
     "shrink": ((("shrink", "1:repeated:2:binary64:0:143", "--kernel", "published"), None),
                (("shrink", "1:repeated:2:binary64:0:143", "--kernel", "published", "--any-class"), None),
                (("shrink", "1:orders:1:binary32:0:2", "--kernel", "published", "--what", "asymmetry"), None)),
