@@ -122,9 +122,20 @@ class Data(Case):
 
     def test_csv_has_the_columns_that_the_page_describes_in_their_order(self):
         columns = documented()
-        self.assertEqual(set(columns), {*COMMANDS, "prove"})
+        self.assertEqual(set(columns), {*COMMANDS, "prove", "run", "check"})
         for heading in COMMANDS:
             self.assertEqual(self.csv(heading)[0], columns[heading], heading)
+
+    def test_every_column_of_a_record_is_explained(self):
+        done = axiscert("run", "--kernel", "published", "--family", "general", "--trials", 40, "--out", self.folder / "out", "--format", "csv")
+        (head, *_) = csv.reader(io.StringIO(done.stdout), strict=True)
+        named = documented()["run"]
+        self.assertEqual(head[:len(named)], named)
+        for column in head[len(named):]:
+            said = axiscert("explain", column)
+            self.assertEqual(said.returncode, 0, column + said.stderr)
+        self.assertIn("Missed contacts: the kernel says separated", axiscert("explain", "verdict.false_separation").stdout)
+        self.refused("explain", "verdict.false_separatoin", says=["verdict.false_separatoin"])
 
     def test_every_column_is_filled_somewhere(self):
         # Columns that need more than these few queries to have a value.
