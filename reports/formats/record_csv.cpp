@@ -66,7 +66,7 @@ std::string render_csv(const Run& run) {
 
 }  // namespace
 
-extern const Format csv_format = {record_csv_file,
-                                  "its counts as a table, a line for each place where a kernel can differ", render_csv};
+extern const Format csv_format = {
+    record_csv_file, "the counts of record.json as a table: a line for each verdict, axis, comparison", render_csv};
 
 }  // namespace axiscert
