@@ -27,6 +27,7 @@ const Capabilities& sphere_triangle_capabilities() {
       .canonical_form = least_image_text,
       .screens = &sphere_triangle_screens(),
       .input_classes = &sphere_triangle_input_classes(),
+      .nearest_features = &sphere_triangle_nearest_features(),
       .has_engine_queries = true,
       .quantities = &sphere_triangle_quantities(),
       .witness_sides = &sphere_triangle_witness_sides(),
