@@ -99,6 +99,9 @@ inline constexpr std::size_t enum_count<Exposure> = 3;
 inline constexpr EnumArray<Exposure, std::string_view> exposure_names = {"verdict", "comparisons", "sides"};
 constexpr std::string_view name(Exposure which) { return exposure_names[which]; }
 
+// What the theory proves of a built-in kernel's verdicts.
+enum class Proved : std::uint8_t { nothing, no_missed_contact, no_wrong_verdict };
+
 struct Kernel {
   std::string id;
   std::string summary;                    // one line
@@ -117,6 +120,8 @@ struct Kernel {
   bool has_simd = false;     // uses different instructions on different targets
   bool is_reference = true;  // claims the scalar reference's bits and sides, bit for bit; a kernel that does not is not
                              // compared with the reference
+  Proved proved = Proved::nothing;
+  std::string_view proof = {};    // where that holds, by what, and what is argued besides; for a certificate
   bool takes_arithmetic = false;  // may be the rung in RUNG+ARITHMETIC
   Touching touching = Touching::contact;
   Limits limits = {};

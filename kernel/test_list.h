@@ -7,7 +7,6 @@
 //   exact/trait/oracles.cpp        const Oracles& NAME_oracles(std::size_t entry);   of an entry of the test
 //   fuzz/queries/family.cpp        std::span<const Family* const> NAME_families();
 //   fuzz/queries/capabilities.cpp  const Capabilities& NAME_capabilities();
-//   reports/certificate/findings/test_words.cpp  const TestWords& NAME_words();
 // NAME has '_' where the test's id has '-'.
 #pragma once
 

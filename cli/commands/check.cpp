@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 
 #include "cli/running/check_output.h"
+#include "cli/running/query_rows.h"
 #include "cli/progress_line.h"
 #include "cli/commands.h"
+#include "cli/options/address_query.h"
 #include "cli/options/test_options.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/query_file.h"
@@ -16,7 +19,9 @@ namespace axiscert {
 namespace {
 
 struct CheckOptions {
-  std::string file, kernel, format = "text", target = "auto", precision = "binary32";
+  std::string file, format = "text", target = "auto", precision = "binary32";
+  std::vector<std::string> kernels;
+  AddressFiles files;
   bool errors = false;
 };
 
@@ -36,18 +41,27 @@ Checked checked(Examiner& examiner, const Numbers<Real>& q) {
   return invalid;
 }
 
-void require_query_of(const Kernel& kernel, const StoredQuery& stored, const std::string& file) {
-  if (kernel.test == stored.test && kernel.entry == stored.entry) return;
-  throw Error(
-      fmt::format("{}: query '{}' is of the test {}, entry {}, and kernel {} of {}, entry {}; a query is judged "
-                  "by a kernel of its own test and entry",
-                  file, stored.id, stored.test->id, stored.columns().name, kernel.id, kernel.test->id,
-                  kernel.test->entries[kernel.entry].name));
+// `what`: "mine.jsonl: query 'q' is".
+void require_query_of(const Kernel& kernel, const TestDescription& test, std::size_t entry, Precision precision,
+                      const std::string& what) {
+  if (!kernel.has(precision)) {
+    throw Error(fmt::format("{} in {}, in which kernel {} does not exist", what, name(precision), kernel.id));
+  }
+  if (kernel.test == &test && kernel.entry == entry) return;
+  throw Error(fmt::format(
+      "{} of the test {}, entry {}, and kernel {} of {}, entry {}; a query is judged "
+      "by a kernel of its own test and entry",
+      what, test.id, test.entries[entry].name, kernel.id, kernel.test->id, kernel.test->entries[kernel.entry].name));
+}
+
+std::vector<const Kernel*> kernels_given(const CheckOptions& options) {
+  std::vector<const Kernel*> kernels;
+  for (const std::string& id : options.kernels) require_loaded(*kernels.emplace_back(&find_kernel(id)));
+  return kernels;
 }
 
 // A file of which the kernel decided no query that it promises shows nothing of it, which is said.
-void say_if_nothing(const Kernel& kernel, std::size_t queries,
-                    const std::map<std::string_view, std::size_t>& standings) {
+void say_if_nothing(const Kernel& kernel, std::size_t queries, const StandingCounts& standings) {
   const auto invalid = standings.find("no_query");
   const bool are_none = queries == (invalid == standings.end() ? 0 : invalid->second);
   if (are_none || standings.contains("decided")) return;
@@ -57,9 +71,48 @@ void say_if_nothing(const Kernel& kernel, std::size_t queries,
              fmt::join(parts, ", "));
 }
 
+// A row for each query of the range and each kernel, and first how many these are.
+int check_range(const CheckOptions& options) {
+  const QueryRange range = query_range(options.file, options.files);
+  if (options.format == "text")
+    throw Error(fmt::format("{}: the queries of addresses are rows; give --format csv or jsonl", options.file));
+  if (options.errors)
+    throw Error("--errors: the errors of sides are of queries in a file; `axiscert query` writes one");
+  std::vector<const Kernel*> kernels = kernels_given(options);
+  const std::string target = resolve_target(options.target);
+  const TestDescription& test = range.source->test();
+  if (kernels.empty()) kernels.push_back(&default_kernel(test, range.source->entry()));
+  for (const Kernel* kernel : kernels) {
+    require_query_of(*kernel, test, range.source->entry(), range.first.precision,
+                     fmt::format("the query {} is", text(range.first)));
+  }
+  QueryRows rows(range, kernels, target, options.format);
+  fmt::print(stderr, "axiscert: {} row{}, about {} bytes\n", rows.size(), rows.size() == 1 ? "" : "s", rows.bytes());
+  ProgressLine progress("check");
+  const ShowProgress show = progress.report();
+  constexpr std::uint64_t batch = 1024;
+  ProgressCount count(show, (range.size + batch - 1) / batch);
+  fmt::print("{}", rows.head());
+  for (std::uint64_t done = 0; done < range.size; done += batch) {
+    const std::string part = rows.next(batch);
+    count.finished(std::min(batch, range.size - done));
+    progress.clear();
+    fmt::print("{}", part);
+  }
+  for (std::size_t k = 0; k < kernels.size(); ++k) say_if_nothing(*kernels[k], range.size, rows.standings()[k]);
+  return exit_done;  // whatever it found
+}
+
 int check(const CheckOptions& options) {
-  const Kernel* const given = options.kernel.empty() ? nullptr : &find_kernel(options.kernel);
-  if (given != nullptr) require_loaded(*given);
+  if (is_address(options.file)) return check_range(options);
+  if (options.format == "csv")
+    throw Error(
+        fmt::format("--format csv: has the rows of addresses, SEED:NAME:VERSION:PRECISION:UNIT:FIRST-LAST; the "
+                    "queries of {} are printed as text or jsonl",
+                    options.file));
+  if (options.kernels.size() > 1) throw Error("--kernel: the queries of a file are judged by one kernel");
+  const std::vector<const Kernel*> kernels = kernels_given(options);
+  const Kernel* const given = kernels.empty() ? nullptr : kernels.front();
   const std::string target = resolve_target(options.target);
   const auto queries = read_query_file(options.file, parse_precision(options.precision));
   const Kernel& kernel = given != nullptr  ? *given
@@ -69,13 +122,10 @@ int check(const CheckOptions& options) {
   ProgressLine progress("check");
   const ShowProgress show = progress.report();
   ProgressCount count(show, queries.size());
-  std::map<std::string_view, std::size_t> standings;
+  StandingCounts standings;
   for (const StoredQuery& stored : queries) {
-    if (!kernel.has(stored.precision)) {
-      throw Error(fmt::format("{}: query '{}' is in {}, in which kernel {} does not exist", options.file, stored.id,
-                              name(stored.precision), kernel.id));
-    }
-    require_query_of(kernel, stored, options.file);
+    require_query_of(kernel, *stored.test, stored.entry, stored.precision,
+                     fmt::format("{}: query '{}' is", options.file, stored.id));
     const Checked found = std::visit([&](const auto& q) { return checked(examiner, q); }, stored.numbers);
     ++standings[standing_of(kernel, found)];
     count.finished();
@@ -97,17 +147,25 @@ int check(const CheckOptions& options) {
 
 void add_check(CLI::App& app, Action& action) {
   auto* command =
-      app.add_subcommand("check", "Judge each query of a file: exact and computed answers, and why they differ");
+      app.add_subcommand("check", "Judge each query of a file, or of a range of addresses: exact and computed answers");
   auto options = std::make_shared<CheckOptions>();
-  command->add_option("FILE", options->file, "query file, JSON Lines or CSV; - reads standard input")->required();
-  command->add_option("--kernel", options->kernel, "kernel id (default: the first of the test of the file's queries)");
+  command
+      ->add_option("FILE", options->file,
+                   "query file, JSON Lines or CSV; - reads standard input; or a range of addresses, "
+                   "SEED:NAME:VERSION:PRECISION:UNIT:FIRST-LAST, whose rows --format csv and jsonl print")
+      ->required();
+  command
+      ->add_option("--kernel", options->kernels,
+                   "kernel id, for a range repeatable (default: the first of the test of the queries)")
+      ->allow_extra_args(false);
+  add_address_files(*command, options->files);
   command->add_option("--target", options->target, "instruction set, or auto")->capture_default_str();
   command->add_option("--precision", options->precision, "precision of a CSV file, which does not state it")
       ->capture_default_str();
   command->add_flag("--errors", options->errors, "also print the errors of the computed sides, in u, exactly");
   add_plugin_seconds(*command);
   add_progress(*command);
-  add_format(*command, options->format, {"jsonl"});
+  add_format(*command, options->format, {"jsonl", "csv"});
   command->callback([&action, options] { action = [options] { return check(*options); }; });
 }
 

@@ -20,33 +20,45 @@ struct Figure {
   std::vector<std::string> places;
 };
 
-// Adds the members of that name in a schema, and in those inside it.
+// Adds the members of that name, or of a path that ends so, in a schema and in those inside it. Of those that a path
+// names and that have no sentence, as the links of `verdict.links.rounding`, that of the object around them is added.
 void add_figures(const Json& schema, const std::string& place, const std::string& name, std::vector<Figure>& found) {
+  const bool is_path = name.find('.') != name.npos;
+  const auto at = [&](const std::string& member) { return place.empty() ? member : place + "." + member; };
+  const auto add = [&](const std::string& member, const Json& rule) {
+    const std::string here = at(member);
+    if (!("." + here).ends_with("." + name)) return;
+    const Json& said = rule.contains("description") || !is_path ? rule : schema;
+    if (!said.contains("description")) return;
+    const Figure figure{said["description"], said.value("unit", ""), {here}};
+    const auto same = std::find_if(found.begin(), found.end(), [&](const Figure& other) {
+      return other.about == figure.about && other.unit == figure.unit;
+    });
+    if (same == found.end()) found.push_back(figure);
+    else same->places.push_back(here);
+  };
   for (const auto& [keyword, part] : schema.items()) {
     const bool is_schema = keyword == "items" || keyword == "additionalProperties";
     if (is_schema && part.is_object()) add_figures(part, place, name, found);
     if (keyword != "anyOf") continue;
     for (const Json& one : part) add_figures(one, place, name, found);
   }
+  if (is_path && schema.contains("propertyNames"))
+    for (const Json& member : schema["propertyNames"].value("enum", Json::array())) add(member, Json::object());
   if (!schema.contains("properties")) return;
   for (const auto& [member, rule] : schema["properties"].items()) {
-    const std::string here = place.empty() ? member : place + "." + member;
-    if (member == name && rule.contains("description")) {
-      const Figure figure{rule["description"], rule.value("unit", ""), {here}};
-      const auto same = std::find_if(found.begin(), found.end(), [&](const Figure& other) {
-        return other.about == figure.about && other.unit == figure.unit;
-      });
-      if (same == found.end()) found.push_back(figure);
-      else same->places.push_back(here);
-    }
-    add_figures(rule, here, name, found);
+    add(member, rule);
+    add_figures(rule, at(member), name, found);
   }
 }
 
-// "kernels.families.trials: Number of queries: ...", a line for each sentence; empty where no member has that name.
+// "kernels.families.trials: Number of queries: ...", a line for each sentence; empty where no member has that name, or
+// that path.
 std::string figure_text(std::string name) {
+  // A column of record.csv is a path; its words are written as they are.
+  const bool is_word = name.find('.') == name.npos;
   std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
+      name.begin(), name.end(), [=](char c) { return is_word && (c == ' ' || c == '-'); }, '_');
   std::vector<Figure> found;
   add_figures(json_schema_of<Record>(), "", name, found);
   std::string text;
@@ -76,7 +88,8 @@ void add_explain(CLI::App& app, Action& action) {
   auto given = std::make_shared<std::vector<std::string>>();
   auto schema = std::make_shared<std::string>();
   auto* words = command->add_option("WORD", *given, "for example depth, or missed contact, or max_error_u");
-  command->add_option("--schema", *schema, "instead, the JSON Schema of what a command writes, such as record or ladder")
+  command
+      ->add_option("--schema", *schema, "instead, the JSON Schema of what a command writes, such as record or ladder")
       ->excludes(words);
   command->callback([&action, given, schema] {
     action = [given, schema] {

@@ -38,7 +38,7 @@ const TestDescription& league_test() { return *find_kernel(own_kernels.front()).
 std::vector<std::string> default_families() {
   std::vector<std::string> names = league_families;
   for (const Family* family : families_of(league_test())) {
-    if (is_scene(family->name)) names.emplace_back(family->name);
+    if (family->trust_group == TrustGroup::scene) names.emplace_back(family->name);
   }
   return names;
 }

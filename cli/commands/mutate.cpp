@@ -109,16 +109,13 @@ int put_score(const MutateOptions& options, const std::optional<OutputFolder>& f
   return exit_done;
 }
 
-// The level of `run --require` that judges kernels that show a verdict alone.
-constexpr const char* required = "logic";
-
 int mutate_by_verdict(const MutateOptions& options, const MutationPlan& plan,
                       const std::optional<OutputFolder>& folder) {
-  const Gate gate = gate_at(required);
+  const Gate gate = gate_at(level_of_mutation);
   const std::atomic<bool>& interrupted = watch_for_interrupts();
   const BlackBoxScore score = with_progress(
       "mutate", [&](const ShowProgress& show) { return judge_black_boxes(plan, gate, interrupted, show); });
-  const InstrumentReport report = black_box_report(plan, score, required, command_of(options, plan));
+  const InstrumentReport report = black_box_report(plan, score, level_of_mutation, command_of(options, plan));
   return put_score(options, folder, report, report, score.complete, black_box_faults(score));
 }
 

@@ -66,16 +66,54 @@ SourcePtr source_of(const Address& address, const AddressFiles& files) {
   return source;
 }
 
-template <class Real>
-Numbers<Real> made(const Address& address, const Source& source) {
+// The source, which makes what the address says.
+SourcePtr same_source_of(const Address& address, const AddressFiles& files) {
+  SourcePtr source = source_of(address, files);
+  if (source->version() != address.version) {
+    throw Error(fmt::format("address '{}': {} has generator version {} here, but the address is from version {}",
+                            text(address), source->name(), source->version(), address.version));
+  }
+  return source;
+}
+
+void require_in(const Source& source, const Address& address) {
   if (const auto size = source.fixed_size(address.precision); size && address.position() >= *size) {
     throw Error(
         fmt::format("address '{}': the file has {} queries in {}", text(address), *size, name(address.precision)));
   }
+}
+
+template <class Real>
+Numbers<Real> made(const Address& address, const Source& source) {
+  require_in(source, address);
   return source.make<Real>(address.seed, address.position());
 }
 
 }  // namespace
+
+bool is_address(const std::string& text) {
+  std::error_code ignored;
+  return text.find(':') != text.npos && !std::filesystem::exists(text, ignored);
+}
+
+QueryRange query_range(const std::string& text, const AddressFiles& files) {
+  const std::size_t colon = text.rfind(':'), dash = text.find('-', colon);
+  const std::string unit = text.substr(0, colon + 1);
+  Address first{}, last{};
+  try {
+    first = parse_address(text.substr(0, dash));
+    last = dash == text.npos ? first : parse_address(unit + text.substr(dash + 1));
+  } catch (const Error& wrong) {
+    throw Error(fmt::format("range '{}', FIRST-LAST in the place of INDEX: {}", text, wrong.what()));
+  }
+  if (first.index > last.index) {
+    throw Error(fmt::format("range '{}': FIRST {} is greater than LAST {}; give {}{}-{}", text, first.index, last.index,
+                            unit, last.index, first.index));
+  }
+  SourcePtr source = same_source_of(first, files);
+  require_in(*source, last);
+  return {first, last.index - first.index + 1, std::move(source)};
+}
 
 void add_address_files(CLI::App& command, AddressFiles& files) {
   command.add_option("--mesh", files.mesh, "the mesh in which the address is");
@@ -92,19 +130,14 @@ std::vector<StoredQuery> queries_given(const std::vector<std::string>& given, co
       all.push_back(query_at(parse_address(each), files));
       continue;
     }
-    std::error_code ignored;
-    if (each.find(':') != each.npos && !std::filesystem::exists(each, ignored)) parse_address(each);  // which says what
+    if (is_address(each)) parse_address(each);  // which says what
     for (StoredQuery& stored : read_query_file(each, parse_precision(csv_precision))) all.push_back(std::move(stored));
   }
   return all;
 }
 
 StoredQuery query_at(const Address& address, const AddressFiles& files) {
-  const SourcePtr source = source_of(address, files);
-  if (source->version() != address.version) {
-    throw Error(fmt::format("address '{}': {} has generator version {} here, but the address is from version {}",
-                            text(address), source->name(), source->version(), address.version));
-  }
+  const SourcePtr source = same_source_of(address, files);
   StoredQuery stored{text(address), address.precision, {}, &source->test(), source->entry(), 0, text(address)};
   if (address.precision == Precision::binary32) stored.numbers = made<float>(address, *source);
   else stored.numbers = made<double>(address, *source);

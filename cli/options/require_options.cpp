@@ -11,16 +11,14 @@ namespace axiscert {
 namespace {
 
 // Any kernel meets a depth beyond the greatest; a record that requires one is read all the same.
-void require_depth_that_occurs(const std::string& level, const TestDescription& test) {
-  const std::size_t equals = level.find('=');
-  const std::string name = level.substr(0, equals);
-  double depth = 0;
-  if (equals == level.npos || (name != "conservative" && name != "depth") ||
-      !CLI::detail::lexical_cast(level.substr(equals + 1), depth) || !(depth > test.greatest_depth))
-    return;
-  throw Error(fmt::format(
-      "--require {}: D is a depth, a share of the scene from 0 to {} in a test of {}, as in {}=0.001{}", level,
-      test.greatest_depth, test.id, name, name == "depth" ? "" : "; `conservative` alone sets no limit"));
+void require_depth_that_occurs(const AskedLevel& asked, const TestDescription& test) {
+  const GateLevel& level = level_of(asked);
+  if (!asked.has_argument || level.allowed == nullptr || !(level.allowed(asked).phantom > test.greatest_depth)) return;
+  const bool is_optional = std::string_view(level.usage).find('[') != std::string_view::npos;
+  throw Error(
+      fmt::format("--require {}: D is a depth, a share of the scene from 0 to {} in a test of {}, as in {}=0.001{}",
+                  asked.text, test.greatest_depth, test.id, asked.name,
+                  is_optional ? fmt::format("; `{}` alone sets no limit", asked.name) : ""));
 }
 
 }  // namespace
@@ -37,9 +35,9 @@ void add_require_options(CLI::App& command, Required& required) {
 }
 
 void check_required(const Required& required, const Plan& plan) {
-  for (const std::string& level : required.levels) require_depth_that_occurs(level, plan.questions.test());
   const PlanRecord stated = plan_record(plan, CampaignResult(), required);
-  requirements_of(stated);
+  const Requirements requirements = requirements_of(stated);
+  for (const AskedLevel& asked : requirements.levels) require_depth_that_occurs(asked, plan.questions.test());
   for (const std::string& id : yardsticks_of(stated)) {
     const bool is_run = std::any_of(plan.answerers.kernels.begin(), plan.answerers.kernels.end(),
                                     [&](const Kernel* kernel) { return kernel->id == id; });

@@ -163,6 +163,7 @@ void add_output_options(CLI::App& command, OutputOptions& o) {
                   "(default: as a plug-in says of itself); repeatable")
       ->allow_extra_args(false);
   command.add_option("--out", o.out, "folder for record, reports and witnesses")->capture_default_str();
+  add_format(command, o.format, {"csv"});
   command.add_flag("--quiet", o.quiet, "print only errors and failures");
   add_progress(command);
 }

@@ -30,6 +30,7 @@ struct OutputOptions {
   Required required;
   std::string out = "out", ratchet;
   std::vector<std::string> sources;  // [KERNEL=]FILE:LINE
+  std::string format = "text";       // of what is printed at the end
   bool quiet = false;
   bool has_summary = true;   // printed at the end, and what came of the levels
   std::uint64_t shrink = 0;  // evaluations to make each witness smaller; 0: they stay as they are

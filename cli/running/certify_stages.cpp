@@ -159,9 +159,9 @@ HarnessStatement harness_score(const Staged& staged, std::string_view base) {
   Json score;
   const char* noticed = "refused";
   if (by_verdict) {
-    const BlackBoxScore found = judge_black_boxes(plan, gate_at("logic"), interrupts(), progress.report());
+    const BlackBoxScore found = judge_black_boxes(plan, gate_at(level_of_mutation), interrupts(), progress.report());
     if (!found.complete) throw StageInterrupted();
-    score = black_box_report(plan, found, "logic", "axiscert certify").data["score"];
+    score = black_box_report(plan, found, level_of_mutation, "axiscert certify").data["score"];
   } else {
     const MutationResult found = run_mutation(plan, interrupts(), progress.report());
     if (!found.complete) throw StageInterrupted();

@@ -136,10 +136,10 @@ std::string_view standing_text(std::string_view standing) {
 
 }  // namespace
 
-std::string_view standing_of(const Kernel& kernel, const Checked& found) {
-  if (found.truth.verdict == Verdict::invalid) return "no_query";
-  if (!found.within_limits) return "outside_limits";
-  switch (found.answer.verdict) {
+std::string_view standing_of(const Kernel& kernel, Verdict exact, bool is_within_limits, Verdict computed) {
+  if (exact == Verdict::invalid) return "no_query";
+  if (!is_within_limits) return "outside_limits";
+  switch (computed) {
     case Verdict::contact:
     case Verdict::separated:
       return "decided";

@@ -30,7 +30,10 @@ Checked checked_of(const TestDescription& test, const Examination& found, std::v
 // The standing of the query is "decided", "declined", "undeclared_decline", "called_invalid", "unanswered",
 // "outside_limits" or "no_query". Only the first shows whether the kernel is right; the three after `declined` are
 // faults.
-std::string_view standing_of(const Kernel& kernel, const Checked& found);
+std::string_view standing_of(const Kernel& kernel, Verdict exact, bool is_within_limits, Verdict computed);
+inline std::string_view standing_of(const Kernel& kernel, const Checked& found) {
+  return standing_of(kernel, found.truth.verdict, found.within_limits, found.answer.verdict);
+}
 
 // One line, without its line end.
 std::string check_text(const std::string& id, const Kernel& kernel, const Checked& found);

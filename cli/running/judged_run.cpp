@@ -15,6 +15,7 @@
 #include "cli/running/shrunk.h"
 #include "cli/running/terminal.h"
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
 #include "reports/gates/ratchet.h"
@@ -51,12 +52,12 @@ bool shown(const std::vector<LevelOutcome>& outcomes, bool quiet) {
 constexpr std::size_t most_lines = 40;
 
 // Prints what is worse, the worst first, and what is better; returns whether the ratchet is met.
-bool holds(const RatchetOutcome& outcome, const OutputOptions& output) {
+bool holds(const RatchetOutcome& outcome, const OutputOptions& output, bool is_quiet) {
   const auto more = [&](std::size_t all) {
     return all <= most_lines ? ""
                              : fmt::format("{} more, in {}/{}", all - most_lines, output.out, ratchet_outcome_file);
   };
-  if (!output.quiet) {
+  if (!is_quiet) {
     for (const std::string& changed : outcome.changed)
       fmt::print("changed since the ratchet was written: {}\n", changed);
     for (std::size_t i = 0; i < std::min(most_lines, outcome.better.size()); ++i)
@@ -156,17 +157,19 @@ int put_result(JudgedRun run, const OutputOptions& output) {
 
   // First, and where standard output goes elsewhere on standard error too.
   const std::vector<std::string> nothing = output.has_summary ? unjudged(record) : std::vector<std::string>();
-  const bool is_on_one_screen = !output.quiet && isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
+  const bool is_quiet = output.quiet || output.format != "text";  // nothing else is on standard output then
+  const bool is_on_one_screen = !is_quiet && isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
   for (const std::string& sentence : nothing) {
     if (!is_on_one_screen) fmt::print(stderr, "axiscert: {}\n", sentence);
-    if (!output.quiet) fmt::print("{}\n", coloured(sentence, TextColour::red));
+    if (!is_quiet) fmt::print("{}\n", coloured(sentence, TextColour::red));
   }
-  if (!output.quiet && output.has_summary)
+  if (!is_quiet && output.has_summary)
     fmt::print("{}{}/report.html\n", summary_text(record, info["seconds"]), output.out);
+  if (!output.quiet && output.format == "csv") fmt::print("{}", read_bytes(output.out + "/" + record_csv_file));
   if (!is_complete) return exit_interrupted;
   bool is_met = nothing.empty();
-  if (!shown(outcomes, output.quiet)) is_met = false;
-  if (held && !holds(*held, output)) is_met = false;
+  if (!shown(outcomes, is_quiet)) is_met = false;
+  if (held && !holds(*held, output, is_quiet)) is_met = false;
   return is_met ? exit_done : exit_requirement_failed;
 }
 

@@ -68,6 +68,8 @@ class Lead {
         is_whole_(options.shard.empty() && options.stretches.empty()),
         is_selected_([](std::uint64_t) { return true; }) {
     source_places(plan.answerers.kernels, output.sources);  // refuses what cannot be one, before anything runs
+    if (!is_whole_ && output.format != "text")
+      throw Error("--format csv: a part of a plan has no record; `axiscert merge` makes that of all parts");
     if (!options.shard.empty()) is_selected_ = shard_of(options.shard);
     if (!options.stretches.empty()) is_selected_ = listed_in(options.stretches, stretches.count());
   }

@@ -21,6 +21,7 @@
 #include "reports/certificate/findings/asked_words.h"
 #include "reports/certificate/statement/canonical.h"
 #include "reports/certificate/statement/statement.h"
+#include "reports/gates/levels/level.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -306,7 +307,8 @@ int verify_or_throw(const VerifyOptions& options) {
     }
     recheck_certificate(certificate, options, id);
   }
-  for (const char* level : {"exact", "conservative", "logic"}) {
+  for (const GateLevel* each : badge_levels()) {
+    const std::string level(each->name());
     const LevelState state = state_of_level(derived, level);
     fmt::print("{}: {}\n", state == LevelState::met ? claim_of_level(derived, level) + decided_text(derived) : level,
                axiscert::name(state));

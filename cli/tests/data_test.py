@@ -37,6 +37,8 @@ MOTION = ('{"id":"m","test":"moving-sphere","precision":"binary32","a":[0,0,0],"
 LINES = {
     "check": ((("check", "-", "--kernel", "published", "--errors"), QUERY % 1), (("check", "-", "--kernel", "published"), QUERY % -1),
               (("check", "-", "--kernel", "closest-point"), QUERY % 2), (("check", "-", "--kernel", "moving-sphere/twenty"), MOTION)),
+    "row": ((("check", "1:repeated:2:binary32:0:0-40", "--kernel", "published", "--kernel", "eigen"), None),
+            (("check", "1:nonfinite:2:binary64:0:0-40"), None), (("check", "1:moving-sphere/approach:1:binary32:0:0-40", "--kernel", "moving-sphere/gated"), None)),
     "shrink": ((("shrink", "1:repeated:2:binary64:0:143", "--kernel", "published"), None),
                (("shrink", "1:repeated:2:binary64:0:143", "--kernel", "published", "--any-class"), None),
                (("shrink", "1:orders:1:binary32:0:2", "--kernel", "published", "--what", "asymmetry"), None)),
@@ -120,9 +122,20 @@ class Data(Case):
 
     def test_csv_has_the_columns_that_the_page_describes_in_their_order(self):
         columns = documented()
-        self.assertEqual(set(columns), {*COMMANDS, "prove"})
+        self.assertEqual(set(columns), {*COMMANDS, "prove", "run", "check"})
         for heading in COMMANDS:
             self.assertEqual(self.csv(heading)[0], columns[heading], heading)
+
+    def test_every_column_of_a_record_is_explained(self):
+        done = axiscert("run", "--kernel", "published", "--family", "general", "--trials", 40, "--out", self.folder / "out", "--format", "csv")
+        (head, *_) = csv.reader(io.StringIO(done.stdout), strict=True)
+        named = documented()["run"]
+        self.assertEqual(head[:len(named)], named)
+        for column in head[len(named):]:
+            said = axiscert("explain", column)
+            self.assertEqual(said.returncode, 0, column + said.stderr)
+        self.assertIn("Missed contacts: the kernel says separated", axiscert("explain", "verdict.false_separation").stdout)
+        self.refused("explain", "verdict.false_separatoin", says=["verdict.false_separatoin"])
 
     def test_every_column_is_filled_somewhere(self):
         # Columns that need more than these few queries to have a value.

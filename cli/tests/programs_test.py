@@ -53,7 +53,7 @@ class Programs(Case):
         shutil.copy(BUILD / "programs/program", self.folder)
 
     def tearDown(self):
-        self.assertEqual(self.processes(), [], "processes are left")
+        self.come_to(lambda left: not left, "no process is left")
 
     def processes(self):
         """The commands of the processes that run in this test's folder."""
@@ -65,6 +65,13 @@ class Programs(Case):
             except OSError:
                 pass
         return found
+
+    def come_to(self, holds, what):
+        """Waits until it holds of the processes. A process that has been killed may be there for a moment longer."""
+        until = time.monotonic() + 60
+        while not holds(found := self.processes()):
+            self.assertLess(time.monotonic(), until, f"{what}: {found}")
+            time.sleep(0.02)
 
     def manifest(self, *command, file="m.json", **more):
         return written(self.folder, command, file, **more)
@@ -226,15 +233,10 @@ AXISCERT_PLUGIN({real}, "published", one)
         run = subprocess.Popen([BUILD / "axiscert", "run", "--kernel", id, "--family", "scale", "--precision", "binary32", "--trials",
                                 "2000", "--plugin-seconds", "30", "--out", self.folder / "out"], stdout=subprocess.DEVNULL,
                                stderr=subprocess.DEVNULL)
-        until = time.monotonic() + 60
-        while len(self.processes()) < 2 and time.monotonic() < until:
-            time.sleep(0.02)
-        self.assertGreaterEqual(len(self.processes()), 2, "the program and what it has started")
+        self.addCleanup(run.kill)
+        self.come_to(lambda found: len(found) >= 2, "the program and what it has started")
         run.send_signal(signal.SIGKILL)
-        run.wait()
-        until = time.monotonic() + 30
-        while self.processes() and time.monotonic() < until:
-            time.sleep(0.02)
+        run.wait()  # and tearDown looks for what is left
 
 
 class ProgramsLong(Case):

@@ -9,6 +9,8 @@ import sys
 import time
 import unittest
 
+import jsonschema
+
 from command import BUILD, DIVISOR, MODELS, QUERY, RECORD_SCHEMA, SCHEMAS, Case, axiscert, family, fewer
 
 
@@ -50,6 +52,33 @@ class RunLong(RunCase):
                                                     "closest-point"])
 
 
+def spoiled_records(record):
+    """Pairs of a place and the record without a member, or with another type, there."""
+    seen = {("schema",)}  # which is refused before the others, in other words
+
+    def places(value, path, shape):
+        for key, inner in value.items() if isinstance(value, dict) else enumerate(value):
+            kind = "*" if isinstance(value, list) else key
+            if (*shape, kind) not in seen:
+                seen.add((*shape, kind))
+                yield (*path, key)
+            if isinstance(inner, (dict, list)):
+                yield from places(inner, (*path, key), (*shape, kind))
+
+    for *folder, key in list(places(record, (), ())):
+        inner = record
+        for step in folder:
+            inner = inner[step]
+        kept = inner[key]
+        inner[key] = [[]] if isinstance(kept, dict) else {"nonsense": 0}
+        yield "".join(f"/{step}" for step in (*folder, key)), record
+        inner[key] = kept
+        if isinstance(inner, dict):
+            del inner[key]
+            yield f'without "{key}"', record
+            inner[key] = kept
+
+
 class Run(RunCase):
     def test_the_record_does_not_depend_on_threads_or_target(self):
         self.check_targets(fewer(60))
@@ -66,6 +95,19 @@ class Run(RunCase):
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         for name in ("report.html", "report.md", "junit.xml", "witnesses.jsonl"):
             self.assertTrue((self.folder / "out" / name).stat().st_size > 0, name)
+
+    def test_what_the_schema_refuses_is_refused_with_the_place(self):
+        """A record spoiled once for each place of another shape: the schema and the command agree."""
+        validator = jsonschema.Draft202012Validator(json.loads(RECORD_SCHEMA.read_text()))
+        record = self.run_ok("--kernel", "moving-sphere/gated", "--family", "moving-sphere/orders", "--trials", 40, "--precision", "binary32")
+        refused = 0
+        for path, spoiled in spoiled_records(record):
+            if validator.is_valid(spoiled):
+                continue
+            (self.folder / "out/record.json").write_text(json.dumps(spoiled))
+            self.refused("report", self.folder / "out", says=[f"record.json", path])
+            refused += 1
+        self.assertGreater(refused, 150)
 
     def test_families_say_what_they_cost_and_dear_ones_are_asked_less(self):
         listed = json.loads(axiscert("families", "--format", "json").stdout)["families"]

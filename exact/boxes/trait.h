@@ -90,6 +90,11 @@ struct BoxTrait : Boxes {
     }
     return found;
   }
+  static std::vector<std::string_view> detail_names() {
+    std::vector<std::string_view> names = {"penetration", "distance", "deciding_axes"};
+    if constexpr (Boxes::entry == MatrixBoxes::entry) names.emplace_back("defect");
+    return names;
+  }
 };
 
 struct MatrixTrait : BoxTrait<MatrixBoxes> {

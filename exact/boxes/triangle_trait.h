@@ -67,6 +67,7 @@ struct TriangleTrait : Entry {
     else penetration.value = static_cast<double>(nearest_sqrt<Real>(squared_penetration(q)));
     return {penetration, distance, {"deciding_axes", deciding_axes(q)}};
   }
+  static std::vector<std::string_view> detail_names() { return {"penetration", "distance", "deciding_axes"}; }
 };
 
 struct CentreTrait : TriangleTrait<CentreEntry> {

@@ -80,6 +80,7 @@ struct MotionTrait : Entry {
     }
     return {time, features, start};
   }
+  static std::vector<std::string_view> detail_names() { return {"time", "features", "start"}; }
 
   // The sphere before the motion decides.
   template <class Real>

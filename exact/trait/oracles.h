@@ -127,6 +127,8 @@ class Oracles {
   // Facts about a valid query besides its truth, in the order in which `check` shows them; most tests have none.
   virtual std::vector<Detail> details(const Numbers<float>&) const { return {}; }
   virtual std::vector<Detail> details(const Numbers<double>&) const { return {}; }
+  // Their names, in the same order, whatever the query.
+  virtual std::vector<std::string_view> detail_names() const { return {}; }
 
   // Whether kernels of the test can promise to be right within limits alone; else every query is within them.
   virtual bool has_limits() const { return false; }

@@ -59,6 +59,10 @@ class OraclesOf final : public Oracles {
   bool is_degenerate(const Numbers<double>& q) const override { return says_degenerate(q); }
   std::vector<Detail> details(const Numbers<float>& q) const override { return details_of(q); }
   std::vector<Detail> details(const Numbers<double>& q) const override { return details_of(q); }
+  std::vector<std::string_view> detail_names() const override {
+    if constexpr (HasDetails<Test, double>) return Test::detail_names();
+    else return {};
+  }
   bool is_promised(const MotionPolicy& policy, const Numbers<float>& q) const override { return promises(policy, q); }
   bool is_promised(const MotionPolicy& policy, const Numbers<double>& q) const override { return promises(policy, q); }
   std::unique_ptr<MotionJudge> motion_judge(const Numbers<float>& q) const override { return motion_judge_of(q); }

@@ -34,7 +34,8 @@ namespace axiscert {
 //   is_degenerate<Real>
 //                      optional: whether the shape is extreme in this precision (Oracles::is_degenerate); numbers are
 //                      finite
-//   details<Real>      optional: further facts about a query in this precision (exact/trait/oracles.h)
+//   details<Real>      optional: further facts about a query in this precision, by detail_names(), which a test that
+//                      has them gives too (exact/trait/oracles.h)
 //   is_promised        of a test of motions, optional: whether a kernel with this policy promises to be right on a
 //   query motion_judge<Real> of a test with measures: the judge of those of a query that has contact
 template <class Test>

@@ -58,7 +58,8 @@ Provenance parse_provenance(const std::string& text, const std::string& about);
 // The folder share/axiscert/corpus beside an installed command, otherwise that of the source tree.
 std::string default_corpus_folder();
 
-// The corpus's queries of one entry of a test as a source named "corpus". Its address is "corpus-SHA256", the hash of
+inline constexpr std::string_view corpus_name = "corpus";
+// The corpus's queries of one entry of a test as a source of that name. Its address is "corpus-SHA256", the hash of
 // the queries' lines, one file after the other. Throws Error where it has none.
 SourcePtr corpus_source(const std::string& folder, const TestDescription& test, std::size_t entry = 0);
 

@@ -1,6 +1,7 @@
 #include "fuzz/queries/capabilities.h"
 
 #include "fuzz/diagnosis/scenes/scenes.h"
+#include "fuzz/moving_sphere/families/situations.h"
 #include "fuzz/moving_sphere/mesh_motion.h"
 #include "fuzz/queries/image_groups.h"
 
@@ -19,6 +20,8 @@ const Capabilities& moving_sphere_capabilities() {
                                                               .second = "the motion"}};
   static const Capabilities all = {.image_groups = moving_sphere_image_groups(),
                                    .mesh = &moving_sphere_mesh,
+                                   .section_of_forms = moving_sphere::sweeps_over_reals,
+                                   .situations = &moving_sphere::situation::all,
                                    .correct_forms = correct_forms,
                                    .diagnosis_scenes = &scenes};
   return all;

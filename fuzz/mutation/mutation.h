@@ -27,7 +27,10 @@ struct MutationPlan {
   bool controls = true;  // judge_black_boxes also judges kernels that are right
 };
 
-// The first wrong verdict that a requirement of `logic` does not allow. Families are asked in turn, one batch each.
+// The level of `run --require` by which mutants are judged.
+inline constexpr const char* level_of_mutation = "logic";
+
+// The first wrong verdict that it does not allow. Families are asked in turn, one batch each.
 struct Catch {
   const Family* family;
   std::uint64_t position;  // position in the family

@@ -13,6 +13,7 @@ namespace axiscert {
 class AimValues;
 class ImageMaps;
 class InputClasses;
+class NearestFeatures;
 class ProvedBounds;
 class Quantities;
 class Screens;
@@ -21,6 +22,7 @@ class WitnessSides;
 struct CriticalRadiusDefaults;
 struct ImageGroup;
 struct MeshQueries;
+struct Situations;
 struct StoredQuery;
 namespace diagnosis {
 struct DiagnosisScenes;
@@ -31,11 +33,16 @@ struct Capabilities {
   const MeshQueries* mesh = nullptr;                            // fuzz/meshes/mesh.h: queries for a mesh
   std::string (*canonical_form)(const StoredQuery&) = nullptr;  // fuzz/files/corpus.h: of all images of a query
 
-  const Screens* screens = nullptr;             // fuzz/campaign/stages/screen.h: of a test with filters
-  const InputClasses* input_classes = nullptr;  // fuzz/queries/input_classes.h
-  bool has_engine_queries = false;              // which the screen counts (fuzz/campaign/counts/depths.h)
-  const Quantities* quantities = nullptr;       // fuzz/confirm/absolute_size.h
-  const WitnessSides* witness_sides = nullptr;  // fuzz/confirm/witness_sides.h
+  const Screens* screens = nullptr;                   // fuzz/campaign/stages/screen.h: of a test with filters
+  const InputClasses* input_classes = nullptr;        // fuzz/queries/input_classes.h
+  const NearestFeatures* nearest_features = nullptr;  // fuzz/queries/nearest_features.h
+  bool has_engine_queries = false;                    // which the screen counts (fuzz/campaign/counts/depths.h)
+  const Quantities* quantities = nullptr;             // fuzz/confirm/absolute_size.h
+  const WitnessSides* witness_sides = nullptr;        // fuzz/confirm/witness_sides.h
+
+  // Of the documents: what the test's built-in kernels answer.
+  std::string_view section_of_forms = {};
+  const Situations* situations = nullptr;  // fuzz/queries/situation.h
 
   std::span<const std::string_view> correct_forms = {};          // kernels that are right over the reals: fuzz/mutation
   const diagnosis::DiagnosisScenes* diagnosis_scenes = nullptr;  // fuzz/diagnosis/scenes/scenes.h

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "fuzz/queries/situation.h"
 #include "fuzz/queries/stream_name.h"
 #include "kernel/query.h"
 #include "kernel/test.h"
@@ -20,6 +22,14 @@ namespace axiscert {
 template <class Real>
 using Fill = void (*)(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out);
 
+// The kinds of input of which the league says whether a kernel may be trusted with them.
+enum class TrustGroup : std::uint8_t { thin, small, far, degenerate, resting, scene };
+template <>
+inline constexpr std::size_t enum_count<TrustGroup> = 6;
+inline constexpr EnumArray<TrustGroup, std::string_view> trust_group_names = {"thin",       "small",   "far",
+                                                                              "degenerate", "resting", "scene"};
+constexpr std::string_view name(TrustGroup group) { return trust_group_names[group]; }
+
 struct Family {
   const TestDescription& (*test)();  // whose queries these are
   // As reports, addresses and the command say it; TEST/NAME where the test's own name is written.
@@ -31,11 +41,15 @@ struct Family {
   bool exact_arithmetic;
   Fill<float> binary32;
   Fill<double> binary64;
+  std::optional<TrustGroup> trust_group = {};
   // About how many times as long as a query of `general` one of these takes in binary64, where that is ten times or
   // more. `axiscert families` shows it, and ./dev exhaust asks fewer of what it shows there.
   int cost = 1;
   // Divides the number of queries in binary64 of a run that is given none (cli/options/run_options.cpp).
   int trial_divisor = 1;
+  // What a wrong verdict on it says to a user; null in a test whose wrong verdicts have the class of their input
+  // instead.
+  const Situation* situation = nullptr;
   std::size_t entry = 0;  // of the test, in which the numbers are given
 
   std::size_t column_count() const { return test().entries[entry].columns.size(); }

@@ -4,10 +4,12 @@
 #include "fuzz/confirm/absolute_size.h"
 #include "fuzz/confirm/witness_sides.h"
 #include "fuzz/queries/input_classes.h"
+#include "fuzz/queries/nearest_features.h"
 
 namespace axiscert {
 
 const InputClasses& sphere_triangle_input_classes();
+const NearestFeatures& sphere_triangle_nearest_features();
 const Quantities& sphere_triangle_quantities();
 const WitnessSides& sphere_triangle_witness_sides();
 

@@ -63,9 +63,22 @@ Kernel eigen(std::string id, std::string summary) {
   return kernel;
 }
 
+constexpr std::string_view certified_proof =
+    "where the numbers are multiples of one power of two by integers of at most 126 bits: that the verdict is right, "
+    "by Coq (certified_is_exact_within_126_bits), of margins recorded from the code, if its integers are long enough "
+    "and the signs told by the steps before are right. Coq proves the latter of the coarse step "
+    "(coarse_known_is_sound64). Of the fine step it proves, where nothing underflows, that margins are within their "
+    "bounds (fine_is_near); the signs, and the deep step, are argued and tested, and so are wider numbers. "
+    "docs/proofs.md#the-certified-predicate-step-by-step has what is trusted besides";
+constexpr std::string_view conservative_proof =
+    "where the square of the scene's size is from 2^-42 to 2^60 in binary32, 2^-400 to 2^400 in binary64: that no "
+    "contact is missed, by Coq, of the code as recorded (recorded_conservative_is_right32, "
+    "recorded_conservative_is_right64). Other sizes, which are scaled first, are argued on paper: "
+    "docs/proofs.md#the-conservative-test-of-the-certified-predicate";
+
 // The certified kernels show only a verdict, whatever they compute on the way.
 template <certified::Question question>
-Kernel certified_kernel(std::string id, std::string summary) {
+Kernel certified_kernel(std::string id, std::string summary, Proved proved, std::string_view proof) {
   return {.id = std::move(id),
           .summary = std::move(summary),
           .test = &sphere_triangle_test(),
@@ -73,7 +86,9 @@ Kernel certified_kernel(std::string id, std::string summary) {
           .binary32 = [](std::string_view target) { return certified_implementation<float>(target, question); },
           .binary64 = [](std::string_view target) { return certified_implementation<double>(target, question); },
           .has_simd = true,
-          .is_reference = false};
+          .is_reference = false,
+          .proved = proved,
+          .proof = proof};
 }
 
 // The filter of formulae whose non-strict form is right for every triangle. It shows only a verdict, whatever it
@@ -121,8 +136,8 @@ std::vector<Kernel> sphere_triangle_kernels() {
       packed<strict>("packed", "published, one pair at a time: sixteen comparisons in four 4-lane compares"),
       packed<not_less>("packed-nonstrict", "the same with a >= b as !(b > a) in the sides: a NaN side holds"),
       eigen("eigen", "published, written with Eigen's vectors, whose reductions choose their order"),
-      certified_kernel<certified::Question::closed_sphere>("certified", "the exact answer: filtered in the input's precision, then in doubles, then in integers"),
-      certified_kernel<certified::Question::conservative>("conservative", "never a missed contact; phantom depth at most 20 sqrt(u): 0.00489, in binary64 2.11e-7"),
+      certified_kernel<certified::Question::closed_sphere>("certified", "the exact answer: filtered in the input's precision, then in doubles, then in integers", Proved::no_wrong_verdict, certified_proof),
+      certified_kernel<certified::Question::conservative>("conservative", "never a missed contact; phantom depth at most 20 sqrt(u): 0.00489, in binary64 2.11e-7", Proved::no_missed_contact, conservative_proof),
       filter<FilterForm::reduced>("certified-filter", "reduced with thresholds proved of it as a program: separated, contact or undecided"),
       filter<FilterForm::published>("certified-filter-published", "the same with the published formulae, whose thresholds are wider"),
       evaluated<first_publication>("first-publication", "the article as first published: QC = C e + Q, wrong in exact arithmetic"),

@@ -10,6 +10,7 @@
 #include "reports/certificate/findings/asked_words.h"
 #include "reports/certificate/findings/breaks_words.h"
 #include "reports/certificate/findings/margin_words.h"
+#include "reports/gates/levels/level.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -245,11 +246,12 @@ InstrumentReport certificate_report(const CertificateStatement& statement, const
 std::string certificate_badge(const CertificateStatement& statement) {
   const CertificatePredicate& predicate = statement.predicate;
   std::string text = "no level met", colour = "#c0392b";
-  for (const auto& [level, fill] : {std::pair("exact", "#2e7d32"), {"conservative", "#2e7d32"}, {"logic", "#b8860b"}}) {
+  for (const GateLevel* best : badge_levels()) {
+    const std::string level(best->name());
     if (state_of_level(predicate, level) != LevelState::met) continue;
     const std::string claim = claim_of_level(predicate, level) + decided_text(predicate);
     text = claim == level ? fmt::format("{} met", level) : claim;
-    colour = fill;
+    colour = best->badge->colour;
     break;
   }
   const std::string no_answers = no_answers_sentence(predicate);

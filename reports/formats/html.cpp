@@ -188,7 +188,7 @@ Json page_data(const Run& run) {
                {"notes", notes()},
                {"kernels", Json::array()}};
   data["plan"].erase("seed");  // 64 bits, while a number in a page holds 53; the facts have it as text
-  for (std::size_t i = 0; i < link_count; ++i) data["links"][std::string(link_names[i])] = link_meanings[i];
+  for (std::size_t i = 0; i < link_count; ++i) data["links"][std::string(link_names[i])] = link_words[i].meaning;
   for (const KernelRecord& kernel : record.kernels) data["kernels"].push_back(kernel_data(kernel));
   data["findings"] = findings_data(record);
   data["not_judged"] = not_judged(record);
@@ -202,6 +202,9 @@ Json page_data(const Run& run) {
   data["attached"] = attachments(run.folder, image_bytes);
   data["files"] = raw_files(run.folder);
   data["motion_note"] = motion_note;
+  for (const GateLevel* level : gate_levels()) {
+    if (level->advice != nullptr) data["advised_level"] = {{"level", level->name()}, {"advice", level->advice}};
+  }
   Json& clauses = data["comparisons"] = Json::object();  // the axis, or other clause, of each
   const TestDescription& test = test_of(record.plan);
   for (const TestComparison& comparison : test.comparisons)

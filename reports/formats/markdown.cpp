@@ -132,7 +132,8 @@ class MarkdownReport {
         "\nDepth, how far a wrong verdict is from being right, is a share of the scene: |d - r| / max(|A-P|, |B-P|, "
         "|C-P|, r); `axiscert explain WORD` says what any word here means. A limit for zero failures holds for "
         "this generator only. What a broken link of a wrong verdict means:\n");
-    for (std::size_t i = 0; i < link_count; ++i) section.line(fmt::format("- {}: {}", link_names[i], link_meanings[i]));
+    for (std::size_t i = 0; i < link_count; ++i)
+      section.line(fmt::format("- {}: {}", link_names[i], link_words[i].meaning));
     return section.text();
   }
 

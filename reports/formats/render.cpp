@@ -8,6 +8,7 @@
 // The formats that exist, one line each: X(NAME) is `NAME_format`, which a file of its own defines.
 #define AXISCERT_FORMATS(X) \
   X(html)                   \
+  X(csv)                    \
   X(witnesses)              \
   X(markdown)               \
   X(junit)                  \

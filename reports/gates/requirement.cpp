@@ -22,8 +22,6 @@ const GateLevel* find_level(const std::string& name) {
   return nullptr;
 }
 
-const GateLevel& level_of(const AskedLevel& asked) { return *find_level(asked.name); }
-
 std::vector<std::string_view> gate_level_names() {
   std::vector<std::string_view> names;
   for (const GateLevel* level : gate_levels()) names.push_back(level->name());
@@ -103,9 +101,6 @@ class Shortfall {
   std::size_t count_ = 0;
 };
 
-// Fewer than so many queries do this: levels other than `exact` allow wrong answers.
-std::string_view broken_words(const AskedLevel& asked) { return asked.name == "exact" ? "are wrong" : "break it"; }
-
 // How much of each family was looked at. Fills in what the outcome says of it; returns why that is too little, or is
 // empty.
 std::string weigh(const Subject& subject, const LevelFindings& found, double share, LevelOutcome& outcome) {
@@ -125,7 +120,7 @@ std::string weigh(const Subject& subject, const LevelFindings& found, double sha
       few.add(fmt::format("{} of {} {} of {} looked at, and {} are needed, to show that fewer than 5 % {}",
                           thousands(look.looked_at), thousands(look.concerned),
                           look.concerned == 1 ? "query" : "queries", family, least_looked_at,
-                          broken_words(outcome.asked)));
+                          level_of(outcome.asked).breaking));
     }
     if (!subject.kernel().may_decline) continue;
     const auto check = [&](std::uint64_t declined, std::uint64_t of, const char* what) {
@@ -163,10 +158,11 @@ std::string weigh(const Subject& subject, const LevelFindings& found, double sha
 }
 
 // "the fewest of a family, 64 independent queries of tangent, show with 95 % that fewer than 4.57 % are wrong"; queries
-// that share a triangle count once. Nothing of `no-worse-than`, which is met by as many wrong ones as another kernel
-// has.
+// that share a triangle count once. Nothing of a level with a yardstick, which is met by as many wrong ones as another
+// kernel has.
 std::string fewest_text(const Subject& subject, const LevelFindings& found, const AskedLevel& asked) {
-  if (asked.name == "no-worse-than") return "";
+  const GateLevel& level = level_of(asked);
+  if (level.yardstick != nullptr) return "";
   std::string family;
   std::uint64_t fewest = 0;
   for (const auto& [name, look] : found.families) {
@@ -178,7 +174,7 @@ std::string fewest_text(const Subject& subject, const LevelFindings& found, cons
   if (family.empty()) return "";
   return fmt::format(
       "; the fewest of a family, {} independent queries of {}, show with 95 % that fewer than {:.3g} % {}",
-      thousands(fewest), family, upper_bound_percent(fewest), broken_words(asked));
+      thousands(fewest), family, upper_bound_percent(fewest), level.breaking);
 }
 
 LevelOutcome outcome_of(const Record& record, const KernelRecord& kernel, const AskedLevel& asked, double share) {
@@ -212,7 +208,7 @@ LevelOutcome outcome_of(const Record& record, const KernelRecord& kernel, const 
 double decided_share(const std::vector<AskedLevel>& levels) {
   std::optional<double> share;
   for (const AskedLevel& asked : levels) {
-    if (asked.name == "decided") share = std::max(share.value_or(0), decided_argument(asked));
+    if (const auto own = level_of(asked).decided_share) share = std::max(share.value_or(0), own(asked));
   }
   return share.value_or(least_decided_share);
 }
@@ -291,6 +287,8 @@ std::string LevelOutcome::text() const {
   text += fmt::format(": {}{}", name(state), is_allowed ? ", which is allowed" : "");
   return reason.empty() ? text : text + ": " + reason;
 }
+
+const GateLevel& level_of(const AskedLevel& asked) { return *find_level(asked.name); }
 
 AskedLevel parse_level(const std::string& text) {
   AskedLevel asked{text, text.substr(0, text.find('='))};

@@ -45,6 +45,7 @@ struct LevelOutcome {
 
 // Parses a level. Throws Error that lists them, or says what its argument has to be.
 AskedLevel parse_level(const std::string& text);
+const GateLevel& level_of(const AskedLevel& asked);  // of one that was parsed
 // The sentence of a level: what it requires, and what every level does.
 std::string sentence_of(const AskedLevel& asked);
 // Lists the levels with their meanings, for --help.

@@ -266,9 +266,9 @@ class LeagueReport {
         entry.has_planted_fault = k >= league_.contenders;
         entry.ns = time(k, precision);
         if (k < league_.contenders) entry.worst = worst_data(league_, result_, k, precision);
-        for (const TrustGroup* group : groups_asked(league_.questions.sources)) {
+        for (const TrustGroup group : groups_asked(league_.questions.sources)) {
           const Trust trust = trust_in(kernel, tally_of_group(league_, result_, k, precision, group));
-          entry.trust.put(group->name) = {trust.answer, trust.words};
+          entry.trust.put(name(group)) = {trust.answer, trust.words};
         }
         for_each_cell(k, precision, [&](const Source& source, const Tally& tally) {
           entry.families.put(source.name()) = family_data(tally);
@@ -316,7 +316,7 @@ std::vector<std::string> undecided_contenders(const League& league, const Campai
   for (std::size_t k = 0; k < league.contenders; ++k) {
     for (const Precision precision : league.questions.precisions) {
       if (!league.kernels[k]->has(precision)) continue;
-      const Tally all = tally_of_group(league, result, k, precision, nullptr);
+      const Tally all = tally_of_group(league, result, k, precision, std::nullopt);
       if (decided(all) != 0) continue;
       const LookedAt looked_at = looked_at_of(all);
       silent.push_back(fmt::format("{} ({}: {})", league.kernels[k]->id, name(precision),

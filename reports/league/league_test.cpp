@@ -104,16 +104,13 @@ TEST(LeagueTrust, HasNoDeepestMissWhereNothingWasDecided) {
   EXPECT_EQ(depth_text(3, 4096, 0.25), "0.25");
 }
 
-TEST(LeagueTrust, EveryFamilyOfAGroupExists) {
-  for (const TrustGroup& group : trust_groups()) {
-    for (const std::string_view family : group.families) {
-      if (!family.ends_with('*')) {
-        EXPECT_TRUE(group.has(find_family(family).name)) << family;
-      }
-    }
-  }
-  EXPECT_TRUE(is_scene("scene-walk"));
-  EXPECT_FALSE(is_scene("scale"));
+TEST(LeagueTrust, HasAFamilyOfEveryGroup) {
+  std::vector<SourcePtr> sources;
+  for (const Family* family : families()) sources.push_back(family_source(*family));
+  EXPECT_EQ(groups_asked(sources).size(), enum_count<TrustGroup>);
+  EXPECT_EQ(find_family("scene-walk").trust_group, TrustGroup::scene);
+  EXPECT_EQ(find_family("scale").trust_group, TrustGroup::small);
+  EXPECT_TRUE(groups_asked({family_source(find_family("general"))}).empty());
 }
 
 // One kernel, with a miss at position 5 of `sliver`, and a deeper phantom.

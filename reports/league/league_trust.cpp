@@ -12,22 +12,16 @@ namespace {
 
 constexpr std::uint64_t rare = 1000;  // queries, of which less than one is wrong
 
+// None for queries of a file.
+std::optional<TrustGroup> group_of(const SourcePtr& source) {
+  const std::string name = source->name();
+  for (const Family* family : families()) {
+    if (family->name == name) return family->trust_group;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
-
-bool TrustGroup::has(std::string_view family) const {
-  return std::any_of(families.begin(), families.end(), [&](std::string_view one) {
-    return one.ends_with('*') ? family.starts_with(one.substr(0, one.size() - 1)) : family == one;
-  });
-}
-
-const std::vector<TrustGroup>& trust_groups() {
-  static const std::vector<TrustGroup> groups = {
-      {"thin", {"sliver", "needle", "ratio"}},   {"small", {"subnormal", "scale"}},     {"far", {"far"}},
-      {"degenerate", {"collinear", "repeated"}}, {"resting", {"tangent", "on", "tie"}}, {"scene", {"scene*"}}};
-  return groups;
-}
-
-bool is_scene(std::string_view family) { return trust_groups().back().has(family); }
 
 std::uint64_t decided(const Tally& tally) { return looked_at_of(tally).decided; }
 
@@ -91,37 +85,37 @@ Trust trust_in(const Kernel& kernel, const Tally& tally) {
 }
 
 Tally tally_of_group(const League& league, const CampaignResult& result, std::size_t k, Precision precision,
-                     const TrustGroup* group) {
+                     std::optional<TrustGroup> group) {
   Tally all = empty_tally(*league.kernels[k]->test);
   for (const CellResult& cell : result.cells) {
     if (cell.precision != precision) continue;
-    if (group == nullptr || group->has(league.questions.sources[cell.source]->name())) all.merge(cell.tallies[k]);
+    if (!group || group_of(league.questions.sources[cell.source]) == group) all.merge(cell.tallies[k]);
   }
   return all;
 }
 
-std::vector<const TrustGroup*> groups_asked(const std::vector<SourcePtr>& sources) {
-  std::vector<const TrustGroup*> groups;
-  for (const TrustGroup& group : trust_groups()) {
-    const auto is_asked = [&](const SourcePtr& source) { return group.has(source->name()); };
-    if (std::any_of(sources.begin(), sources.end(), is_asked)) groups.push_back(&group);
+std::vector<TrustGroup> groups_asked(const std::vector<SourcePtr>& sources) {
+  std::vector<TrustGroup> groups;
+  for (const TrustGroup group : enumerators<TrustGroup>) {
+    const auto is_asked = [&](const SourcePtr& source) { return group_of(source) == group; };
+    if (std::any_of(sources.begin(), sources.end(), is_asked)) groups.push_back(group);
   }
   return groups;
 }
 
 InstrumentTable trust_table(const League& league, const CampaignResult& result, Precision precision) {
   InstrumentTable table{fmt::format("{}: may I trust it?", name(precision)), {"kernel"}, {}};
-  const std::vector<const TrustGroup*> groups = groups_asked(league.questions.sources);
-  for (const TrustGroup* group : groups) table.columns.emplace_back(group->name);
+  const std::vector<TrustGroup> groups = groups_asked(league.questions.sources);
+  for (const TrustGroup group : groups) table.columns.emplace_back(name(group));
   table.columns.emplace_back("deepest miss");
   for (std::size_t k = 0; k < league.contenders; ++k) {
     const Kernel& kernel = *league.kernels[k];
     if (!kernel.has(precision)) continue;
     auto& row = table.rows.emplace_back(std::vector<std::string>{kernel.id});
-    for (const TrustGroup* group : groups) {
+    for (const TrustGroup group : groups) {
       row.push_back(trust_in(kernel, tally_of_group(league, result, k, precision, group)).text());
     }
-    const Tally all = tally_of_group(league, result, k, precision, nullptr);
+    const Tally all = tally_of_group(league, result, k, precision, std::nullopt);
     row.push_back(depth_text(all.verdict.false_separation, decided(all), all.verdict.deepest_false_separation.best()));
   }
   return table;

@@ -5,21 +5,11 @@
 #include <string_view>
 #include <vector>
 
+#include "fuzz/queries/family.h"
 #include "reports/evidence/evidence.h"
 #include "reports/league/league_report.h"
 
 namespace axiscert {
-
-// A kind of input, and the families that make it.
-struct TrustGroup {
-  std::string_view name;
-  std::vector<std::string_view> families;  // a name that ends with '*' stands for all that begin so
-
-  bool has(std::string_view family) const;
-};
-const std::vector<TrustGroup>& trust_groups();
-// Families of scenes as a game has them.
-bool is_scene(std::string_view family);
 
 // Number of queries within the kernel's limits on which it said contact or separated.
 std::uint64_t decided(const Tally& tally);
@@ -40,10 +30,10 @@ struct Trust {
 Trust trust_in(const Kernel& kernel, const Tally& tally);
 
 // The groups of which a family was asked.
-std::vector<const TrustGroup*> groups_asked(const std::vector<SourcePtr>& sources);
-// All families of a group together; of every family where that is null.
+std::vector<TrustGroup> groups_asked(const std::vector<SourcePtr>& sources);
+// All families of a group together; every family where there is none.
 Tally tally_of_group(const League& league, const CampaignResult& result, std::size_t k, Precision precision,
-                     const TrustGroup* group);
+                     std::optional<TrustGroup> group);
 
 // A row for each contender that exists in the precision, a column for each kind of which a family was asked.
 InstrumentTable trust_table(const League& league, const CampaignResult& result, Precision precision);

@@ -118,7 +118,7 @@ InstrumentTable worst_table(const League& league, const CampaignResult& result) 
       const std::optional<WorstQuery> found = worst_of(league, result, k, precision);
       if (!league.kernels[k]->has(precision)) continue;
       if (!found) {
-        const std::uint64_t said = decided(tally_of_group(league, result, k, precision, nullptr));
+        const std::uint64_t said = decided(tally_of_group(league, result, k, precision, std::nullopt));
         table.rows.push_back({league.kernels[k]->id, std::string(name(precision)),
                               said == 0 ? "not looked at" : fmt::format("none of {}", thousands(said)), "", "", ""});
         continue;

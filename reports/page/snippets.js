@@ -35,7 +35,7 @@ function time_lines(witness, name, numbers) {
 
 function cpp_test(witness) {
   const type = c_type(witness);
-  const {groups, suite, time, touching: touches} = page_test_of(witness);
+  const {groups_of, suite, time, touching: touches} = page_test_of(witness), groups = groups_of(witness);
   const line = (group) => {
     const value = witness[group];
     return Array.isArray(value) ? `  const ${type} ${variable(group)}[${value.length}] = ${c_point(value, witness.precision)};`
@@ -43,7 +43,7 @@ function cpp_test(witness) {
   };
   const numbers = groups.map(variable).join(', ');
   const right = witness.truth === 'contact' ? 'TRUE' : 'FALSE';
-  const touching = witness.touching ? ` ${touches ?? `The ${time ? 'least ' : ''}distance is exactly r.`}` : '';
+  const touching = witness.touching ? ` ${touches}` : '';
   const times = time_lines(witness, time, numbers);
   return [
     `// ${origin(witness)}.`,
@@ -56,7 +56,7 @@ function cpp_test(witness) {
 }
 
 function c_array(witness) {
-  const {groups} = page_test_of(witness);
+  const groups = page_test_of(witness).groups_of(witness);
   const values = groups.map((group) => [witness[group]].flat());
   const count_of_numbers = values.flat().length;
   const needs_math = values.flat().some((value) => /nan|inf/.test(value));
@@ -73,7 +73,7 @@ function json_line(witness) {
   const {id, precision, test, entry} = witness;
   const numbers = {};
   // A group whose name has dots is nested; what is named by digits is an element of an array.
-  for (const group of page_test_of(witness).groups) {
+  for (const group of page_test_of(witness).groups_of(witness)) {
     const names = group.split('.');
     let at = numbers;
     names.forEach((name, i) => {

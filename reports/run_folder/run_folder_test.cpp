@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "reports/run_folder/run_folder.h"
+#include "reports/testing/motion_run.h"
 #include "reports/testing/test_run.h"
 
 namespace axiscert {
@@ -92,6 +93,51 @@ TEST(RunFolder, EditedRecordIsRefusedWithThePlace) {
   EXPECT_THAT(error_after_edit([](Json& r) { r["witnesses"][0]["a"][1] = "0.1"; }), HasSubstr("/witnesses/0/a/1"));
   EXPECT_THAT(error_after_edit([](Json& r) { r["kernels"][0]["precision"] = "binary16"; }),
               HasSubstr("/kernels/0/precision"));
+}
+
+// Calls visit(path, edited record) with a record spoiled at one place, for every place of the record.
+using Visit = std::function<void(const std::string& path, const Json& spoiled)>;
+void spoil_each(Json& whole, Json& value, const std::string& path, const Visit& visit) {
+  const Json kept = value;
+  if (!path.empty()) {
+    value = kept.is_object() ? Json::array({Json::array()}) : Json::object({{"nonsense", 0}});
+    visit(path, whole);
+    value = kept;
+  }
+  if (kept.is_object()) {
+    value["nonsense"] = Json::array({nullptr});
+    visit(path + "/nonsense", whole);
+    value = kept;
+  }
+  for (const auto& [member, inner] : kept.items()) {
+    if (kept.is_object()) {
+      value.erase(member);
+      visit(path, whole);
+      value = kept;
+      spoil_each(whole, value[member], path + "/" + member, visit);
+    } else if (kept.is_array()) {
+      spoil_each(whole, value[std::stoul(member)], path + "/" + member, visit);
+    }
+  }
+}
+
+// Nothing is invented for what is not there, and nothing is passed over.
+TEST(RunFolder, ARecordSpoiledAnywhereIsRefusedWithThePlaceOrReadAsItIs) {
+  for (Json record : {stored_record(), motions(contacts(5, 0.25, 0))}) {
+    std::size_t refused = 0, read = 0;
+    spoil_each(record, record, "", [&](const std::string& path, const Json& spoiled) {
+      try {
+        const Json again = json_of(read_as<Record>(spoiled));
+        ++read;
+        EXPECT_EQ(nlohmann::json::parse(again.dump()), nlohmann::json::parse(spoiled.dump())) << path;
+      } catch (const JsonFault& fault) {
+        ++refused;
+        EXPECT_THAT(fault.what(), testing::StartsWith(path.empty() ? "/" : path));
+      }
+    });
+    EXPECT_GT(refused, 500u);
+    EXPECT_GT(refused, 10 * read);
+  }
 }
 
 TEST(RunFolder, CountsThatContradictEachOtherAreRefused) {

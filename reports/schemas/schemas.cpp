@@ -17,6 +17,7 @@
 #include "reports/instrument/precision/critical_radius_data.h"
 #include "reports/instrument/precision/ladder_data.h"
 #include "reports/instrument/precision/precision_data.h"
+#include "reports/instrument/query_row.h"
 #include "reports/instrument/search_data.h"
 #include "reports/league/league_data.h"
 
@@ -50,6 +51,7 @@ std::span<const SchemaEntry> schemas() {
       SchemaEntry{"mutation-of-certified", schema_of<MutationOfCertifiedData>},
       SchemaEntry{"precision", schema_of<PrecisionData>},
       SchemaEntry{"record", schema_of<Record>},
+      SchemaEntry{"row", schema_of<QueryRow>},
       SchemaEntry{"search", schema_of<SearchData>},
   };
   return all;

@@ -13,82 +13,27 @@
 #include "reports/instrument/precision/condition_data.h"
 #include "reports/instrument/precision/critical_radius_data.h"
 #include "reports/league/league_data.h"
+#include "reports/schemas/csv.h"
 #include "reports/schemas/schemas.h"
 
 namespace axiscert {
 namespace {
 
 struct DataTable {
-  std::vector<std::string> columns;  // a name is a member of a row, or with dots the path to one
-  std::vector<Json> rows;            // a member that a row lacks is an empty cell
+  DataColumns columns;
+  std::vector<Json> rows;
 };
 
-// The member of that name, or the one at the end of the path that it is; null where there is none.
-const Json* csv_member(const Json& row, std::string_view name) {
-  if (!row.is_object()) return nullptr;
-  if (const auto found = row.find(std::string(name)); found != row.end()) return &*found;
-  for (std::size_t dot = name.find('.'); dot != name.npos; dot = name.find('.', dot + 1)) {
-    const auto found = row.find(std::string(name.substr(0, dot)));
-    if (found == row.end()) continue;
-    if (const Json* inner = csv_member(*found, name.substr(dot + 1))) return inner;
-  }
-  return nullptr;
-}
-
-std::string csv_cell(const Json* value) {
-  if (value == nullptr || value->is_null()) return "";
-  if (value->is_string()) return value->get<std::string>();
-  if (!value->is_array()) return value->dump();
-  std::string text;
-  for (const Json& element : *value) text += (text.empty() ? "" : " ") + csv_cell(&element);
-  return text;
-}
-
-std::string csv_quoted(const std::string& cell) {
-  if (cell.find_first_of(",\"\r\n") == cell.npos) return cell;
-  std::string text = "\"";
-  for (const char c : cell) text += c == '"' ? "\"\"" : std::string(1, c);
-  return text + '"';
-}
-
 std::string csv_text(const DataTable& table) {
-  std::string text;
-  for (std::size_t c = 0; c < table.columns.size(); ++c) text += (c == 0 ? "" : ",") + csv_quoted(table.columns[c]);
-  text += '\n';
-  for (const Json& row : table.rows) {
-    for (std::size_t c = 0; c < table.columns.size(); ++c) {
-      text += (c == 0 ? "" : ",") + csv_quoted(csv_cell(csv_member(row, table.columns[c])));
-    }
-    text += '\n';
-  }
+  std::string text = csv_head(table.columns);
+  for (const Json& row : table.rows) text += csv_line(table.columns, row);
   return text;
 }
-
-using DataColumns = std::vector<std::string>;
 
 // The words of a text.
 DataColumns columns_in(std::string_view text) {
   std::istringstream words{std::string(text)};
   return {std::istream_iterator<std::string>(words), {}};
-}
-
-// A cell is a number or text, or a list of these; members of a member are cells of their own. Maps, lists of others and
-// queries are left out.
-void add_columns(DataColumns& columns, const Json& schema, const std::string& path) {
-  if (schema.contains("anyOf")) return add_columns(columns, schema["anyOf"][1], path);
-  if (schema.contains("properties")) {
-    for (const auto& [name, member] : schema["properties"].items())
-      add_columns(columns, member, path.empty() ? name : path + "." + name);
-    return;
-  }
-  const Json& innermost = schema.contains("items") ? schema["items"] : schema;
-  if (innermost.value("type", Json()) != "object") columns.push_back(path);
-}
-// `first`, and the cells of a row that is a T.
-template <class T>
-DataColumns with_columns_of(DataColumns first) {
-  add_columns(first, json_schema_of<T>(), "");
-  return first;
 }
 
 // The elements of an array as they are.

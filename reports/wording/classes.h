@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "fuzz/record/kernel_record.h"
+#include "reports/wording/summary.h"
 
 namespace axiscert {
 
-// The meaning of a class for the author of a kernel, in one sentence without its full stop.
-extern const EnumArray<InputClass, std::string_view> class_meanings;
+// A class for the author of a kernel; its meaning is without a full stop.
+extern const EnumArray<InputClass, CauseWords> class_words;
 
 // The wrong verdicts of a kernel on input of one class.
 struct ClassRow {

@@ -34,14 +34,24 @@ double magnitude(const Json& number) {
 
 }  // namespace
 
-const EnumArray<Link, std::string_view> link_meanings = {
-    "The formulae are wrong even in exact arithmetic: no precision mends it.",
-    "Rounding each operation to the precision changed the answer, exponents unlimited.",
-    "Overflow or underflow changed the answer: with unlimited exponents it would not have.",
-    "The kernel differs from the scalar reference of its own formulae and order of operations.",
-    "The kernel has no reference to compare it with: which link its own arithmetic breaks between the exact formulae, "
-    "or "
-    "the truth where it claims none, and its answer is not known."};
+const EnumArray<Link, CauseWords> link_words = {{
+    {"The formulae are wrong even in exact arithmetic: no precision mends it.",
+     "The formulae are wrong over the reals: take others, as those of `nonstrict` or `reduced-nonstrict`.",
+     "docs/precision.md#the-reduced-rung"},
+    {"Rounding each operation to the precision changed the answer, exponents unlimited.",
+     "Let r grow by the safe margin, or take a form that rounds less, or libaxiscert.",
+     "docs/precision.md#the-reduced-rung"},
+    {"Overflow or underflow changed the answer: with unlimited exponents it would not have.",
+     "Bring the scene to a unit of length in which nothing over- or underflows.",
+     "docs/error_model.md#units-of-length"},
+    {"The kernel differs from the scalar reference of its own formulae and order of operations.",
+     "The code does not compute its own formulae: compare it, `axiscert check`, with the reference.",
+     "docs/error_model.md#the-chain"},
+    {"The kernel has no reference to compare it with: which link its own arithmetic breaks between the exact formulae, "
+     "or "
+     "the truth where it claims none, and its answer is not known.",
+     "Compare the verdict with the exact one: `axiscert check` the witness.", "docs/error_model.md#the-chain"},
+}};
 
 std::optional<FamilyRecord> all_families(const KernelRecord& kernel) {
   if (kernel.families.empty()) return std::nullopt;

@@ -11,8 +11,12 @@
 
 namespace axiscert {
 
-// The meaning of a broken link, in one sentence; indexed by Link.
-extern const EnumArray<Link, std::string_view> link_meanings;
+// A cause of wrong verdicts: its meaning in one sentence, what to do about it, and a section of the documents.
+struct CauseWords {
+  std::string_view meaning, advice, section;
+};
+// Of a broken link.
+extern const EnumArray<Link, CauseWords> link_words;
 
 // The families of a kernel combined: what adds up, and the kernel's critical radius. Empty where no family ran.
 std::optional<FamilyRecord> all_families(const KernelRecord& kernel);

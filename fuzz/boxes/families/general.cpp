@@ -132,18 +132,22 @@ constexpr Family costly(Family family) {
 }  // namespace
 
 extern const Family box_box_general_family = matrix_family<General>(
-    "box-box/general", "any two rotations, rounded; half extents 0.5 to 1.5, centres up to 2 apart in each coordinate");
+    "box-box/general", box_box_situation::everyday,
+    "any two rotations, rounded; half extents 0.5 to 1.5, centres up to 2 apart in each coordinate");
 extern const Family box_box_lattice_family =
-    matrix_family<Lattice>("box-box/lattice", "small integers and signed permutations: nothing is rounded", true);
+    matrix_family<Lattice>("box-box/lattice", box_box_situation::small_integers,
+                           "small integers and signed permutations: nothing is rounded", true);
 extern const Family box_box_scale_family = matrix_family<Scale>(
-    "box-box/scale",
+    "box-box/scale", box_box_situation::units,
     "clear queries (half or twice the distance of touching), lengths times every power of two in turn");
 extern const Family box_box_bits_family = costly(matrix_family<Bits>(
-    "box-box/bits", "uniform finite bit patterns for centres and half extents, every fourth time for the axes too"));
+    "box-box/bits", box_box_situation::no_rotation,
+    "uniform finite bit patterns for centres and half extents, every fourth time for the axes too"));
 
-extern const Family box_box_general_turned_family =
-    turned_family<General>("box-box/general_turned", "general, as quaternions of integers");
+extern const Family box_box_general_turned_family = turned_family<General>(
+    "box-box/general_turned", box_box_situation::everyday, "general, as quaternions of integers");
 extern const Family box_box_lattice_turned_family =
-    turned_family<Lattice>("box-box/lattice_turned", "small integers and quarter turns as quaternions", true);
+    turned_family<Lattice>("box-box/lattice_turned", box_box_situation::small_integers,
+                           "small integers and quarter turns as quaternions", true);
 
 }  // namespace axiscert::boxes

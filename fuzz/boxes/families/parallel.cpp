@@ -112,14 +112,15 @@ struct Rectangles {
 
 }  // namespace
 
-extern const Family box_box_parallel_family = matrix_family<Parallel, 2>(
-    "box-box/parallel", "quarter turns of one rotation, rounded along other routes; overlapping");
-extern const Family box_box_flat_family =
-    matrix_family<Flat, 2>("box-box/flat", "a rectangle and a box after sixteen quarter turns, overlapping by half");
-extern const Family box_box_rectangles_family =
-    matrix_family<Rectangles>("box-box/rectangles", "parallel: two rectangles, or a segment and a box");
+extern const Family box_box_parallel_family =
+    matrix_family<Parallel, 2>("box-box/parallel", box_box_situation::parallel,
+                               "quarter turns of one rotation, rounded along other routes; overlapping");
+extern const Family box_box_flat_family = matrix_family<Flat, 2>(
+    "box-box/flat", box_box_situation::flat, "a rectangle and a box after sixteen quarter turns, overlapping by half");
+extern const Family box_box_rectangles_family = matrix_family<Rectangles>(
+    "box-box/rectangles", box_box_situation::flat, "parallel: two rectangles, or a segment and a box");
 
-extern const Family box_box_parallel_turned_family =
-    turned_family<Parallel, 2>("box-box/parallel_turned", "parallel, as quaternions of integers");
+extern const Family box_box_parallel_turned_family = turned_family<Parallel, 2>(
+    "box-box/parallel_turned", box_box_situation::parallel, "parallel, as quaternions of integers");
 
 }  // namespace axiscert::boxes

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "exact/boxes/box_measures.h"
+#include "fuzz/boxes/families/situations.h"
 #include "fuzz/queries/steps.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/one_by_one.h"
@@ -151,7 +152,8 @@ Numbers<RealOf<Pair>> numbers_by(Stream& random, std::uint64_t position) {
 
 // The family in the entry `matrix`, and that of quaternions. The version changes with the queries of `Made`.
 template <class Made, std::uint32_t version = 1>
-constexpr Family matrix_family(std::string_view name, std::string_view purpose, bool exact_arithmetic = false) {
+constexpr Family matrix_family(std::string_view name, const Situation& situation, std::string_view purpose,
+                               bool exact_arithmetic = false) {
   return {.test = box_box_test,
           .name = name,
           .purpose = purpose,
@@ -159,10 +161,12 @@ constexpr Family matrix_family(std::string_view name, std::string_view purpose, 
           .exact_arithmetic = exact_arithmetic,
           .binary32 = one_by_one<numbers_by<Made, BoxPair<float>>, float>,
           .binary64 = one_by_one<numbers_by<Made, BoxPair<double>>, double>,
+          .situation = &situation,
           .entry = MatrixBoxes::entry};
 }
 template <class Made, std::uint32_t version = 1>
-constexpr Family turned_family(std::string_view name, std::string_view purpose, bool exact_arithmetic = false) {
+constexpr Family turned_family(std::string_view name, const Situation& situation, std::string_view purpose,
+                               bool exact_arithmetic = false) {
   return {.test = box_box_test,
           .name = name,
           .purpose = purpose,
@@ -170,6 +174,7 @@ constexpr Family turned_family(std::string_view name, std::string_view purpose, 
           .exact_arithmetic = exact_arithmetic,
           .binary32 = one_by_one<numbers_by<Made, TurnedPair<float>>, float>,
           .binary64 = one_by_one<numbers_by<Made, TurnedPair<double>>, double>,
+          .situation = &situation,
           .entry = QuaternionBoxes::entry};
 }
 

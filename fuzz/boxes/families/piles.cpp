@@ -140,12 +140,17 @@ struct IntScaled {
 }  // namespace
 
 extern const Family box_box_stack_family = matrix_family<Stack>(
-    "box-box/stack", "crates in metres as a solver leaves them: on another, on a floor, in a wall, and one between");
+    "box-box/stack", box_box_situation::everyday,
+    "crates in metres as a solver leaves them: on another, on a floor, in a wall, and one between");
 extern const Family box_box_pile_family =
-    matrix_family<Pile>("box-box/pile", "crates in metres that lean on each other at any angle, sunk in by up to 1 cm");
+    matrix_family<Pile>("box-box/pile", box_box_situation::everyday,
+                        "crates in metres that lean on each other at any angle, sunk in by up to 1 cm");
 extern const Family box_box_int_scaled_family = matrix_family<IntScaled>(
-    "box-box/int_scaled", "integer columns at right angles that are not of length 1: the textbook is wrong by itself");
-extern const Family box_box_stack_turned_family = turned_family<Stack>("box-box/stack_turned", "stack, as quaternions");
-extern const Family box_box_pile_turned_family = turned_family<Pile>("box-box/pile_turned", "pile, as quaternions");
+    "box-box/int_scaled", box_box_situation::no_rotation,
+    "integer columns at right angles that are not of length 1: the textbook is wrong by itself");
+extern const Family box_box_stack_turned_family =
+    turned_family<Stack>("box-box/stack_turned", box_box_situation::everyday, "stack, as quaternions");
+extern const Family box_box_pile_turned_family =
+    turned_family<Pile>("box-box/pile_turned", box_box_situation::everyday, "pile, as quaternions");
 
 }  // namespace axiscert::boxes

@@ -85,20 +85,24 @@ struct Crossed {
 
 }  // namespace
 
-extern const Family box_box_stacked_family = matrix_family<Stacked, 2>(
-    "box-box/stacked", "B stands on A, yawed by 2^-1 to 2^-11, touching but for roundings and up to eight ulps");
-extern const Family box_box_resting_family = matrix_family<Resting, 2>(
-    "box-box/resting", "B stands on A, yawed by 2^-7 to 2^-23, sunk in by 2^-6 to 2^-14; both turned anyhow");
+extern const Family box_box_stacked_family =
+    matrix_family<Stacked, 2>("box-box/stacked", box_box_situation::touching,
+                              "B stands on A, yawed by 2^-1 to 2^-11, touching but for roundings and up to eight ulps");
+extern const Family box_box_resting_family =
+    matrix_family<Resting, 2>("box-box/resting", box_box_situation::everyday,
+                              "B stands on A, yawed by 2^-7 to 2^-23, sunk in by 2^-6 to 2^-14; both turned anyhow");
 extern const Family box_box_level_family =
-    matrix_family<Level>("box-box/level", "resting on a level floor: upright, A along the world's axes or yawed");
+    matrix_family<Level>("box-box/level", box_box_situation::everyday,
+                         "resting on a level floor: upright, A along the world's axes or yawed");
 extern const Family box_box_crossed_family = matrix_family<Crossed>(
-    "box-box/crossed", "edges of length up to 24 cross at an angle of 2^-5 to 2^-17, 2^-8 to 2^-20 apart or as deep");
+    "box-box/crossed", box_box_situation::crossed,
+    "edges of length up to 24 cross at an angle of 2^-5 to 2^-17, 2^-8 to 2^-20 apart or as deep");
 
-extern const Family box_box_resting_turned_family =
-    turned_family<Resting, 2>("box-box/resting_turned", "resting, as quaternions of integers");
+extern const Family box_box_resting_turned_family = turned_family<Resting, 2>(
+    "box-box/resting_turned", box_box_situation::everyday, "resting, as quaternions of integers");
 extern const Family box_box_level_turned_family =
-    turned_family<Level>("box-box/level_turned", "level, as quaternions of integers");
+    turned_family<Level>("box-box/level_turned", box_box_situation::everyday, "level, as quaternions of integers");
 extern const Family box_box_crossed_turned_family =
-    turned_family<Crossed>("box-box/crossed_turned", "crossed, as quaternions of integers");
+    turned_family<Crossed>("box-box/crossed_turned", box_box_situation::crossed, "crossed, as quaternions of integers");
 
 }  // namespace axiscert::boxes

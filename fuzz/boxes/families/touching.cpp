@@ -92,21 +92,24 @@ struct Far {
 }  // namespace
 
 extern const Family box_box_tangent_family = matrix_family<Tangent, 2>(
-    "box-box/tangent", "any two rotations, rounded; B's centre where they touch, and up to four ulps from there");
-extern const Family box_box_thin_family =
-    matrix_family<Thin, 2>("box-box/thin", "tangent, with an extent of A, or one of each, times 2^-10 or 2^-20");
+    "box-box/tangent", box_box_situation::touching,
+    "any two rotations, rounded; B's centre where they touch, and up to four ulps from there");
+extern const Family box_box_thin_family = matrix_family<Thin, 2>(
+    "box-box/thin", box_box_situation::flat, "tangent, with an extent of A, or one of each, times 2^-10 or 2^-20");
 extern const Family box_box_edge_edge_family = matrix_family<EdgeEdge, 2>(
-    "box-box/edge_edge", "an edge of A touches an edge of B, each pair of edges in turn; every other one up to 4 ulps");
-extern const Family box_box_vertex_face_family = matrix_family<VertexFace, 2>(
-    "box-box/vertex_face", "a vertex touches a facet, the six normals in turn; every other one up to 4 ulps");
-extern const Family box_box_far_family =
-    matrix_family<Far, 2>("box-box/far", "tangent, 2^4 to 2^19 (binary64: 2^47) from the origin");
+    "box-box/edge_edge", box_box_situation::touching,
+    "an edge of A touches an edge of B, each pair of edges in turn; every other one up to 4 ulps");
+extern const Family box_box_vertex_face_family =
+    matrix_family<VertexFace, 2>("box-box/vertex_face", box_box_situation::touching,
+                                 "a vertex touches a facet, the six normals in turn; every other one up to 4 ulps");
+extern const Family box_box_far_family = matrix_family<Far, 2>("box-box/far", box_box_situation::far,
+                                                               "tangent, 2^4 to 2^19 (binary64: 2^47) from the origin");
 
-extern const Family box_box_tangent_turned_family =
-    turned_family<Tangent, 2>("box-box/tangent_turned", "tangent, as quaternions of integers");
-extern const Family box_box_edge_edge_turned_family =
-    turned_family<EdgeEdge, 2>("box-box/edge_edge_turned", "edge_edge, as quaternions of integers");
-extern const Family box_box_vertex_face_turned_family =
-    turned_family<VertexFace, 2>("box-box/vertex_face_turned", "vertex_face, as quaternions of integers");
+extern const Family box_box_tangent_turned_family = turned_family<Tangent, 2>(
+    "box-box/tangent_turned", box_box_situation::touching, "tangent, as quaternions of integers");
+extern const Family box_box_edge_edge_turned_family = turned_family<EdgeEdge, 2>(
+    "box-box/edge_edge_turned", box_box_situation::touching, "edge_edge, as quaternions of integers");
+extern const Family box_box_vertex_face_turned_family = turned_family<VertexFace, 2>(
+    "box-box/vertex_face_turned", box_box_situation::touching, "vertex_face, as quaternions of integers");
 
 }  // namespace axiscert::boxes

@@ -221,8 +221,8 @@ struct Voxel {
 };
 
 template <class Made, class Entry>
-constexpr Family triangle_family(std::string_view name, std::string_view purpose, bool exact_arithmetic = false,
-                                 int version = 1) {
+constexpr Family triangle_family(std::string_view name, const Situation& situation, std::string_view purpose,
+                                 bool exact_arithmetic = false, int version = 1) {
   return {.test = box_triangle_test,
           .name = name,
           .purpose = purpose,
@@ -230,37 +230,43 @@ constexpr Family triangle_family(std::string_view name, std::string_view purpose
           .exact_arithmetic = exact_arithmetic,
           .binary32 = one_by_one<numbers_by<Made, typename Entry::template Problem<float>>, float>,
           .binary64 = one_by_one<numbers_by<Made, typename Entry::template Problem<double>>, double>,
+          .situation = &situation,
           .entry = Entry::entry};
 }
 
 }  // namespace
 
-extern const Family box_triangle_general_family = triangle_family<GeneralTriangle, CentreEntry>(
-    "box-triangle/general", "half extents 0.5 to 1.5, a triangle in the cube of side 6");
+extern const Family box_triangle_general_family =
+    triangle_family<GeneralTriangle, CentreEntry>("box-triangle/general", box_triangle_situation::everyday,
+                                                  "half extents 0.5 to 1.5, a triangle in the cube of side 6");
 extern const Family box_triangle_touching_family = triangle_family<TouchingTriangle, CentreEntry>(
-    "box-triangle/touching",
+    "box-triangle/touching", box_triangle_situation::touching,
     "the triangle touches the box on each axis in turn, rounded; every other one up to 2 ulps");
-extern const Family box_triangle_lattice_family =
-    triangle_family<LatticeTriangle, CentreEntry>("box-triangle/lattice", "small integers: nothing is rounded", true);
+extern const Family box_triangle_lattice_family = triangle_family<LatticeTriangle, CentreEntry>(
+    "box-triangle/lattice", box_triangle_situation::small_integers, "small integers: nothing is rounded", true);
 extern const Family box_triangle_degenerate_family = triangle_family<DegenerateTriangle, CentreEntry>(
-    "box-triangle/degenerate", "small integers, the triangle a segment or a point, or the box a rectangle, in turn",
-    true);
+    "box-triangle/degenerate", box_triangle_situation::degenerate,
+    "small integers, the triangle a segment or a point, or the box a rectangle, in turn", true);
 
-extern const Family box_triangle_general_minmax_family =
-    triangle_family<GeneralTriangle, MinmaxEntry>("box-triangle/general_minmax", "general, the box by two corners");
-extern const Family box_triangle_touching_minmax_family =
-    triangle_family<TouchingTriangle, MinmaxEntry>("box-triangle/touching_minmax", "touching, the box by two corners");
-extern const Family box_triangle_lattice_minmax_family = triangle_family<LatticeTriangle, MinmaxEntry>(
-    "box-triangle/lattice_minmax", "small integers, the box by two corners: nothing is rounded", true);
+extern const Family box_triangle_general_minmax_family = triangle_family<GeneralTriangle, MinmaxEntry>(
+    "box-triangle/general_minmax", box_triangle_situation::everyday, "general, the box by two corners");
+extern const Family box_triangle_touching_minmax_family = triangle_family<TouchingTriangle, MinmaxEntry>(
+    "box-triangle/touching_minmax", box_triangle_situation::touching, "touching, the box by two corners");
+extern const Family box_triangle_lattice_minmax_family =
+    triangle_family<LatticeTriangle, MinmaxEntry>("box-triangle/lattice_minmax", box_triangle_situation::small_integers,
+                                                  "small integers, the box by two corners: nothing is rounded", true);
 extern const Family box_triangle_voxel_family = triangle_family<Voxel, MinmaxEntry>(
-    "box-triangle/voxel", "a cell of a grid, and a triangle in a plane through a corner of the cell, of a few cells",
-    false, 2);
+    "box-triangle/voxel", box_triangle_situation::everyday,
+    "a cell of a grid, and a triangle in a plane through a corner of the cell, of a few cells", false, 2);
 
-extern const Family box_triangle_general_oriented_family = triangle_family<GeneralTriangle, OrientedEntry>(
-    "box-triangle/general_oriented", "general, the box turned by any rotation, rounded");
-extern const Family box_triangle_touching_oriented_family = triangle_family<TouchingTriangle, OrientedEntry>(
-    "box-triangle/touching_oriented", "touching, the box turned by any rotation, rounded");
+extern const Family box_triangle_general_oriented_family =
+    triangle_family<GeneralTriangle, OrientedEntry>("box-triangle/general_oriented", box_triangle_situation::everyday,
+                                                    "general, the box turned by any rotation, rounded");
+extern const Family box_triangle_touching_oriented_family =
+    triangle_family<TouchingTriangle, OrientedEntry>("box-triangle/touching_oriented", box_triangle_situation::touching,
+                                                     "touching, the box turned by any rotation, rounded");
 extern const Family box_triangle_lattice_oriented_family = triangle_family<LatticeTriangle, OrientedEntry>(
-    "box-triangle/lattice_oriented", "small integers, the box turned by quarter turns: nothing is rounded", true);
+    "box-triangle/lattice_oriented", box_triangle_situation::small_integers,
+    "small integers, the box turned by quarter turns: nothing is rounded", true);
 
 }  // namespace axiscert::boxes

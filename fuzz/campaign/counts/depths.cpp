@@ -31,12 +31,17 @@ std::string decade_name(std::size_t decade) {
   return std::to_string(static_cast<int>(decade) - 2 + least_decade);
 }
 
+void DepthTally::count(FlipKind kind, std::size_t decade) {
+  ++of(kind)[decade];
+  deep += decade >= decade_of(1e-3);
+}
+
 void count_depth(DepthTally& depths, EngineTally& engine, FlipKind kind, DepthOf& depth) {
   const std::size_t decade = decade_of(depth);
-  ++depths.of(kind)[decade];
+  depths.count(kind, decade);
   const double threshold = depth.engine_threshold();
   if (depth.at_most() <= threshold) return;
-  if (depth.at_least() > threshold || depth.exactly() > threshold) ++engine.wrong.of(kind)[decade];
+  if (depth.at_least() > threshold || depth.exactly() > threshold) engine.wrong.count(kind, decade);
 }
 
 }  // namespace axiscert

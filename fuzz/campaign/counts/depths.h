@@ -34,14 +34,17 @@ using DecadeCounts = SparseCounts<Decades>;
 // Wrong verdicts by direction and decade.
 struct DepthTally {
   DecadeCounts false_separation{}, false_contact{};
+  std::uint64_t deep = 0;
 
   DecadeCounts& of(FlipKind kind) { return kind == FlipKind::false_separation ? false_separation : false_contact; }
+  void count(FlipKind kind, std::size_t decade);
   bool operator==(const DepthTally&) const = default;
 
   static constexpr std::string_view about = "Wrong verdicts by decade of depth.";
   static constexpr auto fields(auto&& visit) {
     return visit(field(&DepthTally::false_separation, {"false_separation", "Missed contacts."}),
-                 field(&DepthTally::false_contact, {"false_contact", "Phantom contacts."}));
+                 field(&DepthTally::false_contact, {"false_contact", "Phantom contacts."}),
+                 field(&DepthTally::deep, {"deep", "Those of both whose depth is at least 1e-3."}));
   }
 };
 

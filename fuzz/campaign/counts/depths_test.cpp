@@ -117,6 +117,10 @@ TYPED_TEST(EngineLike, CountsOfAUnitAddUp) {
       const VerdictTally& verdict = quick[k].verdict;
       EXPECT_EQ(sum(verdict.depths->false_separation), verdict.false_separation) << name;
       EXPECT_EQ(sum(verdict.depths->false_contact), verdict.false_contact) << name;
+      std::uint64_t deep = 0;
+      for (std::size_t d = decade_of(1e-3); d < decade_count; ++d)
+        deep += verdict.depths->false_separation[d] + verdict.depths->false_contact[d];
+      EXPECT_EQ(verdict.depths->deep, deep) << name;
       EXPECT_EQ(verdict.depths, exact[k].verdict.depths) << name;
       EXPECT_EQ(verdict.engine->wrong, exact[k].verdict.engine->wrong) << name;
       EXPECT_EQ(verdict.engine->queries, engine_like) << name;

@@ -33,9 +33,11 @@ Numbers<Real> motion_at_equal_vertices(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family moving_sphere_line_sweep_family = moving_family<motion_at_a_line<float>, motion_at_a_line<double>>(
-    "moving-sphere/line_sweep", "three points of one line; D in the line, across it, or any, in turn");
+    "moving-sphere/line_sweep", situation::zero_area,
+    "three points of one line; D in the line, across it, or any, in turn");
 extern const Family moving_sphere_repeated_sweep_family =
     moving_family<motion_at_equal_vertices<float>, motion_at_equal_vertices<double>>(
-        "moving-sphere/repeated_sweep", "two equal vertices (A = B, B = C, C = A) or three, in turn");
+        "moving-sphere/repeated_sweep", situation::zero_area,
+        "two equal vertices (A = B, B = C, C = A) or three, in turn");
 
 }  // namespace axiscert::moving_sphere

@@ -29,7 +29,8 @@ void fill_ends(const StreamName& stream, std::uint64_t first, const MutableColum
 }
 
 template <const Family& motions, End end = End::as_it_is>
-constexpr Family ends_family(std::string_view name, std::string_view purpose, bool exact_arithmetic = false) {
+constexpr Family ends_family(std::string_view name, const Situation& situation, std::string_view purpose,
+                             bool exact_arithmetic = false) {
   return {.test = moving_sphere_test,
           .name = name,
           .purpose = purpose,
@@ -37,35 +38,38 @@ constexpr Family ends_family(std::string_view name, std::string_view purpose, bo
           .exact_arithmetic = exact_arithmetic,
           .binary32 = fill_ends<motions, end, float>,
           .binary64 = fill_ends<motions, end, double>,
+          .situation = &situation,
           .entry = MovingEnds::entry};
 }
 
 }  // namespace
 
-extern const Family moving_sphere_ends_general_family =
-    ends_family<moving_sphere_general_family>("moving-sphere/ends_general", "general, by its ends P and P1");
+extern const Family moving_sphere_ends_general_family = ends_family<moving_sphere_general_family>(
+    "moving-sphere/ends_general", situation::everyday, "general, by its ends P and P1");
 extern const Family moving_sphere_ends_graze_family =
-    ends_family<moving_sphere_graze_family>("moving-sphere/ends_graze", "graze, by its ends");
+    ends_family<moving_sphere_graze_family>("moving-sphere/ends_graze", situation::touching, "graze, by its ends");
 extern const Family moving_sphere_ends_touch_family = ends_family<moving_sphere_touch_end_family>(
-    "moving-sphere/ends_touch", "touch_end, by its ends: in touch at P1, or by ulps not");
+    "moving-sphere/ends_touch", situation::touching, "touch_end, by its ends: in touch at P1, or by ulps not");
 extern const Family moving_sphere_ends_slide_family =
-    ends_family<moving_sphere_slide_family>("moving-sphere/ends_slide", "slide, by its ends");
-extern const Family moving_sphere_ends_along_family =
-    ends_family<moving_sphere_along_edge_family>("moving-sphere/ends_along", "along_edge, by its ends");
+    ends_family<moving_sphere_slide_family>("moving-sphere/ends_slide", situation::parallel, "slide, by its ends");
+extern const Family moving_sphere_ends_along_family = ends_family<moving_sphere_along_edge_family>(
+    "moving-sphere/ends_along", situation::parallel, "along_edge, by its ends");
 extern const Family moving_sphere_ends_approach_family = ends_family<moving_sphere_approach_family, End::nearer>(
-    "moving-sphere/ends_approach", "approach, by its ends, P1 nearer to A: P1 - P is no number of the precision");
+    "moving-sphere/ends_approach", situation::far,
+    "approach, by its ends, P1 nearer to A: P1 - P is no number of the precision");
 extern const Family moving_sphere_ends_huge_family =
-    ends_family<moving_sphere_huge_d_family>("moving-sphere/ends_huge", "huge_d, by its ends");
-extern const Family moving_sphere_ends_still_family =
-    ends_family<moving_sphere_zero_d_family>("moving-sphere/ends_still", "P1 = P, the static query");
-extern const Family moving_sphere_ends_line_family =
-    ends_family<moving_sphere_line_sweep_family>("moving-sphere/ends_line", "line_sweep, by its ends");
+    ends_family<moving_sphere_huge_d_family>("moving-sphere/ends_huge", situation::far, "huge_d, by its ends");
+extern const Family moving_sphere_ends_still_family = ends_family<moving_sphere_zero_d_family>(
+    "moving-sphere/ends_still", situation::no_motion, "P1 = P, the static query");
+extern const Family moving_sphere_ends_line_family = ends_family<moving_sphere_line_sweep_family>(
+    "moving-sphere/ends_line", situation::zero_area, "line_sweep, by its ends");
 extern const Family moving_sphere_ends_point_family =
-    ends_family<moving_sphere_point_family>("moving-sphere/ends_point", "point, by its ends");
+    ends_family<moving_sphere_point_family>("moving-sphere/ends_point", situation::point, "point, by its ends");
 // P1 is an integer of at most 2 m, and so is every difference of `lattice` again.
-extern const Family moving_sphere_ends_lattice_family = ends_family<moving_sphere_lattice_family>(
-    "moving-sphere/ends_lattice", "lattice, by its ends: every operation of ends-twenty is exact", true);
-extern const Family moving_sphere_ends_walk_family =
-    ends_family<moving_sphere_scene_walk_family>("moving-sphere/ends_walk", "scene_walk, by its ends, in metres");
+extern const Family moving_sphere_ends_lattice_family =
+    ends_family<moving_sphere_lattice_family>("moving-sphere/ends_lattice", situation::small_integers,
+                                              "lattice, by its ends: every operation of ends-twenty is exact", true);
+extern const Family moving_sphere_ends_walk_family = ends_family<moving_sphere_scene_walk_family>(
+    "moving-sphere/ends_walk", situation::everyday, "scene_walk, by its ends, in metres");
 
 }  // namespace axiscert::moving_sphere

@@ -70,17 +70,19 @@ Numbers<Real> lattice_motion(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family moving_sphere_general_family = moving_family<general_motion<float>, general_motion<double>>(
-    "moving-sphere/general", "triangle in the unit cube, path through the cube of twice its size, r below 0.5");
+    "moving-sphere/general", situation::everyday,
+    "triangle in the unit cube, path through the cube of twice its size, r below 0.5");
 extern const Family moving_sphere_approach_family =
     moving_family<approaching_motion<float>, approaching_motion<double>>(
-        "moving-sphere/approach", "from 2^4 to 2^26 radii away, past a vertex at about r");
+        "moving-sphere/approach", situation::far, "from 2^4 to 2^26 radii away, past a vertex at about r");
 extern const Family moving_sphere_huge_d_family = moving_family<huge_motion<float>, huge_motion<double>>(
-    "moving-sphere/huge_d", "the displacement of general times 2^6 to 2^37");
+    "moving-sphere/huge_d", situation::far, "the displacement of general times 2^6 to 2^37");
 extern const Family moving_sphere_tiny_d_family = moving_family<tiny_motion<float>, tiny_motion<double>>(
-    "moving-sphere/tiny_d", "the displacement of general so small that P + D is, or nearly, P");
+    "moving-sphere/tiny_d", situation::no_motion, "the displacement of general so small that P + D is, or nearly, P");
 extern const Family moving_sphere_zero_d_family = moving_family<no_motion<float>, no_motion<double>>(
-    "moving-sphere/zero_d", "D = 0, the static query: anywhere and touching in turn");
+    "moving-sphere/zero_d", situation::no_motion, "D = 0, the static query: anywhere and touching in turn");
 extern const Family moving_sphere_lattice_family = moving_family<lattice_motion<float>, lattice_motion<double>>(
-    "moving-sphere/lattice", "small integers, radii in halves: every operation of twenty is exact", true);
+    "moving-sphere/lattice", situation::small_integers,
+    "small integers, radii in halves: every operation of twenty is exact", true);
 
 }  // namespace axiscert::moving_sphere

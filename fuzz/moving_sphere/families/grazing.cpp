@@ -58,14 +58,15 @@ Numbers<Real> motion_along_an_edge(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family moving_sphere_graze_family = moving_family<grazing_motion<float>, grazing_motion<double>>(
-    "moving-sphere/graze",
+    "moving-sphere/graze", situation::touching,
     "past a vertex, an edge or a face at distance r exactly, every other time; or P or r by ulps");
 extern const Family moving_sphere_slide_family = moving_family<sliding_motion<float>, sliding_motion<double>>(
-    "moving-sphere/slide", "parallel to the face, over it or beside it, at height r or by ulps not");
+    "moving-sphere/slide", situation::parallel,
+    "parallel to the face, over it or beside it, at height r or by ulps not");
 extern const Family moving_sphere_skim_family = moving_family<skimming_motion<float>, skimming_motion<double>>(
-    "moving-sphere/skim", "the same with one coordinate of D by up to four ulps from parallel");
+    "moving-sphere/skim", situation::parallel, "the same with one coordinate of D by up to four ulps from parallel");
 extern const Family moving_sphere_along_edge_family =
     moving_family<motion_along_an_edge<float>, motion_along_an_edge<double>>(
-        "moving-sphere/along_edge", "parallel to an edge at distance r from it, or by ulps not");
+        "moving-sphere/along_edge", situation::parallel, "parallel to an edge at distance r from it, or by ulps not");
 
 }  // namespace axiscert::moving_sphere

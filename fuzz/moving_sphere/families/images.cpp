@@ -152,7 +152,8 @@ constexpr Family family_of_images(std::string_view purpose) {
           .version = 1,
           .exact_arithmetic = false,
           .binary32 = fill<float, group, image_binary32>,
-          .binary64 = fill<double, group, image_binary64>};
+          .binary64 = fill<double, group, image_binary64>,
+          .situation = &situation::touching};
 }
 
 }  // namespace

@@ -78,19 +78,23 @@ Numbers<Real> moving_point(Stream& random, std::uint64_t position) {
 
 extern const Family moving_sphere_touch_end_family =
     moving_family<touching_at_the_end<float>, touching_at_the_end<double>>(
-        "moving-sphere/touch_end", "touches at the end of the motion, every other time; or P or r by ulps");
+        "moving-sphere/touch_end", situation::touching,
+        "touches at the end of the motion, every other time; or P or r by ulps");
 extern const Family moving_sphere_touch_start_family =
     moving_family<touching_at_the_start<float>, touching_at_the_start<double>>(
-        "moving-sphere/touch_start", "touches at the start and leaves, every other time; or P or r by ulps");
+        "moving-sphere/touch_start", situation::touching,
+        "touches at the start and leaves, every other time; or P or r by ulps");
 extern const Family moving_sphere_exact_time_family =
     moving_family<touching_on_the_way<float>, touching_on_the_way<double>>(
-        "moving-sphere/exact_time",
+        "moving-sphere/exact_time", situation::touching,
         "would first touch at 1 / 8 to 3 / 2 of the way exactly, every other time; or P or r by ulps");
 extern const Family moving_sphere_seam_time_family = moving_family<meeting_a_seam<float>, meeting_a_seam<double>>(
-    "moving-sphere/seam_time", "meets a vertex where the region of an edge, or of the face too, begins");
+    "moving-sphere/seam_time", situation::touching,
+    "meets a vertex where the region of an edge, or of the face too, begins");
 extern const Family moving_sphere_overlap_ulp_family = moving_family<overlap_by_ulps<float>, overlap_by_ulps<double>>(
-    "moving-sphere/overlap_ulp", "overlaps, touches or misses at the start by ulps; inwards, outwards, along");
+    "moving-sphere/overlap_ulp", situation::touching,
+    "overlaps, touches or misses at the start by ulps; inwards, outwards, along");
 extern const Family moving_sphere_point_family = moving_family<moving_point<float>, moving_point<double>>(
-    "moving-sphere/point", "r = 0 or tiny, through a vertex, an edge, the inside of the face");
+    "moving-sphere/point", situation::point, "r = 0 or tiny, through a vertex, an edge, the inside of the face");
 
 }  // namespace axiscert::moving_sphere

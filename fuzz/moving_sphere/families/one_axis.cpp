@@ -51,7 +51,7 @@ Numbers<Real> one_axis(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family moving_sphere_one_axis_family = moving_family<one_axis<float>, one_axis<double>>(
-    "moving-sphere/one_axis", "small integers: each of the twenty axes in turn separates alone, by less than a half",
-    true);
+    "moving-sphere/one_axis", situation::small_integers,
+    "small integers: each of the twenty axes in turn separates alone, by less than a half", true);
 
 }  // namespace axiscert::moving_sphere

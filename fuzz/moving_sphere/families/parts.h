@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fuzz/moving_sphere/families/situations.h"
 #include "fuzz/sphere_triangle/families/parts/shapes.h"
 #include "fuzz/queries/steps.h"
 #include "fuzz/queries/one_by_one.h"
@@ -136,14 +137,16 @@ MovingQuery<Real> small_integers(Stream& random, std::int64_t m) {
 }
 
 template <auto one32, auto one64>
-constexpr Family moving_family(std::string_view name, std::string_view purpose, bool exact_arithmetic = false) {
+constexpr Family moving_family(std::string_view name, const Situation& situation, std::string_view purpose,
+                               bool exact_arithmetic = false) {
   return {.test = moving_sphere_test,
           .name = name,
           .purpose = purpose,
           .version = 1,
           .exact_arithmetic = exact_arithmetic,
           .binary32 = one_by_one<one32, float>,
-          .binary64 = one_by_one<one64, double>};
+          .binary64 = one_by_one<one64, double>,
+          .situation = &situation};
 }
 
 }  // namespace axiscert::moving_sphere

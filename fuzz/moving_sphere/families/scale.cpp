@@ -82,9 +82,10 @@ extern const Family moving_sphere_units_family = {
     .version = 1,
     .exact_arithmetic = true,
     .binary32 = units<float>,
-    .binary64 = units<double>};
+    .binary64 = units<double>,
+    .situation = &situation::units};
 extern const Family moving_sphere_scale_family = moving_family<clear_motion<float>, clear_motion<double>>(
-    "moving-sphere/scale",
+    "moving-sphere/scale", situation::units,
     "clear motions (r at most half the distance, or at least twice) times every power of two in turn");
 
 }  // namespace axiscert::moving_sphere

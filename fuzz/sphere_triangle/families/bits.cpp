@@ -66,6 +66,7 @@ extern const Family bits_family = {sphere_triangle_test,
                                    false,
                                    bits_queries<float>,
                                    bits_queries<double>,
+                                   std::nullopt,
                                    17,
                                    4};
 }  // namespace axiscert

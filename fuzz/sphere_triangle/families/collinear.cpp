@@ -49,6 +49,7 @@ extern const Family collinear_family = {
     2,
     false,
     one_by_one<collinear<float>>,
-    one_by_one<collinear<double>>};
+    one_by_one<collinear<double>>,
+    TrustGroup::degenerate};
 
 }  // namespace axiscert

@@ -45,6 +45,7 @@ extern const Family far_family = {
     2,
     false,
     far_queries<float>,
-    far_queries<double>};
+    far_queries<double>,
+    TrustGroup::far};
 }  // namespace axiscert
 #endif

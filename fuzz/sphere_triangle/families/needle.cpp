@@ -45,6 +45,7 @@ extern const Family needle_family = {
     2,
     false,
     needle_queries<float>,
-    needle_queries<double>};
+    needle_queries<double>,
+    TrustGroup::thin};
 }  // namespace axiscert
 #endif

@@ -53,6 +53,7 @@ extern const Family on_family = {
     2,
     false,
     one_by_one<on<float>>,
-    one_by_one<on<double>>};
+    one_by_one<on<double>>,
+    TrustGroup::resting};
 
 }  // namespace axiscert

@@ -55,6 +55,7 @@ extern const Family ratio_family = {sphere_triangle_test,
                                     2,
                                     false,
                                     ratio_queries<float>,
-                                    ratio_queries<double>};
+                                    ratio_queries<double>,
+                                    TrustGroup::thin};
 }  // namespace axiscert
 #endif

@@ -45,6 +45,7 @@ extern const Family repeated_family = {
     2,
     false,
     repeated_queries<float>,
-    repeated_queries<double>};
+    repeated_queries<double>,
+    TrustGroup::degenerate};
 }  // namespace axiscert
 #endif

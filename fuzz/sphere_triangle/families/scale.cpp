@@ -67,6 +67,7 @@ extern const Family scale_family = {
     2,
     false,
     scale_queries<float>,
-    scale_queries<double>};
+    scale_queries<double>,
+    TrustGroup::small};
 }  // namespace axiscert
 #endif

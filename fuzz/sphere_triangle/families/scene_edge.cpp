@@ -90,6 +90,7 @@ extern const Family scene_edge_family = {sphere_triangle_test,
                                          1,
                                          false,
                                          scene_edges<float>,
-                                         scene_edges<double>};
+                                         scene_edges<double>,
+                                         TrustGroup::scene};
 
 }  // namespace axiscert

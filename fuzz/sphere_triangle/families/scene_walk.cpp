@@ -28,6 +28,7 @@ extern const Family scene_walk_family = {
     1,
     false,
     one_by_one<scene_walk<float>>,
-    one_by_one<scene_walk<double>>};
+    one_by_one<scene_walk<double>>,
+    TrustGroup::scene};
 
 }  // namespace axiscert

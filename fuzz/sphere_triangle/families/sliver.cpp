@@ -56,6 +56,7 @@ extern const Family sliver_family = {
     2,
     false,
     sliver_queries<float>,
-    sliver_queries<double>};
+    sliver_queries<double>,
+    TrustGroup::thin};
 }  // namespace axiscert
 #endif

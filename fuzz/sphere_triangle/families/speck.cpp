@@ -50,6 +50,7 @@ extern const Family speck_family = {
     false,
     one_by_one<specked_tie<float>>,
     one_by_one<specked_tie<double>>,
+    std::nullopt,
     30};
 
 }  // namespace axiscert

@@ -33,6 +33,7 @@ extern const Family subnormal_family = {
     2,
     false,
     one_by_one<subnormal<float>>,
-    one_by_one<subnormal<double>>};
+    one_by_one<subnormal<double>>,
+    TrustGroup::small};
 
 }  // namespace axiscert

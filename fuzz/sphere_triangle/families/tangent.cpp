@@ -80,6 +80,7 @@ extern const Family tangent_family = {
     2,
     false,
     tangent_queries<float>,
-    tangent_queries<double>};
+    tangent_queries<double>,
+    TrustGroup::resting};
 }  // namespace axiscert
 #endif

@@ -101,6 +101,7 @@ extern const Family tie_family = {
     2,
     false,
     one_by_one<touching_integers<float>>,
-    one_by_one<touching_integers<double>>};
+    one_by_one<touching_integers<double>>,
+    TrustGroup::resting};
 
 }  // namespace axiscert

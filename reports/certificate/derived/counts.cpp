@@ -8,7 +8,6 @@
 #include <regex>
 #include <span>
 
-#include "exact/sphere_triangle/measures/input_class.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/sha256.h"

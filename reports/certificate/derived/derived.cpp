@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "exact/sphere_triangle/measures/input_class.h"
 #include "fuzz/certify/effort.h"
 #include "fuzz/certify/safe_margin.h"
 #include "fuzz/text/number_text.h"

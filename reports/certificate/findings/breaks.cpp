@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/sphere_triangle/measures/input_class.h"
 #include "reports/certificate/findings/situations.h"
 #include "reports/certificate/statement/statement.h"
 #include "reports/run_folder/run_folder.h"
@@ -21,54 +20,24 @@
 namespace axiscert {
 namespace {
 
-struct Advice {
-  std::string_view cause, advice, section;
-};
-// By the cause's name: a class of input, or a link.
-constexpr Advice advices[] = {
-    {"tie", "Let r grow by the safe margin, or use a test that is right at the tie, as libaxiscert is.",
-     "docs/certified.md#what-is-promised"},
-    {"near_tie", "Rounding: let r grow by the safe margin, or use libaxiscert.", "docs/certified.md#what-is-promised"},
-    {"scale", "Bring the scene to a unit of length in which its numbers lie within the window of degree 6.",
-     "docs/error_model.md#units-of-length"},
-    {"repeated", "Drop triangles with two equal vertices when the mesh is read, or take a test that is right on them.",
-     "docs/precision.md#the-reduced-rung"},
-    {"collinear", "Drop triangles without area when the mesh is read, or take a test that is right on them.",
-     "docs/precision.md#the-reduced-rung"},
-    {"sliver", "Mend slivers when the mesh is read, or take a test with more precision for them.",
-     "docs/precision.md#the-ladder"},
-    {"far", "Subtract an origin near the scene before the numbers are rounded to the test's precision.",
-     "docs/precision.md#flips-caused-by-the-query-and-by-the-formula"},
-    {"ordinary",
-     "Look for a fault of logic, or an absolute number: `axiscert check` the witness, and `axiscert map` it.",
-     "docs/error_model.md#the-class-of-the-input"},
-    {"specification",
-     "The formulae are wrong over the reals: take others, as those of `nonstrict` or `reduced-nonstrict`.",
-     "docs/precision.md#the-reduced-rung"},
-    {"rounding", "Let r grow by the safe margin, or take a form that rounds less, or libaxiscert.",
-     "docs/precision.md#the-reduced-rung"},
-    {"range", "Bring the scene to a unit of length in which nothing over- or underflows.",
-     "docs/error_model.md#units-of-length"},
-    {"implementation", "The code does not compute its own formulae: compare it, `axiscert check`, with the reference.",
-     "docs/error_model.md#the-chain"},
-    {"unattributed", "Compare the verdict with the exact one: `axiscert check` the witness.",
-     "docs/error_model.md#the-chain"},
-    {"finding", "The kernel does not answer as a kernel has to: mend that before anything else.",
-     "docs/error_model.md#findings"},
-};
-
 // A cause of wrong verdicts of one kind.
 struct Cause {
   std::string name, meaning;
+  std::string_view advice, section;
   std::uint64_t count;
   double deepest;
 };
+Cause cause_of(std::string_view name, const CauseWords& words, std::uint64_t count, double deepest) {
+  return {std::string(name), std::string(words.meaning), words.advice, words.section, count, deepest};
+}
+
+// A fault other than a wrong answer comes before all causes of these.
+constexpr CauseWords of_finding = {"", "The kernel does not answer as a kernel has to: mend that before anything else.",
+                                   "docs/error_model.md#findings"};
 
 BreakStatement break_by(std::optional<Precision> precision, const std::string& what, const Cause& cause) {
-  const auto advice =
-      std::find_if(std::begin(advices), std::end(advices), [&](const Advice& a) { return a.cause == cause.name; });
-  return {precision,      what,           cause.name, cause.meaning, cause.count, amount(cause.deepest, 3),
-          advice->advice, advice->section};
+  return {precision,    what,         cause.name, cause.meaning, cause.count, amount(cause.deepest, 3),
+          cause.advice, cause.section};
 }
 
 // The deepest cause of a kind of wrong verdict in a kernel's entry: `missed` or phantom contacts.
@@ -81,8 +50,8 @@ std::optional<Cause> deepest_cause(const Record& record, const KernelRecord& ker
   for (const auto& [family, result] : kernel.families) {
     if (!result.classes) continue;
     for (const auto& [which, found] : *result.classes) {
-      offer({std::string(name(which)), std::string(class_meanings[which]),
-             missed ? found.false_separation : found.false_contact, found.deepest.best()});
+      offer(cause_of(name(which), class_words[which], missed ? found.false_separation : found.false_contact,
+                     found.deepest.best()));
     }
   }
   if (deepest) return deepest;
@@ -99,14 +68,14 @@ std::optional<Cause> deepest_cause(const Record& record, const KernelRecord& ker
       if (flip.level != Level::verdict || flip.kind != kind) continue;
       for (const Link link : enumerators<Link>) {
         if (std::find(flip.links.begin(), flip.links.end(), link) != flip.links.end())
-          offer({std::string(name(link)), std::string(link_meanings[link]), count, *witness.depth});
+          offer(cause_of(name(link), link_words[link], count, *witness.depth));
       }
     }
   }
   if (deepest) return deepest;
   const Link unknown = Link::unattributed;
-  return Cause{std::string(name(unknown)), std::string(link_meanings[unknown]), count,
-               (missed ? verdict.deepest_false_separation : verdict.deepest_false_contact).best()};
+  return cause_of(name(unknown), link_words[unknown], count,
+                  (missed ? verdict.deepest_false_separation : verdict.deepest_false_contact).best());
 }
 
 // The query alone, by the groups of its test's columns in whichever entry it is.
@@ -146,7 +115,8 @@ BreakStatement break_of_situation(const WrongVerdicts& wrong, bool missed) {
 std::optional<BreakStatement> what_breaks_first(const Record& record, const std::string& kernel) {
   for (const FindingRecord& finding : record.findings) {
     if (finding.kernel == kernel)
-      return break_by(std::nullopt, "finding", {"finding", finding_text(finding), finding.count, 0});
+      return break_by(std::nullopt, "finding",
+                      {"finding", finding_text(finding), of_finding.advice, of_finding.section, finding.count, 0});
   }
   for (const bool missed : {true, false}) {
     std::optional<Cause> deepest;
@@ -182,8 +152,9 @@ std::vector<SituationStatement> where_it_is_wrong(const Record& record, const st
 }
 
 std::vector<std::string_view> advised_sections() {
-  std::vector<std::string_view> sections;
-  for (const Advice& advice : advices) sections.push_back(advice.section);
+  std::vector<std::string_view> sections = {of_finding.section};
+  for (const CauseWords& words : class_words) sections.push_back(words.section);
+  for (const CauseWords& words : link_words) sections.push_back(words.section);
   return sections;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fuzz/diagnosis/diagnosis.h"
-#include "reports/certificate/findings/test_words.h"
+#include "fuzz/queries/capabilities.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -48,7 +48,7 @@ std::string said_of(const PropertyStatement& property, const KernelStatement& ke
   const std::string& value = property.value;
   if (property.name == "nearest_form" && value != not_known && value != not_asked && kernel.id != value)
     return fmt::format("{}answers as {} does, see {}", has_others ? "otherwise " : "", value,
-                       test_words_of(find_test(kernel.test)).section_of_forms);
+                       capabilities_of(find_test(kernel.test)).section_of_forms);
   for (const Peculiarity& known : peculiarities) {
     if (property.name == known.property && value == known.value) return std::string(known.says);
   }

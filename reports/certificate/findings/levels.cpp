@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
-#include <map>
 #include <optional>
 #include <string_view>
 
-#include "fuzz/queries/address.h"
-#include "fuzz/queries/image_groups.h"
-#include "kernel/base/error.h"
+#include "kernel/kernel.h"
 #include "reports/evidence/evidence.h"
 #include "reports/gates/requirement.h"
 #include "reports/wording/summary.h"
@@ -19,28 +16,7 @@
 namespace axiscert {
 namespace {
 
-// The depth of `depth=D` and `conservative=D`: a thousandth of the scene, which is seen in a game.
-constexpr std::string_view depth_asked = "0.001";
 constexpr std::size_t most_failures = 5;
-
-struct ProvedLevel {
-  std::string_view kernel, levels;  // levels: separated by blanks, each with one before and after it
-  std::string_view text;
-};
-constexpr ProvedLevel proved_levels[] = {
-    {"certified", " logic range exact conservative conservative=0.001 depth=0.001 ",
-     "where the numbers are multiples of one power of two by integers of at most 126 bits: that the verdict is right, "
-     "by Coq (certified_is_exact_within_126_bits), of margins recorded from the code, if its integers are long enough "
-     "and the signs told by the steps before are right. Coq proves the latter of the coarse step "
-     "(coarse_known_is_sound64). Of the fine step it proves, where nothing underflows, that margins are within their "
-     "bounds (fine_is_near); the signs, and the deep step, are argued and tested, and so are wider numbers. "
-     "docs/proofs.md#the-certified-predicate-step-by-step has what is trusted besides"},
-    {"conservative", " conservative ",
-     "where the square of the scene's size is from 2^-42 to 2^60 in binary32, 2^-400 to 2^400 in binary64: that no "
-     "contact is missed, by Coq, of the code as recorded (recorded_conservative_is_right32, "
-     "recorded_conservative_is_right64). Other sizes, which are scaled first, are argued on paper: "
-     "docs/proofs.md#the-conservative-test-of-the-certified-predicate"},
-};
 
 double number_of(const std::string& text) {
   double value = 0;
@@ -48,34 +24,24 @@ double number_of(const std::string& text) {
   return problem == std::errc() ? value : std::numeric_limits<double>::infinity();
 }
 
-// Whether a level is about wrong verdicts alone, so that a search for the worst, and the rate of them, say something.
-bool is_of_verdicts(const std::string& level) {
-  return level == "exact" || level == "depth" || level == "conservative";
-}
+// A search for the worst wrong verdicts, and the rate of them, say something of these levels.
+bool is_of_verdicts(const AskedLevel& asked) { return level_of(asked).allowed != nullptr; }
 
 // How a find of a search contradicts a level; empty where it does not, or that cannot be told.
-std::string contradiction(const LevelOutcome& outcome, const SearchedStatement* search) {
-  if (search == nullptr) return "";
-  const std::string& level = outcome.asked.name;
-  const bool has_depth = outcome.asked.has_argument && (level == "depth" || level == "conservative");
-  const double allowed = has_depth ? number_of(outcome.asked.argument) : -1;
+std::string contradiction(const AskedLevel& asked, const SearchedStatement* search) {
+  if (search == nullptr || !is_of_verdicts(asked)) return "";
   const auto of = [&](const char* goal, const char* what, double most) -> std::string {
     const FindStatement* find = search->find(goal);
     if (find == nullptr || !find->depth || number_of(*find->depth) <= most) return "";
     return fmt::format("the search found a {} of depth {} of the scene", what, *find->depth);
   };
-  if (!is_of_verdicts(level)) return "";
-  const double any = std::numeric_limits<double>::infinity();
-  const std::string missed = of("missed_contact", "missed contact", level == "depth" ? allowed : -1);
-  const std::string phantom = of("phantom_contact", "phantom contact",
-                                 level == "exact" ? -1
-                                 : has_depth      ? allowed
-                                                  : any);
-  return missed.empty() ? phantom : missed;
+  const AllowedDepths allowed = level_of(asked).allowed(asked);
+  const std::string missed = of("missed_contact", "missed contact", allowed.missed);
+  return missed.empty() ? of("phantom_contact", "phantom contact", allowed.phantom) : missed;
 }
 
-std::string observed(const KernelRecord& kernel, const std::string& level, const std::string& covers) {
-  if (!is_of_verdicts(level)) return covers;
+std::string observed(const KernelRecord& kernel, const AskedLevel& asked, const std::string& covers) {
+  if (!is_of_verdicts(asked)) return covers;
   const std::optional<FamilyRecord> total = all_families(kernel);
   if (!total) return covers;
   const double limit = zero_limit_per_million(kernel, *total);
@@ -102,7 +68,7 @@ LevelStatement level_statement(const Record& record, const LevelOutcome& outcome
   level.looked_at = outcome.looked_text();
   level.statement = sentence_of(outcome.asked);
   level.failure_count = outcome.failures.size();
-  if (const std::string found = contradiction(outcome, search); !found.empty()) {
+  if (const std::string found = contradiction(outcome.asked, search); !found.empty()) {
     level.state = LevelState::not_met;
     level.failures.push_back(found);
     ++level.failure_count;
@@ -118,12 +84,12 @@ LevelStatement level_statement(const Record& record, const LevelOutcome& outcome
   if (level.state == LevelState::not_checked) put(level.reason, outcome.reason);
   if (level.state != LevelState::met) return level;
   put(level.leaves_out, outcome.leaves_out);
-  if (const std::string proof = proved_at(outcome.kernel, outcome.asked.text); !proof.empty())
+  if (const std::string proof = proved_at(outcome.kernel, outcome.asked); !proof.empty())
     level.rests_on.push_back({Ground::proved, proof});
   const KernelRecord* entry = record_entry_of(record, outcome);
   level.rests_on.push_back(
-      {Ground::observed, entry ? observed(*entry, outcome.asked.name, outcome.covers) : outcome.covers});
-  if (search != nullptr && is_of_verdicts(outcome.asked.name)) {
+      {Ground::observed, entry ? observed(*entry, outcome.asked, outcome.covers) : outcome.covers});
+  if (search != nullptr && is_of_verdicts(outcome.asked)) {
     level.rests_on.push_back(
         {Ground::searched, fmt::format("{} evaluations of a search for the worst found nothing against it",
                                        thousands(search->evaluations))});
@@ -133,28 +99,23 @@ LevelStatement level_statement(const Record& record, const LevelOutcome& outcome
 
 }  // namespace
 
-std::string proved_at(const std::string& kernel, const std::string& level) {
-  for (const ProvedLevel& proved : proved_levels) {
-    if (proved.kernel == kernel && proved.levels.find(fmt::format(" {} ", level)) != std::string_view::npos)
-      return std::string(proved.text);
-  }
-  return "";
+std::string proved_at(const std::string& kernel, const AskedLevel& asked) {
+  const auto found = std::ranges::find(kernels(), kernel, &Kernel::id);
+  if (found == kernels().end()) return "";
+  const GateLevel& level = level_of(asked);
+  const bool follows = found->proved == Proved::no_wrong_verdict
+                           ? level.allowed != nullptr || level.is_about_causes
+                           : level.allowed != nullptr && level.allowed(asked).phantom == any_depth;
+  return follows ? std::string(found->proof) : "";
 }
 
 std::vector<std::string> levels_asked(const std::vector<std::string>& yardsticks) {
   std::vector<std::string> asked;
   for (const GateLevel* level : gate_levels()) {
-    const std::string name(level->name());
-    const std::string_view usage = level->usage;
-    const bool has_to = usage.find('=') != usage.npos && usage.find('[') == usage.npos;
-    if (!has_to) asked.push_back(name);
-    if (usage.ends_with("=D") || usage.ends_with("=D]")) asked.push_back(fmt::format("{}={}", name, depth_asked));
-    if (usage.ends_with("=KIND")) {
-      for (const std::string_view kind : image_kind_names) asked.push_back(fmt::format("{}={}", name, kind));
-    }
-    if (level->yardstick != nullptr) {
-      for (const std::string& id : yardsticks) asked.push_back(fmt::format("{}={}", name, id));
-    }
+    for (const std::string_view argument : level->in_certificates)
+      asked.push_back(argument.empty() ? std::string(level->name()) : fmt::format("{}={}", level->name(), argument));
+    if (level->yardstick == nullptr) continue;
+    for (const std::string& id : yardsticks) asked.push_back(fmt::format("{}={}", level->name(), id));
   }
   return asked;
 }

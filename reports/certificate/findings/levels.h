@@ -6,6 +6,7 @@
 
 #include "fuzz/record/record.h"
 #include "reports/certificate/statement/certificate_data.h"
+#include "reports/gates/levels/level.h"
 
 namespace axiscert {
 
@@ -18,6 +19,6 @@ std::vector<LevelStatement> levels_of(const Record& record, const std::string& k
                                       const Named<SearchedStatement>& searches);
 
 // The sentence that says what is proved of a built-in kernel at a level; empty where nothing is.
-std::string proved_at(const std::string& kernel, const std::string& level);
+std::string proved_at(const std::string& kernel, const AskedLevel& asked);
 
 }  // namespace axiscert

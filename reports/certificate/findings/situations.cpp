@@ -2,41 +2,38 @@
 
 #include <algorithm>
 
-#include "reports/certificate/findings/test_words.h"
+#include "fuzz/files/corpus.h"
+#include "fuzz/queries/capabilities.h"
+#include "fuzz/queries/family.h"
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert {
 namespace {
 
-bool has_word(std::string_view words, std::string_view word) {
-  for (std::size_t at = words.find(word); at != words.npos; at = words.find(word, at + 1)) {
-    const std::size_t end = at + word.size();
-    if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' ')) return true;
+const Situation* situation_of(const TestDescription& test, std::string_view name) {
+  for (const Family* family : families_of(test)) {
+    if (family->name == name) return family->situation;
   }
-  return false;
-}
-
-const Situation& situation_of(std::span<const Situation> situations, std::string_view family) {
-  const std::string_view own = family.substr(family.find('/') + 1);
-  for (const Situation& situation : situations) {
-    if (has_word(situation.families, own)) return situation;
-  }
-  return situations.back();
+  return name == corpus_name ? &of_corpus : &capabilities_of(test).situations->own;
 }
 
 }  // namespace
 
 std::vector<WrongVerdicts> wrong_situations(const Record& record, const std::string& kernel) {
   std::vector<WrongVerdicts> found;
-  const std::span<const Situation> situations = test_words_of(test_of(record.plan)).situations;
-  for (const Situation& situation : situations) {
+  const TestDescription& test = test_of(record.plan);
+  const Situations* situations = capabilities_of(test).situations;
+  if (situations == nullptr) return found;
+  std::vector<const Situation*> in_order(situations->of_families.begin(), situations->of_families.end());
+  in_order.insert(in_order.end(), {&of_corpus, &situations->own});
+  for (const Situation* situation : in_order) {
     for (const KernelRecord& entry : record.kernels) {
       if (entry.id != kernel) continue;
-      WrongVerdicts wrong{&situation, entry.precision};
+      WrongVerdicts wrong{situation, entry.precision};
       std::vector<std::pair<double, std::string>> families;  // by their deepest
       for (const auto& [family, result] : entry.families) {
         const VerdictTally& verdict = result.verdict;
-        if (&situation_of(situations, family) != &situation) continue;
+        if (situation_of(test, family) != situation) continue;
         if (verdict.false_separation + verdict.false_contact == 0) continue;
         const double missed = verdict.deepest_false_separation.best(), phantom = verdict.deepest_false_contact.best();
         wrong.missed += verdict.false_separation;

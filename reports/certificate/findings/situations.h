@@ -1,21 +1,11 @@
-// Situations: what the family of a query says of a wrong answer, where nothing but the verdict is seen.
+// The situations (fuzz/queries/situation.h) in which a kernel is wrong.
 #pragma once
 
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "fuzz/record/record.h"
 
 namespace axiscert {
-
-struct Situation {
-  std::string_view name;      // stable, for files: "parallel"
-  std::string_view meaning;   // of its queries: "motions parallel to the face or to an edge"
-  std::string_view advice;    // to whoever has to use the kernel, a sentence
-  std::string_view section;   // of the documents
-  std::string_view families;  // their names without the test's id, separated by blanks
-};
 
 // A depth, relative to the scene, from which on roundings near touching are not to blame.
 inline constexpr double visible_depth = 0.001;
@@ -32,7 +22,8 @@ struct WrongVerdicts {
   double deepest(bool is_missed) const { return is_missed ? deepest_missed : deepest_phantom; }
 };
 
-// The situations in which a kernel is wrong, an entry for each precision, in the order of TestWords::situations.
+// The situations in which a kernel is wrong, an entry for each precision, the most everyday ones first, queries of no
+// family last.
 std::vector<WrongVerdicts> wrong_situations(const Record& record, const std::string& kernel);
 
 // The entry of these that breaks first: the most everyday one with missed contacts of a visible depth, else with such

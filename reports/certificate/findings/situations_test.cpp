@@ -1,7 +1,6 @@
 // Situations of other tests: every family is in one, the sections are there, and the most everyday fault is named
 // first.
 #include "reports/certificate/findings/situations.h"
-#include "reports/certificate/findings/test_words.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -13,6 +12,7 @@
 #include <set>
 #include <sstream>
 
+#include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/text/file_bytes.h"
 #include "reports/certificate/findings/breaks.h"
@@ -48,28 +48,35 @@ bool is_there(std::string_view section) {
          anchors_of(std::string(section.substr(0, at))).contains(std::string(section.substr(at + 1)));
 }
 
-TEST(Situations, HaveEveryFamilyOfOtherTestsOnce) {
+// Those of families first.
+std::vector<const Situation*> situations_of(const TestDescription& test) {
+  const Situations* situations = capabilities_of(test).situations;
+  if (situations == nullptr) return {};
+  return {situations->of_families.begin(), situations->of_families.end()};
+}
+
+TEST(Situations, HaveEveryFamilyOfOtherTests) {
   for (const TestDescription* test : tests()) {
-    const auto situations = test_words_of(*test).situations;
+    const std::vector<const Situation*> situations = situations_of(*test);
     EXPECT_EQ(situations.empty(), test == &sphere_triangle_test()) << test->id;
-    std::multiset<std::string> named;
-    for (const Situation& situation : situations) {
-      std::istringstream words{std::string(situation.families)};
-      for (std::string word; words >> word;) named.insert(fmt::format("{}/{}", test->id, word));
+    std::set<const Situation*> named;
+    for (const Family* family : families_of(*test)) {
+      EXPECT_EQ(std::ranges::count(situations, family->situation), situations.empty() ? 0 : 1) << family->name;
+      if (family->situation != nullptr) named.insert(family->situation);
     }
-    if (situations.empty()) continue;
-    std::multiset<std::string> known = {fmt::format("{}/corpus", test->id)};
-    for (const Family* family : families_of(*test)) known.insert(std::string(family->name));
-    EXPECT_EQ(named, known) << test->id;
+    EXPECT_EQ(named.size(), situations.size()) << test->id;
   }
 }
 
 TEST(Situations, AndCausesPointToSectionsThatAreThere) {
   EXPECT_FALSE(is_there("docs/moving.md#nowhere"));
   for (const TestDescription* test : tests()) {
-    for (const Situation& situation : test_words_of(*test).situations)
-      EXPECT_TRUE(is_there(situation.section)) << situation.section;
+    for (const Situation* situation : situations_of(*test))
+      EXPECT_TRUE(is_there(situation->section)) << situation->section;
+    const Situations* const all = capabilities_of(*test).situations;
+    EXPECT_TRUE(all == nullptr || is_there(all->own.section)) << test->id;
   }
+  EXPECT_TRUE(is_there(of_corpus.section));
   for (const std::string_view section : advised_sections()) EXPECT_TRUE(is_there(section)) << section;
 }
 
@@ -85,7 +92,7 @@ Record record_of(const std::map<std::string, Wrong>& families) {
   KernelRecord& kernel = record.kernels.emplace_back();
   kernel.id = "k";
   for (const auto& [family, wrong] : families) {
-    VerdictTally& verdict = kernel.families.put("moving-sphere/" + family).verdict;
+    VerdictTally& verdict = kernel.families.put(family == "corpus" ? family : "moving-sphere/" + family).verdict;
     verdict.false_separation = static_cast<std::uint64_t>(wrong.missed);
     verdict.false_contact = static_cast<std::uint64_t>(wrong.phantom);
     verdict.deepest_false_separation.offer({wrong.deepest_missed, 0});

@@ -20,7 +20,7 @@ std::string classes_section(const Record& record) {
     for (const ClassRow& row : class_rows(kernel)) {
       any = true;
       section.row({plain(kernel.id), std::string(name(kernel.precision)), std::string(name(row.which)),
-                   std::string(class_meanings[row.which]), plain(row.witness), thousands(row.missed),
+                   std::string(class_words[row.which].meaning), plain(row.witness), thousands(row.missed),
                    thousands(row.phantom), amount(row.deepest, 4)});
     }
   }

@@ -11,6 +11,19 @@
 namespace axiscert {
 namespace {
 
+double decided_argument(const AskedLevel& asked) {
+  double share = 0;
+  const char* const end = asked.argument.data() + asked.argument.size();
+  const auto [stop, problem] = std::from_chars(asked.argument.data(), end, share);
+  if (problem != std::errc() || stop != end || !(share > 0 && share <= 1)) {
+    throw Error(
+        fmt::format("requirement '{}': SHARE is the part of the contacts, and of the separations, of each family "
+                    "that has to be decided: above 0 and at most 1, as in {}=0.9",
+                    asked.text, asked.name));
+  }
+  return share;
+}
+
 LevelFindings judge_decided(const AskedLevel& asked, const Subject& subject) {
   const double share = decided_argument(asked);
   LevelFindings found;
@@ -35,28 +48,19 @@ LevelFindings judge_decided(const AskedLevel& asked, const Subject& subject) {
 
 }  // namespace
 
-double decided_argument(const AskedLevel& asked) {
-  double share = 0;
-  const char* const end = asked.argument.data() + asked.argument.size();
-  const auto [stop, problem] = std::from_chars(asked.argument.data(), end, share);
-  if (problem != std::errc() || stop != end || !(share > 0 && share <= 1)) {
-    throw Error(
-        fmt::format("requirement '{}': SHARE is the part of the contacts, and of the separations, of each family "
-                    "that has to be decided: above 0 and at most 1, as in {}=0.9",
-                    asked.text, asked.name));
-  }
-  return share;
-}
-
 extern const GateLevel decided_level = {
-    "decided=SHARE",
-    "at least SHARE of the contacts and of the separations of each family decided, and other levels ask "
-    "for that share in place of 0.5",
-    [](const AskedLevel& asked) { decided_argument(asked); },
-    [](const AskedLevel& asked) {
-      return fmt::format("at least {} of the exact contacts, and of the exact separations, of each family decided",
-                         decided_argument(asked));
-    },
-    judge_decided};
+    .usage = "decided=SHARE",
+    .meaning =
+        "at least SHARE of the contacts and of the separations of each family decided, and other levels ask "
+        "for that share in place of 0.5",
+    .check = [](const AskedLevel& asked) { decided_argument(asked); },
+    .sentence =
+        [](const AskedLevel& asked) {
+          return fmt::format("at least {} of the exact contacts, and of the exact separations, of each family decided",
+                             decided_argument(asked));
+        },
+    .judge = judge_decided,
+    .decided_share = decided_argument,
+    .in_certificates = {}};
 
 }  // namespace axiscert

@@ -1,8 +1,6 @@
 // The levels of wrong verdicts whatever their cause: exact, conservative and depth.
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "exact/trait/oracles.h"
 #include "reports/gates/levels/level.h"
 #include "reports/run_folder/run_folder.h"
@@ -11,12 +9,7 @@
 namespace axiscert {
 namespace {
 
-struct Allowed {
-  double missed, phantom;  // the deepest wrong verdict that is allowed, as a share of the scene; below 0: none
-};
-constexpr double no_wrong = -1, any_depth = std::numeric_limits<double>::infinity();
-
-LevelFindings judge_depths(const Subject& subject, const Allowed& allowed) {
+LevelFindings judge_depths(const Subject& subject, const AllowedDepths& allowed) {
   LevelFindings found;
   for (const auto& [family, result] : subject.families()) {
     const VerdictTally& verdict = result.verdict;
@@ -40,7 +33,7 @@ LevelFindings judge_depths(const Subject& subject, const Allowed& allowed) {
   return found;
 }
 
-LevelFindings judge_to_depth(const Subject& subject, const Allowed& allowed) {
+LevelFindings judge_to_depth(const Subject& subject, const AllowedDepths& allowed) {
   LevelFindings found = judge_depths(subject, allowed);
   const TestDescription& test = test_of(subject.record().plan);
   if (!oracles_of(test).has_depth())
@@ -51,7 +44,14 @@ LevelFindings judge_to_depth(const Subject& subject, const Allowed& allowed) {
 void check_conservative(const AskedLevel& asked) {
   if (asked.has_argument) depth_argument(asked);
 }
-double deepest_phantom(const AskedLevel& asked) { return asked.has_argument ? depth_argument(asked) : any_depth; }
+AllowedDepths conservative_depths(const AskedLevel& asked) {
+  return {no_wrong, asked.has_argument ? depth_argument(asked) : any_depth};
+}
+
+AllowedDepths either_way(const AskedLevel& asked) {
+  const double most = depth_argument(asked);
+  return {most, most};
+}
 
 std::string conservative_sentence(const AskedLevel& asked) {
   return "no missed contact" + (asked.has_argument ? fmt::format(", and no phantom contact deeper than {} of the scene",
@@ -61,28 +61,45 @@ std::string conservative_sentence(const AskedLevel& asked) {
 
 }  // namespace
 
-extern const GateLevel exact_level = {"exact", "no wrong verdict", no_argument,
-                                      [](const AskedLevel&) { return std::string("no wrong verdict"); },
-                                      [](const AskedLevel&, const Subject& subject) {
-                                        return judge_depths(subject, {no_wrong, no_wrong});
-                                      }};
+extern const GateLevel exact_level = {.usage = "exact",
+                                      .meaning = "no wrong verdict",
+                                      .check = no_argument,
+                                      .sentence = [](const AskedLevel&) { return std::string("no wrong verdict"); },
+                                      .judge =
+                                          [](const AskedLevel&, const Subject& subject) {
+                                            return judge_depths(subject, {no_wrong, no_wrong});
+                                          },
+                                      .allowed =
+                                          [](const AskedLevel&) {
+                                            return AllowedDepths{no_wrong, no_wrong};
+                                          },
+                                      .breaking = "are wrong",
+                                      .badge = Badge{1, "#2e7d32"}};
 
-extern const GateLevel conservative_level = {
-    "conservative[=D]", "no missed contact, no phantom contact deeper than D", check_conservative,
-    conservative_sentence, [](const AskedLevel& asked, const Subject& subject) {
-      const Allowed allowed{no_wrong, deepest_phantom(asked)};
-      return asked.has_argument ? judge_to_depth(subject, allowed) : judge_depths(subject, allowed);
-    }};
+extern const GateLevel conservative_level = {.usage = "conservative[=D]",
+                                             .meaning = "no missed contact, no phantom contact deeper than D",
+                                             .check = check_conservative,
+                                             .sentence = conservative_sentence,
+                                             .judge =
+                                                 [](const AskedLevel& asked, const Subject& subject) {
+                                                   const AllowedDepths allowed = conservative_depths(asked);
+                                                   return asked.has_argument ? judge_to_depth(subject, allowed)
+                                                                             : judge_depths(subject, allowed);
+                                                 },
+                                             .allowed = conservative_depths,
+                                             .in_certificates = no_or_visible_depth,
+                                             .badge = Badge{2, "#2e7d32"}};
 
-extern const GateLevel depth_level = {"depth=D", "no wrong verdict deeper than D of the scene, either way",
-                                      [](const AskedLevel& asked) { depth_argument(asked); },
-                                      [](const AskedLevel& asked) {
-                                        return fmt::format("no wrong verdict deeper than {} of the scene, either way",
-                                                           depth_argument(asked));
-                                      },
-                                      [](const AskedLevel& asked, const Subject& subject) {
-                                        const double most = depth_argument(asked);
-                                        return judge_to_depth(subject, {most, most});
-                                      }};
+extern const GateLevel depth_level = {
+    .usage = "depth=D",
+    .meaning = "no wrong verdict deeper than D of the scene, either way",
+    .check = [](const AskedLevel& asked) { depth_argument(asked); },
+    .sentence =
+        [](const AskedLevel& asked) {
+          return fmt::format("no wrong verdict deeper than {} of the scene, either way", depth_argument(asked));
+        },
+    .judge = [](const AskedLevel& asked, const Subject& subject) { return judge_to_depth(subject, either_way(asked)); },
+    .allowed = either_way,
+    .in_certificates = visible_depths};
 
 }  // namespace axiscert

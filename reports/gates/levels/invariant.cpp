@@ -95,13 +95,14 @@ LevelFindings judge_invariant(const AskedLevel& asked, const Subject& subject) {
 }  // namespace
 
 extern const GateLevel invariant_level = {
-    "invariant=KIND",
-    "no verdict that changes with KIND: order, axes, mirror, scale, translation, reversal, split or "
-    "halving",
-    [](const AskedLevel& asked) { kind_of(asked); },
-    [](const AskedLevel& asked) {
-      return fmt::format("the same verdict on the same query {}", kind_words[kind_of(asked)]);
-    },
-    judge_invariant};
+    .usage = "invariant=KIND",
+    .meaning = "no verdict that changes with KIND: order, axes, mirror, scale, translation, reversal, split or halving",
+    .check = [](const AskedLevel& asked) { kind_of(asked); },
+    .sentence =
+        [](const AskedLevel& asked) {
+          return fmt::format("the same verdict on the same query {}", kind_words[kind_of(asked)]);
+        },
+    .judge = judge_invariant,
+    .in_certificates = image_kind_names.values};
 
 }  // namespace axiscert

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "kernel/base/error.h"
@@ -29,6 +30,13 @@ std::span<const GateLevel* const> gate_levels() {
   static const GateLevel* const all[] = {AXISCERT_GATE_LEVELS(AXISCERT_POINT_LEVEL)};
 #undef AXISCERT_POINT_LEVEL
   return all;
+}
+
+std::vector<const GateLevel*> badge_levels() {
+  std::vector<const GateLevel*> levels(gate_levels().begin(), gate_levels().end());
+  std::erase_if(levels, [](const GateLevel* level) { return !level->badge; });
+  std::ranges::sort(levels, {}, [](const GateLevel* level) { return level->badge->rank; });
+  return levels;
 }
 
 std::string_view GateLevel::name() const {

@@ -170,7 +170,13 @@ LevelFindings logic_findings(const Subject& subject) {
 }
 
 extern const GateLevel logic_level = {
-    "logic", "no wrong verdict but by rounding or range: the method is right, and so is the code", no_argument,
-    logic_sentence, judge_logic};
+    .usage = "logic",
+    .meaning = "no wrong verdict but by rounding or range: the method is right, and so is the code",
+    .check = no_argument,
+    .sentence = logic_sentence,
+    .judge = judge_logic,
+    .is_about_causes = true,
+    .badge = Badge{3, "#b8860b"},
+    .advice = "asks that only rounding and range make a verdict wrong"};
 
 }  // namespace axiscert

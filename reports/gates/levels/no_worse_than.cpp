@@ -96,14 +96,16 @@ LevelFindings judge_no_worse_than(const AskedLevel& asked, const Subject& subjec
 }  // namespace
 
 extern const GateLevel no_worse_than_level = {
-    "no-worse-than=KERNEL",
-    "on no family more wrong verdicts than that kernel of the run",
-    check_other,
-    [](const AskedLevel& asked) {
-      return fmt::format("on no family more missed or phantom contacts than {}, beyond what chance explains",
-                         asked.argument);
-    },
-    judge_no_worse_than,
-    [](const AskedLevel& asked) { return asked.argument; }};
+    .usage = "no-worse-than=KERNEL",
+    .meaning = "on no family more wrong verdicts than that kernel of the run",
+    .check = check_other,
+    .sentence =
+        [](const AskedLevel& asked) {
+          return fmt::format("on no family more missed or phantom contacts than {}, beyond what chance explains",
+                             asked.argument);
+        },
+    .judge = judge_no_worse_than,
+    .yardstick = [](const AskedLevel& asked) { return asked.argument; },
+    .in_certificates = {}};
 
 }  // namespace axiscert

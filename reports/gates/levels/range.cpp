@@ -46,7 +46,11 @@ LevelFindings judge_range(const AskedLevel&, const Subject& subject) {
 
 }  // namespace
 
-extern const GateLevel range_level = {"range", "no wrong verdict but by rounding", no_argument, range_sentence,
-                                      judge_range};
+extern const GateLevel range_level = {.usage = "range",
+                                      .meaning = "no wrong verdict but by rounding",
+                                      .check = no_argument,
+                                      .sentence = range_sentence,
+                                      .judge = judge_range,
+                                      .is_about_causes = true};
 
 }  // namespace axiscert

@@ -71,8 +71,8 @@ class MutationReport {
   InstrumentReport report(const std::string& command, bool whole) const {
     InstrumentReport report{
         "mutation",
-        fmt::format("{} mutants of {}: what `--require logic` catches{}", plan_.mutants.size(), plan_.base,
-                    result_.complete ? "" : " (interrupted)"),
+        fmt::format("{} mutants of {}: what `--require {}` catches{}", plan_.mutants.size(), plan_.base,
+                    level_of_mutation, result_.complete ? "" : " (interrupted)"),
         command,
         {"A mutant is the kernel with one fault. It is caught by the first wrong verdict with a broken "
          "implementation link; `queries` counts all queries up to then, of all families in "
@@ -160,9 +160,10 @@ class MutationReport {
   }
 
   InstrumentTable controls() const {
-    InstrumentTable table{"Correct kernels that are written in another way",
-                          {"kernel", "precision", "claims", "queries", "wrong verdicts against `logic`"},
-                          {}};
+    InstrumentTable table{
+        "Correct kernels that are written in another way",
+        {"kernel", "precision", "claims", "queries", fmt::format("wrong verdicts against `{}`", level_of_mutation)},
+        {}};
     for (const Control& c : controls_) {
       table.rows.push_back({c.id, std::string(name(c.precision)), c.claims_bits ? "its bits" : "formulae alone",
                             thousands(c.queries), thousands(c.flagged)});
@@ -209,7 +210,7 @@ class MutationReport {
   Json data(const std::string& command) const {
     MutationData data;
     data.command = command;
-    data.run = run_data(plan_, result_.complete, "logic");
+    data.run = run_data(plan_, result_.complete, level_of_mutation);
     for (const Precision precision : plan_.precisions) data.score[precision] = score(precision).data();
     for (const MutantResult& r : result_.mutants) {
       const std::string* equivalent = equivalence_of(r);
@@ -250,8 +251,8 @@ std::vector<std::string> mutation_faults(const MutationResult& result, const std
   }
   for (const Control& c : controls) {
     if (c.flagged == 0) continue;
-    faults.push_back(fmt::format("{} {} is right, and {} of its verdicts count against `logic`", c.id,
-                                 name(c.precision), c.flagged));
+    faults.push_back(fmt::format("{} {} is right, and {} of its verdicts count against `{}`", c.id, name(c.precision),
+                                 c.flagged, level_of_mutation));
   }
   return faults;
 }

@@ -23,8 +23,11 @@ struct Kind {
 };
 const std::array<Kind, 5>& kinds() {
   static const std::array<Kind, 5> all = [] {
-    std::array<Kind, 5> k = {
-        {{"plane.radius", 0}, {"vertex radius", 0}, {"vertex sides", 0}, {"edge radius", 0}, {"edge sides", 0}}};
+    std::array<Kind, 5> k = {{{comparisons[Comparison::plane_radius].name, 0},
+                              {"vertex radius", 0},
+                              {"vertex sides", 0},
+                              {"edge radius", 0},
+                              {"edge sides", 0}}};
     for (std::size_t i = 0; i < comparison_count; ++i) {
       const bool at_plane = comparisons[i].axis == Axis::plane, at_edge = comparisons[i].axis >= Axis::edge_ab;
       const std::size_t kind = at_plane ? 0 : (at_edge ? 3 : 1) + (comparisons[i].is_radius ? 0 : 1);

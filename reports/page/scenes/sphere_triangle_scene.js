@@ -51,3 +51,9 @@ function sphere_triangle_figure(query) {
   const scene = scene_of(query);
   return scene === null ? null : scene_box(new SphereTriangleView(scene), feature_words(scene));
 }
+
+page_tests['sphere-triangle'] = {
+  groups_of: () => ['a', 'b', 'c', 'p', 'r'], figure: sphere_triangle_figure, suite: 'SphereTriangle', touching: 'The distance is exactly r.',
+  commands: ['prove', 'search', 'map', 'ladder', 'precision', 'league', 'mutate'], league: ['published', 'certified'],
+};
+page_tests[''] = page_tests['sphere-triangle'];  // which is implied

@@ -8,8 +8,7 @@ function time_chip(witness) {
   return words === undefined ? '' : chip(words, kind);
 }
 
-// vertex_a and the like as people write it, by name or by its number among the measures.
-const part_names = ['vertex_a', 'vertex_b', 'vertex_c', 'edge_ab', 'edge_bc', 'edge_ca', 'face'];
+// vertex_a and the like as people write it.
 function part_words(name) {
   const [kind, letters] = name.split('_');
   return letters ? `${kind} ${letters.toUpperCase()}` : kind;
@@ -53,7 +52,7 @@ function contact_rows(witness) {
   const is_phantom = witness.truth === 'separated' && witness.computed === 'contact';
   const said = is_missed ? [chip('missed contact', 'bad'), ` tunnel ${error_amount(measures?.tunnel ?? 0)}`]
     : is_phantom ? [chip('phantom contact', 'warn')] : time_judged(measures ?? {});
-  const part = says('feature') ? part_names[parse_hex(given.feature)] : undefined;
+  const part = says('feature') ? page_test_of(witness).parts?.[parse_hex(given.feature)] : undefined;
   const right = measures?.feature_is_right;
   const rows = [['time', says('time') ? number_cell(given.time, precision) : [is_missed ? 'no contact' : 'not given'],
                  has_contact ? number_cell(exact.time, precision) : no_exact, said]];

@@ -83,21 +83,23 @@ function margin_table(rows, bins) {
       column.count('wrong', (row) => row.margins.wrong[key] ?? 0, {group: range(key), alarm: 'bad'})])], rows));
 }
 
+function has_margin({margins}) { return sum(margins.right) + sum(margins.wrong) > 0; }
+
 function has_margins(entry) {
-  return entry.all !== null && entry.all.comparisons !== null && Object.values(entry.all.comparisons).some((tally) => tally.margins);
+  return entry.all !== null && entry.all.comparisons !== null && Object.values(entry.all.comparisons).some(has_margin);
 }
 
 function show_margins(data) {
   const place = document.getElementById('margins');
   const shown = data.kernels.filter(has_margins);
   if (shown.length === 0) {
-    place.append(el('p', 'empty', 'Not counted: no kernel here shows its comparisons, or the record was made by a version that did not count them.'));
+    place.append(el('p', 'empty', 'Not counted: no kernel here shows its comparisons, or no margin was measured.'));
     return;
   }
   const controls = document.getElementById('margins-controls');
   let entry = shown[0];
   const draw = (result) => {
-    const rows = Object.entries(result.comparisons).filter(([, tally]) => tally.margins).map(([name, tally]) => ({name, ...tally}));
+    const rows = Object.entries(result.comparisons).map(([name, tally]) => ({name, ...tally}));
     const bins = margin_bins(rows, entry.precision);
     const most = Math.max(1, ...rows.flatMap((row) => bins.map((key) => (row.margins.right[key] ?? 0) + (row.margins.wrong[key] ?? 0))));
     place.replaceChildren(el('div', 'margins', ...rows.map((row) => margin_histogram(entry, row, bins, most))), margin_table(rows, bins));

@@ -21,8 +21,8 @@ function look_step(data, entry) {
 // Advice: a fault to mend, or a level to require.
 function mend_step(data, entry) {
   if (!data.requirement) {
-    return el('li', '', 'Say what has to hold: ', el('code', '', 'axiscert run --require logic'),
-              ' asks that only rounding and range make a verdict wrong.');
+    const {level, advice} = data.advised_level;
+    return el('li', '', 'Say what has to hold: ', el('code', '', `axiscert run --require ${level}`), ` ${advice}.`);
   }
   if (data.requirement.passes) {
     return el('li', '', 'What was required is met. Keep it so: ', el('code', '', 'axiscert run --preset ci --ratchet FILE'), ' in CI.');
@@ -41,9 +41,10 @@ function mend_step(data, entry) {
 function compare_step(data, entry) {
   const id = entry?.id ?? data.plan.kernels[0];
   const word = ['A word that is not clear: ', el('code', '', 'axiscert explain WORD'), '.'];
-  if (!page_has_command(data.plan, 'league')) return el('li', '', ...word);
+  const beside = page_test_named(data.plan)?.league;
+  if (beside === undefined) return el('li', '', ...word);
   return el('li', '', 'Compare it with what else there is, production libraries among it: ',
-            el('code', '', `axiscert league ${[...new Set([id, 'published', 'certified'])].map((each) => `--kernel ${each}`).join(' ')}`),
+            el('code', '', `axiscert league ${[...new Set([id, ...beside])].map((each) => `--kernel ${each}`).join(' ')}`),
             '. ', ...word);
 }
 

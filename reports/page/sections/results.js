@@ -130,7 +130,7 @@ function show_families(data) {
 
 function sign_columns(notes, level) {
   const of = (member, more) => column.count(member, (row) => row.tally[member], {note: notes[level][member], ...more});
-  const links = ['rounding', 'range', 'implementation', 'unattributed'].map((link) =>
+  const links = Object.keys(notes.formula_links).map((link) =>
     column.count(link, (row) => row.tally.links[link], {group: 'links broken by flips', note: notes.formula_links[link]}));
   return [
     column.text(level, (row) => row.name, {cell: (th, value) => th.append(el('span', 'name', value))}),

@@ -1,0 +1,168 @@
+#include "cli/running/query_rows.h"
+
+#include <algorithm>
+
+#include "cli/running/check_output.h"
+#include "fuzz/confirm/motion_record.h"
+#include "fuzz/confirm/record.h"
+#include "fuzz/files/details.h"
+#include "fuzz/queries/capabilities.h"
+#include "fuzz/queries/input_classes.h"
+#include "fuzz/queries/nearest_features.h"
+#include "fuzz/text/number_text.h"
+
+namespace axiscert {
+namespace {
+
+// The length of a row is foretold by this many queries.
+constexpr std::uint64_t foretold_queries = 16;
+// The detail that is the nearest features, as a motion's first are named.
+constexpr std::string_view features_name = "features";
+// Of usual length: a depth, and the text of a number.
+constexpr double stand_in_depth = 0.12345678901234567;
+constexpr std::string_view stand_in_text = "0x1.234567p-12";
+
+// The columns of an entry: those of QueryRow, less what no query of the test has, and those whose names the test gives.
+DataColumns row_columns(const TestDescription& test, std::size_t entry) {
+  DataColumns columns = {"address"};
+  for (const ColumnGroup& group : groups_of(test.entries[entry])) columns.emplace_back(group.name);
+  columns = with_columns_of<QueryRow>(std::move(columns));
+  const bool has_classes = capabilities_of(test).input_classes != nullptr, has_measures = !test.measures.empty();
+  std::erase_if(columns, [&](const std::string& column) {
+    const bool is_of_file = column == "schema" || column == "axiscert" || column == "revision";
+    return is_of_file || (!has_classes && column == "exact.class") ||
+           (!has_measures && column.starts_with("measures."));
+  });
+  if (capabilities_of(test).nearest_features != nullptr) columns.push_back("exact." + std::string(features_name));
+  for (const std::string_view detail : oracles_of(test, entry).detail_names())
+    columns.push_back("exact." + std::string(detail));
+  for (const TestMeasure& measure : test.measures) columns.push_back("measures.given." + std::string(measure.name));
+  return columns;
+}
+
+std::optional<BitText> bit_text(const std::optional<ComparisonBits>& bits, const TestDescription& test) {
+  if (!bits || test.comparisons.empty()) return std::nullopt;
+  return BitText(bit_string(*bits, test.comparisons.size()));
+}
+
+// Those of every other query, as if half of them had contact.
+std::optional<MeasuresRecord> stand_in_measures(const Kernel& kernel, bool has_contact) {
+  if (!has_contact || kernel.measure_count == 0) return std::nullopt;
+  MeasuresRecord record;
+  for (const Name& measure : given_measures(kernel)) record.given.put(measure) = stand_in_text;
+  record.time.emplace(TimeVerdict::early);
+  record.ulps.emplace();
+  record.in_u.emplace();
+  record.gap.emplace(stand_in_depth);
+  record.feature_is_right.emplace(true);
+  record.normal_angle.emplace(stand_in_depth);
+  record.point_error.emplace(stand_in_depth);
+  return record;
+}
+
+}  // namespace
+
+QueryRows::QueryRows(const QueryRange& range, const std::vector<const Kernel*>& kernels, const std::string& target,
+                     const std::string& format)
+    : range_(range),
+      test_(range.source->test()),
+      oracles_(oracles_of(test_, range.source->entry())),
+      target_(target),
+      is_csv_(format == "csv"),
+      columns_(row_columns(test_, range.source->entry())),
+      standings_(kernels.size()) {
+  for (const Kernel* kernel : kernels) examiners_.emplace_back(*kernel, target_);
+}
+
+std::string QueryRows::line(const QueryRow& row) const {
+  const Json json = json_of(row);
+  return is_csv_ ? csv_line(columns_, json) : json.dump() + "\n";
+}
+
+std::string QueryRows::head() const { return is_csv_ ? csv_head(columns_) : ""; }
+
+// What a row says of a query whatever is asked.
+template <class Real>
+QueryRow QueryRows::row_of(std::uint64_t position, const Numbers<Real>& numbers) const {
+  QueryRow row;
+  row.address = SeededSource{*range_.source, range_.first.seed, range_.first.precision}.address(position);
+  row.numbers = groups_of_numbers(test_.entries[range_.source->entry()], numbers);
+  return row;
+}
+
+template <class Real>
+std::uint64_t QueryRows::stand_in_bytes() const {
+  const std::uint64_t count = std::min(range_.size, foretold_queries);
+  std::uint64_t bytes = 0;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const std::uint64_t position = range_.first.position() + i;
+    QueryRow row = row_of(position, range_.source->make<Real>(range_.first.seed, position));
+    row.standing = "decided";
+    row.exact.depth = stand_in_depth;
+    row.exact.comparisons = row.computed.comparisons = bit_text(0, test_);
+    for (const std::string_view detail : oracles_.detail_names()) row.exact.details.put(detail) = stand_in_text;
+    if (capabilities_of(test_).nearest_features != nullptr) row.exact.details.put(features_name) = stand_in_text;
+    for (const Examiner& examiner : examiners_) {
+      row.kernel = examiner.kernel().id;
+      if (!test_.measures.empty()) row.measures.emplace(stand_in_measures(examiner.kernel(), i % 2 == 0));
+      bytes += line(row).size();
+    }
+  }
+  return bytes * range_.size / count;
+}
+
+std::uint64_t QueryRows::bytes() const {
+  const bool is_single = range_.first.precision == Precision::binary32;
+  return head().size() + (is_single ? stand_in_bytes<float>() : stand_in_bytes<double>());
+}
+
+std::string QueryRows::next(std::uint64_t most) {
+  const std::uint64_t first = range_.first.position() + done_, count = std::min(most, range_.size - done_);
+  done_ += count;
+  if (count == 0) return "";
+  return range_.first.precision == Precision::binary32 ? rows<float>(first, count) : rows<double>(first, count);
+}
+
+template <class Real>
+std::string QueryRows::rows(std::uint64_t first, std::uint64_t count) {
+  const InputClasses* const classes = capabilities_of(test_).input_classes;
+  const NearestFeatures* const features = capabilities_of(test_).nearest_features;
+  QueryBatch<Real> queries(static_cast<std::size_t>(count), range_.source->columns().size());
+  range_.source->fill(range_.first.seed, first, static_cast<std::size_t>(count), queries);
+  std::string text;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const Numbers<Real> numbers = queries[i];
+    QueryRow row = row_of(first + i, numbers);
+    if (oracles_.is_valid(numbers)) {
+      if (oracles_.has_depth()) row.exact.depth = oracles_.depth(numbers);
+      if (classes != nullptr) row.exact.input_class = Name(classes->of(numbers).front());
+      if (features != nullptr) row.exact.details.put(features_name) = features->of(numbers);
+      for (const Detail& detail : oracles_.details(numbers)) row.exact.details.put(detail.name) = detail_json(detail);
+    }
+    for (std::size_t k = 0; k < examiners_.size(); ++k) {
+      const Kernel& kernel = examiners_[k].kernel();
+      const Examination found = examiners_[k].examine(numbers);
+      const std::string_view standing =
+          standing_of(kernel, found.truth.verdict, found.is_promised, found.answer.verdict);
+      ++standings_[k][standing];
+      row.kernel = kernel.id;
+      row.standing = standing;
+      row.wrong = found.judgement.verdict_flip.has_value();
+      row.links.clear();
+      for (const Link link : enumerators<Link>) {
+        if (row.wrong && found.judgement.verdict_links.contains(link)) row.links.push_back(link);
+      }
+      row.exact.verdict = found.truth.verdict;
+      row.exact.touching = found.truth.touching;
+      row.exact.comparisons = bit_text(found.exact ? std::optional(found.exact->holds) : std::nullopt, test_);
+      row.computed = {found.answer.verdict, bit_text(found.answer.bits, test_)};
+      row.findings.clear();
+      for (const Finding& finding : found.findings) row.findings.push_back(finding.kind);
+      if (!test_.measures.empty()) row.measures.emplace(measures_of(test_, found));
+      text += line(row);
+    }
+  }
+  return text;
+}
+
+}  // namespace axiscert
