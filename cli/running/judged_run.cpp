@@ -121,14 +121,15 @@ JudgedRun judged_run(const Plan& plan, const OutputOptions& output, const std::s
 }
 
 RunFiles run_files(const Plan& plan, const CampaignResult& result, const OutputOptions& output,
-                   const std::string& target_asked, std::chrono::system_clock::time_point started, const Json& scale) {
+                   const std::string& target_asked, std::chrono::system_clock::time_point started,
+                   std::optional<RunScale> scale) {
   const double seconds = std::chrono::duration<double>(std::chrono::system_clock::now() - started).count();
   ProgressLine progress("judging", output.quiet);
   progress.stage("the witnesses are confirmed");
   RunFiles run{record_of(plan, result, output.required),
                run_info(plan, result, target_asked, iso_time(started), seconds)};
-  if (!scale.is_null()) run.info["scale"] = scale;
-  run.info["sources"] = source_places(plan.answerers.kernels, output.sources);
+  run.info.scale = std::move(scale);
+  run.info.sources = source_places(plan.answerers.kernels, output.sources);
   return run;
 }
 
@@ -144,12 +145,10 @@ int put_result(JudgedRun run, const OutputOptions& output) {
   folder.write("record.json", json_of(record));
   if (held) folder.write(ratchet_outcome_file, outcome_json(*run.ratchet, *held));
   const std::vector<LevelOutcome> outcomes = outcomes_of(record);
-  if (!outcomes.empty()) info["requirements"] = outcomes_json(outcomes);
-  folder.write("run.json", info);
+  folder.write("run.json", json_of(RunFile{info, outcomes.empty() ? std::nullopt : std::optional(outcomes)}));
   std::optional<ProgressLine> progress(std::in_place, "judging", output.quiet);
   if (output.shrink != 0 && is_complete)
-    folder.write_text(shrunk_file,
-                      shrunk_witnesses(record, info["target"]["dispatched"], output.shrink, progress->report()));
+    folder.write_text(shrunk_file, shrunk_witnesses(record, info.target.dispatched, output.shrink, progress->report()));
   progress->stage("the reports are written");
   render_reports(output.out);
   progress.reset();  // before the summary
@@ -162,7 +161,7 @@ int put_result(JudgedRun run, const OutputOptions& output) {
     if (!output.quiet) fmt::print("{}\n", coloured(sentence, TextColour::red));
   }
   if (!output.quiet && output.has_summary)
-    fmt::print("{}{}/report.html\n", summary_text(record, info["seconds"]), output.out);
+    fmt::print("{}{}/report.html\n", summary_text(record, info.seconds), output.out);
   if (!is_complete) return exit_interrupted;
   bool is_met = nothing.empty();
   if (!shown(outcomes, output.quiet)) is_met = false;

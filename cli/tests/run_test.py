@@ -9,7 +9,7 @@ import sys
 import time
 import unittest
 
-from command import BUILD, DIVISOR, MODELS, QUERY, RECORD_SCHEMA, SCHEMAS, Case, axiscert, family, fewer
+from command import BUILD, DIVISOR, MODELS, QUERY, SCHEMAS, VALIDATE, Case, axiscert, family, fewer
 
 
 class RunCase(Case):
@@ -60,8 +60,8 @@ class Run(RunCase):
     def test_record_and_run_info_satisfy_their_schemas(self):
         self.run_ok("--trials", fewer(100), "--kernel", "published", "--kernel", "nonstrict", "--tolerance",
                     "plane.radius=10")
-        for name, schema in {"record": RECORD_SCHEMA, "run": SCHEMAS / "run.schema.json"}.items():
-            done = subprocess.run([sys.executable, SCHEMAS / "validate.py", schema, self.folder / f"out/{name}.json"],
+        for name, schema in {name: SCHEMAS / f"{name}.schema.json" for name in ("record", "run")}.items():
+            done = subprocess.run([sys.executable, VALIDATE, schema, self.folder / f"out/{name}.json"],
                                   capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         for name in ("report.html", "report.md", "junit.xml", "witnesses.jsonl"):

@@ -238,13 +238,9 @@ Suite suite_of_ratchet(const Run& run) {
 }
 
 // Start of the run in UTC, in the schema's form, which has no zone. A record alone does not contain it.
-std::string started(const Json& info) {
-  return info.is_null() ? "1970-01-01T00:00:00" : info["started"].get<std::string>().substr(0, 19);
-}
+std::string started(const Run& run) { return run.info ? run.info->started.substr(0, 19) : "1970-01-01T00:00:00"; }
 // Kernels share their run, so the first suite has its seconds.
-std::string seconds(const Json& info) {
-  return info.is_null() ? "0" : fmt::format("{:.3f}", info["seconds"].get<double>());
-}
+std::string seconds(const Run& run) { return run.info ? fmt::format("{:.3f}", run.info->seconds) : "0"; }
 
 std::string render_junit(const Run& run) {
   const std::vector<LevelOutcome> outcomes = outcomes_of(run.record);
@@ -261,8 +257,8 @@ std::string render_junit(const Run& run) {
         "  <testsuite name=\"{0}\" tests=\"{3}\" failures=\"{4}\" errors=\"0\" skipped=\"{5}\" package=\"axiscert\" "
         "id=\"{1}\" hostname=\"localhost\" timestamp=\"{2}\" time=\"{6}\">\n    <properties/>\n{7}"
         "    <system-out>{8}</system-out>\n    <system-err/>\n  </testsuite>\n",
-        xml(suite.name), id, xml(started(run.info)), suite.tests, suite.failures, suite.skipped,
-        id == 0 ? seconds(run.info) : "0", suite.cases, xml(suite.figures));
+        xml(suite.name), id, xml(started(run)), suite.tests, suite.failures, suite.skipped,
+        id == 0 ? seconds(run) : "0", suite.cases, xml(suite.figures));
     ++id;
   }
   // Ant's schema has no totals: each suite has its own counts.

@@ -87,7 +87,7 @@ class Log {
         cells_(cells_of(run.record)),
         witnesses_(run.record),
         outcomes_(outcomes_of(run.record)) {
-    if (run.info.is_object() && run.info.contains("sources")) sources_ = run.info["sources"];
+    if (run.info) sources_ = run.info->sources;
     if (!held_.is_null() && held_.contains("held")) {
       for (const Json& failure : held_["failures"]) failed_.insert(failure["fingerprint"].get<std::string>());
       for (const Json& waiver : held_["held"]) {
@@ -247,12 +247,12 @@ class Log {
       return {{"physicalLocation", {{"artifactLocation", {{"uri", file}}}, {"region", {{"startLine", at}}}}}};
     };
     Json shown = place("witnesses.jsonl", line);
-    if (const auto source = sources_.find(kernel); source != sources_.end()) {
+    if (const SourcePlace* source = sources_.find(kernel)) {
       if (witness != nullptr) {
         shown["message"] = {{"text", message_text("The deepest witness, " + witness->id)}};
         result["relatedLocations"] = Json::array({shown});
       }
-      shown = place(uri_of((*source)["file"]), (*source)["line"]);
+      shown = place(uri_of(source->file), source->line);
     }
     shown["logicalLocations"] = Json::array(
         {{{"name", part(3)}, {"fullyQualifiedName", fmt::format("{}/{}/{}/{}", part(0), part(1), part(2), part(3))}}});
@@ -306,7 +306,7 @@ class Log {
   std::vector<Cell> cells_;
   WitnessesByCell witnesses_;
   std::vector<LevelOutcome> outcomes_;
-  Json sources_ = Json::object();               // by the kernel's id
+  SourcePlaces sources_;                        // by the kernel's id
   std::set<std::string> failed_;                // fingerprints
   std::map<std::string, const Json*> waivers_;  // by fingerprint of what they accept
   std::vector<Failure> failures_;

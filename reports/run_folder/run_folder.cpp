@@ -235,9 +235,7 @@ Record read_record(const Json& json, const std::string& name) {
   return record;
 }
 
-void check_run_info(const Json& info, const std::string& name) {
-  check_schema(Json::parse(embedded::run_schema_json), info, name, advice);
-}
+RunInfo read_run_info(const Json& info, const std::string& name) { return read_file<RunInfo>(info, name, advice); }
 
 const TestDescription& test_of(const PlanRecord& plan) { return find_test(plan.test); }
 
@@ -264,17 +262,14 @@ Run read_run(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(record, ignored)) {
     throw Error(fmt::format("{}: does not exist; give the folder that `axiscert run --out` wrote", record.string()));
   }
-  Run run{read_record(read_json(record), record.string()), nullptr, nullptr, folder};
+  Run run{read_record(read_json(record), record.string()), std::nullopt, nullptr, folder};
   if (const auto held = folder / ratchet_outcome_file; std::filesystem::exists(held, ignored)) {
     run.ratchet = read_json(held);
     check_schema(Json::parse(embedded::ratchet_schema_json), run.ratchet, held.string(), advice);
     if (run.ratchet["plan"] != plan_fingerprint(run.record.plan))
       throw Error(fmt::format("{}: belongs to another plan than the record next to it; remove it", held.string()));
   }
-  if (std::filesystem::exists(info, ignored)) {
-    run.info = read_json(info);
-    check_run_info(run.info, info.string());
-  }
+  if (std::filesystem::exists(info, ignored)) run.info = read_run_info(read_json(info), info.string());
   return run;
 }
 

@@ -9,6 +9,7 @@
 #include "fuzz/record/record.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
+#include "reports/gates/requirement.h"
 #include "reports/instrument/diagnosis_report.h"
 #include "reports/instrument/map.h"
 #include "reports/instrument/mutation/mutation_data.h"
@@ -48,6 +49,7 @@ std::span<const SchemaEntry> schemas() {
       SchemaEntry{"mutation-of-certified", schema_of<MutationOfCertifiedData>},
       SchemaEntry{"precision", schema_of<PrecisionData>},
       SchemaEntry{"record", schema_of<Record>},
+      SchemaEntry{"run", schema_of<RunFile>},
       SchemaEntry{"search", schema_of<SearchData>},
   };
   return all;

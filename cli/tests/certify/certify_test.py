@@ -8,7 +8,7 @@ import unittest
 import jsonschema
 
 from certificates import canonical, CertifyCase
-from command import BUILD, SCHEMAS, axiscert
+from command import BUILD, axiscert, schema_of
 
 
 class Certify(CertifyCase):
@@ -17,7 +17,7 @@ class Certify(CertifyCase):
         self.certify("published", "--threads", 1)
         self.assertEqual((self.folder / "certificate/certificate.json").read_bytes(), cert.read_bytes())
         statement = json.loads(cert.read_text())
-        schema = json.loads((SCHEMAS / "certificate.schema.json").read_text())
+        schema = schema_of("certificate")
         jsonschema.validators.validator_for(schema)(schema).validate(statement)
         self.assertEqual(cert.read_bytes(), canonical(statement) + b"\n")
         self.assertIsNone(statement["predicate"]["signed_at"])
