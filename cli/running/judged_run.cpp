@@ -143,7 +143,7 @@ int put_result(JudgedRun run, const OutputOptions& output) {
   // These files may be left from an earlier run in the same folder.
   for (const char* file : {ratchet_outcome_file, shrunk_file}) folder.remove(file);
   folder.write("record.json", json_of(record));
-  if (held) folder.write(ratchet_outcome_file, outcome_json(*run.ratchet, *held));
+  if (held) folder.write(ratchet_outcome_file, json_of(*held));
   const std::vector<LevelOutcome> outcomes = outcomes_of(record);
   folder.write("run.json", json_of(RunFile{info, outcomes.empty() ? std::nullopt : std::optional(outcomes)}));
   std::optional<ProgressLine> progress(std::in_place, "judging", output.quiet);

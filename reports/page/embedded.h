@@ -5,7 +5,7 @@
 
 namespace axiscert::embedded {
 
-extern const std::string_view ratchet_schema_json, certificate_schema_json;
+extern const std::string_view certificate_schema_json;
 extern const std::string_view report_html, report_css;
 extern const std::string_view chart_min_js;  // Chart.js itself, MIT licence
 extern const std::string_view instrument_html, instrument_js, chart_js;

@@ -15,7 +15,6 @@
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/names.h"
-#include "reports/page/embedded.h"
 #include "reports/run_folder/parsed_json.h"
 #include "reports/run_folder/plan_queries.h"
 #include "reports/run_folder/record_classes.h"
@@ -262,11 +261,10 @@ Run read_run(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(record, ignored)) {
     throw Error(fmt::format("{}: does not exist; give the folder that `axiscert run --out` wrote", record.string()));
   }
-  Run run{read_record(read_json(record), record.string()), std::nullopt, nullptr, folder};
+  Run run{read_record(read_json(record), record.string()), std::nullopt, std::nullopt, folder};
   if (const auto held = folder / ratchet_outcome_file; std::filesystem::exists(held, ignored)) {
-    run.ratchet = read_json(held);
-    check_schema(Json::parse(embedded::ratchet_schema_json), run.ratchet, held.string(), advice);
-    if (run.ratchet["plan"] != plan_fingerprint(run.record.plan))
+    run.ratchet = read_file<RatchetOutcome>(read_json(held), held.string(), advice);
+    if (run.ratchet->plan != plan_fingerprint(run.record.plan))
       throw Error(fmt::format("{}: belongs to another plan than the record next to it; remove it", held.string()));
   }
   if (std::filesystem::exists(info, ignored)) run.info = read_run_info(read_json(info), info.string());

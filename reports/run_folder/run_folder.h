@@ -10,6 +10,7 @@
 #include "fuzz/record/run_info.h"
 #include "fuzz/text/json.h"
 #include "kernel/test.h"
+#include "reports/run_folder/ratchet_outcome.h"
 
 namespace axiscert {
 
@@ -18,9 +19,9 @@ inline constexpr const char* ratchet_outcome_file = "ratchet.json";
 
 struct Run {
   Record record;
-  std::optional<RunInfo> info;   // where the folder has run.json
-  Json ratchet;                  // conforms to ratchet.schema.json; null where the run was not compared with one
-  std::filesystem::path folder;  // may hold what other commands wrote next to these files
+  std::optional<RunInfo> info;            // where the folder has run.json
+  std::optional<RatchetOutcome> ratchet;  // where the run was compared with one
+  std::filesystem::path folder;           // may hold what other commands wrote next to these files
 };
 
 // The test that a record's plan is about. Throws Error where there is no such test.

@@ -178,10 +178,4 @@ void refuse_file(std::string_view format, const std::string& fault, const std::s
   throw Error(fmt::format("{}: does not conform to {}: {}; {}", name, format, fault, advice));
 }
 
-void check_schema(const Json& schema, const Json& value, const std::string& name, const std::string& advice) {
-  const auto& format = schema.at("properties").at("schema").at("const").get_ref<const std::string&>();
-  require_format(value, format, name, advice);
-  if (const auto fault = schema_fault(schema, value)) refuse_file(format, *fault, name, advice);
-}
-
 }  // namespace axiscert

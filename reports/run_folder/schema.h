@@ -14,11 +14,8 @@ namespace axiscert {
 // here use, and throws std::logic_error for any other: a schema never requires more than is checked.
 std::optional<std::string> schema_fault(const Json& schema, const Json& value);
 
-// Throws Error where the value's "schema" is not the one that `schema` describes, or where the value does not conform
-// to it. The text names the file, says what would be right, and ends with `advice`: what to do about a damaged file.
-void check_schema(const Json& schema, const Json& value, const std::string& name, const std::string& advice);
-
-// Throws the Errors of check_schema for a file of another format, and for one that does not conform to its own.
+// Throw Error for a file of another format, and for one that does not conform to its own. The text names the file, says
+// what would be right, and ends with `advice`: what to do about a damaged file.
 void require_format(const Json& value, std::string_view format, const std::string& name, const std::string& advice);
 [[noreturn]] void refuse_file(std::string_view format, const std::string& fault, const std::string& name,
                               const std::string& advice);

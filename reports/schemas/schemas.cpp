@@ -19,6 +19,7 @@
 #include "reports/instrument/precision/precision_data.h"
 #include "reports/instrument/search_data.h"
 #include "reports/league/league_data.h"
+#include "reports/run_folder/ratchet_outcome.h"
 
 namespace axiscert {
 namespace {
@@ -48,6 +49,7 @@ std::span<const SchemaEntry> schemas() {
       SchemaEntry{"mutation-by-verdict", schema_of<MutationByVerdictData>},
       SchemaEntry{"mutation-of-certified", schema_of<MutationOfCertifiedData>},
       SchemaEntry{"precision", schema_of<PrecisionData>},
+      SchemaEntry{"ratchet", schema_of<RatchetOutcome>},
       SchemaEntry{"record", schema_of<Record>},
       SchemaEntry{"run", schema_of<RunFile>},
       SchemaEntry{"search", schema_of<SearchData>},
