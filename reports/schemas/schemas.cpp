@@ -9,6 +9,7 @@
 #include "fuzz/record/record.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
+#include "reports/comparison/comparison_data.h"
 #include "reports/gates/requirement.h"
 #include "reports/instrument/diagnosis_report.h"
 #include "reports/instrument/map.h"
@@ -39,6 +40,7 @@ Json schema_of() {
 
 std::span<const SchemaEntry> schemas() {
   static constexpr std::array all = {
+      SchemaEntry{"comparison", schema_of<ComparisonData>},
       SchemaEntry{"condition", schema_of<ConditionData>},
       SchemaEntry{"critical-radius", schema_of<CriticalRadiusData>},
       SchemaEntry{"diagnosis", [] { return file_schema<DiagnosisData>(diagnosis_data_schema()); }},
