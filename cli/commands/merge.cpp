@@ -84,12 +84,7 @@ int merge(const MergeOptions& options) {
   OutputOptions output;
   output.out = options.out;
   output.required = file.options.required;
-  const Json scale = {{"plan_digest", file.digest},
-                      {"stretches", stretches.count()},
-                      {"units_per_stretch", stretches.units_each()},
-                      {"units_lost", gathered.lost_units()},
-                      {"journal_bytes", bytes},
-                      {"ranks", Json::array()}};
+  const RunScale scale{file.digest, stretches.count(), stretches.units_each(), gathered.lost_units(), bytes, {}};
   return put_result({folder, std::nullopt, run_files(plan, std::move(gathered).take(), output, "auto", started, scale)},
                     output);
 }

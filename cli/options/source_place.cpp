@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "FILE:LINE" in run.json's form; nothing where the text is not of that form.
-std::optional<Json> place_of(const std::string& text) {
+// "FILE:LINE"; nothing where the text is not of that form.
+std::optional<SourcePlace> place_of(const std::string& text) {
   const std::size_t colon = text.rfind(':');
   if (colon == text.npos || colon == 0 || !is_utf8(text)) return std::nullopt;
   std::uint32_t line = 0;
@@ -27,15 +27,15 @@ std::optional<Json> place_of(const std::string& text) {
   if (const fs::path inside = file.lexically_relative(fs::current_path(none));
       file.is_absolute() && !inside.empty() && *inside.begin() != "..")
     file = inside;
-  return Json{{"file", file.string()}, {"line", line}};
+  return SourcePlace{file.string(), line};
 }
 
 }  // namespace
 
-Json source_places(const std::vector<const Kernel*>& kernels, const std::vector<std::string>& given) {
-  Json places = Json::object();
+SourcePlaces source_places(const std::vector<const Kernel*>& kernels, const std::vector<std::string>& given) {
+  SourcePlaces places;
   for (const Kernel* kernel : kernels) {
-    if (const auto own = place_of(kernel->source)) places[kernel->id] = *own;
+    if (const auto own = place_of(kernel->source)) places.put(kernel->id) = *own;
   }
   for (const std::string& value : given) {
     std::vector<std::string> about;  // the kernels that the value names, or all of them
@@ -59,7 +59,7 @@ Json source_places(const std::vector<const Kernel*>& kernels, const std::vector<
                       "KERNEL=FILE:LINE with a kernel of this run",
                       value, where.substr(0, where.rfind(':'))));
     }
-    for (const std::string& id : about) places[id] = *place;
+    for (const std::string& id : about) places.put(id) = *place;
   }
   return places;
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/text/json.h"
+#include "fuzz/record/run_info.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
@@ -13,6 +13,6 @@ namespace axiscert {
 // of which neither is known is left out. `given`: the values of --source, [KERNEL=]FILE:LINE, the last one for a kernel
 // counts. A path inside the present folder is made relative to it. Throws Error for a value that has no line, names a
 // file that is not there, or has no kernel that it could be about.
-Json source_places(const std::vector<const Kernel*>& kernels, const std::vector<std::string>& given);
+SourcePlaces source_places(const std::vector<const Kernel*>& kernels, const std::vector<std::string>& given);
 
 }  // namespace axiscert

@@ -122,14 +122,15 @@ JudgedRun judged_run(const Plan& plan, const OutputOptions& output, const std::s
 }
 
 RunFiles run_files(const Plan& plan, const CampaignResult& result, const OutputOptions& output,
-                   const std::string& target_asked, std::chrono::system_clock::time_point started, const Json& scale) {
+                   const std::string& target_asked, std::chrono::system_clock::time_point started,
+                   std::optional<RunScale> scale) {
   const double seconds = std::chrono::duration<double>(std::chrono::system_clock::now() - started).count();
   ProgressLine progress("judging", output.quiet);
   progress.stage("the witnesses are confirmed");
   RunFiles run{record_of(plan, result, output.required),
                run_info(plan, result, target_asked, iso_time(started), seconds)};
-  if (!scale.is_null()) run.info["scale"] = scale;
-  run.info["sources"] = source_places(plan.answerers.kernels, output.sources);
+  run.info.scale = std::move(scale);
+  run.info.sources = source_places(plan.answerers.kernels, output.sources);
   return run;
 }
 
@@ -143,14 +144,12 @@ int put_result(JudgedRun run, const OutputOptions& output) {
   // These files may be left from an earlier run in the same folder.
   for (const char* file : {ratchet_outcome_file, shrunk_file}) folder.remove(file);
   folder.write("record.json", json_of(record));
-  if (held) folder.write(ratchet_outcome_file, outcome_json(*run.ratchet, *held));
+  if (held) folder.write(ratchet_outcome_file, json_of(*held));
   const std::vector<LevelOutcome> outcomes = outcomes_of(record);
-  if (!outcomes.empty()) info["requirements"] = outcomes_json(outcomes);
-  folder.write("run.json", info);
+  folder.write("run.json", json_of(RunFile{info, outcomes.empty() ? std::nullopt : std::optional(outcomes)}));
   std::optional<ProgressLine> progress(std::in_place, "judging", output.quiet);
   if (output.shrink != 0 && is_complete)
-    folder.write_text(shrunk_file,
-                      shrunk_witnesses(record, info["target"]["dispatched"], output.shrink, progress->report()));
+    folder.write_text(shrunk_file, shrunk_witnesses(record, info.target.dispatched, output.shrink, progress->report()));
   progress->stage("the reports are written");
   render_reports(output.out);
   progress.reset();  // before the summary
@@ -163,8 +162,7 @@ int put_result(JudgedRun run, const OutputOptions& output) {
     if (!is_on_one_screen) fmt::print(stderr, "axiscert: {}\n", sentence);
     if (!is_quiet) fmt::print("{}\n", coloured(sentence, TextColour::red));
   }
-  if (!is_quiet && output.has_summary)
-    fmt::print("{}{}/report.html\n", summary_text(record, info["seconds"]), output.out);
+  if (!is_quiet && output.has_summary) fmt::print("{}{}/report.html\n", summary_text(record, info.seconds), output.out);
   if (!output.quiet && output.format == "csv") fmt::print("{}", read_bytes(output.out + "/" + record_csv_file));
   if (!is_complete) return exit_interrupted;
   bool is_met = nothing.empty();

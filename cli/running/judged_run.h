@@ -14,7 +14,7 @@ namespace axiscert {
 // The contents of record.json and run.json.
 struct RunFiles {
   Record record;
-  Json info;
+  RunInfo info;
 };
 
 // A run that was judged, and is not reported yet.
@@ -31,10 +31,10 @@ JudgedRun judged_run(const Plan& plan, const OutputOptions& output, const std::s
 // written. Throws Error.
 std::optional<Ratchet> ratchet_of(const OutputOptions& output, const Plan& plan);
 
-// Confirms the witnesses of a result. `scale` is run.json's entry on ranks and journal, or null.
+// Confirms the witnesses of a result. `scale` is run.json's entry on ranks and journal.
 RunFiles run_files(const Plan& plan, const CampaignResult& result, const OutputOptions& output,
                    const std::string& target_asked, std::chrono::system_clock::time_point started,
-                   const Json& scale = nullptr);
+                   std::optional<RunScale> scale = {});
 
 // Writes the run's folder and prints its summary; returns an ExitCode.
 int put_result(JudgedRun run, const OutputOptions& output);

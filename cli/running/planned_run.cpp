@@ -91,7 +91,8 @@ class Lead {
     journal_->sync();
     say_what_ranks_did(uses);
     if (!is_whole_) return say_what_a_part_did();
-    const Json scale = scale_json(uses);
+    // Stretches done by another process of the same plan are not counted: no rank of this run did them.
+    const RunScale scale{file_.digest, stretches_.count(), stretches_.units_each(), lost_, journal_->bytes(), uses};
     return put_result(
         {folder_, ratchet_, run_files(plan_, std::move(gathered_).take(), output_, target_asked, started, scale)},
         output_);
@@ -158,21 +159,6 @@ class Lead {
                                        gathered_.queries() - queries_before, now.count()},
                                       lost);
                       }});
-  }
-
-  // The entry of run.json. Stretches done by another process of the same plan are not counted: no rank of this run did
-  // them.
-  Json scale_json(const std::vector<RankUse>& uses) const {
-    Json ranks = Json::array();
-    for (const RankUse& use : uses) {
-      ranks.push_back({{"threads", use.threads}, {"stretches", use.tasks}, {"peak_memory_bytes", use.peak_memory}});
-    }
-    return {{"plan_digest", file_.digest},
-            {"stretches", stretches_.count()},
-            {"units_per_stretch", stretches_.units_each()},
-            {"units_lost", lost_},
-            {"journal_bytes", journal_->bytes()},
-            {"ranks", ranks}};
   }
 
   static void say_what_ranks_did(const std::vector<RankUse>& uses) {

@@ -14,8 +14,8 @@ from pathlib import Path
 BUILD, MODELS, DIVISOR = Path(sys.argv.pop(1)).resolve(), Path(sys.argv.pop(1)).resolve(), int(sys.argv.pop(1))
 ROOT = Path(__file__).resolve().parents[2]
 REPORTS = ROOT / "reports"
-SCHEMAS = REPORTS / "schemas"
-RECORD_SCHEMA = BUILD / "schemas/record.schema.json"  # which the command makes
+SCHEMAS = BUILD / "schemas"  # which the command makes
+VALIDATE = REPORTS / "schemas/validate.py"
 
 
 def fewer(trials):
@@ -29,7 +29,7 @@ def axiscert(*args, program="axiscert", stdin=None):
 
 def schema_of(name):
     """The JSON Schema of a format: a file of reports/schemas, or what the command makes of the fields that it writes."""
-    file = SCHEMAS / f"{name}.schema.json"
+    file = REPORTS / "schemas" / f"{name}.schema.json"
     return json.loads(file.read_text() if file.exists() else axiscert("explain", "--schema", name).stdout)
 
 

@@ -8,13 +8,13 @@ import subprocess
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from command import BUILD, QUERY, REPORTS, SCHEMAS, Case, axiscert
+from command import BUILD, QUERY, REPORTS, SCHEMAS, VALIDATE, Case, axiscert
 
 PLAN = ["--family", "repeated", "--family", "tangent", "--trials", "1000", "--precision", "binary32"]
 
 
 def validate(schema, *files):
-    return subprocess.run(["/usr/bin/python3", SCHEMAS / "validate.py", schema, *files],
+    return subprocess.run(["/usr/bin/python3", VALIDATE, schema, *files],
                           capture_output=True, text=True)
 
 

@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import unittest
 
-from command import BUILD, ROOT, SCHEMAS, REPORTS, Case, axiscert
+from command import BUILD, REPORTS, ROOT, SCHEMAS, VALIDATE, Case, axiscert
 
 PLAN = ["--family", "general", "--trials", "2000", "--precision", "binary32"]
 SOURCE = (ROOT / "examples/plugin/c/my_kernel.c").read_text()
@@ -29,7 +29,7 @@ ROWS = {row[0]: row[1:] for row in re.findall(r"^\| ([^|]+) \| (\d)[:,]? ?([^|]*
 
 
 def validate(schema, *files):
-    return subprocess.run(["/usr/bin/python3", SCHEMAS / "validate.py", schema, *files], capture_output=True, text=True)
+    return subprocess.run(["/usr/bin/python3", VALIDATE, schema, *files], capture_output=True, text=True)
 
 
 class GatesCase(Case):

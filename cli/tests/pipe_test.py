@@ -10,7 +10,7 @@ import subprocess
 import sys
 import unittest
 
-from command import BUILD, DIVISOR, MODELS, QUERY, RECORD_SCHEMA, SCHEMAS, ROOT, Case, axiscert, family
+from command import BUILD, DIVISOR, MODELS, QUERY, ROOT, SCHEMAS, VALIDATE, Case, axiscert, family
 
 EXAMPLES = ROOT / "examples/pipe"
 PYTHON = [sys.executable, EXAMPLES / "published.py"]
@@ -118,8 +118,8 @@ class Pipe(Case):
     def test_the_folder_is_that_of_a_run_and_says_how_to_repeat_it(self):
         replies = self.answered(self.queries("--family", "repeated", "--trials", 2000))
         record = self.judged("--conforms-to", "published", "--as", "mine", stdin=replies)
-        for name, schema in {"record": RECORD_SCHEMA, "run": SCHEMAS / "run.schema.json"}.items():
-            done = subprocess.run([sys.executable, SCHEMAS / "validate.py", schema, self.folder / f"judged/{name}.json"],
+        for name, schema in {name: SCHEMAS / f"{name}.schema.json" for name in ("record", "run")}.items():
+            done = subprocess.run([sys.executable, VALIDATE, schema, self.folder / f"judged/{name}.json"],
                                   capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         report = (self.folder / "judged/report.md").read_text()

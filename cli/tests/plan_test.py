@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from command import BUILD, DIVISOR, MODELS, SCHEMAS
+from command import BUILD, DIVISOR, MODELS, SCHEMAS, VALIDATE
 from plan_case import PlanCase
 
 SEED = 20261121
@@ -25,7 +25,7 @@ class Plan(PlanCase):
         self.assertEqual([rank["threads"] for rank in scale["ranks"]], [2])
         self.assertEqual(scale["ranks"][0]["stretches"], scale["stretches"])
         self.assertEqual(scale["journal_bytes"], (self.folder / "threads-2/journal").stat().st_size)
-        subprocess.run(["/usr/bin/python3", SCHEMAS / "validate.py", SCHEMAS / "run.schema.json",
+        subprocess.run(["/usr/bin/python3", VALIDATE, SCHEMAS / "run.schema.json",
                         self.folder / "threads-2/run.json"], check=True)
 
     def resigned(self, text, where, name, value):

@@ -9,7 +9,7 @@ from unittest import mock
 
 import jsonschema
 
-from command import SCHEMAS, ROOT, Case, axiscert
+from command import ROOT, Case, axiscert, schema_of
 
 KERNELS = ("published", "published+fma", "reduced", "reduced+fma")
 
@@ -37,7 +37,7 @@ class Prove(Case):
             done = axiscert("prove", *args, "--format", "json", "--out", self.folder / "out")
         self.assertEqual(done.returncode, code, done.stderr)
         data = json.loads(done.stdout)
-        schema = json.loads((SCHEMAS / "proofs.schema.json").read_text())
+        schema = schema_of("proofs")
         jsonschema.validators.validator_for(schema)(schema).validate(data)
         self.assertEqual(json.loads((self.folder / "out/proofs.json").read_text()), data)
         return data

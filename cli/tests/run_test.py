@@ -11,7 +11,7 @@ import unittest
 
 import jsonschema
 
-from command import BUILD, DIVISOR, MODELS, QUERY, RECORD_SCHEMA, SCHEMAS, Case, axiscert, family, fewer
+from command import BUILD, DIVISOR, MODELS, QUERY, SCHEMAS, VALIDATE, Case, axiscert, family, fewer
 
 
 class RunCase(Case):
@@ -89,8 +89,8 @@ class Run(RunCase):
     def test_record_and_run_info_satisfy_their_schemas(self):
         self.run_ok("--trials", fewer(100), "--kernel", "published", "--kernel", "nonstrict", "--tolerance",
                     "plane.radius=10")
-        for name, schema in {"record": RECORD_SCHEMA, "run": SCHEMAS / "run.schema.json"}.items():
-            done = subprocess.run([sys.executable, SCHEMAS / "validate.py", schema, self.folder / f"out/{name}.json"],
+        for name, schema in {name: SCHEMAS / f"{name}.schema.json" for name in ("record", "run")}.items():
+            done = subprocess.run([sys.executable, VALIDATE, schema, self.folder / f"out/{name}.json"],
                                   capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         for name in ("report.html", "report.md", "junit.xml", "witnesses.jsonl"):
@@ -98,7 +98,7 @@ class Run(RunCase):
 
     def test_what_the_schema_refuses_is_refused_with_the_place(self):
         """A record spoiled once for each place of another shape: the schema and the command agree."""
-        validator = jsonschema.Draft202012Validator(json.loads(RECORD_SCHEMA.read_text()))
+        validator = jsonschema.Draft202012Validator(json.loads((SCHEMAS / "record.schema.json").read_text()))
         record = self.run_ok("--kernel", "moving-sphere/gated", "--family", "moving-sphere/orders", "--trials", 40, "--precision", "binary32")
         refused = 0
         for path, spoiled in spoiled_records(record):

@@ -18,7 +18,10 @@ enum class Step : std::uint8_t {
 };
 template <>
 inline constexpr std::size_t enum_count<Step> = 5;
-inline constexpr EnumArray<Step, std::string_view> step_names = {"lanes", "grid", "wide", "integers", "exact"};
+constexpr std::string_view name(Step step) {
+  constexpr EnumArray<Step, std::string_view> names = {"lanes", "grid", "wide", "integers", "exact"};
+  return names[step];
+}
 
 // Planted faults of a filter, which the cross-checks have to detect.
 enum class FilterFault : std::uint8_t {

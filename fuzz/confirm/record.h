@@ -10,6 +10,7 @@
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/confirm/plan.h"
 #include "fuzz/record/record.h"
+#include "fuzz/record/run_info.h"
 
 namespace axiscert {
 
@@ -23,8 +24,8 @@ Json counts_json(const Kernel& kernel, const Tally& tally);
 std::map<ImageKind, ImageChangesRecord> invariance_of(const SeededSource& of, const Asymmetry& asymmetry);
 
 // run.json: times, throughput, machine, target, compiler and library versions. `started` is ISO 8601, UTC.
-Json run_info(const Plan& plan, const CampaignResult& result, const std::string& target_asked,
-              const std::string& started, double seconds);
+RunInfo run_info(const Plan& plan, const CampaignResult& result, const std::string& target_asked,
+                 const std::string& started, double seconds);
 
 // What the kernel says of itself, without figures and families. `plugins`: files that were given by path, its own among
 // them.

@@ -9,8 +9,9 @@
 //     }
 //   };
 //
-// `about` may be left out. The fields are all members in their order, or for_each_field() does not compile. A const
-// member function without parameters is a field as well: it is written, and compared where it is read, but not stored.
+// `about` may be left out; where there is `is_open`, readers ignore members of JSON that no field has. The fields are
+// all members in their order, or for_each_field() does not compile. A const member function without parameters is a
+// field as well: it is written, and compared where it is read, but not stored.
 #pragma once
 
 #include <concepts>

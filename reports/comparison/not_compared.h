@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/fields/json_form.h"
 #include "kernel/base/enum_array.h"
 
 namespace axiscert {
@@ -18,12 +19,26 @@ enum class Absence {
 template <>
 inline constexpr std::size_t enum_count<Absence> = 4;
 inline constexpr EnumArray<Absence, std::string_view> absence_names = {"fails", "allowed", "only in NEW", "empty"};
+constexpr std::string_view name(Absence absence) { return absence_names[absence]; }
 
 struct NotCompared {
   std::string what, why;
   std::vector<std::string> kernels = {};  // all names of the kernel that it is about
   std::string family = {};
   Absence absence = Absence::fails;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = NotCompared;
+    return visit(
+        field(&Of::what, {"what",
+                          "A kernel, a precision or family of it, a cell, a family of the plan, or OLD or NEW. "
+                          "--allow-not-compared takes it."}),
+        field(&Of::why, {"why", "The reason."}), journalled(&Of::kernels), journalled(&Of::family),
+        field(&Of::absence,
+              {"state",
+               "fails: exit 1. allowed: by --allow-not-compared. only in NEW, and empty (no promised query in either "
+               "run): no fault."}));
+  }
 };
 
 // Allows everything that one of `names` names: by its `what`, by its kernel or by its family. Throws Error where a name

@@ -25,12 +25,21 @@ template <>
 inline constexpr std::size_t enum_count<ReplayOutcome> = 7;
 inline constexpr EnumArray<ReplayOutcome, std::string_view> replay_names = {
     "as before", "mended", "changed", "no verdict now", "wrong now", "no longer promised", "not replayed"};
+constexpr std::string_view name(ReplayOutcome outcome) { return replay_names[outcome]; }
 
 struct Replayed {
   std::string id, kernel, precision, family;
   ReplayOutcome outcome;
   std::string note;  // why it was not replayed, or is not promised; otherwise the answer's faults now
   bool is_alarm() const { return outcome == ReplayOutcome::wrong_now || outcome == ReplayOutcome::not_promised; }
+  static constexpr auto fields(auto&& visit) {
+    using Of = Replayed;
+    return visit(
+        field(&Of::id, {"id", "Its id in OLD."}), field(&Of::kernel, {"kernel", "Its id."}),
+        field(&Of::precision, {"precision", "The precision."}), field(&Of::family, {"family", "Its family."}),
+        field(&Of::outcome, {"outcome", "What the kernel does now."}),
+        field(&Of::note, {"note", "The faults of the answer now, what is not promised, or why it was not evaluated."}));
+  }
 };
 
 // The plug-ins that may be loaded: by the id that a record has, "plugin:PATH", the id of the one to load for it.

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "kernel/base/utf8.h"
+#include "reports/comparison/comparison_data.h"
 #include "reports/wording/markdown_text.h"
 #include "reports/wording/reproduce.h"
 #include "reports/wording/summary.h"
@@ -90,7 +91,7 @@ InstrumentTable replay_table(const RunComparison& comparison) {
   for (const bool alarms : {true, false}) {
     for (const Replayed& r : comparison.replayed) {
       if (r.outcome == ReplayOutcome::as_before || r.is_alarm() != alarms) continue;
-      table.rows.push_back({r.id, r.kernel, r.precision, r.family, std::string(replay_names[r.outcome]), r.note});
+      table.rows.push_back({r.id, r.kernel, r.precision, r.family, std::string(name(r.outcome)), r.note});
     }
   }
   return table;
@@ -136,8 +137,7 @@ std::vector<std::string> changes(const RunComparison& comparison) {
   for (const ReplayOutcome outcome : {ReplayOutcome::wrong_now, ReplayOutcome::not_promised}) {
     const auto n = std::ranges::count(comparison.replayed, outcome, &Replayed::outcome);
     if (n != 0)
-      parts.push_back(
-          fmt::format("{} known witnesses {}", thousands(static_cast<std::size_t>(n)), replay_names[outcome]));
+      parts.push_back(fmt::format("{} known witnesses {}", thousands(static_cast<std::size_t>(n)), name(outcome)));
   }
   return parts;
 }
@@ -182,7 +182,7 @@ std::vector<std::string> notes(const ComparedRuns& runs, const RunComparison& co
     for (const Replayed& r : comparison.replayed) ++by_outcome[r.outcome];
     std::vector<std::string> parts;
     for (const auto& [outcome, n] : by_outcome) {
-      parts.push_back(fmt::format("{} {}", thousands(n), replay_names[outcome]));
+      parts.push_back(fmt::format("{} {}", thousands(n), name(outcome)));
     }
     notes.push_back(fmt::format("Witnesses of OLD, evaluated again here: {}.", fmt::join(parts, ", ")));
   }
@@ -271,80 +271,36 @@ std::string comparison_markdown(const ComparedRuns& runs, const RunComparison& c
 
 Json comparison_json(const ComparedRuns& runs, const RunComparison& comparison) {
   const auto run = [](const std::string& folder, const Record& record) {
-    return Json{{"folder", as_utf8(folder)},
-                {"axiscert", json_of(record.plan.axiscert)},
-                {"seed", record.plan.seed.value},
-                {"complete", record.complete}};
+    return ComparedRunData{as_utf8(folder), record.plan.axiscert, {record.plan.seed.value}, record.complete};
   };
-  Json json = {{"schema", "axiscert-comparison/2"},
-               {"old", run(runs.before_name, runs.before)},
-               {"new", run(runs.after_name, runs.after)},
-               {"answer", answer(comparison)},
-               {"passes", comparison.passes()},
-               {"alarms", comparison.alarms()},
-               {"family_wise_error", family_wise_error},
-               {"tested", comparison.tested},
-               {"compared", comparison.compared()},
-               {"promises", Json::array()},
-               {"kernels", Json::array()}};
-  for (const ComparedPromise& promise : comparison.promises) {
-    json["promises"].push_back({{"kernel", promise.kernel},
-                                {"precision", promise.precision},
-                                {"less", promise.change.less},
-                                {"other", promise.change.other}});
-  }
-  for (const ComparedKernel& kernel : comparison.kernels) {
-    const auto id = [](const std::string& given) { return given.empty() ? Json(nullptr) : Json(given); };
-    Json& entry = json["kernels"].emplace_back();
-    entry = {{"name", kernel.name},
-             {"old", id(kernel.before)},
-             {"new", id(kernel.after)},
-             {"compared", kernel.cells},
-             {"changed", kernel.has_digests ? Json(!kernel.digest_change.empty()) : Json(nullptr)}};
-  }
-  for (std::size_t i = 0; i < change_names.size(); ++i) {
-    json["counts"][std::string(change_names[i])] = comparison.count(static_cast<Change>(i));
-  }
-  Json& cells = json["cells"] = Json::array();
-  std::size_t nowhere = 0;
-  const auto optional = [](const std::optional<double>& p) { return p ? Json(*p) : Json(nullptr); };
+  ComparisonData data{.schema = {},
+                      .before = run(runs.before_name, runs.before),
+                      .after = run(runs.after_name, runs.after),
+                      .answer = answer(comparison),
+                      .passes = comparison.passes(),
+                      .alarms = comparison.alarms(),
+                      .family_wise_error = family_wise_error,
+                      .tested = comparison.tested,
+                      .compared = comparison.compared(),
+                      .promises = comparison.promises,
+                      .kernels = comparison.kernels,
+                      .cells = {},
+                      .replayed = comparison.replayed,
+                      .not_compared = comparison.not_compared,
+                      .new_witnesses = {}};
+  for (const Change change : enumerators<Change>) data.counts[change] = comparison.count(change);
   for (const ComparedCell& cell : comparison.cells) {
-    if (cell.before.is_zero() && cell.after.is_zero()) {
-      ++nowhere;
+    const Cell &before = cell.before, &after = cell.after;
+    if (before.is_zero() && after.is_zero()) {
+      ++data.wrong_nowhere;
       continue;
     }
-    cells.push_back({{"fingerprint", fingerprint(cell.after.key())},
-                     {"kernel", cell.kernel()},
-                     {"precision", cell.before.precision},
-                     {"family", cell.before.family},
-                     {"place", cell.before.place},
-                     {"figure", cell.before.member},
-                     {"change", name(cell.change)},
-                     {"old", cell.before.figure},
-                     {"new", cell.after.figure},
-                     {"old_queries", cell.before.of.trials},
-                     {"new_queries", cell.after.of.trials},
-                     {"same_queries", cell.same_queries},
-                     {"p", optional(cell.p)},
-                     {"p_corrected", optional(cell.p_corrected)},
-                     {"witnesses", cell.witnesses}});
+    data.cells.push_back({fingerprint(after.key()), cell.kernel(), before.precision, before.family, before.place,
+                          before.member, cell.change, before.figure, after.figure, before.of.trials, after.of.trials,
+                          cell.same_queries, cell.p, cell.p_corrected, cell.witnesses});
   }
-  json["wrong_nowhere"] = nowhere;
-  Json& replayed = json["replayed"] = Json::array();
-  for (const Replayed& r : comparison.replayed) {
-    replayed.push_back({{"id", r.id},
-                        {"kernel", r.kernel},
-                        {"precision", r.precision},
-                        {"family", r.family},
-                        {"outcome", replay_names[r.outcome]},
-                        {"note", r.note}});
-  }
-  Json& absent = json["not_compared"] = Json::array();
-  for (const NotCompared& n : comparison.not_compared)
-    absent.push_back({{"what", n.what}, {"why", n.why}, {"state", absence_names[n.absence]}});
-  Json& witnesses = json["new_witnesses"] = Json::array();
-  for (const WitnessRecord* witness : new_witnesses(runs, comparison)) witnesses.push_back(json_of(*witness));
-  return json;
+  for (const WitnessRecord* witness : new_witnesses(runs, comparison)) data.new_witnesses.push_back(*witness);
+  return json_of(data);
 }
 
 }  // namespace axiscert

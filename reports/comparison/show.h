@@ -23,7 +23,7 @@ std::string answer(const RunComparison& comparison);
 InstrumentReport comparison_report(const ComparedRuns& runs, const RunComparison& comparison);
 // For a pull request: at most 1 MiB, with a statement of what was left out.
 std::string comparison_markdown(const ComparedRuns& runs, const RunComparison& comparison);
-// Conforms to comparison.schema.json. Cells that are zero in both are counted, not listed.
+// A ComparisonData. Cells that are zero in both are counted, not listed.
 Json comparison_json(const ComparedRuns& runs, const RunComparison& comparison);
 
 }  // namespace axiscert

@@ -113,7 +113,7 @@ TEST(Sarif, WhatTheRatchetAcceptsIsASuppressedNote) {
   const auto at = text.find("deepest_false_separation=0.25");
   text.replace(at, 29, "deepest_false_separation=0.125");
   const Ratchet ratchet = parse_ratchet(text, "accepted.txt");
-  const auto results = sarif_results(nullptr, outcome_json(ratchet, hold_against(ratchet, record, "2026-06-15")));
+  const auto results = sarif_results(nullptr, json_of(hold_against(ratchet, record, "2026-06-15")));
   // The requirement logic, which the stored run does not meet on tangent and lattice, has nothing to do with
   // comparisons.
   const Json& held = results.at("published/binary32/tangent/edge_ab.side_c.false_separation");

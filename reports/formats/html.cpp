@@ -83,19 +83,6 @@ Json witness_card(const WitnessRecord& witness, const PlanRecord& plan) {
   return card;
 }
 
-// The throughput with only the members that the page shows.
-Json throughput(const Json& info) {
-  Json rows = Json::array();
-  if (!info.contains("throughput")) return rows;
-  for (const Json& given : info["throughput"]) {
-    Json& row = rows.emplace_back();
-    for (const char* member : {"family", "precision", "queries", "seconds_of_core", "queries_per_second_and_core"}) {
-      row[member] = given[member];
-    }
-  }
-  return rows;
-}
-
 Json kernel_data(const KernelRecord& kernel) {
   Json data = json_of(kernel);
   const auto limit = [&](const FamilyRecord& family) {
@@ -143,7 +130,7 @@ Json requirement_data(const Record& record) {
   const std::vector<LevelOutcome> outcomes = outcomes_of(record);
   Json data = {{"levels", Json::array()},
                {"passes", pass(outcomes)},
-               {"outcomes", outcomes_json(outcomes)},
+               {"outcomes", json_of(outcomes)},
                {"failures", Json::array()}};
   for (const AskedLevel& asked : required.levels)
     data["levels"].push_back({{"level", asked.text}, {"sentence", sentence_of(asked)}});
@@ -165,17 +152,10 @@ Json cards(const Record& record, std::size_t limit, const std::set<std::string>&
   return data;
 }
 
-// The steps that decided the queries, from run.json, without the members that the page does not show.
-Json steps(const Json& info) {
-  Json rows = Json::array();
-  for (const Json& given : info.is_null() ? Json::array() : info.value("steps", Json::array())) {
-    rows.push_back({{"family", given["family"]},
-                    {"precision", given["precision"]},
-                    {"queries", given["queries"]},
-                    {"checked", given["checked"]},
-                    {"decided_by_cgal", given["decided_by_cgal"]},
-                    {"nanoseconds_per_query", given["nanoseconds_per_query"]}});
-  }
+// The steps that decided the queries, without the member that the page does not show.
+Json steps(const RunInfo& info) {
+  Json rows = json_of(info.steps);
+  for (Json& row : rows) row.erase("signs");
   return rows;
 }
 
@@ -195,10 +175,10 @@ Json page_data(const Run& run) {
   data["unjudged"] = unjudged(record);
   data["command"] = run_command(record.plan);
   data["facts"] = plan_facts(run);
-  data["throughput"] = throughput(run.info);
+  data["throughput"] = run.info ? json_of(run.info->throughput) : Json::array();
   data["not_checked"] = not_checked(record);
-  data["steps"] = steps(run.info);
-  data["target"] = run.info.is_null() || !run.info.contains("target") ? Json(nullptr) : run.info["target"];
+  data["steps"] = run.info ? steps(*run.info) : Json::array();
+  data["target"] = run.info ? json_of(run.info->target) : Json();
   data["attached"] = attachments(run.folder, image_bytes);
   data["files"] = raw_files(run.folder);
   data["motion_note"] = motion_note;

@@ -64,30 +64,27 @@ std::string skipped(const std::string& why) {
 }
 
 // The place of a failure's cell, whose name ends with the figure.
-std::string place_of(const Json& failure) {
-  const std::string cell = failure["cell"];
-  return cell.substr(0, cell.rfind('.'));
-}
+std::string place_of(const RatchetFailure& failure) { return failure.cell.substr(0, failure.cell.rfind('.')); }
 
-bool is_of_kernel(const Json& failure, const KernelRecord& kernel) {
-  return failure["kernel"] == kernel.id && failure["precision"] == name(kernel.precision);
+bool is_of_kernel(const RatchetFailure& failure, const KernelRecord& kernel) {
+  return failure.kernel == kernel.id && failure.precision == name(kernel.precision);
 }
 
 // Whether a failure of ratchet.json is about this case: a family's verdict, with what is said of its contacts, or
 // comparison.
-bool is_about_case(const Json& failure, const KernelRecord& kernel, const std::string& family,
+bool is_about_case(const RatchetFailure& failure, const KernelRecord& kernel, const std::string& family,
                    const std::string& place) {
-  if (!is_of_kernel(failure, kernel) || failure["family"] != family) return false;
+  if (!is_of_kernel(failure, kernel) || failure.family != family) return false;
   const std::string given = place_of(failure);
   return given == place || (place == "verdict" && is_place_of_contacts(given));
 }
 
 // The ratchet's failures for a case of a run with --ratchet; empty where there are none.
-std::string ratchet_outcome(const Json& held, const KernelRecord& kernel, const std::string& family,
+std::string ratchet_outcome(const RatchetOutcome& held, const KernelRecord& kernel, const std::string& family,
                             const std::string& place) {
   std::string detail;
-  for (const Json& failure : held["failures"]) {
-    if (is_about_case(failure, kernel, family, place)) detail += failure["text"].get<std::string>() + "\n";
+  for (const RatchetFailure& failure : held.failures) {
+    if (is_about_case(failure, kernel, family, place)) detail += failure.text + "\n";
   }
   return detail.empty() ? "" : failure("ratchet", "worse than accepted, or expired", detail);
 }
@@ -141,16 +138,15 @@ std::string tolerance_outcome(const ComparisonTally& tally, const std::string* t
 
 // Whether a failure of the ratchet is about everything of the kernel in this precision: that it promises less, say, so
 // that no figure of it was compared.
-bool fails_as_a_whole(const Json& held, const KernelRecord& kernel) {
-  return std::any_of(held["failures"].begin(), held["failures"].end(),
-                     [&](const Json& failure) { return is_about_case(failure, kernel, "*", "*"); });
+bool fails_as_a_whole(const RatchetOutcome& held, const KernelRecord& kernel) {
+  return std::any_of(held.failures.begin(), held.failures.end(),
+                     [&](const RatchetFailure& failure) { return is_about_case(failure, kernel, "*", "*"); });
 }
 
 // A case's outcome together with the ratchet's: Ant's schema allows one failure for each case. A case of which nothing
 // else was required was still checked by the ratchet.
-std::string with_ratchet(const Json& held, const KernelRecord& kernel, const std::string& family,
+std::string with_ratchet(const RatchetOutcome& held, const KernelRecord& kernel, const std::string& family,
                          const std::string& place, const std::string& outcome) {
-  if (held.is_null()) return outcome;
   const std::string worse = ratchet_outcome(held, kernel, family, place);
   if (worse.empty()) return outcome.starts_with("<skipped") && !fails_as_a_whole(held, kernel) ? "" : outcome;
   if (!outcome.starts_with("<failure")) return worse;
@@ -195,7 +191,7 @@ Suite suite_of(const Run& run, const KernelRecord& kernel, const std::vector<Lev
     Json counts = {{"trials", result->trials}, {"truth", json_of(result->truth)}};
     counts.update(json_of(result->verdict));
     const auto held = [&](const std::string& place, const std::string& outcome) {
-      return with_ratchet(run.ratchet, kernel, family, place, outcome);
+      return run.ratchet ? with_ratchet(*run.ratchet, kernel, family, place, outcome) : outcome;
     };
     suite.add(family + " verdict", held("verdict", verdict_outcome(outcomes, kernel, family)), counts);
     if (!result->comparisons) continue;  // said once, below
@@ -216,35 +212,29 @@ Suite suite_of(const Run& run, const KernelRecord& kernel, const std::vector<Lev
 // The ratchet's failures of cells that have no case: findings, and kernels that were not judged.
 Suite suite_of_ratchet(const Run& run) {
   Suite suite{"ratchet"};
-  const auto has_case = [&](const Json& failure) {
+  const auto has_case = [&](const RatchetFailure& failure) {
     const std::string place = place_of(failure);
     if (place == "finding") return false;
     for (const KernelRecord& kernel : run.record.kernels) {
       if (!is_of_kernel(failure, kernel)) continue;
-      const FamilyRecord* const family = kernel.families.find(failure["family"].get<std::string>());
+      const FamilyRecord* const family = kernel.families.find(failure.family);
       if (family == nullptr) continue;
       return place == "verdict" || is_place_of_contacts(place) || family->comparisons.has_value();
     }
     return false;
   };
-  for (const Json& failed : run.ratchet["failures"]) {
+  for (const RatchetFailure& failed : run.ratchet->failures) {
     if (has_case(failed)) continue;
-    const std::string text = failed["text"];
-    suite.add(fmt::format("{} {} {} {}", failed["kernel"].get<std::string>(), failed["precision"].get<std::string>(),
-                          failed["family"].get<std::string>(), failed["cell"].get<std::string>()),
-              failure("ratchet", text, text), failed["fingerprint"]);
+    suite.add(fmt::format("{} {} {} {}", failed.kernel, failed.precision, failed.family, failed.cell),
+              failure("ratchet", failed.text, failed.text), failed.fingerprint);
   }
   return suite;
 }
 
 // Start of the run in UTC, in the schema's form, which has no zone. A record alone does not contain it.
-std::string started(const Json& info) {
-  return info.is_null() ? "1970-01-01T00:00:00" : info["started"].get<std::string>().substr(0, 19);
-}
+std::string started(const Run& run) { return run.info ? run.info->started.substr(0, 19) : "1970-01-01T00:00:00"; }
 // Kernels share their run, so the first suite has its seconds.
-std::string seconds(const Json& info) {
-  return info.is_null() ? "0" : fmt::format("{:.3f}", info["seconds"].get<double>());
-}
+std::string seconds(const Run& run) { return run.info ? fmt::format("{:.3f}", run.info->seconds) : "0"; }
 
 std::string render_junit(const Run& run) {
   const std::vector<LevelOutcome> outcomes = outcomes_of(run.record);
@@ -253,7 +243,7 @@ std::string render_junit(const Run& run) {
   std::vector<Suite> listed;
   for (const std::string& kernel : not_judged(run.record)) listed.push_back(suite_of_findings(run.record, kernel));
   for (const KernelRecord& kernel : run.record.kernels) listed.push_back(suite_of(run, kernel, outcomes));
-  if (!run.ratchet.is_null()) {
+  if (run.ratchet) {
     if (Suite rest = suite_of_ratchet(run); rest.tests != 0) listed.push_back(std::move(rest));
   }
   for (const Suite& suite : listed) {
@@ -261,8 +251,8 @@ std::string render_junit(const Run& run) {
         "  <testsuite name=\"{0}\" tests=\"{3}\" failures=\"{4}\" errors=\"0\" skipped=\"{5}\" package=\"axiscert\" "
         "id=\"{1}\" hostname=\"localhost\" timestamp=\"{2}\" time=\"{6}\">\n    <properties/>\n{7}"
         "    <system-out>{8}</system-out>\n    <system-err/>\n  </testsuite>\n",
-        xml(suite.name), id, xml(started(run.info)), suite.tests, suite.failures, suite.skipped,
-        id == 0 ? seconds(run.info) : "0", suite.cases, xml(suite.figures));
+        xml(suite.name), id, xml(started(run)), suite.tests, suite.failures, suite.skipped,
+        id == 0 ? seconds(run) : "0", suite.cases, xml(suite.figures));
     ++id;
   }
   // Ant's schema has no totals: each suite has its own counts.

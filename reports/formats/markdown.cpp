@@ -71,16 +71,17 @@ class MarkdownReport {
   }
 
   std::string ratchet() const {
-    if (run_.ratchet.is_null()) return "";
+    if (!run_.ratchet) return "";
     Section section("Ratchet");
-    const Json& failures = run_.ratchet["failures"];
-    section.line(fmt::format("Compared with {}: {}", plain(run_.ratchet["file"]),
-                             failures.empty() ? "nothing is worse than accepted." : "**the ratchet is not met**."));
+    const RatchetOutcome& held = *run_.ratchet;
+    section.line(
+        fmt::format("Compared with {}: {}", plain(held.file),
+                    held.failures.empty() ? "nothing is worse than accepted." : "**the ratchet is not met**."));
     section.line("");
-    for (const Json& failure : failures) section.line("- " + plain(failure["text"], 2000));
-    for (const Json& changed : run_.ratchet.value("changed", Json::array()))
+    for (const RatchetFailure& failure : held.failures) section.line("- " + plain(failure.text, 2000));
+    for (const std::string& changed : held.changed)
       section.line("- changed since the ratchet was written: " + plain(changed, 2000));
-    for (const Json& better : run_.ratchet["better"]) section.line("- better: " + plain(better, 2000));
+    for (const std::string& better : held.better) section.line("- better: " + plain(better, 2000));
     return section.text();
   }
 

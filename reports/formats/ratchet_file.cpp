@@ -5,8 +5,7 @@
 namespace axiscert {
 
 extern const Format ratchet_format = {"ratchet.txt", "the ratchet that would accept this run", [](const Run& run) {
-                                        return run.ratchet.is_null() ? ratchet_text(run.record)
-                                                                     : run.ratchet["accepted"].get<std::string>();
+                                        return run.ratchet ? run.ratchet->accepted : ratchet_text(run.record);
                                       }};
 
 }  // namespace axiscert

@@ -87,16 +87,16 @@ class Log {
         cells_(cells_of(run.record)),
         witnesses_(run.record),
         outcomes_(outcomes_of(run.record)) {
-    if (run.info.is_object() && run.info.contains("sources")) sources_ = run.info["sources"];
-    if (!held_.is_null() && held_.contains("held")) {
-      for (const Json& failure : held_["failures"]) failed_.insert(failure["fingerprint"].get<std::string>());
-      for (const Json& waiver : held_["held"]) {
-        for (const Json& fingerprint : waiver["fingerprints"]) waivers_[fingerprint] = &waiver;
+    if (run.info) sources_ = run.info->sources;
+    if (held_) {
+      for (const RatchetFailure& failure : held_->failures) failed_.insert(failure.fingerprint);
+      for (const WaivedCells& cells : held_->held) {
+        for (const std::string& fingerprint : cells.fingerprints) waivers_[fingerprint] = &cells.waiver;
       }
     }
     failures_ = failures_of(outcomes_);
-    has_suppressions_ = (!held_.is_null() && held_.contains("held")) ||
-                        std::any_of(outcomes_.begin(), outcomes_.end(), [](const auto& o) { return o.is_allowed; });
+    has_suppressions_ =
+        held_ || std::any_of(outcomes_.begin(), outcomes_.end(), [](const auto& o) { return o.is_allowed; });
   }
 
   Json json() const {
@@ -108,8 +108,9 @@ class Log {
     for (const Cell& cell : cells_) {
       if (const Rule* rule = rule_of(cell); rule && !cell.is_zero()) results.push_back(result(cell, *rule));
     }
-    for (const Json& failure : held_.is_null() ? Json::array() : held_["failures"])
-      results.push_back(ratchet_result(failure));
+    if (held_) {
+      for (const RatchetFailure& failure : held_->failures) results.push_back(ratchet_result(failure));
+    }
     for (const LevelOutcome& outcome : outcomes_) {
       if (outcome.state == LevelState::not_checked) results.push_back(unchecked_result(outcome));
     }
@@ -140,7 +141,7 @@ class Log {
       return cell.place == "verdict" && failure.kernel == cell.kernel && failure.precision == cell.precision &&
              failure.family == cell.family;
     });
-    const Json* const waiver = is_unmet ? nullptr : waiver_of(cell);
+    const Waiver* const waiver = is_unmet ? nullptr : waiver_of(cell);
     Json json = {{"ruleId", rule.id},
                  {"ruleIndex", &rule == &finding_rule ? std::size(rules) : static_cast<std::size_t>(&rule - rules)},
                  {"level", is_unmet            ? "error"
@@ -154,7 +155,7 @@ class Log {
   }
 
   // The waiver under which the ratchet accepts a cell, with the depth of its wrong verdicts; null where it does not.
-  const Json* waiver_of(const Cell& cell) const {
+  const Waiver* waiver_of(const Cell& cell) const {
     const auto found = waivers_.find(fingerprint(cell.key()));
     if (found == waivers_.end()) return nullptr;
     Cell deepest = cell;
@@ -163,16 +164,15 @@ class Log {
   }
 
   // SARIF wants suppressions in all results of a run or in none.
-  void put_suppressions(Json& result, const Json* waiver) const {
+  void put_suppressions(Json& result, const Waiver* waiver) const {
     if (!has_suppressions_) return;
     Json& all = result["suppressions"] = Json::array();
     if (waiver == nullptr) return;
-    const auto word = [&](const char* member) { return (*waiver)[member].get<std::string>(); };
     all.push_back({{"kind", "external"},
                    {"status", "accepted"},
-                   {"justification", fmt::format("accepted in {}{} by {}: {}", held_["file"].get<std::string>(),
-                                                 word("expiry") == "never" ? "" : " until " + word("expiry"),
-                                                 word("owner"), word("reason"))}});
+                   {"justification", fmt::format("accepted in {}{} by {}: {}", held_->file,
+                                                 waiver->expiry == "never" ? "" : " until " + waiver->expiry,
+                                                 waiver->owner, waiver->reason)}});
   }
 
   // The depths of a cell's wrong verdicts; empty for any other cell.
@@ -187,8 +187,8 @@ class Log {
     return "";
   }
 
-  Json ratchet_result(const Json& failure) const {
-    Json key = Json::array({failure["kernel"], failure["precision"], failure["family"], failure["cell"]});
+  Json ratchet_result(const RatchetFailure& failure) const {
+    Json key = Json::array({failure.kernel, failure.precision, failure.family, failure.cell});
     const WitnessRecord* worst = nullptr;
     for (const Cell& cell : cells_) {
       if (cell.key_of(cell.kernel) != key) continue;
@@ -199,9 +199,9 @@ class Log {
     Json json = {{"ruleId", ratchet_rule.id},
                  {"ruleIndex", std::size(rules) + 1},
                  {"level", ratchet_rule.level},
-                 {"message", {{"text", message_text(failure["text"])}}},
-                 {"partialFingerprints", {{"axiscertRatchet/v1", failure["fingerprint"]}}}};
-    put_places(json, failure["kernel"], key, worst);
+                 {"message", {{"text", message_text(failure.text)}}},
+                 {"partialFingerprints", {{"axiscertRatchet/v1", failure.fingerprint}}}};
+    put_places(json, failure.kernel, key, worst);
     put_suppressions(json, nullptr);
     return json;
   }
@@ -247,12 +247,12 @@ class Log {
       return {{"physicalLocation", {{"artifactLocation", {{"uri", file}}}, {"region", {{"startLine", at}}}}}};
     };
     Json shown = place("witnesses.jsonl", line);
-    if (const auto source = sources_.find(kernel); source != sources_.end()) {
+    if (const SourcePlace* source = sources_.find(kernel)) {
       if (witness != nullptr) {
         shown["message"] = {{"text", message_text("The deepest witness, " + witness->id)}};
         result["relatedLocations"] = Json::array({shown});
       }
-      shown = place(uri_of((*source)["file"]), (*source)["line"]);
+      shown = place(uri_of(source->file), source->line);
     }
     shown["logicalLocations"] = Json::array(
         {{{"name", part(3)}, {"fullyQualifiedName", fmt::format("{}/{}/{}/{}", part(0), part(1), part(2), part(3))}}});
@@ -302,13 +302,13 @@ class Log {
   }
 
   const Record& record_;
-  const Json& held_;
+  const std::optional<RatchetOutcome>& held_;
   std::vector<Cell> cells_;
   WitnessesByCell witnesses_;
   std::vector<LevelOutcome> outcomes_;
-  Json sources_ = Json::object();               // by the kernel's id
-  std::set<std::string> failed_;                // fingerprints
-  std::map<std::string, const Json*> waivers_;  // by fingerprint of what they accept
+  SourcePlaces sources_;                          // by the kernel's id
+  std::set<std::string> failed_;                  // fingerprints
+  std::map<std::string, const Waiver*> waivers_;  // by fingerprint of what they accept
   std::vector<Failure> failures_;
   bool has_suppressions_ = false;  // whether the ratchet or --allow-unchecked accepts anything of the run
 };

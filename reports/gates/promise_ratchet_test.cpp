@@ -58,7 +58,7 @@ TEST(RatchetOfPromises, ALimitIsWorseThanAnyFigure) {
               ElementsAre("published binary32 promises less than the ratchet: radius from 1e+30, was "
                           "none: 4,495 of its queries then, 3,145 now (r.txt:4)"));
   EXPECT_THAT(outcome.better, IsEmpty()) << "over other queries";
-  EXPECT_EQ(outcome.failures[0].key, Json::array({"published", "binary32", "*", "*"}));
+  EXPECT_EQ(outcome.failures[0].fingerprint, fingerprint(Json::array({"published", "binary32", "*", "*"})));
 }
 
 TEST(RatchetOfPromises, AnotherPromiseIsNotComparedAndTheNewFileAcceptsIt) {
@@ -132,7 +132,7 @@ TEST(RatchetOfPromises, JUnitFailsAndLeavesTheCasesSkipped) {
   const auto junit = [&](Json record) {
     record["plan"]["require"] = nullptr;
     const TestFolder folder(record);
-    folder.write("ratchet.json", outcome_json(ratchet, hold_against(ratchet, record, the_day)).dump());
+    folder.write("ratchet.json", json_of(hold_against(ratchet, record, the_day)).dump());
     EXPECT_EQ(folder.rendering_error(), "");
     return folder.read("junit.xml");
   };

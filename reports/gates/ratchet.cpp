@@ -33,6 +33,11 @@ int severity(const Cell& cell) {
   return cell.member == "false_contact" || cell.member == "deepest_false_contact" ? 4 : 3;
 }
 
+// `key`: that of the cell, or of all cells of a kernel and precision, whose family and name are "*".
+RatchetFailure failure_of(const Json& key, const std::string& kernel, const std::string& text) {
+  return {fingerprint(key), kernel, key[1], key[2], key[3], text};
+}
+
 struct Ranked {
   RatchetFailure failure;
   int severity;
@@ -85,6 +90,8 @@ class Holder {
       return x.severity != y.severity ? x.severity < y.severity : x.excess > y.excess;
     });
     for (Ranked& ranked : failures_) outcome_.failures.push_back(std::move(ranked.failure));
+    outcome_.file = ratchet_.name;
+    outcome_.plan = ratchet_.plan;
     outcome_.accepted = ratchet_file(ratchet_.plan, test_of(record_.plan), promises_, accepted_, digests_);
     return std::move(outcome_);
   }
@@ -181,7 +188,7 @@ class Holder {
     if (is_less(accepted, cell.figure)) {
       const double excess = entry == nullptr || accepted == 0 ? cell.figure.get<double>()
                                                               : cell.figure.get<double>() / accepted.get<double>();
-      failures_.push_back({{key, cell.kernel, text}, severity(cell), excess});
+      failures_.push_back({failure_of(key, cell.kernel, text), severity(cell), excess});
       accept(key, cell.figure, open_waiver());
     } else {
       if (is_less(cell.figure, accepted)) outcome_.better.push_back(text);
@@ -192,10 +199,10 @@ class Holder {
   }
 
   std::vector<std::string>& held_by(const Waiver& waiver) {
-    for (auto& [other, cells] : outcome_.held) {
-      if (other == waiver) return cells;
+    for (WaivedCells& held : outcome_.held) {
+      if (held.waiver == waiver) return held.fingerprints;
     }
-    return outcome_.held.emplace_back(waiver, std::vector<std::string>()).second;
+    return outcome_.held.emplace_back(WaivedCells{waiver, {}}).fingerprints;
   }
 
   bool is_expired(const RatchetEntry& entry) const {
@@ -219,7 +226,7 @@ class Holder {
 
   // A failure of a kernel in a precision.
   void fail_all(const HeldPromise& of, const std::string& id, const std::string& text, int severity) {
-    failures_.push_back({{Json::array({of.kernel, of.precision, "*", "*"}), id, text}, severity, 0});
+    failures_.push_back({failure_of(Json::array({of.kernel, of.precision, "*", "*"}), id, text), severity, 0});
     told_.insert({of.kernel, of.precision});
   }
 
@@ -241,10 +248,9 @@ class Holder {
   void fail(const Group& group, const std::string& text, int severity) {
     const Json& key = group.front()->key;
     const auto id = ids_.find(key[0].get<std::string>());
-    failures_.push_back({{group.size() == 1 ? key : Json::array({key[0], key[1], "*", "*"}),
-                          id == ids_.end() ? key[0].get<std::string>() : id->second, text},
-                         severity,
-                         static_cast<double>(group.size())});
+    failures_.push_back({failure_of(group.size() == 1 ? key : Json::array({key[0], key[1], "*", "*"}),
+                                    id == ids_.end() ? key[0].get<std::string>() : id->second, text),
+                         severity, static_cast<double>(group.size())});
   }
 
   void tell_groups() {
@@ -316,27 +322,6 @@ void require_plan(const Ratchet& ratchet, const PlanRecord& plan) {
 RatchetOutcome hold_against(const Ratchet& ratchet, const Record& record, const std::string& today) {
   require_plan(ratchet, record.plan);
   return Holder(ratchet, record, today).run();
-}
-
-Json outcome_json(const Ratchet& ratchet, const RatchetOutcome& outcome) {
-  Json json = {{"schema", "axiscert-held/2"}, {"file", ratchet.name},        {"plan", ratchet.plan},
-               {"failures", Json::array()},   {"better", outcome.better},    {"changed", outcome.changed},
-               {"held", Json::array()},       {"accepted", outcome.accepted}};
-  for (const auto& [key, kernel, text] : outcome.failures) {
-    json["failures"].push_back({{"fingerprint", fingerprint(key)},
-                                {"kernel", kernel},
-                                {"precision", key[1]},
-                                {"family", key[2]},
-                                {"cell", key[3]},
-                                {"text", text}});
-  }
-  for (const auto& [waiver, fingerprints] : outcome.held) {
-    json["held"].push_back({{"expiry", waiver.expiry},
-                            {"owner", waiver.owner},
-                            {"reason", waiver.reason},
-                            {"fingerprints", fingerprints}});
-  }
-  return json;
 }
 
 std::string ratchet_text(const Record& record) {

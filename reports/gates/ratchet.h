@@ -14,14 +14,9 @@
 #include "kernel/test.h"
 #include "reports/comparison/promise.h"
 #include "reports/run_folder/identity.h"
+#include "reports/run_folder/ratchet_outcome.h"
 
 namespace axiscert {
-
-// Until when, by whom and why errors are accepted.
-struct Waiver {
-  std::string expiry, owner, reason;  // expiry: the last day, YYYY-MM-DD in UTC, or `never`
-  bool operator==(const Waiver&) const = default;
-};
 
 struct RatchetEntry {
   Json key;  // that of the cell; the kernel by its identity, or by its id
@@ -52,25 +47,9 @@ struct Ratchet {
 // repeated.
 void require_plan(const Ratchet& ratchet, const PlanRecord& plan);
 
-struct RatchetFailure {
-  Json key;            // that of the cell, or of all cells of a kernel and precision: family and name are "*"
-  std::string kernel;  // its id in the record, or its name in the ratchet where the record does not have it
-  std::string text;    // one line: names the cell, says what is wrong, and where it is accepted
-};
-struct RatchetOutcome {
-  std::vector<RatchetFailure> failures;  // promises less, worse, expired, not compared or checked; the worst first
-  std::vector<std::string> better;       // a line each
-  std::vector<std::string> changed;      // kernels whose files are others than those that the ratchet was written for
-  // The cells that are as bad as accepted, or less, by waiver: their fingerprints.
-  std::vector<std::pair<Waiver, std::vector<std::string>>> held;
-  std::string accepted;  // the file that would accept the record; EXPIRY, OWNER and REASON are left to fill in where it
-                         // is worse
-};
-// Compares a record with the ratchet; `today` is YYYY-MM-DD. Throws Error as require_plan does.
+// Compares a record with the ratchet; `today` is YYYY-MM-DD. The outcome is for the reports of the run,
+// `ratchet_outcome_file` in its folder. Throws Error as require_plan does.
 RatchetOutcome hold_against(const Ratchet& ratchet, const Record& record, const std::string& today);
-
-// The outcome for the reports of a run, `ratchet_outcome_file` in its folder: conforms to ratchet.schema.json.
-Json outcome_json(const Ratchet& ratchet, const RatchetOutcome& outcome);
 
 // The file that accepts the record as it is, with EXPIRY, OWNER and REASON left to fill in; only a comment where the
 // record depended on time.

@@ -126,7 +126,7 @@ void write_held(const TestFolder& folder) {
   comparison["missed_separation"] = comparison["masked"] = 2;
   const Ratchet ratchet = parse_ratchet(reviewed(), "r.txt");
   folder.write("record.json", record.dump());
-  folder.write("ratchet.json", outcome_json(ratchet, hold_against(ratchet, record, today)).dump());
+  folder.write("ratchet.json", json_of(hold_against(ratchet, record, today)).dump());
 }
 
 TEST(Ratchet, EveryFormatTellsOfIt) {
@@ -162,7 +162,7 @@ TEST(Ratchet, AFailureWithoutACaseHasASuiteOfItsOwn) {
   const TestFolder folder(record);
   // A record that lacks a kernel of its plan is not valid: this outcome is written next to the complete record.
   const Ratchet ratchet = parse_ratchet(reviewed(), "r.txt");
-  folder.write("ratchet.json", outcome_json(ratchet, hold_against(ratchet, record, today)).dump());
+  folder.write("ratchet.json", json_of(hold_against(ratchet, record, today)).dump());
   folder.write("record.json", stored_record().dump());
   Json held = Json::parse(folder.read("ratchet.json"));
   for (Json& failure : held["failures"]) failure["kernel"] = "gone";
@@ -211,8 +211,9 @@ TEST(Ratchet, EachFigureKeepsItsWaiver) {
   tangent_counts(record)["verdict"]["false_separation"] = 41;
   const RatchetOutcome outcome = hold_against(parse_ratchet(text, "r.txt"), record, today);
   EXPECT_THAT(outcome.failures, SizeIs(1));
-  EXPECT_THAT(outcome.held, ElementsAre(testing::Pair(Waiver{"never", "mk", "rounds, see docs"}, testing::_),
-                                        testing::Pair(Waiver{"2026-12-31", "geometry", "to be mended"}, testing::_)));
+  EXPECT_THAT(outcome.held,
+              ElementsAre(testing::Field(&WaivedCells::waiver, Waiver{"never", "mk", "rounds, see docs"}),
+                          testing::Field(&WaivedCells::waiver, Waiver{"2026-12-31", "geometry", "to be mended"})));
   const std::string filled = replaced(outcome.accepted, "EXPIRY OWNER REASON", "never mk \"rounds, see docs\"");
   const RatchetOutcome again = hold_against(parse_ratchet(filled, "r.txt"), record, today);
   EXPECT_THAT(again.failures, IsEmpty());

@@ -375,31 +375,6 @@ std::vector<Failure> failures_of(const std::vector<LevelOutcome>& outcomes) {
   return all;
 }
 
-Json outcomes_json(const std::vector<LevelOutcome>& outcomes) {
-  Json all = Json::array();
-  for (const LevelOutcome& outcome : outcomes) {
-    Json& json =
-        all.emplace_back(Json{{"level", outcome.asked.text},
-                              {"kernel", outcome.kernel},
-                              {"precision", outcome.precision.empty() ? Json(nullptr) : Json(outcome.precision)},
-                              {"state", name(outcome.state)},
-                              {"allowed", outcome.is_allowed},
-                              {"reason", outcome.reason},
-                              {"covers", outcome.covers},
-                              {"leaves_out", outcome.leaves_out},
-                              {"text", outcome.text()},
-                              {"looked_at", outcome.looked_at},
-                              {"evidence", json_of(outcome.evidence)},
-                              {"families", outcome.families},
-                              {"outside_limits", outcome.outside},
-                              {"failures", Json::array()}});
-    for (const Failure& f : outcome.failures) {
-      json["failures"].push_back({{"family", f.family}, {"count", f.count}, {"what", f.what}, {"witness", f.witness}});
-    }
-  }
-  return all;
-}
-
 std::vector<Failure> unmet(const Record& record, const std::string& level) {
   return failures_of(outcomes_at(record, level));
 }

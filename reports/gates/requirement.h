@@ -2,10 +2,12 @@
 // precision. The levels themselves are in levels/.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "fuzz/record/record.h"
+#include "fuzz/record/run_info.h"
 #include "reports/gates/levels/level.h"
 
 namespace axiscert {
@@ -41,6 +43,42 @@ struct LevelOutcome {
   // "published binary32: exact: " and looked_text(), then ": NOT CHECKED: no query ...", without the failures, which
   // have lines of their own.
   std::string text() const;
+  std::optional<std::string> judged_precision() const {
+    return precision.empty() ? std::nullopt : std::optional(precision);
+  }
+  static constexpr auto fields(auto&& visit) {
+    using Of = LevelOutcome;
+    return visit(
+        inlined(&Of::asked), field(&Of::kernel, {"kernel", "The kernel's id."}), journalled(&Of::precision),
+        field(&Of::judged_precision, {"precision", "Null for a kernel that could not be loaded."}),
+        field(&Of::state, {"state", "NOT CHECKED: these queries, or what the kernel shows, cannot say."}),
+        field(&Of::is_allowed, {"allowed", "Whether it is not checked and --allow-unchecked names it."}),
+        field(&Of::reason, {"reason", "Why it is not checked; empty otherwise."}),
+        field(&Of::covers, {"covers", "What 'met' says of this kernel; empty where it is not met."}),
+        field(&Of::leaves_out, {"leaves_out", "What 'met' does not say."}),
+        field(&Of::text, {"text", "The whole in one sentence: how much was looked at, and what came of it."}),
+        field(&Of::failures, {"failures", "Where it is not met."}), journalled(&Of::unseen),
+        field(&Of::evidence, {"evidence", Evidence::about}),
+        field(&Of::looked_at,
+              {"looked_at", "Queries that the level judged; for some families pairs of a query and its image."}),
+        field(&Of::families, {"families", "Families that the level requires and that have a valid query."}),
+        field(&Of::outside,
+              {"outside_limits", "Of these, those without a query that the kernel promises.", "families"}),
+        journalled(&Of::has_limits));
+  }
+};
+
+// run.json, with what came of each level of --require.
+struct RunFile : RunInfo {
+  std::optional<std::vector<LevelOutcome>> requirements;
+
+  static constexpr auto fields(auto&& visit) {
+    return visit(
+        base<RunFile, RunInfo>(),
+        field(&RunFile::requirements, {.name = "requirements",
+                                       .about = "What came of each level of --require, for each kernel and precision.",
+                                       .may_be_absent = true}));
+  }
 };
 
 // Parses a level. Throws Error that lists them, or says what its argument has to be.
@@ -90,8 +128,6 @@ std::string state_text(const LevelOutcome* worst);
 bool pass(const std::vector<LevelOutcome>& outcomes);
 // The failures of all outcomes, each once: a finding fails every level.
 std::vector<Failure> failures_of(const std::vector<LevelOutcome>& outcomes);
-// For run.json and the page.
-Json outcomes_json(const std::vector<LevelOutcome>& outcomes);
 
 // The failures of a record at a level; empty where no kernel fails it, which does not mean that it was checked.
 std::vector<Failure> unmet(const Record& record, const std::string& level);

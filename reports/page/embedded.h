@@ -5,7 +5,6 @@
 
 namespace axiscert::embedded {
 
-extern const std::string_view run_schema_json, ratchet_schema_json;
 extern const std::string_view report_html, report_css;
 extern const std::string_view chart_min_js;  // Chart.js itself, MIT licence
 extern const std::string_view instrument_html, instrument_js, chart_js;

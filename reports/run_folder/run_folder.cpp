@@ -15,15 +15,41 @@
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/names.h"
-#include "reports/page/embedded.h"
 #include "reports/run_folder/parsed_json.h"
 #include "reports/run_folder/plan_queries.h"
 #include "reports/run_folder/record_classes.h"
 #include "reports/run_folder/record_names.h"
-#include "reports/run_folder/schema.h"
 
 namespace axiscert {
 namespace {
+
+// Errors name the file, say what would be right, and end with `advice`: what to do about a damaged file.
+void require_format(const Json& value, std::string_view format, const std::string& name, const std::string& advice) {
+  if (!value.is_object() || !value.contains("schema"))
+    throw Error(fmt::format("{}: has no \"schema\": \"{}\", which axiscert writes; {}", name, format, advice));
+  if (value["schema"] != format) {
+    throw Error(
+        fmt::format("{}: its schema is {}, but this axiscert reads \"{}\"; use the axiscert that wrote it, or run "
+                    "again",
+                    name, shown(value["schema"].dump()), format));
+  }
+}
+
+[[noreturn]] void refuse_file(std::string_view format, const std::string& fault, const std::string& name,
+                              const std::string& advice) {
+  throw Error(fmt::format("{}: does not conform to {}: {}; {}", name, format, fault, advice));
+}
+
+// A file as its struct, whose fields it has to have.
+template <Fielded File>
+File read_file(const Json& value, const std::string& name, const std::string& advice) {
+  require_format(value, File::format, name, advice);
+  try {
+    return read_as<File>(value);
+  } catch (const JsonFault& fault) {
+    refuse_file(File::format, fault.what(), name, advice);
+  }
+}
 
 constexpr const char* advice = "run it again, or restore the file as it was written";
 
@@ -235,9 +261,7 @@ Record read_record(const Json& json, const std::string& name) {
   return record;
 }
 
-void check_run_info(const Json& info, const std::string& name) {
-  check_schema(Json::parse(embedded::run_schema_json), info, name, advice);
-}
+RunInfo read_run_info(const Json& info, const std::string& name) { return read_file<RunInfo>(info, name, advice); }
 
 const TestDescription& test_of(const PlanRecord& plan) { return find_test(plan.test); }
 
@@ -264,17 +288,13 @@ Run read_run(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(record, ignored)) {
     throw Error(fmt::format("{}: does not exist; give the folder that `axiscert run --out` wrote", record.string()));
   }
-  Run run{read_record(read_json(record), record.string()), nullptr, nullptr, folder};
+  Run run{read_record(read_json(record), record.string()), std::nullopt, std::nullopt, folder};
   if (const auto held = folder / ratchet_outcome_file; std::filesystem::exists(held, ignored)) {
-    run.ratchet = read_json(held);
-    check_schema(Json::parse(embedded::ratchet_schema_json), run.ratchet, held.string(), advice);
-    if (run.ratchet["plan"] != plan_fingerprint(run.record.plan))
+    run.ratchet = read_file<RatchetOutcome>(read_json(held), held.string(), advice);
+    if (run.ratchet->plan != plan_fingerprint(run.record.plan))
       throw Error(fmt::format("{}: belongs to another plan than the record next to it; remove it", held.string()));
   }
-  if (std::filesystem::exists(info, ignored)) {
-    run.info = read_json(info);
-    check_run_info(run.info, info.string());
-  }
+  if (std::filesystem::exists(info, ignored)) run.info = read_run_info(read_json(info), info.string());
   return run;
 }
 

@@ -3,11 +3,14 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "fuzz/record/record.h"
+#include "fuzz/record/run_info.h"
 #include "fuzz/text/json.h"
 #include "kernel/test.h"
+#include "reports/run_folder/ratchet_outcome.h"
 
 namespace axiscert {
 
@@ -16,9 +19,9 @@ inline constexpr const char* ratchet_outcome_file = "ratchet.json";
 
 struct Run {
   Record record;
-  Json info;                     // conforms to run.schema.json; null where the folder has no run.json
-  Json ratchet;                  // conforms to ratchet.schema.json; null where the run was not compared with one
-  std::filesystem::path folder;  // may hold what other commands wrote next to these files
+  std::optional<RunInfo> info;            // where the folder has run.json
+  std::optional<RatchetOutcome> ratchet;  // where the run was compared with one
+  std::filesystem::path folder;           // may hold what other commands wrote next to these files
 };
 
 // The test that a record's plan is about. Throws Error where there is no such test.
@@ -34,7 +37,7 @@ Json read_json(const std::filesystem::path& path);
 Run read_run(const std::filesystem::path& folder);
 // The same for values already in memory; the names are those that an Error shows.
 Record read_record(const Json& record, const std::string& name);
-void check_run_info(const Json& info, const std::string& name);
+RunInfo read_run_info(const Json& info, const std::string& name);
 
 // Replaces the named files of the folder: every text is on disk before the first file changes. Throws Error.
 void write_files(const std::filesystem::path& folder, const std::map<std::string, std::string>& texts);

@@ -35,12 +35,12 @@ TEST(RunFolder, StoredRunIsAccepted) {
   const axiscert::Run run = read_run(folder.path());
   const auto in_any_order = [](const Json& json) { return nlohmann::json::parse(json.dump()); };
   EXPECT_EQ(in_any_order(json_of(run.record)), in_any_order(stored_record()));
-  EXPECT_EQ(run.info, stored_run_info());
+  EXPECT_EQ(in_any_order(json_of(run.info)), in_any_order(stored_run_info()));
 }
 
 TEST(RunFolder, RunInfoIsOptional) {
   const TestFolder folder(stored_record());
-  EXPECT_TRUE(read_run(folder.path()).info.is_null());
+  EXPECT_FALSE(read_run(folder.path()).info.has_value());
 }
 
 TEST(RunFolder, MissingRecordNamesItAndSaysWhatToGive) {

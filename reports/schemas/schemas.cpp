@@ -10,6 +10,8 @@
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
 #include "reports/certificate/statement/certificate_data.h"
+#include "reports/comparison/comparison_data.h"
+#include "reports/gates/requirement.h"
 #include "reports/instrument/diagnosis_report.h"
 #include "reports/instrument/map.h"
 #include "reports/instrument/mutation/mutation_data.h"
@@ -20,6 +22,7 @@
 #include "reports/instrument/query_row.h"
 #include "reports/instrument/search_data.h"
 #include "reports/league/league_data.h"
+#include "reports/run_folder/ratchet_outcome.h"
 
 namespace axiscert {
 namespace {
@@ -40,6 +43,7 @@ Json schema_of() {
 std::span<const SchemaEntry> schemas() {
   static constexpr std::array all = {
       SchemaEntry{"certificate", schema_of<CertificateStatement>},
+      SchemaEntry{"comparison", schema_of<ComparisonData>},
       SchemaEntry{"condition", schema_of<ConditionData>},
       SchemaEntry{"critical-radius", schema_of<CriticalRadiusData>},
       SchemaEntry{"diagnosis", [] { return file_schema<DiagnosisData>(diagnosis_data_schema()); }},
@@ -50,8 +54,10 @@ std::span<const SchemaEntry> schemas() {
       SchemaEntry{"mutation-by-verdict", schema_of<MutationByVerdictData>},
       SchemaEntry{"mutation-of-certified", schema_of<MutationOfCertifiedData>},
       SchemaEntry{"precision", schema_of<PrecisionData>},
+      SchemaEntry{"ratchet", schema_of<RatchetOutcome>},
       SchemaEntry{"record", schema_of<Record>},
       SchemaEntry{"row", schema_of<QueryRow>},
+      SchemaEntry{"run", schema_of<RunFile>},
       SchemaEntry{"search", schema_of<SearchData>},
   };
   return all;

@@ -192,40 +192,30 @@ std::string run_command(const PlanRecord& plan) {
 
 std::vector<std::pair<std::string, std::string>> plan_facts(const Run& run) {
   const PlanRecord& plan = run.record.plan;
-  const Json& info = run.info;
   std::vector<std::pair<std::string, std::string>> facts = {{"axiscert", plan.axiscert},
                                                             {"seed", std::to_string(plan.seed.value)},
                                                             {"kernels", joined(plan.kernels)},
                                                             {"precisions", joined(plan.precisions)}};
   for (const FileRecord& file : plan.files) facts.emplace_back(file_kind(file), file_fact(file));
-  const auto add = [&](const char* label, const Json& from, const char* member, auto&& text) {
-    if (from.contains(member)) facts.emplace_back(label, text(from[member]));
-  };
-  const auto word = [](const Json& value) { return value.get<std::string>(); };
-  if (info.is_null()) return facts;
-  add("started", info, "started", word);
-  add("took", info, "seconds", [](const Json& s) { return fmt::format("{:.1f} s", s.get<double>()); });
-  add("threads", info, "threads", [](const Json& n) { return n.dump(); });
-  if (info.contains("machine")) add("processor", info["machine"], "cpu", word);
-  if (info.contains("target")) {
-    add("target requested", info["target"], "asked", word);
-    add("target that ran", info["target"], "dispatched", word);
+  if (!run.info) return facts;
+  const RunInfo& info = *run.info;
+  facts.insert(facts.end(), {{"started", info.started},
+                             {"took", fmt::format("{:.1f} s", info.seconds)},
+                             {"threads", std::to_string(info.threads)},
+                             {"processor", info.machine.cpu},
+                             {"target requested", info.target.asked},
+                             {"target that ran", info.target.dispatched},
+                             {"compiler", info.compiler},
+                             {"flags", info.flags},
+                             {"revision", info.revision}});
+  for (const auto& [part, version] : info.versions) {
+    if (part != "axiscert") facts.emplace_back(part, version);
   }
-  add("compiler", info, "compiler", word);
-  add("flags", info, "flags", word);
-  add("revision", info, "revision", word);
-  if (info.contains("versions")) {
-    for (const auto& [part, version] : info["versions"].items()) {
-      if (part != "axiscert") facts.emplace_back(part, version);
-    }
-  }
-  add("decided a second time", info, "second_opinions",
-      [](const Json& n) { return thousands(n.get<std::uint64_t>()) + " queries, by the second oracle"; });
-  add("verdicts that CGAL decided itself", info, "decided_by_cgal", [&](const Json& n) {
-    std::uint64_t queries = 0;
-    for (const Json& cell : info.value("throughput", Json::array())) queries += cell["queries"].get<std::uint64_t>();
-    return fmt::format("{} of {}; the others by certain signs", thousands(n.get<std::uint64_t>()), thousands(queries));
-  });
+  facts.emplace_back("decided a second time", thousands(info.second_opinions) + " queries, by the second oracle");
+  std::uint64_t queries = 0;
+  for (const CellSpeed& cell : info.throughput) queries += cell.queries;
+  facts.emplace_back("verdicts that CGAL decided itself",
+                     fmt::format("{} of {}; the others by certain signs", thousands(info.by_cgal), thousands(queries)));
   return facts;
 }
 

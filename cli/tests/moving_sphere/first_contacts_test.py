@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import unittest
 
-from command import SCHEMAS, Case, axiscert
+from command import SCHEMAS, VALIDATE, Case, axiscert
 
 PLAN = ["--test", "moving-sphere", "--family", "moving-sphere/general", "--family", "moving-sphere/approach", "--kernel",
         "moving-sphere/gated", "--precision", "binary32", "--trials", "100"]
@@ -73,7 +73,7 @@ class FirstContacts(Case):
             self.assertIn("time.late", done.stdout)
         done = axiscert("compare", self.folder / "out", worse, "--out", self.folder / "compared")
         self.assertEqual(done.returncode, 1)
-        checked = subprocess.run(["/usr/bin/python3", SCHEMAS / "validate.py", SCHEMAS / "comparison.schema.json",
+        checked = subprocess.run(["/usr/bin/python3", VALIDATE, SCHEMAS / "comparison.schema.json",
                                   self.folder / "compared/compare.json"], capture_output=True, text=True)
         self.assertEqual(checked.stderr, "")
 

@@ -16,7 +16,7 @@ void require_same(const DecidedSigns& decided, const ExactTruth& truth, const Qu
   throw OracleDisagreement(
       fmt::format("the step `{}` of the filter has the signs {:016b} ties {:016b} (bit 0 is the first comparison); "
                   "exact arithmetic {:016b} ties {:016b}, {}{}",
-                  step_names[decided.step], decided.signs.strict, decided.signs.ties, exact.strict, exact.ties,
+                  name(decided.step), decided.signs.strict, decided.signs.ties, exact.strict, exact.ties,
                   name(truth.verdict), truth.touching ? ", touching" : ""),
       Numbers<Real>(q), sphere_triangle_test());
 }

@@ -6,14 +6,9 @@
 
 #include "fuzz/campaign/parts/crew.h"
 #include "fuzz/campaign/parts/ranks.h"
+#include "fuzz/record/run_info.h"
 
 namespace axiscert {
-
-// The work of one rank and the resources it used.
-struct RankUse {
-  int threads = 0;
-  std::uint64_t tasks = 0, peak_memory = 0;  // tasks done; peak memory in bytes
-};
 
 // Used by rank 0, and by a process without other ranks.
 class Distributor {

@@ -21,6 +21,12 @@ struct AskedLevel {
   std::string name;           // before the first '='
   std::string argument = {};  // after it; empty where there is none
   bool has_argument = false;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = AskedLevel;
+    return visit(field(&Of::text, {"level", "The level as it was given."}), journalled(&Of::name),
+                 journalled(&Of::argument), journalled(&Of::has_argument));
+  }
 };
 
 // The findings of a level about one kernel in one precision. It is met where there is no failure, `not_checked` is

@@ -21,6 +21,14 @@ struct Failure {
   std::string witness;                    // the deepest one that shows it; empty where none was stored
 
   std::string text() const;
+  static constexpr auto fields(auto&& visit) {
+    using Of = Failure;
+    return visit(
+        journalled(&Of::kernel), journalled(&Of::precision),
+        field(&Of::family, {"family", "Empty for a kernel that could not be loaded."}),
+        field(&Of::count, {"count", "Number of queries."}), field(&Of::what, {"what", "What is wrong with them."}),
+        field(&Of::witness, {"witness", "The deepest one, by its id in the record; empty where none was stored."}));
+  }
 };
 
 // A family as a level looks at it, in queries, or in pairs of a query and its image.
