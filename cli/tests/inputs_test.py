@@ -32,7 +32,8 @@ class Inputs(InputCase):
                            (["run", "plugin:x.so"], ["did you mean --kernel plugin:x.so?"]),
                            (["check"], ["axiscert check: FILE is required"]),
                            (["run", "--kernel", "--quiet"], ["--kernel has no value: the option --quiet follows it"]),
-                           (["run", "--format", "x"], ["unknown option '--format'"]),
+                           (["run", "--format", "x"], ["--format: unknown value 'x'; values: text, csv"]),
+                           (["run", "--map", "x"], ["unknown option '--map'"]),
                            (["kernels", "--format", "jsn"], ["unknown value 'jsn'; did you mean 'json'?", "text, json"]),
                            (["run", "--preset", "CI"], ["unknown value 'CI'; did you mean 'ci'?"])):
             with self.subTest(args=args):

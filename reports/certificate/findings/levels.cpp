@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "fuzz/queries/address.h"
 #include "kernel/kernel.h"
 #include "reports/evidence/evidence.h"
 #include "reports/gates/requirement.h"

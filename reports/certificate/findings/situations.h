@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "fuzz/queries/situation.h"
 #include "fuzz/record/record.h"
 
 namespace axiscert {
