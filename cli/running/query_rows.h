@@ -10,7 +10,7 @@
 #include "cli/options/address_query.h"
 #include "exact/trait/examine.h"
 #include "reports/instrument/query_row.h"
-#include "reports/schemas/csv.h"
+#include "reports/instrument/csv.h"
 
 namespace axiscert {
 

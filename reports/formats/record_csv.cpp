@@ -3,7 +3,7 @@
 #include "fuzz/record/record.h"
 #include "reports/formats/format.h"
 #include "reports/formats/render.h"
-#include "reports/schemas/csv.h"
+#include "reports/instrument/csv.h"
 
 namespace axiscert {
 namespace {

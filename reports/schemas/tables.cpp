@@ -13,7 +13,7 @@
 #include "reports/instrument/precision/condition_data.h"
 #include "reports/instrument/precision/critical_radius_data.h"
 #include "reports/league/league_data.h"
-#include "reports/schemas/csv.h"
+#include "reports/instrument/csv.h"
 #include "reports/schemas/schemas.h"
 
 namespace axiscert {

@@ -1,4 +1,4 @@
-#include "reports/schemas/csv.h"
+#include "reports/instrument/csv.h"
 
 #include <algorithm>
 #include <string_view>
