@@ -80,11 +80,17 @@ TEST(Junit, AFamilyOnWhichALevelCannotBeSeenIsSkipped) {
 TEST(Reports, EveryFormatHasTheDepths) {
   Json record = stored_record();
   Json& verdict = tangent_counts(record)["verdict"];
-  verdict["depths"] = {{"false_separation", {{"zero", 3}, {"-12", 30}, {"-1", 7}}}, {"false_contact", {{"-7", 20}}}};
+  const auto depths = [](const Json& counts) {
+    Json all = json_of(DepthTally());
+    all.update(counts);
+    return all;
+  };
+  verdict["depths"] = depths(
+      {{"false_separation", {{"zero", 3}, {"-12", 30}, {"-1", 7}}}, {"false_contact", {{"-7", 20}}}, {"deep", 7}});
   verdict["engine_like"] = {{"queries", 600},
                             {"false_separation", 7},
                             {"false_contact", 0},
-                            {"depths", {{"false_separation", {{"-1", 7}}}, {"false_contact", Json::object()}}}};
+                            {"depths", depths({{"false_separation", {{"-1", 7}}}, {"deep", 7}})}};
   const TestFolder folder(record);
   ASSERT_EQ(folder.rendering_error(), "");
   EXPECT_THAT(folder.read("report.md"),

@@ -312,7 +312,7 @@ std::vector<KernelMaterial> kernels_of_record(const Record& record) {
     for (const auto& [family, result] : kernel.families) {
       FamilyMaterial& beside = entry.families.put(family);
       beside.base_triangles = result.base_triangles;
-      if (result.invariance) beside.invariance = {without_fractions(json_of(*result.invariance))};
+      if (result.invariance) beside.invariance.emplace().json = without_fractions(json_of(*result.invariance));
     }
   }
   return kernels;
