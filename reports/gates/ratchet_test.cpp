@@ -177,7 +177,7 @@ TEST(Ratchet, AnOutcomeOfAnotherPlanOrFormIsRefused) {
   const std::string good = folder.read("ratchet.json");
   for (const auto& [old, with, says] : {std::array{"held/2", "held/3", "axiscert-held/3"},
                                         {"\"plan\":\"", "\"plan\":\"f", "belongs to another plan"},
-                                        {"\"better\"", "\"bitter\"", "/bitter"}}) {
+                                        {"\"better\"", "\"bitter\"", "without \"better\""}}) {
     folder.write("ratchet.json", replaced(good, old, with));
     EXPECT_THAT(folder.rendering_error(), testing::AllOf(HasSubstr("ratchet.json"), HasSubstr(says)));
   }

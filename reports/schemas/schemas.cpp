@@ -69,7 +69,7 @@ Json schema_named(std::string_view name) {
     if (entry.name == name) return entry.schema();
     names.push_back(entry.name);
   }
-  throw Error(fmt::format("--schema {}: unknown{} The schemas are {}", name, did_you_mean(name, names),
+  throw Error(fmt::format("--schema {}: unknown{} schemas: {}", name, did_you_mean(name, names),
                           fmt::join(most_alike_first(name, names), ", ")));
 }
 

@@ -44,7 +44,7 @@ struct DepthTally {
   static constexpr auto fields(auto&& visit) {
     return visit(field(&DepthTally::false_separation, {"false_separation", "Missed contacts."}),
                  field(&DepthTally::false_contact, {"false_contact", "Phantom contacts."}),
-                 field(&DepthTally::deep, {"deep", "Those of both whose depth is at least 1e-3."}));
+                 field(&DepthTally::deep, {"deep", "Wrong verdicts of both directions whose depth is at least 1e-3."}));
   }
 };
 
