@@ -118,8 +118,7 @@ CampaignResult run_motions(const Plan& plan) {
 // The kernel's tallies added up.
 MotionTally tallied(const Kernel& kernel) {
   MotionTally sum;
-  for (const CellResult& cell : run_motions(plan_of_motions(kernel)).cells)
-    merge_fields(sum, cell.tallies[0].motion);
+  for (const CellResult& cell : run_motions(plan_of_motions(kernel)).cells) merge_fields(sum, cell.tallies[0].motion);
   EXPECT_GT(sum.hits + sum.missed.through, motion_queries / 2) << "of " << 6 * motion_queries;
   return sum;
 }

@@ -122,7 +122,8 @@ std::string fingerprint(const Tally& t) {
   std::string text = fmt::format("{} {} {} {}", t.trials, t.verdict.unanswered, t.verdict.outside_limits->trials,
                                  t.verdict.outside_limits->deepest);
   for (const FindingTally& f : t.findings) text += fmt::format(" {} {} {}", f.count, f.first, f.detail);
-  for (const auto& first : t.verdict.first_by_link) text += fmt::format(" {}", first.position ? std::int64_t(*first.position) : -1);
+  for (const auto& first : t.verdict.first_by_link)
+    text += fmt::format(" {}", first.position ? std::int64_t(*first.position) : -1);
   return text;
 }
 

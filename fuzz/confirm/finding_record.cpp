@@ -43,9 +43,10 @@ void put_findings(std::vector<FindingRecord>& findings, const Kernel& kernel, co
   for (const FindingKind kind : enumerators<FindingKind>) {
     const FindingTally& found = tally.findings[kind];
     if (found.count == 0) continue;
-    findings.push_back(
-        {kernel.id, of.precision, Name(of.source.name()), kind, found.count, found.detail, Name(of.address(found.first)),
-         of.precision == Precision::binary32 ? numbers_of<float>(of, found.first) : numbers_of<double>(of, found.first)});
+    findings.push_back({kernel.id, of.precision, Name(of.source.name()), kind, found.count, found.detail,
+                        Name(of.address(found.first)),
+                        of.precision == Precision::binary32 ? numbers_of<float>(of, found.first)
+                                                            : numbers_of<double>(of, found.first)});
   }
 }
 

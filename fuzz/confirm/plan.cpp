@@ -9,8 +9,8 @@ namespace {
 // The statement that no kernel was run, and the claim made for the program.
 RepliesRecord replies_record(const Answerers& answerers) {
   const auto given = [](const std::string& id) { return id.empty() ? std::nullopt : std::optional(id); };
-  RepliesRecord record{given(answerers.claim.conforms_to), given(answerers.claim.formulae), answerers.kernels.front()->touching,
-                       answerers.kernels.front()->may_decline, std::nullopt};
+  RepliesRecord record{given(answerers.claim.conforms_to), given(answerers.claim.formulae),
+                       answerers.kernels.front()->touching, answerers.kernels.front()->may_decline, std::nullopt};
   if (answerers.replies->measure_count() != 0) record.measures = answerers.replies->measure_count();
   return record;
 }
@@ -40,7 +40,8 @@ PlanRecord plan_record(const Plan& plan, const CampaignResult& result, const Req
   record.precisions = questions.precisions;
   for (const SourcePtr& source : questions.sources) {
     record.families.push_back(source->name());
-    record.generators.put(source->name()) = {static_cast<std::uint64_t>(source->version()), source->exact_arithmetic(), source->purpose()};
+    record.generators.put(source->name()) = {static_cast<std::uint64_t>(source->version()), source->exact_arithmetic(),
+                                             source->purpose()};
     if (const auto file = source->file()) record.files.push_back(file_record(*file));
   }
   for (const FileInfo& file : answerers.plugins) record.files.push_back(file_record(file));

@@ -94,8 +94,7 @@ FamilyRecord family_of(const SeededSource& of, const Kernel& kernel, const Toler
 }
 
 // The digests of the files of which somebody else's kernel consists; empty for a kernel that comes with axiscert.
-std::optional<std::vector<DigestRecord>> digests_of(const std::vector<FileInfo>& plugins,
-                                                    const Kernel& kernel) {
+std::optional<std::vector<DigestRecord>> digests_of(const std::vector<FileInfo>& plugins, const Kernel& kernel) {
   std::vector<DigestRecord> digests;
   for (const FileInfo& file : plugins) {
     if (file.kernel == kernel.id && !file.sha256.empty()) digests.push_back({file.kind, file.sha256});

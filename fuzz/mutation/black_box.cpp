@@ -24,7 +24,7 @@ constexpr int depths_each = 4;
 }  // namespace
 
 Record record_of_kernels(const MutationPlan& plan, Precision precision, std::uint64_t trials,
-                       std::vector<const Kernel*> kernels) {
+                         std::vector<const Kernel*> kernels) {
   Plan campaign;
   campaign.questions.seed = plan.seed;
   campaign.answerers.kernels = std::move(kernels);

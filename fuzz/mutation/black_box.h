@@ -77,7 +77,7 @@ struct BlackBoxScore {
 // The record that `run` makes of these kernels, of one test, on the first `trials` queries of each of the plan's
 // families. Throws OracleDisagreement.
 Record record_of_kernels(const MutationPlan& plan, Precision precision, std::uint64_t trials,
-                       std::vector<const Kernel*> kernels);
+                         std::vector<const Kernel*> kernels);
 
 // Runs each mutant in rounds of more and more queries, until the gate refuses it or it has passed on all of the plan's.
 // The mutants may be of both kinds (mutants_of, value_mutants_of). `interrupted` is polled between groups of mutants;

@@ -198,7 +198,8 @@ void KernelScreen<Real>::measure_margins(std::size_t i, AskedSphereTriangle<Real
   if (!said.bits || !is_within(kernel_.limits, asked.query())) return;
   const ExactSides* sides = asked.sides(formulae_);
   if (sides == nullptr) return;
-  count_margins<Real>(tally_.comparisons, *sides, sides->holding(nonstrict_comparisons(kernel_.strictness)), *said.bits);
+  count_margins<Real>(tally_.comparisons, *sides, sides->holding(nonstrict_comparisons(kernel_.strictness)),
+                      *said.bits);
 }
 
 template <class Real>

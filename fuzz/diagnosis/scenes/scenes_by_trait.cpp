@@ -249,8 +249,7 @@ TurningScenes<Real> turning_by_trait(Subject<Real>& subject, std::size_t count) 
     };
     const Numbers<Real> low = at(1 - turning_range), high = at(1 + turning_range);
     if (oracles.truth(low).verdict != Verdict::separated || oracles.truth(high).verdict != Verdict::contact) continue;
-    if (is_promised(kernel, low) && is_promised(kernel, high))
-      scenes.queries.push_back(at(1));
+    if (is_promised(kernel, low) && is_promised(kernel, high)) scenes.queries.push_back(at(1));
   }
   return scenes;
 }
