@@ -213,10 +213,9 @@ std::string errors_text(const TestDescription& test, const std::optional<SideErr
 Json errors_json(const TestDescription& test, const std::optional<SideErrors>& errors) {
   if (!errors) return nullptr;
   Json all = Json::object();
-  const auto amount = [](const std::optional<Decimal6>& error) { return json_of(error); };
   for (std::size_t k = 0; k < test.comparisons.size(); ++k) {
-    all[std::string(test.comparisons[k].name)] = {{"absolute_u", amount(errors->absolute[k])},
-                                                  {"relative_u", amount(errors->relative[k])}};
+    all[std::string(test.comparisons[k].name)] = {{"absolute_u", json_of(errors->absolute[k])},
+                                                  {"relative_u", json_of(errors->relative[k])}};
   }
   return all;
 }
