@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint64_t foretold_queries = 16;
 // The detail that is the nearest features, as a motion's first are named.
 constexpr std::string_view features_name = "features";
-// Of usual length: a depth, and the text of a number.
+// A depth and the text of a number, both of usual length.
 constexpr double stand_in_depth = 0.12345678901234567;
 constexpr std::string_view stand_in_text = "0x1.234567p-12";
 
@@ -81,7 +81,7 @@ std::string QueryRows::line(const QueryRow& row) const {
 
 std::string QueryRows::head() const { return is_csv_ ? csv_head(columns_) : ""; }
 
-// What a row says of a query whatever is asked.
+// The columns that every row of a query has, whatever is asked.
 template <class Real>
 QueryRow QueryRows::row_of(std::uint64_t position, const Numbers<Real>& numbers) const {
   QueryRow row;

@@ -32,7 +32,7 @@ class QueryRows {
   std::string head() const;
   // The rows of the next queries, at most `most` of them; empty: there are none. Throws OracleDisagreement.
   std::string next(std::uint64_t most);
-  // Of the rows so far, by kernel.
+  // Counts of the rows so far, by kernel.
   const std::vector<StandingCounts>& standings() const { return standings_; }
 
  private:

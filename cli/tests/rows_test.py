@@ -169,7 +169,7 @@ class Rows(Case):
                 self.assertEqual([error.message[:200] for error in validator.iter_errors(row)], [])
 
     def test_wrong_rows_are_those_that_a_run_counts(self):
-        # Of the same first queries of the first unit.
+        # Counts of the same first queries of the first unit.
         for name, kernel, precision in (("tangent", "published", "binary32"), ("orders", "certified", "binary64"),
                                         ("moving-sphere/approach", "moving-sphere/gated", "binary32"),
                                         ("box-box/resting", "box-box/textbook", "binary32"),

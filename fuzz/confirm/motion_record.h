@@ -1,4 +1,4 @@
-// What a witness says of the first contact.
+// The first contact, as a witness has it.
 #pragma once
 
 #include <optional>

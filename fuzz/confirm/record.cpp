@@ -22,7 +22,7 @@ bool gives(const Kernel& kernel, std::string_view measure) {
   return found - all.begin() < static_cast<std::ptrdiff_t>(kernel.measure_count);
 }
 
-// What the kernel does not show, or nobody asked for, was not measured: empty, and no count of zero.
+// A figure that the kernel does not show, or nobody asked for, was not measured: empty, and no count of zero.
 Tally measured(Tally tally, const Kernel& kernel, const Tolerances& tolerances) {
   const TestDescription& test = *kernel.test;
   const std::uint64_t promised = tally.trials - tally.truth.invalid - tally.verdict.outside_limits->trials;

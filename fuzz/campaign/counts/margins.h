@@ -48,7 +48,7 @@ struct JsonForm<MarginCounts> {
   static Json schema();
 };
 
-// Of one comparison, according to its computed sign.
+// The counts of one comparison, according to its computed sign.
 struct MarginTally {
   MarginCounts right, wrong;
 

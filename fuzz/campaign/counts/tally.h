@@ -187,7 +187,7 @@ struct JsonForm<FirstQuery> {
   static Json schema() { return {{"type", {"integer", "null"}}, {"minimum", 1}}; }
 };
 
-// What may be empty is so where the kernel declares no limits, the test has no depth, or engines ask no such queries.
+// A member may be empty where the kernel declares no limits, the test has no depth, or engines ask no such queries.
 struct VerdictTally {
   std::uint64_t false_separation = 0, false_contact = 0, undecided = 0;
   std::uint64_t undecided_contact = 0, undecided_touching = 0;  // of undecided; touching is part of contact
