@@ -13,6 +13,7 @@
 #include "reports/comparison/comparison_data.h"
 #include "reports/gates/requirement.h"
 #include "reports/instrument/diagnosis_report.h"
+#include "reports/instrument/lists.h"
 #include "reports/instrument/map.h"
 #include "reports/instrument/mutation/mutation_data.h"
 #include "reports/instrument/precision/condition_data.h"
@@ -47,6 +48,7 @@ std::span<const SchemaEntry> schemas() {
       SchemaEntry{"condition", schema_of<ConditionData>},
       SchemaEntry{"critical-radius", schema_of<CriticalRadiusData>},
       SchemaEntry{"diagnosis", [] { return file_schema<DiagnosisData>(diagnosis_data_schema()); }},
+      SchemaEntry{"families", schema_of<FamiliesData>},
       SchemaEntry{"ladder", schema_of<LadderData>},
       SchemaEntry{"league", schema_of<LeagueData>},
       SchemaEntry{"maps", schema_of<MapsData>},
