@@ -3,9 +3,11 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fuzz/fields/json_form.h"
 #include "kernel/base/version.h"
+#include "kernel/finding.h"
 
 namespace axiscert {
 
@@ -41,5 +43,21 @@ struct CommandData : DataHead<File> {
                  field(&CommandData::command, {"command", "The command that makes the same file again."}));
   }
 };
+
+// A fault of a kernel as lists and lines have it.
+struct FindingRow {
+  FindingKind kind = FindingKind::load;
+  std::string detail;
+
+  static constexpr auto fields(auto&& visit) {
+    return visit(field(&FindingRow::kind, {"kind", "The kind of fault."}),
+                 field(&FindingRow::detail, {"detail", "What happened."}));
+  }
+};
+inline std::vector<FindingRow> finding_rows(const std::vector<Finding>& findings) {
+  std::vector<FindingRow> rows;
+  for (const Finding& finding : findings) rows.push_back({finding.kind, finding.detail});
+  return rows;
+}
 
 }  // namespace axiscert

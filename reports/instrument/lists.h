@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kernel/test.h"
 #include "reports/instrument/data.h"
 
 namespace axiscert {
@@ -38,6 +39,103 @@ struct FamiliesData : DataHead<FamiliesData> {
   static constexpr auto fields(auto&& visit) {
     using Of = FamiliesData;
     return visit(base<Of, DataHead<Of>>(), field(&Of::families, {"families", "Every family of the test."}));
+  }
+};
+
+struct ListedColumn {
+  Name name;
+  Role role = Role::coordinate;
+  std::string group;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = ListedColumn;
+    return visit(field(&Of::name, {"name", "Its name."}), field(&Of::role, {"role", "What kind of number it is."}),
+                 field(&Of::group, {"group", "Its place in a line of JSON."}));
+  }
+};
+struct ListedEntry {
+  Name name, validity;
+  std::vector<ListedColumn> columns;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = ListedEntry;
+    return visit(field(&Of::name, {"name", "Its name."}),
+                 field(&Of::validity, {"validity", "What makes a query valid."}),
+                 field(&Of::columns, {"columns", "Its numbers, in order."}));
+  }
+};
+struct ListedComparison {
+  Name name, clause;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = ListedComparison;
+    return visit(field(&Of::name, {"name", "Its name."}),
+                 field(&Of::clause, {"clause", "The clause that it belongs to."}));
+  }
+};
+struct ListedClause {
+  Name name;
+  std::vector<Name> comparisons;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = ListedClause;
+    return visit(field(&Of::name, {"name", "Its name."}),
+                 field(&Of::comparisons, {"comparisons", "It holds where all of these do."}));
+  }
+};
+struct ListedMeasure {
+  Name name, unit, error;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = ListedMeasure;
+    return visit(field(&Of::name, {"name", "Its name."}), field(&Of::unit, {"unit", "Its unit."}),
+                 field(&Of::error, {"error", "How its error is stated."}));
+  }
+};
+struct ListedWrongAnswer {
+  Name name;
+  Verdict said = Verdict::contact, right = Verdict::contact;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = ListedWrongAnswer;
+    return visit(field(&Of::name, {"name", "Its name."}), field(&Of::said, {"said", "The verdict that was said."}),
+                 field(&Of::right, {"right", "The verdict that is right."}));
+  }
+};
+
+struct ListedTest {
+  Name id, asks, rule, touching;
+  std::vector<ListedEntry> entries;
+  std::vector<ListedComparison> comparisons;
+  std::vector<ListedClause> clauses;
+  std::vector<ListedMeasure> measures;
+  std::vector<Name> kernels, families;
+  std::vector<ListedWrongAnswer> wrong_answers;
+
+  static constexpr std::string_view about = "One question and its answers.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = ListedTest;
+    return visit(field(&Of::id, {"id", "What --test takes."}), field(&Of::asks, {"asks", "The question."}),
+                 field(&Of::rule, {"rule", "How the comparisons make the verdict."}),
+                 field(&Of::touching, {"touching", "The verdict where the two touch without overlapping."}),
+                 field(&Of::entries, {"entries", "The forms in which a query is given."}),
+                 field(&Of::comparisons, {"comparisons", "The comparisons, in the order of their bits."}),
+                 field(&Of::clauses, {"clauses", "The clauses; in a test by separating axes, the axes."}),
+                 field(&Of::measures, {"measures", "What a kernel may give beside a verdict."}),
+                 field(&Of::kernels, {"kernels", "The ids of its built-in kernels."}),
+                 field(&Of::families, {"families", "The names of its families."}),
+                 field(&Of::wrong_answers, {"wrong_answers", "The kinds of wrong verdict."}));
+  }
+};
+
+struct TestsData : DataHead<TestsData> {
+  std::vector<ListedTest> tests;
+
+  static constexpr std::string_view format = "axiscert-tests/1", title = "The tests",
+                                    about = "`axiscert tests --format json`. It depends on the version alone.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = TestsData;
+    return visit(base<Of, DataHead<Of>>(), field(&Of::tests, {"tests", "Every test."}));
   }
 };
 
