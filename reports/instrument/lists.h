@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "fuzz/record/kernel_record.h"
+#include "kernel/kernel.h"
 #include "kernel/test.h"
 #include "reports/instrument/data.h"
 
@@ -136,6 +139,74 @@ struct TestsData : DataHead<TestsData> {
   static constexpr auto fields(auto&& visit) {
     using Of = TestsData;
     return visit(base<Of, DataHead<Of>>(), field(&Of::tests, {"tests", "Every test."}));
+  }
+};
+
+struct ListedArithmetic {
+  Name id, arithmetic;
+  std::string summary;
+  std::vector<Precision> precisions;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = ListedArithmetic;
+    return visit(field(&Of::id, {"id", "What --kernel takes."}),
+                 field(&Of::arithmetic, {"arithmetic", "The name after the +."}),
+                 field(&Of::summary, {"summary", "What it does."}),
+                 field(&Of::precisions, {"precisions", "The precisions in which it exists."}));
+  }
+};
+
+struct ListedKernel {
+  Name id;
+  std::string summary;
+  Name test, entry;
+  std::string formulae;
+  std::vector<Precision> precisions;
+  std::vector<Name> targets;
+  std::vector<Exposure> exposes;
+  bool may_decline = false;
+  std::optional<Name> source;
+  std::vector<FindingRow> findings;
+  std::vector<ListedArithmetic> arithmetics;
+  std::optional<std::vector<Name>> measures;
+  std::optional<PolicyRecord> motion;
+
+  static constexpr std::string_view about = "One kernel.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = ListedKernel;
+    return visit(
+        field(&Of::id, {"id", "What --kernel takes."}),
+        field(&Of::summary, {"summary", "What it computes, in a line."}),
+        field(&Of::test, {"test", "The test whose question it answers."}),
+        field(&Of::entry, {"entry", "The form in which it takes the numbers."}),
+        field(&Of::formulae, {"formulae", "The formulae that it claims; none where its verdict alone is judged."}),
+        field(&Of::precisions, {"precisions", "The precisions in which it exists."}),
+        field(&Of::targets, {"targets", "The instruction sets on which it runs here; none for a plug-in."}),
+        field(&Of::exposes, {"exposes", "What it shows, and so what is judged."}),
+        field(&Of::may_decline, {"may_decline", "Whether it declares that it may answer `undecided`."}),
+        field(&Of::source, {"source", "FILE:LINE of a plug-in that says where it is written; null otherwise."}),
+        field(&Of::findings, {"findings", "What was wrong with loading it."}),
+        field(&Of::arithmetics, {"arithmetics", "The same kernel in other arithmetics."}),
+        field(&Of::measures,
+              {.name = "measures", .about = "Of a test with measures, those that it gives.", .may_be_absent = true}),
+        field(&Of::motion,
+              {.name = "motion", .about = "Of a test of motions, what it does not promise.", .may_be_absent = true}));
+  }
+};
+
+struct KernelsData : DataHead<KernelsData> {
+  std::vector<ListedKernel> kernels;
+
+  static constexpr std::string_view format = "axiscert-kernels/1", title = "The kernels",
+                                    about =
+                                        "`axiscert kernels --format json`. It depends on the build, and on the "
+                                        "instruction sets of the machine.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = KernelsData;
+    return visit(base<Of, DataHead<Of>>(),
+                 field(&Of::kernels, {"kernels",
+                                      "Every built-in kernel of the test, then the plug-ins that come along; or those "
+                                      "of --kernel."}));
   }
 };
 

@@ -49,6 +49,7 @@ std::span<const SchemaEntry> schemas() {
       SchemaEntry{"critical-radius", schema_of<CriticalRadiusData>},
       SchemaEntry{"diagnosis", [] { return file_schema<DiagnosisData>(diagnosis_data_schema()); }},
       SchemaEntry{"families", schema_of<FamiliesData>},
+      SchemaEntry{"kernels", schema_of<KernelsData>},
       SchemaEntry{"ladder", schema_of<LadderData>},
       SchemaEntry{"league", schema_of<LeagueData>},
       SchemaEntry{"maps", schema_of<MapsData>},
