@@ -20,6 +20,7 @@
 #include "reports/instrument/precision/critical_radius_data.h"
 #include "reports/instrument/precision/ladder_data.h"
 #include "reports/instrument/precision/precision_data.h"
+#include "reports/instrument/query_lines.h"
 #include "reports/instrument/query_row.h"
 #include "reports/instrument/search_data.h"
 #include "reports/league/league_data.h"
@@ -44,6 +45,7 @@ Json schema_of() {
 std::span<const SchemaEntry> schemas() {
   static constexpr std::array all = {
       SchemaEntry{"certificate", schema_of<CertificateStatement>},
+      SchemaEntry{"check", schema_of<CheckLine>},
       SchemaEntry{"comparison", schema_of<ComparisonData>},
       SchemaEntry{"condition", schema_of<ConditionData>},
       SchemaEntry{"critical-radius", schema_of<CriticalRadiusData>},
