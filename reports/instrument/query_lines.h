@@ -1,11 +1,13 @@
-// A query in a line of JSON: what `axiscert check` says of one in a file.
+// A query in a line of JSON: what `axiscert check` says of one in a file, and what `axiscert shrink` makes of one.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "fuzz/files/query_object.h"
 #include "fuzz/record/witness_record.h"
 #include "reports/instrument/data.h"
 
@@ -104,6 +106,88 @@ struct CheckLine : DataHead<CheckLine> {
         field(&Of::errors, {.name = "errors",
                             .about = "With --errors: of each comparison's sides; null where the kernel shows none.",
                             .may_be_absent = true}));
+  }
+};
+
+// What a query and the smaller one both show.
+struct KeptLine {
+  Level level = Level::verdict;
+  Name name, kind;
+  std::vector<Link> links;
+  std::optional<Name> input_class;
+  std::optional<std::vector<Name>> classes;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = KeptLine;
+    return visit(field(&Of::level, {"level", "Where it is wrong."}),
+                 field(&Of::name, {"name", "verdict, an axis or a comparison."}),
+                 field(&Of::kind, {"kind", "The kind of wrong answer, `error` or `asymmetry`."}),
+                 field(&Of::links, {"links", "The broken links of the chain."}),
+                 field(&Of::input_class, {"class", "The class of the input; null with --any-class."}),
+                 field(&Of::classes, {"classes", "Every definition of a class that it meets; null with --any-class."}));
+  }
+};
+
+// The query that was given.
+struct GivenLine : StoredLine {
+  std::optional<StoredLine> image;
+
+  static constexpr auto fields(auto&& visit) {
+    return visit(base<GivenLine, StoredLine>(),
+                 field(&GivenLine::image, {.name = "image", .about = "Of a pair.", .may_be_absent = true}));
+  }
+};
+
+template <class T>
+struct BeforeAndAfter {
+  T before = {}, after = {};
+
+  static constexpr auto fields(auto&& visit) {
+    return visit(field(&BeforeAndAfter::before, {"before", "Of the query that was given."}),
+                 field(&BeforeAndAfter::after, {"after", "Of the smaller one."}));
+  }
+};
+
+struct ShrunkQuery : StoredLine {
+  Name kernel;
+  KeptLine kept;
+  GivenLine before;
+  BeforeAndAfter<std::string> severity;
+  BeforeAndAfter<std::uint64_t> bits, nonzero;
+  std::uint64_t steps = 0, evaluations = 0;
+  bool complete = false;
+  std::optional<std::vector<Verdict>> answers;
+  std::optional<StoredLine> image;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = ShrunkQuery;
+    return visit(
+        base<Of, StoredLine>(), field(&Of::kernel, {"kernel", "The kernel that is wrong on it."}),
+        field(&Of::kept, {"kept", "What both queries show."}),
+        field(&Of::before, {"before", "The query that was given, and of a pair its image."}),
+        field(&Of::severity, {"severity", "How severe it is, in words."}),
+        field(&Of::bits, {"bits", "How many bits the numbers have."}),
+        field(&Of::nonzero, {"nonzero", "How many numbers are not 0."}),
+        field(&Of::steps, {"steps", "Smaller queries on the way."}),
+        field(&Of::evaluations, {"evaluations", "Queries that were asked."}),
+        field(&Of::complete, {"complete", "Whether no further step makes it smaller; false: the limit ended it."}),
+        field(&Of::answers, {.name = "answers",
+                             .about = "Of a pair: the answers to the query and to its image.",
+                             .may_be_absent = true}),
+        field(&Of::image,
+              {.name = "image", .about = "Of a pair: the image that is answered otherwise.", .may_be_absent = true}));
+  }
+};
+
+struct ShrinkLine : DataHead<ShrinkLine> {
+  ShrunkQuery query;
+
+  static constexpr std::string_view format = "axiscert-shrink/1", title = "A query made smaller",
+                                    about =
+                                        "A line of `axiscert shrink --format jsonl`: a line of a query file "
+                                        "(docs/queries.md) with the smaller query, and what it was made from.";
+  static constexpr auto fields(auto&& visit) {
+    return visit(base<ShrinkLine, DataHead<ShrinkLine>>(), inlined(&ShrinkLine::query));
   }
 };
 

@@ -64,6 +64,7 @@ std::span<const SchemaEntry> schemas() {
       SchemaEntry{"row", schema_of<QueryRow>},
       SchemaEntry{"run", schema_of<RunFile>},
       SchemaEntry{"search", schema_of<SearchData>},
+      SchemaEntry{"shrink", schema_of<ShrinkLine>},
       SchemaEntry{"tests", schema_of<TestsData>},
   };
   return all;
