@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "fuzz/files/corpus.h"
 #include "fuzz/record/record.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
@@ -48,6 +49,7 @@ std::span<const SchemaEntry> schemas() {
       SchemaEntry{"check", schema_of<CheckLine>},
       SchemaEntry{"comparison", schema_of<ComparisonData>},
       SchemaEntry{"condition", schema_of<ConditionData>},
+      SchemaEntry{"corpus", schema_of<CorpusLine>},
       SchemaEntry{"critical-radius", schema_of<CriticalRadiusData>},
       SchemaEntry{"diagnosis", [] { return file_schema<DiagnosisData>(diagnosis_data_schema()); }},
       SchemaEntry{"families", schema_of<FamiliesData>},
