@@ -11,15 +11,8 @@
 
 namespace axiscert {
 
-// {"schema": SCHEMA, "axiscert": the version, "revision": its commit, MEMBERS...}, where SCHEMA is
-// axiscert-NAME/VERSION.
-inline Json headed(std::string_view schema, const Json& members) {
-  Json data = {{"schema", schema}, {"axiscert", axiscert_version}, {"revision", axiscert_revision}};
-  data.update(members);
-  return data;
-}
-
-// The same head of a struct: `File` says its `format`, and has this as its first base.
+// {"schema": axiscert-NAME/VERSION, "axiscert": the version, "revision": its commit}: the first base of the struct
+// `File`, which says its `format`.
 template <class File>
 struct DataHead {
   FormatName<File> schema;

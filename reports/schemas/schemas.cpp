@@ -21,6 +21,7 @@
 #include "reports/instrument/precision/critical_radius_data.h"
 #include "reports/instrument/precision/ladder_data.h"
 #include "reports/instrument/precision/precision_data.h"
+#include "reports/instrument/proofs_data.h"
 #include "reports/instrument/query_lines.h"
 #include "reports/instrument/query_row.h"
 #include "reports/instrument/search_data.h"
@@ -61,6 +62,7 @@ std::span<const SchemaEntry> schemas() {
       SchemaEntry{"mutation-by-verdict", schema_of<MutationByVerdictData>},
       SchemaEntry{"mutation-of-certified", schema_of<MutationOfCertifiedData>},
       SchemaEntry{"precision", schema_of<PrecisionData>},
+      SchemaEntry{"proofs", schema_of<ProofsData>},
       SchemaEntry{"ratchet", schema_of<RatchetOutcome>},
       SchemaEntry{"record", schema_of<Record>},
       SchemaEntry{"row", schema_of<QueryRow>},

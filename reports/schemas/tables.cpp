@@ -14,6 +14,7 @@
 #include "reports/instrument/precision/critical_radius_data.h"
 #include "reports/instrument/csv.h"
 #include "reports/instrument/lists.h"
+#include "reports/instrument/proofs_data.h"
 #include "reports/league/league_data.h"
 #include "reports/schemas/schemas.h"
 
@@ -194,6 +195,8 @@ DataTable mutation_by_verdict_rows(const Json& data) {
 
 DataTable families_rows(const Json& data) { return listed_rows(data["families"], with_columns_of<ListedFamily>({})); }
 
+DataTable proofs_rows(const Json& data) { return listed_rows(data["bounds"], with_columns_of<ProvedBoundData>({})); }
+
 DataTable tests_rows(const Json& data) { return listed_rows(data["tests"], with_columns_of<ListedTest>({})); }
 
 struct NamedTable {
@@ -212,6 +215,7 @@ constexpr std::array named_tables = {
     NamedTable{"mutation-by-verdict", mutation_by_verdict_rows},
     NamedTable{"families", families_rows},
     NamedTable{"tests", tests_rows},
+    NamedTable{"proofs", proofs_rows},
 };
 
 // Those whose rows are the elements of a member as they are.
@@ -223,7 +227,6 @@ constexpr std::array listed_tables = {
                 "id precision fault where what caught.family caught.queries caught.address caught.kind caught.depth "
                 "caught_by_formulae_alone.family caught_by_formulae_alone.queries equivalent"},
     ListedTable{"mutation-of-certified", "steps", "step precision mutants shown equivalent by_the_recording_alone"},
-    ListedTable{"proofs", "bounds", "comparison kernel precision domain bound_u attained_u ratio status file"},
     ListedTable{"kernels", "kernels", "id summary test entry formulae precisions targets exposes source"},
 };
 
