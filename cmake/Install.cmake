@@ -41,8 +41,6 @@ endforeach()
 install(DIRECTORY fuzz/corpus DESTINATION share/axiscert FILES_MATCHING PATTERN "*.jsonl")
 
 # Schemas of the data that commands print, for other programs.
-file(GLOB schemas CONFIGURE_DEPENDS reports/schemas/*.schema.json)
-install(FILES ${schemas} DESTINATION share/axiscert/schemas)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/schemas/ DESTINATION share/axiscert/schemas)
 
 install(FILES ${PROJECT_BINARY_DIR}/axiscert.1 DESTINATION share/man/man1 ${here})

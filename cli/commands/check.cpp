@@ -13,7 +13,6 @@
 #include "fuzz/queries/address.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/confirm/finding_record.h"
-#include "reports/instrument/data.h"
 
 namespace axiscert {
 namespace {
@@ -134,9 +133,9 @@ int check(const CheckOptions& options) {
       fmt::print("{}\n", check_text(stored.id, kernel, found));
       if (options.errors) fmt::print("{}\n", errors_text(*kernel.test, errors_of(stored, kernel, target)));
     } else {
-      Json json = check_json(stored.id, kernel, found);
-      if (options.errors) json["errors"] = errors_json(*kernel.test, errors_of(stored, kernel, target));
-      fmt::print("{}\n", headed("axiscert-check/1", json).dump());
+      CheckLine line = check_line(stored.id, kernel, found);
+      if (options.errors) line.errors.emplace(errors_line(*kernel.test, errors_of(stored, kernel, target)));
+      fmt::print("{}\n", json_of(line).dump());
     }
   }
   say_if_nothing(kernel, queries.size(), standings);

@@ -3,28 +3,24 @@
 #include "cli/commands.h"
 #include "cli/options/test_options.h"
 #include "fuzz/queries/family.h"
-#include "fuzz/confirm/record.h"
-#include "reports/instrument/data.h"
+#include "reports/instrument/lists.h"
 
 namespace axiscert {
 namespace {
 
 int list_families(const std::string& format, const TestDescription& test) {
-  Json all = Json::array();
+  FamiliesData data;
   for (const Family* family : families_of(test)) {
     if (format == "text") {
       fmt::print("{:<12} {}{}{}\n", family->name, family->purpose,
                  family->exact_arithmetic ? " [exact_arithmetic]" : "",
                  family->cost > 1 ? fmt::format(" [cost {}]", family->cost) : "");
     }
-    all.push_back({{"name", family->name},
-                   {"test", family->test().id},
-                   {"purpose", family->purpose},
-                   {"version", family->version},
-                   {"exact_arithmetic", family->exact_arithmetic},
-                   {"cost", family->cost}});
+    data.families.push_back({family->name, family->test().id, std::string(family->purpose),
+                             static_cast<std::uint64_t>(family->version), family->exact_arithmetic,
+                             static_cast<std::uint64_t>(family->cost)});
   }
-  if (format != "text") fmt::print("{}", data_text(headed("axiscert-families/1", {{"families", all}}), format));
+  if (format != "text") fmt::print("{}", data_text(json_of(data), format));
   return exit_done;
 }
 

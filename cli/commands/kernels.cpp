@@ -8,26 +8,33 @@
 #include "kernel/registry/called.h"
 #include "kernel/plugin/load.h"
 #include "kernel/test.h"
-#include "fuzz/confirm/motion_record.h"
 #include "fuzz/confirm/record.h"
-#include "reports/instrument/data.h"
+#include "reports/instrument/lists.h"
 
 namespace axiscert {
 namespace {
 
-std::vector<std::string_view> precisions_of(const ArithmeticInfo& arithmetic) {
-  std::vector<std::string_view> names;
-  if (arithmetic.in_binary32) names.push_back(name(Precision::binary32));
-  if (arithmetic.in_binary64) names.push_back(name(Precision::binary64));
-  return names;
+std::vector<Precision> precisions_of(const ArithmeticInfo& arithmetic) {
+  std::vector<Precision> all;
+  if (arithmetic.in_binary32) all.push_back(Precision::binary32);
+  if (arithmetic.in_binary64) all.push_back(Precision::binary64);
+  return all;
 }
 
-std::vector<std::string_view> precisions_of(const Kernel& kernel) {
-  std::vector<std::string_view> names;
+std::vector<Precision> precisions_of(const Kernel& kernel) {
+  std::vector<Precision> all;
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {
-    if (kernel.has(precision)) names.push_back(name(precision));
+    if (kernel.has(precision)) all.push_back(precision);
   }
-  return names;
+  return all;
+}
+
+// The names of enumerators.
+template <class Enum>
+std::vector<std::string_view> words_of(const std::vector<Enum>& all) {
+  std::vector<std::string_view> words;
+  for (const Enum one : all) words.push_back(name(one));
+  return words;
 }
 
 // The built-in kernels of a test.
@@ -50,8 +57,8 @@ std::vector<const Kernel*> shipped_kernels(const TestDescription& test) {
 }
 
 void print_kernel(const Kernel& kernel, const std::string& targets) {
-  fmt::print("{:<20} {}; {}; {}; exposes {}{}\n", kernel.id, kernel.summary, fmt::join(precisions_of(kernel), " "),
-             targets, fmt::join(json_of(exposures_of(kernel)).get<std::vector<std::string>>(), ", "),
+  fmt::print("{:<20} {}; {}; {}; exposes {}{}\n", kernel.id, kernel.summary,
+             fmt::join(words_of(precisions_of(kernel)), " "), targets, fmt::join(words_of(exposures_of(kernel)), ", "),
              kernel.may_decline ? "; may decline" : "");
 }
 
@@ -62,7 +69,8 @@ void print_arithmetics() {
   fmt::print(
       "\nKERNEL+ARITHMETIC, for each kernel from published to ladder-9, is its scalar form in another arithmetic:\n");
   for (const ArithmeticInfo& arithmetic : arithmetics()) {
-    fmt::print("{:<20} {}; {}\n", "+" + arithmetic.name, arithmetic.summary, fmt::join(precisions_of(arithmetic), " "));
+    fmt::print("{:<20} {}; {}\n", "+" + arithmetic.name, arithmetic.summary,
+               fmt::join(words_of(precisions_of(arithmetic)), " "));
   }
 }
 
@@ -121,35 +129,33 @@ void print_one(const Kernel& kernel) {
 }
 
 // A kernel that takes other arithmetics is listed with their ids.
-Json kernel_json(const Kernel& kernel) {
-  Json composed = Json::array(), findings = Json::array();
+ListedKernel listed_kernel(const Kernel& kernel) {
+  const std::vector<std::string> targets = targets_of(kernel);
+  ListedKernel listed{.id = kernel.id,
+                      .summary = kernel.summary,
+                      .test = kernel.test->id,
+                      .entry = kernel.test->entries[kernel.entry].name,
+                      .formulae = kernel.test->claims_arithmetic ? kernel.formulae : std::string(),
+                      .precisions = precisions_of(kernel),
+                      .targets = {targets.begin(), targets.end()},
+                      .exposes = exposures_of(kernel),
+                      .may_decline = kernel.may_decline,
+                      .source = {},
+                      .findings = finding_rows(kernel.findings),
+                      .arithmetics = {},
+                      .measures = {},
+                      .motion = {}};
+  if (!kernel.source.empty()) listed.source = Name(kernel.source);
   for (const ArithmeticInfo& arithmetic : arithmetics()) {
     if (!kernel.takes_arithmetic) break;
-    composed.push_back({{"id", kernel.id + "+" + arithmetic.name},
-                        {"arithmetic", arithmetic.name},
-                        {"summary", arithmetic.summary},
-                        {"precisions", precisions_of(arithmetic)}});
+    listed.arithmetics.push_back(
+        {kernel.id + "+" + arithmetic.name, arithmetic.name, arithmetic.summary, precisions_of(arithmetic)});
   }
-  for (const Finding& finding : kernel.findings) {
-    findings.push_back({{"kind", name(finding.kind)}, {"detail", finding.detail}});
-  }
-  Json json = {{"id", kernel.id},
-               {"summary", kernel.summary},
-               {"test", kernel.test->id},
-               {"entry", kernel.test->entries[kernel.entry].name},
-               {"formulae", kernel.test->claims_arithmetic ? kernel.formulae : std::string()},
-               {"precisions", precisions_of(kernel)},
-               {"targets", targets_of(kernel)},
-               {"exposes", json_of(exposures_of(kernel))},
-               {"may_decline", kernel.may_decline},
-               {"source", kernel.source.empty() ? Json() : Json(kernel.source)},
-               {"findings", findings},
-               {"arithmetics", composed}};
   if (!kernel.test->measures.empty()) {
-    json["measures"] = json_of(given_measures(kernel));
-    json["motion"] = json_of(policy_of(kernel.motion));
+    listed.measures = given_measures(kernel);
+    listed.motion = policy_of(kernel.motion);
   }
-  return json;
+  return listed;
 }
 
 int list_kernels(const std::string& format, const std::vector<std::string>& ids, const std::string& test_id) {
@@ -166,9 +172,9 @@ int list_kernels(const std::string& format, const std::vector<std::string>& ids,
     listed = built_in_kernels(test);
     for (const Kernel* kernel : shipped_kernels(test)) listed.push_back(kernel);
   }
-  Json all = Json::array();
-  for (const Kernel* kernel : listed) all.push_back(kernel_json(*kernel));
-  fmt::print("{}", data_text(headed("axiscert-kernels/1", {{"kernels", all}}), format));
+  KernelsData data;
+  for (const Kernel* kernel : listed) data.kernels.push_back(listed_kernel(*kernel));
+  fmt::print("{}", data_text(json_of(data), format));
   return exit_done;
 }
 

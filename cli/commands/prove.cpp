@@ -16,7 +16,7 @@
 #include "kernel/base/error.h"
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"
-#include "reports/instrument/data.h"
+#include "reports/instrument/proofs_data.h"
 
 namespace axiscert {
 namespace {
@@ -88,40 +88,29 @@ void check(std::vector<ScriptEntry>& entries, const std::optional<bool>& ranges,
   }
 }
 
-Json data_of(const std::vector<ScriptEntry>& entries, const std::optional<std::string>& gappa,
-             const std::optional<std::string>& coq) {
-  Json bounds = Json::array();
+ProofsData proofs_data(const std::vector<ScriptEntry>& entries, const std::optional<std::string>& gappa,
+                       const std::optional<std::string>& coq) {
+  ProofsData data;
+  data.checkers = {gappa.value_or("NOT CHECKED"), coq.value_or("NOT CHECKED")};
   for (const ScriptEntry& entry : entries) {
     const double u = bound(entry.setting, entry.which) / 16.0;
     const auto attained = attained_of(entry);
-    bounds.push_back({{"comparison", info(entry.which).name},
-                      {"kernel", kernel_of(entry.setting)},
-                      {"precision", name(entry.setting.precision)},
-                      {"domain", name(entry.setting.domain)},
-                      {"bound_u", u},
-                      {"attained_u", attained ? Json(*attained) : Json(nullptr)},
-                      {"ratio", attained ? Json(u / *attained) : Json(nullptr)},
-                      {"status", entry.status},
-                      {"file", "proofs/" + script_path(entry.setting, entry.which)}});
+    data.bounds.push_back({info(entry.which).name, kernel_of(entry.setting), entry.setting.precision,
+                           name(entry.setting.domain), u, attained,
+                           attained ? std::optional(u / *attained) : std::nullopt, entry.status,
+                           "proofs/" + script_path(entry.setting, entry.which)});
   }
-  return headed(
-      "axiscert-proofs/1",
-      {{"checkers",
-        {{"gappa", gappa ? Json(*gappa) : Json("NOT CHECKED")}, {"coq", coq ? Json(*coq) : Json("NOT CHECKED")}}},
-       {"bounds", bounds}});
+  return data;
 }
 
-void print_text(const Json& data) {
-  fmt::print("gappa: {}\ncoq: {}\n", data["checkers"]["gappa"].get<std::string>(),
-             data["checkers"]["coq"].get<std::string>());
-  for (const Json& b : data["bounds"]) {
-    const auto shown = [&](const char* key) {
-      return b[key].is_null() ? "-" : fmt::format("{:.4g}", b[key].get<double>());
-    };
-    fmt::print("{:14} {:8} {:8} {:16} bound {:9.2f} u  attained {:>6}  ratio {:>5}  {}\n",
-               b["kernel"].get<std::string>(), b["precision"].get<std::string>(), b["domain"].get<std::string>(),
-               b["comparison"].get<std::string>(), b["bound_u"].get<double>(), shown("attained_u"), shown("ratio"),
-               b["status"].get<std::string>());
+void print_text(const ProofsData& data) {
+  fmt::print("gappa: {}\ncoq: {}\n", data.checkers.gappa, data.checkers.coq);
+  const auto shown = [](const std::optional<double>& number) {
+    return number ? fmt::format("{:.4g}", *number) : std::string("-");
+  };
+  for (const ProvedBoundData& b : data.bounds) {
+    fmt::print("{:14} {:8} {:8} {:16} bound {:9.2f} u  attained {:>6}  ratio {:>5}  {}\n", b.kernel, name(b.precision),
+               b.domain, b.comparison, b.bound_u, shown(b.attained_u), shown(b.ratio), b.status);
   }
 }
 
@@ -137,13 +126,14 @@ int prove(const ProveOptions& options) {
     if (coq) ranges = coq_accepts_ranges(options.proofs, range_files().begin()->second);
     check(entries, ranges, progress.report());
   }
-  const Json data = data_of(entries, gappa, coq);
+  const ProofsData data = proofs_data(entries, gappa, coq);
+  const Json json = json_of(data);
   if (folder) {
-    folder->write_text("proofs.json", data.dump(2) + "\n");
+    folder->write_text("proofs.json", json.dump(2) + "\n");
     for (const auto& [path, script] : gappa_files()) folder->write_text("proofs/" + path, script);
   }
   if (options.format == "text") print_text(data);
-  else std::cout << data_text(data, options.format);
+  else std::cout << data_text(json, options.format);
   const bool refused =
       std::any_of(entries.begin(), entries.end(), [](const ScriptEntry& e) { return e.status == "refused"; });
   return refused ? exit_requirement_failed : exit_done;

@@ -15,7 +15,6 @@
 #include "kernel/base/error.h"
 #include "fuzz/confirm/finding_record.h"
 #include "fuzz/shrink/pair.h"
-#include "reports/instrument/data.h"
 
 namespace axiscert {
 namespace {
@@ -180,7 +179,7 @@ void shrink_as_pair(const Pair<Real>& pair, const StoredQuery& stored, const Shr
   const StoredQuery smaller = smaller_query(stored, found.query.query);
   const StoredQuery image = image_of(smaller, found.image);
   if (options.format == "text") print_pair(stored, smaller, image, pair.symptom, found, kernel);
-  else fmt::print("{}\n", headed("axiscert-shrink/1", shrunk_pair_json(stored, pair, found, kernel)).dump());
+  else fmt::print("{}\n", json_of(ShrinkLine{{}, shrunk_pair(stored, pair, found, kernel)}).dump());
 }
 
 template <class Real>
@@ -215,7 +214,7 @@ void shrink_one(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkO
   progress.clear();
   const StoredQuery smaller = smaller_query(stored, found.query);
   if (options.format == "text") print_text(stored, smaller, kept, found, kernel);
-  else fmt::print("{}\n", headed("axiscert-shrink/1", shrunk_json(stored, kept, found, kernel)).dump());
+  else fmt::print("{}\n", json_of(ShrinkLine{{}, shrunk_query(stored, kept, found, kernel)}).dump());
   std::fflush(stdout);
 }
 

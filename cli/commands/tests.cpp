@@ -3,26 +3,25 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.h"
-#include "fuzz/text/json.h"
 #include "fuzz/queries/family.h"
 #include "kernel/kernel.h"
 #include "kernel/test.h"
-#include "reports/instrument/data.h"
+#include "reports/instrument/lists.h"
 
 namespace axiscert {
 namespace {
 
-std::vector<std::string_view> kernels_of(const TestDescription& test) {
-  std::vector<std::string_view> ids;
+std::vector<Name> kernels_of(const TestDescription& test) {
+  std::vector<Name> ids;
   for (const Kernel& kernel : kernels()) {
     if (kernel.test == &test) ids.push_back(kernel.id);
   }
   return ids;
 }
 
-std::vector<std::string_view> family_names(const TestDescription& test) {
-  std::vector<std::string_view> names;
-  for (const Family* family : families_of(test)) names.push_back(family->name);
+std::vector<Name> family_names(const TestDescription& test) {
+  std::vector<Name> names;
+  for (const Family* family : families_of(test)) names.emplace_back(family->name);
   return names;
 }
 
@@ -67,41 +66,37 @@ void print_test(const TestDescription& test) {
   fmt::print("  {} kernels, {} families\n", kernels_of(test).size(), families_of(test).size());
 }
 
-Json entry_json(const TestEntry& entry) {
-  Json columns = Json::array();
-  for (const TestColumn& column : entry.columns) {
-    columns.push_back({{"name", column.name}, {"role", name(column.role)}, {"group", column.group}});
-  }
-  return {{"name", entry.name}, {"validity", entry.validity}, {"columns", columns}};
+ListedEntry listed_entry(const TestEntry& entry) {
+  ListedEntry listed{entry.name, entry.validity, {}};
+  for (const TestColumn& column : entry.columns)
+    listed.columns.push_back({column.name, column.role, std::string(column.group)});
+  return listed;
 }
 
-Json test_json(const TestDescription& test) {
-  Json entries = Json::array(), comparisons = Json::array(), clauses = Json::array(), measures = Json::array(),
-       wrong_answers = Json::array();
-  for (const TestEntry& entry : test.entries) entries.push_back(entry_json(entry));
-  for (const TestComparison& comparison : test.comparisons) {
-    comparisons.push_back({{"name", comparison.name}, {"clause", test.clauses[comparison.clause].name}});
-  }
+ListedTest listed_test(const TestDescription& test) {
+  ListedTest listed{.id = test.id,
+                    .asks = test.asks,
+                    .rule = test.rule.text,
+                    .touching = test.touching,
+                    .entries = {},
+                    .comparisons = {},
+                    .clauses = {},
+                    .measures = {},
+                    .kernels = kernels_of(test),
+                    .families = family_names(test),
+                    .wrong_answers = {}};
+  for (const TestEntry& entry : test.entries) listed.entries.push_back(listed_entry(entry));
+  for (const TestComparison& comparison : test.comparisons)
+    listed.comparisons.push_back({comparison.name, test.clauses[comparison.clause].name});
   for (const TestClause& clause : test.clauses) {
-    clauses.push_back({{"name", clause.name}, {"comparisons", comparisons_of(test, clause)}});
+    const auto comparisons = comparisons_of(test, clause);
+    listed.clauses.push_back({clause.name, {comparisons.begin(), comparisons.end()}});
   }
-  for (const TestMeasure& measure : test.measures) {
-    measures.push_back({{"name", measure.name}, {"unit", measure.unit}, {"error", measure.error}});
-  }
-  for (const WrongAnswer& wrong : test.wrong_answers) {
-    wrong_answers.push_back({{"name", wrong.name}, {"said", name(wrong.said)}, {"right", name(wrong.right)}});
-  }
-  return {{"id", test.id},
-          {"asks", test.asks},
-          {"rule", test.rule.text},
-          {"touching", test.touching},
-          {"entries", entries},
-          {"comparisons", comparisons},
-          {"clauses", clauses},
-          {"measures", measures},
-          {"kernels", kernels_of(test)},
-          {"families", family_names(test)},
-          {"wrong_answers", wrong_answers}};
+  for (const TestMeasure& measure : test.measures)
+    listed.measures.push_back({measure.name, measure.unit, measure.error});
+  for (const WrongAnswer& wrong : test.wrong_answers)
+    listed.wrong_answers.push_back({wrong.name, wrong.said, wrong.right});
+  return listed;
 }
 
 int list_tests(const std::string& format) {
@@ -109,9 +104,9 @@ int list_tests(const std::string& format) {
     for (const TestDescription* test : tests()) print_test(*test);
     return exit_done;
   }
-  Json all = Json::array();
-  for (const TestDescription* test : tests()) all.push_back(test_json(*test));
-  fmt::print("{}", data_text(headed("axiscert-tests/1", {{"tests", all}}), format));
+  TestsData data;
+  for (const TestDescription* test : tests()) data.tests.push_back(listed_test(*test));
+  fmt::print("{}", data_text(json_of(data), format));
   return exit_done;
 }
 

@@ -8,16 +8,15 @@
 #include "fuzz/confirm/motion_record.h"
 #include "fuzz/files/details.h"
 #include "fuzz/text/number_text.h"
-#include "reports/instrument/figures.h"
 
 namespace axiscert {
 namespace {
 
-Json bits_json(const TestDescription& test, const std::optional<ComparisonBits>& bits) {
-  return bits ? Json(bit_string(*bits, test.comparisons.size())) : Json(nullptr);
+std::optional<BitText> bits_line(const TestDescription& test, const std::optional<ComparisonBits>& bits) {
+  return bits ? std::optional(BitText(bit_string(*bits, test.comparisons.size()))) : std::nullopt;
 }
-Json axes_json(const TestDescription& test, const std::optional<ComparisonBits>& bits) {
-  return bits ? Json(bit_string(clauses_of(test, *bits), test.clauses.size())) : Json(nullptr);
+std::optional<BitText> axes_line(const TestDescription& test, const std::optional<ComparisonBits>& bits) {
+  return bits ? std::optional(BitText(bit_string(clauses_of(test, *bits), test.clauses.size()))) : std::nullopt;
 }
 
 // "time 0.25, features vertex_a edge_ab": those that the query has, numbers in decimal.
@@ -36,31 +35,23 @@ std::string details_text(const std::vector<Detail>& details) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-Json exact_json(const TestDescription& test, const Checked& found) {
-  Json json = {{"verdict", name(found.truth.verdict)}, {"touching", found.truth.touching}};
-  if (!found.why_invalid.empty()) json["reason"] = found.why_invalid;
-  if (oracles_of(test).has_squared_distance()) json["squared_distance"] = nullptr;
+ExactAnswersLine exact_line(const TestDescription& test, const Checked& found) {
+  ExactAnswersLine line{.verdict = found.truth.verdict,
+                        .touching = found.truth.touching,
+                        .reason = {},
+                        .squared_distance = {},
+                        .details = {},
+                        .comparisons = bits_line(test, found.exact),
+                        .axes = axes_line(test, found.exact),
+                        .ties = bits_line(test, found.ties)};
+  if (!found.why_invalid.empty()) line.reason = found.why_invalid;
+  if (oracles_of(test).has_squared_distance()) line.squared_distance.emplace();
   if (found.squared_distance) {
     const Rational& d = *found.squared_distance;
-    json["squared_distance"] = d.get_num().get_str() + "/" + d.get_den().get_str();
+    line.squared_distance = d.get_num().get_str() + "/" + d.get_den().get_str();
   }
-  for (const Detail& detail : found.details) json[std::string(detail.name)] = detail_json(detail);
-  json["comparisons"] = bits_json(test, found.exact);
-  json["axes"] = axes_json(test, found.exact);
-  json["ties"] = bits_json(test, found.ties);
-  return json;
-}
-
-Json computed_json(const TestDescription& test, const Answer& answer) {
-  return {{"verdict", name(answer.verdict)},
-          {"comparisons", bits_json(test, answer.bits)},
-          {"axes", axes_json(test, answer.bits)}};
-}
-
-Json findings_json(const std::vector<Finding>& findings) {
-  Json all = Json::array();
-  for (const Finding& finding : findings) all.push_back({{"kind", name(finding.kind)}, {"detail", finding.detail}});
-  return all;
+  for (const Detail& detail : found.details) line.details.put(detail.name) = detail_json(detail);
+  return line;
 }
 
 // "touching", with the kernel's own convention where that is not contact.
@@ -157,7 +148,7 @@ Checked checked_of(const TestDescription& test, const Examination& found, std::v
   Checked checked{found.truth,    found.squared_distance, {},          {},
                   found.answer,   found.judgement,        found.depth, found.is_promised,
                   found.findings, std::move(details)};
-  if (!test.measures.empty()) checked.measures = json_of(measures_of(test, found));
+  if (!test.measures.empty()) checked.measures = measures_of(test, found);
   checked.measures_text = measures_text(test, found);
   if (found.exact) {
     checked.exact = found.exact->holds;
@@ -184,19 +175,20 @@ std::string check_text(const std::string& id, const Kernel& kernel, const Checke
   return line;
 }
 
-Json check_json(const std::string& id, const Kernel& kernel, const Checked& found) {
+CheckLine check_line(const std::string& id, const Kernel& kernel, const Checked& found) {
   const TestDescription& test = *kernel.test;
-  Json json = {{"id", id},
-               {"kernel", kernel.id},
-               {"standing", standing_of(kernel, found)},
-               {"exact", exact_json(test, found)},
-               {"computed", computed_json(test, found.answer)},
-               {"within_limits", found.within_limits},
-               {"findings", findings_json(found.findings)},
-               {"flips", json_of(flips_of(test, found.judgement))}};
-  if (!test.measures.empty()) json["computed"]["measures"] = found.measures;
-  if (const std::string_view name = written_name(test); !name.empty()) json["test"] = name;
-  return json;
+  CheckLine line;
+  line.id = id;
+  line.kernel = kernel.id;
+  line.standing = standing_of(kernel, found);
+  line.exact = exact_line(test, found);
+  line.computed = {found.answer.verdict, bits_line(test, found.answer.bits), axes_line(test, found.answer.bits), {}};
+  if (!test.measures.empty()) line.computed.measures.emplace(found.measures);
+  line.within_limits = found.within_limits;
+  line.findings = finding_rows(found.findings);
+  line.flips = flips_of(test, found.judgement);
+  if (const std::string_view name = written_name(test); !name.empty()) line.test = name;
+  return line;
 }
 
 std::string errors_text(const TestDescription& test, const std::optional<SideErrors>& errors) {
@@ -210,13 +202,12 @@ std::string errors_text(const TestDescription& test, const std::optional<SideErr
   return text;
 }
 
-Json errors_json(const TestDescription& test, const std::optional<SideErrors>& errors) {
-  if (!errors) return nullptr;
-  Json all = Json::object();
-  for (std::size_t k = 0; k < test.comparisons.size(); ++k) {
-    all[std::string(test.comparisons[k].name)] = {{"absolute_u", json_of(errors->absolute[k])},
-                                                  {"relative_u", json_of(errors->relative[k])}};
-  }
+std::optional<Named<ComparisonErrorLine>> errors_line(const TestDescription& test,
+                                                      const std::optional<SideErrors>& errors) {
+  if (!errors) return std::nullopt;
+  Named<ComparisonErrorLine> all;
+  for (std::size_t k = 0; k < test.comparisons.size(); ++k)
+    all.put(test.comparisons[k].name) = {errors->absolute[k], errors->relative[k]};
   return all;
 }
 

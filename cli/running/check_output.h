@@ -6,6 +6,7 @@
 #include "exact/trait/examine.h"
 #include "fuzz/search/confirm.h"
 #include "fuzz/confirm/record.h"
+#include "reports/instrument/query_lines.h"
 
 namespace axiscert {
 
@@ -22,7 +23,7 @@ struct Checked {
   std::vector<Detail> details = {};  // of the truth; none if it is `invalid`
   std::string why_invalid = {};      // where the test says it
   // The measures that the kernel gave, where its test has any, and how they are wrong.
-  Json measures = {};
+  std::optional<MeasuresRecord> measures = {};
   std::string measures_text = {};
 };
 Checked checked_of(const TestDescription& test, const Examination& found, std::vector<Detail> details = {});
@@ -37,13 +38,12 @@ inline std::string_view standing_of(const Kernel& kernel, const Checked& found) 
 
 // One line, without its line end.
 std::string check_text(const std::string& id, const Kernel& kernel, const Checked& found);
-// An object with "id", "kernel", "standing", "exact" (the details of the test among its members), "computed",
-// "within_limits", "findings" and "flips"; with "test" where a query file names it.
-Json check_json(const std::string& id, const Kernel& kernel, const Checked& found);
+CheckLine check_line(const std::string& id, const Kernel& kernel, const Checked& found);
 
-// The errors of the computed sides: as text, one line for each comparison, to follow check_text's; as JSON, for
-// check_json, an object of "absolute_u" and "relative_u" by comparison, null where there is none.
+// The errors of the computed sides: as text, one line for each comparison, to follow check_text's; and for a CheckLine,
+// by comparison.
 std::string errors_text(const TestDescription& test, const std::optional<SideErrors>& errors);
-Json errors_json(const TestDescription& test, const std::optional<SideErrors>& errors);
+std::optional<Named<ComparisonErrorLine>> errors_line(const TestDescription& test,
+                                                      const std::optional<SideErrors>& errors);
 
 }  // namespace axiscert

@@ -3,35 +3,36 @@
 namespace axiscert {
 namespace {
 
-// Adds what is kept besides the symptom: the class of the input and the definitions of classes that it meets.
-void put_classes(Json& kept, const Keep& keep) {
-  kept["class"] = kept["classes"] = nullptr;
-  if (!keep.classes()) return;
-  kept["class"] = keep.classes()->front();
-  kept["classes"] = *keep.classes();
-}
-
-Json kept_json(const Symptom& s) {
-  return {{"level", level_names[s.level]},
-          {"name", name(s)},
-          {"kind", s.kind ? Json(flip_kind_names[*s.kind]) : Json("error")},
-          {"links", names(s.links)}};
+KeptLine kept_line(const Symptom& s) {
+  return {.level = s.level,
+          .name = name(s),
+          .kind = s.kind ? flip_kind_names[*s.kind] : "error",
+          .links = {s.links.begin(), s.links.end()},
+          .input_class = {},
+          .classes = {}};
 }
 
 template <class Real>
-Json line_of(const StoredQuery& stored, Json kept, const Shrunk<Real>& found, const Kernel& kernel) {
-  Json line = Json::parse(query_line(smaller_query(stored, found.query)));
-  put_classes(kept, found.kept);
-  line["kernel"] = kernel.id;
-  line["kept"] = std::move(kept);
-  line["before"] = Json::parse(query_line(stored));
-  line["severity"] = {{"before", found.before.text}, {"after", found.after.text}};
-  line["bits"] = {{"before", found.sizes.front().bits}, {"after", found.sizes.back().bits}};
-  line["nonzero"] = {{"before", found.sizes.front().nonzero}, {"after", found.sizes.back().nonzero}};
-  line["steps"] = found.sizes.size() - 1;
-  line["evaluations"] = found.evaluations;
-  line["complete"] = found.complete;
-  return line;
+ShrunkQuery line_of(const StoredQuery& stored, KeptLine kept, const Shrunk<Real>& found, const Kernel& kernel) {
+  // The class of the input, and the definitions of classes that it meets.
+  if (const auto& classes = found.kept.classes()) {
+    kept.input_class = classes->front();
+    kept.classes.emplace(classes->begin(), classes->end());
+  }
+  const QuerySize &before = found.sizes.front(), &after = found.sizes.back();
+  const auto count = [](int number) { return static_cast<std::uint64_t>(number); };
+  return {stored_line(smaller_query(stored, found.query)),
+          kernel.id,
+          std::move(kept),
+          {stored_line(stored), {}},
+          {found.before.text, found.after.text},
+          {count(before.bits), count(after.bits)},
+          {count(before.nonzero), count(after.nonzero)},
+          found.sizes.size() - 1,
+          found.evaluations,
+          found.complete,
+          {},
+          {}};
 }
 
 }  // namespace
@@ -45,30 +46,31 @@ StoredQuery image_of(const StoredQuery& stored, AnyNumbers image) {
 }
 
 template <class Real>
-Json shrunk_json(const StoredQuery& stored, const Symptom& kept, const Shrunk<Real>& found, const Kernel& kernel) {
-  return line_of(stored, kept_json(kept), found, kernel);
+ShrunkQuery shrunk_query(const StoredQuery& stored, const Symptom& kept, const Shrunk<Real>& found,
+                         const Kernel& kernel) {
+  return line_of(stored, kept_line(kept), found, kernel);
 }
-template Json shrunk_json(const StoredQuery&, const Symptom&, const Shrunk<float>&, const Kernel&);
-template Json shrunk_json(const StoredQuery&, const Symptom&, const Shrunk<double>&, const Kernel&);
+template ShrunkQuery shrunk_query(const StoredQuery&, const Symptom&, const Shrunk<float>&, const Kernel&);
+template ShrunkQuery shrunk_query(const StoredQuery&, const Symptom&, const Shrunk<double>&, const Kernel&);
 
 template <class Real>
-Json shrunk_pair_json(const StoredQuery& stored, const Pair<Real>& pair, const ShrunkPair<Real>& found,
-                      const Kernel& kernel) {
+ShrunkQuery shrunk_pair(const StoredQuery& stored, const Pair<Real>& pair, const ShrunkPair<Real>& found,
+                        const Kernel& kernel) {
   const PairSymptom& symptom = pair.symptom;
-  const Level level = symptom.which ? Level::comparison : Level::verdict;
-  Json line = line_of(stored,
-                      {{"level", level_names[level]},
-                       {"name", symptom.which ? symptom.test->comparisons[*symptom.which].name : "verdict"},
-                       {"kind", "asymmetry"},
-                       {"links", Json::array()}},
-                      found.query, kernel);
-  line["answers"] = {name(symptom.of_query), name(symptom.of_image)};
-  line["image"] = Json::parse(query_line(image_of(smaller_query(stored, found.query.query), found.image)));
-  line["before"]["image"] = Json::parse(query_line(image_of(stored, pair.image)));
+  const KeptLine kept{.level = symptom.which ? Level::comparison : Level::verdict,
+                      .name = symptom.which ? symptom.test->comparisons[*symptom.which].name : "verdict",
+                      .kind = "asymmetry",
+                      .links = {},
+                      .input_class = {},
+                      .classes = {}};
+  ShrunkQuery line = line_of(stored, kept, found.query, kernel);
+  line.answers = std::vector{symptom.of_query, symptom.of_image};
+  line.image = stored_line(image_of(smaller_query(stored, found.query.query), found.image));
+  line.before.image = stored_line(image_of(stored, pair.image));
   return line;
 }
-template Json shrunk_pair_json(const StoredQuery&, const Pair<float>&, const ShrunkPair<float>&, const Kernel&);
-template Json shrunk_pair_json(const StoredQuery&, const Pair<double>&, const ShrunkPair<double>&, const Kernel&);
+template ShrunkQuery shrunk_pair(const StoredQuery&, const Pair<float>&, const ShrunkPair<float>&, const Kernel&);
+template ShrunkQuery shrunk_pair(const StoredQuery&, const Pair<double>&, const ShrunkPair<double>&, const Kernel&);
 
 std::string shrunk_witnesses(const Record& record, const std::string& target, std::uint64_t evaluations,
                              const ShowProgress& report) {
@@ -85,7 +87,7 @@ std::string shrunk_witnesses(const Record& record, const std::string& target, st
           if (witness.flips.empty()) {  // half of a pair, or kept as an extreme
             if (const auto pair = asymmetric_pair(q, stored.address, kernel, target)) {
               const auto found = shrink_pair(*pair, kernel, target, evaluations);
-              text += shrunk_pair_json(stored, *pair, found, kernel).dump() + "\n";
+              text += json_of(shrunk_pair(stored, *pair, found, kernel)).dump() + "\n";
             }
             return;
           }
@@ -94,7 +96,7 @@ std::string shrunk_witnesses(const Record& record, const std::string& target, st
           // Somebody else's code may give another answer today.
           if (flips.empty() || !finder.severity(q, flips.front())) return;
           const auto found = shrink<Real>(q, flips.front(), kernel, target, evaluations);
-          text += shrunk_json(stored, flips.front(), found, kernel).dump() + "\n";
+          text += json_of(shrunk_query(stored, flips.front(), found, kernel)).dump() + "\n";
         },
         stored.numbers);
   }

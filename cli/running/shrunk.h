@@ -8,7 +8,7 @@
 #include "fuzz/record/record.h"
 #include "fuzz/shrink/pair.h"
 #include "fuzz/shrink/shrink.h"
-#include "fuzz/text/json.h"
+#include "reports/instrument/query_lines.h"
 
 namespace axiscert {
 
@@ -20,12 +20,13 @@ StoredQuery image_of(const StoredQuery& stored, AnyNumbers image);
 // The smaller query, named "shrunk-" and the name of the given one, together with the symptom that it keeps and the
 // given query.
 template <class Real>
-Json shrunk_json(const StoredQuery& stored, const Symptom& kept, const Shrunk<Real>& found, const Kernel& kernel);
+ShrunkQuery shrunk_query(const StoredQuery& stored, const Symptom& kept, const Shrunk<Real>& found,
+                         const Kernel& kernel);
 
 // The same for a pair: the line has the smaller query's image as its member `image`, and the given one's in `before`.
 template <class Real>
-Json shrunk_pair_json(const StoredQuery& stored, const Pair<Real>& pair, const ShrunkPair<Real>& found,
-                      const Kernel& kernel);
+ShrunkQuery shrunk_pair(const StoredQuery& stored, const Pair<Real>& pair, const ShrunkPair<Real>& found,
+                        const Kernel& kernel);
 
 // One line for every witness of a record on which its kernel is wrong: the first symptom that it shows (verdict before
 // axes before comparisons), made smaller with at most this many evaluations; and for every other witness of an

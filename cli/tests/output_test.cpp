@@ -34,11 +34,13 @@ TEST(CheckOutput, NoAnswerIsSaidWithTheFinding) {
   const Kernel kernel = supervised_kernel("mine", crash);
   EXPECT_EQ(line_of(kernel, apart),
             "q: exact separated, mine gave no answer (a fault: the query is valid); crash: signal 11");
-  const Json json = check_json("q", kernel, checked_of(*kernel.test, Examiner(kernel, scalar_target).examine(apart)));
-  EXPECT_EQ(json["computed"]["verdict"], "unanswered");
-  EXPECT_TRUE(json["computed"]["comparisons"].is_null());
-  EXPECT_EQ(json["findings"][0]["kind"], "crash");
-  EXPECT_TRUE(json["flips"].empty());
+  const CheckLine line =
+      check_line("q", kernel, checked_of(*kernel.test, Examiner(kernel, scalar_target).examine(apart)));
+  EXPECT_EQ(line.computed.verdict, Verdict::unanswered);
+  EXPECT_FALSE(line.computed.comparisons.has_value());
+  ASSERT_EQ(line.findings.size(), 1u);
+  EXPECT_EQ(line.findings[0].kind, FindingKind::crash);
+  EXPECT_TRUE(line.flips.empty());
 }
 
 // A kernel that crashed is started again for the next query.
@@ -72,8 +74,7 @@ TEST(CheckOutput, AQueryWithoutAVerdictSaysWhatThatMeans) {
     return black_box("mine", [said](const Query<double>&, auto, Verdict& verdict, auto&) { verdict = said; });
   };
   const auto standing = [](const Kernel& kernel) {
-    return check_json("q", kernel,
-                      checked_of(*kernel.test, Examiner(kernel, scalar_target).examine(apart)))["standing"];
+    return check_line("q", kernel, checked_of(*kernel.test, Examiner(kernel, scalar_target).examine(apart))).standing;
   };
   Kernel declining = saying(Verdict::undecided);
   EXPECT_EQ(line_of(declining, apart),

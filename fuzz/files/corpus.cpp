@@ -203,28 +203,26 @@ std::vector<CorpusEntry> read_corpus(const std::string& folder) {
 }
 
 std::string corpus_line(const CorpusEntry& entry) {
-  nlohmann::ordered_json provenance = {{"kind", entry.provenance.kind}, {"where", entry.provenance.where}};
-  if (!entry.provenance.about.empty()) provenance["about"] = entry.provenance.about;
-  nlohmann::ordered_json expected = {{"verdict", name(entry.expected.verdict)}, {"touching", entry.expected.touching}};
-  if (oracles_of(*entry.stored.test).has_squared_distance()) {
-    for (const char* member : {"squared_distance", "comparisons", "ties"}) expected[member] = nullptr;
+  CorpusLine line{stored_line(entry.stored), {entry.provenance.kind, entry.provenance.where, {}}, {}, {}};
+  if (!entry.provenance.about.empty()) line.provenance.subject = entry.provenance.about;
+  if (!entry.note.empty()) line.note = entry.note;
+  ExpectedLine& expected = line.expected;
+  expected.verdict = entry.expected.verdict;
+  expected.touching = entry.expected.touching;
+  const Oracles& oracles = oracles_of(*entry.stored.test, entry.stored.entry);
+  if (oracles.has_squared_distance()) {
+    for (auto* member : {&expected.squared_distance, &expected.comparisons, &expected.ties}) member->emplace();
   } else if (entry.expected.verdict != Verdict::invalid) {
-    const Oracles& oracles = oracles_of(*entry.stored.test, entry.stored.entry);
-    for (const Detail& detail : std::visit([&](const auto& q) { return oracles.details(q); }, entry.stored.numbers)) {
-      expected[std::string(detail.name)] = detail_json(detail);
-    }
+    for (const Detail& detail : std::visit([&](const auto& q) { return oracles.details(q); }, entry.stored.numbers))
+      expected.details.put(detail.name) = detail_json(detail);
   }
   if (const auto& d = entry.expected.squared_distance) {
-    expected["squared_distance"] = d->get_num().get_str() + "/" + d->get_den().get_str();
+    expected.squared_distance = d->get_num().get_str() + "/" + d->get_den().get_str();
     const std::size_t count = entry.stored.test->comparisons.size();
-    expected["comparisons"] = bit_string(*entry.expected.comparisons, count);
-    expected["ties"] = bit_string(*entry.expected.ties, count);
+    expected.comparisons = bit_string(*entry.expected.comparisons, count);
+    expected.ties = bit_string(*entry.expected.ties, count);
   }
-  std::string line = query_line(entry.stored);
-  line.pop_back();
-  line += ",\"provenance\":" + provenance.dump();
-  if (!entry.note.empty()) line += ",\"note\":" + json(entry.note).dump();
-  return line + ",\"expected\":" + expected.dump() + "}";
+  return json_of(line).dump();
 }
 
 const CorpusEntry* find_image(const std::vector<CorpusEntry>& entries, const StoredQuery& stored) {

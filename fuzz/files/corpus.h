@@ -13,6 +13,7 @@
 
 #include "exact/numbers/rational.h"
 #include "fuzz/files/query_file.h"
+#include "fuzz/files/query_object.h"
 #include "fuzz/queries/source.h"
 
 namespace axiscert {
@@ -47,7 +48,60 @@ struct CorpusEntry {
 // Every entry, file by file in the order of their names. Throws Error that names file, line and field: a folder that
 // cannot be read or has no entry, a name given twice, two entries that are equal up to a symmetry of the test.
 std::vector<CorpusEntry> read_corpus(const std::string& folder);
-// One line of a corpus file, without its line end.
+// One line of a corpus file, as a struct, and without its line end.
+struct ProvenanceLine {
+  Name kind;
+  std::string where;
+  std::optional<std::string> subject;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = ProvenanceLine;
+    return visit(field(&Of::kind, {"kind", "address, search, report or made."}),
+                 field(&Of::where, {"where", "The address, link or title."}),
+                 field(&Of::subject, {.name = "about", .about = "The subject of a report.", .may_be_absent = true}));
+  }
+};
+struct ExpectedLine {
+  Verdict verdict = Verdict::invalid;
+  bool touching = false;
+  std::optional<std::optional<std::string>> squared_distance, comparisons, ties;
+  Named<Json> details;  // of the test, by name
+
+  static constexpr std::string_view about = "The exact answers, with what else the test's oracles tell.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = ExpectedLine;
+    return visit(
+        field(&Of::verdict, {"verdict", "The answer."}),
+        field(&Of::touching, {"touching", "Whether the two touch and no more."}),
+        field(&Of::squared_distance,
+              {.name = "squared_distance",
+               .about = "A fraction; this and the next two of a test that compares a distance, null where invalid.",
+               .may_be_absent = true}),
+        field(&Of::comparisons, {.name = "comparisons",
+                                 .about = "Comparison bits, a digit each in the order of `axiscert tests`.",
+                                 .may_be_absent = true}),
+        field(&Of::ties, {.name = "ties", .about = "Which of the comparisons are ties.", .may_be_absent = true}),
+        rest(&Of::details));
+  }
+};
+struct CorpusLine : StoredLine {
+  ProvenanceLine provenance;
+  std::optional<std::string> note;
+  ExpectedLine expected;
+
+  static constexpr std::string_view title = "A query that is kept",
+                                    about =
+                                        "A line of `axiscert corpus list --format jsonl` and of the files of a corpus: "
+                                        "a line of a query file (docs/queries.md) with its exact answers "
+                                        "(docs/corpus.md). The files are written by hand too, so no line names the "
+                                        "format.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = CorpusLine;
+    return visit(base<Of, StoredLine>(), field(&Of::provenance, {"provenance", "Where it came from."}),
+                 field(&Of::note, {.name = "note", .about = "What it shows.", .may_be_absent = true}),
+                 field(&Of::expected, {"expected", ExpectedLine::about}));
+  }
+};
 std::string corpus_line(const CorpusEntry& entry);
 // The entry that a query is a symmetric image of, if any.
 const CorpusEntry* find_image(const std::vector<CorpusEntry>& entries, const StoredQuery& stored);

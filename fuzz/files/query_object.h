@@ -1,10 +1,13 @@
-// A line of a query file where JSON has the query as an object.
+// A line of a query file where JSON has the query as an object, or as a part of one.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "fuzz/fields/json_form.h"
+#include "fuzz/files/query_file.h"
 
 namespace axiscert {
 
@@ -21,5 +24,28 @@ struct JsonForm<QueryLine> {
   }
   static Json schema() { return {{"description", "A line of a query file."}, {"type", "object"}}; }
 };
+
+// The same as a struct, on which lines with more members are based.
+struct StoredLine {
+  std::string id;
+  Precision precision = Precision::binary32;
+  std::optional<Name> test, entry;
+  Named<Json> numbers;  // by group of columns; those whose names have dots are nested
+
+  static constexpr std::string_view about =
+      "A line of a query file (docs/queries.md). The numbers have the names of the groups of columns of its test.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = StoredLine;
+    return visit(
+        field(&Of::id, {"id", "Its name."}), field(&Of::precision, {"precision", "Of its numbers."}),
+        field(&Of::test, {.name = "test", .about = "Its test; absent for the implied one.", .may_be_absent = true}),
+        field(&Of::entry,
+              {.name = "entry", .about = "The form of its numbers; absent for the first.", .may_be_absent = true}),
+        rest(&Of::numbers));
+  }
+};
+inline StoredLine stored_line(const StoredQuery& stored) {
+  return read_as<StoredLine>(Json::parse(query_line(stored)));
+}
 
 }  // namespace axiscert

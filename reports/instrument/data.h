@@ -3,21 +3,16 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fuzz/fields/json_form.h"
 #include "kernel/base/version.h"
+#include "kernel/finding.h"
 
 namespace axiscert {
 
-// {"schema": SCHEMA, "axiscert": the version, "revision": its commit, MEMBERS...}, where SCHEMA is
-// axiscert-NAME/VERSION.
-inline Json headed(std::string_view schema, const Json& members) {
-  Json data = {{"schema", schema}, {"axiscert", axiscert_version}, {"revision", axiscert_revision}};
-  data.update(members);
-  return data;
-}
-
-// The same head of a struct: `File` says its `format`, and has this as its first base.
+// {"schema": axiscert-NAME/VERSION, "axiscert": the version, "revision": its commit}: the first base of the struct
+// `File`, which says its `format`.
 template <class File>
 struct DataHead {
   FormatName<File> schema;
@@ -41,5 +36,21 @@ struct CommandData : DataHead<File> {
                  field(&CommandData::command, {"command", "The command that makes the same file again."}));
   }
 };
+
+// A fault of a kernel as lists and lines have it.
+struct FindingRow {
+  FindingKind kind = FindingKind::load;
+  std::string detail;
+
+  static constexpr auto fields(auto&& visit) {
+    return visit(field(&FindingRow::kind, {"kind", "The kind of fault."}),
+                 field(&FindingRow::detail, {"detail", "What happened."}));
+  }
+};
+inline std::vector<FindingRow> finding_rows(const std::vector<Finding>& findings) {
+  std::vector<FindingRow> rows;
+  for (const Finding& finding : findings) rows.push_back({finding.kind, finding.detail});
+  return rows;
+}
 
 }  // namespace axiscert

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "fuzz/files/corpus.h"
 #include "fuzz/record/record.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
@@ -13,12 +14,15 @@
 #include "reports/comparison/comparison_data.h"
 #include "reports/gates/requirement.h"
 #include "reports/instrument/diagnosis_report.h"
+#include "reports/instrument/lists.h"
 #include "reports/instrument/map.h"
 #include "reports/instrument/mutation/mutation_data.h"
 #include "reports/instrument/precision/condition_data.h"
 #include "reports/instrument/precision/critical_radius_data.h"
 #include "reports/instrument/precision/ladder_data.h"
 #include "reports/instrument/precision/precision_data.h"
+#include "reports/instrument/proofs_data.h"
+#include "reports/instrument/query_lines.h"
 #include "reports/instrument/query_row.h"
 #include "reports/instrument/search_data.h"
 #include "reports/league/league_data.h"
@@ -43,10 +47,14 @@ Json schema_of() {
 std::span<const SchemaEntry> schemas() {
   static constexpr std::array all = {
       SchemaEntry{"certificate", schema_of<CertificateStatement>},
+      SchemaEntry{"check", schema_of<CheckLine>},
       SchemaEntry{"comparison", schema_of<ComparisonData>},
       SchemaEntry{"condition", schema_of<ConditionData>},
+      SchemaEntry{"corpus", schema_of<CorpusLine>},
       SchemaEntry{"critical-radius", schema_of<CriticalRadiusData>},
       SchemaEntry{"diagnosis", [] { return file_schema<DiagnosisData>(diagnosis_data_schema()); }},
+      SchemaEntry{"families", schema_of<FamiliesData>},
+      SchemaEntry{"kernels", schema_of<KernelsData>},
       SchemaEntry{"ladder", schema_of<LadderData>},
       SchemaEntry{"league", schema_of<LeagueData>},
       SchemaEntry{"maps", schema_of<MapsData>},
@@ -54,11 +62,14 @@ std::span<const SchemaEntry> schemas() {
       SchemaEntry{"mutation-by-verdict", schema_of<MutationByVerdictData>},
       SchemaEntry{"mutation-of-certified", schema_of<MutationOfCertifiedData>},
       SchemaEntry{"precision", schema_of<PrecisionData>},
+      SchemaEntry{"proofs", schema_of<ProofsData>},
       SchemaEntry{"ratchet", schema_of<RatchetOutcome>},
       SchemaEntry{"record", schema_of<Record>},
       SchemaEntry{"row", schema_of<QueryRow>},
       SchemaEntry{"run", schema_of<RunFile>},
       SchemaEntry{"search", schema_of<SearchData>},
+      SchemaEntry{"shrink", schema_of<ShrinkLine>},
+      SchemaEntry{"tests", schema_of<TestsData>},
   };
   return all;
 }

@@ -9,7 +9,7 @@
 
 namespace axiscert {
 
-// A format whose schema follows from the fields of what is written. The others are files here.
+// A format: its schema follows from the fields of what is written.
 struct SchemaEntry {
   std::string_view name;  // "ladder", of the schema axiscert-ladder/1
   Json (*schema)();

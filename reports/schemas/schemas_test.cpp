@@ -19,8 +19,11 @@ TEST(Schemas, EachIsOfTheFormatOfItsName) {
     // The format of a certificate is that of its predicate.
     const Json& members = schema.at("properties");
     const Json& file = members.contains("predicate") ? members.at("predicate").at("properties") : members;
-    EXPECT_THAT(file.at("schema").at("const").get<std::string>(),
-                StartsWith(fmt::format("axiscert-{}/", entry.name == "ratchet" ? "held" : entry.name)));
+    // A line of a corpus names none.
+    if (entry.name != "corpus") {
+      EXPECT_THAT(file.at("schema").at("const").get<std::string>(),
+                  StartsWith(fmt::format("axiscert-{}/", entry.name == "ratchet" ? "held" : entry.name)));
+    }
     EXPECT_FALSE(schema.at("title").get<std::string>().empty());
     EXPECT_FALSE(schema.at("description").get<std::string>().empty());
   }

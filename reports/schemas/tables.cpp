@@ -12,8 +12,10 @@
 #include "reports/instrument/mutation/mutation_data.h"
 #include "reports/instrument/precision/condition_data.h"
 #include "reports/instrument/precision/critical_radius_data.h"
-#include "reports/league/league_data.h"
 #include "reports/instrument/csv.h"
+#include "reports/instrument/lists.h"
+#include "reports/instrument/proofs_data.h"
+#include "reports/league/league_data.h"
 #include "reports/schemas/schemas.h"
 
 namespace axiscert {
@@ -191,6 +193,12 @@ DataTable mutation_by_verdict_rows(const Json& data) {
   return listed_rows(data["mutants"], with_columns_of<JudgedMutantData>({}));
 }
 
+DataTable families_rows(const Json& data) { return listed_rows(data["families"], with_columns_of<ListedFamily>({})); }
+
+DataTable proofs_rows(const Json& data) { return listed_rows(data["bounds"], with_columns_of<ProvedBoundData>({})); }
+
+DataTable tests_rows(const Json& data) { return listed_rows(data["tests"], with_columns_of<ListedTest>({})); }
+
 struct NamedTable {
   std::string_view name;  // axiscert-NAME/1 is the schema
   DataTable (*table)(const Json&);
@@ -205,6 +213,9 @@ constexpr std::array named_tables = {
     NamedTable{"diagnosis", diagnosis_rows},
     NamedTable{"maps", maps_rows},
     NamedTable{"mutation-by-verdict", mutation_by_verdict_rows},
+    NamedTable{"families", families_rows},
+    NamedTable{"tests", tests_rows},
+    NamedTable{"proofs", proofs_rows},
 };
 
 // Those whose rows are the elements of a member as they are.
@@ -216,10 +227,7 @@ constexpr std::array listed_tables = {
                 "id precision fault where what caught.family caught.queries caught.address caught.kind caught.depth "
                 "caught_by_formulae_alone.family caught_by_formulae_alone.queries equivalent"},
     ListedTable{"mutation-of-certified", "steps", "step precision mutants shown equivalent by_the_recording_alone"},
-    ListedTable{"proofs", "bounds", "comparison kernel precision domain bound_u attained_u ratio status file"},
     ListedTable{"kernels", "kernels", "id summary test entry formulae precisions targets exposes source"},
-    ListedTable{"families", "families", "name test purpose version exact_arithmetic cost"},
-    ListedTable{"tests", "tests", "id asks rule touching kernels families"},
 };
 
 }  // namespace
