@@ -28,7 +28,7 @@ std::string data_text(const Json& data, const std::string& format) {
   return format == "csv" ? csv_of(data) : data.dump(2) + "\n";
 }
 
-int tell(const std::exception_ptr& thrown) {
+int print_failure(const std::exception_ptr& thrown) {
   try {
     std::rethrow_exception(thrown);
   } catch (const HarnessFault& fault) {

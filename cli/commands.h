@@ -54,7 +54,7 @@ void add_completion(CLI::App& app, Action& action);
 void add_man(CLI::App& app, Action& action);
 
 // Prints on standard error what an action threw, and returns its ExitCode.
-int tell(const std::exception_ptr& thrown);
+int print_failure(const std::exception_ptr& thrown);
 
 // Creates the folder of `--out` where it does not exist yet. Throws Error.
 void make_folder(const std::string& path);

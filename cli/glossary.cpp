@@ -11,7 +11,7 @@ namespace axiscert {
 namespace {
 
 // Lower case, and a space for each '-' and '_'.
-std::string plain(std::string_view word) {
+std::string comparable_word(std::string_view word) {
   std::string out(word);
   std::transform(out.begin(), out.end(), out.begin(),
                  [](unsigned char c) { return c == '-' || c == '_' ? ' ' : static_cast<char>(std::tolower(c)); });
@@ -46,10 +46,11 @@ std::vector<GlossaryEntry> glossary_entries(std::string_view text) {
 }
 
 const GlossaryEntry* find_entry(const std::vector<GlossaryEntry>& entries, std::string_view word) {
-  const std::string given = plain(word), singular = given.ends_with('s') ? given.substr(0, given.size() - 1) : given;
+  const std::string given = comparable_word(word),
+                    singular = given.ends_with('s') ? given.substr(0, given.size() - 1) : given;
   for (const GlossaryEntry& entry : entries) {
     for (const std::string& known : entry.words) {
-      if (plain(known) == given || plain(known) == singular) return &entry;
+      if (comparable_word(known) == given || comparable_word(known) == singular) return &entry;
     }
   }
   return nullptr;

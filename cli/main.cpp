@@ -55,8 +55,8 @@ int main(int argc, char** argv) {
     require_values(app, words);
     return action();
   } catch (const CLI::ParseError& usage) {
-    return tell_usage(app, usage, words);
+    return print_usage(app, usage, words);
   } catch (...) {
-    return tell(std::current_exception());
+    return print_failure(std::current_exception());
   }
 }

@@ -67,7 +67,7 @@ void ProgressLine::show(const Progress& progress, const std::string& more) {
   taken_ = Clock::now();
 }
 
-void ProgressLine::stage(std::string_view name) {
+void ProgressLine::begin_stage(std::string_view name) {
   if (!pace_) return;
   const std::lock_guard lock(mutex_);
   last_.reset();

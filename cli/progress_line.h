@@ -43,7 +43,7 @@ class ProgressLine {
 
   void show(const Progress& progress, const std::string& more = "");
   // Names what is under way, where that cannot say how far it is.
-  void stage(std::string_view name);
+  void begin_stage(std::string_view name);
   // Takes the line from the terminal until the next, before something else is written there.
   void clear();
   // For computations that report.

@@ -81,7 +81,7 @@ std::string unexpected_word(const CLI::App& command, const std::string& given) {
                               : fmt::format("`{} --help` shows what is", full_name(command)));
 }
 
-std::string unexpected(const CLI::App& command, const std::vector<std::string>& remaining) {
+std::string unexpected_text(const CLI::App& command, const std::vector<std::string>& remaining) {
   const bool lacks_subcommand = command.get_require_subcommand_min() > 0;
   if (lacks_subcommand && !remaining.empty() && !remaining.front().starts_with('-'))
     return unknown_subcommand(command, remaining.front());
@@ -104,7 +104,7 @@ std::string missing_value(const CLI::App& command) {
 }
 
 // The option that takes one value and has more; empty where there is none.
-std::string repeated(const CLI::App& command) {
+std::string repeated_text(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_items_expected_max() != 1 || option->results().size() < 2) continue;
     return fmt::format("{}: {} is given {} times ({}); give it once", full_name(command), option->get_name(),
@@ -179,11 +179,11 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& refused, c
   const std::vector<std::string> remaining = command.remaining();
   if (const std::string text = missing_value(command); !text.empty()) return text;
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&refused) != nullptr) {
-    if (const std::string text = repeated(command); !text.empty()) return text;
+    if (const std::string text = repeated_text(command); !text.empty()) return text;
   }
   const bool is_required = dynamic_cast<const CLI::RequiredError*>(&refused) != nullptr;
   if (dynamic_cast<const CLI::ExtrasError*>(&refused) != nullptr || (is_required && !remaining.empty()))
-    return unexpected(command, remaining);
+    return unexpected_text(command, remaining);
   if (is_required && command.get_require_subcommand_min() > 0) return unknown_subcommand(command, "");
   if (dynamic_cast<const CLI::ValidationError*>(&refused) != nullptr)  // which says all, in the words of values.h
     return fmt::format("{}: {}", full_name(command), refused.what());
@@ -191,9 +191,9 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& refused, c
                      full_name(command));
 }
 
-int tell_usage(const CLI::App& app, const CLI::ParseError& refused, const std::vector<std::string>& words) {
+int print_usage(const CLI::App& app, const CLI::ParseError& refused, const std::vector<std::string>& words) {
   if (refused.get_exit_code() == 0) return app.exit(refused);
-  fmt::print(stderr, "{}\n", plain_line(usage_message(app, refused, words)));
+  fmt::print(stderr, "{}\n", printable_line(usage_message(app, refused, words)));
   return exit_bad_input;
 }
 

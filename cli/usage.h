@@ -13,7 +13,7 @@ namespace axiscert {
 std::string usage_message(const CLI::App& app, const CLI::ParseError& refused, const std::vector<std::string>& words);
 
 // Prints the message on standard error, or what --help and --version show on standard output. Returns an ExitCode.
-int tell_usage(const CLI::App& app, const CLI::ParseError& refused, const std::vector<std::string>& words);
+int print_usage(const CLI::App& app, const CLI::ParseError& refused, const std::vector<std::string>& words);
 
 // Throws CLI::ParseError where a value is empty, of spaces alone, or the name of another option: CLI11 takes `--kernel
 // --quiet` for a kernel, and `--key ''` would be no key.

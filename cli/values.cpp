@@ -33,9 +33,9 @@ std::string in_digits(const std::string& text) {
     const auto power = number_of(text.substr(2));
     return power && *power >= 0 && *power < 53 ? whole(std::exp2(*power)) : "";
   }
-  std::string plain = text;
-  std::erase_if(plain, [](char c) { return c == ',' || c == '_'; });
-  const auto value = number_of(plain);
+  std::string bare = text;
+  std::erase_if(bare, [](char c) { return c == ',' || c == '_'; });
+  const auto value = number_of(bare);
   return value ? whole(*value) : "";
 }
 

@@ -65,7 +65,7 @@ if(AXISCERT_TESTS)
 endif()
 
 # Libraries without a package file of their own for CMake: a header and a library.
-function(axiscert_find_plain package target header)
+function(axiscert_find_library_of package target header)
   find_path(${target}_INCLUDE ${header} PATH_SUFFIXES bullet libwildmagic)
   set(libraries "")
   foreach(library ${ARGN})
@@ -84,9 +84,9 @@ function(axiscert_find_plain package target header)
   target_link_libraries(${target} INTERFACE ${libraries})
 endfunction()
 
-axiscert_find_plain(libgmp-dev gmp gmpxx.h gmpxx gmp)
-axiscert_find_plain(libmpfr-dev mpfr mpfr.h mpfr)
-axiscert_find_plain(librandom123-dev random123 Random123/philox.h)
+axiscert_find_library_of(libgmp-dev gmp gmpxx.h gmpxx gmp)
+axiscert_find_library_of(libmpfr-dev mpfr mpfr.h mpfr)
+axiscert_find_library_of(librandom123-dev random123 Random123/philox.h)
 
 # Optional: without it a plan is done by one process at a time, or by the shards of a job array.
 set(AXISCERT_HAS_MPI OFF)

@@ -12,7 +12,7 @@
 //   variant  sixteen comparisons whose signs may differ from the published ones
 //   method   only a verdict, without comparisons
 #define AXISCERT_FORMULAE(X)                                 \
-  X(published, portable::Published, rung)                    \
+  X(published, portable::PublishedFormulae, rung)            \
   X(ladder_0, rungs::Ladder0, rung)                          \
   X(ladder_1, rungs::Ladder1, rung)                          \
   X(ladder_2, rungs::Ladder2, rung)                          \
@@ -23,7 +23,7 @@
   X(ladder_7, rungs::Ladder7, rung)                          \
   X(ladder_8, rungs::Ladder8, rung)                          \
   X(ladder_9, rungs::Ladder9, rung)                          \
-  X(reduced, portable::Reduced, rung)                        \
+  X(reduced, portable::ReducedFormulae, rung)                \
   X(reduced_along, portable::ReducedAlong, rung)             \
   X(reduced_determinant, portable::ReducedDeterminant, rung) \
   X(reduced_shared, portable::ReducedShared, rung)           \

@@ -100,7 +100,7 @@ inline constexpr EnumArray<Exposure, std::string_view> exposure_names = {"verdic
 constexpr std::string_view name(Exposure which) { return exposure_names[which]; }
 
 // What the theory proves of a built-in kernel's verdicts.
-enum class Proved : std::uint8_t { nothing, no_missed_contact, no_wrong_verdict };
+enum class ProvedProperty : std::uint8_t { nothing, no_missed_contact, no_wrong_verdict };
 
 struct Kernel {
   std::string id;
@@ -120,10 +120,10 @@ struct Kernel {
   bool has_simd = false;     // uses different instructions on different targets
   bool is_reference = true;  // claims the scalar reference's bits and sides, bit for bit; a kernel that does not is not
                              // compared with the reference
-  Proved proved = Proved::nothing;
+  ProvedProperty proved = ProvedProperty::nothing;
   std::string_view proof = {};    // where that holds, by what, and what is argued besides; for a certificate
   bool takes_arithmetic = false;  // may be the rung in RUNG+ARITHMETIC
-  Touching touching = Touching::contact;
+  TouchingPolicy touching = TouchingPolicy::contact;
   Limits limits = {};
   MotionPolicy motion = {};  // of a test of motions
   bool may_decline = false;  // `undecided` is an answer that it may give; else one more fault

@@ -31,31 +31,31 @@ using LanesOf = Lanes<hn::Vec<D>>;
 // The lanes in which something holds, and what is made of it: kernel/moving_sphere/choice.h has the same for one
 // number.
 template <class V>
-struct HeldLanes {
+struct ComparisonLanes {
   hn::Mask<hn::DFromV<V>> m;
 };
 template <class V>
-AXISCERT_INLINE HeldLanes<V> operator>(const Lanes<V>& a, const Lanes<V>& b) {
+AXISCERT_INLINE ComparisonLanes<V> operator>(const Lanes<V>& a, const Lanes<V>& b) {
   return {hn::Gt(a.v, b.v)};
 }
 template <class V>
-AXISCERT_INLINE HeldLanes<V> operator>=(const Lanes<V>& a, const Lanes<V>& b) {
+AXISCERT_INLINE ComparisonLanes<V> operator>=(const Lanes<V>& a, const Lanes<V>& b) {
   return {hn::Ge(a.v, b.v)};
 }
 template <class V>
-AXISCERT_INLINE HeldLanes<V> both(const HeldLanes<V>& a, const HeldLanes<V>& b) {
+AXISCERT_INLINE ComparisonLanes<V> both(const ComparisonLanes<V>& a, const ComparisonLanes<V>& b) {
   return {hn::And(a.m, b.m)};
 }
 template <class V>
-AXISCERT_INLINE HeldLanes<V> either(const HeldLanes<V>& a, const HeldLanes<V>& b) {
+AXISCERT_INLINE ComparisonLanes<V> either(const ComparisonLanes<V>& a, const ComparisonLanes<V>& b) {
   return {hn::Or(a.m, b.m)};
 }
 template <class V>
-AXISCERT_INLINE HeldLanes<V> opposite(const HeldLanes<V>& a) {
+AXISCERT_INLINE ComparisonLanes<V> opposite(const ComparisonLanes<V>& a) {
   return {hn::Not(a.m)};
 }
 template <class V>
-AXISCERT_INLINE Lanes<V> chosen(const HeldLanes<V>& where, const Lanes<V>& yes, const Lanes<V>& no) {
+AXISCERT_INLINE Lanes<V> chosen(const ComparisonLanes<V>& where, const Lanes<V>& yes, const Lanes<V>& no) {
   return {hn::IfThenElse(where.m, yes.v, no.v)};
 }
 template <class V>

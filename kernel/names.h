@@ -25,11 +25,11 @@ constexpr std::string_view name(Verdict v) { return verdict_names[v]; }
 
 // The answer that a kernel means to give where the two touch; with `either`, neither answer is
 // wrong.
-enum class Touching : std::uint8_t { contact, separated, either };
+enum class TouchingPolicy : std::uint8_t { contact, separated, either };
 template <>
-inline constexpr std::size_t enum_count<Touching> = 3;
-inline constexpr EnumArray<Touching, std::string_view> touching_names = {"contact", "separated", "either"};
-constexpr std::string_view name(Touching t) { return touching_names[t]; }
+inline constexpr std::size_t enum_count<TouchingPolicy> = 3;
+inline constexpr EnumArray<TouchingPolicy, std::string_view> touching_names = {"contact", "separated", "either"};
+constexpr std::string_view name(TouchingPolicy t) { return touching_names[t]; }
 
 enum class Precision : std::uint8_t { binary32, binary64 };
 template <>

@@ -1,7 +1,7 @@
 // The comparisons of a test's formulae in the lanes of Highway's vectors, for the instruction set that foreach_target
 // is compiling: what holds, the sides, and the bits of each query. The including file has defined AXISCERT_PER_TARGET.
 #include "kernel/lanes-inl.h"
-#include "kernel/plain_kernel.h"
+#include "kernel/formulae_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert {

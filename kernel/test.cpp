@@ -12,15 +12,16 @@
 namespace axiscert {
 namespace {
 
-template <class Named>
-std::vector<std::string_view> names_of(const std::vector<Named>& all) {
+template <class NamedValue>
+std::vector<std::string_view> names_of(const std::vector<NamedValue>& all) {
   std::vector<std::string_view> names;
-  for (const Named& one : all) names.push_back(one.name);
+  for (const NamedValue& one : all) names.push_back(one.name);
   return names;
 }
 
-template <class Named>
-void require_at_most(std::string_view test, std::string_view what, const std::vector<Named>& all, std::size_t most) {
+template <class NamedValue>
+void require_at_most(std::string_view test, std::string_view what, const std::vector<NamedValue>& all,
+                     std::size_t most) {
   if (all.size() > most) {
     throw HarnessFault(fmt::format("test '{}' has {} {}; at most {}", test, all.size(), what, most));
   }

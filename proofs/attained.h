@@ -10,13 +10,13 @@
 
 namespace axiscert::proofs {
 
-struct Attained {
+struct AttainedBound {
   std::string_view kernel;
   Kind kind;
   double u;
   std::string_view search;
 };
-inline constexpr auto attained_errors = std::to_array<Attained>({
+inline constexpr auto attained_errors = std::to_array<AttainedBound>({
     {"published", Kind::plane_radius, 367.59, "--evaluations 63438848 --seed 1"},
     {"published", Kind::vertex_radius, 7.982, "--evaluations 63438848 --seed 1"},
     {"published", Kind::vertex_side, 14.813, "--evaluations 63438848 --seed 1"},

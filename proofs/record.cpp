@@ -12,25 +12,29 @@ namespace {
 // The program being recorded on this thread; a number type has no other place to keep it.
 thread_local Program* recorder = nullptr;
 
-struct Recorded {
+struct RecordedNumber {
   std::size_t step = 0;
-  friend Recorded operator-(const Recorded& a) { return {recorder->step(Operation::negate, {a.step})}; }
-  friend Recorded operator+(const Recorded& a, const Recorded& b) { return of(Operation::add, a, b); }
-  friend Recorded operator-(const Recorded& a, const Recorded& b) { return of(Operation::subtract, a, b); }
-  friend Recorded operator*(const Recorded& a, const Recorded& b) { return of(Operation::multiply, a, b); }
-  friend Recorded fused(const Recorded& a, const Recorded& b, const Recorded& c) {
+  friend RecordedNumber operator-(const RecordedNumber& a) { return {recorder->step(Operation::negate, {a.step})}; }
+  friend RecordedNumber operator+(const RecordedNumber& a, const RecordedNumber& b) { return of(Operation::add, a, b); }
+  friend RecordedNumber operator-(const RecordedNumber& a, const RecordedNumber& b) {
+    return of(Operation::subtract, a, b);
+  }
+  friend RecordedNumber operator*(const RecordedNumber& a, const RecordedNumber& b) {
+    return of(Operation::multiply, a, b);
+  }
+  friend RecordedNumber fused(const RecordedNumber& a, const RecordedNumber& b, const RecordedNumber& c) {
     return {recorder->step(Operation::fused, {a.step, b.step, c.step})};
   }
 
  private:
-  static Recorded of(Operation operation, const Recorded& a, const Recorded& b) {
+  static RecordedNumber of(Operation operation, const RecordedNumber& a, const RecordedNumber& b) {
     return {recorder->step(operation, {a.step, b.step})};
   }
 };
-using FusedRecorded = arithmetic::Fused<Recorded>;
+using FusedRecordedNumber = arithmetic::FusedNumber<RecordedNumber>;
 
-std::size_t step_of(const Recorded& x) { return x.step; }
-std::size_t step_of(const FusedRecorded& x) { return x.value.step; }
+std::size_t step_of(const RecordedNumber& x) { return x.step; }
+std::size_t step_of(const FusedRecordedNumber& x) { return x.value.step; }
 
 template <class T>
 void name_vector(const std::string& name, const portable::Vec3<T>& v) {
@@ -62,7 +66,7 @@ void name_quantities(const portable::Problem<T>& query) {
   name_vector("V", V);
   name_scalar("d", dot(A, V));
   name_scalar("e", dot(V, V));
-  const auto [aa, ab, ac, bb, bc, cc] = portable::dot_products(portable::Centred<T>{A, B, C, rr});
+  const auto [aa, ab, ac, bb, bc, cc] = portable::dot_products(portable::CentredProblem<T>{A, B, C, rr});
   name_scalar("aa", aa);
   name_scalar("ab", ab);
   name_scalar("ac", ac);
@@ -89,8 +93,8 @@ Recording recording(Form form, Contraction contraction) {
   Recording result{form, contraction, {}, {}, {}};
   recorder = &result.program;
   std::array<T, input_names.size()> in;
-  for (std::size_t i = 0; i < in.size(); ++i) in[i] = T(Recorded{recorder->input(std::string(input_names[i]))});
-  const T zero(Recorded{recorder->step(Operation::zero)});
+  for (std::size_t i = 0; i < in.size(); ++i) in[i] = T(RecordedNumber{recorder->input(std::string(input_names[i]))});
+  const T zero(RecordedNumber{recorder->step(Operation::zero)});
   const portable::Problem<T> problem{
       {in[0], in[1], in[2]}, {in[3], in[4], in[5]}, {in[6], in[7], in[8]}, {in[9], in[10], in[11]}, in[12], zero};
   const Sides<T> sides = sides_of<F>(problem);
@@ -107,9 +111,9 @@ template <class F>
 Recording recording_of(Form form, Contraction contraction) {
   switch (contraction) {
     case Contraction::plain:
-      return recording<F, Recorded>(form, contraction);
+      return recording<F, RecordedNumber>(form, contraction);
     case Contraction::fma:
-      return recording<F, FusedRecorded>(form, contraction);
+      return recording<F, FusedRecordedNumber>(form, contraction);
   }
   throw std::logic_error("record: no such contraction");
 }
@@ -119,9 +123,9 @@ Recording recording_of(Form form, Contraction contraction) {
 Recording record(Form form, Contraction contraction) {
   switch (form) {
     case Form::published:
-      return recording_of<portable::Published>(form, contraction);
+      return recording_of<portable::PublishedFormulae>(form, contraction);
     case Form::reduced:
-      return recording_of<portable::Reduced>(form, contraction);
+      return recording_of<portable::ReducedFormulae>(form, contraction);
   }
   throw std::logic_error("record: no such form");
 }

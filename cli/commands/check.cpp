@@ -30,12 +30,12 @@ std::optional<SideErrors> errors_of(const StoredQuery& stored, const Kernel& ker
 }
 
 template <class Real>
-Checked checked(Examiner& examiner, const Numbers<Real>& q) {
+CheckResult check_query(Examiner& examiner, const Numbers<Real>& q) {
   const Examination found = examiner.examine(q);
   const TestDescription& test = *examiner.kernel().test;
   const Oracles& oracles = oracles_of(examiner.kernel());
   if (found.truth.verdict != Verdict::invalid) return checked_of(test, found, oracles.details(q));
-  Checked invalid = checked_of(test, found);
+  CheckResult invalid = checked_of(test, found);
   invalid.why_invalid = oracles.why_invalid(q);
   return invalid;
 }
@@ -60,7 +60,7 @@ std::vector<const Kernel*> kernels_given(const CheckOptions& options) {
 }
 
 // A file of which the kernel decided no query that it promises shows nothing of it, which is said.
-void say_if_nothing(const Kernel& kernel, std::size_t queries, const StandingCounts& standings) {
+void print_if_nothing_decided(const Kernel& kernel, std::size_t queries, const StandingCounts& standings) {
   const auto invalid = standings.find("no_query");
   const bool are_none = queries == (invalid == standings.end() ? 0 : invalid->second);
   if (are_none || standings.contains("decided")) return;
@@ -94,11 +94,12 @@ int check_range(const CheckOptions& options) {
   fmt::print("{}", rows.head());
   for (std::uint64_t done = 0; done < range.size; done += batch) {
     const std::string part = rows.next(batch);
-    count.finished(std::min(batch, range.size - done));
+    count.finish_unit(std::min(batch, range.size - done));
     progress.clear();
     fmt::print("{}", part);
   }
-  for (std::size_t k = 0; k < kernels.size(); ++k) say_if_nothing(*kernels[k], range.size, rows.standings()[k]);
+  for (std::size_t k = 0; k < kernels.size(); ++k)
+    print_if_nothing_decided(*kernels[k], range.size, rows.standings()[k]);
   return exit_done;  // whatever it found
 }
 
@@ -125,9 +126,9 @@ int check(const CheckOptions& options) {
   for (const StoredQuery& stored : queries) {
     require_query_of(kernel, *stored.test, stored.entry, stored.precision,
                      fmt::format("{}: query '{}' is", options.file, stored.id));
-    const Checked found = std::visit([&](const auto& q) { return checked(examiner, q); }, stored.numbers);
+    const CheckResult found = std::visit([&](const auto& q) { return check_query(examiner, q); }, stored.numbers);
     ++standings[standing_of(kernel, found)];
-    count.finished();
+    count.finish_unit();
     progress.clear();
     if (options.format == "text") {
       fmt::print("{}\n", check_text(stored.id, kernel, found));
@@ -138,7 +139,7 @@ int check(const CheckOptions& options) {
       fmt::print("{}\n", json_of(line).dump());
     }
   }
-  say_if_nothing(kernel, queries.size(), standings);
+  print_if_nothing_decided(kernel, queries.size(), standings);
   return exit_done;  // whatever it found
 }
 

@@ -69,8 +69,8 @@ int compare(const CompareOptions& options) {
   require_same_test(before.record, after.record, as_utf8(options.before), as_utf8(options.after));
   const TrustedPlugins trusted = trusted_kernels(options, before.record);
   std::optional<ProgressLine> progress(std::in_place, "compare", options.quiet);
-  progress->stage("the witnesses are evaluated again");
-  std::vector<Replayed> replayed;
+  progress->begin_stage("the witnesses are evaluated again");
+  std::vector<ReplayedQuery> replayed;
   if (!options.no_replay) replayed = replay_witnesses(before.record, resolve_target("auto"), trusted);
   const RunComparison comparison = compare_records(before.record, after.record, std::move(replayed), options.allowed);
   progress.reset();

@@ -31,7 +31,7 @@ struct CommandWords {
 std::vector<std::string> kernel_words() {
   std::vector<std::string> words{"plugin:", "program:"};
   for (const Kernel& kernel : kernels()) words.push_back(kernel.id);
-  for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
+  for (const plugin::ShippedPlugins& shipped : plugin::shipped_plugins()) {
     for (const std::string& name : shipped.names) words.push_back(shipped.prefix + name);
   }
   return words;
@@ -155,7 +155,7 @@ complete -F _axiscert axiscert
 }
 
 // A description in zsh's `name[description]:value:(values)`: brackets and colons end its parts.
-std::string zsh_plain(std::string text) {
+std::string zsh_text(std::string text) {
   for (char& c : text) {
     if (c == '[' || c == ']' || c == ':' || c == '\n') c = ' ';
   }
@@ -175,13 +175,13 @@ std::string zsh_script(const std::vector<CommandWords>& commands) {
           for (std::size_t at = 0; (at = value.find("program:", at)) != value.npos; at += 9) value.insert(at + 7, "\\");
         }
         arguments +=
-            fmt::format("    {} \\\n", shell_quoted("*" + name + "[" + zsh_plain(option.description) + "]" + value));
+            fmt::format("    {} \\\n", shell_quoted("*" + name + "[" + zsh_text(option.description) + "]" + value));
       }
     }
     const std::string function =
         fmt::format("_axiscert{}{}", command.path.empty() ? "" : "_", fmt::join(command.path, "_"));
     for (const auto& [name, description] : command.parts) {
-      parts += fmt::format("    {}\n", shell_quoted(name + ":" + zsh_plain(description)));
+      parts += fmt::format("    {}\n", shell_quoted(name + ":" + zsh_text(description)));
       cases += fmt::format("    {0}) {1}_{0} ;;\n", name, function);
     }
     const std::string rest = !parts.empty() ? "    '1:command:->command' '*::argument:->argument'\n"

@@ -36,7 +36,7 @@ int measure(const ConditionOptions& options) {
       instrument_command("condition", options) + fmt::format(" --flips {} --sample {}", options.flips, options.sample);
   const auto result =
       with_progress("condition", [&](const ShowProgress& show) { return measure_condition(plan, show); });
-  return put_instrument(condition_report(plan, result, command), options);
+  return print_and_write_instrument(condition_report(plan, result, command), options);
 }
 
 }  // namespace

@@ -48,8 +48,8 @@ int measure(const InstrumentOptions& options) {
   require_one_test(plan.kernels, plan.sources);
   const auto result =
       with_progress("critical-radius", [&](const ShowProgress& show) { return measure_critical_radii(plan, show); });
-  const int done =
-      put_instrument(critical_radius_report(plan, result, instrument_command("critical-radius", options)), options);
+  const int done = print_and_write_instrument(
+      critical_radius_report(plan, result, instrument_command("critical-radius", options)), options);
   return unmeasured_kernels(plan, result).empty() ? done : exit_requirement_failed;
 }
 

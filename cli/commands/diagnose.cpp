@@ -48,7 +48,7 @@ int diagnose_kernel(const DiagnoseOptions& options) {
   output.out = options.out;
   const std::string command =
       fmt::format("axiscert diagnose {} --precision {} --seed {}", kernel.id, name(asked.precision), options.seed);
-  const int done = put_instrument(diagnosis_report(diagnosis, command), output);
+  const int done = print_and_write_instrument(diagnosis_report(diagnosis, command), output);
   if (!diagnosis.complete) return exit_interrupted;
   return diagnosis.looked_at().decided == 0 ? exit_requirement_failed : done;
 }

@@ -68,7 +68,7 @@ std::string figure_text(std::string name) {
   return text;
 }
 
-void explain(const std::string& word) {
+void print_explanation(const std::string& word) {
   const std::vector<GlossaryEntry> entries = glossary_entries(glossary_text());
   if (const GlossaryEntry* entry = find_entry(entries, word)) {
     fmt::print("{}: {}\n", fmt::join(entry->words, ", "), entry->text);
@@ -96,7 +96,7 @@ void add_explain(CLI::App& app, Action& action) {
       if (!schema->empty()) {
         fmt::print("{}\n", schema_named(*schema).dump(2));
       } else if (!given->empty()) {
-        explain(fmt::format("{}", fmt::join(*given, " ")));
+        print_explanation(fmt::format("{}", fmt::join(*given, " ")));
       } else {
         for (const GlossaryEntry& entry : glossary_entries(glossary_text()))
           fmt::print("{}\n", fmt::join(entry.words, ", "));

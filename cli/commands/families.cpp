@@ -8,7 +8,7 @@
 namespace axiscert {
 namespace {
 
-int list_families(const std::string& format, const TestDescription& test) {
+int print_families(const std::string& format, const TestDescription& test) {
   FamiliesData data;
   for (const Family* family : families_of(test)) {
     if (format == "text") {
@@ -33,7 +33,7 @@ void add_families(CLI::App& app, Action& action) {
   auto test = std::make_shared<std::string>();
   add_test_option(*command, *test, fmt::format("test whose families are listed (default: {})", default_test().id));
   command->callback(
-      [&action, format, test] { action = [format, test] { return list_families(*format, test_given(*test)); }; });
+      [&action, format, test] { action = [format, test] { return print_families(*format, test_given(*test)); }; });
 }
 
 }  // namespace axiscert

@@ -61,11 +61,11 @@ class Output {
 
 // The test and the entry that `all` and the default mean: those of the first family that is named; where there is none,
 // the first entry of --test or of the default test.
-struct Meant {
+struct MeantEntry {
   const TestDescription& test;
   std::size_t entry;
 };
-Meant meant_by_families(const GenerateOptions& options) {
+MeantEntry meant_by_families(const GenerateOptions& options) {
   for (const std::string& name : options.families) {
     if (name == "all") continue;
     const Family& family = find_family(name);
@@ -76,10 +76,10 @@ Meant meant_by_families(const GenerateOptions& options) {
 
 PipePlan pipe_plan_of(const GenerateOptions& options) {
   PipePlan plan{options.seed, parse_precision(options.precision), {}, options.measures};
-  const Meant meant = meant_by_families(options);
+  const MeantEntry meant = meant_by_families(options);
   const auto sources = sources_of(options, meant.test, meant.entry, plan.precision);
   test_of_sources(options.test, sources);
-  say_what_is_left_out(sources, {plan.precision});
+  print_left_out(sources, {plan.precision});
   for (const SourcePtr& source : sources) {
     const auto fixed = source->fixed_size(plan.precision);
     plan.parts.push_back({source, fixed ? *fixed : trials_of(options, *source, plan.precision)});
@@ -103,7 +103,7 @@ int generate(const GenerateOptions& options) {
     std::uint64_t written = 0;
     write_queries(plan, encoding, threads_of(options.threads), [&](std::string_view bytes) {
       output.write(bytes);
-      progress.stage(fmt::format("{} bytes written", written += bytes.size()));
+      progress.begin_stage(fmt::format("{} bytes written", written += bytes.size()));
     });
   } catch (const ReaderLeft&) {
   }

@@ -15,7 +15,7 @@ int judge_replies(const JudgeOptions& options) {
   reading.reset();
   replies.plan.running.threads = threads_of(options.threads);
   check_required(options.required, replies.plan);
-  return put_result(judged_run(replies.plan, options, replies.plan.running.target), options);
+  return put_result(judge_run(replies.plan, options, replies.plan.running.target), options);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ std::vector<const Kernel*> built_in_kernels(const TestDescription& test) {
 // The plug-ins of a test that come with axiscert, by their ids.
 std::vector<const Kernel*> shipped_kernels(const TestDescription& test) {
   std::vector<const Kernel*> all;
-  for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
+  for (const plugin::ShippedPlugins& shipped : plugin::shipped_plugins()) {
     if (shipped.test != &test) continue;
     for (const std::string& name : shipped.names) all.push_back(&find_kernel(shipped.prefix + name));
   }
@@ -93,7 +93,7 @@ void print_kernels(const TestDescription& test) {
       "\nPlug-ins: plugin:PATH.so is one of your own, program:MANIFEST.json a program; peer/ are libraries, fault/ "
       "kernels with a planted fault:\n");
   for (const Kernel* kernel : shipped_kernels(test)) print_kernel(*kernel, how_run(*kernel));
-  for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
+  for (const plugin::ShippedPlugins& shipped : plugin::shipped_plugins()) {
     if (shipped.test != &test) continue;
     for (const auto& absent : shipped.absent) {
       const std::string id = fmt::format("{}{}", shipped.prefix, absent.name);

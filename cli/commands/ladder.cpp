@@ -59,7 +59,7 @@ int ladder(const LadderOptions& options) {
   require_uncontracted(scalar_target);
   const std::string command = instrument_command("ladder", options) + (options.no_speed ? " --no-speed" : "");
   const auto entries = with_progress("ladder", [&](const ShowProgress& show) { return measure_ladder(plan, show); });
-  return put_instrument(ladder_report(plan, entries, command), options);
+  return print_and_write_instrument(ladder_report(plan, entries, command), options);
 }
 
 }  // namespace

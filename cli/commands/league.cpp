@@ -54,7 +54,7 @@ void add_kernel(League& league, const std::string& id) {
 // from them.
 void add_all_kernels(League& league, bool engines) {
   for (const std::string& id : own_kernels) add_kernel(league, id);
-  for (const plugin::Shipped& shipped : plugin::shipped_plugins()) {
+  for (const plugin::ShippedPlugins& shipped : plugin::shipped_plugins()) {
     if (shipped.test != &league_test()) continue;
     const bool competes = shipped.prefix == "peer/";
     for (const std::string& name : shipped.names) {
@@ -139,7 +139,7 @@ int run_league(const LeagueOptions& options) {
   const std::string command = instrument_command("league", options) + (options.no_speed ? " --no-speed" : "") +
                               (options.no_engines ? " --no-engines" : "");
   for (const std::string& sentence : league.not_checked) fmt::print(stderr, "axiscert: {}\n", sentence);
-  const int done = put_instrument(league_report(league, result, command), options);
+  const int done = print_and_write_instrument(league_report(league, result, command), options);
   return undecided_contenders(league, result).empty() ? done : exit_requirement_failed;
 }
 

@@ -53,7 +53,7 @@ int merge(const MergeOptions& options) {
   const auto started = std::chrono::system_clock::now();
 
   std::optional<ProgressLine> reading(std::in_place, "merge: the journals are read");
-  Gathered gathered(plan.questions, plan.answerers.kernels.size(), stretches);
+  GatheredStretches gathered(plan.questions, plan.answerers.kernels.size(), stretches);
   std::vector<std::uint32_t> from(stretches.count());  // for each stretch, the folder it is from
   std::uint64_t bytes = 0;
   for (std::uint32_t i = 0; i < options.folders.size(); ++i) {

@@ -77,7 +77,7 @@ std::vector<const mutants::Mutant*> mutants_asked(const MutateOptions& options) 
   return asked;
 }
 
-int show_list(const MutationPlan& plan) {
+int print_mutants(const MutationPlan& plan) {
   for (const mutants::Mutant* m : plan.mutants) fmt::print("{}  {}; {}\n", m->id, m->where, m->what);
   return exit_done;
 }
@@ -95,8 +95,9 @@ std::string command_of(const MutateOptions& options, const MutationPlan& plan) {
 }
 
 // Prints and writes the report, and throws where the harness contradicts itself.
-int put_score(const MutateOptions& options, const std::optional<OutputFolder>& folder, const InstrumentReport& shown,
-              const InstrumentReport& whole, bool complete, const std::vector<std::string>& faults) {
+int print_and_write_score(const MutateOptions& options, const std::optional<OutputFolder>& folder,
+                          const InstrumentReport& shown, const InstrumentReport& whole, bool complete,
+                          const std::vector<std::string>& faults) {
   fmt::print("{}", options.format == "text" ? instrument_text(shown) : data_text(shown.data, options.format));
   if (folder) {
     folder->write(whole.name + ".json", whole.data);
@@ -116,7 +117,7 @@ int mutate_by_verdict(const MutateOptions& options, const MutationPlan& plan,
   const BlackBoxScore score = with_progress(
       "mutate", [&](const ShowProgress& show) { return judge_black_boxes(plan, gate, interrupted, show); });
   const InstrumentReport report = black_box_report(plan, score, level_of_mutation, command_of(options, plan));
-  return put_score(options, folder, report, report, score.complete, black_box_faults(score));
+  return print_and_write_score(options, folder, report, report, score.complete, black_box_faults(score));
 }
 
 // The kernel that the mutants are made of: the one given, or the first of the test.
@@ -188,7 +189,7 @@ int mutate_certified(const MutateOptions& options) {
   {
     ProgressLine progress("mutate");
     for (const RecordedStep& step : steps) {
-      progress.stage(step.name);
+      progress.begin_stage(step.name);
       const StepScore score = score_of(step, queries, options.seed);
       const std::string precision = fmt::format("binary{}", score.bits);
       const std::size_t shown = score.mutants - score.equivalent.size() - score.unseen.size();
@@ -208,7 +209,7 @@ int mutate_certified(const MutateOptions& options) {
   }
   report.tables = {table, unseen};
   report.data = json_of(data);
-  return put_score(options, folder, report, report, true, faults);
+  return print_and_write_score(options, folder, report, report, true, faults);
 }
 
 int mutate(const MutateOptions& given) {
@@ -218,7 +219,7 @@ int mutate(const MutateOptions& given) {
   MutationPlan plan;
   plan.mutants = mutants_asked(options);
   plan.base = options.kernel;
-  if (options.list) return show_list(plan);
+  if (options.list) return print_mutants(plan);
   const Kernel& base = find_kernel(plan.base);
   for (const std::string& name : options.families) {
     plan.families.push_back(&find_family(name));
@@ -244,15 +245,15 @@ int mutate(const MutateOptions& given) {
     ProgressLine progress("mutate");
     result = run_mutation(plan, interrupted, progress.report());
     if (!options.no_controls && result.complete) {
-      progress.stage("kernels that are right");
+      progress.begin_stage("kernels that are right");
       controls = run_controls(plan, trials_of_a_control(plan.trials), interrupted, progress.report());
       result.complete = !interrupted;
     }
   }
   const std::string command = command_of(options, plan);
   const std::vector<std::string> faults = mutation_faults(result, controls);
-  return put_score(options, folder, mutation_report(plan, result, controls, command, false),
-                   mutation_report(plan, result, controls, command, true), result.complete, faults);
+  return print_and_write_score(options, folder, mutation_report(plan, result, controls, command, false),
+                               mutation_report(plan, result, controls, command, true), result.complete, faults);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ int measure(const PrecisionOptions& options) {
   for (const int b : options.bits) command += fmt::format(" --bits {}", b);
   const auto tallies =
       with_progress("precision", [&](const ShowProgress& show) { return measure_precision(plan, show); });
-  return put_instrument(precision_report(plan, tallies, command), options);
+  return print_and_write_instrument(precision_report(plan, tallies, command), options);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ std::optional<double> attained_of(const ScriptEntry& entry) {
   if (entry.setting.domain != Domain::scaled || entry.setting.precision != Precision::binary32) return std::nullopt;
   Setting searched = entry.setting;
   if (is_shared(entry.which)) searched.form = Form::published;
-  for (const Attained& attained : attained_errors) {
+  for (const AttainedBound& attained : attained_errors) {
     if (attained.kernel == kernel_of(searched) && attained.kind == kind_of(entry.which)) return attained.u;
   }
   return std::nullopt;
@@ -77,7 +77,7 @@ void check(std::vector<ScriptEntry>& entries, const std::optional<bool>& ranges,
   ProgressCount progress(report, accepted.size(), "Gappa's scripts");
   tbb::parallel_for(std::size_t{0}, accepted.size(), [&](std::size_t i) {
     accepted[i].second = gappa_accepts(scripts.at(accepted[i].first));
-    progress.finished();
+    progress.finish_unit();
   });
   for (ScriptEntry& entry : entries) {
     const auto found =
@@ -121,7 +121,7 @@ int prove(const ProveOptions& options) {
   const auto gappa = gappa_version(), coq = options.without_coq ? std::nullopt : coq_version();
   if (gappa) {
     ProgressLine progress("prove");
-    progress.stage("Coq's proof of the ranges");
+    progress.begin_stage("Coq's proof of the ranges");
     std::optional<bool> ranges;
     if (coq) ranges = coq_accepts_ranges(options.proofs, range_files().begin()->second);
     check(entries, ranges, progress.report());

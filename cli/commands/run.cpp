@@ -13,8 +13,8 @@ void add_run(CLI::App& app, Action& action) {
   add_planned_options(*command, *planned);
   command->callback([&action, options, planned] {
     action = [options, planned] {
-      if (!planned->plan.empty()) return planned_run(*planned, *options);
-      return put_result(judged_run(plan_of(*options), *options, options->target), *options);
+      if (!planned->plan.empty()) return run_planned(*planned, *options);
+      return put_result(judge_run(plan_of(*options), *options, options->target), *options);
     };
   });
 }

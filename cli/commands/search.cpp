@@ -62,7 +62,7 @@ int search(const SearchOptions& options) {
   InstrumentOptions output;
   output.format = options.format;
   output.out = options.out;
-  const int done = put_instrument(search_report(plan, result, command_of(options, plan, result)), output);
+  const int done = print_and_write_instrument(search_report(plan, result, command_of(options, plan, result)), output);
   if (!result.complete) return exit_interrupted;
   return search_looked_at(result).decided == 0 ? exit_requirement_failed : done;
 }

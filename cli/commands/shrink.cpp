@@ -45,7 +45,7 @@ std::string unknown_symptom(const TestDescription& test, std::string_view given)
 
 // The symptom of that name, without the parts that have to be determined from a query; empty where there is no such
 // name.
-std::optional<Symptom> named(const TestDescription& test, std::string_view what) {
+std::optional<Symptom> symptom_named(const TestDescription& test, std::string_view what) {
   const bool is_error = what.ends_with(error_suffix);
   if (is_error) what.remove_suffix(error_suffix.size());
   if (what == "verdict" && !is_error) return Symptom{.test = &test};
@@ -63,11 +63,11 @@ void require_known(const Kernel& kernel, std::string_view what) {
   const TestDescription& test = *kernel.test;
   require_moves("shrink", test, kernel.entry);
   if (what.empty()) return;
-  if (what != asymmetry_name && !named(test, what)) throw Error(unknown_symptom(test, what));
+  if (what != asymmetry_name && !symptom_named(test, what)) throw Error(unknown_symptom(test, what));
   if (what == asymmetry_name) require_capability(has_image_maps, fmt::format("--what {}", what), test, kernel.entry);
 }
 
-std::string joined(const std::vector<Symptom>& symptoms) {
+std::string symptoms_text(const std::vector<Symptom>& symptoms) {
   std::vector<std::string> texts;
   for (const Symptom& s : symptoms) texts.push_back(text(s));
   return texts.empty() ? "its verdict and every axis and comparison are right there"
@@ -81,8 +81,8 @@ struct NothingToKeep : Error {
 
 // The symptom to keep: the one requested, or the first that is wrong: verdict before axes before comparisons.
 template <class Real>
-Symptom wanted(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkOptions& options, const Kernel& kernel,
-               std::string_view target) {
+Symptom symptom_to_keep(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkOptions& options,
+                        const Kernel& kernel, std::string_view target) {
   const auto fail = [&](const std::string& what) {
     return NothingToKeep(fmt::format("query '{}': {}", stored.id, what));
   };
@@ -102,16 +102,16 @@ Symptom wanted(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkOp
   if (options.what.empty()) {
     if (!flips.empty()) return flips.front();
     throw fail(fmt::format("{} is not wrong on it: {}{}; to keep the error of a comparison, give --what COMPARISON{}",
-                           kernel.id, joined(flips),
+                           kernel.id, symptoms_text(flips),
                            stored.address.empty() ? "" : ", and it answers no image of it differently", error_suffix));
   }
-  const Symptom asked = *named(*kernel.test, options.what);
+  const Symptom asked = *symptom_named(*kernel.test, options.what);
   if (!std::string_view(options.what).ends_with(error_suffix)) {
     for (const Symptom& flip : flips) {
       if (flip.level == asked.level && flip.index == asked.index) return flip;
     }
     throw fail(fmt::format("--what {}: {} has it right; it is wrong there: {}", options.what, kernel.id,
-                           flips.empty() ? "nothing" : joined(flips)));
+                           flips.empty() ? "nothing" : symptoms_text(flips)));
   }
   if (finder.severity(q, asked)) return asked;
   throw fail(
@@ -120,12 +120,12 @@ Symptom wanted(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkOp
                   options.what, kernel.id));
 }
 
-Keeping keeping(const ShrinkOptions& options) {
-  return options.any_class ? Keeping::symptom : Keeping::symptom_and_class;
+KeepingRule keeping_rule(const ShrinkOptions& options) {
+  return options.any_class ? KeepingRule::symptom : KeepingRule::symptom_and_class;
 }
 
 template <class Real>
-void print_before_and_after(const StoredQuery& stored, const StoredQuery& smaller, const Shrunk<Real>& found) {
+void print_before_and_after(const StoredQuery& stored, const StoredQuery& smaller, const ShrinkResult<Real>& found) {
   const auto row = [](const char* when, const QuerySize& size, const Severity& severity, const StoredQuery& q) {
     fmt::print("  {:<7} {:>3} bits in {:>2} numbers, {}: {}\n", when, size.bits, size.nonzero, severity.text,
                query_line(q));
@@ -136,13 +136,13 @@ void print_before_and_after(const StoredQuery& stored, const StoredQuery& smalle
 
 // "; input of class near_tie": what is kept besides the symptom.
 template <class Real>
-std::string class_text(const Shrunk<Real>& found) {
+std::string class_text(const ShrinkResult<Real>& found) {
   const auto& classes = found.kept.classes();
   return classes ? fmt::format("; input of class {}", classes->front()) : "";
 }
 
 template <class Real>
-void print_steps(const Shrunk<Real>& found) {
+void print_steps(const ShrinkResult<Real>& found) {
   fmt::print("  {} steps, {} queries evaluated{}\n", found.sizes.size() - 1, found.evaluations,
              found.complete ? ", no step makes it smaller" : ": the limit; --evaluations raises it");
   if (found.sizes.size() > 1 || !found.complete || !found.kept.classes()) return;
@@ -152,8 +152,8 @@ void print_steps(const Shrunk<Real>& found) {
 }
 
 template <class Real>
-void print_text(const StoredQuery& stored, const StoredQuery& smaller, const Symptom& kept, const Shrunk<Real>& found,
-                const Kernel& kernel) {
+void print_text(const StoredQuery& stored, const StoredQuery& smaller, const Symptom& kept,
+                const ShrinkResult<Real>& found, const Kernel& kernel) {
   fmt::print("{}: {} keeps {}{}\n", stored.id, kernel.id, text(kept), class_text(found));
   print_before_and_after(stored, smaller, found);
   print_steps(found);
@@ -173,8 +173,9 @@ void print_pair(const StoredQuery& stored, const StoredQuery& smaller, const Sto
 
 template <class Real>
 void shrink_as_pair(const Pair<Real>& pair, const StoredQuery& stored, const ShrinkOptions& options,
-                    const Kernel& kernel, std::string_view target, ProgressLine& progress, const Evaluated& evaluated) {
-  const auto found = shrink_pair(pair, kernel, target, options.evaluations, keeping(options), evaluated);
+                    const Kernel& kernel, std::string_view target, ProgressLine& progress,
+                    const CountEvaluations& evaluated) {
+  const auto found = shrink_pair(pair, kernel, target, options.evaluations, keeping_rule(options), evaluated);
   progress.clear();
   const StoredQuery smaller = smaller_query(stored, found.query.query);
   const StoredQuery image = image_of(smaller, found.image);
@@ -186,7 +187,7 @@ template <class Real>
 void shrink_one(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkOptions& options, const Kernel& kernel,
                 std::string_view target, ProgressLine& progress, Progress at) {
   const auto start = std::chrono::steady_clock::now();
-  const Evaluated evaluated = [&](std::uint64_t evaluations) {
+  const CountEvaluations evaluated = [&](std::uint64_t evaluations) {
     at.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     progress.show(at, fmt::format("; {} evaluations for the next, of at most {}", evaluations, options.evaluations));
   };
@@ -209,8 +210,8 @@ void shrink_one(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkO
                                : kernel.id + " answers no image of it differently, its family has none, or its "
                                              "numbers are not those of its address"));
   }
-  const Symptom kept = wanted(q, stored, options, kernel, target);
-  const auto found = shrink<Real>(q, kept, kernel, target, options.evaluations, keeping(options), evaluated);
+  const Symptom kept = symptom_to_keep(q, stored, options, kernel, target);
+  const auto found = shrink<Real>(q, kept, kernel, target, options.evaluations, keeping_rule(options), evaluated);
   progress.clear();
   const StoredQuery smaller = smaller_query(stored, found.query);
   if (options.format == "text") print_text(stored, smaller, kept, found, kernel);

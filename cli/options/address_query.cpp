@@ -84,7 +84,7 @@ void require_in(const Source& source, const Address& address) {
 }
 
 template <class Real>
-Numbers<Real> made(const Address& address, const Source& source) {
+Numbers<Real> make_query(const Address& address, const Source& source) {
   require_in(source, address);
   return source.make<Real>(address.seed, address.position());
 }
@@ -139,8 +139,8 @@ std::vector<StoredQuery> queries_given(const std::vector<std::string>& given, co
 StoredQuery query_at(const Address& address, const AddressFiles& files) {
   const SourcePtr source = same_source_of(address, files);
   StoredQuery stored{text(address), address.precision, {}, &source->test(), source->entry(), 0, text(address)};
-  if (address.precision == Precision::binary32) stored.numbers = made<float>(address, *source);
-  else stored.numbers = made<double>(address, *source);
+  if (address.precision == Precision::binary32) stored.numbers = make_query<float>(address, *source);
+  else stored.numbers = make_query<double>(address, *source);
   return stored;
 }
 

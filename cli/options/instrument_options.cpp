@@ -90,7 +90,7 @@ std::string instrument_command(const std::string& name, const InstrumentOptions&
   return options.precision.empty() ? command : command + " --precision " + options.precision;
 }
 
-int put_instrument(const InstrumentReport& report, const InstrumentOptions& options) {
+int print_and_write_instrument(const InstrumentReport& report, const InstrumentOptions& options) {
   fmt::print("{}", options.format == "text" ? instrument_text(report) : data_text(report.data, options.format));
   if (options.out.empty()) return exit_done;
   make_folder(options.out);

@@ -36,6 +36,6 @@ std::string instrument_command(const std::string& name, const InstrumentOptions&
 
 // Prints the report in the given format and, where --out names a folder, writes NAME.json, NAME.csv and NAME.html
 // there.
-int put_instrument(const InstrumentReport& report, const InstrumentOptions& options);
+int print_and_write_instrument(const InstrumentReport& report, const InstrumentOptions& options);
 
 }  // namespace axiscert

@@ -67,12 +67,12 @@ void get_member(const Json& object, const char* name, Value& value) {
 }
 
 // Levels: one as text, as plans have it that were written when there could be only one; none as an empty text.
-void put_required(Json& options, const Required& required) {
+void put_required(Json& options, const RunRequirements& required) {
   const std::vector<std::string>& levels = required.levels;
   options["require"] = levels.empty() ? Json("") : levels.size() == 1 ? Json(levels.front()) : Json(levels);
   if (!required.allow_unchecked.empty()) options["allow_unchecked"] = required.allow_unchecked;
 }
-void get_required(const Json& options, Required& required) {
+void get_required(const Json& options, RunRequirements& required) {
   if (!options.at("require").is_string()) get_member(options, "require", required.levels);
   else if (const std::string level = options["require"]; !level.empty()) required.levels = {level};
   if (options.contains("allow_unchecked")) get_member(options, "allow_unchecked", required.allow_unchecked);

@@ -119,7 +119,7 @@ Kernel program(const ReplyOptions& options, const StoredReplies& replies) {
     kernel.strictness = model.strictness;
   }
   const auto touching = std::find(touching_names.begin(), touching_names.end(), options.touching);
-  kernel.touching = static_cast<Touching>(touching - touching_names.begin());
+  kernel.touching = static_cast<TouchingPolicy>(touching - touching_names.begin());
   kernel.may_decline = options.may_decline;
   const auto never_run = [](const auto& batch, Verdict* out) { std::fill_n(out, batch.size, Verdict::unanswered); };
   for (const Precision precision : replies.precisions()) {

@@ -23,7 +23,7 @@ void require_depth_that_occurs(const AskedLevel& asked, const TestDescription& t
 
 }  // namespace
 
-void add_require_options(CLI::App& command, Required& required) {
+void add_require_options(CLI::App& command, RunRequirements& required) {
   command
       .add_option("--require", required.levels,
                   fmt::format("level, repeatable: exit 1 where it is not met or not checked; {}", levels_help()))
@@ -34,7 +34,7 @@ void add_require_options(CLI::App& command, Required& required) {
       ->allow_extra_args(false);
 }
 
-void check_required(const Required& required, const Plan& plan) {
+void check_required(const RunRequirements& required, const Plan& plan) {
   const PlanRecord stated = plan_record(plan, CampaignResult(), required);
   const Requirements requirements = requirements_of(stated);
   for (const AskedLevel& asked : requirements.levels) require_depth_that_occurs(asked, plan.questions.test());

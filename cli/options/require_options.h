@@ -8,10 +8,10 @@
 namespace axiscert {
 
 // Adds --require and --allow-unchecked.
-void add_require_options(CLI::App& command, Required& required);
+void add_require_options(CLI::App& command, RunRequirements& required);
 
 // Throws Error where a level does not exist, is not written as it has to be, or may be left unchecked and is not
 // required; and where a kernel that others are measured against is not among the plan's.
-void check_required(const Required& required, const Plan& plan);
+void check_required(const RunRequirements& required, const Plan& plan);
 
 }  // namespace axiscert

@@ -54,7 +54,7 @@ std::string default_trials_text() {
 }
 
 // Parses "T" for all comparisons or "COMPARISON=T" for one; a later one overrides.
-void add_tolerance(const std::string& given, const TestDescription& test, Judging& judging) {
+void add_tolerance(const std::string& given, const TestDescription& test, JudgingOptions& judging) {
   const std::size_t equals = given.find('=');
   const std::string which = equals == given.npos ? "" : given.substr(0, equals);
   const std::string number = equals == given.npos ? given : given.substr(equals + 1);
@@ -239,8 +239,8 @@ std::vector<SourcePtr> sources_of(const SourceOptions& options, const TestDescri
   return sources;
 }
 
-void say_what_is_left_out(const std::vector<SourcePtr>& sources, const std::vector<Precision>& precisions,
-                          std::string_view why) {
+void print_left_out(const std::vector<SourcePtr>& sources, const std::vector<Precision>& precisions,
+                    std::string_view why) {
   for (const SourcePtr& source : sources) {
     for (const Precision precision : {Precision::binary32, Precision::binary64}) {
       const bool runs = std::find(precisions.begin(), precisions.end(), precision) != precisions.end();
@@ -316,8 +316,8 @@ Plan plan_of(const RunOptions& given) {
   // Only of files that were asked for: the corpus of a preset was not.
   std::vector<SourcePtr> asked = questions.sources;
   if (!given.corpus) std::erase_if(asked, [](const SourcePtr& source) { return source->name() == "corpus"; });
-  say_what_is_left_out(asked, questions.precisions,
-                       options.precision.empty() ? "no kernel of this run takes the" : "--precision leaves out");
+  print_left_out(asked, questions.precisions,
+                 options.precision.empty() ? "no kernel of this run takes the" : "--precision leaves out");
   return plan;
 }
 

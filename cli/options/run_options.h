@@ -27,7 +27,7 @@ struct SourceOptions {
 
 // The use of the judged answers.
 struct OutputOptions {
-  Required required;
+  RunRequirements required;
   std::string out = "out", ratchet;
   std::vector<std::string> sources;  // [KERNEL=]FILE:LINE
   std::string format = "text";       // of what is printed at the end
@@ -64,8 +64,8 @@ std::vector<SourcePtr> sources_of(const SourceOptions& options, const TestDescri
 // Number of queries of a source: as requested, or the default; the number of a query file's own queries is ignored.
 std::uint64_t trials_of(const SourceOptions& options, const Source& source, Precision precision);
 // Reports on standard error which queries of query files have none of these precisions.
-void say_what_is_left_out(const std::vector<SourcePtr>& sources, const std::vector<Precision>& precisions,
-                          std::string_view why = "--precision leaves out");
+void print_left_out(const std::vector<SourcePtr>& sources, const std::vector<Precision>& precisions,
+                    std::string_view why = "--precision leaves out");
 int threads_of(int given);
 // Makes the plan: looks up every name and reads every file. Throws Error.
 Plan plan_of(const RunOptions& options);

@@ -48,7 +48,7 @@ std::string command_of(const CertifyOptions& options) {
 }
 
 // A run that was judged: what a certificate is made of besides the stages.
-struct Judged {
+struct CertificateMaterial {
   const CertifyOptions& options;
   const Plan& plan;  // of which the kernel is the first
   const Stretches& stretches;
@@ -62,7 +62,7 @@ struct Judged {
   const Kernel& kernel() const { return *plan.answerers.kernels.front(); }
 };
 
-MaterialsStatement materials_of(const Judged& judged, const Record& record) {
+MaterialsStatement materials_of(const CertificateMaterial& judged, const Record& record) {
   const Json portable = portable_plan(judged.plan_json);
   MaterialsStatement materials{{axiscert_version, source_digests().sources},
                                source_digests().proofs,
@@ -110,13 +110,13 @@ Part in_canonical_order(const Part& part) {
 }
 
 // The second half, by rank 0, once the run's folder is written.
-int write_certificate(const Judged& judged, const std::optional<SigningKey>& key) {
+int write_certificate(const CertificateMaterial& judged, const std::optional<SigningKey>& key) {
   const CertifyOptions& options = judged.options;
   const Kernel& kernel = judged.kernel();
   const OutputFolder folder(options.out);
   const Run run = read_run(fs::path(options.out) / "run");
   const EffortSize size = size_of(parse_effort(options.effort), *kernel.test, judged.is_slow);
-  const Staged staged{options, kernel, judged.plan.questions, judged.plan.running, run.record, size};
+  const StagedCertificate staged{options, kernel, judged.plan.questions, judged.plan.running, run.record, size};
   Stages stages(folder, options.out, judged.digest, options.resume);
 
   CertificateStatement statement;
@@ -128,12 +128,12 @@ int write_certificate(const Judged& judged, const std::optional<SigningKey>& key
   predicate.kernel.entry = kernel.test->entries[kernel.entry].name;
   predicate.asked.effort = judged.effort;
   predicate.materials = in_canonical_order(materials_of(judged, run.record));
-  predicate.search = search_stage(staged, stages);
-  predicate.safe_margin = margin_stage(staged, stages, predicate.search);
+  predicate.search = run_search_stage(staged, stages);
+  predicate.safe_margin = run_margin_stage(staged, stages, predicate.search);
   predicate.search = in_canonical_order(predicate.search);
   predicate.safe_margin = in_canonical_order(predicate.safe_margin);
-  predicate.diagnosis = diagnosis_stage(staged, stages);
-  predicate.harness = in_canonical_order(harness_stage(staged, stages));
+  predicate.diagnosis = run_diagnosis_stage(staged, stages);
+  predicate.harness = in_canonical_order(run_harness_stage(staged, stages));
   predicate.witnesses = in_canonical_order(worst_of_certificate(run.record, kernel.id));
   bool is_answered = false;
   try {
@@ -164,7 +164,7 @@ int write_certificate(const Judged& judged, const std::optional<SigningKey>& key
 }
 
 // --time is over before the plan is: there is nothing to sign yet.
-int unfinished_in(const CertifyOptions& options, std::uint64_t done, std::uint64_t stretches) {
+int print_unfinished(const CertifyOptions& options, std::uint64_t done, std::uint64_t stretches) {
   fmt::print(stderr,
              "axiscert: {} of the plan's {} stretches are done, and a certificate has all of them: none is written; "
              "`certify` with --resume finishes it in {}\n",
@@ -172,7 +172,7 @@ int unfinished_in(const CertifyOptions& options, std::uint64_t done, std::uint64
   return exit_requirement_failed;
 }
 
-int interrupted_in(const CertifyOptions& options) {
+int print_interrupted(const CertifyOptions& options) {
   fmt::print(stderr, "axiscert: interrupted; `certify` with --resume continues in {}\n", options.out);
   return exit_interrupted;
 }
@@ -200,34 +200,34 @@ int certify_kernel(const CertifyOptions& options, const std::optional<SigningKey
   planned.resume = is_begun;
   const std::atomic<bool>& interrupted = watch_for_interrupts();
   planned.after = [&](int code) -> int {
-    if (interrupted) return interrupted_in(options);
+    if (interrupted) return print_interrupted(options);
     if (code == exit_harness_fault || code == exit_bad_input) return code;
     const Plan plan = plan_of(file);
     const Stretches stretches(plan.questions, file.units_each);
     const Kernel& kernel = *plan.answerers.kernels.front();
-    Judged judged{options,
-                  plan,
-                  stretches,
-                  {},
-                  file.json["plan"],
-                  subjects_of(kernel),
-                  kind_of_kernel(kernel),
-                  options.effort,
-                  file.digest,
-                  file.options.is_slow};
+    CertificateMaterial judged{options,
+                               plan,
+                               stretches,
+                               {},
+                               file.json["plan"],
+                               subjects_of(kernel),
+                               kind_of_kernel(kernel),
+                               options.effort,
+                               file.digest,
+                               file.options.is_slow};
     read_journal(journal, file.digest, [&](std::string_view content) {
       if (const auto entry = finished_in(content))
         judged.tallies[entry->stretch] = tally_of_stretch(plan.answerers.kernels, stretches, *entry);
     });
     if (judged.tallies.size() != stretches.count())
-      return unfinished_in(options, judged.tallies.size(), stretches.count());
+      return print_unfinished(options, judged.tallies.size(), stretches.count());
     try {
       return write_certificate(judged, key);
     } catch (const StageInterrupted&) {
-      return interrupted_in(options);
+      return print_interrupted(options);
     }
   };
-  return planned_run(planned, run);
+  return run_planned(planned, run);
 }
 
 // Replies are judged as they are: nothing can be asked again.
@@ -238,8 +238,9 @@ int certify_replies(const CertifyOptions& options, const std::optional<SigningKe
   for (const std::string& target : targets_of(plan.answerers.kernels, plan.running.target))
     require_uncontracted(target);
   const Stretches stretches(plan.questions, Stretches::default_units_each(plan.questions));
-  Gathered gathered(plan.questions, plan.answerers.kernels.size(), stretches);
-  Judged judged{options, plan, stretches, {}, json_of(plan_record(plan)), {}, KernelKind::replies, "replies", "", true};
+  GatheredStretches gathered(plan.questions, plan.answerers.kernels.size(), stretches);
+  CertificateMaterial judged{options,   plan, stretches, {}, json_of(plan_record(plan)), {}, KernelKind::replies,
+                             "replies", "",   true};
   for (const std::string& path : options.replies.replies) judged.subjects.push_back(file_subject(path, "replies"));
   judged.digest = digest_of_json(json_of(judged.subjects));
   const OutputFolder folder(run_folder_of(options));
@@ -252,7 +253,7 @@ int certify_replies(const CertifyOptions& options, const std::optional<SigningKe
       gathered.add(entry);
     });
   } catch (const OracleDisagreement& disagreement) {
-    throw saved(folder, disagreement);
+    throw save_disagreement(folder, disagreement);
   }
   if (interrupted) return exit_interrupted;
   OutputOptions output;

@@ -28,7 +28,7 @@ constexpr double seconds_between_states = 60;
 
 // A stage that asks the kernel again, before it begins: with a reason where it cannot.
 template <class Stage>
-Stage stage_of(const Staged& staged) {
+Stage stage_of(const StagedCertificate& staged) {
   Stage all;
   if (staged.options.is_of_replies) all.reason = "replies are judged as they are: their program cannot be asked again";
   return all;
@@ -45,7 +45,8 @@ FindStatement find_statement(const Find& find) {
   return said;
 }
 
-SearchedStatement searched(const Staged& staged, Precision precision, Stages& stages, const std::string& stage) {
+SearchedStatement search_precision(const StagedCertificate& staged, Precision precision, Stages& stages,
+                                   const std::string& stage) {
   SearchOptions options;
   options.kernel = staged.kernel.id;
   options.precision = name(precision);
@@ -57,10 +58,11 @@ SearchedStatement searched(const Staged& staged, Precision precision, Stages& st
   SearchResult result;
   {
     ProgressLine progress(fmt::format("certify: search, {}", name(precision)), staged.options.quiet);
-    result = resumable_search(plan, stages, stage, seconds_between_states, interrupts(), [&](const SearchProgress& p) {
-      progress.show({p.islands, 0, 0, p.seconds},
-                    fmt::format("; {} of {} evaluations", p.evaluations, *plan.evaluations));
-    });
+    result =
+        run_resumable_search(plan, stages, stage, seconds_between_states, interrupts(), [&](const SearchProgress& p) {
+          progress.show({p.islands, 0, 0, p.seconds},
+                        fmt::format("; {} of {} evaluations", p.evaluations, *plan.evaluations));
+        });
   }
   SearchedStatement said{result.evaluations, plan.first_queries, {}};
   for (const Aim& aim : result.aims) {
@@ -101,7 +103,7 @@ std::function<std::uint64_t(const Source&)> queries_run(const Record& record, Pr
   };
 }
 
-MarginStatement margin_in(const Staged& staged, const SearchesStatement& search, Precision precision) {
+MarginStatement measure_margin(const StagedCertificate& staged, const SearchesStatement& search, Precision precision) {
   SafeMarginPlan plan{&staged.questions,
                       &staged.running,
                       &staged.kernel,
@@ -115,7 +117,7 @@ MarginStatement margin_in(const Staged& staged, const SearchesStatement& search,
   return margin_statement(margin);
 }
 
-DiagnosedStatement diagnosed(const Staged& staged, Precision precision) {
+DiagnosedStatement diagnose_precision(const StagedCertificate& staged, Precision precision) {
   ProgressLine progress(fmt::format("certify: diagnosis, {}", name(precision)), staged.options.quiet);
   DiagnosisOptions options;
   options.precision = precision;
@@ -143,7 +145,7 @@ std::vector<const mutants::Mutant*> mutants_judged(std::string_view base, bool b
   return judged;
 }
 
-HarnessStatement harness_score(const Staged& staged, std::string_view base) {
+HarnessStatement score_harness(const StagedCertificate& staged, std::string_view base) {
   const bool by_verdict = staged.kernel.exposes == Exposure::verdict;
   std::size_t exist = 0;
   MutationPlan plan;
@@ -183,7 +185,7 @@ HarnessStatement harness_score(const Staged& staged, std::string_view base) {
 
 }  // namespace
 
-std::vector<Precision> Staged::precisions() const {
+std::vector<Precision> StagedCertificate::precisions() const {
   std::vector<Precision> all;
   for (const Precision precision : questions.precisions) {
     if (kernel.has(precision)) all.push_back(precision);
@@ -226,9 +228,9 @@ void Stages::keep_state(const std::string& name, const std::string& state) {
   folder_.write(stages_file, done_);
 }
 
-SearchResult resumable_search(SearchPlan plan, Stages& stages, const std::string& name, double seconds,
-                              const std::atomic<bool>& interrupted,
-                              const std::function<void(const SearchProgress&)>& report) {
+SearchResult run_resumable_search(SearchPlan plan, Stages& stages, const std::string& name, double seconds,
+                                  const std::atomic<bool>& interrupted,
+                                  const std::function<void(const SearchProgress&)>& report) {
   plan.seconds = seconds;
   for (double before = 0;;) {
     double elapsed = 0;
@@ -243,7 +245,7 @@ SearchResult resumable_search(SearchPlan plan, Stages& stages, const std::string
   }
 }
 
-SearchesStatement search_stage(const Staged& staged, Stages& stages) {
+SearchesStatement run_search_stage(const StagedCertificate& staged, Stages& stages) {
   auto all = stage_of<SearchesStatement>(staged);
   if (all.reason) return all;
   if (!staged.kernel.test->entries[staged.kernel.entry].has_free_numbers) {
@@ -255,22 +257,22 @@ SearchesStatement search_stage(const Staged& staged, Stages& stages) {
     const std::string in(name(precision));
     const std::string stage = "search " + in;
     all.precisions.put(in) =
-        stages.part<SearchedStatement>(stage, [&] { return searched(staged, precision, stages, stage); });
+        stages.part<SearchedStatement>(stage, [&] { return search_precision(staged, precision, stages, stage); });
   }
   return all;
 }
 
-DiagnosisStatement diagnosis_stage(const Staged& staged, Stages& stages) {
+DiagnosisStatement run_diagnosis_stage(const StagedCertificate& staged, Stages& stages) {
   auto all = stage_of<DiagnosisStatement>(staged);
   if (all.reason) return all;
   for (const Precision precision : staged.precisions()) {
     all.precisions.push_back(stages.part<DiagnosedStatement>(fmt::format("diagnosis {}", name(precision)),
-                                                             [&] { return diagnosed(staged, precision); }));
+                                                             [&] { return diagnose_precision(staged, precision); }));
   }
   return all;
 }
 
-SafeMarginStatement margin_stage(const Staged& staged, Stages& stages, const SearchesStatement& search) {
+SafeMarginStatement run_margin_stage(const StagedCertificate& staged, Stages& stages, const SearchesStatement& search) {
   auto all = stage_of<SafeMarginStatement>(staged);
   if (all.reason) return all;
   if (!has_sphere_radius(*staged.kernel.test, staged.kernel.entry)) {
@@ -279,15 +281,15 @@ SafeMarginStatement margin_stage(const Staged& staged, Stages& stages, const Sea
   }
   for (const Precision precision : staged.precisions()) {
     all.precisions.push_back(stages.part<MarginStatement>(fmt::format("margin {}", name(precision)),
-                                                          [&] { return margin_in(staged, search, precision); }));
+                                                          [&] { return measure_margin(staged, search, precision); }));
   }
   return all;
 }
 
-HarnessStatement harness_stage(const Staged& staged, Stages& stages) {
+HarnessStatement run_harness_stage(const StagedCertificate& staged, Stages& stages) {
   for (const std::string_view base : mutants::bases) {
     if (&mutants::test_of(mutants::base_index(base)) != staged.kernel.test) continue;
-    return stages.part<HarnessStatement>("harness", [&] { return harness_score(staged, base); });
+    return stages.part<HarnessStatement>("harness", [&] { return score_harness(staged, base); });
   }
   HarnessStatement none;
   none.reason = fmt::format("no kernel of {} has faults to plant", staged.kernel.test->id);

@@ -38,11 +38,11 @@ class Stages {
   Json done_;
 };
 
-struct Staged {
+struct StagedCertificate {
   const CertifyOptions& options;
   const Kernel& kernel;
   const Questions& questions;  // of the run
-  const Running& running;
+  const RunningOptions& running;
   const Record& record;  // of the run
   EffortSize size;
 
@@ -51,14 +51,14 @@ struct Staged {
 
 // The whole search of a plan with a number of evaluations, whose state is kept under `name` every so many seconds: an
 // end without notice costs no more than those. What it finds does not depend on where it was ended.
-SearchResult resumable_search(SearchPlan plan, Stages& stages, const std::string& name, double seconds,
-                              const std::atomic<bool>& interrupted,
-                              const std::function<void(const SearchProgress&)>& report);
+SearchResult run_resumable_search(SearchPlan plan, Stages& stages, const std::string& name, double seconds,
+                                  const std::atomic<bool>& interrupted,
+                                  const std::function<void(const SearchProgress&)>& report);
 
-SearchesStatement search_stage(const Staged& staged, Stages& stages);
-DiagnosisStatement diagnosis_stage(const Staged& staged, Stages& stages);
+SearchesStatement run_search_stage(const StagedCertificate& staged, Stages& stages);
+DiagnosisStatement run_diagnosis_stage(const StagedCertificate& staged, Stages& stages);
 // After the search, whose finds are asked too.
-SafeMarginStatement margin_stage(const Staged& staged, Stages& stages, const SearchesStatement& search);
-HarnessStatement harness_stage(const Staged& staged, Stages& stages);
+SafeMarginStatement run_margin_stage(const StagedCertificate& staged, Stages& stages, const SearchesStatement& search);
+HarnessStatement run_harness_stage(const StagedCertificate& staged, Stages& stages);
 
 }  // namespace axiscert

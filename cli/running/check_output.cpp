@@ -35,7 +35,7 @@ std::string details_text(const std::vector<Detail>& details) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-ExactAnswersLine exact_line(const TestDescription& test, const Checked& found) {
+ExactAnswersLine exact_line(const TestDescription& test, const CheckResult& found) {
   ExactAnswersLine line{.verdict = found.truth.verdict,
                         .touching = found.truth.touching,
                         .reason = {},
@@ -57,11 +57,11 @@ ExactAnswersLine exact_line(const TestDescription& test, const Checked& found) {
 // "touching", with the kernel's own convention where that is not contact.
 std::string touching_text(const Kernel& kernel) {
   switch (kernel.touching) {
-    case Touching::contact:
+    case TouchingPolicy::contact:
       return "touching";
-    case Touching::separated:
+    case TouchingPolicy::separated:
       return fmt::format("touching, which {} calls separated", kernel.id);
-    case Touching::either:
+    case TouchingPolicy::either:
       return fmt::format("touching, where {} may say either", kernel.id);
   }
   return "";
@@ -69,7 +69,7 @@ std::string touching_text(const Kernel& kernel) {
 
 // " (touching; time 0.25, features vertex_a edge_ab)": what there is to say besides; the details of a motion are of its
 // contact.
-std::string remarks(const Checked& found, const Kernel& kernel) {
+std::string remarks(const CheckResult& found, const Kernel& kernel) {
   std::vector<std::string> all;
   if (found.truth.touching) all.push_back(touching_text(kernel));
   if (!found.why_invalid.empty()) all.push_back(found.why_invalid);
@@ -144,10 +144,10 @@ std::string_view standing_of(const Kernel& kernel, Verdict exact, bool is_within
   return "unanswered";
 }
 
-Checked checked_of(const TestDescription& test, const Examination& found, std::vector<Detail> details) {
-  Checked checked{found.truth,    found.squared_distance, {},          {},
-                  found.answer,   found.judgement,        found.depth, found.is_promised,
-                  found.findings, std::move(details)};
+CheckResult checked_of(const TestDescription& test, const Examination& found, std::vector<Detail> details) {
+  CheckResult checked{found.truth,    found.squared_distance, {},          {},
+                      found.answer,   found.judgement,        found.depth, found.is_promised,
+                      found.findings, std::move(details)};
   if (!test.measures.empty()) checked.measures = measures_of(test, found);
   checked.measures_text = measures_text(test, found);
   if (found.exact) {
@@ -157,7 +157,7 @@ Checked checked_of(const TestDescription& test, const Examination& found, std::v
   return checked;
 }
 
-std::string check_text(const std::string& id, const Kernel& kernel, const Checked& found) {
+std::string check_text(const std::string& id, const Kernel& kernel, const CheckResult& found) {
   const bool answered = found.answer.verdict != Verdict::unanswered;
   std::string line =
       fmt::format("{}: exact {}{}, {} {}{}", id, name(found.truth.verdict), remarks(found, kernel), kernel.id,
@@ -175,7 +175,7 @@ std::string check_text(const std::string& id, const Kernel& kernel, const Checke
   return line;
 }
 
-CheckLine check_line(const std::string& id, const Kernel& kernel, const Checked& found) {
+CheckLine check_line(const std::string& id, const Kernel& kernel, const CheckResult& found) {
   const TestDescription& test = *kernel.test;
   CheckLine line;
   line.id = id;
@@ -202,10 +202,10 @@ std::string errors_text(const TestDescription& test, const std::optional<SideErr
   return text;
 }
 
-std::optional<Named<ComparisonErrorLine>> errors_line(const TestDescription& test,
-                                                      const std::optional<SideErrors>& errors) {
+std::optional<NamedValues<ComparisonErrorLine>> errors_line(const TestDescription& test,
+                                                            const std::optional<SideErrors>& errors) {
   if (!errors) return std::nullopt;
-  Named<ComparisonErrorLine> all;
+  NamedValues<ComparisonErrorLine> all;
   for (std::size_t k = 0; k < test.comparisons.size(); ++k)
     all.put(test.comparisons[k].name) = {errors->absolute[k], errors->relative[k]};
   return all;

@@ -11,7 +11,7 @@
 namespace axiscert {
 
 // A query of any test as `check` shows it.
-struct Checked {
+struct CheckResult {
   Truth truth;
   std::optional<Rational> squared_distance;   // of a test that compares one; empty if the truth is `invalid`
   std::optional<ComparisonBits> exact, ties;  // of the formulae; empty without formulae, or if the truth is `invalid`
@@ -26,24 +26,24 @@ struct Checked {
   std::optional<MeasuresRecord> measures = {};
   std::string measures_text = {};
 };
-Checked checked_of(const TestDescription& test, const Examination& found, std::vector<Detail> details = {});
+CheckResult checked_of(const TestDescription& test, const Examination& found, std::vector<Detail> details = {});
 
 // The standing of the query is "decided", "declined", "undeclared_decline", "called_invalid", "unanswered",
 // "outside_limits" or "no_query". Only the first shows whether the kernel is right; the three after `declined` are
 // faults.
 std::string_view standing_of(const Kernel& kernel, Verdict exact, bool is_within_limits, Verdict computed);
-inline std::string_view standing_of(const Kernel& kernel, const Checked& found) {
+inline std::string_view standing_of(const Kernel& kernel, const CheckResult& found) {
   return standing_of(kernel, found.truth.verdict, found.within_limits, found.answer.verdict);
 }
 
 // One line, without its line end.
-std::string check_text(const std::string& id, const Kernel& kernel, const Checked& found);
-CheckLine check_line(const std::string& id, const Kernel& kernel, const Checked& found);
+std::string check_text(const std::string& id, const Kernel& kernel, const CheckResult& found);
+CheckLine check_line(const std::string& id, const Kernel& kernel, const CheckResult& found);
 
 // The errors of the computed sides: as text, one line for each comparison, to follow check_text's; and for a CheckLine,
 // by comparison.
 std::string errors_text(const TestDescription& test, const std::optional<SideErrors>& errors);
-std::optional<Named<ComparisonErrorLine>> errors_line(const TestDescription& test,
-                                                      const std::optional<SideErrors>& errors);
+std::optional<NamedValues<ComparisonErrorLine>> errors_line(const TestDescription& test,
+                                                            const std::optional<SideErrors>& errors);
 
 }  // namespace axiscert

@@ -33,7 +33,7 @@ constexpr const char* shrunk_file = "witnesses-shrunk.jsonl";
 
 // Prints what came of each level: what is met, with what that says, on standard output; the rest on standard error.
 // Returns whether all pass.
-bool shown(const std::vector<LevelOutcome>& outcomes, bool quiet) {
+bool print_outcomes(const std::vector<LevelOutcome>& outcomes, bool quiet) {
   for (const LevelOutcome& outcome : outcomes) {
     if (outcome.passes()) {
       const bool is_met = outcome.state == LevelState::met;
@@ -52,7 +52,7 @@ bool shown(const std::vector<LevelOutcome>& outcomes, bool quiet) {
 constexpr std::size_t most_lines = 40;
 
 // Prints what is worse, the worst first, and what is better; returns whether the ratchet is met.
-bool holds(const RatchetOutcome& outcome, const OutputOptions& output, bool is_quiet) {
+bool print_ratchet_outcome(const RatchetOutcome& outcome, const OutputOptions& output, bool is_quiet) {
   const auto more = [&](std::size_t all) {
     return all <= most_lines ? ""
                              : fmt::format("{} more, in {}/{}", all - most_lines, output.out, ratchet_outcome_file);
@@ -94,11 +94,11 @@ std::optional<Ratchet> ratchet_of(const OutputOptions& output, const Plan& plan)
   return ratchet;
 }
 
-HarnessFault saved(const OutputFolder& folder, const OracleDisagreement& disagreement) {
+HarnessFault save_disagreement(const OutputFolder& folder, const OracleDisagreement& disagreement) {
   return HarnessFault(fmt::format("{}; the query is saved in {}", disagreement.what(), folder.save(disagreement)));
 }
 
-JudgedRun judged_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked) {
+JudgedRun judge_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked) {
   source_places(plan.answerers.kernels, output.sources);  // refuses what cannot be one, before anything runs
   std::optional<Ratchet> ratchet = ratchet_of(output, plan);
   OutputFolder folder(output.out);
@@ -112,7 +112,7 @@ JudgedRun judged_run(const Plan& plan, const OutputOptions& output, const std::s
     ProgressLine progress("judging", output.quiet);
     result = run_campaign(plan, interrupted, progress.report());
   } catch (const OracleDisagreement& disagreement) {
-    throw saved(folder, disagreement);
+    throw save_disagreement(folder, disagreement);
   }
   if (plan.judging.planted != FilterFault::none) {
     throw HarnessFault(fmt::format("--plant {}: the cross-checks did not find it in this run",
@@ -126,7 +126,7 @@ RunFiles run_files(const Plan& plan, const CampaignResult& result, const OutputO
                    std::optional<RunScale> scale) {
   const double seconds = std::chrono::duration<double>(std::chrono::system_clock::now() - started).count();
   ProgressLine progress("judging", output.quiet);
-  progress.stage("the witnesses are confirmed");
+  progress.begin_stage("the witnesses are confirmed");
   RunFiles run{record_of(plan, result, output.required),
                run_info(plan, result, target_asked, iso_time(started), seconds)};
   run.info.scale = std::move(scale);
@@ -150,7 +150,7 @@ int put_result(JudgedRun run, const OutputOptions& output) {
   std::optional<ProgressLine> progress(std::in_place, "judging", output.quiet);
   if (output.shrink != 0 && is_complete)
     folder.write_text(shrunk_file, shrunk_witnesses(record, info.target.dispatched, output.shrink, progress->report()));
-  progress->stage("the reports are written");
+  progress->begin_stage("the reports are written");
   render_reports(output.out);
   progress.reset();  // before the summary
 
@@ -166,8 +166,8 @@ int put_result(JudgedRun run, const OutputOptions& output) {
   if (!output.quiet && output.format == "csv") fmt::print("{}", read_bytes(output.out + "/" + record_csv_file));
   if (!is_complete) return exit_interrupted;
   bool is_met = nothing.empty();
-  if (!shown(outcomes, is_quiet)) is_met = false;
-  if (held && !holds(*held, output, is_quiet)) is_met = false;
+  if (!print_outcomes(outcomes, is_quiet)) is_met = false;
+  if (held && !print_ratchet_outcome(*held, output, is_quiet)) is_met = false;
   return is_met ? exit_done : exit_requirement_failed;
 }
 

@@ -25,7 +25,7 @@ struct JudgedRun {
 };
 
 // Throws Error, and HarnessFault where the oracles disagree.
-JudgedRun judged_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked);
+JudgedRun judge_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked);
 
 // The ratchet that --ratchet names, for put_result; read, and compared with the plan, before anything runs or is
 // written. Throws Error.
@@ -40,6 +40,6 @@ RunFiles run_files(const Plan& plan, const CampaignResult& result, const OutputO
 int put_result(JudgedRun run, const OutputOptions& output);
 
 // Saves the query on which oracles disagreed in the folder, and returns the exception to throw.
-HarnessFault saved(const OutputFolder& folder, const OracleDisagreement& disagreement);
+HarnessFault save_disagreement(const OutputFolder& folder, const OracleDisagreement& disagreement);
 
 }  // namespace axiscert

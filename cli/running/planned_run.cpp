@@ -86,11 +86,11 @@ class Lead {
       }
       uses = distributor_.finish();
     } catch (const OracleDisagreement& disagreement) {
-      throw saved(folder_, disagreement);
+      throw save_disagreement(folder_, disagreement);
     }
     journal_->sync();
-    say_what_ranks_did(uses);
-    if (!is_whole_) return say_what_a_part_did();
+    print_rank_uses(uses);
+    if (!is_whole_) return print_part();
     // Stretches done by another process of the same plan are not counted: no rank of this run did them.
     const RunScale scale{file_.digest, stretches_.count(), stretches_.units_each(), lost_, journal_->bytes(), uses};
     return put_result(
@@ -161,7 +161,7 @@ class Lead {
                       }});
   }
 
-  static void say_what_ranks_did(const std::vector<RankUse>& uses) {
+  static void print_rank_uses(const std::vector<RankUse>& uses) {
     if (uses.size() == 1) return;
     for (std::size_t rank = 0; rank < uses.size(); ++rank) {
       fmt::print(stderr, "axiscert: rank {}: {} stretches on {} thread{}, {:.1f} MiB at most\n", rank, uses[rank].tasks,
@@ -170,7 +170,7 @@ class Lead {
     }
   }
 
-  int say_what_a_part_did() const {
+  int print_part() const {
     fmt::print("{}: {} of the plan's {} units; `axiscert merge` joins the parts\n", path(journal_file),
                gathered_.units(), stretches_.units());
     if (interrupted_) return exit_interrupted;
@@ -190,7 +190,7 @@ class Lead {
   const Stretches& stretches_;
   std::optional<Ratchet> ratchet_;
   OutputFolder folder_;
-  Gathered gathered_;
+  GatheredStretches gathered_;
   Distributor distributor_;
   bool is_whole_;
   Selection is_selected_;
@@ -263,13 +263,13 @@ void add_planned_options(CLI::App& command, PlannedOptions& o) {
       ->excludes(target);
 }
 
-int planned_run(const PlannedOptions& options, const RunOptions& run) {
+int run_planned(const PlannedOptions& options, const RunOptions& run) {
   const std::unique_ptr<Ranks> ranks = join_ranks();
   if (!ranks || ranks->size() == 1) return run_as(nullptr, options, run);
   try {
     return run_as(ranks.get(), options, run);
   } catch (...) {
-    const int code = tell(std::current_exception());
+    const int code = print_failure(std::current_exception());
     ranks->abort(code);  // otherwise the others would wait for this rank for ever
     return code;
   }

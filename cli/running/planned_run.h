@@ -12,7 +12,7 @@ struct PlannedOptions {
   std::string plan;               // file; empty: not a planned run
   std::optional<PlanFile> made;   // the plan itself, in place of its file
   std::optional<double> seconds;  // no stretch is begun after that time; those that were are finished
-  // Done by rank 0 once the run's folder is written, with what planned_run would return; it returns that instead.
+  // Done by rank 0 once the run's folder is written, with what run_planned would return; it returns that instead.
   std::function<int(int code)> after;
   std::string shard;      // "I/N"
   std::string stretches;  // file with the numbers of the only stretches to run
@@ -32,6 +32,6 @@ using Selection = std::function<bool(std::uint64_t)>;
 // Adds --plan and the options that go with it; options of `run` that a plan determines are refused next to it.
 void add_planned_options(CLI::App& command, PlannedOptions& options);
 // Uses from `run` the folder, threads, target and --exact-only. Returns an ExitCode.
-int planned_run(const PlannedOptions& options, const RunOptions& run);
+int run_planned(const PlannedOptions& options, const RunOptions& run);
 
 }  // namespace axiscert

@@ -65,7 +65,7 @@ class Scratch {
   fs::path path_;
 };
 
-void do_with_another_build(const std::string& program, const PlanFile& file, const Rechecked& run,
+void do_with_another_build(const std::string& program, const PlanFile& file, const RecheckedRun& run,
                            const std::vector<std::uint64_t>& sample, Recheck& recheck) {
   const Scratch scratch(run.output.out);
   const OutputFolder folder(scratch.path());
@@ -75,7 +75,7 @@ void do_with_another_build(const std::string& program, const PlanFile& file, con
   run_program({program, "run", "--plan", file.path, "--stretches", scratch.path() + "/stretches", "--out",
                scratch.path(), "--threads", std::to_string(run.on.threads)});
   read_journal(scratch.path() + "/" + journal_file, file.digest, [&](std::string_view content) {
-    if (const auto entry = finished_in(content)) recheck.again(*entry);
+    if (const auto entry = finished_in(content)) recheck.add_again(*entry);
   });
 }
 
@@ -86,7 +86,7 @@ std::string recheck_target(const PlannedOptions& options, const std::string& fir
   return first == scalar_target ? resolve_target("auto") : std::string(scalar_target);
 }
 
-void recheck(const PlannedOptions& options, const PlanFile& file, const Rechecked& run, Distributor& distributor) {
+void recheck(const PlannedOptions& options, const PlanFile& file, const RecheckedRun& run, Distributor& distributor) {
   std::vector<std::uint64_t> finished;
   read_journal(run.journal, file.digest, [&](std::string_view content) {
     if (const auto entry = finished_in(content)) finished.push_back(entry->stretch);
@@ -96,7 +96,7 @@ void recheck(const PlannedOptions& options, const PlanFile& file, const Rechecke
   const std::vector<std::uint64_t> sample = sample_of(finished, options.recheck, seed);
   Recheck compared(run.kernels, run.stretches, sample);
   read_journal(run.journal, file.digest, [&](std::string_view content) {
-    if (const auto entry = finished_in(content); entry && compared.is_in(entry->stretch)) compared.first(*entry);
+    if (const auto entry = finished_in(content); entry && compared.is_in(entry->stretch)) compared.add_first(*entry);
   });
 
   const std::string another =
@@ -112,8 +112,8 @@ void recheck(const PlannedOptions& options, const PlanFile& file, const Rechecke
                      },
                      [&] { return static_cast<std::uint64_t>(sample.end() - next); },
                      [&](const TaskResult& result) {
-                       compared.again(decode_entry(result.bytes));
-                       count.finished();
+                       compared.add_again(decode_entry(result.bytes));
+                       count.finish_unit();
                      }});
   }
   if (!compared.differences().empty()) {

@@ -15,14 +15,14 @@ constexpr bool is_again(Task task) { return task % 2 != 0; }
 // The instruction set of the repetition.
 std::string recheck_target(const PlannedOptions& options, const std::string& first);
 
-struct Rechecked {
+struct RecheckedRun {
   const std::vector<const Kernel*>& kernels;
-  const Running& on;
+  const RunningOptions& on;
   const Stretches& stretches;
   std::string journal;
   const OutputOptions& output;
 };
 // Prints what was compared; throws HarnessFault where something differs.
-void recheck(const PlannedOptions& options, const PlanFile& file, const Rechecked& run, Distributor& distributor);
+void recheck(const PlannedOptions& options, const PlanFile& file, const RecheckedRun& run, Distributor& distributor);
 
 }  // namespace axiscert

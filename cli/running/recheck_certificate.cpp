@@ -237,7 +237,7 @@ void recheck_certificate(const Certificate& certificate, const VerifyOptions& op
                             tallies.size()));
   const bool is_whole = sample.size() == tallies.size();
   const std::vector<const Kernel*>& kernels = here.plan.answerers.kernels;
-  Gathered gathered(here.plan.questions, kernels.size(), stretches);
+  GatheredStretches gathered(here.plan.questions, kernels.size(), stretches);
   std::vector<std::string> differences;
   recheck_entries(predicate, here.plan.questions, here.plan.answerers, differences);
   std::size_t done = 0, images = 0;

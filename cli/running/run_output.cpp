@@ -174,7 +174,7 @@ std::string classes_table(const std::vector<KernelRecord>& kernels) {
                       thousands(row.missed), amount(row.deepest, 3), thousands(row.phantom), row.witness});
     }
     if (const std::string sentence = nearest_sentence(kernel); !sentence.empty()) {
-      nearest += plain_line(fmt::format("{}: {}", kernel_text(kernel), sentence)) + "\n";
+      nearest += printable_line(fmt::format("{}: {}", kernel_text(kernel), sentence)) + "\n";
     }
   }
   return rows.empty() ? "" : aligned_table(columns, rows) + nearest;

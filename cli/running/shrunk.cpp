@@ -13,7 +13,7 @@ KeptLine kept_line(const Symptom& s) {
 }
 
 template <class Real>
-ShrunkQuery line_of(const StoredQuery& stored, KeptLine kept, const Shrunk<Real>& found, const Kernel& kernel) {
+ShrunkQuery line_of(const StoredQuery& stored, KeptLine kept, const ShrinkResult<Real>& found, const Kernel& kernel) {
   // The class of the input, and the definitions of classes that it meets.
   if (const auto& classes = found.kept.classes()) {
     kept.input_class = classes->front();
@@ -46,12 +46,12 @@ StoredQuery image_of(const StoredQuery& stored, AnyNumbers image) {
 }
 
 template <class Real>
-ShrunkQuery shrunk_query(const StoredQuery& stored, const Symptom& kept, const Shrunk<Real>& found,
+ShrunkQuery shrunk_query(const StoredQuery& stored, const Symptom& kept, const ShrinkResult<Real>& found,
                          const Kernel& kernel) {
   return line_of(stored, kept_line(kept), found, kernel);
 }
-template ShrunkQuery shrunk_query(const StoredQuery&, const Symptom&, const Shrunk<float>&, const Kernel&);
-template ShrunkQuery shrunk_query(const StoredQuery&, const Symptom&, const Shrunk<double>&, const Kernel&);
+template ShrunkQuery shrunk_query(const StoredQuery&, const Symptom&, const ShrinkResult<float>&, const Kernel&);
+template ShrunkQuery shrunk_query(const StoredQuery&, const Symptom&, const ShrinkResult<double>&, const Kernel&);
 
 template <class Real>
 ShrunkQuery shrunk_pair(const StoredQuery& stored, const Pair<Real>& pair, const ShrunkPair<Real>& found,
@@ -77,7 +77,7 @@ std::string shrunk_witnesses(const Record& record, const std::string& target, st
   std::string text;
   ProgressCount progress(report, record.witnesses.size(), "the witnesses are made smaller");
   for (const WitnessRecord& witness : record.witnesses) {
-    progress.finished();  // when the next one is begun
+    progress.finish_unit();  // when the next one is begun
     const Kernel& kernel = find_kernel(witness.kernel);
     Json line = json_of(witness);
     line["test"] = kernel.test->id;

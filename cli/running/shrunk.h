@@ -20,7 +20,7 @@ StoredQuery image_of(const StoredQuery& stored, AnyNumbers image);
 // The smaller query, named "shrunk-" and the name of the given one, together with the symptom that it keeps and the
 // given query.
 template <class Real>
-ShrunkQuery shrunk_query(const StoredQuery& stored, const Symptom& kept, const Shrunk<Real>& found,
+ShrunkQuery shrunk_query(const StoredQuery& stored, const Symptom& kept, const ShrinkResult<Real>& found,
                          const Kernel& kernel);
 
 // The same for a pair: the line has the smaller query's image as its member `image`, and the given one's in `before`.

@@ -18,7 +18,7 @@ void run_stretches(const Plan& plan, const Stretches& stretches, const std::vect
                    [&](const TaskResult& result) {
                      const Entry entry = decode_entry(result.bytes);
                      done(entry);
-                     count.finished(stretches.at(entry.stretch).queries);
+                     count.finish_unit(stretches.at(entry.stretch).queries);
                    }});
 }
 

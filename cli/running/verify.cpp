@@ -156,7 +156,7 @@ struct CheckedPlan {
 };
 
 // Holds the plan to the one that this axiscert makes of kernel, effort and seed, without the kernel.
-CheckedPlan checked_plan(const CertificatePredicate& predicate, const VerifyOptions& options) {
+CheckedPlan check_stated_plan(const CertificatePredicate& predicate, const VerifyOptions& options) {
   const std::string& name = options.certificate;
   const KernelStatement& kernel = predicate.kernel;
   const Json& stated = predicate.materials.plan.plan.json;
@@ -189,7 +189,7 @@ struct CheckedPromises {
 };
 
 // Holds what is stated of the built-in kernels to what those of this axiscert declare, where it is of the same version.
-CheckedPromises checked_promises(const CertificatePredicate& predicate, const std::string& name) {
+CheckedPromises check_stated_promises(const CertificatePredicate& predicate, const std::string& name) {
   if (predicate.materials.axiscert.version != axiscert_version)
     return {"NOT COMPARED: made by another version, whose kernels may declare something else", false};
   const std::vector<std::string> stated_ids = predicate.materials.plan.plan.json["kernels"];
@@ -224,7 +224,7 @@ void require_own_id(const KernelStatement& kernel, const std::string& name) {
 }
 
 // Whether the kernel that was given is the one. Returns what is to be said; sets the id by which it could be run.
-std::string kernel_said(const Certificate& certificate, const VerifyOptions& options, std::string& id) {
+std::string kernel_sentence(const Certificate& certificate, const VerifyOptions& options, std::string& id) {
   const std::vector<SubjectStatement>& stated_subjects = certificate.statement.subject;
   const KernelKind kind = certificate.predicate().kernel.kind;
   const std::string& stated_id = certificate.predicate().kernel.id;
@@ -250,7 +250,7 @@ std::string kernel_said(const Certificate& certificate, const VerifyOptions& opt
   return fmt::format("{} is the one", given);
 }
 
-std::string axiscert_said(const CertificatePredicate& predicate) {
+std::string axiscert_sentence(const CertificatePredicate& predicate) {
   const AxiscertMaterial& made_by = predicate.materials.axiscert;
   if (is_made_by_this(predicate)) return "made by this version";
   return fmt::format("made by {}, sources {:.16}; this is {}, {:.16}", axiscert::shown(made_by.version),
@@ -269,13 +269,13 @@ int verify_or_throw(const VerifyOptions& options) {
   require_plan_digest(certificate, name);
   stretches_of(predicate, name);  // its plan is one
   require_effort(predicate, name);
-  const CheckedPlan plan = checked_plan(predicate, options);
+  const CheckedPlan plan = check_stated_plan(predicate, options);
   require_own_id(predicate.kernel, name);
   // Its levels are said by its counts here, whoever made it.
   const Record record = require_derived(predicate, name);
   const CertificatePredicate derived = derived_predicate(predicate, record);
   if (plan.here) require_none(triangle_differences(predicate, *plan.here), name);
-  const CheckedPromises promises = checked_promises(predicate, name);
+  const CheckedPromises promises = check_stated_promises(predicate, name);
 
   fmt::print("digest: {}\nsignature: {}\n", predicate.digest, signature);
   const std::string no_answers = no_answers_sentence(derived);
@@ -283,8 +283,8 @@ int verify_or_throw(const VerifyOptions& options) {
   fmt::print("certificate: {}\nasked: {}\nanswers: {}\n", made_sentence(predicate), asked_sentence(predicate),
              looked_sentence(predicate));
   std::string id;
-  fmt::print("kernel: {}\n", kernel_said(certificate, options, id));
-  fmt::print("axiscert: {}\nplan: {}\npromises: {}\n", axiscert_said(predicate), plan.said, promises.said);
+  fmt::print("kernel: {}\n", kernel_sentence(certificate, options, id));
+  fmt::print("axiscert: {}\nplan: {}\npromises: {}\n", axiscert_sentence(predicate), plan.said, promises.said);
   fmt::print(
       "counts: of all {} stretches of the plan; levels, numbers of queries, comparison and safe margin agree with "
       "them\n",

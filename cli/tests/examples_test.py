@@ -14,7 +14,7 @@ from command import BUILD, DIVISOR, ROOT, family
 
 EXAMPLES = ROOT / "examples" / "plugin"
 EXAMPLE_KERNELS = {"c": [32], "cpp": [32, 64]}
-if DIVISOR == 1:  # a plain program cannot load a library with a sanitizer in it
+if DIVISOR == 1:  # a program without one cannot load a library with a sanitizer in it
     EXAMPLE_KERNELS["certified"] = [32, 64]
 
 

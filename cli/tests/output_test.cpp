@@ -61,9 +61,9 @@ TEST(CheckOutput, TheQueryAfterACrashIsAnswered) {
 TEST(CheckOutput, TouchingIsByTheKernelsConvention) {
   Kernel kernel = black_box("mine", no_fault);
   EXPECT_EQ(line_of(kernel, touching), "q: exact contact (touching), mine contact");
-  kernel.touching = Touching::either;
+  kernel.touching = TouchingPolicy::either;
   EXPECT_EQ(line_of(kernel, touching), "q: exact contact (touching, where mine may say either), mine contact");
-  kernel.touching = Touching::separated;
+  kernel.touching = TouchingPolicy::separated;
   EXPECT_EQ(line_of(kernel, touching),
             "q: exact contact (touching, which mine calls separated), mine contact, wrong by 0 of the scene; verdict "
             "false_contact [unattributed]");

@@ -56,7 +56,7 @@ TEST(ProgressLine, OnATerminalIsOneLineThatIsClearedInTheEnd) {
   Stream stream;
   {
     ProgressLine line("map", at_once_on_a_terminal, stream.file());
-    line.stage("the witnesses are confirmed");
+    line.begin_stage("the witnesses are confirmed");
     stream.wait_for_more(0);
   }
   const std::string text = stream.text();

@@ -42,7 +42,7 @@ TEST_F(StagesOfASearch, AreTheSameHoweverOftenTheyAreEnded) {
     Stages here = stages();
     try {
       const SearchResult result =
-          resumable_search(plan(), here, "search", 60, interrupted_, [&](const SearchProgress& p) {
+          run_resumable_search(plan(), here, "search", 60, interrupted_, [&](const SearchProgress& p) {
             EXPECT_GT(p.evaluations, reached);
             reached = p.evaluations;
             interrupted_ = true;
@@ -63,17 +63,18 @@ TEST_F(StagesOfASearch, KeepTheirStateAsTimePasses) {
   double seconds = 0;
   std::uint64_t islands = 0;
   std::optional<std::string> last;
-  const SearchResult result = resumable_search(plan(), here, "search", 0, interrupted_, [&](const SearchProgress& p) {
-    EXPECT_EQ(p.islands, ++islands);
-    EXPECT_GE(p.seconds, seconds) << "counted from the beginning";
-    seconds = p.seconds;
-    const std::optional<std::string> now = stages().state("search");
-    EXPECT_EQ(now.has_value(), islands > 1);
-    if (now) {
-      EXPECT_NE(now, last) << "kept before island " << islands;
-    }
-    last = now;
-  });
+  const SearchResult result =
+      run_resumable_search(plan(), here, "search", 0, interrupted_, [&](const SearchProgress& p) {
+        EXPECT_EQ(p.islands, ++islands);
+        EXPECT_GE(p.seconds, seconds) << "counted from the beginning";
+        seconds = p.seconds;
+        const std::optional<std::string> now = stages().state("search");
+        EXPECT_EQ(now.has_value(), islands > 1);
+        if (now) {
+          EXPECT_NE(now, last) << "kept before island " << islands;
+        }
+        last = now;
+      });
   EXPECT_EQ(result.finds, whole.finds);
   EXPECT_EQ(result.state, whole.state);
   EXPECT_GT(islands, 3u);

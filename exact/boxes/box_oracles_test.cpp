@@ -89,7 +89,7 @@ TEST(BoxOracles, ToldDetailsAreThePenetrationOrTheDistanceAndTheAxes) {
 }
 
 // Faults of the fifteen axes: one that never separates, or one without a term of B's extent that is not 0 on it.
-struct PlantedFifteen : Projected {
+struct PlantedFifteen : ProjectedFifteen {
   inline static std::size_t dropped = axis_count, shortened = axis_count;  // none
   template <class T, class Sink>
   static void comparisons(const BoxPair<T>& q, Sink& sink) {
@@ -98,7 +98,7 @@ struct PlantedFifteen : Projected {
       const T short_rhs = rhs - q.b.half[k] * magnitude(dot(direction(q, i), q.b.axis[k]));
       sink(i, i == dropped ? T(0.0) : lhs, i == shortened ? short_rhs : rhs);
     };
-    Projected::comparisons<T>(q, planted);
+    ProjectedFifteen::comparisons<T>(q, planted);
   }
 };
 struct WithPlantedAxes : MatrixTrait {
@@ -148,7 +148,7 @@ TEST(BoxOraclesLong, RefuseEachAxisThatIsDroppedOrShort) {
 // Over quaternions all forms without an epsilon have the signs of the first, which chain() compares.
 TEST(BoxOracles, AllFormsWithoutAnEpsilonHaveOneSignOnQuaternions) {
   Random random(7);
-  Kernel kernel = plain_kernel<QuaternionBoxes, Homogeneous>("box-box/any", "");
+  Kernel kernel = formulae_kernel<QuaternionBoxes, Homogeneous>("box-box/any", "");
   kernel.is_reference = false;
   for (int i = 0; i < 60; ++i) {
     Numbers<double> numbers(20);

@@ -30,10 +30,10 @@ Wrong wrong_of(int queries, Make make) {
 
 BoxPair<double> small_pair(Random& random, int i) { return independent_pair(random, 1 + i % 3, 2 + i % 3); }
 
-TEST(FifteenAxes, AreRightOnIndependentAxes) { EXPECT_EQ(wrong_of<Projected>(1500, small_pair).all(), 0); }
+TEST(FifteenAxes, AreRightOnIndependentAxes) { EXPECT_EQ(wrong_of<ProjectedFifteen>(1500, small_pair).all(), 0); }
 
 TEST(FifteenAxesLong, AreRightOn75000PairsOfIndependentAxes) {
-  const Wrong wrong = wrong_of<Projected>(75000 / TRIAL_DIVISOR, small_pair);
+  const Wrong wrong = wrong_of<ProjectedFifteen>(75000 / TRIAL_DIVISOR, small_pair);
   EXPECT_EQ(wrong.all(), 0);
   expect_docs_row("`projected`, axes independent, extents of 0 too", wrong);
 }
@@ -46,7 +46,7 @@ TEST(FifteenAxesLong, OfDependentAxesInventAFewContactsAndMissNone) {
       if (volume(a) == 0 || volume(b) == 0) return BoxPair<double>{a, b};
     }
   };
-  const Wrong wrong = wrong_of<Projected>(25000 / TRIAL_DIVISOR, dependent);
+  const Wrong wrong = wrong_of<ProjectedFifteen>(25000 / TRIAL_DIVISOR, dependent);
   EXPECT_EQ(wrong.missed, 0) << wrong;
   if (TRIAL_DIVISOR == 1) {
     EXPECT_GT(wrong.phantom, 0) << wrong;
@@ -63,7 +63,7 @@ Rates rates(int queries) {
     return BoxPair<double>{by_half_edges(q.a), by_half_edges(q.b)};
   };
   return {wrong_of<Columns>(queries, small_pair), wrong_of<Textbook>(queries, small_pair),
-          wrong_of<Projected>(queries, small_pair, half_edges)};
+          wrong_of<ProjectedFifteen>(queries, small_pair, half_edges)};
 }
 void expect_rates(const Rates& found) {
   EXPECT_EQ(found.columns.missed, 0);
@@ -96,7 +96,7 @@ BoxPair<double> orthogonal_pair(Random& random, int) {
 
 TEST(FifteenAxes, ColumnsOfAnyLengthAreRightWhereTheyAreOrthogonalAndTheTextbookIsNot) {
   EXPECT_EQ(wrong_of<Columns>(1000, orthogonal_pair).all(), 0);
-  EXPECT_EQ(wrong_of<Dropped>(1000, orthogonal_pair).all(), 0);
+  EXPECT_EQ(wrong_of<DroppedFifteen>(1000, orthogonal_pair).all(), 0);
   EXPECT_GT(wrong_of<Textbook>(1000, orthogonal_pair).missed, 100);
 }
 
@@ -150,7 +150,7 @@ OrthonormalRates orthonormal_rates(int queries) {
     const auto problem = exact_problem<QuaternionBoxes>(numbers_of(q));
     const BoxPair<ExactNumber> matrices = with_matrices(problem);
     const bool apart = are_apart(exact_pair(q));
-    found.projected.count(separates<Projected, ExactNumber>(matrices), apart);
+    found.projected.count(separates<ProjectedFifteen, ExactNumber>(matrices), apart);
     found.textbook.count(separates<Textbook, ExactNumber>(matrices), apart);
     found.epsilon.count(separates<Gottschalk, ExactNumber>(matrices), apart);
     found.homogeneous.count(separates<Homogeneous, ExactNumber>(problem), apart);

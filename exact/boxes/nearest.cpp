@@ -142,13 +142,13 @@ NearestPoints nearest_points(const BinaryHull& a, const BinaryHull& b) {
     of_a = of_a + simplex.weights[i];
     of_b = of_b + simplex.weights[i];
   }
-  if (const std::string reason = refuted(found, a, b); !reason.empty()) {
+  if (const std::string reason = refutation_text(found, a, b); !reason.empty()) {
     throw HarnessFault("nearest_points: its result does not prove the distance: " + reason);
   }
   return found;
 }
 
-std::string refuted(const NearestPoints& found, const BinaryHull& a, const BinaryHull& b) {
+std::string refutation_text(const NearestPoints& found, const BinaryHull& a, const BinaryHull& b) {
   if (found.weights_a.size() != a.size() || found.weights_b.size() != b.size())
     return "there is not one weight a vertex";
   if (found.total.sign() <= 0) return "the total is not positive";

@@ -32,7 +32,7 @@ struct NearestPoints {
 //
 // Exact, without a division: from a simplex of differences of vertices to the next one that comes nearer to 0, as in
 // Wolfe's and Gilbert's methods. Each simplex has its own nearest point, and the distance falls with each, so none
-// returns and the loop ends; no step has a tolerance. The result is checked by refuted().
+// returns and the loop ends; no step has a tolerance. The result is checked by refutation_text().
 // Throws HarnessFault if the check fails.
 // Source: P. Wolfe, Finding the nearest point in a polytope, Mathematical Programming 11 (1976).
 NearestPoints nearest_points(const BinaryHull& a, const BinaryHull& b);
@@ -41,7 +41,7 @@ NearestPoints nearest_points(const BinaryHull& a, const BinaryHull& b);
 // weights are not negative and those of a hull sum to `total`, the two points differ by `apart`, and all of A is beyond
 // A's point along `apart`, all of B before B's: then no pair of points is nearer. It does not depend on how the points
 // were found.
-std::string refuted(const NearestPoints& found, const BinaryHull& a, const BinaryHull& b);
+std::string refutation_text(const NearestPoints& found, const BinaryHull& a, const BinaryHull& b);
 
 // The square of the hulls' distance, by their nearest points.
 Rational squared_distance(const Hull& a, const Hull& b);

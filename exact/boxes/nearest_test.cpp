@@ -36,18 +36,18 @@ TEST(NearestPoints, OfHullsInContactAreOnePointInBoth) {
                             Hull{{5, 1, -2}, {-2, 1, 1}, {1, 1, 1}, {0, 5, 1}}}) {
     const NearestPoints found = nearest_points(binary(square), binary(other));
     EXPECT_TRUE(found.in_contact());
-    EXPECT_EQ(refuted(found, binary(square), binary(other)), "");
+    EXPECT_EQ(refutation_text(found, binary(square), binary(other)), "");
   }
 }
 
 TEST(NearestPoints, ACertificateWithAnythingWrongIsRefused) {
   const Hull other = {{3, 3, 1}, {4, 3, 1}};
   const NearestPoints right = nearest_points(binary(square), binary(other));
-  EXPECT_EQ(refuted(right, binary(square), binary(other)), "");
+  EXPECT_EQ(refutation_text(right, binary(square), binary(other)), "");
   const auto refusal = [&](auto change) {
     NearestPoints wrong = right;
     change(wrong);
-    return refuted(wrong, binary(square), binary(other));
+    return refutation_text(wrong, binary(square), binary(other));
   };
   EXPECT_EQ(refusal([](NearestPoints& n) { n.weights_a.pop_back(); }), "there is not one weight a vertex");
   EXPECT_EQ(refusal([](NearestPoints& n) { n.weights_b = weights({2, -1}); }), "a weight is negative");
@@ -65,7 +65,7 @@ TEST(NearestPoints, ACertificateWithAnythingWrongIsRefused) {
     NearestPoints n{std::vector<BinaryNumber>(4), std::vector<BinaryNumber>(2), BinaryNumber(1), a[i] - b[j]};
     n.weights_a[i] = BinaryNumber(1);
     n.weights_b[j] = BinaryNumber(1);
-    return refuted(n, a, b);
+    return refutation_text(n, a, b);
   };
   EXPECT_EQ(from_to(1, 0), "a vertex of A is nearer along `apart`");
   EXPECT_EQ(from_to(2, 1), "a vertex of B is nearer along `apart`");

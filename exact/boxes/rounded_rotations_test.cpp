@@ -155,7 +155,7 @@ RoundedRates rounded_rates(MakeRounded make, int queries) {
     count(found.cofactor, separates<Cofactor, ExactNumber>(problem));
     count(found.gottschalk, separates<Gottschalk, ExactNumber>(problem));
     count(found.textbook_32, separates<Textbook, float>(q));
-    count(found.projected_32, separates<Projected, float>(q));
+    count(found.projected_32, separates<ProjectedFifteen, float>(q));
   }
   return found;
 }

@@ -98,17 +98,17 @@ struct BoxTrait : Boxes {
 };
 
 struct MatrixTrait : BoxTrait<MatrixBoxes> {
-  using AllFormulae =
-      FormulaeList<Projected, Columns, Dropped, Framed, Textbook, Rtcd, Gottschalk, Bullet, Cofactor, SlipOfTheBook,
-                   SlipOfTheFrame, SlipOfEpsilon, SlipOfOneInterval, SlipOfOwnEdges, SlipOfOneEdge>;
+  using AllFormulae = FormulaeList<ProjectedFifteen, Columns, DroppedFifteen, FramedFifteen, Textbook, Rtcd, Gottschalk,
+                                   Bullet, Cofactor, SlipOfTheBook, SlipOfTheFrame, SlipOfEpsilon, SlipOfOneInterval,
+                                   SlipOfOwnEdges, SlipOfOneEdge>;
 };
 
 struct QuaternionTrait : BoxTrait<QuaternionBoxes> {
   using Exact = BinaryFraction;  // the matrix of a quaternion is divided by its squared length
   using AllFormulae =
-      FormulaeList<OfQuaternions<Projected>, OfQuaternions<Columns>, OfQuaternions<Dropped>, OfQuaternions<Framed>,
-                   OfQuaternions<Textbook>, OfQuaternions<Rtcd>, OfQuaternions<Gottschalk>, OfQuaternions<Bullet>,
-                   OfQuaternions<Cofactor>, Homogeneous>;
+      FormulaeList<OfQuaternions<ProjectedFifteen>, OfQuaternions<Columns>, OfQuaternions<DroppedFifteen>,
+                   OfQuaternions<FramedFifteen>, OfQuaternions<Textbook>, OfQuaternions<Rtcd>,
+                   OfQuaternions<Gottschalk>, OfQuaternions<Bullet>, OfQuaternions<Cofactor>, Homogeneous>;
 };
 
 }  // namespace axiscert::boxes

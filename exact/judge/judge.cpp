@@ -61,16 +61,16 @@ void judge_bits(const TestDescription& test, const Reference& chain, ComparisonB
 }
 
 // The reference on a touching query under a convention other than `contact`, which decides its ties at touching.
-Reference by_convention(const TestDescription& test, Reference chain, Touching touching, const Answer& answer) {
+Reference by_convention(const TestDescription& test, Reference chain, TouchingPolicy touching, const Answer& answer) {
   if (!chain.exact.bits) {
-    chain.exact.verdict = touching == Touching::separated ? Verdict::separated : answer.verdict;
+    chain.exact.verdict = touching == TouchingPolicy::separated ? Verdict::separated : answer.verdict;
     return chain;
   }
   ComparisonBits open = 0;
   for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
     if (test.comparisons[i].ties_at_touching) open |= chain.ties & one_bit<ComparisonBits>(i);
   }
-  const ComparisonBits decided = touching == Touching::separated ? open : answer.bits.value_or(0);
+  const ComparisonBits decided = touching == TouchingPolicy::separated ? open : answer.bits.value_or(0);
   const ComparisonBits bits = (*chain.exact.bits & ~open) | (decided & open);
   chain.exact = {verdict_of(test, bits), bits};
   return chain;
@@ -96,21 +96,21 @@ std::string_view name(const TestDescription& test, const Flip& flip) {
   return {};
 }
 
-std::optional<Verdict> right_verdict(const Truth& truth, Touching touching) {
+std::optional<Verdict> right_verdict(const Truth& truth, TouchingPolicy touching) {
   if (!truth.touching) return truth.verdict;
   switch (touching) {
-    case Touching::contact:
+    case TouchingPolicy::contact:
       return Verdict::contact;
-    case Touching::separated:
+    case TouchingPolicy::separated:
       return Verdict::separated;
-    case Touching::either:
+    case TouchingPolicy::either:
       return std::nullopt;
   }
   return truth.verdict;
 }
 
 Judgement judge(const TestDescription& test, const Truth& truth, const std::optional<Reference>& reference,
-                const Answer& answer, Touching touching) {
+                const Answer& answer, TouchingPolicy touching) {
   Judgement out;
   if (truth.verdict == Verdict::invalid) return out;
   const bool decided = answer.verdict == Verdict::separated || answer.verdict == Verdict::contact;
@@ -122,7 +122,7 @@ Judgement judge(const TestDescription& test, const Truth& truth, const std::opti
     if (out.verdict_flip) out.verdict_links = {Link::unattributed};
     return out;
   }
-  const bool conventional = truth.touching && touching != Touching::contact && !reference->rounded;
+  const bool conventional = truth.touching && touching != TouchingPolicy::contact && !reference->rounded;
   const Reference chain = conventional ? by_convention(test, *reference, touching, answer) : *reference;
   out.exact = chain.exact.bits;
   if (out.exact) out.exact_axes = clauses_of(test, *out.exact);

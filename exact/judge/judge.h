@@ -55,7 +55,7 @@ using Answer = Outcome;
 
 // The decisions of formulae as rounded: with an exponent without limits (R-infinity), and as the scalar reference
 // computes them (R).
-struct Rounded {
+struct RoundedDecisions {
   Outcome range_free, reference;
 };
 
@@ -64,7 +64,7 @@ struct Rounded {
 // from E are `unattributed`.
 struct Reference {
   Outcome exact;
-  std::optional<Rounded> rounded;
+  std::optional<RoundedDecisions> rounded;
   ComparisonBits ties = 0;  // ties of the exact formulae: lhs == rhs
 };
 
@@ -85,7 +85,7 @@ struct Judgement {
 };
 
 // The right verdict on a valid query for a kernel with this convention; empty if neither answer is wrong.
-std::optional<Verdict> right_verdict(const Truth& truth, Touching touching);
+std::optional<Verdict> right_verdict(const Truth& truth, TouchingPolicy touching);
 
 // `reference` is empty for a kernel that claims no formulae: then only its verdict is judged. If the truth is `invalid`
 // or there is no answer, there is no flip.
@@ -98,7 +98,7 @@ std::optional<Verdict> right_verdict(const Truth& truth, Touching touching);
 // named: a `>=` that also separates a zero-area triangle by 0 >= 0 is a fault. A bit-for-bit reference has a fixed
 // relation, so a convention other than `contact` contradicts the formulae of such a kernel: `specification`.
 Judgement judge(const TestDescription& test, const Truth& truth, const std::optional<Reference>& reference,
-                const Answer& answer, Touching touching = Touching::contact);
+                const Answer& answer, TouchingPolicy touching = TouchingPolicy::contact);
 
 template <class Visit>
 void Judgement::for_each_flip(Visit&& visit) const {

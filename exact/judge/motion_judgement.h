@@ -58,9 +58,9 @@ class MotionJudge {
  public:
   virtual ~MotionJudge() = default;
   // The measures beside a contact, the first of the test's.
-  virtual MotionJudgement hit(std::span<const double> measures) = 0;
+  virtual MotionJudgement judge_hit(std::span<const double> measures) = 0;
   // The tunnel of an answer that there is no contact.
-  virtual Tunnel missed() = 0;
+  virtual Tunnel judge_miss() = 0;
   virtual ContactPlace first() const = 0;
 };
 

@@ -73,7 +73,7 @@ struct FaultCounts {
 // A time further than this from the exact one is no rounding: times here are of the order of 1, in binary64.
 const Rational noticeable(1, 1 << 20);
 
-void count_query(const Answered<double>& kernel, std::size_t i, const ClassedQuery& truth, FaultCounts& counts) {
+void count_query(const KernelAnswers<double>& kernel, std::size_t i, const ClassedQuery& truth, FaultCounts& counts) {
   if (!truth.contact) {
     counts.phantoms += kernel.is_contact(i);
   } else if (!kernel.is_contact(i)) {
@@ -107,7 +107,7 @@ TEST(FaultTable, IsThatOfTheDocument) {
   std::vector<std::string> rows = {table_row(head)};
   for (const std::string_view id : {"twenty", "twenty-nonstrict", "gated", "walk", "rounded", "fauerby", "physx4",
                                     "physx5", "segment", "advance", "advance-by-length"}) {
-    const Answered<double> kernel(id, batch);
+    const KernelAnswers<double> kernel(id, batch);
     std::array<FaultCounts, class_count> counts;
     for (std::size_t i = 0; i < truths.size(); ++i) {
       count_query(kernel, i, truths[i], counts[static_cast<std::size_t>(truths[i].its_class)]);

@@ -156,7 +156,7 @@ void ContactJudge<Real>::measure_place(std::span<const double> measures, MotionJ
 }
 
 template <class Real>
-MotionJudgement ContactJudge<Real>::hit(std::span<const double> measures) {
+MotionJudgement ContactJudge<Real>::judge_hit(std::span<const double> measures) {
   MotionJudgement out;
   if (measures.size() > time_measure) measure_time(measures[time_measure], out);
   if (measures.size() > feature_measure) {
@@ -167,7 +167,7 @@ MotionJudgement ContactJudge<Real>::hit(std::span<const double> measures) {
 }
 
 template <class Real>
-Tunnel ContactJudge<Real>::missed() {
+Tunnel ContactJudge<Real>::judge_miss() {
   return tunnel_of(r_, least_squared(1));
 }
 

@@ -14,8 +14,8 @@ class ContactJudge final : public MotionJudge {
   // Precondition: the query is valid and has contact.
   explicit ContactJudge(const GivenMotion& q);
 
-  MotionJudgement hit(std::span<const double> measures) override;
-  Tunnel missed() override;
+  MotionJudgement judge_hit(std::span<const double> measures) override;
+  Tunnel judge_miss() override;
   ContactPlace first() const override;
 
  private:

@@ -24,7 +24,7 @@ const MovingQuery<double> passing = {{2, 0.5, 0}, {2, 0.5, 0}, {2, 0.5, 0}, {0, 
 template <class Real = float>
 MotionJudgement judged(const MovingQuery<double>& q, std::initializer_list<double> measures) {
   const std::vector<double> given = measures;
-  return ContactJudge<Real>(q).hit(given);
+  return ContactJudge<Real>(q).judge_hit(given);
 }
 TimeVerdict time_of(const MovingQuery<double>& q, double time) { return judged(q, {time}).time.value(); }
 
@@ -81,12 +81,12 @@ TEST(ContactJudge, TheRootOfTheWrongSignTunnels) {
 }
 
 TEST(ContactJudge, AMissIsATunnelOfTheWholeMotion) {
-  EXPECT_EQ(ContactJudge<float>(passing).missed().depth.value(), 0.5);
-  EXPECT_TRUE(ContactJudge<float>(falling(1)).missed().is_through);
-  EXPECT_TRUE(ContactJudge<double>(falling(0)).missed().is_through);
+  EXPECT_EQ(ContactJudge<float>(passing).judge_miss().depth.value(), 0.5);
+  EXPECT_TRUE(ContactJudge<float>(falling(1)).judge_miss().is_through);
+  EXPECT_TRUE(ContactJudge<double>(falling(0)).judge_miss().is_through);
   // Touching at the end is missed by nothing.
   const MovingQuery<double> grazing = {{-10, -10, 0}, {10, -10, 0}, {0, 10, 0}, {0, 0, 3}, {0, 0, -2}, 1};
-  EXPECT_TRUE(ContactJudge<float>(grazing).missed().depth.is_zero());
+  EXPECT_TRUE(ContactJudge<float>(grazing).judge_miss().depth.is_zero());
 }
 
 TEST(ContactJudge, AGapIsWhatIsLeftAtAnEarlyTime) {

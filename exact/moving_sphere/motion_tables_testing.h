@@ -21,9 +21,9 @@ namespace axiscert::moving_sphere {
 
 // The answers of one kernel to a batch, in scalar form.
 template <class Real>
-class Answered {
+class KernelAnswers {
  public:
-  Answered(std::string_view id, const QueryBatch<Real>& batch) {
+  KernelAnswers(std::string_view id, const QueryBatch<Real>& batch) {
     ask(find_kernel("moving-sphere/" + std::string(id)).on<Real>(scalar_target), batch.columns(), reply_);
   }
   bool is_contact(std::size_t i) const { return reply_.verdicts[i] == Verdict::contact; }

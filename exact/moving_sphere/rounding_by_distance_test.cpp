@@ -47,7 +47,7 @@ double ulps_apart(double t, double exact_time) {
 
 RoundingCounts counted(std::string_view id, const QueryBatch<float>& batch,
                        const std::vector<std::optional<FirstContact>>& truths) {
-  const Answered<float> kernel(id, batch);
+  const KernelAnswers<float> kernel(id, batch);
   RoundingCounts counts;
   for (std::size_t i = 0; i < truths.size(); ++i) {
     if (!truths[i]) counts.phantoms += kernel.is_contact(i);

@@ -36,19 +36,19 @@ AXISCERT_INLINE double product_error(const DoubleDouble<double>& product) {
 inline constexpr double more = 1 + 0x1p-40, less = 1 - 0x1p-40;
 
 template <class T>
-struct Enclosed {
+struct EnclosedNumber {
   T value;
   double error;  // |exact - value| <= error more
 
-  AXISCERT_INLINE friend Enclosed operator+(const Enclosed& a, const Enclosed& b) {
+  AXISCERT_INLINE friend EnclosedNumber operator+(const EnclosedNumber& a, const EnclosedNumber& b) {
     const T sum = a.value + b.value;
     return {sum, (a.error + b.error) + sum_error(a.value, b.value, sum)};
   }
-  AXISCERT_INLINE friend Enclosed operator-(const Enclosed& a, const Enclosed& b) {
+  AXISCERT_INLINE friend EnclosedNumber operator-(const EnclosedNumber& a, const EnclosedNumber& b) {
     const T sum = a.value - b.value;
     return {sum, (a.error + b.error) + sum_error(a.value, b.value, sum)};
   }
-  AXISCERT_INLINE friend Enclosed operator*(const Enclosed& a, const Enclosed& b) {
+  AXISCERT_INLINE friend EnclosedNumber operator*(const EnclosedNumber& a, const EnclosedNumber& b) {
     const T product = a.value * b.value;
     const double size_a = std::fabs(leading(a.value)), size_b = std::fabs(leading(b.value));
     return {product, (size_a * b.error + a.error * (size_b + b.error)) + product_error(product)};
@@ -97,7 +97,7 @@ AXISCERT_INLINE double carried_error(const EnclosedVector<T>& u, const EnclosedV
   return u.size * v.error + u.error * (v.size + 3 * v.error);
 }
 template <class T>
-AXISCERT_INLINE Enclosed<T> dot(const EnclosedVector<T>& u, const EnclosedVector<T>& v) {
+AXISCERT_INLINE EnclosedNumber<T> dot(const EnclosedVector<T>& u, const EnclosedVector<T>& v) {
   return {portable::dot(u.value, v.value), carried_error(u, v) + products_error<T>(u.size * v.size)};
 }
 template <class T>
@@ -106,8 +106,8 @@ AXISCERT_INLINE EnclosedVector<T> cross(const EnclosedVector<T>& u, const Enclos
 }
 
 // The same number with a double as its value.
-AXISCERT_INLINE Enclosed<double> as_double(const Enclosed<double>& x) { return x; }
-AXISCERT_INLINE Enclosed<double> as_double(const Enclosed<DoubleDouble<double>>& x) {
+AXISCERT_INLINE EnclosedNumber<double> as_double(const EnclosedNumber<double>& x) { return x; }
+AXISCERT_INLINE EnclosedNumber<double> as_double(const EnclosedNumber<DoubleDouble<double>>& x) {
   return {x.value.high, x.error + 0x1p-53 * std::fabs(x.value.high)};
 }
 AXISCERT_INLINE EnclosedVector<double> as_doubles(const EnclosedVector<double>& v) { return v; }

@@ -11,10 +11,10 @@
 namespace axiscert {
 namespace {
 
-using Doubled = DoubleDouble<double>;
+using DoublePair = DoubleDouble<double>;
 
 Rational value(double x) { return exact(x); }
-Rational value(const Doubled& x) { return exact(x.high) + exact(x.low); }
+Rational value(const DoublePair& x) { return exact(x.high) + exact(x.low); }
 
 // Numbers in pairs that may nearly cancel, with exponents within [-range, range].
 template <class T>
@@ -56,12 +56,12 @@ class DrawnNumbers {
 
 template <class T>
 class EnclosedNumbers : public testing::Test {};
-using NumberTypes = testing::Types<double, Doubled>;
+using NumberTypes = testing::Types<double, DoublePair>;
 TYPED_TEST_SUITE(EnclosedNumbers, NumberTypes);
 
 template <class T>
 void expect_normalized(const T& x) {
-  if constexpr (std::is_same_v<T, Doubled>) {
+  if constexpr (std::is_same_v<T, DoublePair>) {
     EXPECT_EQ(x.high + x.low, x.high);
   }
 }
@@ -121,9 +121,9 @@ TYPED_TEST(EnclosedNumbers, CarryTheErrorsOfTheirOperands) {
   for (int trial = 0; trial < 1'500; ++trial) {
     const auto wide = [&] {
       const T x = numbers.next();
-      return Enclosed<T>{x, std::ldexp(std::fabs(leading(x)), -static_cast<int>(random() % 60))};
+      return EnclosedNumber<T>{x, std::ldexp(std::fabs(leading(x)), -static_cast<int>(random() % 60))};
     };
-    const Enclosed<T> a = wide(), b = wide();
+    const EnclosedNumber<T> a = wide(), b = wide();
     const Rational a_end = value(a.value) + exact(a.error) * (random() % 2 ? 1 : -1);
     const Rational b_end = value(b.value) + exact(b.error) * (random() % 2 ? 1 : -1);
     for (const auto& [found, exactly] :

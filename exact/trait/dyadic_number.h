@@ -1,4 +1,4 @@
-// A number of finitely many binary digits by CGAL, as a number type of the formulae (kernel/plain_kernel.h): what
+// A number of finitely many binary digits by CGAL, as a number type of the formulae (kernel/formulae_kernel.h): what
 // finite floats become by +, - and *. exact/numbers/binary_number.h is another one for the same purpose, in which the
 // formulae are evaluated: what is computed in one of them checks what is computed in the other.
 #pragma once

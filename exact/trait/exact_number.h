@@ -1,5 +1,5 @@
-// A rational as a number type of the formulae (kernel/plain_kernel.h). Every result is a number of this type, and not
-// an expression of GMP's that refers to its operands.
+// A rational as a number type of the formulae (kernel/formulae_kernel.h). Every result is a number of this type, and
+// not an expression of GMP's that refers to its operands.
 #pragma once
 
 #include "exact/numbers/rational.h"

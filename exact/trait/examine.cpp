@@ -34,8 +34,8 @@ Examination examination(const Numbers<Real>& q, const Kernel& kernel, const Answ
   if (out.judgement.verdict_flip) out.depth = oracles.depth(q);
   if (!kernel.test->measures.empty() && right_verdict(out.truth, kernel.touching) == Verdict::contact) {
     const auto motion = oracles.motion_judge(q);
-    if (answer.verdict == Verdict::contact) out.motion = motion->hit(out.measures);
-    if (answer.verdict == Verdict::separated) out.missed = motion->missed();
+    if (answer.verdict == Verdict::contact) out.motion = motion->judge_hit(out.measures);
+    if (answer.verdict == Verdict::separated) out.missed = motion->judge_miss();
   }
   return out;
 }
@@ -43,7 +43,7 @@ Examination examination(const Numbers<Real>& q, const Kernel& kernel, const Answ
 }  // namespace
 
 template <class Real>
-Examination Examiner::examined(const Numbers<Real>& q) {
+Examination Examiner::examine_as(const Numbers<Real>& q) {
   auto& implementation = std::get<std::optional<Implementation<Real>>>(begun_);
   if (!implementation) implementation = kernel_.on<Real>(target_);
   Reply<Real> reply = ask(*implementation, q);
@@ -54,8 +54,8 @@ Examination Examiner::examined(const Numbers<Real>& q) {
   if (!is_answered) implementation.reset();
   return out;
 }
-template Examination Examiner::examined(const Numbers<float>&);
-template Examination Examiner::examined(const Numbers<double>&);
+template Examination Examiner::examine_as(const Numbers<float>&);
+template Examination Examiner::examine_as(const Numbers<double>&);
 
 Examination examine(const Numbers<float>& q, const Kernel& kernel, const Answer& answer, std::vector<double> measures) {
   return examination(q, kernel, answer, std::move(measures));

@@ -40,12 +40,12 @@ class Examiner {
   const Kernel& kernel() const { return kernel_; }
 
   // Precondition: the kernel exists in this precision. Throws OracleDisagreement.
-  Examination examine(const Numbers<float>& q) { return examined(q); }
-  Examination examine(const Numbers<double>& q) { return examined(q); }
+  Examination examine(const Numbers<float>& q) { return examine_as(q); }
+  Examination examine(const Numbers<double>& q) { return examine_as(q); }
 
  private:
   template <class Real>
-  Examination examined(const Numbers<Real>& q);
+  Examination examine_as(const Numbers<Real>& q);
 
   const Kernel& kernel_;
   std::string_view target_;

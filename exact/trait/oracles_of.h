@@ -41,10 +41,10 @@ class OraclesOf final : public Oracles {
   std::string why_invalid(const Numbers<double>& q) const override { return reason(q); }
 
   std::unique_ptr<AskedQuery> about(const Numbers<float>& q, Opinion) const override {
-    return std::make_unique<Asked<float>>(q);
+    return std::make_unique<EvaluatedQuery<float>>(q);
   }
   std::unique_ptr<AskedQuery> about(const Numbers<double>& q, Opinion) const override {
-    return std::make_unique<Asked<double>>(q);
+    return std::make_unique<EvaluatedQuery<double>>(q);
   }
   bool has_depth() const override { return HasDepth<Test>; }
   std::optional<double> depth(const Numbers<float>& q) const override { return depth_of(q); }
@@ -129,9 +129,9 @@ class OraclesOf final : public Oracles {
 
   // A query, and what was evaluated on it.
   template <class Real>
-  class Asked final : public AskedQuery, private DepthOf {
+  class EvaluatedQuery final : public AskedQuery, private DepthOf {
    public:
-    explicit Asked(const Numbers<Real>& q) : q_(q) {}
+    explicit EvaluatedQuery(const Numbers<Real>& q) : q_(q) {}
 
     Truth truth() override {
       if (!truth_) truth_ = decided();
@@ -146,24 +146,24 @@ class OraclesOf final : public Oracles {
     }
 
     std::optional<Reference> chain(const Kernel& kernel) override {
-      const Evaluated* claim = claim_of(kernel, typename Test::AllFormulae());
+      const EvaluatedFormulae* claim = claim_of(kernel, typename Test::AllFormulae());
       if (claim == nullptr) return std::nullopt;
       Reference found{outcome(claim->sides.holding(claim->nonstrict)), std::nullopt, claim->sides.ties};
       if (kernel.is_reference) found.rounded = claim->rounded;
       return found;
     }
     const ExactSides* sides(const Kernel& kernel) override {
-      const Evaluated* claim = claim_of(kernel, typename Test::AllFormulae());
+      const EvaluatedFormulae* claim = claim_of(kernel, typename Test::AllFormulae());
       return claim == nullptr ? nullptr : &claim->sides;
     }
     DepthOf& depth() override { return *this; }
 
    private:
-    struct Evaluated {
+    struct EvaluatedFormulae {
       std::string_view name;  // of the formulae
       ComparisonBits nonstrict;
       ExactSides sides;
-      std::optional<Rounded> rounded;  // of a kernel that claims the reference's bits
+      std::optional<RoundedDecisions> rounded;  // of a kernel that claims the reference's bits
     };
 
     Truth decided() {
@@ -194,9 +194,9 @@ class OraclesOf final : public Oracles {
 
     // Null for a kernel that claims nothing.
     template <class... F>
-    const Evaluated* claim_of(const Kernel& kernel, FormulaeList<F...>) {
+    const EvaluatedFormulae* claim_of(const Kernel& kernel, FormulaeList<F...>) {
       if (kernel.formulae.empty()) return nullptr;
-      Evaluated* found = nullptr;
+      EvaluatedFormulae* found = nullptr;
       const auto evaluate = [&]<class One>() {
         if (found != nullptr || One::name != kernel.formulae) return;
         found = &evaluated<One>();
@@ -209,18 +209,18 @@ class OraclesOf final : public Oracles {
     }
 
     template <class F>
-    Evaluated& evaluated() {
-      for (Evaluated& known : evaluated_) {
+    EvaluatedFormulae& evaluated() {
+      for (EvaluatedFormulae& known : evaluated_) {
         if (known.name == F::name) return known;
       }
-      Evaluated& found =
-          evaluated_.emplace_front(Evaluated{F::name, nonstrict_comparisons<F>(), sides_of<F>(), std::nullopt});
+      EvaluatedFormulae& found =
+          evaluated_.emplace_front(EvaluatedFormulae{F::name, nonstrict_comparisons<F>(), sides_of<F>(), std::nullopt});
       if (F::kind == FormulaeKind::rung) require_same_signs(F::name, found.sides);
       return found;
     }
     // R, and R-infinity: where the range was left by MPFR, whose exponents have no end that a query could reach.
     template <class F>
-    Rounded rounded() const {
+    RoundedDecisions rounded() const {
       constexpr auto ignore = [](std::size_t, const auto&, const auto&) {};
       const BitsInRange reference = bits_in_range([&] { return bits_of<F, Real>(problem_of<Real>(q_), ignore); });
       const Outcome found = outcome(reference.bits);
@@ -265,7 +265,7 @@ class OraclesOf final : public Oracles {
     std::optional<ExactSigns> signs_;
     bool keeps_sides_ = false;
     std::optional<ExactSides> first_;  // of the first formulae
-    std::forward_list<Evaluated> evaluated_;
+    std::forward_list<EvaluatedFormulae> evaluated_;
   };
 
   template <class Real>

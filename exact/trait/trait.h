@@ -1,5 +1,6 @@
 // The trait of a test: what has to be known about it at compile time for its oracles to exist. It derives from the
-// test's own type of kernel/ (kernel/plain_kernel.h) and adds geometry; exact/trait/oracles_of.h makes oracles of it.
+// test's own type of kernel/ (kernel/formulae_kernel.h) and adds geometry; exact/trait/oracles_of.h makes oracles of
+// it.
 #pragma once
 
 #include <concepts>
@@ -10,7 +11,7 @@
 #include "exact/numbers/rational.h"
 #include "exact/trait/exact_number.h"
 #include "kernel/motion_policy.h"
-#include "kernel/plain_kernel.h"
+#include "kernel/formulae_kernel.h"
 #include "kernel/test.h"
 
 namespace axiscert {

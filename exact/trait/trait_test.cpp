@@ -74,14 +74,14 @@ struct AtLeast {
 };
 
 // The same, made from the first: what was evaluated of these is not evaluated again.
-struct Tied : AsWritten {
+struct TiedSum : AsWritten {
   static constexpr std::string_view name = "tied";
   static constexpr ComparisonBits nonstrict = 1;
 };
 
 template <int wrong_by>
 struct SumTrait : Sum {
-  using AllFormulae = FormulaeList<AsWritten, Slip, Variant, AtLeast, Tied>;
+  using AllFormulae = FormulaeList<AsWritten, Slip, Variant, AtLeast, TiedSum>;
   static bool is_valid(const Numbers<double>& q) {
     return std::isfinite(q[0]) && std::isfinite(q[1]) && std::isfinite(q[2]);
   }
@@ -97,7 +97,7 @@ struct SumTrait : Sum {
 };
 
 Kernel claiming(std::string formulae, bool is_reference = true) {
-  Kernel kernel = plain_kernel<Sum, AsWritten>("sum/one", "");
+  Kernel kernel = formulae_kernel<Sum, AsWritten>("sum/one", "");
   kernel.formulae = std::move(formulae);
   kernel.is_reference = is_reference;
   return kernel;

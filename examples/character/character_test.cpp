@@ -109,7 +109,7 @@ TEST(Walk, EveryAnswerIsThatOfCgalsExactDistance) {
     touching += order == 0;
   });
   std::uint64_t counted = 0, touched = 0;
-  for (const Asked& a : asked(ground, walk)) {
+  for (const WalkCounts& a : asked(ground, walk)) {
     counted += a.contacts;
     touched += a.touching;
   }
@@ -152,7 +152,7 @@ TEST(Walk, IsTheSameEverywhere) {
 
 // A kernel that gives the answers of `answer`.
 template <class Answer>
-Kernel kernel_of(const std::string& id, Touching touching, Answer answer) {
+Kernel kernel_of(const std::string& id, TouchingPolicy touching, Answer answer) {
   Kernel kernel;
   kernel.id = id;
   kernel.test = &sphere_triangle_test();
@@ -180,9 +180,9 @@ Verdict certified(const Query<float>& q) {
 TEST(Comparison, AKernelThatNeverOrAlwaysFindsContactIsCountedSo) {
   const Ground ground(flat_floor(), 2);
   const Walk walk = walked(ground, {.seed = 3, .steps = 50, .radius = radius});
-  Asked all;
+  WalkCounts all;
   std::uint64_t with_contact = 0, without = 0;
-  for (const Asked& a : asked(ground, walk)) {
+  for (const WalkCounts& a : asked(ground, walk)) {
     all.triangles += a.triangles;
     all.contacts += a.contacts;
     all.touching += a.touching;
@@ -195,18 +195,18 @@ TEST(Comparison, AKernelThatNeverOrAlwaysFindsContactIsCountedSo) {
   ASSERT_GT(all.touching, 40u);
   const auto never = [](const Query<float>&) { return Verdict::separated; };
   const auto always = [](const Query<float>&) { return Verdict::contact; };
-  const Comparison blind = compared(ground, walk, kernel_of("never", Touching::contact, never));
+  const Comparison blind = compared(ground, walk, kernel_of("never", TouchingPolicy::contact, never));
   EXPECT_EQ(blind.all.errors.missed, all.contacts);
   EXPECT_EQ(blind.all.errors.invented, 0u);
   EXPECT_EQ(blind.all.lost, with_contact);
   EXPECT_EQ(blind.lost, walk.rests);
-  const Tally open = compared(ground, walk, kernel_of("never", Touching::separated, never)).all;
+  const Tally open = compared(ground, walk, kernel_of("never", TouchingPolicy::separated, never)).all;
   EXPECT_EQ(open.errors.missed, all.contacts - all.touching) << "touching is not contact to it";
-  const Tally sees = compared(ground, walk, kernel_of("always", Touching::contact, always)).all;
+  const Tally sees = compared(ground, walk, kernel_of("always", TouchingPolicy::contact, always)).all;
   EXPECT_EQ(sees.errors.missed, 0u);
   EXPECT_EQ(sees.errors.invented, all.triangles - all.contacts);
   EXPECT_LE(sees.phantom, without);
-  const Tally either = compared(ground, walk, kernel_of("never", Touching::either, never)).all;
+  const Tally either = compared(ground, walk, kernel_of("never", TouchingPolicy::either, never)).all;
   EXPECT_EQ(either.errors.missed, all.contacts - all.touching);
 }
 
@@ -227,7 +227,7 @@ TEST(Comparison, OneWrongAnswerIsFoundWhereItIs) {
       if (coordinates(q) != wrong) return right;
       return right == Verdict::contact ? Verdict::separated : Verdict::contact;
     };
-    const Comparison found = compared(ground, walk, kernel_of("planted", Touching::contact, answer));
+    const Comparison found = compared(ground, walk, kernel_of("planted", TouchingPolicy::contact, answer));
     ASSERT_FALSE(found.wrong.empty());
     for (const Wrong& w : found.wrong) {
       EXPECT_EQ(w.triangle, walk.triangles[at]);
@@ -240,13 +240,13 @@ TEST(Comparison, OneWrongAnswerIsFoundWhereItIs) {
         found.wrong.size());
     EXPECT_EQ(found.wrong.back().ask, where);
   }
-  EXPECT_TRUE(compared(ground, walk, kernel_of("right", Touching::contact, certified)).wrong.empty());
+  EXPECT_TRUE(compared(ground, walk, kernel_of("right", TouchingPolicy::contact, certified)).wrong.empty());
 }
 
 TEST(Comparison, AnAnswerThatCgalDoesNotConfirmIsTheHarnesssFault) {
   Walk walk = spider().walk;
   walk.closed.back() = walk.closed.back() == AXISCERT_CONTACT ? AXISCERT_SEPARATED : AXISCERT_CONTACT;
-  EXPECT_THROW(compared(spider().ground, walk, kernel_of("right", Touching::contact, certified)), HarnessFault);
+  EXPECT_THROW(compared(spider().ground, walk, kernel_of("right", TouchingPolicy::contact, certified)), HarnessFault);
 }
 
 TEST(NearestPoint, IsInTheFaceOnAnEdgeAtAVertexAndWithoutArea) {

@@ -31,22 +31,22 @@ std::vector<Verdict> answers(const Ground& ground, const Walk& walk, const Imple
 struct Truth {
   bool contact, counts;
 };
-Truth truth_of(const Walk& walk, std::size_t i, Touching touching) {
+Truth truth_of(const Walk& walk, std::size_t i, TouchingPolicy touching) {
   const bool closed = walk.closed[i] == AXISCERT_CONTACT, open = walk.open[i] == AXISCERT_CONTACT;
   switch (touching) {
-    case Touching::contact:
+    case TouchingPolicy::contact:
       return {closed, true};
-    case Touching::separated:
+    case TouchingPolicy::separated:
       return {open, true};
-    case Touching::either:
+    case TouchingPolicy::either:
       return {closed, closed == open};
   }
   return {closed, true};
 }
 
-void confirm(const Query<float>& q, bool contact, Touching touching, const std::string& kernel) {
+void confirm(const Query<float>& q, bool contact, TouchingPolicy touching, const std::string& kernel) {
   const int order = distance_order(q);
-  if (contact == (touching == Touching::separated ? order < 0 : order <= 0)) return;
+  if (contact == (touching == TouchingPolicy::separated ? order < 0 : order <= 0)) return;
   throw HarnessFault(
       fmt::format("the certified predicate answers {} for a sphere and a triangle where {} differs, and "
                   "CGAL's exact distance agrees with {}",
@@ -103,10 +103,10 @@ void Errors::add(const Wrong& wrong) {
   deepest = std::max(deepest, wrong.depth);
 }
 
-AskedByMoment asked(const Ground& ground, const Walk& walk) {
-  AskedByMoment all;
+WalkCountsByMoment asked(const Ground& ground, const Walk& walk) {
+  WalkCountsByMoment all;
   for (const Ask& ask : walk.asks) {
-    Asked& sum = all[static_cast<std::size_t>(ask.moment)];
+    WalkCounts& sum = all[static_cast<std::size_t>(ask.moment)];
     ++sum.spheres;
     sum.triangles += ask.count;
     for (std::size_t i = ask.first; i < ask.first + ask.count; ++i) {

@@ -7,13 +7,13 @@
 namespace axiscert::character {
 
 // Counts of the walk itself, by moment.
-struct Asked {
+struct WalkCounts {
   std::uint64_t spheres = 0, triangles = 0, contacts = 0;
   std::uint64_t touching = 0;      // contacts at exactly the distance r
   std::uint64_t without_area = 0;  // contacts with a triangle without area
 };
-using AskedByMoment = std::array<Asked, moment_count>;
-AskedByMoment asked(const Ground& ground, const Walk& walk);
+using WalkCountsByMoment = std::array<WalkCounts, moment_count>;
+WalkCountsByMoment asked(const Ground& ground, const Walk& walk);
 
 // A wrong answer. An answer that is neither contact nor separated counts as no contact. Where the sphere touches
 // exactly, a kernel's answer is compared with what it declares for touching; with Touching::either neither answer is
@@ -40,7 +40,7 @@ struct Tally {
 
 struct Comparison {
   std::string kernel;
-  Touching touching;
+  TouchingPolicy touching;
   std::array<Tally, moment_count> tallies;
   Tally all;
   Errors with_area, without_area;  // by whether the triangle has area

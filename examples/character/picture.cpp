@@ -271,7 +271,7 @@ std::string picture(const Ground& ground, const Walk& walk, std::span<const Comp
   const double height = head + rows * (caption + size.y) + (rows - 1) * gap + foot;
 
   std::uint64_t contacts = 0, touching = 0;
-  for (const Asked& a : asked(ground, walk)) {
+  for (const WalkCounts& a : asked(ground, walk)) {
     contacts += a.contacts;
     touching += a.touching;
   }
@@ -299,7 +299,8 @@ std::string picture(const Ground& ground, const Walk& walk, std::span<const Comp
       fmt::format("{} contacts, {} of them touching exactly", grouped(contacts), grouped(touching)),
       "<use class=\"path walk\" xlink:href=\"#walk\"/>\n" + starts(walk, project));
   for (const Comparison& comparison : comparisons) {
-    panel(comparison.kernel + (comparison.touching == Touching::separated ? ", to which touching is not contact" : ""),
+    panel(comparison.kernel +
+              (comparison.touching == TouchingPolicy::separated ? ", to which touching is not contact" : ""),
           fmt::format("{} contacts missed{}, {} invented{}", grouped(comparison.all.errors.missed),
                       deepest(comparison.all.errors.deepest_missed), grouped(comparison.all.errors.invented),
                       deepest(comparison.all.errors.deepest_invented)),

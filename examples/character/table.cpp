@@ -12,15 +12,15 @@ using Row = std::vector<std::string>;
 std::string text(std::uint64_t n) { return fmt::format("{}", n); }
 std::string depth_text(std::uint64_t count, double depth) { return count == 0 ? "-" : fmt::format("{:.2e}", depth); }
 
-std::string walk_table(const AskedByMoment& asked) {
+std::string walk_table(const WalkCountsByMoment& asked) {
   std::vector<Row> rows;
-  Asked all;
-  const auto add = [&rows](std::string_view moment, const Asked& a) {
+  WalkCounts all;
+  const auto add = [&rows](std::string_view moment, const WalkCounts& a) {
     rows.push_back({std::string(moment), text(a.spheres), text(a.triangles), text(a.contacts), text(a.touching),
                     text(a.without_area)});
   };
   for (std::size_t m = 0; m < moment_count; ++m) {
-    const Asked& a = asked[m];
+    const WalkCounts& a = asked[m];
     add(moment_names[m], a);
     all.spheres += a.spheres;
     all.triangles += a.triangles;

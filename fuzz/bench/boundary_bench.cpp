@@ -33,8 +33,8 @@ Comparison side_of(std::size_t i) {
   return static_cast<Comparison>(k);
 }
 
-template <class Real, class Measured>
-void measure(const std::string& what, const Family& family, Measured measured) {
+template <class Real, class Measure>
+void measure(const std::string& what, const Family& family, Measure measured) {
   const std::string name =
       what + "/" + std::string(family.name) + "/" + std::string(axiscert::name(precision_of<Real>));
   benchmark::RegisterBenchmark(name.c_str(), [&family, measured](benchmark::State& state) {

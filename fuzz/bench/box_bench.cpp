@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::size_t box_queries = std::size_t{1} << 12;
 
-struct Judged {
+struct JudgedBoxes {
   QueryBatch<float> batch{box_queries, 30};
   std::vector<Verdict> truth;
 };
-const Judged& judged(const std::string& family) {
-  static std::map<std::string, Judged> known;
-  Judged& all = known[family];
+const JudgedBoxes& judged(const std::string& family) {
+  static std::map<std::string, JudgedBoxes> known;
+  JudgedBoxes& all = known[family];
   if (!all.truth.empty()) return all;
   const Oracles& oracles = oracles_of(box_box_test());
   for (std::size_t i = 0; i < box_queries; ++i) {
@@ -33,7 +33,7 @@ const Judged& judged(const std::string& family) {
 
 void time_boxes(benchmark::State& state, const std::string& family,
                 const std::function<void(const QueryColumns<float>&, Verdict*)>& verdicts) {
-  const Judged& all = judged(family);
+  const JudgedBoxes& all = judged(family);
   const auto columns = all.batch.columns();
   std::vector<Verdict> out(box_queries);
   for (auto _ : state) {

@@ -13,7 +13,7 @@
 #include "fuzz/bench/bench_table.h"
 #include "fuzz/campaign/build_info.h"
 #include "fuzz/bench/certified_stream.h"
-#include "fuzz/bench/plain_judges.h"
+#include "fuzz/bench/naive_judges.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/campaign/thread_seconds.h"
 #include "kernel/include/axiscert/certified.hpp"
@@ -28,7 +28,7 @@ constexpr double least_seconds = 2e-3;  // least time of one repetition
 constexpr double enough_seconds = 4;    // time for all repetitions; slow kernels have fewer, but at least one
 
 // A timed function, interleaved with the others.
-struct Timed {
+struct TimedFunction {
   std::string name;
   std::function<void()> pass;  // one pass over query_count queries
   std::size_t passes = 1;
@@ -59,7 +59,7 @@ std::string measure(const Source& source, const std::string& target) {
   for (const Query<Real>& q : queries) flat.push_back(coordinates(q));
   int contacts = 0;
 
-  std::vector<Timed> all;
+  std::vector<TimedFunction> all;
   for (const char* id : {"published", "reduced-nonstrict", "certified", "conservative"}) {
     all.push_back({id, [&, run = find_kernel(id).on<Real>(target).verdicts] { run(columns, verdicts.data()); }});
   }
@@ -75,14 +75,14 @@ std::string measure(const Source& source, const std::string& target) {
                    const axiscert_results to{reinterpret_cast<std::uint8_t*>(verdicts.data()), nullptr, nullptr};
                    certified::pairs(pointers, query_count, AXISCERT_EXACT_ONLY, to);
                  }});
-  for (Timed& timed : all) timed.find_passes();
+  for (TimedFunction& timed : all) timed.find_passes();
   for (int i = 0; i < repetitions; ++i) {
-    for (Timed& timed : all) {
+    for (TimedFunction& timed : all) {
       if (timed.spent() < enough_seconds) timed.seconds.push_back(timed.once());
     }
   }
   // It is slow, and steady enough with one pass.
-  Timed epick{"CGAL EPICK", [&] { contacts += static_cast<int>(contacts_by_epick(queries)); }};
+  TimedFunction epick{"CGAL EPICK", [&] { contacts += static_cast<int>(contacts_by_epick(queries)); }};
   epick.seconds.push_back(epick.once());
 
   const double raw = std::min(all[0].nanoseconds(), all[1].nanoseconds());

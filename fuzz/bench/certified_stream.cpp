@@ -59,7 +59,7 @@ struct Ground {
   }
 };
 
-// A plain read of the bytes: the sum of their words, in eight sums that do not wait for each other.
+// A read of the bytes alone: the sum of their words, in eight sums that do not wait for each other.
 template <class Element>
 std::uint64_t sum_of(const std::vector<Element>& all) {
   std::uint64_t sums[8] = {}, words[8];
@@ -88,10 +88,10 @@ void print_row(std::string_view shape, Precision precision, std::size_t bytes, c
     asks.push_back(seconds(ask));
     reads.push_back(seconds(read));
   }
-  const double asked = median(asks), plain = median(reads), size = static_cast<double>(bytes);
+  const double asked = median(asks), read_alone = median(reads), size = static_cast<double>(bytes);
   fmt::print("| {} | {} | {:.0f} | {:.2f} | {:.1f} | {:.1f} | {:.0f} % |\n", shape, name(precision), size / 0x1p20,
-             asked / static_cast<double>(triangle_count) * 1e9, size / asked * 1e-9, size / plain * 1e-9,
-             100 * plain / asked);
+             asked / static_cast<double>(triangle_count) * 1e9, size / asked * 1e-9, size / read_alone * 1e-9,
+             100 * read_alone / asked);
 }
 
 template <class Real, class Mesh>

@@ -1,7 +1,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/squared_distance_3.h>
 
-#include "fuzz/bench/plain_judges.h"
+#include "fuzz/bench/naive_judges.h"
 
 namespace axiscert {
 

@@ -2,7 +2,7 @@
 #include <CGAL/Interval_nt.h>
 
 #include "exact/sphere_triangle/oracles/formula_oracle.h"
-#include "fuzz/bench/plain_judges.h"
+#include "fuzz/bench/naive_judges.h"
 
 namespace axiscert {
 namespace {

@@ -1,4 +1,4 @@
-// Nanoseconds per query of each kernel on each target, verdict only, over 2^17 distinct queries; and of a plain
+// Nanoseconds per query of each kernel on each target, verdict only, over 2^17 distinct queries; and of a
 // hand-written loop, with which the scalar reference has to keep up.
 #include <benchmark/benchmark.h>
 
@@ -32,7 +32,7 @@ const QueryBatch<Real>& queries() {
 
 // The article's last block as a user writes it, without templates.
 template <class Real>
-bool plain(const Real* const* k, std::size_t i) {
+bool handwritten(const Real* const* k, std::size_t i) {
   const Real px = k[9][i], py = k[10][i], pz = k[11][i], r = k[12][i];
   const Real ax = k[0][i] - px, ay = k[1][i] - py, az = k[2][i] - pz;
   const Real bx = k[3][i] - px, by = k[4][i] - py, bz = k[5][i] - pz;
@@ -56,8 +56,8 @@ bool plain(const Real* const* k, std::size_t i) {
 }
 
 template <class Real>
-void plain_loop(const QueryColumns<Real>& batch, Verdict* out) {
-  for (std::size_t i = 0; i < batch.size; ++i) out[i] = static_cast<Verdict>(plain(batch.column.data(), i));
+void handwritten_loop(const QueryColumns<Real>& batch, Verdict* out) {
+  for (std::size_t i = 0; i < batch.size; ++i) out[i] = static_cast<Verdict>(handwritten(batch.column.data(), i));
 }
 
 template <class Real>
@@ -76,7 +76,7 @@ void time_verdicts(benchmark::State& state, const std::function<void(const Query
 template <class Real>
 void add() {
   const std::string precision(name(precision_of<Real>));
-  benchmark::RegisterBenchmark(("plain loop/" + precision).c_str(), time_verdicts<Real>, plain_loop<Real>);
+  benchmark::RegisterBenchmark(("plain loop/" + precision).c_str(), time_verdicts<Real>, handwritten_loop<Real>);
   for (const std::string& target : available_targets()) {
     for (const Kernel& kernel : kernels()) {
       if (kernel.test != &sphere_triangle_test()) continue;

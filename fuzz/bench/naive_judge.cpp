@@ -1,5 +1,5 @@
 #include "exact/sphere_triangle/oracles/cgal_distance.h"
-#include "fuzz/bench/plain_judges.h"
+#include "fuzz/bench/naive_judges.h"
 
 namespace axiscert {
 

@@ -29,7 +29,7 @@ BENCHMARK(unit)->Unit(benchmark::kMicrosecond);
 // The same with the findings of another unit known, as in a run without a plan.
 void unit_with_standing(benchmark::State& state) {
   const UnitResult other = run_unit(plan(), *plan().questions.sources[0], Precision::binary32, 1, unit_size);
-  const std::vector<Standing> standing = {standing_of(other.tallies[0])};
+  const std::vector<StandingLeaders> standing = {standing_of(other.tallies[0])};
   for (auto _ : state) {
     benchmark::DoNotOptimize(
         run_unit(plan(), *plan().questions.sources[0], Precision::binary32, 0, unit_size, standing));
@@ -50,7 +50,7 @@ void entry(benchmark::State& state) {
   for (auto _ : state) {
     journal.append(begun_note(0));
     const std::string bytes = encode(Entry{0, {encode(tally)}, encode(costs)});
-    Gathered gathered(plan().questions, 1, stretches);
+    GatheredStretches gathered(plan().questions, 1, stretches);
     gathered.add(decode_entry(bytes));
     journal.append(bytes);
   }

@@ -16,7 +16,7 @@
 #include "exact/sphere_triangle/oracles/formula_oracle.h"
 #include "fuzz/bench/bench_table.h"
 #include "fuzz/campaign/build_info.h"
-#include "fuzz/bench/plain_judges.h"
+#include "fuzz/bench/naive_judges.h"
 #include "fuzz/campaign/thread_seconds.h"
 #include "fuzz/campaign/unit.h"
 

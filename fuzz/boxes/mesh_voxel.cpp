@@ -55,13 +55,13 @@ Numbers<Real> query_of(Stream& random, const std::array<Vec3<Real>, 3>& corner) 
 }  // namespace mesh_voxel
 
 template <class Real>
-void mesh_voxels(const Mesh& mesh, const StreamName& placed, const StreamName& cells, std::uint64_t first,
-                 const MutableColumns<Real>& out) {
+void fill_mesh_voxels(const Mesh& mesh, const StreamName& placed, const StreamName& cells, std::uint64_t first,
+                      const MutableColumns<Real>& out) {
   constexpr std::size_t block = 512;
   QueryBatch<Real> places(std::min(block, out.size), coordinate_count);
   for (std::size_t begin = 0; begin < out.size; begin += block) {
     places.resize(std::min(block, out.size - begin));
-    mesh_queries(mesh, placed, first + begin, places.mutable_columns());
+    fill_mesh_queries(mesh, placed, first + begin, places.mutable_columns());
     for (std::size_t i = 0; i < places.size(); ++i) {
       Stream random(cells, first + begin + i);
       const Query<Real> q = places[i];
@@ -69,12 +69,13 @@ void mesh_voxels(const Mesh& mesh, const StreamName& placed, const StreamName& c
     }
   }
 }
-template void mesh_voxels<float>(const Mesh&, const StreamName&, const StreamName&, std::uint64_t,
-                                 const MutableColumns<float>&);
-template void mesh_voxels<double>(const Mesh&, const StreamName&, const StreamName&, std::uint64_t,
-                                  const MutableColumns<double>&);
+template void fill_mesh_voxels<float>(const Mesh&, const StreamName&, const StreamName&, std::uint64_t,
+                                      const MutableColumns<float>&);
+template void fill_mesh_voxels<double>(const Mesh&, const StreamName&, const StreamName&, std::uint64_t,
+                                       const MutableColumns<double>&);
 
 extern const MeshQueries box_triangle_mesh = {"a real mesh's triangles against the cells of a grid", 1,
-                                              boxes::MinmaxEntry::entry, mesh_voxels<float>, mesh_voxels<double>};
+                                              boxes::MinmaxEntry::entry, fill_mesh_voxels<float>,
+                                              fill_mesh_voxels<double>};
 
 }  // namespace axiscert

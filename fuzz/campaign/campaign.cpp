@@ -84,12 +84,12 @@ CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupt
   std::mutex mutex;
   std::atomic<bool> failed = false;
   ProgressCount progress(report, queue.total());
-  const BatchDone asked = [&](std::uint64_t queries) { progress.asked(queries); };
+  const BatchDone asked = [&](std::uint64_t queries) { progress.add_queries(queries); };
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
 
   // A unit, and what other units of its cell have found so far.
-  const auto claim = [&](std::vector<Standing>& standing) -> std::optional<Unit> {
+  const auto claim = [&](std::vector<StandingLeaders>& standing) -> std::optional<Unit> {
     const std::lock_guard lock(mutex);
     if (failed) return std::nullopt;
     if (interrupted) {
@@ -105,7 +105,7 @@ CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupt
     return unit;
   };
   const auto work = [&](int) {
-    std::vector<Standing> standing;
+    std::vector<StandingLeaders> standing;
     while (const auto unit = claim(standing)) {
       const CellResult& cell = result.cells[unit->cell];
       UnitResult done;
@@ -124,7 +124,7 @@ CampaignResult run_campaign(const Plan& plan, const std::atomic<bool>& interrupt
       ++into.units_done;
       into.queries += unit->size;
       result.second_opinions += done.second_opinions;
-      progress.finished();
+      progress.finish_unit();
     }
   };
   tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));

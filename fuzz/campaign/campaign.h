@@ -43,7 +43,7 @@ struct Answerers {
 };
 
 // How the answers are judged.
-struct Judging {
+struct JudgingOptions {
   Tolerances tolerances;
   std::map<std::string, std::string> tolerance_texts;  // by comparison, as given
   // Everything by CGAL, arbitrary precision and MPFR: the record is the same.
@@ -52,7 +52,7 @@ struct Judging {
 };
 
 // On what it runs; no result depends on it.
-struct Running {
+struct RunningOptions {
   std::string target;  // resolved
   int threads = 1;
 };
@@ -60,8 +60,8 @@ struct Running {
 struct Plan {
   Questions questions;
   Answerers answerers;
-  Judging judging;
-  Running running;
+  JudgingOptions judging;
+  RunningOptions running;
 };
 
 // How the queries of a cell were decided; no record holds it.

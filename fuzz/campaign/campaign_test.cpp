@@ -56,22 +56,22 @@ void swapped_explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
 }
 
 // Planted: subnormal results and operands become zero, as with the flags that engines set.
-class Flushed {
+class FlushGuard {
  public:
-  Flushed() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }
-  ~Flushed() { _mm_setcsr(before_); }
+  FlushGuard() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }
+  ~FlushGuard() { _mm_setcsr(before_); }
 
  private:
   unsigned before_;
 };
 template <class Real>
 void flushed_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
-  const Flushed mode;
+  const FlushGuard mode;
   scalar_implementation<Formulae::published, Strictness::strict, Real>().verdicts(batch, out);
 }
 template <class Real>
 void flushed_explain(const QueryColumns<Real>& batch, Answers<Real>& out) {
-  const Flushed mode;
+  const FlushGuard mode;
   scalar_implementation<Formulae::published, Strictness::strict, Real>().explain(batch, out);
 }
 

@@ -20,11 +20,11 @@ using moving_sphere::FirstContact;
 constexpr std::uint64_t motion_queries = 100;
 
 // A time and a feature told beside a contact, made of the right ones.
-struct Told {
+struct ToldContact {
   double time, feature;
 };
 template <class Real>
-using Tell = Told (*)(Real best, std::size_t feature);
+using Tell = ToldContact (*)(Real best, std::size_t feature);
 
 template <class Real>
 Implementation<Real> knowing(Tell<Real> tell, bool misses) {
@@ -42,7 +42,8 @@ Implementation<Real> knowing(Tell<Real> tell, bool misses) {
     for (std::size_t i = 0; i < batch.size; ++i) {
       const std::optional<FirstContact> contact = contact_of(batch, i);
       if (!contact) continue;
-      const Told told = tell(moving_sphere::rounded_down<Real>(contact->time), index_of(*contact->features.begin()));
+      const ToldContact told =
+          tell(moving_sphere::rounded_down<Real>(contact->time), index_of(*contact->features.begin()));
       out.measures[0][i] = static_cast<Real>(told.time);
       out.measures[1][i] = static_cast<Real>(told.feature);
     }
@@ -50,7 +51,7 @@ Implementation<Real> knowing(Tell<Real> tell, bool misses) {
   return kernel;
 }
 
-template <Told (*tell32)(float, std::size_t), Told (*tell64)(double, std::size_t)>
+template <ToldContact (*tell32)(float, std::size_t), ToldContact (*tell64)(double, std::size_t)>
 Kernel planted_motion(bool misses = false) {
   Kernel kernel;
   kernel.id = "planted";
@@ -65,35 +66,35 @@ Kernel planted_motion(bool misses = false) {
 #define PLANTED(name) planted_motion<name<float>, name<double>>()
 
 template <class Real>
-Told right_told(Real best, std::size_t feature) {
+ToldContact right_told(Real best, std::size_t feature) {
   return {static_cast<double>(best), static_cast<double>(feature)};
 }
 template <class Real>
-Told late_by_one(Real best, std::size_t feature) {
+ToldContact late_by_one(Real best, std::size_t feature) {
   return {static_cast<double>(std::nextafter(best, Real(2))), static_cast<double>(feature)};
 }
 template <class Real>
-Told early_by_one(Real best, std::size_t feature) {
+ToldContact early_by_one(Real best, std::size_t feature) {
   return {static_cast<double>(best == 0 ? best : std::nextafter(best, Real(-1))), static_cast<double>(feature)};
 }
 template <class Real>
-Told of_the_end(Real, std::size_t feature) {
+ToldContact of_the_end(Real, std::size_t feature) {
   return {1, static_cast<double>(feature)};
 }
 template <class Real>
-Told negative(Real best, std::size_t feature) {
+ToldContact negative(Real best, std::size_t feature) {
   return {static_cast<double>(-best) - 1, static_cast<double>(feature)};
 }
 template <class Real>
-Told beyond(Real best, std::size_t feature) {
+ToldContact beyond(Real best, std::size_t feature) {
   return {static_cast<double>(best) + 1.5, static_cast<double>(feature)};
 }
 template <class Real>
-Told not_told(Real, std::size_t feature) {
+ToldContact not_told(Real, std::size_t feature) {
   return {std::numeric_limits<double>::quiet_NaN(), static_cast<double>(feature)};
 }
 template <class Real>
-Told other_feature(Real best, std::size_t) {
+ToldContact other_feature(Real best, std::size_t) {
   return {static_cast<double>(best), 7};
 }
 

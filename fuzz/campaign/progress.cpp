@@ -17,14 +17,14 @@ double ProgressCount::seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-void ProgressCount::asked(std::uint64_t queries) {
+void ProgressCount::add_queries(std::uint64_t queries) {
   queries_.fetch_add(queries, std::memory_order_relaxed);
   if (seconds() - shown_at_.load(std::memory_order_relaxed) < seconds_between_parts) return;
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (lock) show();
 }
 
-void ProgressCount::finished(std::uint64_t queries) {
+void ProgressCount::finish_unit(std::uint64_t queries) {
   queries_.fetch_add(queries, std::memory_order_relaxed);
   const std::lock_guard lock(mutex_);
   ++units_done_;

@@ -24,9 +24,9 @@ class ProgressCount {
  public:
   ProgressCount(const ShowProgress& show, std::uint64_t units, std::string_view stage = {});
   // Queries of a unit that is still under way. Shown at most ten times a second.
-  void asked(std::uint64_t queries);
-  // A unit, and those of its queries that were not counted by asked(). Always shown.
-  void finished(std::uint64_t queries = 0);
+  void add_queries(std::uint64_t queries);
+  // A unit, and those of its queries that were not counted by add_queries(). Always shown.
+  void finish_unit(std::uint64_t queries = 0);
 
  private:
   double seconds() const;

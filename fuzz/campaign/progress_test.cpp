@@ -25,8 +25,8 @@ TEST(ProgressCount, CountsWhatEveryThreadHasFinished) {
     for (std::uint64_t t = 0; t < threads; ++t) {
       workers.emplace_back([&] {
         for (std::uint64_t i = 0; i < units; ++i) {
-          count.asked(queries);
-          count.finished(1);
+          count.add_queries(queries);
+          count.finish_unit(1);
         }
       });
     }
@@ -48,8 +48,8 @@ TEST(ProgressCount, CountsWhatEveryThreadHasFinished) {
 TEST(ProgressCount, WithNobodyToShowItToCountsInVain) {
   const ShowProgress nobody;
   ProgressCount count(nobody, 1);
-  count.asked(1);
-  count.finished();
+  count.add_queries(1);
+  count.finish_unit();
 }
 
 }  // namespace

@@ -146,7 +146,7 @@ TEST(Supervised, TouchingIsHeldAgainstTheConvention) {
   Kernel separated = black_box("separated", [](const Query<double>& q, auto, Verdict& verdict, auto&) {
     if (is_valid(q) && distance_order(q) == 0) verdict = Verdict::separated;
   });
-  const auto wrong = [&](Touching convention) {
+  const auto wrong = [&](TouchingPolicy convention) {
     contact.touching = separated.touching = convention;
     const auto tallies = tallies_of(plan_of({&contact, &separated}, "lattice", 2000));
     EXPECT_GT(tallies[0].truth.touching, 0u);
@@ -159,9 +159,9 @@ TEST(Supervised, TouchingIsHeldAgainstTheConvention) {
     }
     return of_touching;
   };
-  EXPECT_EQ(wrong(Touching::contact), (std::vector<std::uint64_t>{0, 1}));
-  EXPECT_EQ(wrong(Touching::separated), (std::vector<std::uint64_t>{1, 0}));
-  EXPECT_EQ(wrong(Touching::either), (std::vector<std::uint64_t>{0, 0}));
+  EXPECT_EQ(wrong(TouchingPolicy::contact), (std::vector<std::uint64_t>{0, 1}));
+  EXPECT_EQ(wrong(TouchingPolicy::separated), (std::vector<std::uint64_t>{1, 0}));
+  EXPECT_EQ(wrong(TouchingPolicy::either), (std::vector<std::uint64_t>{0, 0}));
 }
 
 // `scale` takes the published test out of range; the same kernel with limits that exclude those queries is right on the

@@ -20,7 +20,7 @@ void judge(const Oracles& oracles, const MadeBatch<Real>& batch, KernelRuns<Real
       if (screen.try_judge(k, i)) continue;
       if (!numbers) numbers = batch.queries[i];
       if (!look) look.emplace(oracles, *numbers, screen.about(i));
-      screen.judged(k, i, runs[k].judge(i, *look));
+      screen.look_at_answer(k, i, runs[k].judge(i, *look));
     }
   }
 }
@@ -28,8 +28,8 @@ void judge(const Oracles& oracles, const MadeBatch<Real>& batch, KernelRuns<Real
 // One unit in one precision, batch by batch: made, asked of every kernel, decided, judged.
 template <class Real>
 void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint64_t size,
-         const std::vector<Standing>& standing, const BatchDone& asked, UnitResult& out) {
-  const Standing nothing = standing_of(empty_tally(source.test()));
+         const std::vector<StandingLeaders>& standing, const BatchDone& asked, UnitResult& out) {
+  const StandingLeaders nothing = standing_of(empty_tally(source.test()));
   KernelRuns<Real> runs;
   for (std::size_t k = 0; k < plan.answerers.kernels.size(); ++k) {
     const Kernel& kernel = *plan.answerers.kernels[k];
@@ -69,7 +69,7 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
 }  // namespace
 
 UnitResult run_unit(const Plan& plan, const Source& source, Precision precision, std::uint64_t number,
-                    std::uint64_t size, const std::vector<Standing>& standing, const BatchDone& asked) {
+                    std::uint64_t size, const std::vector<StandingLeaders>& standing, const BatchDone& asked) {
   UnitResult result{std::vector<Tally>(plan.answerers.kernels.size(), empty_tally(source.test())), 0, 0, {}};
   const double start = thread_seconds();
   const std::uint64_t first = number * unit_size;

@@ -26,7 +26,7 @@ using BatchDone = std::function<void(std::uint64_t queries)>;
 // can be no maximum; it may be empty. Merged with their tallies the result depends on the other arguments only, but for
 // the times.
 UnitResult run_unit(const Plan& plan, const Source& source, Precision precision, std::uint64_t number,
-                    std::uint64_t size, const std::vector<Standing>& standing = {}, const BatchDone& asked = {});
+                    std::uint64_t size, const std::vector<StandingLeaders>& standing = {}, const BatchDone& asked = {});
 
 // The cells of the questions, with nothing done, for so many kernels: binary64 first, whose units take longest, and the
 // last ones decide how long the cores wait for each other.

@@ -183,11 +183,11 @@ Growths growths_of(const SafeMargin& margin) {
 template <class Real>
 void grow_in(const SafeMarginPlan& plan, const Growths& growths, JudgedBatch<Real>& batch, SafeMargin& found) {
   const MarginFinder<Real> finder(plan, batch.kernel(0), found);
-  struct Separated {
+  struct SeparatedQuery {
     Verdict right;
     MarginScene scene;
   };
-  std::vector<Separated> separated;
+  std::vector<SeparatedQuery> separated;
   const std::size_t columns = batch.queries().column_count();
   QueryBatch<Real> by_factor(batch.size(), columns), by_amount(batch.size(), columns);
   for (std::size_t i = 0; i < batch.size(); ++i) {

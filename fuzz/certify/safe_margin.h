@@ -19,7 +19,7 @@ namespace axiscert {
 
 struct SafeMarginPlan {
   const Questions* asked;  // of a run: its sources and seed; their test has a sphere's radius
-  const Running* on;
+  const RunningOptions* on;
   const Kernel* kernel;  // of that test, in the first entry
   Precision precision = Precision::binary32;
   // How many of the source's queries were run: those from the first on.

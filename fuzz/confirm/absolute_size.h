@@ -32,7 +32,7 @@ struct Quantity {
 class Quantities {
  public:
   virtual std::span<const Quantity> all() const = 0;
-  // Of a valid query, in that order and in plain double: four digits would do.
+  // Of a valid query, in that order and in double: four digits would do.
   virtual std::vector<double> values(const Numbers<float>& query) const = 0;
   virtual std::vector<double> values(const Numbers<double>& query) const = 0;
 

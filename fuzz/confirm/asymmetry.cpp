@@ -110,7 +110,7 @@ class AsymmetryBlock {
 }  // namespace
 
 std::optional<Asymmetry> asymmetry_of(const SeededSource& of, std::uint64_t queries, const Kernel& kernel,
-                                      const StoredReplies* replies, const Running& running) {
+                                      const StoredReplies* replies, const RunningOptions& running) {
   const ImageGroup* group = image_group(of.source.name());
   if (!group || !kernel.has(of.precision)) return std::nullopt;
   const std::uint64_t bases = std::min(queries, asymmetry_queries) / group->size;

@@ -22,6 +22,6 @@ inline constexpr std::uint64_t asymmetry_queries = std::uint64_t{1} << 22;
 // Asks a kernel again about the first `queries` of a source, complete groups of images only; where there are replies,
 // those are examined instead. Empty if the source makes no images, or the kernel does not exist in the precision.
 std::optional<Asymmetry> asymmetry_of(const SeededSource& of, std::uint64_t queries, const Kernel& kernel,
-                                      const StoredReplies* replies, const Running& running);
+                                      const StoredReplies* replies, const RunningOptions& running);
 
 }  // namespace axiscert

@@ -10,8 +10,8 @@ namespace axiscert {
 namespace {
 
 template <class Real>
-Named<std::optional<GroupNumbers>> numbers_of(const SeededSource& of, std::uint64_t position) {
-  Named<std::optional<GroupNumbers>> numbers;
+NamedValues<std::optional<GroupNumbers>> numbers_of(const SeededSource& of, std::uint64_t position) {
+  NamedValues<std::optional<GroupNumbers>> numbers;
   for (auto& [group, values] :
        groups_of_numbers(of.source.test().entries[of.source.entry()], of.source.make<Real>(of.seed, position)))
     numbers.put(group) = std::move(values);

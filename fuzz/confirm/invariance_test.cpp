@@ -41,11 +41,11 @@ Kernel without_small(double least) {
   });
 }
 
-struct Found {
+struct InvarianceFinding {
   Invariance invariance;
   Json json;
 };
-Found found(const Kernel& kernel, const char* family, std::uint64_t queries) {
+InvarianceFinding found(const Kernel& kernel, const char* family, std::uint64_t queries) {
   const SourcePtr source = family_source(find_family(family));
   const SeededSource of{*source, 1, Precision::binary64};
   const Asymmetry asymmetry = *asymmetry_of(of, queries, kernel, nullptr, {resolve_target("auto")});
@@ -67,7 +67,7 @@ TEST(Invariance, OfARightKernelIsWhole) {
 TEST(Invariance, AnAbsoluteNumberIsFoundWithItsSizeInEitherDirection) {
   for (const double size : {1e-6, 1e-20}) {
     for (const char* family : {"units", "spans"}) {
-      const Found small = found(without_small(size), family, 9600);
+      const InvarianceFinding small = found(without_small(size), family, 9600);
       const ImageChanges& wrong = small.invariance.units.wrong;
       ASSERT_GT(wrong.changed, 100u) << family;
       EXPECT_TRUE(small.invariance.units.large.empty()) << family;
@@ -91,7 +91,7 @@ TEST(Invariance, AnAbsoluteNumberIsFoundWithItsSizeInEitherDirection) {
   const Kernel large = right_but([](const Columns& q, std::size_t i, Verdict verdict) {
     return q.column[12][i] > 1e9 ? Verdict::separated : verdict;
   });
-  const Found found_large = found(large, "spans", 9600);
+  const InvarianceFinding found_large = found(large, "spans", 9600);
   EXPECT_TRUE(found_large.invariance.units.small.empty());
   EXPECT_EQ(found_large.json["scale"]["wrong"]["where_large"]["compared"][0]["quantity"], "r");
   EXPECT_NEAR(found_large.json["scale"]["wrong"]["where_large"]["compared"][0]["least"].get<double>(), 1e9, 5e8);
@@ -100,7 +100,7 @@ TEST(Invariance, AnAbsoluteNumberIsFoundWithItsSizeInEitherDirection) {
 // A number that is too large is found too, though the answers at 2^0 are wrong; but nothing is then held against a base
 // that is right.
 TEST(Invariance, ANumberThatSpoilsTheBaseIsFoundFromTheAnswersThatAreRight) {
-  const Found spoilt = found(without_small(1e6), "spans", 9600);
+  const InvarianceFinding spoilt = found(without_small(1e6), "spans", 9600);
   EXPECT_GT(spoilt.invariance.kinds[ImageKind::scale].changed, 100u);
   const Json& compared = spoilt.json["scale"]["wrong"]["where_small"]["compared"][0];
   EXPECT_EQ(compared["quantity"], "r");
@@ -111,7 +111,7 @@ TEST(Invariance, IsNotBrokenByAnswersThatAreNone) {
   const Kernel silent = right_but([](const Columns& q, std::size_t i, Verdict verdict) {
     return q.column[12][i] < 1e-6 ? Verdict::undecided : verdict;
   });
-  const Found undecided = found(silent, "units", 2400);
+  const InvarianceFinding undecided = found(silent, "units", 2400);
   EXPECT_EQ(undecided.invariance.kinds[ImageKind::scale].changed, 0u);
   EXPECT_EQ(undecided.invariance.units.wrong.changed, 0u);
 }
@@ -135,7 +135,7 @@ TEST(Invariance, OfOtherKindsIsCountedByKindAndSize) {
   const Kernel far = right_but([](const Columns& q, std::size_t i, Verdict) {
     return std::abs(q.column[9][i]) > 0x1p40 ? Verdict::separated : Verdict::contact;
   });
-  const Found moved = found(far, "spans", 12 * 400);
+  const InvarianceFinding moved = found(far, "spans", 12 * 400);
   const ImageChanges& translation = moved.invariance.kinds[ImageKind::translation];
   ASSERT_GT(translation.changed, 0u);
   EXPECT_GE(translation.by_size.begin()->first, 39);
@@ -144,7 +144,7 @@ TEST(Invariance, OfOtherKindsIsCountedByKindAndSize) {
   const Kernel lopsided = right_but([](const Columns& q, std::size_t i, Verdict) {
     return q.column[9][i] > 0 ? Verdict::separated : Verdict::contact;
   });
-  const Found mirrored = found(lopsided, "axes", 48 * 50);
+  const InvarianceFinding mirrored = found(lopsided, "axes", 48 * 50);
   EXPECT_GT(mirrored.invariance.kinds[ImageKind::mirror].changed, 0u);
   EXPECT_GT(mirrored.invariance.kinds[ImageKind::axes].changed, 0u);
   EXPECT_EQ(mirrored.invariance.kinds[ImageKind::mirror].images, 7u * 50);

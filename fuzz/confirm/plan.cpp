@@ -29,7 +29,7 @@ FileRecord file_record(const FileInfo& file) {
 
 }  // namespace
 
-PlanRecord plan_record(const Plan& plan, const CampaignResult& result, const Required& required) {
+PlanRecord plan_record(const Plan& plan, const CampaignResult& result, const RunRequirements& required) {
   const Questions& questions = plan.questions;
   const Answerers& answerers = plan.answerers;
   PlanRecord record;
@@ -65,7 +65,7 @@ PlanRecord plan_record(const Plan& plan, const CampaignResult& result, const Req
   return record;
 }
 
-PlanRecord plan_record(const Plan& plan, const Required& required) {
+PlanRecord plan_record(const Plan& plan, const RunRequirements& required) {
   return plan_record(plan, planned(plan.questions), required);
 }
 

@@ -179,10 +179,10 @@ KernelRecord kernel_record(const std::vector<FileInfo>& plugins, const Kernel& k
   return record;
 }
 
-Record record_of(const Plan& plan, const CampaignResult& result, const Required& required) {
+Record record_of(const Plan& plan, const CampaignResult& result, const RunRequirements& required) {
   const Questions& questions = plan.questions;
   const Answerers& answerers = plan.answerers;
-  const Running& running = plan.running;
+  const RunningOptions& running = plan.running;
   const StoredReplies* const replies = answerers.replies.get();
   Record record;
   record.complete = result.complete;

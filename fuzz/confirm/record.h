@@ -16,7 +16,7 @@ namespace axiscert {
 
 // Contains no clock, host, thread count, target or compiler.
 // Makes the witnesses' queries again and examines each by all oracles.
-Record record_of(const Plan& plan, const CampaignResult& result, const Required& required);
+Record record_of(const Plan& plan, const CampaignResult& result, const RunRequirements& required);
 
 // Counts of a tally as a family of the record has them, and those of its findings by kind: what levels read, and adds
 // up over stretches. Without medians, places and addresses.
@@ -41,7 +41,7 @@ std::vector<Name> given_measures(const Kernel& kernel);
 
 // The numbers of a query by the group of the entry's columns.
 template <class Real>
-Named<GroupNumbers> groups_of_numbers(const TestEntry& entry, const Numbers<Real>& numbers);
+NamedValues<GroupNumbers> groups_of_numbers(const TestEntry& entry, const Numbers<Real>& numbers);
 // Flips in the form in which `check` and the witnesses list them.
 std::vector<FlipRecord> flips_of(const TestDescription& test, const Judgement& judgement);
 

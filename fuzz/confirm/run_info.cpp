@@ -17,7 +17,7 @@ namespace {
 // The steps by which the queries of a cell were decided, and the time of each.
 CellSteps steps_of(const Source& source, const CellResult& cell, bool exact_only) {
   const StepCounts& steps = cell.steps;
-  Named<StepQueries> signs;
+  NamedValues<StepQueries> signs;
   for (std::size_t k = 0; k < steps.signs.size() && !exact_only; ++k)
     signs.put(source.test().comparisons[k].name) = steps.signs[k];
   const auto each = [&](double nanoseconds) { return nanoseconds / static_cast<double>(cell.queries); };

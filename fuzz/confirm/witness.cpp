@@ -27,15 +27,15 @@ InputClass class_of_wrong(const TestDescription& test, const Numbers<Real>& numb
 }  // namespace
 
 template <class Real>
-Named<GroupNumbers> groups_of_numbers(const TestEntry& entry, const Numbers<Real>& numbers) {
-  Named<GroupNumbers> groups;
+NamedValues<GroupNumbers> groups_of_numbers(const TestEntry& entry, const Numbers<Real>& numbers) {
+  NamedValues<GroupNumbers> groups;
   for (const auto& [name, first, size] : groups_of(entry)) {
     for (std::size_t k = first; k < first + size; ++k) groups.put(name).numbers.push_back(format_number(numbers[k]));
   }
   return groups;
 }
-template Named<GroupNumbers> groups_of_numbers<float>(const TestEntry&, const Numbers<float>&);
-template Named<GroupNumbers> groups_of_numbers<double>(const TestEntry&, const Numbers<double>&);
+template NamedValues<GroupNumbers> groups_of_numbers<float>(const TestEntry&, const Numbers<float>&);
+template NamedValues<GroupNumbers> groups_of_numbers<double>(const TestEntry&, const Numbers<double>&);
 
 std::vector<FlipRecord> flips_of(const TestDescription& test, const Judgement& judgement) {
   std::vector<FlipRecord> flips;
@@ -47,7 +47,7 @@ std::vector<FlipRecord> flips_of(const TestDescription& test, const Judgement& j
 
 void WitnessWriter::add(const Kernel& kernel, const SeededSource& of, const Tally& tally,
                         const std::optional<Asymmetry>& asymmetry) {
-  Shown shown;
+  ShownReasons shown;
   const auto note = [&](const auto& leaders, auto&& what) {
     for (const auto& candidate : leaders.candidates()) shown[candidate.position].texts.push_back(what(candidate));
   };
@@ -89,7 +89,7 @@ void WitnessWriter::add(const Kernel& kernel, const SeededSource& of, const Tall
   else write<double>(kernel, of, shown);
 }
 
-void WitnessWriter::add_pairs(const SeededSource& of, const Asymmetry& asymmetry, Shown& shown) {
+void WitnessWriter::add_pairs(const SeededSource& of, const Asymmetry& asymmetry, ShownReasons& shown) {
   const auto note = [&](const std::optional<ImagePair>& pair, auto&& of_base, auto&& of_image) {
     if (!pair) return;
     shown[pair->base].texts.push_back(of_base(of.address(pair->image)));
@@ -120,7 +120,7 @@ void WitnessWriter::add_pairs(const SeededSource& of, const Asymmetry& asymmetry
       });
 }
 
-void WitnessWriter::note_motion(const MotionTally& motion, Shown& shown) {
+void WitnessWriter::note_motion(const MotionTally& motion, ShownReasons& shown) {
   const auto note = [&](const auto& leaders, auto&& what) {
     for (const auto& candidate : leaders.candidates()) shown[candidate.position].texts.push_back(what(candidate.rank));
   };
@@ -153,7 +153,7 @@ Examination WitnessWriter::examined(const Kernel& kernel, const Source& source, 
 }
 
 template <class Real>
-void WitnessWriter::write(const Kernel& kernel, const SeededSource& of, const Shown& shown) {
+void WitnessWriter::write(const Kernel& kernel, const SeededSource& of, const ShownReasons& shown) {
   const Source& source = of.source;
   const TestDescription& test = *kernel.test;
   const WitnessSides* const sides = capabilities_of(test).witness_sides;

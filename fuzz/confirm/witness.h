@@ -32,14 +32,14 @@ class WitnessWriter {
     ComparisonBits largest_errors = 0;
     std::optional<InputClass> input_class = {};  // as which it was counted
   };
-  using Shown = std::map<std::uint64_t, Reasons>;  // by position
-  static void note_motion(const MotionTally& motion, Shown& shown);
-  static void add_pairs(const SeededSource& of, const Asymmetry& asymmetry, Shown& shown);
+  using ShownReasons = std::map<std::uint64_t, Reasons>;  // by position
+  static void note_motion(const MotionTally& motion, ShownReasons& shown);
+  static void add_pairs(const SeededSource& of, const Asymmetry& asymmetry, ShownReasons& shown);
   template <class Real>
   Examination examined(const Kernel& kernel, const Source& source, std::uint64_t position,
                        const Numbers<Real>& numbers);
   template <class Real>
-  void write(const Kernel& kernel, const SeededSource& of, const Shown& shown);
+  void write(const Kernel& kernel, const SeededSource& of, const ShownReasons& shown);
 
   const StoredReplies* replies_;  // null: the kernels are asked
   const std::string& target_;

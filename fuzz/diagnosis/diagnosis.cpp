@@ -17,8 +17,8 @@ std::vector<std::string_view> all_of_them(const EnumArray<Value, std::string_vie
 // A property with its probe.
 struct Probe {
   PropertyKind kind;
-  Found (*binary32)(Subject<float>&);
-  Found (*binary64)(Subject<double>&);
+  ProbeFinding (*binary32)(Subject<float>&);
+  ProbeFinding (*binary64)(Subject<double>&);
 
   template <class Real>
   auto in() const {
@@ -70,12 +70,12 @@ void require_value(const PropertyKind& kind, const std::string& value) {
 
 // The values that answers without a verdict show, or for which one answer is enough.
 bool rests_on_few(std::string_view property, std::string_view value) {
-  return property == "degenerate_triangles" || value == name(Repeated::differs) || value == name(Place::depends) ||
+  return property == "degenerate_triangles" || value == name(RepeatedBatch::differs) || value == name(Place::depends) ||
          value == name(Threshold::present);
 }
 
 // A property that rests on too little is not known, whatever its probe made of it.
-void require_enough(std::string_view property, const LookedAt& looked_at, Found& found) {
+void require_enough(std::string_view property, const LookedAt& looked_at, ProbeFinding& found) {
   if (found.value == not_known || found.value == not_asked || looked_at.asked() == 0) return;
   const auto too_few = [&](std::string why) { found = undecided(std::move(why), std::move(found.measured)); };
   if (2 * looked_at.outside_limits > looked_at.asked()) {
@@ -95,10 +95,10 @@ Diagnosis diagnosed(const Kernel& kernel, const DiagnosisOptions& options) {
   Subject<Real> subject(kernel, options);
   ProgressCount progress(options.report, probes().size());
   for (const Probe& probe : probes()) {
-    Found found;
+    ProbeFinding found;
     try {
       found = probe.in<Real>()(subject);
-    } catch (const Interrupted&) {
+    } catch (const Interruption&) {
       diagnosis.complete = false;
       return diagnosis;
     }
@@ -109,7 +109,7 @@ Diagnosis diagnosed(const Kernel& kernel, const DiagnosisOptions& options) {
     diagnosis.properties.push_back({std::string(probe.kind.name), std::move(found.value), std::move(found.sentence),
                                     queries, std::move(found.witnesses), std::move(found.measured),
                                     std::move(looked_at)});
-    progress.finished(queries);
+    progress.finish_unit(queries);
   }
   return diagnosis;
 }

@@ -103,8 +103,8 @@ inline Kernel one_sided(const Kernel& base, bool is_front) {
 }
 
 // Overlaps before the motion missed: where the distance does not fall at first, where nothing moves, or all of them.
-enum class Missed : std::uint8_t { leaving_and_still, still, all_starts };
-inline Kernel missing_starts(const Kernel& base, Missed missed) {
+enum class MissedStarts : std::uint8_t { leaving_and_still, still, all_starts };
+inline Kernel missing_starts(const Kernel& base, MissedStarts missed) {
   return answered_by(
       base, "missing-starts", [missed]<class Real>(const Kernel& of, const auto& right, const Numbers<Real>& query) {
         const Numbers<Real> still = diagnosis::without_motion(of, query);
@@ -112,9 +112,9 @@ inline Kernel missing_starts(const Kernel& base, Missed missed) {
         const bool is_still = std::ranges::equal(still, query);
         const bool is_approaching =
             oracles_of(of).is_promised(MotionPolicy{.start = StartPolicy::approaching}, query) && !is_still;
-        const bool is_missed = missed == Missed::still               ? is_still
-                               : missed == Missed::leaving_and_still ? !is_approaching
-                                                                     : true;
+        const bool is_missed = missed == MissedStarts::still               ? is_still
+                               : missed == MissedStarts::leaving_and_still ? !is_approaching
+                                                                           : true;
         return is_missed ? Verdict::separated : Verdict::contact;
       });
 }

@@ -20,25 +20,26 @@ using namespace made;
 constexpr Precision single = Precision::binary32, twice = Precision::binary64;
 
 template <class Real>
-diagnosis::Found found_of(const Kernel& kernel, const std::string& property, std::uint64_t seed) {
+diagnosis::ProbeFinding found_of(const Kernel& kernel, const std::string& property, std::uint64_t seed) {
   using namespace diagnosis;
-  const std::map<std::string, Found (*)(Subject<Real>&)> probes = {{"touching", at_touching<Real>},
-                                                                   {"sides", sides_hit<Real>},
-                                                                   {"overlap_at_start", overlap_at_start<Real>},
-                                                                   {"degenerate_triangles", degenerate_triangles<Real>},
-                                                                   {"subnormal_numbers", subnormal_numbers<Real>},
-                                                                   {"operation_order", operation_order<Real>},
-                                                                   {"inner_precision", inner_precision<Real>},
-                                                                   {"absolute_threshold", absolute_thresholds<Real>},
-                                                                   {"range_window", range_window<Real>}};
+  const std::map<std::string, ProbeFinding (*)(Subject<Real>&)> probes = {
+      {"touching", at_touching<Real>},
+      {"sides", sides_hit<Real>},
+      {"overlap_at_start", overlap_at_start<Real>},
+      {"degenerate_triangles", degenerate_triangles<Real>},
+      {"subnormal_numbers", subnormal_numbers<Real>},
+      {"operation_order", operation_order<Real>},
+      {"inner_precision", inner_precision<Real>},
+      {"absolute_threshold", absolute_thresholds<Real>},
+      {"range_window", range_window<Real>}};
   DiagnosisOptions options;
   options.precision = precision_of<Real>;
   options.seed = seed;
   Subject<Real> subject(kernel, options);
   return probes.at(property)(subject);
 }
-diagnosis::Found found_of(const Kernel& kernel, Precision precision, const std::string& property,
-                          std::uint64_t seed = 1) {
+diagnosis::ProbeFinding found_of(const Kernel& kernel, Precision precision, const std::string& property,
+                                 std::uint64_t seed = 1) {
   return precision == single ? found_of<float>(kernel, property, seed) : found_of<double>(kernel, property, seed);
 }
 
@@ -75,9 +76,9 @@ std::vector<Row> rows() {
       {"sides", "not_asked", single, boxes},
       {"overlap_at_start", "reported", single, moving},
       {"overlap_at_start", "reported", twice, find_kernel("moving-sphere/ends-twenty-nonstrict")},
-      {"overlap_at_start", "moving", twice, missing_starts(moving, Missed::still)},
-      {"overlap_at_start", "approaching", single, missing_starts(moving, Missed::leaving_and_still)},
-      {"overlap_at_start", "ignored", twice, missing_starts(moving, Missed::all_starts)},
+      {"overlap_at_start", "moving", twice, missing_starts(moving, MissedStarts::still)},
+      {"overlap_at_start", "approaching", single, missing_starts(moving, MissedStarts::leaving_and_still)},
+      {"overlap_at_start", "ignored", twice, missing_starts(moving, MissedStarts::all_starts)},
       {"overlap_at_start", "not_asked", single, boxes},
       {"degenerate_triangles", "handled", single, moving},
       {"degenerate_triangles", "wrong_on_some", single, find_kernel("moving-sphere/twenty")},
@@ -117,7 +118,7 @@ std::vector<Row> rows() {
 
 TEST(DiagnosisOfOtherTestsLong, FindsWhatIsSo) {
   for (const Row& row : rows()) {
-    const diagnosis::Found found = found_of(row.kernel, row.precision, row.property);
+    const diagnosis::ProbeFinding found = found_of(row.kernel, row.precision, row.property);
     EXPECT_EQ(found.value, row.value) << fmt::format("{} in {}: {}: {} {}", row.kernel.id, name(row.precision),
                                                      row.property, found.sentence, found.measured.dump());
     EXPECT_FALSE(found.sentence.empty());
@@ -128,7 +129,7 @@ TEST(DiagnosisOfOtherTestsLong, FindsItWithOtherSeeds) {
   for (const std::uint64_t seed : {2, 3}) {
     for (const Row& row : rows()) {
       // A kernel that is so may be not known with another seed, but nothing else.
-      const diagnosis::Found found = found_of(row.kernel, row.precision, row.property, seed);
+      const diagnosis::ProbeFinding found = found_of(row.kernel, row.precision, row.property, seed);
       EXPECT_TRUE(found.value == row.value || found.value == not_known)
           << fmt::format("{} in {}, seed {}: {} is {}: {} {}", row.kernel.id, name(row.precision), seed, row.property,
                          found.value, found.sentence, found.measured.dump());

@@ -18,7 +18,7 @@
 namespace axiscert::diagnosis {
 
 // Thrown where the user interrupts, and caught by diagnose().
-struct Interrupted {};
+struct Interruption {};
 
 inline bool is_decided(Verdict v) { return v == Verdict::contact || v == Verdict::separated; }
 
@@ -76,7 +76,7 @@ class Subject {
   static constexpr std::size_t most_at_once = 1024;
 
   std::vector<Verdict> answers_of(const Implementation<Real>& of, std::span<const Numbers<Real>> queries) {
-    if (options_.interrupted && *options_.interrupted) throw Interrupted{};
+    if (options_.interrupted && *options_.interrupted) throw Interruption{};
     QueryBatch<Real> batch(queries.size(), entry().columns.size());
     for (const Numbers<Real>& query : queries) batch.push_back(query);
     std::vector<Verdict> said(queries.size(), Verdict::unanswered);
@@ -96,20 +96,20 @@ class Subject {
 };
 
 // A finding of a probe; the name is put by diagnose().
-struct Found {
+struct ProbeFinding {
   std::string value, sentence;
   std::vector<DiagnosisWitness> witnesses = {};
   Json measured = nullptr;
 };
 
 template <Enumeration Value>
-Found decided(Value value, std::string sentence, std::vector<DiagnosisWitness> witnesses = {},
-              Json measured = nullptr) {
+ProbeFinding decided(Value value, std::string sentence, std::vector<DiagnosisWitness> witnesses = {},
+                     Json measured = nullptr) {
   return {std::string(name(value)), std::move(sentence), std::move(witnesses), std::move(measured)};
 }
-inline Found undecided(std::string sentence, Json measured = nullptr) {
+inline ProbeFinding undecided(std::string sentence, Json measured = nullptr) {
   return {std::string(not_known), std::move(sentence), {}, std::move(measured)};
 }
-inline Found unasked(std::string sentence) { return {std::string(not_asked), std::move(sentence)}; }
+inline ProbeFinding unasked(std::string sentence) { return {std::string(not_asked), std::move(sentence)}; }
 
 }  // namespace axiscert::diagnosis

@@ -21,13 +21,13 @@ template <class Real>
 constexpr double rounding = std::numeric_limits<Real>::epsilon() * 1000;
 
 // A triangle in binary64, with angles in degrees. Every number of a query is one of binary64; the lengths are rounded.
-struct Measured {
+struct MeasuredTriangle {
   std::array<Metres, 3> v;
   Metres normal;
   double shortest = HUGE_VAL, longest = 0, least_angle = 180;
 
   template <class Real>
-  explicit Measured(const Query<Real>& q) {
+  explicit MeasuredTriangle(const Query<Real>& q) {
     const std::array<Vec3<Real>, 3> corners = {q.a, q.b, q.c};
     for (std::size_t i = 0; i < 3; ++i) v[i] = {double(corners[i].x), double(corners[i].y), double(corners[i].z)};
     normal = cross(v[1] - v[0], v[2] - v[0]);
@@ -44,7 +44,7 @@ struct Measured {
 // A scene that a game could have: in metres, within its world, seen from the front, and nothing in it is subnormal,
 // thin or without area.
 template <class Real>
-void expect_a_game(const Query<Real>& q, const Measured& triangle) {
+void expect_a_game(const Query<Real>& q, const MeasuredTriangle& triangle) {
   ASSERT_TRUE(is_valid(q));
   EXPECT_GE(q.r, Real(0.1));
   EXPECT_LE(q.r, Real(1));
@@ -70,7 +70,7 @@ TYPED_TEST(SceneFamilies, WalkHoldsTheSphereWithinACentimetreOfTheGround) {
   std::size_t usual = 0, floors = 0, contacts = 0, separated = 0;
   std::map<int, int> decades;
   for_each_query<TypeParam>("scene-walk", 27 * 100, [&](const Query<TypeParam>& q, std::uint64_t position) {
-    const Measured triangle(q);
+    const MeasuredTriangle triangle(q);
     expect_a_game(q, triangle);
     ++decades[static_cast<int>(std::floor(std::log10(triangle.longest)))];
     usual += q.r == TypeParam(0.3);
@@ -104,7 +104,7 @@ TYPED_TEST(SceneFamilies, EdgeAsksTheSameSphereOfTwoTrianglesThatShareAnEdge) {
   Query<TypeParam> first{};
   std::size_t touched[4][2]{};  // by meeting, at the edge and at its end
   for_each_query<TypeParam>("scene-edge", 2 * 8 * 9 * 20, [&](const Query<TypeParam>& q, std::uint64_t position) {
-    const Measured triangle(q);
+    const MeasuredTriangle triangle(q);
     expect_a_game(q, triangle);
     EXPECT_GE(gap_of(q), -0.01 - error);
     const std::uint64_t scene = position / 2, meeting = scene % 4;

@@ -26,12 +26,12 @@ namespace axiscert {
 namespace by {
 
 struct Type {};
-struct Added {};
+struct AddedUp {};
 struct Greatest {};
 struct Least {};  // of a bool: true where both are
 struct First {};  // of two in their order, where it has a value
 struct Same {};   // in all that are merged
-inline constexpr Added added;
+inline constexpr AddedUp added;
 inline constexpr Greatest greatest;
 inline constexpr Least least;
 inline constexpr First first;
@@ -102,25 +102,26 @@ concept Fielded = requires { Of::fields([](const auto&...) {}); };
 namespace fields_of {
 
 template <class... Members>
-struct Stored {
+struct StoredMembers {
   template <class Of>
   static constexpr bool make() {
     return requires { Of{std::declval<Members>()...}; } && !requires { Of{std::declval<Members>()..., {}}; };
   }
   template <class Of, class Member, class How>
-  friend constexpr auto operator+(Stored, const FieldOf<Of, Member, How>&) {
-    if constexpr (std::is_function_v<Member>) return Stored();
-    else return Stored<Members..., Member>();
+  friend constexpr auto operator+(StoredMembers, const FieldOf<Of, Member, How>&) {
+    if constexpr (std::is_function_v<Member>) return StoredMembers();
+    else return StoredMembers<Members..., Member>();
   }
   template <class Of, class Base>
-  friend constexpr auto operator+(Stored, const BaseOf<Of, Base>&) {
-    return Stored<Members..., Base>();
+  friend constexpr auto operator+(StoredMembers, const BaseOf<Of, Base>&) {
+    return StoredMembers<Members..., Base>();
   }
 };
 
 template <Fielded Of>
 constexpr bool are_whole() {
-  return Of::fields([](const auto&... each) { return decltype((Stored<>() + ... + each))::template make<Of>(); });
+  return Of::fields(
+      [](const auto&... each) { return decltype((StoredMembers<>() + ... + each))::template make<Of>(); });
 }
 
 }  // namespace fields_of

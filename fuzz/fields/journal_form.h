@@ -67,7 +67,7 @@ class Encoder {
   }
   // Without the names, which a plan decides.
   template <class T>
-  void put_one(const Named<T>& values) {
+  void put_one(const NamedValues<T>& values) {
     put(values.size());
     for (const auto& [name, value] : values) put(value);
   }
@@ -163,7 +163,7 @@ class Decoder {
     for (T& value : values) get(value);
   }
   template <class T>
-  void get_one(Named<T>& values) {
+  void get_one(NamedValues<T>& values) {
     if (next_size(values.size()) != values.size()) throw Error("the bytes are of another plan");
     for (auto& [name, value] : values) get(value);
   }

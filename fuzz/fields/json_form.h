@@ -336,13 +336,13 @@ struct JsonForm<std::array<T, n>> {
 };
 
 template <class T>
-struct JsonForm<Named<T>> {
-  static Json write(const Named<T>& values) {
+struct JsonForm<NamedValues<T>> {
+  static Json write(const NamedValues<T>& values) {
     Json json = Json::object();
     for (const auto& [name, value] : values) json[name] = json_of(value);
     return json;
   }
-  static void read(const JsonPlace& place, Named<T>& into) {
+  static void read(const JsonPlace& place, NamedValues<T>& into) {
     place.require_type(place.value().is_object(), "object");
     into = {};
     for (const auto& [name, value] : place.value().items()) read_json(place.at(name), into.put(name));
@@ -398,7 +398,7 @@ inline constexpr bool is_optional<std::optional<T>> = true;
 template <class T>
 inline constexpr bool is_named_list = false;
 template <class T>
-inline constexpr bool is_named_list<Named<T>> = true;
+inline constexpr bool is_named_list<NamedValues<T>> = true;
 
 template <Fielded T>
 struct JsonForm<T> {

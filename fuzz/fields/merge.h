@@ -56,8 +56,8 @@ template <class T, std::size_t n>
 struct Rule<std::array<T, n>> : EachOf<std::array<T, n>> {};
 // By name, whatever the order of each.
 template <class T>
-struct Rule<Named<T>> {
-  static void merge(Named<T>& into, const Named<T>& from) {
+struct Rule<NamedValues<T>> {
+  static void merge(NamedValues<T>& into, const NamedValues<T>& from) {
     for (const auto& [name, value] : from) {
       if (T* const found = into.find(name)) axiscert::merge(*found, value);
       else into.put(name) = value;
@@ -112,7 +112,7 @@ void merge_fields(T& into, const T& from) {
       if constexpr (requires { How::merge(value, other); }) How::merge(value, other);
       else if constexpr (std::is_same_v<How, by::Greatest>) value = std::max(value, other);
       else if constexpr (std::is_same_v<How, by::Least>) value = std::min(value, other);
-      else if constexpr (std::is_same_v<How, by::Added>) merging::increase(value, other);
+      else if constexpr (std::is_same_v<How, by::AddedUp>) merging::increase(value, other);
       else if constexpr (std::is_same_v<How, by::First>) value = value ? value : other;
       else if constexpr (std::is_same_v<How, by::Same>) return;
       else axiscert::merge(value, other);

@@ -11,7 +11,7 @@
 namespace axiscert {
 
 template <class T>
-class Named {
+class NamedValues {
  public:
   // The value of that name, which is made if there is none.
   T& put(std::string_view name) {
@@ -24,14 +24,14 @@ class Named {
     }
     return nullptr;
   }
-  const T* find(std::string_view name) const { return const_cast<Named*>(this)->find(name); }
+  const T* find(std::string_view name) const { return const_cast<NamedValues*>(this)->find(name); }
   bool contains(std::string_view name) const { return find(name) != nullptr; }
   // Throws std::out_of_range if there is none.
   T& at(std::string_view name) {
     if (T* found = find(name)) return *found;
     throw std::out_of_range("no value is named " + std::string(name));
   }
-  const T& at(std::string_view name) const { return const_cast<Named*>(this)->at(name); }
+  const T& at(std::string_view name) const { return const_cast<NamedValues*>(this)->at(name); }
 
   // By number, in their order.
   T& operator[](std::size_t i) { return all_[i].second; }
@@ -44,7 +44,7 @@ class Named {
   auto end() { return all_.end(); }
   auto begin() const { return all_.begin(); }
   auto end() const { return all_.end(); }
-  bool operator==(const Named&) const = default;
+  bool operator==(const NamedValues&) const = default;
 
  private:
   std::vector<std::pair<std::string, T>> all_;

@@ -65,7 +65,7 @@ struct ExpectedLine {
   Verdict verdict = Verdict::invalid;
   bool touching = false;
   std::optional<std::optional<std::string>> squared_distance, comparisons, ties;
-  Named<Json> details;  // of the test, by name
+  NamedValues<Json> details;  // of the test, by name
 
   static constexpr std::string_view about = "The exact answers, with what else the test's oracles tell.";
   static constexpr auto fields(auto&& visit) {

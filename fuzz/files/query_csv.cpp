@@ -1,4 +1,4 @@
-// CSV: plain cells between commas, white space around them ignored, no quoting.
+// CSV: cells between commas, white space around them ignored, no quoting.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,7 +50,7 @@ std::string columns_text(const TestEntry& entry) {
 }
 
 // Text without the quotes and case in which a header may differ.
-std::string plain(std::string_view cell) {
+std::string comparable_cell(std::string_view cell) {
   std::string text;
   for (const char c : cell) {
     if (c != '"' && c != '\'') text += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -92,7 +92,7 @@ void refuse_other_csv(std::string_view line, const Place& place, KnownTests know
   const auto given = csv_cells(text);
   if (begins_like_a_number(given.front())) refuse("CSV without a header: its first line has numbers");
   if (text.find('"') != text.npos) refuse("CSV whose header is quoted; write its names without quotes");
-  if (plain(given.front()) == csv_columns(known).substr(0, plain(given.front()).size())) {
+  if (comparable_cell(given.front()) == csv_columns(known).substr(0, comparable_cell(given.front()).size())) {
     refuse(
         fmt::format("column 1 of the header of CSV is '{}'; names of columns are in lower case", shown(given.front())));
   }

@@ -42,7 +42,7 @@ class QueryOfMembers {
     const EntryOfTest of = entry_given_once();
     const Precision precision = precision_of_line(of);
     const JsonValue& id = given_.at("id").value;
-    if (id.kind != JsonKind::absent && id.kind != JsonKind::string) wrong_kind("id", id.kind, "a string");
+    if (id.kind != JsonKind::absent && id.kind != JsonKind::string) throw_wrong_kind("id", id.kind, "a string");
     std::vector<NumberText> numbers;
     for (const ColumnGroup& group : groups_of(of.columns())) take_group(group, of, numbers);
     const std::vector<UnreadField> unread_here = unread_fields(of);
@@ -142,8 +142,8 @@ class QueryOfMembers {
   }
 
   // `of` is the line's, where a member of it may be missing.
-  [[noreturn]] void wrong_kind(std::string_view blamed, JsonKind given, std::string_view expected,
-                               const EntryOfTest* of = nullptr) const {
+  [[noreturn]] void throw_wrong_kind(std::string_view blamed, JsonKind given, std::string_view expected,
+                                     const EntryOfTest* of = nullptr) const {
     place_.fail(blamed, fmt::format("{}; {} belongs here{}", name(given), expected,
                                     given == JsonKind::absent && of != nullptr ? unknown_fields(*of) : ""));
   }
@@ -162,9 +162,9 @@ class QueryOfMembers {
   EntryOfTest entry_of_line() const {
     const JsonValue &test = given_.at("test").value, &entry = given_.at("entry").value;
     if (test.kind != JsonKind::absent && test.kind != JsonKind::string)
-      wrong_kind("test", test.kind, "the id of a test");
+      throw_wrong_kind("test", test.kind, "the id of a test");
     if (entry.kind != JsonKind::absent && entry.kind != JsonKind::string)
-      wrong_kind("entry", entry.kind, "an entry's name");
+      throw_wrong_kind("entry", entry.kind, "an entry's name");
     EntryOfTest of{nullptr, 0};
     try {
       of.test = test.kind == JsonKind::string ? &find_test(shown(test.text), known_) : &test_named("", known_);
@@ -185,7 +185,7 @@ class QueryOfMembers {
 
   Precision precision_of_line(const EntryOfTest& of) const {
     const JsonValue& given = given_.at("precision").value;
-    if (given.kind != JsonKind::string) wrong_kind("precision", given.kind, "\"binary32\" or \"binary64\"", &of);
+    if (given.kind != JsonKind::string) throw_wrong_kind("precision", given.kind, "\"binary32\" or \"binary64\"", &of);
     try {
       return parse_precision(shown(given.text));
     } catch (const Error& unknown) {
@@ -216,7 +216,7 @@ class QueryOfMembers {
       return;
     }
     const std::string due = fmt::format("an array of {} numbers", count_in_words(group.size));
-    if (given.value.kind != JsonKind::array) wrong_kind(group.name, given.value.kind, due, &of);
+    if (given.value.kind != JsonKind::array) throw_wrong_kind(group.name, given.value.kind, due, &of);
     if (given.elements.size() != group.size) {
       place_.fail(group.name, fmt::format("an array of {}; {} belongs here", given.elements.size(), due));
     }

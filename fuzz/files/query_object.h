@@ -30,7 +30,7 @@ struct StoredLine {
   std::string id;
   Precision precision = Precision::binary32;
   std::optional<Name> test, entry;
-  Named<Json> numbers;  // by group of columns; those whose names have dots are nested
+  NamedValues<Json> numbers;  // by group of columns; those whose names have dots are nested
 
   static constexpr std::string_view about =
       "A line of a query file (docs/queries.md). The numbers have the names of the groups of columns of its test.";

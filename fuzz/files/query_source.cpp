@@ -46,7 +46,7 @@ std::uint64_t distinct(const Rows<Real>& queries, std::size_t columns) {
   return found.size();
 }
 
-std::string described(const StoredQuery& stored) {
+std::string query_text_of(const StoredQuery& stored) {
   return stored.entry == 0 ? std::string(stored.test->id)
                            : fmt::format("{}, entry {}", stored.test->id, stored.columns().name);
 }
@@ -64,10 +64,11 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
         file_(file) {
     for (const StoredQuery& stored : queries) {
       if (stored.test != &test_ || stored.entry != entry_) {
-        throw Error(fmt::format(
-            "{}:{}: a query of {}, but those before it are of {}; the queries of a file have one test and "
-            "one entry",
-            file.path == "-" ? "stdin" : file.path, stored.line, described(stored), described(queries.front())));
+        throw Error(
+            fmt::format("{}:{}: a query of {}, but those before it are of {}; the queries of a file have one test and "
+                        "one entry",
+                        file.path == "-" ? "stdin" : file.path, stored.line, query_text_of(stored),
+                        query_text_of(queries.front())));
       }
       switch (stored.precision) {
         case Precision::binary32:

@@ -49,7 +49,7 @@ struct CriticalRadii {
   std::uint64_t outside_limits = 0;          // not measured: beyond the kernel's limits at the exact critical radius
   std::uint64_t reversals = 0;               // queries on which the answers are not monotone
   std::map<Decimal6, std::uint64_t> errors;  // all but the unbounded ones, with their counts
-  std::optional<Measured> worst_early, worst_late;
+  std::optional<MeasuredValue> worst_early, worst_late;
   std::optional<ReversalWitness> first_reversal;
 
   // The least error that `share` of the measured ones do not exceed; empty if that is an unbounded one, or none was

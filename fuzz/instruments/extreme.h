@@ -8,19 +8,19 @@
 
 namespace axiscert {
 
-struct Measured {
+struct MeasuredValue {
   Decimal6 value;
   std::uint64_t position;
-  bool operator==(const Measured&) const = default;
+  bool operator==(const MeasuredValue&) const = default;
 };
 
 // Among equal values the one at the earlier position is kept.
-inline void keep_greatest(std::optional<Measured>& kept, const Measured& other) {
+inline void keep_greatest(std::optional<MeasuredValue>& kept, const MeasuredValue& other) {
   if (!kept || other.value > kept->value || (other.value == kept->value && other.position < kept->position)) {
     kept = other;
   }
 }
-inline void keep_least(std::optional<Measured>& kept, const Measured& other) {
+inline void keep_least(std::optional<MeasuredValue>& kept, const MeasuredValue& other) {
   if (!kept || other.value < kept->value || (other.value == kept->value && other.position < kept->position)) {
     kept = other;
   }
@@ -28,12 +28,12 @@ inline void keep_least(std::optional<Measured>& kept, const Measured& other) {
 
 // How two are merged.
 struct GreatestMeasured {
-  static void merge(std::optional<Measured>& kept, const std::optional<Measured>& other) {
+  static void merge(std::optional<MeasuredValue>& kept, const std::optional<MeasuredValue>& other) {
     if (other) keep_greatest(kept, *other);
   }
 };
 struct LeastMeasured {
-  static void merge(std::optional<Measured>& kept, const std::optional<Measured>& other) {
+  static void merge(std::optional<MeasuredValue>& kept, const std::optional<MeasuredValue>& other) {
     if (other) keep_least(kept, *other);
   }
 };

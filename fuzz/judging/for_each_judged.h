@@ -31,29 +31,29 @@ JudgedCounts<Counts> for_each_judged(const JudgedPlan& plan, const Counts& none,
   const auto judge = [&](const QueryBlock& block, JudgedCounts<Counts>& found) {
     if (plan.interrupted != nullptr && *plan.interrupted) {
       found.complete = false;
-      return progress.finished(block.size);
+      return progress.finish_unit(block.size);
     }
     JudgedBatch<Real> batch(plan, block, progress);
     while (batch.next()) visit(batch, found.counts);
-    progress.finished(batch.not_counted());
+    progress.finish_unit(batch.not_counted());
   };
 
-  using Found = std::shared_ptr<JudgedCounts<Counts>>;  // of neighbouring blocks; null: of none
-  const auto judge_stretch = [&](const tbb::blocked_range<std::size_t>& range, Found found) {
+  using FoundCounts = std::shared_ptr<JudgedCounts<Counts>>;  // of neighbouring blocks; null: of none
+  const auto judge_stretch = [&](const tbb::blocked_range<std::size_t>& range, FoundCounts found) {
     if (!found) found = std::make_shared<JudgedCounts<Counts>>(JudgedCounts<Counts>{none});
     for (std::size_t i = range.begin(); i < range.end(); ++i) judge(blocks[i], *found);
     return found;
   };
-  const auto join = [&](Found found, const Found& later) {
+  const auto join = [&](FoundCounts found, const FoundCounts& later) {
     if (!found || !later) return found ? found : later;
     merge(found->counts, std::move(later->counts));
     found->complete &= later->complete;
     return found;
   };
-  Found all;
-  on_threads(plan.threads, [&] {
+  FoundCounts all;
+  run_on_threads(plan.threads, [&] {
     const tbb::blocked_range<std::size_t> range(0, blocks.size());
-    all = tbb::parallel_reduce(range, Found(), judge_stretch, join);
+    all = tbb::parallel_reduce(range, FoundCounts(), judge_stretch, join);
   });
   return all ? std::move(*all) : JudgedCounts<Counts>{none};
 }

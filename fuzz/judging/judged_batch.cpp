@@ -31,7 +31,7 @@ bool JudgedBatch<Real>::next() {
   const std::uint64_t left = block_.first + block_.size - first_;
   if (left == 0) return false;
   source().fill(plan_.seed, first_, static_cast<std::size_t>(std::min(left, plan_.batch_size)), queries_);
-  for (Answering& kernel : kernels_) kernel.has_replied = false;
+  for (AnsweringKernel& kernel : kernels_) kernel.has_replied = false;
   is_decided_ = false;
   truths_.assign(queries_.size(), std::nullopt);
   return true;
@@ -39,7 +39,7 @@ bool JudgedBatch<Real>::next() {
 
 template <class Real>
 const Reply<Real>& JudgedBatch<Real>::reply(std::size_t k) {
-  Answering& kernel = kernels_[k];
+  AnsweringKernel& kernel = kernels_[k];
   if (!kernel.has_replied) ask(kernel.implementation, queries_.columns(), kernel.reply);
   kernel.has_replied = true;
   return kernel.reply;

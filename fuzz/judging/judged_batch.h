@@ -76,7 +76,7 @@ class JudgedBatch {
   std::uint64_t not_counted() const { return block_.size - counted_; }
 
  private:
-  struct Answering {
+  struct AnsweringKernel {
     Implementation<Real> implementation;
     Reply<Real> reply = {};
     bool has_replied = false;
@@ -86,7 +86,7 @@ class JudgedBatch {
   const QueryBlock block_;
   ProgressCount& progress_;
   const Oracles& oracles_;
-  std::vector<Answering> kernels_;
+  std::vector<AnsweringKernel> kernels_;
   QueryBatch<Real> queries_;
   std::uint64_t first_, counted_ = 0;
   std::unique_ptr<BatchOracle<Real>> filters_;

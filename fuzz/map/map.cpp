@@ -21,7 +21,7 @@ constexpr std::size_t filtered_block = std::size_t{1} << 14, exact_block = filte
 constexpr std::size_t batch_pixels = 256, second_opinion_pixels = 4096;
 
 // The content of one pixel of one picture.
-struct Shown {
+struct ShownPixel {
   bool yes, tie, certain;
   std::optional<bool> said;   // empty: the kernel gave no such answer
   std::optional<bool> right;  // empty: neither answer is wrong
@@ -30,7 +30,7 @@ struct Shown {
   bool outside = false;                  // of the kernel's limits
 };
 
-PixelClass class_of(const Shown& s) {
+PixelClass class_of(const ShownPixel& s) {
   if (s.outside) return PixelClass::outside_limits;
   if (!s.said) {
     if (s.answer == Verdict::undecided) return PixelClass::undecided;
@@ -56,7 +56,7 @@ struct Canvas {
   std::vector<PixelClass> pixels;
   std::vector<char> yes;
 
-  void put(std::size_t pixel, const Shown& shown) {
+  void put(std::size_t pixel, const ShownPixel& shown) {
     pixels[pixel] = class_of(shown);
     yes[pixel] = static_cast<char>(shown.yes);
   }
@@ -86,7 +86,7 @@ class PixelShown {
     if (p_.said.bits) said_ = clauses_of(test, *p_.said.bits);
   }
 
-  Shown of(const MapSubject& subject) const {
+  ShownPixel of(const MapSubject& subject) const {
     switch (subject.level) {
       case Level::verdict:
         return verdict();
@@ -99,7 +99,7 @@ class PixelShown {
   }
 
  private:
-  Shown verdict() const {
+  ShownPixel verdict() const {
     std::optional<bool> right;
     if (p_.right) right = *p_.right == Verdict::separated;
     return {p_.truth.verdict == Verdict::separated,
@@ -112,7 +112,7 @@ class PixelShown {
             p_.outside};
   }
   // A clause ties where it holds with its ties and not without them.
-  Shown clause(std::size_t i) const {
+  ShownPixel clause(std::size_t i) const {
     const bool yes = has_bit(exact_, i);
     std::optional<bool> said;
     if (said_) said = has_bit(*said_, i);
@@ -125,7 +125,7 @@ class PixelShown {
             p_.said.verdict,
             p_.outside};
   }
-  Shown comparison(std::size_t k) const {
+  ShownPixel comparison(std::size_t k) const {
     const bool yes = has_bit(p_.exact, k);
     std::optional<bool> said;
     if (p_.said.bits) said = has_bit(*p_.said.bits, k);
@@ -290,7 +290,7 @@ void draw(const MapPlan& plan, std::vector<Canvas>& canvases, const ShowProgress
   ProgressCount progress(report, blocks);
   tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
     drawing.draw(block * at_once, std::min(pixels, (block + 1) * at_once), progress);
-    progress.finished();
+    progress.finish_unit();
   });
 }
 

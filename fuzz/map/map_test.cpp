@@ -118,9 +118,9 @@ TEST(MapNumbers, AreNamedOrRefused) {
 
 // The class that a picture has to show for one query, by everything that `check` asks: CGAL and exact sides, no filter.
 template <class Real>
-class Checked {
+class CheckedPixel {
  public:
-  Checked(const Query<Real>& q, const Kernel& kernel) : is_valid_(is_valid(q)) {
+  CheckedPixel(const Query<Real>& q, const Kernel& kernel) : is_valid_(is_valid(q)) {
     if (is_valid_) flips_ = Examiner(kernel, scalar_target).examine(q).judgement.flips();
   }
   // Empty if the kernel is right.
@@ -148,7 +148,7 @@ std::size_t expect_as_checked(const Kernel& kernel, const Query<Real>& witness, 
   std::size_t wrong = 0;
   const auto pictures = draw_map(plan);
   for (std::size_t i = 0; i < plane.columns() * plane.rows(); ++i) {
-    const Checked checked(query_at(plane, witness, i % plane.columns(), i / plane.columns()), kernel);
+    const CheckedPixel checked(query_at(plane, witness, i % plane.columns(), i / plane.columns()), kernel);
     wrong += checked.is_wrong();
     for (const MapPicture& picture : pictures) {
       const PixelClass shown = picture.pixels[i];

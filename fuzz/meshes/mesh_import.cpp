@@ -145,7 +145,7 @@ std::string read_all(int from) {
   }
 }
 
-std::string ending(int status, const ImportLimits& limits) {
+std::string ending_text(int status, const ImportLimits& limits) {
   if (!WIFSIGNALED(status)) return "assimp ended before it had read the file";
   if (WTERMSIG(status) == SIGXCPU) {
     return fmt::format("assimp was stopped after {} s of processor time", limits.seconds);
@@ -153,7 +153,7 @@ std::string ending(int status, const ImportLimits& limits) {
   return fmt::format("assimp crashed while reading it ({})", strsignal(WTERMSIG(status)));
 }
 
-Error refused(const std::string& path, std::string reason) {
+Error import_error(const std::string& path, std::string reason) {
   if (reason.empty()) reason = "assimp gives no reason";
   return Error(fmt::format("{}: not a mesh that can be read: {}", path, reason));
 }
@@ -179,8 +179,8 @@ ImportedMesh import_mesh(const std::string& path, const ImportLimits& limits) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw refused(path, ending(status, limits));
-  if (reply[0] == tag_error) throw refused(path, reply.substr(1));
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw import_error(path, ending_text(status, limits));
+  if (reply[0] == tag_error) throw import_error(path, reply.substr(1));
 
   ImportedMesh mesh;
   const char* at = reply.data() + 1;

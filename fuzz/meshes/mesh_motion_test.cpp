@@ -107,7 +107,7 @@ TEST(MeshMotions, OfExtremeCoordinatesAreFinite) {
   const StreamName placed(1, 2, 2, Precision::binary32), moving(1, 3, 1, Precision::binary32);
   for (std::uint64_t position = 0; position < 500; ++position) {
     const auto q =
-        filled_numbers<float>(16, [&](const auto& one) { mesh_motions(mesh, placed, moving, position, one); });
+        filled_numbers<float>(16, [&](const auto& one) { fill_mesh_motions(mesh, placed, moving, position, one); });
     ASSERT_TRUE(std::all_of(q.begin(), q.end(), [](float x) { return std::isfinite(x); })) << position;
     ASSERT_GE(q[15], 0) << position;
   }

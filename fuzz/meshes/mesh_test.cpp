@@ -32,17 +32,17 @@ std::string mesh_refusal(const std::string& path) {
   }
 }
 
-struct Expected {
+struct ExpectedCounts {
   const char* file;
   std::uint64_t triangles, degenerate, skipped;
 };
 
 TEST(Mesh, RealModelsGiveTheirTriangles) {
-  const std::vector<Expected> models = {
+  const std::vector<ExpectedCounts> models = {
       {"OBJ/spider.obj", 1368, 56, 0},  {"STL/Spider_binary.stl", 1368, 56, 0},
       {"PLY/cube.ply", 12, 0, 0},       {"OFF/Cube.off", 12, 0, 0},
       {"OBJ/testmixed.obj", 12, 0, 42}, {"glTF2/IndexOutOfRange/IndexOutOfRange.gltf", 11, 0, 0}};
-  for (const Expected& expected : models) {
+  for (const ExpectedCounts& expected : models) {
     const auto file = mesh_source(model(expected.file), sphere_triangle_test())->file();
     EXPECT_EQ(file->triangles, expected.triangles) << expected.file;
     EXPECT_EQ(file->degenerate_triangles, expected.degenerate) << expected.file;
@@ -146,7 +146,7 @@ void expect_placement(const Query<Real>& q, Placement placement) {
 
 template <class Real>
 Query<Real> mesh_query(const Mesh& mesh, const StreamName& name, std::uint64_t position) {
-  return filled_numbers<Real>(coordinate_count, [&](const auto& one) { mesh_queries(mesh, name, position, one); });
+  return filled_numbers<Real>(coordinate_count, [&](const auto& one) { fill_mesh_queries(mesh, name, position, one); });
 }
 
 template <class Real>

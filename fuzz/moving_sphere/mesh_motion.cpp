@@ -1,5 +1,5 @@
-// Motions past the triangles of a mesh, made of the spheres that mesh_queries() places about them. Everything is in
-// binary64 with + - * / sqrt and powers of two, one query at a time; the query's own precision enters with the last
+// Motions past the triangles of a mesh, made of the spheres that fill_mesh_queries() places about them. Everything is
+// in binary64 with + - * / sqrt and powers of two, one query at a time; the query's own precision enters with the last
 // rounding, and where a character adds its steps up.
 #include <algorithm>
 #include <array>
@@ -33,12 +33,12 @@ double power_between(Stream& random, std::int64_t low, std::int64_t high) {
 }
 
 // A placement without its motion: the triangle, where the sphere is, and its sizes.
-struct Placed {
+struct PlacedScene {
   Place a, b, c, p;
   double r, edge;  // the mean edge, or 1 where the triangle is a point
   Place normal;    // of unit length; any direction where the triangle has no area
 
-  Placed(const Query<double>& q, Stream& random) : a(q.a), b(q.b), c(q.c), p(q.p), r(q.r) {
+  PlacedScene(const Query<double>& q, Stream& random) : a(q.a), b(q.b), c(q.c), p(q.p), r(q.r) {
     const double mean = (length_of(b - a) + length_of(c - b) + length_of(a - c)) / 3;
     edge = mean > 0 && std::isfinite(mean) ? mean : 1;
     const Place any = any_direction(random);
@@ -52,7 +52,7 @@ struct Placed {
 };
 
 // A motion before its last rounding: `steps` earlier ones as long have led to the point from `p`.
-struct Moved {
+struct UnroundedMotion {
   Place p, d;
   double r;
   int steps = 0;
@@ -60,8 +60,8 @@ struct Moved {
 
 // One of up to sixteen steps along the face. Every other walker has a radius of 0.3, a character's in metres, and
 // stands as far from the face, sunk in or hovering by up to a hundredth.
-Moved walk(Stream& random, const Placed& at, Placement placement) {
-  Moved m{at.p, {0, 0, 0}, at.r};
+UnroundedMotion walk(Stream& random, const PlacedScene& at, Placement placement) {
+  UnroundedMotion m{at.p, {0, 0, 0}, at.r};
   const bool is_character = random.coin();
   const double gap = random.unit<double>() * 0.01, share = power_between(random, -6, 0);
   m.steps = static_cast<int>(random.below(16));
@@ -79,7 +79,7 @@ Moved walk(Stream& random, const Placed& at, Placement placement) {
 }
 
 // From above the place to it or, every other time, by up to four radii beyond it.
-Moved drop(Stream& random, const Placed& at) {
+UnroundedMotion drop(Stream& random, const PlacedScene& at) {
   const bool goes_on = random.coin();
   const double fall = at.r * power_between(random, -4, 5), beyond = at.r * 4 * random.unit<double>();
   // Along the normal on the side of the sphere, or straight down one axis, as gravity is.
@@ -91,25 +91,25 @@ Moved drop(Stream& random, const Placed& at) {
 }
 
 // 2^2 to 2^10 mean edges in one step, past where the placement has its tiny sphere.
-Moved shoot(Stream& random, const Placed& at) {
+UnroundedMotion shoot(Stream& random, const PlacedScene& at) {
   const double far = at.edge * power_between(random, 2, 10), share = random.unit<double>();
   const Place d = any_direction(random) * far;
   return {at.p - d * share, d, at.r};
 }
 
 // To a point of the face, or on the way there, or as far beyond it.
-Moved arrive(Stream& random, const Placed& at) {
+UnroundedMotion arrive(Stream& random, const PlacedScene& at) {
   const Place target = at.on_face(random);
   const double share = 2 * random.unit<double>();
   return {at.p, (target - at.p) * share, at.r};
 }
 
-Moved shake(Stream& random, const Placed& at) {
+UnroundedMotion shake(Stream& random, const PlacedScene& at) {
   const double far = (at.r > 0 ? at.r : at.edge) * power_between(random, -24, -6);
   return {at.p, any_direction(random) * far, at.r};
 }
 
-Moved moved_at(Stream& random, const Placed& at, MeshMotion motion, Placement placement) {
+UnroundedMotion moved_at(Stream& random, const PlacedScene& at, MeshMotion motion, Placement placement) {
   switch (motion) {
     case MeshMotion::walking:
       return walk(random, at, placement);
@@ -136,7 +136,7 @@ Vec3<Real> finite(const Place& v) {
 }
 
 template <class Real>
-MovingQuery<Real> query_of(const Query<Real>& placed, const Moved& m) {
+MovingQuery<Real> query_of(const Query<Real>& placed, const UnroundedMotion& m) {
   MovingQuery<Real> q{placed.a, placed.b, placed.c, finite<Real>(m.p), finite<Real>(m.d), finite<Real>({m.r, 0, 0}).x};
   for (int i = 0; i < m.steps; ++i) {
     const Vec3<Real> next = q.p + q.d;  // as a character's place is kept, with a rounding each step
@@ -168,33 +168,34 @@ MeshMotion mesh_motion_at(std::uint64_t position, std::uint64_t triangles) {
 }
 
 template <class Real>
-void mesh_motions(const Mesh& mesh, const StreamName& placed, const StreamName& moving, std::uint64_t first,
-                  const MutableColumns<Real>& out) {
+void fill_mesh_motions(const Mesh& mesh, const StreamName& placed, const StreamName& moving, std::uint64_t first,
+                       const MutableColumns<Real>& out) {
   constexpr std::size_t block = 512;
   QueryBatch<Real> places(std::min(block, out.size), coordinate_count);
   const std::uint64_t triangles = mesh.triangles.size();
   for (std::size_t begin = 0; begin < out.size; begin += block) {
     places.resize(std::min(block, out.size - begin));
-    mesh_queries(mesh, placed, first + begin, places.mutable_columns());
+    fill_mesh_queries(mesh, placed, first + begin, places.mutable_columns());
     for (std::size_t i = 0; i < places.size(); ++i) {
       const std::uint64_t position = first + begin + i;
       Stream random(moving, position);
       const Query<Real> q = places[i];
-      const mesh_motion::Placed at(widened(q), random);
+      const mesh_motion::PlacedScene at(widened(q), random);
       const MeshMotion motion = mesh_motion_at(position, triangles);
-      const mesh_motion::Moved move = mesh_motion::moved_at(random, at, motion, placement_at(position, triangles));
+      const mesh_motion::UnroundedMotion move =
+          mesh_motion::moved_at(random, at, motion, placement_at(position, triangles));
       out.set(begin + i, mesh_motion::query_of(q, move));
     }
   }
 }
-template void mesh_motions<float>(const Mesh&, const StreamName&, const StreamName&, std::uint64_t,
-                                  const MutableColumns<float>&);
-template void mesh_motions<double>(const Mesh&, const StreamName&, const StreamName&, std::uint64_t,
-                                   const MutableColumns<double>&);
+template void fill_mesh_motions<float>(const Mesh&, const StreamName&, const StreamName&, std::uint64_t,
+                                       const MutableColumns<float>&);
+template void fill_mesh_motions<double>(const Mesh&, const StreamName&, const StreamName&, std::uint64_t,
+                                        const MutableColumns<double>&);
 
 extern const MeshQueries moving_sphere_mesh = {
     "a real mesh's triangles: steps of a walking sphere, balls dropped on edges and vertices, bullets, arrivals from "
     "afar, a shaking camera",
-    1, 0, mesh_motions<float>, mesh_motions<double>};
+    1, 0, fill_mesh_motions<float>, fill_mesh_motions<double>};
 
 }  // namespace axiscert

@@ -16,12 +16,12 @@ enum class MeshMotion : std::uint8_t {
 };
 MeshMotion mesh_motion_at(std::uint64_t position, std::uint64_t triangles);
 
-// The moving sphere's queries, of sixteen columns: at each position the triangle and sphere that mesh_queries() places
-// there, at the start of a motion, at its end or on its way. `placed` names the stream of the placements, `moved` that
-// of the motions. Every number is finite.
+// The moving sphere's queries, of sixteen columns: at each position the triangle and sphere that fill_mesh_queries()
+// places there, at the start of a motion, at its end or on its way. `placed` names the stream of the placements,
+// `moved` that of the motions. Every number is finite.
 template <class Real>
-void mesh_motions(const Mesh& mesh, const StreamName& placed, const StreamName& moved, std::uint64_t first,
-                  const MutableColumns<Real>& out);
+void fill_mesh_motions(const Mesh& mesh, const StreamName& placed, const StreamName& moved, std::uint64_t first,
+                       const MutableColumns<Real>& out);
 
 extern const MeshQueries moving_sphere_mesh;
 

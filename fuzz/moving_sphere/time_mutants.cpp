@@ -108,8 +108,8 @@ namespace axiscert {
 
 Kernel time_mutant(TimeFault fault) {
   Kernel kernel =
-      plain_kernel_named<MovingSphere, void>(fmt::format("moving-sphere/exact-time~{}", time_fault_texts[fault].name),
-                                             std::string(time_fault_texts[fault].what));
+      bare_kernel<MovingSphere, void>(fmt::format("moving-sphere/exact-time~{}", time_fault_texts[fault].name),
+                                      std::string(time_fault_texts[fault].what));
   kernel.exposes = Exposure::verdict;
   kernel.is_reference = false;
   kernel.measure_count = moving_sphere::time_measure + 1;

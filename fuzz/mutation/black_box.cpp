@@ -44,7 +44,7 @@ Record record_of_kernels(const MutationPlan& plan, Precision precision, std::uin
       cell.queries += queries;
     }
   }
-  return record_of(campaign, result, Required());
+  return record_of(campaign, result, RunRequirements());
 }
 
 namespace {
@@ -144,7 +144,7 @@ class Judge {
     tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t g) {
       if (interrupted_) return;
       judge(groups[g], trials);
-      progress.finished(trials * plan_.families.size() * groups[g].size());
+      progress.finish_unit(trials * plan_.families.size() * groups[g].size());
     });
   }
 
@@ -178,7 +178,7 @@ class Judge {
       for (const Kernel& box : boxes) {
         if (box.has(precision)) score_.controls.push_back({box.id, precision, first_about(failures, box.id)});
       }
-      progress.finished(plan_.trials * plan_.families.size() * kernels.size());
+      progress.finish_unit(plan_.trials * plan_.families.size() * kernels.size());
     }
   }
 

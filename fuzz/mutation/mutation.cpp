@@ -172,7 +172,7 @@ MutationResult run_mutation(const MutationPlan& plan, const std::atomic<bool>& i
         result.complete = false;
         return;
       }
-      progress.finished(mutation.run_batch(first));
+      progress.finish_unit(mutation.run_batch(first));
     }
   };
   tbb::task_arena arena(plan.threads);

@@ -170,7 +170,7 @@ struct ExactNumber {
 // The sides of all comparisons with the fault at a site.
 template <class Form>
 std::vector<BinaryNumber> exact_sides(const std::vector<double>& v, const mutants::OperationSite& operation) {
-  using N = mutants::Mutated<ExactNumber>;
+  using N = mutants::MutatedNumber<ExactNumber>;
   std::array<N, Form::columns> in;
   for (std::size_t k = 0; k < in.size(); ++k) in[k] = N({BinaryNumber(v[k])}, mutants::input_key(k));
   N::plant(operation, in);

@@ -35,7 +35,7 @@ void for_each_tally(const std::vector<std::string>& ids, std::uint64_t size, Vis
       std::vector<Tally> all(ids.size(), empty_tally(sphere_triangle_test()));
       for (std::uint64_t unit = 0; unit * unit_size < size; ++unit) {
         const std::uint64_t count = std::min(unit_size, size - unit * unit_size);
-        std::vector<Standing> standings;
+        std::vector<StandingLeaders> standings;
         for (const Tally& tally : all) standings.push_back(standing_of(tally));
         const auto found = run_unit(plan, *source, precision, unit, count, standings).tallies;
         for (std::size_t k = 0; k < all.size(); ++k) all[k].merge(found[k]);

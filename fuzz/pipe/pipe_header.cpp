@@ -116,7 +116,7 @@ class Reader {
   }
 
   [[noreturn]] void fail_magic(std::string_view start) const {
-    if (const std::string text = printed(start); !text.empty()) {
+    if (const std::string text = printed_text(start); !text.empty()) {
       fail(
           fmt::format("begins with text, \"{}\", and not with the header; did the program print to standard output? "
                       "Messages go to standard error",
@@ -259,7 +259,7 @@ std::uint64_t PipePlan::queries() const {
   return all;
 }
 
-std::string printed(std::string_view bytes) {
+std::string printed_text(std::string_view bytes) {
   constexpr std::ptrdiff_t least = 4;  // three bytes can look like letters by chance
   const auto end = std::find_if(bytes.begin(), bytes.end(),
                                 [](unsigned char c) { return std::isprint(c) == 0 && std::isspace(c) == 0; });

@@ -43,7 +43,7 @@ struct PipeHeader {
 
 // The text with which the given bytes begin, for a message about a program that printed where bytes were expected.
 // Empty if they do not begin with text.
-std::string printed(std::string_view bytes);
+std::string printed_text(std::string_view bytes);
 
 // Reads a header from the stream, and the sources that its plan names. Throws Error that begins with `name` if it is
 // not a header as header_of wrote it, or if its queries cannot be made again here: another version of axiscert or of a

@@ -13,7 +13,7 @@ namespace {
 
 // A hint that is added to a message if the bytes are text.
 std::string text_hint(std::string_view bytes) {
-  const std::string text = printed(bytes);
+  const std::string text = printed_text(bytes);
   return text.empty() ? "" : fmt::format("; it is text, \"{}\": did the program print to standard output?", text);
 }
 

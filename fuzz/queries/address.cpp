@@ -31,7 +31,7 @@ std::string example() {
   return text({1, std::string(family.name), family.version, Precision::binary32, 0, 1234});
 }
 
-[[noreturn]] void given_as(std::string_view given, Precision precision) {
+[[noreturn]] void throw_misnamed_precision(std::string_view given, Precision precision) {
   throw Error(fmt::format("unknown precision '{}'; did you mean '{}'? precisions: {}", given, name(precision),
                           fmt::join(precision_names, ", ")));
 }
@@ -60,7 +60,7 @@ Precision parse_precision(std::string_view given) {
                                      {"64", Precision::binary64},
                                      {"f64", Precision::binary64},
                                      {"float64", Precision::binary64}}) {
-    if (other == given) given_as(given, meant);
+    if (other == given) throw_misnamed_precision(given, meant);
   }
   throw Error(unknown_name("precision", "precisions", given,
                            std::vector<std::string_view>(precision_names.begin(), precision_names.end())));

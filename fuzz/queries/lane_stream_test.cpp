@@ -18,7 +18,7 @@ namespace axiscert {
 using FourWords = std::array<std::uint32_t, 4>;
 // The numbers drawn by each lane of a LaneStream, in the order of drawn(): [draw][lane].
 template <class Real>
-using Drawn = std::vector<std::vector<double>>;
+using LaneDraws = std::vector<std::vector<double>>;
 inline constexpr int rounds = 40;
 constexpr std::uint64_t scattered(std::uint64_t lane) { return lane * lane * 0x100000007u; }
 }  // namespace axiscert
@@ -44,7 +44,7 @@ FourWords philox_in_lanes(const FourWords& counter, std::uint64_t key) {
 }
 
 template <class Real>
-void drawn(const StreamName& name, std::uint64_t first, Drawn<Real>& out) {
+void drawn(const StreamName& name, std::uint64_t first, LaneDraws<Real>& out) {
   using Random = LaneStream<Real>;
   Random random(name, first);
   const auto keep = [&](typename Random::T x) HWY_ATTR {
@@ -64,8 +64,8 @@ void drawn(const StreamName& name, std::uint64_t first, Drawn<Real>& out) {
   for (std::size_t i = 0; i < Random::lanes; ++i) positions[i] = first + scattered(i);
   keep(Random(name, positions).unit());
 }
-void drawn32(const StreamName& name, std::uint64_t first, Drawn<float>& out) { drawn<float>(name, first, out); }
-void drawn64(const StreamName& name, std::uint64_t first, Drawn<double>& out) { drawn<double>(name, first, out); }
+void drawn32(const StreamName& name, std::uint64_t first, LaneDraws<float>& out) { drawn<float>(name, first, out); }
+void drawn64(const StreamName& name, std::uint64_t first, LaneDraws<double>& out) { drawn<double>(name, first, out); }
 
 }  // namespace
 }  // namespace axiscert::HWY_NAMESPACE
@@ -100,7 +100,7 @@ void expect_lanes_draw_what_streams_draw() {
   for (const std::uint64_t first : {std::uint64_t{0}, std::uint64_t{0xfffffffb}, std::uint64_t{0x123456789abcdef}}) {
     const StreamName name(0xfedcba9876543210, name_hash("lane_stream_test"), 3, precision_of<Real>);
     for_each_instruction_set([&](const std::string& target) {
-      Drawn<Real> lanes;
+      LaneDraws<Real> lanes;
       if constexpr (sizeof(Real) == 4) HWY_DYNAMIC_DISPATCH(drawn32)(name, first, lanes);
       else HWY_DYNAMIC_DISPATCH(drawn64)(name, first, lanes);
       for (std::size_t i = 0; i < lanes[0].size(); ++i) {

@@ -8,7 +8,7 @@ namespace axiscert {
 
 // A Fill<Real> by one(random, position), which returns a test's query or its Numbers<Real>.
 template <auto one, class Real>
-void one_by_one(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) {
+void fill_one_by_one(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) {
   for (std::size_t i = 0; i < out.size; ++i) {
     Stream random(name, first + i);
     out.set(i, one(random, first + i));

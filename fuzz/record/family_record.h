@@ -223,8 +223,8 @@ struct FamilyCounts {
   bool exact_arithmetic = false;
   TruthCounts truth;
   VerdictTally verdict;
-  std::optional<Named<AxisTally>> axes;
-  std::optional<Named<ComparisonTally>> comparisons;
+  std::optional<NamedValues<AxisTally>> axes;
+  std::optional<NamedValues<ComparisonTally>> comparisons;
   std::optional<MotionTally> motion;
 
   static constexpr auto fields(auto&& visit) {

@@ -100,11 +100,11 @@ struct KernelRecord {
   std::optional<Strictness> strictness;
   std::optional<bool> reference;
   std::vector<Exposure> exposes;
-  Touching touching = Touching::contact;
+  TouchingPolicy touching = TouchingPolicy::contact;
   std::optional<LimitsRecord> limits;
   bool may_decline = false;
   CriticalRadiusRecord critical_radius;
-  Named<FamilyRecord> families;
+  NamedValues<FamilyRecord> families;
   std::optional<std::optional<NearestRecord>> nearest;
   std::optional<std::vector<Name>> measures;
   std::optional<PolicyRecord> motion;

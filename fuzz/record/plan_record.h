@@ -83,7 +83,7 @@ struct FileRecord {
 
 struct RepliesRecord {
   std::optional<std::string> conforms_to, formulae;
-  Touching touching = Touching::contact;
+  TouchingPolicy touching = TouchingPolicy::contact;
   bool may_decline = false;
   std::optional<std::uint64_t> measures;
 
@@ -118,7 +118,7 @@ struct JsonForm<RequiredLevels> {
 };
 
 // For each family, a count in each precision.
-using CountsByFamily = Named<std::map<Precision, std::uint64_t>>;
+using CountsByFamily = NamedValues<std::map<Precision, std::uint64_t>>;
 
 struct PlanRecord {
   Name axiscert, test;
@@ -126,10 +126,10 @@ struct PlanRecord {
   std::vector<Name> kernels;
   std::vector<Precision> precisions;
   std::vector<Name> families;
-  Named<GeneratorRecord> generators;
+  NamedValues<GeneratorRecord> generators;
   CountsByFamily trials;
   std::vector<FileRecord> files;
-  Named<Text<ToleranceRule>> tolerance;
+  NamedValues<Text<ToleranceRule>> tolerance;
   RequiredLevels require;
   std::optional<std::vector<LevelText>> allow_unchecked;
   std::uint64_t margin_queries = 0;

@@ -63,7 +63,7 @@ struct CellSteps {
   Name family;
   Precision precision = Precision::binary32;
   StepQueries queries{};
-  Named<StepQueries> signs;
+  NamedValues<StepQueries> signs;
   std::uint64_t checked = 0, by_cgal = 0;
   StepTimes times;
 
@@ -123,7 +123,7 @@ struct SourcePlace {
                  field(&Of::line, {"line", "The line, from 1 on."}));
   }
 };
-using SourcePlaces = Named<SourcePlace>;
+using SourcePlaces = NamedValues<SourcePlace>;
 
 struct RunInfo {
   FormatName<RunInfo> schema;
@@ -133,7 +133,7 @@ struct RunInfo {
   MachineInfo machine;
   std::string compiler, flags, revision;
   TargetInfo target;
-  Named<std::string> versions;
+  NamedValues<std::string> versions;
   std::vector<CellSpeed> throughput;
   std::uint64_t second_opinions = 0;
   bool exact_only = false;

@@ -112,7 +112,7 @@ struct SidesRecord {
 };
 
 struct MeasuresRecord {
-  Named<HexNumber> given;
+  NamedValues<HexNumber> given;
   std::optional<ErrorNumber> tunnel;
   // Absent together, where nothing of the motion was judged; null each where the kernel does not give it.
   std::optional<std::optional<TimeVerdict>> time;
@@ -205,7 +205,7 @@ struct FirstContactRecord {
 struct WitnessRecord {
   Name id;
   Precision precision = Precision::binary32;
-  Named<GroupNumbers> numbers;  // of the query, by group of columns
+  NamedValues<GroupNumbers> numbers;  // of the query, by group of columns
   Name kernel, family, address;
   Verdict truth = Verdict::contact, computed = Verdict::contact;
   bool touching = false;
@@ -214,7 +214,7 @@ struct WitnessRecord {
   std::optional<BitText> exact_comparisons, computed_comparisons;
   std::vector<std::string> shows;
   std::vector<FlipRecord> flips;
-  std::optional<Named<SidesRecord>> sides;
+  std::optional<NamedValues<SidesRecord>> sides;
   std::optional<std::optional<MeasuresRecord>> measures;
   std::optional<std::optional<FirstContactRecord>> first_contact;
 
@@ -264,7 +264,7 @@ struct FindingRecord {
   std::uint64_t count = 0;
   std::string detail;
   std::optional<Name> address;
-  Named<std::optional<GroupNumbers>> numbers;  // of the query, by group of columns
+  NamedValues<std::optional<GroupNumbers>> numbers;  // of the query, by group of columns
 
   static constexpr std::string_view about =
       "One kind of fault of a plug-in, other than a wrong answer, on one family; it was found in loading where "

@@ -10,20 +10,20 @@ namespace {
 
 // A query of the run by its place, with the severity of what it showed.
 template <class Rank>
-struct Found {
+struct RankedPlace {
   Rank rank;
   const Source* source;
   std::uint64_t position;
 };
 
 template <class Rank>
-void add(std::vector<Found<Rank>>& all, const Leaders<Rank>& leaders, const Source& source) {
+void add(std::vector<RankedPlace<Rank>>& all, const Leaders<Rank>& leaders, const Source& source) {
   for (const auto& [rank, position] : leaders.candidates()) all.push_back({rank, &source, position});
 }
 
 // The most severe first; of equals the one whose source and position come first.
 template <class Real, class Rank>
-std::vector<Numbers<Real>> most_severe(std::vector<Found<Rank>> all, std::uint64_t seed) {
+std::vector<Numbers<Real>> most_severe(std::vector<RankedPlace<Rank>> all, std::uint64_t seed) {
   std::stable_sort(all.begin(), all.end(), [](const auto& x, const auto& y) { return x.rank > y.rank; });
   all.resize(std::min(all.size(), Pool<Real>::capacity));
   std::vector<Numbers<Real>> queries;
@@ -50,8 +50,8 @@ Beginning<Real> first_found(const SearchPlan& plan, const std::vector<Aim>& aims
   for (const CellResult& cell : result.cells) merge_fields(beginning.looked_at, looked_at_of(cell.tallies.front()));
   for (std::size_t i = 0; i < aims.size(); ++i) {
     const Aim& aim = aims[i];
-    std::vector<Found<double>> wrong;
-    std::vector<Found<Decimal6>> errors;
+    std::vector<RankedPlace<double>> wrong;
+    std::vector<RankedPlace<Decimal6>> errors;
     for (const CellResult& cell : result.cells) {
       const Source& source = *run.questions.sources[cell.source];
       const Tally& tally = cell.tallies.front();

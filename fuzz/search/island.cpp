@@ -29,7 +29,7 @@ Numbers<Real> child(const Guide<Real>& guide, const Aim& aim, Dice& random, cons
 }
 
 template <class Real>
-void best_first(std::vector<ScoredQuery<Real>>& candidates) {
+void sort_best_first(std::vector<ScoredQuery<Real>>& candidates) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const auto& x, const auto& y) { return x.score > y.score; });
 }
@@ -54,7 +54,7 @@ std::vector<ScoredQuery<Real>> climb(Guide<Real>& guide, const Aim& aim, Dice& r
   }
   evaluate();
   for (std::size_t i = 0; i < starts.size(); ++i) found.push_back({batch[i], scores[i]});
-  best_first(found);
+  sort_best_first(found);
   found.resize(std::min(found.size(), walkers));
   for (std::uint64_t done = batch.size(); done + batch.capacity() <= evaluations; done += batch.capacity()) {
     const bool is_polishing = done >= evaluations - evaluations / polish_share;
@@ -73,7 +73,7 @@ std::vector<ScoredQuery<Real>> climb(Guide<Real>& guide, const Aim& aim, Dice& r
       if (*best >= found[w].score) found[w] = {batch[static_cast<std::size_t>(best - scores.begin())], *best};
     }
   }
-  best_first(found);
+  sort_best_first(found);
   return found;
 }
 

@@ -49,7 +49,7 @@ constexpr std::size_t drawn = walkers * children;
 
 // The queries known for one aim.
 template <class Real>
-struct Known {
+struct KnownQueries {
   Pool<Real> lineage;  // the lineage from which islands start; constant during an epoch
   Pool<Real> fresh;    // queries found by the islands of the current epoch
   Pool<Real> best;     // best of all lineages
@@ -105,7 +105,7 @@ class Search {
     if (interrupted) return;  // not all of it: a search that is resumed begins again
     begun_ = looked_at;
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
-    const auto guide = made_guide();
+    const auto guide = make_guide();
     for (std::size_t i = 0; i < aims_.size(); ++i) {
       for (const Numbers<Real>& q : found[i]) {
         if (const auto value = confirmer.value(aims_[i], q)) known_[i].best.put({*value, q});
@@ -149,7 +149,7 @@ class Search {
   StoredQuery stored_query(std::string id, const Numbers<Real>& q) const {
     return {std::move(id), plan_.precision, q, plan_.kernel->test, plan_.kernel->entry};
   }
-  std::unique_ptr<Guide<Real>> made_guide() const {
+  std::unique_ptr<Guide<Real>> make_guide() const {
     return method_.guide(*plan_.kernel, plan_.target, std::type_identity<Real>());
   }
 
@@ -191,7 +191,7 @@ class Search {
     epoch_begin_ = islands_;
     tbb::parallel_for(0, plan_.threads, work, tbb::simple_partitioner());
     if (islands_ == epoch_begin_ || islands_ % slots_.size() != 0) return;
-    for (Known<Real>& known : known_) known.end_epoch();
+    for (KnownQueries<Real>& known : known_) known.end_epoch();
     share(known_);
   }
 
@@ -207,7 +207,7 @@ class Search {
     const Aim& aim = aims_[slot.aim];
     Stream stream(plan_.seed, name_hash("search"), 1, plan_.precision, island);
     Dice random(stream);
-    const auto guide = made_guide();
+    const auto guide = make_guide();
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     const AnswerCounter<Real> counter(*plan_.kernel);
     Island found;
@@ -240,10 +240,10 @@ class Search {
   }
 
   // Tries the best queries of every comparison, and their images, on each other one.
-  void share(std::vector<Known<Real>>& known) const {
+  void share(std::vector<KnownQueries<Real>>& known) const {
     if (std::none_of(aims_.begin(), aims_.end(), [](const Aim& aim) { return is_about_a_comparison(aim.goal); }))
       return;
-    const auto guide = made_guide();
+    const auto guide = make_guide();
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     for (const Goal goal : enumerators<Goal>) {
       if (!is_about_a_comparison(goal)) continue;
@@ -283,8 +283,8 @@ class Search {
   }
 
   void finish(SearchResult& result) const {
-    std::vector<Known<Real>> known = known_;
-    for (Known<Real>& of_aim : known) of_aim.best.put(of_aim.fresh);
+    std::vector<KnownQueries<Real>> known = known_;
+    for (KnownQueries<Real>& of_aim : known) of_aim.best.put(of_aim.fresh);
     share(known);
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     for (std::size_t i = 0; i < aims_.size(); ++i) {
@@ -307,8 +307,8 @@ class Search {
   std::vector<Aim> aims_;
   std::vector<Slot> slots_;
   std::uint64_t islands_ = 0, resumed_from_ = 0, epoch_begin_ = 0, evaluations_ = 0;
-  std::vector<Known<Real>> known_;   // by aim
-  std::vector<LookedAt> looked_at_;  // by aim
+  std::vector<KnownQueries<Real>> known_;  // by aim
+  std::vector<LookedAt> looked_at_;        // by aim
   LookedAt begun_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

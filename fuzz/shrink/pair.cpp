@@ -123,7 +123,7 @@ template std::optional<Pair<double>> asymmetric_pair(const Numbers<double>&, con
 
 template <class Real>
 ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::string_view target, std::uint64_t limit,
-                             Keeping keeping, const Evaluated& evaluated) {
+                             KeepingRule keeping, const CountEvaluations& evaluated) {
   PairSymptomFinder<Real> finder(kernel, target);
   const auto severity = [&](const Numbers<Real>& q) -> std::optional<Severity> {
     const auto image_of_it = pair.map->image(q);
@@ -136,14 +136,14 @@ ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::
     throw Error(
         fmt::format("{} does not answer the query and its image differently: {}", kernel.id, text(pair.symptom)));
   }
-  Shrunk<Real> found =
+  ShrinkResult<Real> found =
       shrink<Real>(*kernel.test, pair.query, SeverityOn<Real>(severity), keeping, limit, evaluated, kernel.entry);
   const Numbers<Real> image_of_it = *pair.map->image(found.query);
   return {std::move(found), image_of_it};
 }
-template ShrunkPair<float> shrink_pair(const Pair<float>&, const Kernel&, std::string_view, std::uint64_t, Keeping,
-                                       const Evaluated&);
-template ShrunkPair<double> shrink_pair(const Pair<double>&, const Kernel&, std::string_view, std::uint64_t, Keeping,
-                                        const Evaluated&);
+template ShrunkPair<float> shrink_pair(const Pair<float>&, const Kernel&, std::string_view, std::uint64_t, KeepingRule,
+                                       const CountEvaluations&);
+template ShrunkPair<double> shrink_pair(const Pair<double>&, const Kernel&, std::string_view, std::uint64_t,
+                                        KeepingRule, const CountEvaluations&);
 
 }  // namespace axiscert

@@ -62,7 +62,7 @@ std::optional<Pair<Real>> asymmetric_pair(const Numbers<Real>& q, const std::str
 
 template <class Real>
 struct ShrunkPair {
-  Shrunk<Real> query;
+  ShrinkResult<Real> query;
   Numbers<Real> image;
 };
 
@@ -70,6 +70,7 @@ struct ShrunkPair {
 // way. The severity of another verdict is the query's depth, which is that of its image; other comparisons have none.
 template <class Real>
 ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::string_view target, std::uint64_t limit,
-                             Keeping keeping = Keeping::symptom_and_class, const Evaluated& evaluated = {});
+                             KeepingRule keeping = KeepingRule::symptom_and_class,
+                             const CountEvaluations& evaluated = {});
 
 }  // namespace axiscert

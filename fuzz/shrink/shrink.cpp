@@ -20,17 +20,17 @@ std::uint64_t attempts_of(const Oracles& oracles) { return oracles.has_filters()
 template <class Real>
 class Walk {
  public:
-  Walk(const TestDescription& test, const Numbers<Real>& q, const SeverityOn<Real>& severity, Keeping keeping,
-       std::uint64_t limit, const Evaluated& evaluated, std::size_t entry)
+  Walk(const TestDescription& test, const Numbers<Real>& q, const SeverityOn<Real>& severity, KeepingRule keeping,
+       std::uint64_t limit, const CountEvaluations& evaluated, std::size_t entry)
       : test_(test), entry_(entry), severity_(severity), limit_(limit), evaluated_(evaluated) {
     const Severity given = *severity(q);
-    const Keep keep = keeping == Keeping::symptom ? Keep() : Keep(test, q, given, entry);
+    const Keep keep = keeping == KeepingRule::symptom ? Keep() : Keep(test, q, given, entry);
     out_ = {q, given, given, keep, {size_of(q)}, 0, true};
   }
 
-  Shrunk<Real> run() && {
-    do singly();
-    while (out_.complete && several());
+  ShrinkResult<Real> run() && {
+    do apply_single_moves();
+    while (out_.complete && try_combinations());
     // The second oracle, where the test has one, checks the result before it is returned.
     oracles_of(test_, entry_).truth(out_.query);
     return std::move(out_);
@@ -38,14 +38,14 @@ class Walk {
 
  private:
   // Applies single moves until a round of all moves accepts none.
-  void singly() {
+  void apply_single_moves() {
     for (std::size_t k = 0, in_vain = 0; in_vain < moves_.size() && out_.complete; k = (k + 1) % moves_.size()) {
-      in_vain = taken(moved(shape_, out_.query, moves_[k])) ? 0 : in_vain + 1;
+      in_vain = try_accept(moved(shape_, out_.query, moves_[k])) ? 0 : in_vain + 1;
     }
   }
 
   // Returns whether a combination was accepted.
-  bool several() {
+  bool try_combinations() {
     const std::uint64_t attempts = attempts_of(oracles_of(test_, entry_));
     for (std::uint64_t n = 0; n < attempts && out_.complete; ++n) {
       Stream random(seed, name_hash("shrink"), 1, precision_of<Real>, n);
@@ -55,12 +55,12 @@ class Walk {
       };
       change(moves_, 1 + random.below(most_moves));
       change(nudges_, random.below(most_nudges + 1));
-      if (taken(q)) return true;
+      if (try_accept(q)) return true;
     }
     return false;
   }
 
-  bool taken(const std::optional<Numbers<Real>>& q) {
+  bool try_accept(const std::optional<Numbers<Real>>& q) {
     if (!q) return false;
     const QuerySize size = size_of(*q);
     if (!(size < out_.sizes.back())) return false;
@@ -82,27 +82,28 @@ class Walk {
   const std::size_t entry_;
   const SeverityOn<Real>& severity_;
   std::uint64_t limit_;
-  const Evaluated& evaluated_;
+  const CountEvaluations& evaluated_;
   const QueryShape shape_ = shape_of(test_.entries[entry_]);
   const std::vector<Move> moves_ = moves<Real>(shape_), nudges_ = nudges(shape_);
-  Shrunk<Real> out_;
+  ShrinkResult<Real> out_;
 };
 
 }  // namespace
 
 template <class Real>
-Shrunk<Real> shrink(const TestDescription& test, const Numbers<Real>& q, const SeverityOn<Real>& severity,
-                    Keeping keeping, std::uint64_t limit, const Evaluated& evaluated, std::size_t entry) {
+ShrinkResult<Real> shrink(const TestDescription& test, const Numbers<Real>& q, const SeverityOn<Real>& severity,
+                          KeepingRule keeping, std::uint64_t limit, const CountEvaluations& evaluated,
+                          std::size_t entry) {
   return Walk<Real>(test, q, severity, keeping, limit, evaluated, entry).run();
 }
-template Shrunk<float> shrink(const TestDescription&, const Numbers<float>&, const SeverityOn<float>&, Keeping,
-                              std::uint64_t, const Evaluated&, std::size_t);
-template Shrunk<double> shrink(const TestDescription&, const Numbers<double>&, const SeverityOn<double>&, Keeping,
-                               std::uint64_t, const Evaluated&, std::size_t);
+template ShrinkResult<float> shrink(const TestDescription&, const Numbers<float>&, const SeverityOn<float>&,
+                                    KeepingRule, std::uint64_t, const CountEvaluations&, std::size_t);
+template ShrinkResult<double> shrink(const TestDescription&, const Numbers<double>&, const SeverityOn<double>&,
+                                     KeepingRule, std::uint64_t, const CountEvaluations&, std::size_t);
 
 template <class Real>
-Shrunk<Real> shrink(const Numbers<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
-                    std::uint64_t limit, Keeping keeping, const Evaluated& evaluated) {
+ShrinkResult<Real> shrink(const Numbers<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
+                          std::uint64_t limit, KeepingRule keeping, const CountEvaluations& evaluated) {
   SymptomFinder<Real> finder(kernel, target);
   if (!finder.severity(q, symptom)) {
     throw Error(fmt::format("the query does not show {} of {}", text(symptom), kernel.id));
@@ -110,9 +111,9 @@ Shrunk<Real> shrink(const Numbers<Real>& q, const Symptom& symptom, const Kernel
   const SeverityOn<Real> severity = [&](const Numbers<Real>& at) { return finder.severity(at, symptom); };
   return shrink<Real>(*kernel.test, q, severity, keeping, limit, evaluated, kernel.entry);
 }
-template Shrunk<float> shrink<float>(const Numbers<float>&, const Symptom&, const Kernel&, std::string_view,
-                                     std::uint64_t, Keeping, const Evaluated&);
-template Shrunk<double> shrink<double>(const Numbers<double>&, const Symptom&, const Kernel&, std::string_view,
-                                       std::uint64_t, Keeping, const Evaluated&);
+template ShrinkResult<float> shrink<float>(const Numbers<float>&, const Symptom&, const Kernel&, std::string_view,
+                                           std::uint64_t, KeepingRule, const CountEvaluations&);
+template ShrinkResult<double> shrink<double>(const Numbers<double>&, const Symptom&, const Kernel&, std::string_view,
+                                             std::uint64_t, KeepingRule, const CountEvaluations&);
 
 }  // namespace axiscert

@@ -10,7 +10,7 @@
 namespace axiscert {
 
 template <class Real>
-struct Shrunk {
+struct ShrinkResult {
   Numbers<Real> query;
   Severity before, after;
   Keep kept;                      // besides the symptom
@@ -24,10 +24,10 @@ template <class Real>
 using SeverityOn = std::function<std::optional<Severity>(const Numbers<Real>&)>;
 
 // Whether a smaller query keeps the class of the given one, and its depth within depth_factor (fuzz/shrink/keep.h).
-enum class Keeping : std::uint8_t { symptom_and_class, symptom };
+enum class KeepingRule : std::uint8_t { symptom_and_class, symptom };
 
 // Told the number of evaluations so far after each.
-using Evaluated = std::function<void(std::uint64_t)>;
+using CountEvaluations = std::function<void(std::uint64_t)>;
 
 // Tries all ways to change one thing (fuzz/shrink/shrink_moves.h) and accepts each that makes the query smaller by
 // QuerySize and keeps what has to be kept with a severity not below that of the given query; ends after a round in
@@ -35,12 +35,14 @@ using Evaluated = std::function<void(std::uint64_t)>;
 // given query, of this entry of `test`, shows it. Throws HarnessFault if the oracles contradict their earlier
 // answer.
 template <class Real>
-Shrunk<Real> shrink(const TestDescription& test, const Numbers<Real>& q, const SeverityOn<Real>& severity,
-                    Keeping keeping, std::uint64_t limit, const Evaluated& evaluated = {}, std::size_t entry = 0);
+ShrinkResult<Real> shrink(const TestDescription& test, const Numbers<Real>& q, const SeverityOn<Real>& severity,
+                          KeepingRule keeping, std::uint64_t limit, const CountEvaluations& evaluated = {},
+                          std::size_t entry = 0);
 
 // The same for a symptom of a kernel, whose test it is. Throws Error if the given query does not show it.
 template <class Real>
-Shrunk<Real> shrink(const Numbers<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
-                    std::uint64_t limit, Keeping keeping = Keeping::symptom_and_class, const Evaluated& evaluated = {});
+ShrinkResult<Real> shrink(const Numbers<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
+                          std::uint64_t limit, KeepingRule keeping = KeepingRule::symptom_and_class,
+                          const CountEvaluations& evaluated = {});
 
 }  // namespace axiscert

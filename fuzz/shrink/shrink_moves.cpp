@@ -44,9 +44,9 @@ bool round_all(Numbers<Real>& v, int bits) {
 
 // A move at work on the numbers of one query.
 template <class Real>
-class Moving {
+class QueryMover {
  public:
-  Moving(const QueryShape& shape, Numbers<Real>& v) : shape_(shape), v_(v) {}
+  QueryMover(const QueryShape& shape, Numbers<Real>& v) : shape_(shape), v_(v) {}
 
   // Whether the move has a meaning.
   bool apply(const Move& move);
@@ -61,23 +61,23 @@ class Moving {
 
   // change(i) for the first number of each point, and then of each direction.
   template <class Change>
-  void of_points(Change&& change) {
+  void for_each_point(Change&& change) {
     for (const std::size_t first : shape_.points) change(first);
   }
   template <class Change>
-  void of_all(Change&& change) {
-    of_points(change);
+  void for_each_point_and_direction(Change&& change) {
+    for_each_point(change);
     for (const std::size_t first : shape_.directions) change(first);
   }
   template <class Change>
-  void on_axis(int axis, Change&& change) {
-    of_all([&](std::size_t first) { change(v_[first + static_cast<std::size_t>(axis)]); });
+  void for_each_on_axis(int axis, Change&& change) {
+    for_each_point_and_direction([&](std::size_t first) { change(v_[first + static_cast<std::size_t>(axis)]); });
   }
   std::size_t frame(int i) const { return shape_.frames[static_cast<std::size_t>(i)]; }
   void make_upright(std::size_t first) {
     for (std::size_t k = 0; k < 9; ++k) v_[first + k] = k % 4 == 0 ? Real(1) : Real(0);
   }
-  bool into_frame(std::size_t first);
+  bool move_into_frame(std::size_t first);
   bool translate(int i, int axis);
   bool align(int i, int from, int power, bool is_beyond);
   bool trade(const Move& move);
@@ -87,17 +87,17 @@ class Moving {
 };
 
 template <class Real>
-bool Moving<Real>::translate(int i, int along) {
+bool QueryMover<Real>::translate(int i, int along) {
   for (std::size_t axis = 0; axis < shape_.axes; ++axis) {
     const Real by = point(i, axis);
     if (along != static_cast<int>(axis) && along != static_cast<int>(shape_.axes)) continue;
-    of_points([&](std::size_t first) { v_[first + axis] -= by; });
+    for_each_point([&](std::size_t first) { v_[first + axis] -= by; });
   }
   return true;
 }
 
 template <class Real>
-bool Moving<Real>::into_frame(std::size_t first) {
+bool QueryMover<Real>::move_into_frame(std::size_t first) {
   std::array<double, 9> axes;
   for (std::size_t k = 0; k < 9; ++k) axes[k] = static_cast<double>(v_[first + k]);
   const auto turn = [&](std::size_t at, const std::array<double, 3>& from) {
@@ -112,7 +112,7 @@ bool Moving<Real>::into_frame(std::size_t first) {
   };
   std::array<double, 3> origin;
   for (std::size_t axis = 0; axis < 3; ++axis) origin[axis] = static_cast<double>(v_[shape_.points.front() + axis]);
-  of_points([&](std::size_t at) { turn(at, origin); });
+  for_each_point([&](std::size_t at) { turn(at, origin); });
   for (const std::size_t other : shape_.frames) {
     if (other == first) continue;
     for (std::size_t k = 0; k < 9; k += 3) turn(other + k, {0, 0, 0});
@@ -123,7 +123,7 @@ bool Moving<Real>::into_frame(std::size_t first) {
 }
 
 template <class Real>
-bool Moving<Real>::align(int i, int from, int power, bool is_beyond) {
+bool QueryMover<Real>::align(int i, int from, int power, bool is_beyond) {
   if (from == i) return false;
   for (std::size_t axis = 0; axis < shape_.axes; ++axis) {
     const Real p = point(last(), axis), x = std::ldexp(point(from, axis) - p, power);
@@ -133,7 +133,7 @@ bool Moving<Real>::align(int i, int from, int power, bool is_beyond) {
 }
 
 template <class Real>
-bool Moving<Real>::trade(const Move& move) {
+bool QueryMover<Real>::trade(const Move& move) {
   const int i = move.i, j = move.j;
   if (number(i) == 0) return false;
   const auto bits = static_cast<int>(std::bit_width(binary_digits(number(i)).digits));
@@ -146,7 +146,7 @@ bool Moving<Real>::trade(const Move& move) {
 }
 
 template <class Real>
-bool Moving<Real>::apply(const Move& move) {
+bool QueryMover<Real>::apply(const Move& move) {
   const int i = move.i, j = move.j, vertices = last();
   switch (move.kind) {
     case MoveKind::translate:
@@ -155,7 +155,7 @@ bool Moving<Real>::apply(const Move& move) {
       number(i) = number(j) = 0;
       return true;
     case MoveKind::flatten:
-      on_axis(i, [](Real& x) { x = 0; });
+      for_each_on_axis(i, [](Real& x) { x = 0; });
       return true;
     case MoveKind::round_all:
       return round_all(v_, i);
@@ -182,7 +182,7 @@ bool Moving<Real>::apply(const Move& move) {
       }
       return true;
     case MoveKind::scale_axis:
-      on_axis(i, [&](Real& x) { x = std::ldexp(x, j); });
+      for_each_on_axis(i, [&](Real& x) { x = std::ldexp(x, j); });
       return true;
     case MoveKind::centre:
       number(i) = std::ldexp(number(i), -exponent(i));
@@ -198,13 +198,13 @@ bool Moving<Real>::apply(const Move& move) {
       }
       return false;
     case MoveKind::reflect:
-      on_axis(i, [](Real& x) { x = -x; });
+      for_each_on_axis(i, [](Real& x) { x = -x; });
       return true;
     case MoveKind::negate:
       number(i) = -number(i);
       return true;
     case MoveKind::swap_axes:
-      of_all([&](std::size_t first) {
+      for_each_point_and_direction([&](std::size_t first) {
         std::swap(v_[first + static_cast<std::size_t>(i)], v_[first + static_cast<std::size_t>(j)]);
       });
       return true;
@@ -244,7 +244,7 @@ bool Moving<Real>::apply(const Move& move) {
       for (std::size_t k = 0; k < 9; ++k) v_[frame(i) + k] = v_[frame(j) + k];
       return true;
     case MoveKind::into_frame:
-      return into_frame(frame(i));
+      return move_into_frame(frame(i));
   }
   return false;
 }
@@ -254,7 +254,7 @@ bool Moving<Real>::apply(const Move& move) {
 template <class Real>
 std::optional<Numbers<Real>> moved(const QueryShape& shape, const Numbers<Real>& q, const Move& move) {
   Numbers<Real> v = q;
-  if (!Moving<Real>(shape, v).apply(move) || !may_be_valid(shape, v)) return std::nullopt;
+  if (!QueryMover<Real>(shape, v).apply(move) || !may_be_valid(shape, v)) return std::nullopt;
   return v;
 }
 template std::optional<Numbers<float>> moved(const QueryShape&, const Numbers<float>&, const Move&);

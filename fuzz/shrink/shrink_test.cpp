@@ -208,7 +208,7 @@ TEST(Shrink, KeepsTheClassOfTheInputAndTheDepth) {
   EXPECT_EQ(*kept.kept.classes(), std::vector<std::string_view>{"near_tie"});
   EXPECT_LT(kept.sizes.back(), kept.sizes.front());
   EXPECT_LT(depth(smaller, squared_distance(smaller)), 4e-15);
-  const auto free = shrink<double>(q, missed, kernel, scalar_target, 3000, Keeping::symptom);
+  const auto free = shrink<double>(q, missed, kernel, scalar_target, 3000, KeepingRule::symptom);
   const Query<double> smallest = free.query;
   EXPECT_FALSE(free.kept.classes());
   EXPECT_GT(depth(smallest, squared_distance(smallest)), 0.01) << "what the class is kept against";

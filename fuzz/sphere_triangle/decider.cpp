@@ -29,11 +29,11 @@ void require_ieee_modes() {
 template <class Real>
 DecidedBatch<Real> Decider<Real>::decide(const MadeBatch<Real>& made) {
   const std::size_t size = made.size();
-  attention_.assign(size, Attention::none);
+  screening_.assign(size, Screening::skipped);
   if (exact_only_) {
     steps_.queries[Step::exact] += size;
     undecided_.resize(size);
-    return {made, undecided_, attention_};
+    return {made, undecided_, screening_};
   }
   require_ieee_modes();
   const std::vector<DecidedSigns>& decided = cascade_.decide(made.queries);
@@ -46,11 +46,11 @@ DecidedBatch<Real> Decider<Real>::decide(const MadeBatch<Real>& made) {
     const std::uint64_t stride = found.step == Step::integers ? integer_check_stride : second_opinion_stride;
     const bool is_checked = (made.position + i) % stride == 0 || found.is_close;
     steps_.checked += is_checked;
-    attention_[i] = is_checked ? Attention::checked : Attention::counted;
+    screening_[i] = is_checked ? Screening::cross_checked : Screening::screened;
   }
   steps_.queries[Step::lanes] += in_lanes;
   for (auto& signs : steps_.signs) signs[Step::lanes] += in_lanes;
-  return {made, decided, attention_};
+  return {made, decided, screening_};
 }
 
 template <class Real>

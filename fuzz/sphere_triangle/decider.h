@@ -12,7 +12,7 @@ namespace axiscert {
 template <class Real>
 class Decider {
  public:
-  Decider(const Judging& judging, const std::string& target, StepCounts& steps, std::uint64_t& second_opinions)
+  Decider(const JudgingOptions& judging, const std::string& target, StepCounts& steps, std::uint64_t& second_opinions)
       : exact_only_(judging.exact_only),
         filter_(filter_on<Real>(target, judging.planted)),
         cascade_(filter_),
@@ -42,7 +42,7 @@ class Decider {
   StepCounts& steps_;
   std::uint64_t& second_opinions_;
   std::vector<DecidedSigns> undecided_;  // where no filter is used
-  std::vector<Attention> attention_;
+  std::vector<Screening> screening_;
 };
 
 }  // namespace axiscert

@@ -18,6 +18,6 @@ template <class Real>
 TurningScenes<Real> plump_scenes(Subject<Real>& subject, std::size_t count);
 // By the families `units` and `spans` (diagnosis_thresholds.cpp).
 template <class Real>
-Found threshold_by_units(Subject<Real>& subject);
+ProbeFinding threshold_by_units(Subject<Real>& subject);
 
 }  // namespace axiscert::diagnosis

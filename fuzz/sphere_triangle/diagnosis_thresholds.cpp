@@ -73,7 +73,7 @@ void add_sizes(UnitFindings& into, Subject<Real>& subject, const SeededSource& o
 }  // namespace
 
 template <class Real>
-Found threshold_by_units(Subject<Real>& subject) {
+ProbeFinding threshold_by_units(Subject<Real>& subject) {
   UnitFindings found;
   std::uint64_t images = 0;
   for (const std::string_view family : unit_families) {
@@ -111,7 +111,7 @@ Found threshold_by_units(Subject<Real>& subject) {
                  std::move(found.witnesses),
                  {{"images", images}, {"bases", found.bases}, {"compared", found.compared}});
 }
-template Found threshold_by_units(Subject<float>&);
-template Found threshold_by_units(Subject<double>&);
+template ProbeFinding threshold_by_units(Subject<float>&);
+template ProbeFinding threshold_by_units(Subject<double>&);
 
 }  // namespace axiscert::diagnosis

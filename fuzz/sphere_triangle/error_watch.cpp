@@ -37,7 +37,7 @@ int passed_exponent_by(const Decimal6& decimal) {
 
 template <class Real>
 ErrorWatch<Real>::ErrorWatch(Formulae formulae, const Tolerances& tolerances, const Filter<Real>& filter,
-                             const Standing& standing, std::uint64_t first_position, Tally& tally)
+                             const StandingLeaders& standing, std::uint64_t first_position, Tally& tally)
     : formulae_(formulae), tolerances_(tolerances), filter_(filter), tally_(tally) {
   for (std::size_t k = 0; k < comparison_count; ++k) {
     tolerated_[k] = tolerances[k] ? tolerances[k]->get_d() * below_the_rounding : INFINITY;
@@ -50,10 +50,10 @@ ErrorWatch<Real>::ErrorWatch(Formulae formulae, const Tolerances& tolerances, co
 }
 
 template <class Real>
-void ErrorWatch<Real>::look(const DecidedBatch<Real>& batch, const std::vector<Attention>& attention,
+void ErrorWatch<Real>::look(const DecidedBatch<Real>& batch, const std::vector<Screening>& screening,
                             const Answers<Real>& computed) {
   batch_ = &batch;
-  attention_ = &attention;
+  screening_ = &screening;
   computed_ = &computed;
   checked_.clear();
   failing_.assign(batch.size(), 0);
@@ -164,9 +164,9 @@ void ErrorWatch<Real>::raise_passed(std::size_t k) {
 template <class Real>
 void ErrorWatch<Real>::judge(const SuspectError& suspect) {
   auto [i, k, lower, upper] = suspect;
-  if ((*attention_)[i] == Attention::none) return;
+  if ((*screening_)[i] == Screening::skipped) return;
   const Real lhs = computed_->lhs[k][i], rhs = computed_->rhs[k][i];
-  if ((*attention_)[i] == Attention::checked) {
+  if ((*screening_)[i] == Screening::cross_checked) {
     checked_.push_back(suspect);
     if (std::isfinite(lhs) && std::isfinite(rhs) && upper > 2 * lower) {
       const WideMargins::ErrorRange range = wide_error(suspect);

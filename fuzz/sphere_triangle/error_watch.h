@@ -24,12 +24,12 @@ constexpr bool has_filtered_errors(Formulae formulae) {
 template <class Real>
 class ErrorWatch {
  public:
-  ErrorWatch(Formulae formulae, const Tolerances& tolerances, const Filter<Real>& filter, const Standing& standing,
-             std::uint64_t first_position, Tally& tally);
+  ErrorWatch(Formulae formulae, const Tolerances& tolerances, const Filter<Real>& filter,
+             const StandingLeaders& standing, std::uint64_t first_position, Tally& tally);
 
-  // `attention` by query; it differs from the batch's own for queries that the kernel did not answer. `batch` has to
+  // `screening` by query; it differs from the batch's own for queries that the kernel did not answer. `batch` has to
   // last until the next call.
-  void look(const DecidedBatch<Real>& batch, const std::vector<Attention>& attention, const Answers<Real>& computed);
+  void look(const DecidedBatch<Real>& batch, const std::vector<Screening>& screening, const Answers<Real>& computed);
   // Evaluates what is left. To be called once, after the last batch.
   void settle();
 
@@ -79,7 +79,7 @@ class ErrorWatch {
 
   // State for the batch at hand.
   const DecidedBatch<Real>* batch_ = nullptr;
-  const std::vector<Attention>* attention_ = nullptr;
+  const std::vector<Screening>* screening_ = nullptr;
   const Answers<Real>* computed_ = nullptr;
   std::vector<ComparisonBits> failing_;  // by query, the comparisons above their tolerance
   std::vector<std::optional<ComparisonBits>>

@@ -23,7 +23,7 @@ const std::array<AxisBits, 0x10000> axes_table = [] {
 }  // namespace
 
 template <class Real>
-KernelScreen<Real>::KernelScreen(KernelRun<Real>& run, const Judging& judging, const Filter<Real>& filter,
+KernelScreen<Real>::KernelScreen(KernelRun<Real>& run, const JudgingOptions& judging, const Filter<Real>& filter,
                                  std::uint64_t first_position)
     : run_(run),
       kernel_(run.kernel()),
@@ -45,12 +45,12 @@ void KernelScreen<Real>::look_at_errors(const DecidedBatch<Real>& batch) {
   if (!run_.shows_sides()) return;
   const Reply<Real>& reply = run_.reply();
   if (std::find(reply.verdicts.begin(), reply.verdicts.end(), Verdict::unanswered) == reply.verdicts.end()) {
-    errors_.look(batch, batch.attention, reply.answers);
+    errors_.look(batch, batch.screening, reply.answers);
     return;
   }
-  std::vector<Attention> answered = batch.attention;
+  std::vector<Screening> answered = batch.screening;
   for (std::size_t i = 0; i < answered.size(); ++i) {
-    if (!run_.is_answered(i)) answered[i] = Attention::none;
+    if (!run_.is_answered(i)) answered[i] = Screening::skipped;
   }
   errors_.look(batch, answered, reply.answers);
 }
@@ -89,7 +89,7 @@ bool KernelScreen<Real>::count_if_clean(std::size_t i, const Signs& signs, bool 
   const Verdict right = verdict_of(axes_table[signs.bits(Strictness::nonstrict)]);
   if (answer.verdict != right) return false;
   const bool touching = (signs.ties != 0 || radius_is_zero) && is_touching(signs, radius_is_zero);
-  if (touching && kernel_.touching != Touching::contact) return false;
+  if (touching && kernel_.touching != TouchingPolicy::contact) return false;
   if (formulae_ == Formulae::none) {
     clean_.add_verdict(right, touching);
     return true;
@@ -141,8 +141,8 @@ void KernelScreen<Real>::judge_by_signs(std::size_t i, const Signs& signs, Asked
 }
 
 template <class Real>
-void KernelScreen<Real>::look_at_judged(std::size_t i, const typename KernelRun<Real>::Judged& found, bool is_filtered,
-                                        AskedSphereTriangle<Real>& look) {
+void KernelScreen<Real>::look_at_judged(std::size_t i, const typename KernelRun<Real>::JudgedAnswer& found,
+                                        bool is_filtered, AskedSphereTriangle<Real>& look) {
   if (look.exact().verdict == Verdict::invalid) return;
   count_wrong_input(i, found.judgement, look.exact().touching, look);
   if (run_.answer(i).verdict == Verdict::unanswered) return;
@@ -163,7 +163,7 @@ void KernelScreen<Real>::check_sides(std::size_t i, const ExactSides& exact, con
                                      bool is_checked, const Query<Real>& q) {
   if (is_checked && kernel_.is_reference) {
     const auto batched = reference_.rounded(i);
-    const Rounded& scalar = *chain->rounded;
+    const RoundedDecisions& scalar = *chain->rounded;
     if (batched && (batched->reference != scalar.reference.bits || batched->range_free != scalar.range_free.bits)) {
       throw OracleDisagreement(
           fmt::format("{}: the SIMD reference has the comparisons {:016b} and with an unbounded exponent {:016b}, the "

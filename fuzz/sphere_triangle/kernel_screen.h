@@ -14,7 +14,8 @@ namespace axiscert {
 template <class Real>
 class KernelScreen {
  public:
-  KernelScreen(KernelRun<Real>& run, const Judging& judging, const Filter<Real>& filter, std::uint64_t first_position);
+  KernelScreen(KernelRun<Real>& run, const JudgingOptions& judging, const Filter<Real>& filter,
+               std::uint64_t first_position);
   KernelScreen(const KernelScreen&) = delete;
 
   bool shows_comparisons() const { return kernel_.exposes != Exposure::verdict; }
@@ -35,7 +36,7 @@ class KernelScreen {
   // The oracles judged the answer to query `i`, which lies within the limits: counts the class of a wrong verdict's
   // input and the errors of the sides. Where a filter decided the query too, what it and the SIMD reference said is
   // checked: throws OracleDisagreement.
-  void look_at_judged(std::size_t i, const typename KernelRun<Real>::Judged& found, bool is_filtered,
+  void look_at_judged(std::size_t i, const typename KernelRun<Real>::JudgedAnswer& found, bool is_filtered,
                       AskedSphereTriangle<Real>& look);
 
   // The margins of a query with a valid truth, whose exact sides `asked` evaluates.

@@ -31,13 +31,13 @@ AXISCERT_INLINE T magnitude(Random& random, int low, int high) {
 }
 
 // A rotation by an integer quaternion combined with a scale: the columns are the images of the unit vectors.
-struct Placed {
+struct ScaledRotation {
   Point x, y, z;
   T scale;
   AXISCERT_INLINE Point operator()(const Point& v) const { return (x * v.x + y * v.y) + z * v.z; }
 };
 
-AXISCERT_INLINE Placed drawn_placement(Random& random) {
+AXISCERT_INLINE ScaledRotation drawn_placement(Random& random) {
   const T real = random.integer(-9, 9), x = random.integer(-9, 9), y = random.integer(-9, 9), z = random.integer(-9, 9);
   const T squares = (x * x + y * y) + z * z;
   const auto all_zero = hn::Eq((real * real + squares).v, number(0).v);

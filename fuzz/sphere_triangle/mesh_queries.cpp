@@ -57,7 +57,7 @@ void make_vector(const Mesh& mesh, const StreamName& name, Placement placement, 
   Random random(name, position);
   T diagonal = number(mesh.diagonal);
   if constexpr (sizeof(Real) == 8) {
-    const Placed placed = drawn_placement(random);
+    const ScaledRotation placed = drawn_placement(random);
     for (Point& vertex : v) vertex = placed(vertex);
     diagonal = diagonal * placed.scale;
   }
@@ -107,12 +107,12 @@ void make_block(const Mesh& mesh, const StreamName& name, std::uint64_t first, c
 
 }  // namespace
 
-void mesh_block32(const Mesh& mesh, const StreamName& name, std::uint64_t first, const MutableColumns<float>& out,
-                  MeshWishes& wishes) {
+void fill_mesh_block32(const Mesh& mesh, const StreamName& name, std::uint64_t first, const MutableColumns<float>& out,
+                       MeshWishes& wishes) {
   make_block(mesh, name, first, out, wishes);
 }
-void mesh_block64(const Mesh& mesh, const StreamName& name, std::uint64_t first, const MutableColumns<double>& out,
-                  MeshWishes& wishes) {
+void fill_mesh_block64(const Mesh& mesh, const StreamName& name, std::uint64_t first, const MutableColumns<double>& out,
+                       MeshWishes& wishes) {
   make_block(mesh, name, first, out, wishes);
 }
 
@@ -121,17 +121,17 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace axiscert {
-HWY_EXPORT(mesh_block32);
-HWY_EXPORT(mesh_block64);
+HWY_EXPORT(fill_mesh_block32);
+HWY_EXPORT(fill_mesh_block64);
 
 template <class Real>
-void mesh_queries(const Mesh& mesh, const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) {
+void fill_mesh_queries(const Mesh& mesh, const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) {
   constexpr double greatest = static_cast<double>(std::numeric_limits<Real>::max());
   MeshWishes wishes;
   for (std::size_t begin = 0; begin < out.size; begin += mesh_block_size) {
     const auto block = out.part(begin, std::min(mesh_block_size, out.size - begin));
-    if constexpr (sizeof(Real) == 4) HWY_DYNAMIC_DISPATCH(mesh_block32)(mesh, name, first + begin, block, wishes);
-    else HWY_DYNAMIC_DISPATCH(mesh_block64)(mesh, name, first + begin, block, wishes);
+    if constexpr (sizeof(Real) == 4) HWY_DYNAMIC_DISPATCH(fill_mesh_block32)(mesh, name, first + begin, block, wishes);
+    else HWY_DYNAMIC_DISPATCH(fill_mesh_block64)(mesh, name, first + begin, block, wishes);
     for (std::size_t i = 0; i < block.size; ++i) {
       if (wishes.factor[i] == 0) continue;
       const Real near = step_radius(radius_at_distance(query_from(block[i])), static_cast<int>(wishes.ulps[i]));
@@ -139,15 +139,15 @@ void mesh_queries(const Mesh& mesh, const StreamName& name, std::uint64_t first,
     }
   }
 }
-template void mesh_queries<float>(const Mesh&, const StreamName&, std::uint64_t, const MutableColumns<float>&);
-template void mesh_queries<double>(const Mesh&, const StreamName&, std::uint64_t, const MutableColumns<double>&);
+template void fill_mesh_queries<float>(const Mesh&, const StreamName&, std::uint64_t, const MutableColumns<float>&);
+template void fill_mesh_queries<double>(const Mesh&, const StreamName&, std::uint64_t, const MutableColumns<double>&);
 
 namespace {
 
 template <class Real>
-void mesh_placements(const Mesh& mesh, const StreamName& placed, const StreamName&, std::uint64_t first,
-                     const MutableColumns<Real>& out) {
-  mesh_queries(mesh, placed, first, out);
+void fill_mesh_placements(const Mesh& mesh, const StreamName& placed, const StreamName&, std::uint64_t first,
+                          const MutableColumns<Real>& out) {
+  fill_mesh_queries(mesh, placed, first, out);
 }
 
 }  // namespace
@@ -155,7 +155,7 @@ void mesh_placements(const Mesh& mesh, const StreamName& placed, const StreamNam
 extern const MeshQueries sphere_triangle_mesh = {
     "a real mesh's triangles: spheres resting on them, sinking in, hovering, grazing edges and vertices, centred on "
     "them, far",
-    placements_version, 0, mesh_placements<float>, mesh_placements<double>};
+    placements_version, 0, fill_mesh_placements<float>, fill_mesh_placements<double>};
 
 }  // namespace axiscert
 #endif

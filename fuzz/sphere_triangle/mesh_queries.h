@@ -28,7 +28,7 @@ constexpr Placement placement_at(std::uint64_t position, std::uint64_t triangles
 // binary64: the mesh rotated by an integer quaternion and scaled by 2^-4 to 2^5, drawn anew for each position and
 // computed in binary64; the rounded vertices are the query's. Every number is finite.
 template <class Real>
-void mesh_queries(const Mesh& mesh, const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out);
+void fill_mesh_queries(const Mesh& mesh, const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out);
 
 extern const MeshQueries sphere_triangle_mesh;
 

@@ -9,7 +9,7 @@
 namespace axiscert {
 
 template <class Real>
-SphereTriangleScreen<Real>::SphereTriangleScreen(const Screened<Real>& of)
+SphereTriangleScreen<Real>::SphereTriangleScreen(const ScreenedRuns<Real>& of)
     : has_replies_(of.runs.front().has_replies()),
       exact_only_(of.judging.exact_only),
       mode_(of.judging.planted == FilterFault::rounding_mode),
@@ -57,7 +57,8 @@ bool SphereTriangleScreen<Real>::try_judge(std::size_t k, std::size_t i) {
 }
 
 template <class Real>
-void SphereTriangleScreen<Real>::judged(std::size_t k, std::size_t i, const typename KernelRun<Real>::Judged& found) {
+void SphereTriangleScreen<Real>::look_at_answer(std::size_t k, std::size_t i,
+                                                const typename KernelRun<Real>::JudgedAnswer& found) {
   if (!found.is_counted) return;
   const bool is_filtered = batch_->is_filtered(i) && batch_->is_exact(i);
   kernels_[k].look_at_judged(i, found, is_filtered, look(i));
@@ -104,10 +105,10 @@ namespace {
 
 class SphereTriangleScreens final : public Screens {
  public:
-  std::unique_ptr<Screen<float>> screen(const Screened<float>& of) const override {
+  std::unique_ptr<Screen<float>> screen(const ScreenedRuns<float>& of) const override {
     return std::make_unique<SphereTriangleScreen<float>>(of);
   }
-  std::unique_ptr<Screen<double>> screen(const Screened<double>& of) const override {
+  std::unique_ptr<Screen<double>> screen(const ScreenedRuns<double>& of) const override {
     return std::make_unique<SphereTriangleScreen<double>>(of);
   }
 };

@@ -25,7 +25,7 @@ class CheckedQuery final : public AskedSphereTriangle<Real> {
   std::size_t index() const { return index_; }  // in the batch
 
  private:
-  void found(const ExactTruth& truth) override { decider_.check(batch_, index_, this->query(), truth); }
+  void check_truth(const ExactTruth& truth) override { decider_.check(batch_, index_, this->query(), truth); }
 
   Decider<Real>& decider_;
   const DecidedBatch<Real>& batch_;
@@ -47,7 +47,7 @@ class StaleRounding {
 template <class Real>
 class SphereTriangleScreen final : public Screen<Real> {
  public:
-  explicit SphereTriangleScreen(const Screened<Real>& of);
+  explicit SphereTriangleScreen(const ScreenedRuns<Real>& of);
 
   void decide(const MadeBatch<Real>& batch) override;
   void look_at_errors() override;
@@ -55,7 +55,7 @@ class SphereTriangleScreen final : public Screen<Real> {
   bool is_open(std::size_t i) const override { return open_[i]; }
   bool try_judge(std::size_t k, std::size_t i) override;
   AskedQuery& about(std::size_t i) override { return look(i); }
-  void judged(std::size_t k, std::size_t i, const typename KernelRun<Real>::Judged& found) override;
+  void look_at_answer(std::size_t k, std::size_t i, const typename KernelRun<Real>::JudgedAnswer& found) override;
   void sample() override;
   void finish() override;
 

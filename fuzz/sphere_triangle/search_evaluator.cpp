@@ -48,7 +48,8 @@ struct Lanes {
 
 // Margins of the queries in a vector's lanes, those from `first` on, in twice binary64. The last vector may have fewer.
 template <Formulae formulae>
-void margins_in_lanes(std::size_t which, const QueryColumns<double>& columns, std::size_t first, WideMargin* margins) {
+void evaluate_margins_in_lanes(std::size_t which, const QueryColumns<double>& columns, std::size_t first,
+                               WideMargin* margins) {
   using T = DoubleDouble<Lanes>;
   const std::size_t lanes = std::min(lane_count, columns.size - first);
   const auto number = [&](std::size_t k) {
@@ -67,7 +68,7 @@ void margins_in_lanes(std::size_t which, const QueryColumns<double>& columns, st
 
 // Margins of a batch of binary64 queries: rings in twice binary64, forms with roots or divisions by MPFR.
 template <Formulae formulae>
-void twice_wide(std::size_t which, const QueryBatch<double>& batch, std::vector<WideMargin>& margins) {
+void evaluate_twice_wide(std::size_t which, const QueryBatch<double>& batch, std::vector<WideMargin>& margins) {
   using F = FormulaeType<formulae>;
   margins.assign(batch.size(), {0, 0, 0});
   if constexpr (!has_comparisons(formulae)) {
@@ -75,7 +76,7 @@ void twice_wide(std::size_t which, const QueryBatch<double>& batch, std::vector<
   } else if constexpr (F::is_ring) {
     const auto columns = batch.columns();
     for (std::size_t first = 0; first < batch.size(); first += lane_count)
-      margins_in_lanes<formulae>(which, columns, first, margins.data());
+      evaluate_margins_in_lanes<formulae>(which, columns, first, margins.data());
   } else {
     const FloatingScope scope({128, Rounding::nearest, std::nullopt});
     for (std::size_t i = 0; i < batch.size(); ++i) {
@@ -87,7 +88,7 @@ void twice_wide(std::size_t which, const QueryBatch<double>& batch, std::vector<
 
 using WideFunction = void (*)(std::size_t, const QueryBatch<double>&, std::vector<WideMargin>&);
 constexpr EnumArray<Formulae, WideFunction> twice_wide_of = {
-#define AXISCERT_WIDE(name, type, kind) twice_wide<Formulae::name>,
+#define AXISCERT_WIDE(name, type, kind) evaluate_twice_wide<Formulae::name>,
     AXISCERT_FORMULAE(AXISCERT_WIDE)
 #undef AXISCERT_WIDE
 };

@@ -21,9 +21,9 @@ long bit_length(const mpz_class& x) { return sgn(x) == 0 ? 0 : static_cast<long>
 // value without a root is held exactly before it is printed, so it is rounded once. Elsewhere 64 bits are kept beyond
 // twice the operands' own: the difference of a root of b bits and a rational is zero or at least 2^-2b of them.
 std::string digits_of(const Rational& lhs, bool rooted, const Rational& rhs, const Rational& denominator) {
-  const Rational plain = lhs - rhs;
+  const Rational difference = lhs - rhs;
   if (rooted && sgn(rhs) >= 0 && lhs == rhs * rhs) return "0";
-  const Rational& widest = rooted ? lhs : plain;
+  const Rational& widest = rooted ? lhs : difference;
   const long bits = bit_length(widest.get_num()) + bit_length(widest.get_den()) + bit_length(rhs.get_num()) +
                     bit_length(rhs.get_den()) + bit_length(denominator.get_num()) + bit_length(denominator.get_den());
   mpfr_t value;
@@ -34,7 +34,7 @@ std::string digits_of(const Rational& lhs, bool rooted, const Rational& rhs, con
     mpfr_sub_q(value, value, rhs.get_mpq_t(), MPFR_RNDN);
     mpfr_div_q(value, value, denominator.get_mpq_t(), MPFR_RNDN);
   } else {
-    mpfr_set_q(value, Rational(plain / denominator).get_mpq_t(), MPFR_RNDN);
+    mpfr_set_q(value, Rational(difference / denominator).get_mpq_t(), MPFR_RNDN);
   }
   char* text = nullptr;
   mpfr_asprintf(&text, "%.17Rg", value);
@@ -111,22 +111,22 @@ ComparisonBits worth_showing(const Judgement& judgement, ComparisonBits largest_
 
 class SphereTriangleSides final : public WitnessSides {
  public:
-  std::optional<Named<SidesRecord>> of(const Numbers<float>& q, const Kernel& kernel, const Examination& found,
-                                       ComparisonBits largest_errors) const override {
+  std::optional<NamedValues<SidesRecord>> of(const Numbers<float>& q, const Kernel& kernel, const Examination& found,
+                                             ComparisonBits largest_errors) const override {
     return sides<float>(q, kernel, found, largest_errors);
   }
-  std::optional<Named<SidesRecord>> of(const Numbers<double>& q, const Kernel& kernel, const Examination& found,
-                                       ComparisonBits largest_errors) const override {
+  std::optional<NamedValues<SidesRecord>> of(const Numbers<double>& q, const Kernel& kernel, const Examination& found,
+                                             ComparisonBits largest_errors) const override {
     return sides<double>(q, kernel, found, largest_errors);
   }
 
  private:
   template <class Real>
-  static std::optional<Named<SidesRecord>> sides(const Query<Real>& q, const Kernel& kernel, const Examination& found,
-                                                 ComparisonBits largest_errors) {
+  static std::optional<NamedValues<SidesRecord>> sides(const Query<Real>& q, const Kernel& kernel,
+                                                       const Examination& found, ComparisonBits largest_errors) {
     if (found.truth.verdict == Verdict::invalid || !has_comparisons(formulae_of(kernel))) return std::nullopt;
     const ExactSides exact = exact_sides(formulae_of(kernel), q);
-    Named<SidesRecord> all;
+    NamedValues<SidesRecord> all;
     const ComparisonBits which = worth_showing(found.judgement, largest_errors);
     for (std::size_t i = 0; i < comparison_count; ++i) {
       if (has_bit(which, i)) {

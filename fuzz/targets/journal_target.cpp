@@ -59,11 +59,12 @@ void check_file(const std::string& bytes, const std::string& digest, const std::
   JournalEnd end;
   const bool is_read =
       accepts([&] { end = read_journal(file.path(), digest, [&](std::string_view one) { read.emplace_back(one); }); });
-  if (is_whole && (!is_read || read != appended || end.torn != 0)) fault("a journal that was written cannot be read");
+  if (is_whole && (!is_read || read != appended || end.torn != 0))
+    report_fault("a journal that was written cannot be read");
   if (read.size() > appended.size() || !std::equal(read.begin(), read.end(), appended.begin())) {
-    fault(fmt::format("entry {} read from a damaged journal is not the one appended there", read.size()));
+    report_fault(fmt::format("entry {} read from a damaged journal is not the one appended there", read.size()));
   }
-  if (is_read && end.whole + end.torn > bytes.size()) fault("a journal has more bytes than its file");
+  if (is_read && end.whole + end.torn > bytes.size()) report_fault("a journal has more bytes than its file");
 }
 
 // Reads bytes as an entry, and as its parts: either Error, or writing and reading the result gives the same.
@@ -71,13 +72,13 @@ void check_content(std::string_view content) {
   std::optional<Entry> entry;
   if (accepts([&] { entry = finished_in(content); }) && entry) {
     if (encode(decode_entry(encode(*entry))) != encode(*entry))
-      fault("a stretch changes when it is written, read and written again");
+      report_fault("a stretch changes when it is written, read and written again");
     for (const std::string& tally : entry->tallies) {
       std::optional<Tally> read;
       if (!accepts([&] { read = decode_tally(tally, sphere_triangle_test()); })) continue;
       const std::string again = encode(*read);
       if (encode(decode_tally(again, sphere_triangle_test())) != again)
-        fault("a tally changes when it is written, read and written again");
+        report_fault("a tally changes when it is written, read and written again");
     }
     accepts([&] { encode(decode_costs(entry->costs)); });
   }
@@ -101,7 +102,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::vector<std::string> contents = contents_of(rest);
   const MemoryFile file("");
   {
-    Journal journal(file.path(), digest, [](std::string_view) { fault("an empty journal has an entry"); });
+    Journal journal(file.path(), digest, [](std::string_view) { report_fault("an empty journal has an entry"); });
     for (const std::string& content : contents) journal.append(content);
   }
   for (const std::string& content : contents) check_content(content);

@@ -55,7 +55,7 @@ class Look {
 
  private:
   [[noreturn]] void fail(std::string_view what) const {
-    fault(fmt::format("{}\n{}", what, query_line({"fuzzed", precision_of<Real>, q_, &sphere_triangle_test()})));
+    report_fault(fmt::format("{}\n{}", what, query_line({"fuzzed", precision_of<Real>, q_, &sphere_triangle_test()})));
   }
 
   ExactTruth decided() const {
@@ -122,8 +122,8 @@ class Look {
   }
 
   Answer answer_of(const Kernel& kernel, const std::string& target) const {
-    using Begun = std::map<std::pair<std::string, std::string>, Implementation<Real>>;
-    static Begun begun;
+    using StartedKernels = std::map<std::pair<std::string, std::string>, Implementation<Real>>;
+    static StartedKernels begun;
     auto& implementation = begun[{kernel.id, target}];
     if (!implementation.verdicts) implementation = kernel.on<Real>(target);
     return ask(implementation, q_).outcome(0);

@@ -44,15 +44,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   plugin::Manifest read, again;
   if (!accepts([&] { read = plugin::read_manifest(text_of(data, size), "fuzzed"); })) return 0;
   if (read.name.empty() || read.command.empty() || read.command.front().empty() || read.precisions.empty()) {
-    fault("a manifest without a name, a command or a precision was read");
+    report_fault("a manifest without a name, a command or a precision was read");
   }
   for (const std::string& word : read.command) {
-    if (word.find('\0') != word.npos) fault("a word of the command ends before its end");
+    if (word.find('\0') != word.npos) report_fault("a word of the command ends before its end");
   }
-  if (read.exposes == Exposure::sides) fault("a program shows sides");
+  if (read.exposes == Exposure::sides) report_fault("a program shows sides");
   const std::string text = written(read);
-  if (!accepts([&] { again = plugin::read_manifest(text, "written"); })) fault("what was read is refused: " + text);
-  if (written(again) != text) fault("a manifest changes when it is written and read again: " + text);
+  if (!accepts([&] { again = plugin::read_manifest(text, "written"); }))
+    report_fault("what was read is refused: " + text);
+  if (written(again) != text) report_fault("a manifest changes when it is written and read again: " + text);
   return 0;
 }
 

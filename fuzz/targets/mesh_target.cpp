@@ -48,7 +48,7 @@ void check_queries(const Source& source) {
   source.fill(1, 0, batch.capacity(), batch);
   for (std::size_t i = 0; i < batch.size(); ++i) {
     if (!is_valid(query_from(batch[i])))
-      fault(fmt::format("query {} in {} of a mesh that was accepted is not valid", i, name(precision_of<Real>)));
+      report_fault(fmt::format("query {} in {} of a mesh that was accepted is not valid", i, name(precision_of<Real>)));
   }
 }
 

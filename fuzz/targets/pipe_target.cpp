@@ -77,15 +77,18 @@ void check(const std::string& stream, const FilePlaces& places) {
   });
   if (!is_read) return;
   if (const auto size = read.replies.size() + read.wide_replies.size(); size != read.plan.queries()) {
-    fault(fmt::format("{} replies to the {} queries of the plan", size, read.plan.queries()));
+    report_fault(fmt::format("{} replies to the {} queries of the plan", size, read.plan.queries()));
   }
-  if (read.numbers.size() != read.plan.queries() * read.plan.measures) fault("not as many measures as the plan says");
+  if (read.numbers.size() != read.plan.queries() * read.plan.measures)
+    report_fault("not as many measures as the plan says");
   std::string again;
-  if (!accepts([&] { again = header_of(read.plan); })) fault("the header of a plan that was read cannot be written");
+  if (!accepts([&] { again = header_of(read.plan); }))
+    report_fault("the header of a plan that was read cannot be written");
   std::istringstream in(again);
   PipeHeader header;
-  if (!accepts([&] { header = read_header(in, "written", places); })) fault("a header that was written cannot be read");
-  if (header_of(header.plan) != again) fault("a header changes when it is written, read and written again");
+  if (!accepts([&] { header = read_header(in, "written", places); }))
+    report_fault("a header that was written cannot be read");
+  if (header_of(header.plan) != again) report_fault("a header changes when it is written, read and written again");
 
   const ReplyStream replies = read;
   std::vector<ReplyStream> streams;
@@ -100,7 +103,7 @@ void check(const std::string& stream, const FilePlaces& places) {
         if (one->name() == part.source->name()) source = one.get();
       }
       const Answer answer = stored.at(*source, header.plan.precision, i);
-      if (answer.verdict != replies.at(next).verdict) fault("a reply is not at its position");
+      if (answer.verdict != replies.at(next).verdict) report_fault("a reply is not at its position");
     }
   }
 }

@@ -21,7 +21,7 @@ using namespace axiscert;
 using namespace axiscert::fuzzing;
 using plugin::ReplyReader;
 
-struct Given {
+struct GivenStream {
   std::size_t queries, part;
   bool is_wide, wants_bits, is_next, has_header;
 };
@@ -35,7 +35,7 @@ std::string state_of(const ReplyReader& reader) {
   return text;
 }
 
-void check(const Given& given, std::span<const std::byte> header, std::span<const std::byte> stream) {
+void check(const GivenStream& given, std::span<const std::byte> header, std::span<const std::byte> stream) {
   ReplyReader whole(header, given.queries, given.wants_bits), parts(header, given.queries, given.wants_bits);
   whole.restart(given.is_next);
   parts.restart(given.is_next);
@@ -48,15 +48,16 @@ void check(const Given& given, std::span<const std::byte> header, std::span<cons
     if (got < size) break;
   }
   if (state_of(whole) != state_of(parts))
-    fault(fmt::format("in parts of {}: {}, and at once: {}", given.part, state_of(parts), state_of(whole)));
-  if (whole.count() > given.queries) fault("more replies than queries");
-  if (whole.is_complete() && whole.is_faulty()) fault("complete, and refused");
-  if (whole.is_faulty() != !whole.fault().empty()) fault("refused without a reason, or a reason without a refusal");
-  if (whole.is_faulty()) return check_message(plain_line(whole.fault()));
+    report_fault(fmt::format("in parts of {}: {}, and at once: {}", given.part, state_of(parts), state_of(whole)));
+  if (whole.count() > given.queries) report_fault("more replies than queries");
+  if (whole.is_complete() && whole.is_faulty()) report_fault("complete, and refused");
+  if (whole.is_faulty() != !whole.fault().empty())
+    report_fault("refused without a reason, or a reason without a refusal");
+  if (whole.is_faulty()) return check_message(printable_line(whole.fault()));
   const std::size_t reply = given.is_wide ? 16 : 4, due = header.size() + given.queries * reply;
   if (taken != std::min(stream.size(), due) || taken_in_parts != taken)
-    fault(fmt::format("{} bytes taken of {}, {} are due", taken, stream.size(), due));
-  if (whole.is_complete() != (taken == due)) fault("complete before the end, or not at it");
+    report_fault(fmt::format("{} bytes taken of {}, {} are due", taken, stream.size(), due));
+  if (whole.is_complete() != (taken == due)) report_fault("complete before the end, or not at it");
 }
 
 }  // namespace
@@ -65,7 +66,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   constexpr std::size_t options = 3;
   if (size < options) return -1;
   const auto has = [&](unsigned bit) { return ((data[1] >> bit) & 1) != 0; };
-  const Given given{data[0], std::size_t{1} + data[2], has(0), has(1), has(2), has(3)};
+  const GivenStream given{data[0], std::size_t{1} + data[2], has(0), has(1), has(2), has(3)};
   std::string header = plugin::program_header(sphere_triangle_test(), 0, Precision::binary32);
   if (given.is_wide)
     std::memcpy(header.data() + offsetof(pipe::Head, version), &pipe::general_version, sizeof pipe::general_version);

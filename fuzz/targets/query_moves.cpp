@@ -110,7 +110,7 @@ void swap(Dice& dice, Coordinates<Real>& v) {
 }
 
 template <class Real>
-void to_tie(Dice& dice, Coordinates<Real>& v) {
+void move_to_tie(Dice& dice, Coordinates<Real>& v) {
   Query<Real> q = from_coordinates(v);
   q.r = 0;  // the radius is not used, but it has to be valid
   if (!is_valid(q)) return;
@@ -158,7 +158,7 @@ void apply_to_numbers(QueryMove move, Dice& dice, Coordinates<Real>& v) {
       swap(dice, v);
       break;
     case QueryMove::tie:
-      to_tie(dice, v);
+      move_to_tie(dice, v);
       break;
     case QueryMove::precision:
     case QueryMove::kernel:

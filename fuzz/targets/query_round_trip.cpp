@@ -36,20 +36,21 @@ void check(std::string_view bytes, Precision csv_precision) {
   std::string lines;
   for (const StoredQuery& stored : queries) {
     if (stored.numbers.index() != index_of(stored.precision)) {
-      fault(fmt::format("line {} says {} but has a query of the other precision", stored.line, name(stored.precision)));
+      report_fault(
+          fmt::format("line {} says {} but has a query of the other precision", stored.line, name(stored.precision)));
     }
     lines += query_line(stored) + "\n";
   }
   std::vector<StoredQuery> again;
   const bool is_read = accepts([&] { again = parse_queries(lines, "written", Precision::binary32); });
   if (!is_read || again.size() != queries.size())
-    fault("the lines written from a query file cannot be read:\n" + lines);
+    report_fault("the lines written from a query file cannot be read:\n" + lines);
   for (std::size_t i = 0; i < queries.size(); ++i) {
     StoredQuery named = queries[i];
     named.id = again[i].id;
     if (!is_same_query(queries[i], again[i]) || query_line(named) != query_line(again[i])) {
-      fault(fmt::format("query {} of the file changes when it is read, written and read again:\n{}\n{}", i + 1,
-                        query_line(queries[i]), query_line(again[i])));
+      report_fault(fmt::format("query {} of the file changes when it is read, written and read again:\n{}\n{}", i + 1,
+                               query_line(queries[i]), query_line(again[i])));
     }
   }
 }

@@ -10,7 +10,7 @@
 namespace axiscert::fuzzing {
 
 // Prints to standard error and aborts: libFuzzer then keeps the input.
-[[noreturn]] void fault(std::string_view what);
+[[noreturn]] void report_fault(std::string_view what);
 
 // Checks a message of Error: it must not be empty, and has to be one line without control characters.
 void check_message(std::string_view message);

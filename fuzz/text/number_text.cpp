@@ -21,7 +21,7 @@ bool is_digit(char c, int base) {
 }
 
 // digits * base^-fraction * (2 or 10)^exponent. No leading zeros: an empty `digits` is zero.
-struct Scanned {
+struct ScannedNumber {
   std::string digits;
   std::int64_t fraction = 0;
   std::int64_t exponent = 0;
@@ -31,7 +31,7 @@ struct Scanned {
 constexpr std::int64_t exponent_limit = std::int64_t{1} << 40;
 
 // False if the text is not DIGITS[.DIGITS][EXPONENT] with at least one digit.
-bool scan(std::string_view text, int base, Scanned& out) {
+bool scan(std::string_view text, int base, ScannedNumber& out) {
   std::size_t i = 0;
   bool any = false, point = false;
   for (; i < text.size(); ++i) {
@@ -84,24 +84,24 @@ Rational product_with_power(const std::string& digits, int base, unsigned long r
 }
 
 template <class Real>
-[[noreturn]] void overflow(std::string_view text) {
+[[noreturn]] void throw_overflow(std::string_view text) {
   throw Error(fmt::format("{} overflows {}; the greatest number is {}", shown(text), name(precision_of<Real>),
                           format_number(std::numeric_limits<Real>::max())));
 }
 
 template <class Real>
-Real hex_value(std::string_view text, bool negative, Scanned& scanned) {
+Real hex_value(std::string_view text, bool negative, ScannedNumber& scanned) {
   // Both formats lie within 2^-1075 and 2^1024; 20 hex digits are more than either can represent.
   const std::int64_t cut = shorten(scanned.digits, 20);
   const std::int64_t exponent = scanned.exponent - 4 * (scanned.fraction - cut);
   const std::int64_t top = 4 * static_cast<std::int64_t>(scanned.digits.size()) + exponent;
-  if (top > 1200) overflow<Real>(text);
+  if (top > 1200) throw_overflow<Real>(text);
   Real nearest_value = 0;
   bool is_exact = false;
   if (top > -1200) {
     const Rational q = product_with_power(scanned.digits, 16, 2, exponent);
     nearest_value = nearest<Real>(q);
-    if (std::isinf(nearest_value)) overflow<Real>(text);
+    if (std::isinf(nearest_value)) throw_overflow<Real>(text);
     // q is not in lowest terms, which mpq's == would require.
     is_exact = exact(nearest_value) * Rational(q.get_den()) == Rational(q.get_num());
   }
@@ -114,15 +114,15 @@ Real hex_value(std::string_view text, bool negative, Scanned& scanned) {
 }
 
 template <class Real>
-Real decimal_value(std::string_view text, bool negative, Scanned& scanned) {
+Real decimal_value(std::string_view text, bool negative, ScannedNumber& scanned) {
   // A midpoint between two binary64 numbers has at most 768 significant digits.
   const std::int64_t cut = shorten(scanned.digits, 800);
   const std::int64_t exponent = scanned.exponent - (scanned.fraction - cut);
   const std::int64_t top = static_cast<std::int64_t>(scanned.digits.size()) + exponent;
   Real magnitude = 0;
-  if (top > 400) overflow<Real>(text);
+  if (top > 400) throw_overflow<Real>(text);
   if (top > -400) magnitude = nearest<Real>(product_with_power(scanned.digits, 10, 10, exponent));
-  if (std::isinf(magnitude)) overflow<Real>(text);
+  if (std::isinf(magnitude)) throw_overflow<Real>(text);
   return negative ? -magnitude : magnitude;
 }
 
@@ -138,7 +138,7 @@ Real parse_number(std::string_view text) {
   if (negative) body.remove_prefix(1);
   const bool hex = body.starts_with("0x") || body.starts_with("0X");
   if (hex) body.remove_prefix(2);
-  Scanned scanned;
+  ScannedNumber scanned;
   if (!scan(body, hex ? 16 : 10, scanned)) {
     throw Error(fmt::format(
         "'{}' is not a number; write C hexadecimal (0x1.8p-3), a decimal (0.1875), nan, inf or -inf", shown(text)));
@@ -181,7 +181,7 @@ std::string shown(std::string_view text) {
     // Moves back to the start of a UTF-8 character.
     while (!line.empty() && (static_cast<unsigned char>(text[line.size()]) & 0xc0) == 0x80) line.pop_back();
   }
-  line = plain_line(line);
+  line = printable_line(line);
   if (text.size() > limit) line += fmt::format("... ({} characters)", text.size());
   return line;
 }

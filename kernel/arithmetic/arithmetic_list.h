@@ -10,22 +10,23 @@
 #include "kernel/base/environment.h"
 
 // X(name, type, summary)
-#define AXISCERT_ARITHMETICS(X)                                                                                    \
-  X(plain, Plain, "one rounding an operation, to nearest")                                                         \
-  X(fma, FusedProducts, "dot and cross products with fused multiply-add")                                          \
-  X(kahan, KahanProducts, "cross by Kahan's difference of two products, dot by his sum and one fma")               \
-  X(ftz, Flushed, "subnormal results and operands are zero (FTZ and DAZ)")                                         \
-  X(up, Upward, "every operation rounded toward +infinity")                                                        \
-  X(down, Downward, "every operation rounded toward -infinity")                                                    \
-  X(chop, TowardZero, "every operation rounded toward zero")                                                       \
-  X(spu, SpuSingle, "the article's machine: chopped, flushed, saturating, no infinity or NaN")                     \
-  X(dot_yz_x, DotFromTheEnd, "dot products as x + (y + z)")                                                        \
-  X(dot_xz_y, DotOuterFirst, "dot products as (x + z) + y")                                                        \
-  X(rr_ee, RadiusLast, "rr (e e) for (rr e) e")                                                                    \
-  X(compensated, CompensatedProducts, "dot and cross products as if in twice the precision")                       \
-  X(exact_translation, TranslationKept, "A - P with its rounding error, carried to first order")                   \
-  X(prescaled, Prescaled, "translated, then scaled by the power of two that brings the greatest number to [1, 2)") \
-  X(in_double, InDouble, "binary32 queries, computed in binary64")                                                 \
+#define AXISCERT_ARITHMETICS(X)                                                                      \
+  X(plain, Plain, "one rounding an operation, to nearest")                                           \
+  X(fma, FusedProducts, "dot and cross products with fused multiply-add")                            \
+  X(kahan, KahanProducts, "cross by Kahan's difference of two products, dot by his sum and one fma") \
+  X(ftz, SubnormalsFlushed, "subnormal results and operands are zero (FTZ and DAZ)")                 \
+  X(up, Upward, "every operation rounded toward +infinity")                                          \
+  X(down, Downward, "every operation rounded toward -infinity")                                      \
+  X(chop, TowardZero, "every operation rounded toward zero")                                         \
+  X(spu, SpuSingle, "the article's machine: chopped, flushed, saturating, no infinity or NaN")       \
+  X(dot_yz_x, DotFromTheEnd, "dot products as x + (y + z)")                                          \
+  X(dot_xz_y, DotOuterFirst, "dot products as (x + z) + y")                                          \
+  X(rr_ee, RadiusLast, "rr (e e) for (rr e) e")                                                      \
+  X(compensated, CompensatedProducts, "dot and cross products as if in twice the precision")         \
+  X(exact_translation, TranslationKept, "A - P with its rounding error, carried to first order")     \
+  X(prescaled, PrescaledQuery,                                                                       \
+    "translated, then scaled by the power of two that brings the greatest number to [1, 2)")         \
+  X(in_double, InDouble, "binary32 queries, computed in binary64")                                   \
   X(world_double, WorldDouble, "binary64 queries, translated in binary64, rounded, computed in binary32")
 
 namespace axiscert {
@@ -57,9 +58,9 @@ struct Plain {
     template <class Base>           \
     using Unbounded = Number<Base>; \
   }
-AXISCERT_NUMBER(FusedProducts, Fused<Base>);
+AXISCERT_NUMBER(FusedProducts, FusedNumber<Base>);
 AXISCERT_NUMBER(KahanProducts, Kahan<Base>);
-AXISCERT_NUMBER(CompensatedProducts, Compensated<Base>);
+AXISCERT_NUMBER(CompensatedProducts, CompensatedNumber<Base>);
 AXISCERT_NUMBER(RadiusLast, SquareFirst<Base>);
 AXISCERT_NUMBER(TranslationKept, ExactTranslation<Base>);
 template <class Base>
@@ -70,7 +71,7 @@ AXISCERT_NUMBER(DotFromTheEnd, YZFirst<Base>);
 AXISCERT_NUMBER(DotOuterFirst, XZFirst<Base>);
 #undef AXISCERT_NUMBER
 
-struct Flushed : Plain {
+struct SubnormalsFlushed : Plain {
   static constexpr bool flush = true;
   static constexpr bool flags_tell_range = false;  // a subnormal operand becomes zero without a flag
 };
@@ -92,7 +93,7 @@ struct SpuSingle : Plain {
   static constexpr bool in_binary64 = false;
   static constexpr bool flags_tell_range = false;
 };
-struct Prescaled : Plain {
+struct PrescaledQuery : Plain {
   static constexpr bool prescaled = true;
   static constexpr bool exposes_sides = false;
 };

@@ -25,20 +25,22 @@ WithError<Base> two_product(const Base& a, const Base& b) {
 
 // Dot and cross products as if in twice the precision, then rounded (algorithm Dot2).
 template <class Base>
-struct Compensated : Number<Compensated<Base>, Base> {
-  using Number<Compensated, Base>::Number;
-  static Compensated dot(const Vec3<Compensated>& u, const Vec3<Compensated>& v) {
+struct CompensatedNumber : Number<CompensatedNumber<Base>, Base> {
+  using Number<CompensatedNumber, Base>::Number;
+  static CompensatedNumber dot(const Vec3<CompensatedNumber>& u, const Vec3<CompensatedNumber>& v) {
     const auto x = two_product(u.x.value, v.x.value), y = two_product(u.y.value, v.y.value),
                z = two_product(u.z.value, v.z.value);
     const auto xy = two_sum(x.value, y.value), xyz = two_sum(xy.value, z.value);
-    return Compensated(xyz.value + ((((x.error + y.error) + xy.error) + z.error) + xyz.error));
+    return CompensatedNumber(xyz.value + ((((x.error + y.error) + xy.error) + z.error) + xyz.error));
   }
-  static Vec3<Compensated> cross(const Vec3<Compensated>& u, const Vec3<Compensated>& v) {
-    return cross_of(u, v, [](const Compensated& a, const Compensated& b, const Compensated& c, const Compensated& d) {
-      const auto ab = two_product(a.value, b.value), cd = two_product(-c.value, d.value);
-      const auto sum = two_sum(ab.value, cd.value);
-      return Compensated(sum.value + ((ab.error + cd.error) + sum.error));
-    });
+  static Vec3<CompensatedNumber> cross(const Vec3<CompensatedNumber>& u, const Vec3<CompensatedNumber>& v) {
+    return cross_of(u, v,
+                    [](const CompensatedNumber& a, const CompensatedNumber& b, const CompensatedNumber& c,
+                       const CompensatedNumber& d) {
+                      const auto ab = two_product(a.value, b.value), cd = two_product(-c.value, d.value);
+                      const auto sum = two_sum(ab.value, cd.value);
+                      return CompensatedNumber(sum.value + ((ab.error + cd.error) + sum.error));
+                    });
   }
 };
 

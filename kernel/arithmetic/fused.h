@@ -9,14 +9,14 @@ namespace axiscert::arithmetic {
 // two in each component of a cross product instead of three. A cross product of a vector with itself need not vanish:
 // one of its two products is rounded and the other is not.
 template <class Base>
-struct Fused : Number<Fused<Base>, Base> {
-  using Number<Fused, Base>::Number;
-  static Fused dot(const Vec3<Fused>& u, const Vec3<Fused>& v) {
-    return Fused(fused(u.z.value, v.z.value, fused(u.y.value, v.y.value, u.x.value * v.x.value)));
+struct FusedNumber : Number<FusedNumber<Base>, Base> {
+  using Number<FusedNumber, Base>::Number;
+  static FusedNumber dot(const Vec3<FusedNumber>& u, const Vec3<FusedNumber>& v) {
+    return FusedNumber(fused(u.z.value, v.z.value, fused(u.y.value, v.y.value, u.x.value * v.x.value)));
   }
-  static Vec3<Fused> cross(const Vec3<Fused>& u, const Vec3<Fused>& v) {
-    return cross_of(u, v, [](const Fused& a, const Fused& b, const Fused& c, const Fused& d) {
-      return Fused(fused(a.value, b.value, -(c.value * d.value)));
+  static Vec3<FusedNumber> cross(const Vec3<FusedNumber>& u, const Vec3<FusedNumber>& v) {
+    return cross_of(u, v, [](const FusedNumber& a, const FusedNumber& b, const FusedNumber& c, const FusedNumber& d) {
+      return FusedNumber(fused(a.value, b.value, -(c.value * d.value)));
     });
   }
 };

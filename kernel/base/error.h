@@ -8,10 +8,10 @@
 
 namespace axiscert {
 
-// Bad usage or input: exit 2. The message says what was given, where, and what would be right. It is made a plain line,
-// because it may quote text of any origin.
+// Bad usage or input: exit 2. The message says what was given, where, and what would be right. It is made a printable
+// line, because it may quote text of any origin.
 struct Error : std::runtime_error {
-  explicit Error(const std::string& message) : std::runtime_error(plain_line(message)) {}
+  explicit Error(const std::string& message) : std::runtime_error(printable_line(message)) {}
 };
 
 // The harness found a fault of its own (oracles that differ, a contracted build): exit 3.

@@ -66,13 +66,13 @@ struct Problem {
 
 // The problem with the sphere's centre at the origin; rr is the squared radius.
 template <class T>
-struct Centred {
+struct CentredProblem {
   Vec3<T> a, b, c;
   T rr;
 };
 
 template <class T>
-AXISCERT_INLINE Centred<T> centred(const Problem<T>& q) {
+AXISCERT_INLINE CentredProblem<T> centred(const Problem<T>& q) {
   return {translated(q.a, q.p), translated(q.b, q.p), translated(q.c, q.p), q.r * q.r};
 }
 

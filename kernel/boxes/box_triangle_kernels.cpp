@@ -79,20 +79,20 @@ const TestDescription& box_triangle_test() {
 
 std::vector<Kernel> box_triangle_kernels() {
   return {
-      plain_kernel<CentreEntry, TextbookThirteen>("box-triangle/textbook",
-                                                  "thirteen axes, terms that are 0 left out, as in books"),
-      plain_kernel<CentreEntry, AkenineMoller>("box-triangle/akenine-moller",
-                                               "the same axes as the paper's program has them (Akenine-Moller, 2001)"),
-      plain_kernel<CentreEntry, Thirteen>("box-triangle/thirteen", "the same, products of the edges, all terms"),
-      plain_kernel<MinmaxEntry, TextbookThirteen>("box-triangle/textbook-minmax",
-                                                  "textbook, centre and half extents computed of two corners"),
-      plain_kernel<MinmaxEntry, AkenineMoller>("box-triangle/akenine-moller-minmax",
-                                               "akenine-moller, centre and half extents computed of two corners"),
-      plain_kernel<MinmaxEntry, Thirteen>("box-triangle/thirteen-minmax", "thirteen, of two corners"),
-      plain_kernel<OrientedEntry, FramedThirteen>("box-triangle/textbook-oriented",
-                                                  "the triangle in the frame of an oriented box, then textbook"),
-      plain_kernel<OrientedEntry, Thirteen>("box-triangle/thirteen-oriented",
-                                            "thirteen, products of the box's own vectors: right over the reals"),
+      formulae_kernel<CentreEntry, TextbookThirteen>("box-triangle/textbook",
+                                                     "thirteen axes, terms that are 0 left out, as in books"),
+      formulae_kernel<CentreEntry, AkenineMoller>(
+          "box-triangle/akenine-moller", "the same axes as the paper's program has them (Akenine-Moller, 2001)"),
+      formulae_kernel<CentreEntry, Thirteen>("box-triangle/thirteen", "the same, products of the edges, all terms"),
+      formulae_kernel<MinmaxEntry, TextbookThirteen>("box-triangle/textbook-minmax",
+                                                     "textbook, centre and half extents computed of two corners"),
+      formulae_kernel<MinmaxEntry, AkenineMoller>("box-triangle/akenine-moller-minmax",
+                                                  "akenine-moller, centre and half extents computed of two corners"),
+      formulae_kernel<MinmaxEntry, Thirteen>("box-triangle/thirteen-minmax", "thirteen, of two corners"),
+      formulae_kernel<OrientedEntry, FramedThirteen>("box-triangle/textbook-oriented",
+                                                     "the triangle in the frame of an oriented box, then textbook"),
+      formulae_kernel<OrientedEntry, Thirteen>("box-triangle/thirteen-oriented",
+                                               "thirteen, products of the box's own vectors: right over the reals"),
   };
 }
 

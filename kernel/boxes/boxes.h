@@ -4,7 +4,7 @@
 #include <array>
 
 #include "kernel/base/geometry.h"
-#include "kernel/plain_kernel.h"
+#include "kernel/formulae_kernel.h"
 
 namespace axiscert {
 

@@ -15,12 +15,12 @@ using namespace boxes;
 
 template <class F>
 Kernel of_matrices(std::string_view summary) {
-  return plain_kernel<MatrixBoxes, F>("box-box/" + std::string(F::name), std::string(summary));
+  return formulae_kernel<MatrixBoxes, F>("box-box/" + std::string(F::name), std::string(summary));
 }
 
 // It claims the textbook's verdicts, and shows no comparisons, since it does not make all of them.
 Kernel early_textbook() {
-  Kernel kernel = plain_verdict_kernel<MatrixBoxes, EarlyTextbook>(
+  Kernel kernel = method_kernel<MatrixBoxes, EarlyTextbook>(
       "box-box/textbook-early", "textbook, until one axis separates, in the order a0 b0 a1 a2 b1 b2 and the edges");
   kernel.formulae = Textbook::name;
   kernel.is_reference = true;
@@ -29,7 +29,7 @@ Kernel early_textbook() {
 
 template <class F>
 Kernel of_quaternions(std::string id, std::string summary) {
-  return plain_kernel<QuaternionBoxes, F>(std::move(id), std::move(summary));
+  return formulae_kernel<QuaternionBoxes, F>(std::move(id), std::move(summary));
 }
 template <class F>
 Kernel turned() {
@@ -41,10 +41,10 @@ Kernel turned() {
 
 std::vector<Kernel> box_box_kernels() {
   return {
-      of_matrices<Projected>("fifteen axes, products of the boxes' own vectors, all six terms (Larcombe, 1995)"),
+      of_matrices<ProjectedFifteen>("fifteen axes, products of the boxes' own vectors, all six terms (Larcombe, 1995)"),
       of_matrices<Columns>("the same, a column for the normal of a facet"),
-      of_matrices<Dropped>("then without the terms that are 0 for orthogonal columns"),
-      of_matrices<Framed>("then in A's frame, B's columns projected on each axis"),
+      of_matrices<DroppedFifteen>("then without the terms that are 0 for orthogonal columns"),
+      of_matrices<FramedFifteen>("then in A's frame, B's columns projected on each axis"),
       with_lane_forms(of_matrices<Textbook>("then entries of R = A'B for determinants, as in books"), simd_textbook),
       early_textbook(),
       of_matrices<Rtcd>("textbook, 2^-23 added to |R|"),
@@ -58,10 +58,10 @@ std::vector<Kernel> box_box_kernels() {
       of_matrices<SlipOfOneInterval>("projected with a slip: A's interval twice, and B's never"),
       of_matrices<SlipOfOwnEdges>("projected with a slip: the edges of A against those of A"),
       of_matrices<SlipOfOneEdge>("projected with a slip: a2 x b2 for a1 x b2"),
-      turned<Projected>(),
+      turned<ProjectedFifteen>(),
       turned<Columns>(),
-      turned<Dropped>(),
-      turned<Framed>(),
+      turned<DroppedFifteen>(),
+      turned<FramedFifteen>(),
       turned<Textbook>(),
       turned<Rtcd>(),
       turned<Gottschalk>(),

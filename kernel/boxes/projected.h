@@ -11,7 +11,7 @@ namespace axiscert::boxes {
 // Over the reals right for every pair of boxes of independent axes, zero extents included: the directions are products
 // of the boxes' own vectors, and all six terms are there. Degree 3 > 4. Parallel edges: L = 0 and 0 > 0, never
 // separates.
-struct Projected {
+struct ProjectedFifteen {
   static constexpr std::string_view name = "projected";
   static constexpr FormulaeKind kind = FormulaeKind::rung;
   static constexpr FormulaeKind kind_if_orthonormal = FormulaeKind::rung;
@@ -46,7 +46,7 @@ struct Columns {
 // Rung 2. Terms that are 0 over the reals are left out: a box's other two axes along its own column, and the two edges
 // along their product. A computed product is not exactly at right angles to them, so of two edges that are nearly
 // parallel it can be an axis that separates nothing, and deep contacts are missed.
-struct Dropped {
+struct DroppedFifteen {
   static constexpr std::string_view name = "dropped";
   static constexpr FormulaeKind kind = FormulaeKind::variant;
   static constexpr FormulaeKind kind_if_orthonormal = FormulaeKind::rung;

@@ -132,7 +132,7 @@ AXISCERT_INLINE void edge_axes(const Relative<T>& r, const Matrix<T>& of_a, cons
 
 // Rung 3. B's own columns, projected on each axis: right over the reals where A is orthonormal, for any B with
 // orthogonal columns. Degree 4 > 5 for b_j and the edges.
-struct Framed {
+struct FramedFifteen {
   static constexpr std::string_view name = "framed";
   static constexpr FormulaeKind kind = FormulaeKind::variant;
   static constexpr FormulaeKind kind_if_orthonormal = FormulaeKind::rung;

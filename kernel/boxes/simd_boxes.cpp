@@ -1,7 +1,7 @@
 // The textbook and its form with cofactors on every instruction set.
 #include "kernel/boxes/simd.h"
 #include "kernel/kernel.h"
-#include "kernel/plain_kernel.h"
+#include "kernel/formulae_kernel.h"
 
 #define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: `--target` must reach each of them
 #undef HWY_TARGET_INCLUDE

@@ -25,8 +25,8 @@ struct Advance {
     Real t = 0;
     for (int step = 0; step < most_steps; ++step) {
       const portable::Vec3<Real> moved = q.d * t;
-      const portable::Vec3<Real> nearest =
-          methods::ClosestPoint::closest(portable::Centred<Real>{a - moved, b - moved, c - moved, Real(0)}, Real(0));
+      const portable::Vec3<Real> nearest = methods::ClosestPoint::closest(
+          portable::CentredProblem<Real>{a - moved, b - moved, c - moved, Real(0)}, Real(0));
       const Real distance = std::sqrt(dot(nearest, nearest));
       if (distance <= q.r) return t;
       const Real closing = along_nearest ? dot(nearest, q.d) / distance : std::sqrt(dot(q.d, q.d));

@@ -19,10 +19,10 @@ AXISCERT_INLINE double chosen(bool where, double yes, double no) { return where 
 
 // The result of a comparison of two numbers.
 template <class T>
-using Held = decltype(T() > T());
+using ComparisonResult = decltype(T() > T());
 
 template <class T>
-AXISCERT_INLINE Vec3<T> chosen(const Held<T>& where, const Vec3<T>& yes, const Vec3<T>& no) {
+AXISCERT_INLINE Vec3<T> chosen(const ComparisonResult<T>& where, const Vec3<T>& yes, const Vec3<T>& no) {
   return {chosen(where, yes.x, no.x), chosen(where, yes.y, no.y), chosen(where, yes.z, no.z)};
 }
 

@@ -7,12 +7,12 @@ namespace {
 constexpr Role place = Role::coordinate, direction = Role::direction;
 
 // The three columns that say where the motion goes.
-struct Going {
+struct MotionColumns {
   std::string_view group;
   Role role;
   std::string_view x, y, z;
 };
-std::vector<TestColumn> columns(const Going& to) {
+std::vector<TestColumn> columns(const MotionColumns& to) {
   return {{"ax", place, "a"},        {"ay", place, "a"},        {"az", place, "a"},        {"bx", place, "b"},
           {"by", place, "b"},        {"bz", place, "b"},        {"cx", place, "c"},        {"cy", place, "c"},
           {"cz", place, "c"},        {"px", place, "p"},        {"py", place, "p"},        {"pz", place, "p"},

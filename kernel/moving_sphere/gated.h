@@ -15,7 +15,7 @@ namespace axiscert::moving_sphere {
 // lost that root, as that of a graze may be, at the time of least distance among those at which it can be least, and
 // neither feature nor point is given.
 // Over the reals the verdict is right for every query, degree 6, and so is the time, a root of degrees up to 8.
-struct Gated {
+struct GatedTwenty {
   template <class Real>
   static std::optional<ContactFound<Real>> first_contact(const MovingQuery<Real>& query) {
     const ComparisonBits holds = bits_of<TwentyNonstrict, Real>(query, [](std::size_t, Real, Real) {});
@@ -47,8 +47,8 @@ struct Gated {
   static Real least_time(const portable::Start<Real>& q) {
     const auto squared_distance = [&](Real t) {
       const Vec3<Real> moved = q.d * t;
-      const Vec3<Real> nearest =
-          methods::ClosestPoint::closest(portable::Centred<Real>{q.a - moved, q.b - moved, q.c - moved, q.rr}, Real(0));
+      const Vec3<Real> nearest = methods::ClosestPoint::closest(
+          portable::CentredProblem<Real>{q.a - moved, q.b - moved, q.c - moved, q.rr}, Real(0));
       return dot(nearest, nearest);
     };
     Real best = 1, least = squared_distance(best);

@@ -47,12 +47,12 @@ struct TwentyVerdict {
 
 template <class M>
 Kernel by_difference(std::string id, std::string summary) {
-  return plain_verdict_kernel<MovingEnds, ByDifference<M>>(std::move(id), std::move(summary));
+  return method_kernel<MovingEnds, ByDifference<M>>(std::move(id), std::move(summary));
 }
 
 template <class M>
 Kernel timed(std::string id, std::string summary) {
-  return plain_verdict_kernel<MovingSphere, Timed<M>>(std::move(id), std::move(summary));
+  return method_kernel<MovingSphere, TimedMethod<M>>(std::move(id), std::move(summary));
 }
 
 Kernel promising(const MotionPolicy& policy, Kernel kernel) {
@@ -65,17 +65,18 @@ Kernel promising(const MotionPolicy& policy, Kernel kernel) {
 std::vector<Kernel> moving_sphere_kernels() {
   return {
       taking_arithmetic(
-          with_lane_forms(plain_kernel<MovingSphere, Twenty>("moving-sphere/twenty",
-                                                             "the sphere against the prism of the motion: 20 axes"),
+          with_lane_forms(formulae_kernel<MovingSphere, Twenty>("moving-sphere/twenty",
+                                                                "the sphere against the prism of the motion: 20 axes"),
                           simd_twenty)),
       taking_arithmetic(with_lane_forms(
-          plain_kernel<MovingSphere, TwentyNonstrict>(
+          formulae_kernel<MovingSphere, TwentyNonstrict>(
               "moving-sphere/twenty-nonstrict", "the same with >= in the sides: over the reals right for every query"),
           simd_twenty_nonstrict)),
-      timed<Gated>("moving-sphere/gated", "the verdict by the twenty axes, the time by c / (b + sqrt(b^2 - a c))"),
+      timed<GatedTwenty>("moving-sphere/gated",
+                         "the verdict by the twenty axes, the time by c / (b + sqrt(b^2 - a c))"),
       timed<Walk>("moving-sphere/walk", "the seven static axes tracked over time, from interval to interval"),
       with_lane_forms(
-          timed<OneNumber<portable::Rounded>>(
+          timed<OneNumber<portable::RoundedDifference>>(
               "moving-sphere/rounded", "the centre's path against face, cylinders and spheres, by roots of quadratics"),
           simd_rounded),
       timed<OneNumber<portable::RoundedQuotient>>("moving-sphere/rounded-quotient",
@@ -89,18 +90,20 @@ std::vector<Kernel> moving_sphere_kernels() {
                 timed<PhysX4>("moving-sphere/physx4", "PhysX 4.1: the plane's point picks one vertex or one edge")),
       promising({.still = StillPolicy::ignored},
                 timed<PhysX5>("moving-sphere/physx5", "PhysX 5: the plane's point picks one edge or two")),
-      plain_verdict_kernel<MovingSphere, Segment>("moving-sphere/segment",
-                                                  "the distance of the centre's path, a segment, from the triangle"),
+      method_kernel<MovingSphere, Segment>("moving-sphere/segment",
+                                           "the distance of the centre's path, a segment, from the triangle"),
       timed<Advance<true>>("moving-sphere/advance",
                            "conservative advancement by the speed along the nearest direction, 32 steps"),
       timed<Advance<false>>("moving-sphere/advance-by-length", "the same by |D|, which takes more steps"),
-      plain_kernel<MovingEnds, Twenty>("moving-sphere/ends-twenty", "twenty, of a motion given by its ends P and P1"),
-      plain_kernel<MovingEnds, TwentyNonstrict>("moving-sphere/ends-twenty-nonstrict",
-                                                "the same with >= in the sides: over the reals right for every query"),
+      formulae_kernel<MovingEnds, Twenty>("moving-sphere/ends-twenty",
+                                          "twenty, of a motion given by its ends P and P1"),
+      formulae_kernel<MovingEnds, TwentyNonstrict>(
+          "moving-sphere/ends-twenty-nonstrict", "the same with >= in the sides: over the reals right for every query"),
       by_difference<TwentyVerdict>("moving-sphere/ends-difference",
                                    "twenty-nonstrict of D = P1 - P, rounded: what a caller of it would ask"),
-      by_difference<Timed<Gated>>("moving-sphere/ends-gated", "gated of that D"),
-      by_difference<Timed<OneNumber<portable::Rounded>>>("moving-sphere/ends-rounded", "rounded of that D"),
+      by_difference<TimedMethod<GatedTwenty>>("moving-sphere/ends-gated", "gated of that D"),
+      by_difference<TimedMethod<OneNumber<portable::RoundedDifference>>>("moving-sphere/ends-rounded",
+                                                                         "rounded of that D"),
   };
 }
 

@@ -157,7 +157,7 @@ TEST(Nearest, IsTheClosestPointOfTheStaticTestToTheBit) {
   std::mt19937_64 random(5);
   for (int i = 0; i < 20000; ++i) {
     const Query<double> q = testing_support::random_query<double>(random, false);
-    const portable::Centred<double> at{q.a, q.b, i % 5 == 0 ? q.b : q.c, 0};
+    const portable::CentredProblem<double> at{q.a, q.b, i % 5 == 0 ? q.b : q.c, 0};
     const auto expected = methods::ClosestPoint::closest(at, 0.0), found = portable::nearest_point(at.a, at.b, at.c);
     ASSERT_TRUE(same(expected.x, found.x) && same(expected.y, found.y) && same(expected.z, found.z)) << i;
   }

@@ -41,8 +41,8 @@ struct Sweep {
     if (area == 0 || length == 0) return std::nullopt;
     const Ray<Real> centre{q.p, q.d / length};
 
-    const Vector nearest =
-        methods::ClosestPoint::closest(portable::Centred<Real>{q.a - q.p, q.b - q.p, q.c - q.p, Real(0)}, Real(0));
+    const Vector nearest = methods::ClosestPoint::closest(
+        portable::CentredProblem<Real>{q.a - q.p, q.b - q.p, q.c - q.p, Real(0)}, Real(0));
     if (dot(nearest, nearest) <= q.r * q.r) return Real(0);
 
     Vector out = (crossed / area) * q.r;

@@ -94,7 +94,7 @@ struct OneCapsule {
       return std::min(near, far) * inverse;
     }
 
-    Found<Real> found{inverse};
+    FoundRoots<Real> found{inverse};
     const Real a = direction.x * direction.x + direction.y * direction.y;
     const Real flat_b = place.x * direction.x + place.y * direction.y;
     const Real discriminant = flat_b * flat_b - a * flat_c;
@@ -118,7 +118,7 @@ struct OneCapsule {
   }
 
   template <class Real>
-  struct Found {
+  struct FoundRoots {
     Real scale;
     int count = 0;
     Real least = std::numeric_limits<Real>::infinity();
@@ -131,7 +131,7 @@ struct OneCapsule {
 
   // The roots of t^2 + 2 b t + c that are on its half.
   template <class Real, class IsOnHalf>
-  static void half_sphere(Found<Real>& found, Real b, Real c, IsOnHalf&& is_on_half) {
+  static void half_sphere(FoundRoots<Real>& found, Real b, Real c, IsOnHalf&& is_on_half) {
     const Real discriminant = b * b - c;
     if (discriminant < 0) return;
     const Real root = std::sqrt(discriminant);

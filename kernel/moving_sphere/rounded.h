@@ -22,11 +22,11 @@ enum class RootForm { difference, quotient, products };
 // 1, 2 a vertex, 3, 4, 5 an edge, 6 the face; -1 the start.
 template <class T>
 struct FirstHit {
-  Held<T> contact;
+  ComparisonResult<T> contact;
   T time, feature;
-  AXISCERT_INLINE void take(const Held<T>& holds, const T& t, double which) {
-    const Held<T> is_hit = both(holds, both(t >= T(0.0), T(1.0) >= t));
-    const Held<T> is_first = both(is_hit, time > t);
+  AXISCERT_INLINE void take(const ComparisonResult<T>& holds, const T& t, double which) {
+    const ComparisonResult<T> is_hit = both(holds, both(t >= T(0.0), T(1.0) >= t));
+    const ComparisonResult<T> is_first = both(is_hit, time > t);
     time = chosen(is_first, t, time);
     feature = chosen(is_first, T(which), feature);
     contact = either(contact, is_hit);
@@ -61,8 +61,8 @@ template <RootForm form>
 struct RoundedPieces {
   // The root of a t^2 - 2 b t + c where there may be one; `products` is the discriminant as a difference of products.
   template <class T>
-  AXISCERT_INLINE static void take_root(FirstHit<T>& hit, const Held<T>& holds, const T& t, const T& b, const T& c,
-                                        double which) {
+  AXISCERT_INLINE static void take_root(FirstHit<T>& hit, const ComparisonResult<T>& holds, const T& t, const T& b,
+                                        const T& c, double which) {
     if constexpr (form == RootForm::difference) hit.take(holds, t, which);
     else hit.take(both(holds, both(b > T(0.0), c > T(0.0))), t, which);
   }
@@ -99,8 +99,8 @@ struct RoundedPieces {
   }
 
   template <class T>
-  AXISCERT_INLINE static Held<T> is_left(const Vec3<T>& foot, const Vec3<T>& from, const Vec3<T>& to,
-                                         const Vec3<T>& normal) {
+  AXISCERT_INLINE static ComparisonResult<T> is_left(const Vec3<T>& foot, const Vec3<T>& from, const Vec3<T>& to,
+                                                     const Vec3<T>& normal) {
     return dot(cross(to - from, foot - from), normal) >= T(0.0);
   }
   template <class T>
@@ -140,12 +140,12 @@ struct RoundedForm {
     const FacePlane<T> plane = face_plane(q);
     FirstHit<T> hit = RoundedPieces<form>::first(q, plane);
     const Vec3<T> nearest = nearest_point(q.a, q.b, q.c);
-    const Held<T> overlap = both(q.r >= magnitude(plane.offset), q.rr >= dot(nearest, nearest));
+    const ComparisonResult<T> overlap = both(q.r >= magnitude(plane.offset), q.rr >= dot(nearest, nearest));
     return {either(hit.contact, overlap), chosen(overlap, T(0.0), hit.time), chosen(overlap, T(-1.0), hit.feature)};
   }
 };
 
-using Rounded = RoundedForm<RootForm::difference>;
+using RoundedDifference = RoundedForm<RootForm::difference>;
 using RoundedQuotient = RoundedForm<RootForm::quotient>;
 using RoundedProducts = RoundedForm<RootForm::products>;
 

@@ -18,10 +18,10 @@ struct Segment {
   template <class Real>
   static bool separated(const MovingQuery<Real>& q) {
     using portable::dot;
-    const portable::Centred<Real> start{q.a - q.p, q.b - q.p, q.c - q.p, q.r * q.r};
+    const portable::CentredProblem<Real> start{q.a - q.p, q.b - q.p, q.c - q.p, q.r * q.r};
     const auto& [a, b, c, rr] = start;
-    const portable::Centred<Real> end{a - q.d, b - q.d, c - q.d, rr};
-    for (const portable::Centred<Real>& still : {start, end}) {
+    const portable::CentredProblem<Real> end{a - q.d, b - q.d, c - q.d, rr};
+    for (const portable::CentredProblem<Real>& still : {start, end}) {
       const portable::Vec3<Real> nearest = methods::ClosestPoint::closest(still, Real(0));
       if (dot(nearest, nearest) <= rr) return false;
     }

@@ -1,7 +1,7 @@
 // The engines' form on every instruction set: every piece in every lane, and the least time.
 #include "kernel/kernel.h"
 #include "kernel/moving_sphere/simd.h"
-#include "kernel/plain_kernel.h"
+#include "kernel/formulae_kernel.h"
 
 #define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: `--target` must reach each of them
 #undef HWY_TARGET_INCLUDE
@@ -15,8 +15,8 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
-Implementation<float> rounded32() { return {first_hit_verdicts<Rounded, float>}; }
-Implementation<double> rounded64() { return {first_hit_verdicts<Rounded, double>}; }
+Implementation<float> rounded32() { return {first_hit_verdicts<RoundedDifference, float>}; }
+Implementation<double> rounded64() { return {first_hit_verdicts<RoundedDifference, double>}; }
 }  // namespace axiscert::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -1,7 +1,7 @@
 // The twenty axes on every instruction set.
 #include "kernel/kernel.h"
 #include "kernel/moving_sphere/simd.h"
-#include "kernel/plain_kernel.h"
+#include "kernel/formulae_kernel.h"
 
 #define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: `--target` must reach each of them
 #undef HWY_TARGET_INCLUDE

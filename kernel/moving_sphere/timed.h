@@ -40,7 +40,7 @@ void put_measures(const MovingQuery<Real>& q, const ContactFound<Real>& contact,
 // A method M has first_time(q): the time in [0, 1] at which it finds the first contact, empty where it finds none. If
 // it finds more of it, M has first_contact(q) too.
 template <class M>
-struct Timed : M {
+struct TimedMethod : M {
   template <class Real>
   static constexpr bool finds_all = requires(const MovingQuery<Real>& q) { M::first_contact(q); };
   static constexpr std::size_t measure_count = finds_all<float> ? moving_sphere::measure_count : 1;

@@ -17,7 +17,7 @@ constexpr double epsilon = 1e-6, small_area = 1e-10;  // values found in kernels
 constexpr std::size_t vector_width = 8;               // vectors of the lane faults
 
 template <class Real>
-using Number = Mutated<Lanes<Real>>;
+using Number = MutatedNumber<Lanes<Real>>;
 
 template <class Real>
 struct Evaluation {

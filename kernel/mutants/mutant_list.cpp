@@ -19,15 +19,15 @@ std::string dashed(std::string name) {
   return name;
 }
 
-struct Described {
+struct FaultDescription {
   std::string name, what;
 };
 template <class Fault>
-Described described(Fault fault) {
+FaultDescription described(Fault fault) {
 #define AXISCERT_DESCRIBED(name, what) {#name, what},
-  static const std::vector<Described> operations = {AXISCERT_OPERATION_FAULTS(AXISCERT_DESCRIBED)};
-  static const std::vector<Described> comparisons = {AXISCERT_COMPARISON_FAULTS(AXISCERT_DESCRIBED)};
-  static const std::vector<Described> kernels = {AXISCERT_KERNEL_FAULTS(AXISCERT_DESCRIBED)};
+  static const std::vector<FaultDescription> operations = {AXISCERT_OPERATION_FAULTS(AXISCERT_DESCRIBED)};
+  static const std::vector<FaultDescription> comparisons = {AXISCERT_COMPARISON_FAULTS(AXISCERT_DESCRIBED)};
+  static const std::vector<FaultDescription> kernels = {AXISCERT_KERNEL_FAULTS(AXISCERT_DESCRIBED)};
 #undef AXISCERT_DESCRIBED
   const auto i = index_of(fault);
   if constexpr (std::is_same_v<Fault, OperationFault>) return operations[i];

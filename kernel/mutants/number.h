@@ -78,14 +78,14 @@ struct OperationSite {
 
 // `Base` does the arithmetic: Lanes, or an exact ring. Each thread has its own site.
 template <class Base>
-class Mutated {
+class MutatedNumber {
  public:
   Base value;
   Key key = 0;
 
-  Mutated() = default;
-  Mutated(const Base& computed, Key of) : value(computed), key(of) {}
-  explicit Mutated(double zero) : value(Base::constant(zero)), key(zero_key) {}  // the formulae's own zero
+  MutatedNumber() = default;
+  MutatedNumber(const Base& computed, Key of) : value(computed), key(of) {}
+  explicit MutatedNumber(double zero) : value(Base::constant(zero)), key(zero_key) {}  // the formulae's own zero
 
   struct Site : OperationSite {
     Base kept_value{}, kept_left{}, kept_right{};
@@ -96,29 +96,29 @@ class Mutated {
     return here;
   }
   // The fault that the formulae have from now on in this thread, over these inputs.
-  static Site& plant(const OperationSite& fault, std::span<const Mutated> inputs) {
+  static Site& plant(const OperationSite& fault, std::span<const MutatedNumber> inputs) {
     Site& here = site();
     static_cast<OperationSite&>(here) = fault;
-    for (const Mutated& input : inputs) {
+    for (const MutatedNumber& input : inputs) {
       if (input.key == fault.kept) here.kept_value = input.value;  // no operation makes it
     }
     return here;
   }
 
-  AXISCERT_INLINE friend Mutated operator+(const Mutated& a, const Mutated& b) {
+  AXISCERT_INLINE friend MutatedNumber operator+(const MutatedNumber& a, const MutatedNumber& b) {
     return checked<Operator::plus>(a, b, a.value + b.value);
   }
-  AXISCERT_INLINE friend Mutated operator-(const Mutated& a, const Mutated& b) {
+  AXISCERT_INLINE friend MutatedNumber operator-(const MutatedNumber& a, const MutatedNumber& b) {
     return checked<Operator::minus>(a, b, a.value - b.value);
   }
-  AXISCERT_INLINE friend Mutated operator*(const Mutated& a, const Mutated& b) {
+  AXISCERT_INLINE friend MutatedNumber operator*(const MutatedNumber& a, const MutatedNumber& b) {
     return checked<Operator::times>(a, b, a.value * b.value);
   }
 
  private:
   template <Operator op>
-  AXISCERT_INLINE static Mutated checked(const Mutated& a, const Mutated& b, const Base& right) {
-    Mutated result{right, key_of(op, a.key, b.key)};
+  AXISCERT_INLINE static MutatedNumber checked(const MutatedNumber& a, const MutatedNumber& b, const Base& right) {
+    MutatedNumber result{right, key_of(op, a.key, b.key)};
     Site& here = site();
     if (result.key == here.kept) [[unlikely]]
       keep(here, a.value, b.value, right);

@@ -28,23 +28,23 @@ Key record(Operator op, Key left, Key right) {
 
 // A number that records the operations on it.
 template <class Self>
-struct Recorded {
+struct RecordedOperation {
   Key key = 0;
-  Recorded() = default;
-  explicit Recorded(Key of) : key(of) {}
+  RecordedOperation() = default;
+  explicit RecordedOperation(Key of) : key(of) {}
   friend Self operator+(const Self& a, const Self& b) { return Self(record(Operator::plus, a.key, b.key)); }
   friend Self operator-(const Self& a, const Self& b) { return Self(record(Operator::minus, a.key, b.key)); }
   friend Self operator*(const Self& a, const Self& b) { return Self(record(Operator::times, a.key, b.key)); }
 };
-struct Scalar : Recorded<Scalar> {
-  using Recorded::Recorded;
+struct Scalar : RecordedOperation<Scalar> {
+  using RecordedOperation::RecordedOperation;
 };
 
 // The same, which also records vectors, at the products that take them whole.
-struct Component : Recorded<Component> {
-  using Recorded::Recorded;
+struct Component : RecordedOperation<Component> {
+  using RecordedOperation::RecordedOperation;
   Component() = default;
-  explicit Component(double) : Recorded(zero_key) {}  // the formulae's own zero
+  explicit Component(double) : RecordedOperation(zero_key) {}  // the formulae's own zero
 
   static Component dot(const Vec3<Component>& u, const Vec3<Component>& v) {
     return Component(portable::dot(noted(u), noted(v)).key);

@@ -8,14 +8,14 @@ namespace axiscert::peer {
 namespace {
 
 template <class Real>
-struct Asked {
+struct KnownQuery {
   Query<Real> query;
   char truth;
 };
 
 // Checks that `peer` answers `letter`, which is wrong, and that CGAL's exact predicate answers the truth.
 template <class Real>
-void expect_wrong(const char* peer, const Asked<Real>& asked, char letter) {
+void expect_wrong(const char* peer, const KnownQuery<Real>& asked, char letter) {
   EXPECT_NE(letter, asked.truth);
   EXPECT_EQ(ask<Real>(peer, {asked.query}).bytes, std::string(1, letter)) << peer;
   EXPECT_EQ(ask<Real>("cgal-epick", {asked.query}).bytes, std::string(1, asked.truth));
@@ -33,7 +33,7 @@ Query<Real> scaled(const Query<Real>& q, Real factor) {
 }
 
 template <class Real>
-std::vector<Asked<Real>> degenerate_contacts() {
+std::vector<KnownQuery<Real>> degenerate_contacts() {
   return {{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, Real{0.5}, 0}, 1}, 'c'},   // three vertices on a line
           {{{1, 0, 0}, {1, 0, 0}, {5, 0, 0}, {3, Real{0.5}, 0}, 1}, 'c'},   // two equal vertices
           {{{1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, Real{0.5}, 0}, 1}, 'c'}};  // a point

@@ -3,7 +3,7 @@
 //
 // One policy on NaN applies to all: an invalid query (a coordinate that is not finite, or a negative radius) is
 // `invalid`, decided before the library is called, since several libraries loop or abort on NaN; a distance or depth
-// that comes back as NaN is `invalid` too. If a NaN occurs inside a library that returns a plain yes or no, its return
+// that comes back as NaN is `invalid` too. If a NaN occurs inside a library that returns only yes or no, its return
 // value is its answer.
 //
 // A peer is a type with a number type `Real` and `int operator()(const Query<Real>&)`, which returns an

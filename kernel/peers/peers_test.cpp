@@ -13,18 +13,18 @@
 namespace axiscert::peer {
 namespace {
 
-struct Expected {
+struct ExpectedPeer {
   const char* name;
   bool has_binary64;
   axiscert_touching touching;
   char centre_on_triangle = 'c';
   bool may_decline = false;
 };
-void PrintTo(const Expected& peer, std::ostream* out) { *out << peer.name; }
+void PrintTo(const ExpectedPeer& peer, std::ostream* out) { *out << peer.name; }
 
 constexpr axiscert_touching contact = AXISCERT_TOUCHING_IS_CONTACT, separated = AXISCERT_TOUCHING_IS_SEPARATED,
                             either = AXISCERT_TOUCHING_IS_EITHER;
-constexpr Expected expected[] = {
+constexpr ExpectedPeer expected[] = {
     {"bullet", false, separated},
     {"bullet-double", true, separated},
     {"bullet-gjk", false, contact},
@@ -39,7 +39,7 @@ constexpr Expected expected[] = {
     {"cgal-epick", true, contact},
 };
 
-class Peer : public testing::TestWithParam<Expected> {
+class Peer : public testing::TestWithParam<ExpectedPeer> {
  protected:
   // Checks the peer's letters for the queries, in both precisions if it has both.
   static void expect(const std::vector<Query<float>>& queries, const std::string& letters) {
@@ -59,10 +59,10 @@ std::vector<std::string> built_names() {
   std::istringstream all(PEER_NAMES);
   return {std::istream_iterator<std::string>(all), {}};
 }
-std::vector<Expected> built() {
-  std::vector<Expected> rows;
+std::vector<ExpectedPeer> built() {
+  std::vector<ExpectedPeer> rows;
   for (const std::string& name : built_names()) {
-    for (const Expected& row : expected) {
+    for (const ExpectedPeer& row : expected) {
       if (row.name == name) rows.push_back(row);
     }
   }
@@ -70,8 +70,8 @@ std::vector<Expected> built() {
 }
 TEST(Peers, EachBuiltOneIsTested) {
   for (const std::string& name : built_names()) {
-    const bool has_row =
-        std::any_of(std::begin(expected), std::end(expected), [&](const Expected& row) { return row.name == name; });
+    const bool has_row = std::any_of(std::begin(expected), std::end(expected),
+                                     [&](const ExpectedPeer& row) { return row.name == name; });
     EXPECT_TRUE(has_row) << "kernel peer/" << name << " has no row in kernel/peers/peers_test.cpp, table `expected`";
   }
 }
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(All, Peer, testing::ValuesIn(built()), [](const auto& p
 Query<float> sphere(float x, float y, float z, float r) { return {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {x, y, z}, r}; }
 
 TEST_P(Peer, SaysWhatItIs) {
-  const Expected& peer = GetParam();
+  const ExpectedPeer& peer = GetParam();
   const auto line = [](const axiscert_kernel& k) {
     return fmt::format("abi {} precision {} {} exposes {} touching {} declines {} summary {} claims {} limits {}\n",
                        k.abi, k.precision, k.name, k.exposes, k.touching, k.may_decline, k.summary != nullptr,

@@ -22,7 +22,7 @@ struct Outputs {
 
 // A kernel of a plug-in, and how it is called.
 struct Callee {
-  Hosted hosted;
+  HostedPlugin hosted;
   std::uint32_t index;  // in the plug-in; of a program, that of the precision
   std::uint32_t abi;
   Subject subject;

@@ -55,7 +55,7 @@ void check_sizes(const Description& d) {
 }
 
 // The test and entry of the kernel. Refuses unknown ones, and counts that differ from theirs.
-void subject(const Description& d, Kernel& kernel) {
+void describe_subject(const Description& d, Kernel& kernel) {
   try {
     kernel.test = &test_named(text_of(d.test));
     kernel.entry = find_entry(*kernel.test, text_of(d.entry));
@@ -115,7 +115,7 @@ void claim(const Description& d, Kernel& kernel) {
     kernel.strictness = own.strictness;
     require_same_question("formulae", own, kernel);
   }
-  if (kernel.is_reference && kernel.touching != Touching::contact) {
+  if (kernel.is_reference && kernel.touching != TouchingPolicy::contact) {
     refuse(fmt::format("it conforms_to '{}', for which touching is contact, and says that for it touching is '{}'",
                        text_of(d.conforms_to), name(kernel.touching)));
   }
@@ -131,7 +131,7 @@ void claim(const Description& d, Kernel& kernel) {
 
 }  // namespace
 
-void refuse(std::string detail) { throw Refused{FindingKind::load, std::move(detail)}; }
+void refuse(std::string detail) { throw RefusedClaim{FindingKind::load, std::move(detail)}; }
 
 std::string text_of(const char* text) {
   std::string clean = text;
@@ -142,21 +142,21 @@ std::string text_of(const char* text) {
   return clean;
 }
 
-void add_declared(const Description& d, std::uint32_t index, const Hosted& hosted, Kernel& kernel) {
+void add_declared(const Description& d, std::uint32_t index, const HostedPlugin& hosted, Kernel& kernel) {
   if (d.abi != AXISCERT_PLUGIN_ABI && d.abi != interface_1::number) {
-    throw Refused{FindingKind::abi,
-                  fmt::format("it was made for version {} of the plug-in interface; this axiscert knows {} and {}",
-                              d.abi, interface_1::number, AXISCERT_PLUGIN_ABI)};
+    throw RefusedClaim{FindingKind::abi,
+                       fmt::format("it was made for version {} of the plug-in interface; this axiscert knows {} and {}",
+                                   d.abi, interface_1::number, AXISCERT_PLUGIN_ABI)};
   }
   check_sizes(d);
   if (d.precision != 32 && d.precision != 64) refuse(fmt::format("its precision is {}; known: 32, 64", d.precision));
   if (!d.has_run) refuse("it has no function `run`");
   if (d.is_truncated) refuse("one of its texts is too long");
   Kernel described;
-  subject(d, described);
+  describe_subject(d, described);
   described.source = text_of(d.source);
   described.exposes = one_of<Exposure>(d.exposes, exposure_names.size(), "exposure");
-  described.touching = one_of<Touching>(d.touching, touching_names.size(), "touching convention");
+  described.touching = one_of<TouchingPolicy>(d.touching, touching_names.size(), "touching convention");
   described.limits = limits_of(d);
   described.motion = motion_of(d, *described.test);
   described.may_decline = may_decline(d);
@@ -173,10 +173,10 @@ void add_declared(const Description& d, std::uint32_t index, const Hosted& hoste
                     described.arithmetic != kernel.arithmetic || described.is_reference != kernel.is_reference)) {
     refuse("its kernels in binary32 and in binary64 say different things of themselves; make two plug-ins of them");
   }
-  const Supervised supervised{{hosted, index, d.abi, {described.test, described.entry, described.measure_count}},
-                              described.exposes,
-                              described.strictness,
-                              described.measure_count};
+  const SupervisedKernel supervised{{hosted, index, d.abi, {described.test, described.entry, described.measure_count}},
+                                    described.exposes,
+                                    described.strictness,
+                                    described.measure_count};
   if (d.precision == 32 ? kernel.binary32 != nullptr : kernel.binary64 != nullptr) {
     refuse(fmt::format("it has two kernels of precision {}", d.precision));
   }

@@ -10,7 +10,7 @@
 namespace axiscert::plugin {
 
 // A claim that cannot be true; a finding about a plug-in, and bad input where a manifest makes it.
-struct Refused {
+struct RefusedClaim {
   FindingKind kind;
   std::string detail;
 };
@@ -20,6 +20,6 @@ struct Refused {
 std::string text_of(const char* text);
 
 // Adds to `kernel` its form in one precision, which is number `index` of what is hosted. Throws Refused.
-void add_declared(const Description& d, std::uint32_t index, const Hosted& hosted, Kernel& kernel);
+void add_declared(const Description& d, std::uint32_t index, const HostedPlugin& hosted, Kernel& kernel);
 
 }  // namespace axiscert::plugin

@@ -80,7 +80,7 @@ std::string Subject::array_name(std::size_t array) const {
   return fmt::format("measure[{}]", array - shape.measure());
 }
 
-HostProcess::HostProcess(Hosted hosted, const Subject& subject)
+HostProcess::HostProcess(HostedPlugin hosted, const Subject& subject)
     : hosted_(std::move(hosted)),
       subject_(subject),
       shape_(subject.shape()),
@@ -185,7 +185,7 @@ std::optional<Stop> HostProcess::call_program(const Request& request, Reply& rep
   if (auto stop = receive(request.seconds + request.start_seconds + reserve_seconds, reply)) return stop;
   if (!reply.stopped) return std::nullopt;
   const ProgramStop& why = control_->stop;
-  return Stop{static_cast<FindingKind>(why.kind), plain_line(as_utf8(why.detail)), why.replies};
+  return Stop{static_cast<FindingKind>(why.kind), printable_line(as_utf8(why.detail)), why.replies};
 }
 
 void HostProcess::write_headers() {
@@ -254,7 +254,7 @@ Stop HostProcess::how_it_died() {
   return {FindingKind::crash, detail, std::nullopt};
 }
 
-std::string changed_modes(std::uint32_t changed) {
+std::string changed_modes_text(std::uint32_t changed) {
   std::string modes;
   const auto add = [&](std::uint32_t bit, const char* mode) {
     if (changed & bit) modes += (modes.empty() ? "" : ", ") + std::string(mode);

@@ -23,7 +23,7 @@ struct Stop {
 };
 
 // The plug-in or program that a process hosts.
-struct Hosted {
+struct HostedPlugin {
   std::string path;                  // of a shared object; of a program, the folder in which it runs
   std::vector<std::string> command;  // of a program, its words; empty: a shared object
   bool is_program() const { return !command.empty(); }
@@ -43,7 +43,7 @@ struct Subject {
 class HostProcess {
  public:
   // Throws Error where no process can be made. Nothing of the plug-in runs yet.
-  explicit HostProcess(Hosted hosted, const Subject& subject = {});
+  explicit HostProcess(HostedPlugin hosted, const Subject& subject = {});
   ~HostProcess();
   HostProcess(const HostProcess&) = delete;
   HostProcess& operator=(const HostProcess&) = delete;
@@ -69,7 +69,7 @@ class HostProcess {
   void write_headers();
   Stop how_it_died();
 
-  Hosted hosted_;
+  HostedPlugin hosted_;
   Subject subject_;
   Shape shape_;
   std::size_t page_;
@@ -80,7 +80,7 @@ class HostProcess {
 };
 
 // Bits of Reply::changed in words: "the rounding mode, flushing of subnormal numbers to zero".
-std::string changed_modes(std::uint32_t changed);
+std::string changed_modes_text(std::uint32_t changed);
 
 // The program that hosts plug-ins: beside this executable, or where it is installed. Throws Error where there is none.
 std::string host_program();

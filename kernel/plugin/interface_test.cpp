@@ -84,7 +84,7 @@ TEST(Interface, WhatAVersion1PluginSaysOfItselfIsRead) {
   const Kernel& kernel = find_kernel("plugin:" + layout_path("sides_1"));
   EXPECT_EQ(kernel.summary, "sides: built before");
   EXPECT_EQ(kernel.exposes, Exposure::sides);
-  EXPECT_EQ(kernel.touching, Touching::either);
+  EXPECT_EQ(kernel.touching, TouchingPolicy::either);
   EXPECT_EQ(kernel.formulae, "reduced");
   EXPECT_EQ(kernel.limits, (Limits{1e-9, 1e9, 1e-8, 1e-7, 1e7}));
 }
@@ -109,7 +109,7 @@ TEST(Interface, AKernelThatWasBuiltBeforeItCouldSayThatItDeclinesDoesNotSayIt) {
     EXPECT_TRUE(kernel.findings.empty()) << name << ": " << kernel.findings.front().detail;
     EXPECT_FALSE(kernel.may_decline) << name;
   }
-  EXPECT_EQ(find_kernel("plugin:" + layout_path("before_may_decline")).touching, Touching::either);
+  EXPECT_EQ(find_kernel("plugin:" + layout_path("before_may_decline")).touching, TouchingPolicy::either);
 }
 
 TEST(Interface, AKernelHasItsSource) {

@@ -77,13 +77,14 @@ Kernel load_plugin(std::string id, const std::string& path) {
   require_utf8(id, "kernel");
   require_file(id, path);
   // With a slash, so that it is this file and not one of that name in the library path.
-  const Hosted hosted{std::filesystem::absolute(path).string(), {}};
+  const HostedPlugin hosted{std::filesystem::absolute(path).string(), {}};
   Kernel kernel;
   kernel.id = id;
   kernel.file = path;
   try {
     HostProcess host(hosted);
-    if (const auto stop = host.start(load_seconds)) throw Refused{stop->kind, "while it was loaded: " + stop->detail};
+    if (const auto stop = host.start(load_seconds))
+      throw RefusedClaim{stop->kind, "while it was loaded: " + stop->detail};
     const Control& control = host.control();
     if (control.load_error[0] != 0) refuse(fmt::format("it cannot be loaded: {}", text_of(control.load_error)));
     if (control.kernel_count == 0) refuse("its axiscert_plugin(0) gives no kernel");
@@ -93,9 +94,9 @@ Kernel load_plugin(std::string id, const std::string& path) {
     if (control.changed != 0) {
       kernel.findings.push_back({FindingKind::environment, 0,
                                  fmt::format("loading it left changed: {}; -ffast-math links code that does that",
-                                             changed_modes(control.changed))});
+                                             changed_modes_text(control.changed))});
     }
-  } catch (const Refused& refused) {
+  } catch (const RefusedClaim& refused) {
     Kernel unusable;
     unusable.id = std::move(id);
     unusable.file = path;

@@ -42,7 +42,7 @@ std::string manifest_text(const std::string& path);
 std::string program_file(const std::string& word, const std::string& folder);
 
 // Plug-ins that come with axiscert, by the prefix of their ids.
-struct Shipped {
+struct ShippedPlugins {
   struct Absent {
     std::string name, package;
     std::string command;  // which installs it; empty: it is a Debian package
@@ -54,7 +54,7 @@ struct Shipped {
   std::vector<std::string> names;  // that were built, in the order of the alphabet; then programs that are installed
   std::vector<Absent> absent;      // for want of a package
 };
-std::vector<Shipped> shipped_plugins();
+std::vector<ShippedPlugins> shipped_plugins();
 
 // The file of an id "plugin:PATH", "program:MANIFEST", "peer/NAME", "TEST/peer/NAME" or "fault/NAME"; nothing for any
 // other id. Throws Error where there is no such peer or fault.

@@ -22,7 +22,7 @@ using testing::HasSubstr;
 std::string misbehaving_path(const std::string& name) { return fmt::format(BUILD_FOLDER "/misbehaving/{}.so", name); }
 std::string misdeclared_path(const std::string& name) { return fmt::format(BUILD_FOLDER "/misdeclared/{}.so", name); }
 
-Seen supervise(const std::string& name) {
+SeenAnswers supervise(const std::string& name) {
   const Kernel& kernel = find_kernel("plugin:" + misbehaving_path(name));
   if (!kernel.has(Precision::binary32)) throw Error(kernel.id + ": not built");
   EXPECT_TRUE(kernel.findings.empty()) << kernel.findings.front().detail;
@@ -30,7 +30,7 @@ Seen supervise(const std::string& name) {
 }
 
 TEST(Plugin, ACrashCostsItsQueryAlone) {
-  const Seen seen = supervise("crash");
+  const SeenAnswers seen = supervise("crash");
   const Finding finding = only_finding(seen);
   EXPECT_EQ(finding.kind, FindingKind::crash);
   EXPECT_EQ(finding.index, wrong_query);
@@ -39,7 +39,7 @@ TEST(Plugin, ACrashCostsItsQueryAlone) {
 }
 
 TEST(Plugin, AHangCostsItsQueryAlone) {
-  const Seen seen = supervise("hang");
+  const SeenAnswers seen = supervise("hang");
   const Finding finding = only_finding(seen);
   EXPECT_EQ(finding.kind, FindingKind::hang);
   EXPECT_EQ(finding.index, wrong_query);
@@ -47,7 +47,7 @@ TEST(Plugin, AHangCostsItsQueryAlone) {
 }
 
 TEST(Plugin, LeavingTheProcessIsACrash) {
-  const Seen seen = supervise("exits");
+  const SeenAnswers seen = supervise("exits");
   ASSERT_FALSE(seen.findings.empty());
   EXPECT_EQ(seen.findings.front().kind, FindingKind::crash);
   EXPECT_THAT(seen.findings.front().detail, HasSubstr("exit code 0"));
@@ -60,19 +60,19 @@ TEST(Plugin, ASignalWithoutANameIsACrash) {
 }
 
 TEST(Plugin, AProcessThatItLeavesBehindHidesNoCrash) {
-  const Seen seen = supervise("forks");
+  const SeenAnswers seen = supervise("forks");
   const Finding finding = only_finding(seen);
   EXPECT_EQ(finding.kind, FindingKind::crash);
   EXPECT_THAT(finding.detail, HasSubstr("SIGABRT"));
   expect_right_but(seen, {wrong_query});
 }
 
-TEST(Plugin, ANameIsShownAsPlainText) {
+TEST(Plugin, ANameIsShownAsPrintableText) {
   EXPECT_EQ(find_kernel("plugin:" + misdeclared_path("strange_name")).summary, "caf? ");
 }
 
 TEST(Plugin, AFullStackIsSaid) {
-  const Seen seen = supervise("stack_overflow");
+  const SeenAnswers seen = supervise("stack_overflow");
   ASSERT_FALSE(seen.findings.empty());
   EXPECT_EQ(seen.findings.front().kind, FindingKind::crash);
   EXPECT_THAT(seen.findings.front().detail, HasSubstr("out of stack"));
@@ -81,7 +81,7 @@ TEST(Plugin, AFullStackIsSaid) {
 TEST(Plugin, AWriteBeyondItsOutputIsFoundAndItsAnswersCount) {
   for (const char* name : {"out_of_bounds", "underrun"}) {
     SCOPED_TRACE(name);
-    const Seen seen = supervise(name);
+    const SeenAnswers seen = supervise(name);
     const Finding finding = only_finding(seen);
     EXPECT_EQ(finding.kind, FindingKind::out_of_bounds);
     EXPECT_THAT(finding.detail, HasSubstr("verdict"));
@@ -90,14 +90,14 @@ TEST(Plugin, AWriteBeyondItsOutputIsFoundAndItsAnswersCount) {
 }
 
 TEST(Plugin, AWriteFarAstrayReachesNoOtherArray) {
-  const Seen seen = supervise("stray_write");
+  const SeenAnswers seen = supervise("stray_write");
   ASSERT_FALSE(seen.findings.empty());
   EXPECT_EQ(seen.findings.front().kind, FindingKind::out_of_bounds);
   EXPECT_THAT(seen.findings.front().detail, HasSubstr("wrote verdict[101"));
 }
 
 TEST(Plugin, AWriteToAnInputIsFound) {
-  const Seen seen = supervise("writes_input");
+  const SeenAnswers seen = supervise("writes_input");
   ASSERT_FALSE(seen.findings.empty());
   EXPECT_EQ(seen.findings.front().kind, FindingKind::out_of_bounds);
   EXPECT_THAT(seen.findings.front().detail, HasSubstr("read-only"));
@@ -118,7 +118,7 @@ TEST(Plugin, AnswersThatDependOnAlignmentAreFound) {
 }
 
 TEST(Plugin, FlushToZeroLeftOnIsFound) {
-  const Seen seen = supervise("flush_to_zero");
+  const SeenAnswers seen = supervise("flush_to_zero");
   const Finding finding = only_finding(seen);
   EXPECT_EQ(finding.kind, FindingKind::environment);
   EXPECT_THAT(finding.detail, HasSubstr("flushing"));
@@ -134,7 +134,7 @@ TEST(Plugin, FlushToZeroTurnedOnByLoadingIsFound) {
 }
 
 TEST(Plugin, WhatIsNoVerdictIsNoAnswer) {
-  const Seen seen = supervise("not_a_verdict");
+  const SeenAnswers seen = supervise("not_a_verdict");
   EXPECT_EQ(only_finding(seen).kind, FindingKind::inconsistent);
   EXPECT_GT(unanswered(seen), 0u);
 }
@@ -163,8 +163,8 @@ TEST(Plugin, AFileThatIsNoneIsRefused) {
   EXPECT_EQ(kernel.findings[0].kind, FindingKind::load);
 }
 
-// The process that answers plain questions is another one, and comes again after every stop.
-TEST(Plugin, PlainQuestionsAreAnsweredTooAndACrashIsNoAnswer) {
+// The process that answers unwatched questions is another one, and comes again after every stop.
+TEST(Plugin, UnwatchedQuestionsAreAnsweredTooAndACrashIsNoAnswer) {
   const Implementation<float> crash = find_kernel("plugin:" + misbehaving_path("crash")).on<float>(scalar_target);
   std::vector<Verdict> verdicts(queries().size());
   for (int repetition = 0; repetition < 2; ++repetition) {
@@ -221,7 +221,7 @@ TEST(Plugin, ThoseWithPromisesKeepOrBreakThemAsTheyAreNamed) {
 
 // Nothing else is asked of a plug-in that stops again and again, and what was not asked is not answered.
 TEST(Plugin, AfterManyStopsNothingIsAsked) {
-  const Seen seen = supervise("exits");
+  const SeenAnswers seen = supervise("exits");
   EXPECT_LE(seen.findings.size(), 16u);
 }
 

@@ -33,14 +33,14 @@ inline const QueryBatch<float>& queries() {
   return batch;
 }
 
-struct Seen {
+struct SeenAnswers {
   std::vector<Verdict> verdicts;
   std::vector<Finding> findings;
 };
 
 // The kernel's answers to the batch, and what its supervisor found.
-inline Seen supervised(const Kernel& kernel) {
-  Seen seen;
+inline SeenAnswers supervised(const Kernel& kernel) {
+  SeenAnswers seen;
   seen.verdicts.resize(queries().size());
   Answers<float> answers;
   answers.resize(queries().size(), comparison_count);
@@ -54,18 +54,18 @@ inline std::vector<Verdict> right_verdicts() {
   return verdicts;
 }
 
-inline std::size_t unanswered(const Seen& seen) {
+inline std::size_t unanswered(const SeenAnswers& seen) {
   return static_cast<std::size_t>(std::count(seen.verdicts.begin(), seen.verdicts.end(), Verdict::unanswered));
 }
 
 // All but the given queries are answered, and as the right test answers them.
-inline void expect_right_but(const Seen& seen, std::initializer_list<std::size_t> without_answer) {
+inline void expect_right_but(const SeenAnswers& seen, std::initializer_list<std::size_t> without_answer) {
   std::vector<Verdict> expected = right_verdicts();
   for (const std::size_t i : without_answer) expected[i] = Verdict::unanswered;
   EXPECT_EQ(seen.verdicts, expected);
 }
 
-inline Finding only_finding(const Seen& seen) {
+inline Finding only_finding(const SeenAnswers& seen) {
   EXPECT_EQ(seen.findings.size(), 1u);
   for (const Finding& finding : seen.findings) {
     SCOPED_TRACE(fmt::format("{} at {}: {}", name(finding.kind), finding.index, finding.detail));

@@ -99,7 +99,7 @@ void require_program(const Manifest& manifest, const std::string& path, const st
 // One trial start, before the first question of all; who asks next finds what came of it.
 class TryOut {
  public:
-  TryOut(std::string id, Hosted hosted, Subject subject, Precision precision)
+  TryOut(std::string id, HostedPlugin hosted, Subject subject, Precision precision)
       : id_(std::move(id)), hosted_(std::move(hosted)), subject_(subject), precision_(precision) {}
 
   // Throws Error where the program fails with no queries at all.
@@ -120,7 +120,7 @@ class TryOut {
 
  private:
   std::string id_;
-  Hosted hosted_;
+  HostedPlugin hosted_;
   Subject subject_;
   Precision precision_;
   std::mutex mutex_;
@@ -200,18 +200,18 @@ Kernel load_program(std::string id, const std::string& path) {
   for (const std::string& file : manifest.files) {
     std::error_code none;
     if (!std::filesystem::is_regular_file(std::filesystem::path(folder) / file, none)) {
-      throw Error(fmt::format("{}: \"files\": '{}' is not the name of a file", path, plain_line(file)));
+      throw Error(fmt::format("{}: \"files\": '{}' is not the name of a file", path, printable_line(file)));
     }
   }
   Kernel kernel;
   kernel.id = id;
   kernel.file = path;
-  const Hosted hosted{folder, manifest.command};
+  const HostedPlugin hosted{folder, manifest.command};
   try {
     for (const Precision precision : manifest.precisions) {
       add_declared(described(manifest, precision), static_cast<std::uint32_t>(index_of(precision)), hosted, kernel);
     }
-  } catch (const Refused& refused) {
+  } catch (const RefusedClaim& refused) {
     throw Error(fmt::format("{}: {}", path, refused.detail));
   } catch (const Error& unknown) {
     throw Error(fmt::format("{}: {}", path, unknown.what()));

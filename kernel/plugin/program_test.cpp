@@ -45,10 +45,10 @@ class Program : public testing::Test {
   const Kernel& kernel(const std::string& how, const std::string& more = "") const {
     return manifest(fmt::format(R"(["./program","{}"])", how), more);
   }
-  Seen seen(const std::string& how, const std::string& more = "") const { return supervised(kernel(how, more)); }
+  SeenAnswers seen(const std::string& how, const std::string& more = "") const { return supervised(kernel(how, more)); }
   // The one finding of a program that misbehaves on one query, all others of which are answered rightly.
   Finding at_wrong_query(const std::string& how) const {
-    const Seen all = seen(how);
+    const SeenAnswers all = seen(how);
     const Finding finding = only_finding(all);
     EXPECT_EQ(finding.index, wrong_query);
     expect_right_but(all, {wrong_query});
@@ -78,7 +78,7 @@ class Program : public testing::Test {
 TEST_F(Program, AnswersAsTheKernelThatItImitatesInOneProcessOrInOneForEachBatch) {
   for (const char* how : {"right", "once", "stays"}) {
     const Kernel& own = kernel(how, R"(,"exposes":"comparisons","conforms_to":"published")");
-    const Seen all = supervised(own);
+    const SeenAnswers all = supervised(own);
     EXPECT_TRUE(all.findings.empty()) << how << ": " << all.findings.front().detail;
     Reply<float> reply, published;
     ask(own.on<float>(scalar_target), queries().columns(), reply);
@@ -92,7 +92,7 @@ TEST_F(Program, SaysOfItselfWhatItsManifestDeclares) {
   const Kernel& own = kernel("right", R"(,"summary":"a mesh","package":"engine","version":"1.2","touching":"either")");
   EXPECT_EQ(own.declared_name, "tested");
   EXPECT_EQ(own.summary, "tested: a mesh (engine 1.2)");
-  EXPECT_EQ(own.touching, Touching::either);
+  EXPECT_EQ(own.touching, TouchingPolicy::either);
   EXPECT_EQ(own.exposes, Exposure::verdict);
   EXPECT_FALSE(own.may_decline);
   EXPECT_TRUE(kernel("right", R"(,"may_decline":true)").may_decline);
@@ -129,7 +129,7 @@ TEST_F(Program, AnExitBeforeTheEndIsACrashThatSaysWhatStandardErrorSays) {
 }
 
 TEST_F(Program, ACrashOnItsThousandthQueryIsFoundAndTheRunGoesOn) {
-  const Seen all = seen("crash-1000");
+  const SeenAnswers all = seen("crash-1000");
   ASSERT_FALSE(all.findings.empty());
   for (const Finding& finding : all.findings) EXPECT_EQ(finding.kind, FindingKind::crash);
   EXPECT_THAT(all.findings.front().detail, HasSubstr("SIGSEGV"));
@@ -159,7 +159,7 @@ TEST_F(Program, MuchOnStandardErrorIsReadAndOnlyItsEndKept) {
 }
 
 TEST_F(Program, TooFewRepliesAreAnExitBeforeTheEnd) {
-  const Seen all = seen("too-little");
+  const SeenAnswers all = seen("too-little");
   ASSERT_FALSE(all.findings.empty());
   EXPECT_LE(all.findings.size(), 16u);
   EXPECT_EQ(all.findings.front().kind, FindingKind::crash);
@@ -172,7 +172,7 @@ TEST_F(Program, WhatIsNoReplyIsFoundAndQuoted) {
         std::tuple{"text", R"(but with "engine 1.0 loaded")"}, std::tuple{"garbage", "its reply has flags 0xee"},
         std::tuple{"wrong-header", "it changed the header of its queries, at byte 40"},
         std::tuple{"no-verdict", "7, which is no verdict"}}) {
-    const Seen all = seen(how);
+    const SeenAnswers all = seen(how);
     ASSERT_FALSE(all.findings.empty()) << how;
     EXPECT_EQ(all.findings.front().kind, FindingKind::inconsistent) << how;
     EXPECT_THAT(all.findings.front().detail, HasSubstr(says));
@@ -181,14 +181,14 @@ TEST_F(Program, WhatIsNoReplyIsFoundAndQuoted) {
 }
 
 TEST_F(Program, OneThatWritesNothingIsACrash) {
-  const Seen all = seen("nothing");
+  const SeenAnswers all = seen("nothing");
   ASSERT_FALSE(all.findings.empty());
   EXPECT_EQ(all.findings.front().kind, FindingKind::crash);
   EXPECT_EQ(unanswered(all), queries().size());
 }
 
 TEST_F(Program, AnEndThatIsNoSuccessAfterAllRepliesIsFound) {
-  const Seen all = seen("once-badly");
+  const SeenAnswers all = seen("once-badly");
   ASSERT_FALSE(all.findings.empty());
   EXPECT_THAT(all.findings.front().detail, HasSubstr("exit code 4"));
 }

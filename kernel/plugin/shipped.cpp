@@ -67,15 +67,15 @@ std::map<std::string, ShippedProgram> shipped_programs(const std::filesystem::pa
 }
 
 // The plug-ins of one kind, and their files by name.
-struct Located {
-  Shipped found;
+struct LocatedPlugins {
+  ShippedPlugins found;
   std::map<std::string, std::string, std::less<>> files;
 };
 
 // Reads the folder of a kind.
-Located located(const Kind& kind) {
-  Located all;
-  Shipped& found = all.found;
+LocatedPlugins read_kind(const Kind& kind) {
+  LocatedPlugins all;
+  ShippedPlugins& found = all.found;
   found.test = kind.test;
   found.prefix = kind.prefix;
   const auto folder = shipped_folder(kind.folder);
@@ -110,9 +110,9 @@ Located located(const Kind& kind) {
 
 }  // namespace
 
-std::vector<Shipped> shipped_plugins() {
-  std::vector<Shipped> all;
-  for (const Kind& kind : kinds()) all.push_back(located(kind).found);
+std::vector<ShippedPlugins> shipped_plugins() {
+  std::vector<ShippedPlugins> all;
+  for (const Kind& kind : kinds()) all.push_back(read_kind(kind).found);
   return all;
 }
 
@@ -122,10 +122,10 @@ std::optional<std::string> plugin_path(std::string_view id) {
   }
   for (const Kind& kind : kinds()) {
     if (!id.starts_with(kind.prefix)) continue;
-    const auto [known, files] = located(kind);
+    const auto [known, files] = read_kind(kind);
     const std::string_view name = id.substr(kind.prefix.size());
     if (const auto file = files.find(name); file != files.end()) return file->second;
-    for (const Shipped::Absent& absent : known.absent) {
+    for (const ShippedPlugins::Absent& absent : known.absent) {
       if (absent.name == name && !absent.command.empty()) {
         throw Error(fmt::format("kernel '{}' is not installed, for want of {}; `{}` installs it", id, absent.package,
                                 absent.command));

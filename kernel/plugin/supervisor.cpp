@@ -30,7 +30,7 @@ double seconds_for(std::size_t queries) {
   return batch_seconds * std::max(0.1, static_cast<double>(queries) / static_cast<double>(batch_capacity));
 }
 
-std::string placed(const Placement& placement) {
+std::string placement_text(const Placement& placement) {
   if (placement.anchor == Anchor::end) return "arrays ending with a page";
   if (placement.shift == 0) return "arrays beginning with a page";
   return fmt::format("arrays {} past an alignment of 64 bytes",
@@ -82,7 +82,7 @@ void Supervisor<Real>::tell(const Chunk& chunk, const Stop& stop, const std::str
 }
 
 template <class Real>
-void Supervisor<Real>::unanswered(const Chunk& chunk) {
+void Supervisor<Real>::leave_unanswered(const Chunk& chunk) {
   std::fill_n(chunk.out + chunk.first, chunk.size, Verdict::unanswered);
 }
 
@@ -105,7 +105,7 @@ void Supervisor<Real>::take(const Chunk& chunk, const Outputs<Real>& outputs) {
 
 template <class Real>
 void Supervisor<Real>::run_chunk(const Chunk& chunk) {
-  if (stops_ >= most_stops) return unanswered(chunk);
+  if (stops_ >= most_stops) return leave_unanswered(chunk);
   Outputs<Real> outputs;
   Result result = ask(chunk, whole(chunk, filling), outputs);
   if (result.stop && result.stop->kind == FindingKind::out_of_bounds && anchor_ == Anchor::end) {
@@ -117,7 +117,7 @@ void Supervisor<Real>::run_chunk(const Chunk& chunk) {
   if (result.stop) {
     if (chunk.size > 1) return is_program() ? run_parts(chunk, *result.stop) : run_singly(chunk, *result.stop);
     tell(chunk, *result.stop);
-    return unanswered(chunk);
+    return leave_unanswered(chunk);
   }
   take(chunk, outputs);
   if (!chunk.findings) return;
@@ -186,7 +186,7 @@ void Supervisor<Real>::rearrange(const Chunk& chunk, const Outputs<Real>& output
     const Chunk piece = chunk.part(first, size);
     Placement placement = piece_placements[number % std::size(piece_placements)];
     if (anchor_ == Anchor::middle) placement.anchor = anchor_;
-    const std::string where = is_program() ? "" : ", " + placed(placement);
+    const std::string where = is_program() ? "" : ", " + placement_text(placement);
     const bool verdict_alone = !chunk.explained || (number % 2 == 1 && !is_program());
     Arrangement arrangement{placement, Exposure::verdict, 0, filling};
     if (!verdict_alone) {
@@ -219,13 +219,13 @@ void Supervisor<Real>::look_for_changed_environment(const Chunk& chunk, std::uin
     which = result.stop ? 0 : i;
     break;
   }
-  tell(chunk, FindingKind::environment, which, "left changed: " + changed_modes(changed));
+  tell(chunk, FindingKind::environment, which, "left changed: " + changed_modes_text(changed));
 }
 
 // Whether a comparison's bit is one that its computed sides allow; equal sides allow both where the test does not say
 // how its kernels compare them.
 template <class Real>
-bool could_follow(const Supervised& kernel, std::size_t comparison, Real lhs, Real rhs, bool bit) {
+bool could_follow(const SupervisedKernel& kernel, std::size_t comparison, Real lhs, Real rhs, bool bit) {
   const TestDescription& test = *kernel.callee.subject.test;
   if (!test.has_strictness) return lhs == rhs || (lhs > rhs) == bit;
   if (test.comparisons[comparison].ties_at_touching) return (lhs > rhs) == bit;
@@ -286,18 +286,19 @@ template class Supervisor<float>;
 template class Supervisor<double>;
 
 template <class Real>
-Implementation<Real> supervised_implementation(const Supervised& kernel) {
-  // A process each: what a plain question does to the plug-in is no part of what is watched.
-  const auto plain = std::make_shared<Supervisor<Real>>(kernel), watched = std::make_shared<Supervisor<Real>>(kernel);
+Implementation<Real> supervised_implementation(const SupervisedKernel& kernel) {
+  // Two processes, so unwatched calls cannot affect the watched one.
+  const auto unwatched = std::make_shared<Supervisor<Real>>(kernel),
+             watched = std::make_shared<Supervisor<Real>>(kernel);
   const bool verdict_alone = kernel.exposes == Exposure::verdict && kernel.measures == 0;
   Implementation<Real> implementation;
   implementation.verdicts = [=](const QueryColumns<Real>& batch, Verdict* out) {
-    plain->run(batch, out, nullptr, nullptr);
+    unwatched->run(batch, out, nullptr, nullptr);
   };
   implementation.timed = [=](const QueryColumns<Real>& batch, Verdict* out) {
-    const double before = plain->nanoseconds();
-    plain->run(batch, out, nullptr, nullptr);
-    return plain->nanoseconds() - before;
+    const double before = unwatched->nanoseconds();
+    unwatched->run(batch, out, nullptr, nullptr);
+    return unwatched->nanoseconds() - before;
   };
   implementation.supervised = [=](const QueryColumns<Real>& batch, Verdict* out, Answers<Real>& answers,
                                   std::vector<Finding>& findings) {
@@ -305,13 +306,13 @@ Implementation<Real> supervised_implementation(const Supervised& kernel) {
   };
   const auto explain = [=](const QueryColumns<Real>& batch, Answers<Real>& out) {
     std::vector<Verdict> verdicts(batch.size);
-    plain->run(batch, verdicts.data(), &out, nullptr);
+    unwatched->run(batch, verdicts.data(), &out, nullptr);
   };
   if (kernel.exposes != Exposure::verdict) implementation.explain = explain;
   if (kernel.measures != 0) implementation.measure = explain;
   return implementation;
 }
-template Implementation<float> supervised_implementation(const Supervised&);
-template Implementation<double> supervised_implementation(const Supervised&);
+template Implementation<float> supervised_implementation(const SupervisedKernel&);
+template Implementation<double> supervised_implementation(const SupervisedKernel&);
 
 }  // namespace axiscert::plugin

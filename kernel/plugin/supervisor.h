@@ -13,7 +13,7 @@ namespace axiscert::plugin {
 inline double batch_seconds = 1;
 
 // The facts about a kernel that the supervisor needs.
-struct Supervised {
+struct SupervisedKernel {
   Callee callee;
   Exposure exposes;
   Strictness strictness;
@@ -24,7 +24,7 @@ struct Supervised {
 template <class Real>
 class Supervisor {
  public:
-  explicit Supervisor(const Supervised& kernel) : kernel_(kernel), caller_(kernel.callee, batch_seconds) {}
+  explicit Supervisor(const SupervisedKernel& kernel) : kernel_(kernel), caller_(kernel.callee, batch_seconds) {}
 
   // The kernel's answers; `unanswered` where there is none. `explained` is null where the verdicts are enough. After
   // the first stop that is no guard page's, a plug-in is asked query by query, so that the one is found that did it; of
@@ -46,7 +46,7 @@ class Supervisor {
   void tell(const Chunk& chunk, const Stop& stop, const std::string& where = {});
   // In place, with all that is asked of the chunk.
   Arrangement whole(const Chunk& chunk, std::uint8_t filling) const;
-  void unanswered(const Chunk& chunk);
+  void leave_unanswered(const Chunk& chunk);
   void take(const Chunk& chunk, const Outputs<Real>& outputs);
   void run_chunk(const Chunk& chunk);
   void run_singly(const Chunk& chunk, const Stop& of_batch);
@@ -57,7 +57,7 @@ class Supervisor {
   void look_for_changed_environment(const Chunk& chunk, std::uint32_t changed);
   void look_for_contradictions(const Chunk& chunk, const Outputs<Real>& outputs);
 
-  Supervised kernel_;
+  SupervisedKernel kernel_;
   Caller<Real> caller_;
   std::mutex mutex_;
   int stops_ = 0;
@@ -69,6 +69,6 @@ class Supervisor {
 };
 
 template <class Real>
-Implementation<Real> supervised_implementation(const Supervised& kernel);
+Implementation<Real> supervised_implementation(const SupervisedKernel& kernel);
 
 }  // namespace axiscert::plugin

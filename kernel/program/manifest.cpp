@@ -30,7 +30,7 @@ std::string shown_value(const Json& value) {
   if (value.is_structured()) return fmt::format("an {}", value.type_name());
   constexpr std::size_t longest = 60;
   const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
-  return plain_line(text.size() <= longest ? text : text.substr(0, longest) + "...");
+  return printable_line(text.size() <= longest ? text : text.substr(0, longest) + "...");
 }
 
 class ManifestReader {
@@ -44,7 +44,7 @@ class ManifestReader {
       fail(fmt::format("not a manifest: a JSON object with \"format\": \"{}\" is (docs/plugins.md)", manifest_format));
     }
     if (const std::string format = text_of("format"); format != manifest_format) {
-      fail(fmt::format("format '{}'; this axiscert knows {}", plain_line(format), manifest_format));
+      fail(fmt::format("format '{}'; this axiscert knows {}", printable_line(format), manifest_format));
     }
     require_known(json_, members, "member");
     Manifest manifest;
@@ -65,7 +65,7 @@ class ManifestReader {
       fail("\"exposes\": a program's replies have no sides; known: verdict, comparisons");
     manifest.measures = measures();
     if (json_.contains("touching"))
-      manifest.touching = one_of<Touching>("touching", text_of("touching"), touching_names);
+      manifest.touching = one_of<TouchingPolicy>("touching", text_of("touching"), touching_names);
     manifest.limits = limits();
     manifest.motion = motion();
     manifest.may_decline = yes_or_no("may_decline");
@@ -88,7 +88,7 @@ class ManifestReader {
   void require_known(const Json& object, const std::vector<std::string_view>& known, std::string_view what) const {
     for (const auto& [member, value] : object.items()) {
       if (std::find(known.begin(), known.end(), member) == known.end())
-        fail(plain_line(unknown_name(what, fmt::format("{}s", what), member, known)));
+        fail(printable_line(unknown_name(what, fmt::format("{}s", what), member, known)));
     }
   }
 
@@ -135,7 +135,7 @@ class ManifestReader {
     const TestEntry* const entry = entry_of(manifest);
     const std::vector<std::string> known = entry ? places_of(*entry) : std::vector<std::string>{};
     for (const std::string& line : lines) {
-      if (line != plain_line(line)) fail(fmt::format("\"code\": '{}' is more than a line", plain_line(line)));
+      if (line != printable_line(line)) fail(fmt::format("\"code\": '{}' is more than a line", printable_line(line)));
       const std::string unknown = entry ? unknown_place(line, known) : "";
       if (!unknown.empty()) {
         fail(
@@ -151,7 +151,7 @@ class ManifestReader {
   Enum one_of(const char* member, const std::string& word, const EnumArray<Enum, std::string_view>& names) const {
     const auto found = std::find(names.begin(), names.end(), word);
     if (found != names.end()) return static_cast<Enum>(found - names.begin());
-    fail(fmt::format("\"{}\": '{}'; known: {}", member, plain_line(word),
+    fail(fmt::format("\"{}\": '{}'; known: {}", member, printable_line(word),
                      fmt::join(std::vector<std::string_view>(names.begin(), names.end()), ", ")));
   }
 

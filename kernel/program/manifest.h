@@ -19,7 +19,7 @@ struct Manifest {
   std::string test, entry;               // empty: the first
   Exposure exposes = Exposure::verdict;  // verdicts, or also comparison bits
   std::size_t measures = 0;              // so many of the test's measures follow each reply
-  Touching touching = Touching::contact;
+  TouchingPolicy touching = TouchingPolicy::contact;
   Limits limits = {};
   MotionPolicy motion = {};
   bool may_decline = false;                            // `undecided` is an answer that it may give

@@ -27,7 +27,7 @@ TEST(ManifestFile, NeedsFourMembersAndTheOthersHaveDefaults) {
   EXPECT_EQ(manifest.command, (std::vector<std::string>{"x", "y z"}));
   EXPECT_EQ(manifest.precisions, std::vector{Precision::binary64});
   EXPECT_EQ(manifest.exposes, Exposure::verdict);
-  EXPECT_EQ(manifest.touching, Touching::contact);
+  EXPECT_EQ(manifest.touching, TouchingPolicy::contact);
   EXPECT_FALSE(manifest.limits.any());
 }
 
@@ -35,7 +35,7 @@ TEST(ManifestFile, DeclaresWhatAPluginDeclares) {
   const Manifest manifest = read_manifest(
       "{" + least + R"(,"touching":"either","exposes":"comparisons","limits":{"least_radius":0.5},"test":"t"})",
       "m.json");
-  EXPECT_EQ(manifest.touching, Touching::either);
+  EXPECT_EQ(manifest.touching, TouchingPolicy::either);
   EXPECT_EQ(manifest.exposes, Exposure::comparisons);
   EXPECT_EQ(manifest.limits.least_radius, 0.5);
   EXPECT_EQ(manifest.test, "t");

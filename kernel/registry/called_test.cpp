@@ -52,7 +52,7 @@ TEST(Called, WhatCannotBeIsRefusedWithWhatCan) {
 }
 
 // The target and the modes with which each function of a kernel was called.
-struct Seen {
+struct SeenCalls {
   std::string target;
   std::vector<std::pair<int, bool>> modes;  // direction of rounding, whether subnormal numbers are zero
 
@@ -63,7 +63,7 @@ struct Seen {
   }
 };
 
-Kernel watching(Seen& seen) {
+Kernel watching(SeenCalls& seen) {
   Kernel kernel;
   kernel.id = "watching";
   kernel.test = &sphere_triangle_test();
@@ -80,7 +80,7 @@ Kernel watching(Seen& seen) {
 }
 
 TEST(Called, EveryFunctionIsCalledAsTheIdSays) {
-  Seen seen;
+  SeenCalls seen;
   const Kernel own = watching(seen);
   const auto call = [&](const std::string& words) {
     const Kernel kernel = called(own, words);

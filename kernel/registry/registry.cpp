@@ -111,7 +111,7 @@ std::string unknown_kernel(std::string_view id) {
                        plugin::by_path, path);
   }
   std::vector<std::string> shipped;
-  for (const plugin::Shipped& kind : plugin::shipped_plugins()) {
+  for (const plugin::ShippedPlugins& kind : plugin::shipped_plugins()) {
     for (const std::string& name : kind.names) shipped.push_back(fmt::format("{}{}", kind.prefix, name));
   }
   std::vector<std::string_view> guessed = known;

@@ -18,18 +18,18 @@ namespace {
 
 // A number type that stores every result to memory, so that each operation rounds once whatever the compiler was told.
 template <class Real>
-struct Stored {
+struct StoredNumber {
   Real value;
-  friend Stored operator+(Stored a, Stored b) { return store(a.value + b.value); }
-  friend Stored operator-(Stored a, Stored b) { return store(a.value - b.value); }
-  friend Stored operator*(Stored a, Stored b) { return store(a.value * b.value); }
-  friend Stored operator/(Stored a, Stored b) { return store(a.value / b.value); }
-  friend Stored square_root(Stored a) { return store(std::sqrt(a.value)); }
-  friend Stored magnitude(Stored a) { return store(std::fabs(a.value)); }
-  friend bool operator>(Stored a, Stored b) { return a.value > b.value; }
+  friend StoredNumber operator+(StoredNumber a, StoredNumber b) { return store(a.value + b.value); }
+  friend StoredNumber operator-(StoredNumber a, StoredNumber b) { return store(a.value - b.value); }
+  friend StoredNumber operator*(StoredNumber a, StoredNumber b) { return store(a.value * b.value); }
+  friend StoredNumber operator/(StoredNumber a, StoredNumber b) { return store(a.value / b.value); }
+  friend StoredNumber square_root(StoredNumber a) { return store(std::sqrt(a.value)); }
+  friend StoredNumber magnitude(StoredNumber a) { return store(std::fabs(a.value)); }
+  friend bool operator>(StoredNumber a, StoredNumber b) { return a.value > b.value; }
 
  private:
-  static Stored store(Real result) {
+  static StoredNumber store(Real result) {
     volatile Real memory = result;
     return {memory};
   }
@@ -81,11 +81,11 @@ QueryBatch<Real> check_queries() {
 }
 
 template <class Real>
-using StoredSides = Sides<Stored<Real>> (*)(const Query<Real>&);
+using StoredSides = Sides<StoredNumber<Real>> (*)(const Query<Real>&);
 
 template <class F, class Real>
-Sides<Stored<Real>> sides_through_memory(const Query<Real>& q) {
-  return sides_of<F>(problem_as<Stored<Real>>(q, [](Real x) { return Stored<Real>{x}; }));
+Sides<StoredNumber<Real>> sides_through_memory(const Query<Real>& q) {
+  return sides_of<F>(problem_as<StoredNumber<Real>>(q, [](Real x) { return StoredNumber<Real>{x}; }));
 }
 
 template <class F, class Real>
@@ -96,7 +96,7 @@ constexpr StoredSides<Real> stored_function() {
 
 // The sides of any set of formulae that has comparisons, with every result stored.
 template <class Real>
-Sides<Stored<Real>> stored_sides(Formulae formulae, const Query<Real>& q) {
+Sides<StoredNumber<Real>> stored_sides(Formulae formulae, const Query<Real>& q) {
   static constexpr EnumArray<Formulae, StoredSides<Real>> functions = {
 #define AXISCERT_FUNCTION(name, type, kind) stored_function<type, Real>(),
       AXISCERT_FORMULAE(AXISCERT_FUNCTION)

@@ -90,7 +90,7 @@ Queries<Real> with(std::initializer_list<Real> values, std::size_t first, std::s
 }
 
 // The kernel's answers to all queries in all vertex orders on all of its targets.
-struct Heard {
+struct HeardAnswers {
   int contacts = 0, separations = 0, invalid = 0, undecided = 0;
   bool all(Verdict v) const { return never_other(v) && (v == Verdict::undecided || undecided == 0); }
   // Each answer is `v` or undecided.
@@ -100,8 +100,8 @@ struct Heard {
   }
 };
 template <class Real>
-Heard ask(const Kernel& kernel, const Queries<Real>& queries) {
-  Heard heard;
+HeardAnswers ask(const Kernel& kernel, const Queries<Real>& queries) {
+  HeardAnswers heard;
   for (const Query<Real>& original : queries) {
     for_each_vertex_order(original, [&](const Query<Real>& q, std::string_view) {
       for (const std::string& target :
@@ -117,7 +117,7 @@ Heard ask(const Kernel& kernel, const Queries<Real>& queries) {
   return heard;
 }
 
-Says summary(const Heard& heard, Says if_separated) {
+Says summary(const HeardAnswers& heard, Says if_separated) {
   return heard.all(Verdict::separated)                                          ? if_separated
          : heard.all(Verdict::contact)                                          ? Says::contact
          : heard.all(Verdict::invalid)                                          ? Says::invalid
@@ -130,7 +130,7 @@ Says summary(const Heard& heard, Says if_separated) {
 template <class Real>
 Behaviour heard_of(const Kernel& kernel) {
   constexpr Real inf = std::numeric_limits<Real>::infinity(), nan = std::numeric_limits<Real>::quiet_NaN();
-  const Heard apart = ask(kernel, clear_separations<Real>()), together = ask(kernel, contacts<Real>());
+  const HeardAnswers apart = ask(kernel, clear_separations<Real>()), together = ask(kernel, contacts<Real>());
   Queries<Real> negative = {overlaps<Real>()[0], overlaps<Real>()[1]};
   for (Query<Real>& q : negative) q.r = -q.r;  // squaring forgets the sign of r
   return {apart.all(Verdict::separated) && together.all(Verdict::contact)                   ? Says::right
@@ -198,7 +198,7 @@ TYPED_TEST(BehaviourTest, AFilterDecidesWhatIsFarFromTheBoundary) {
 TYPED_TEST(BehaviourTest, TouchingADegenerateTriangleIsContact) {
   for_each_row([](const Kernel& kernel, const Behaviour& expected) {
     for (const auto& touching : {collinear<TypeParam>(3), point<TypeParam>(3), repeated<TypeParam>(3)}) {
-      const Heard heard = ask(kernel, touching);
+      const HeardAnswers heard = ask(kernel, touching);
       EXPECT_TRUE(expected.area == Says::wrong || heard.all(Verdict::contact) ||
                   (expected.area == Says::declines && heard.never_other(Verdict::contact)))
           << kernel.id;

@@ -21,10 +21,10 @@ using testing_support::answer, testing_support::random_query, testing_support::s
 // A float whose operations round in a given direction, computed in double: every result in double comes with the sign
 // of its rounding error.
 template <Rounding direction>
-struct Directed {
+struct DirectedFloat {
   float value;
 
-  static Directed from(double near, double rest) {
+  static DirectedFloat from(double near, double rest) {
     float f = static_cast<float>(near);
     // The exact value is near + rest; f may lie on either side of it.
     const double over = static_cast<double>(f) - near;
@@ -34,21 +34,21 @@ struct Directed {
     if (below && !down) f = std::nextafter(f, INFINITY);
     return {f};
   }
-  friend Directed operator+(Directed a, Directed b) {
+  friend DirectedFloat operator+(DirectedFloat a, DirectedFloat b) {
     const double x = a.value, y = b.value, sum = x + y, of_y = sum - x;
     return from(sum, (x - (sum - of_y)) + (y - of_y));
   }
-  friend Directed operator-(Directed a, Directed b) { return a + Directed{-b.value}; }
-  friend Directed operator*(Directed a, Directed b) { return from(double(a.value) * b.value, 0); }
-  friend Directed operator/(Directed a, Directed b) {
+  friend DirectedFloat operator-(DirectedFloat a, DirectedFloat b) { return a + DirectedFloat{-b.value}; }
+  friend DirectedFloat operator*(DirectedFloat a, DirectedFloat b) { return from(double(a.value) * b.value, 0); }
+  friend DirectedFloat operator/(DirectedFloat a, DirectedFloat b) {
     const double quotient = double(a.value) / b.value;
     return from(quotient, std::fma(-quotient, b.value, a.value) * (b.value < 0 ? -1 : 1));
   }
-  friend Directed square_root(Directed a) {
+  friend DirectedFloat square_root(DirectedFloat a) {
     const double root = std::sqrt(double(a.value));
     return from(root, std::fma(-root, root, a.value));
   }
-  friend Directed magnitude(Directed a) { return {std::fabs(a.value)}; }
+  friend DirectedFloat magnitude(DirectedFloat a) { return {std::fabs(a.value)}; }
 };
 
 template <class F, Rounding direction>
@@ -60,7 +60,7 @@ void expect_rounded(const char* id, Formulae formulae, Arithmetic arithmetic) {
     Sides<float> found;
     reference(formulae, arithmetic, Strictness::strict, q, &found);
     const auto expected =
-        sides_of<F>(problem_as<Directed<direction>>(q, [](float x) { return Directed<direction>{x}; }));
+        sides_of<F>(problem_as<DirectedFloat<direction>>(q, [](float x) { return DirectedFloat<direction>{x}; }));
     for (std::size_t k = 0; k < comparison_count; ++k) {
       ASSERT_EQ(found.lhs[k], expected.lhs[k].value)
           << id << ", query " << i << " of seed " << seed << " " << comparisons[k].name;
@@ -71,10 +71,10 @@ void expect_rounded(const char* id, Formulae formulae, Arithmetic arithmetic) {
 }
 
 TEST(RoundingModes, EveryOperationIsRoundedInItsDirection) {
-  using portable::Published, rungs::Ladder0, rungs::Ladder6;
-  expect_rounded<Published, Rounding::upward>("published+up", Formulae::published, Arithmetic::up);
-  expect_rounded<Published, Rounding::downward>("published+down", Formulae::published, Arithmetic::down);
-  expect_rounded<Published, Rounding::toward_zero>("published+chop", Formulae::published, Arithmetic::chop);
+  using portable::PublishedFormulae, rungs::Ladder0, rungs::Ladder6;
+  expect_rounded<PublishedFormulae, Rounding::upward>("published+up", Formulae::published, Arithmetic::up);
+  expect_rounded<PublishedFormulae, Rounding::downward>("published+down", Formulae::published, Arithmetic::down);
+  expect_rounded<PublishedFormulae, Rounding::toward_zero>("published+chop", Formulae::published, Arithmetic::chop);
   expect_rounded<Ladder0, Rounding::upward>("ladder-0+up", Formulae::ladder_0, Arithmetic::up);
   expect_rounded<Ladder0, Rounding::downward>("ladder-0+down", Formulae::ladder_0, Arithmetic::down);
   expect_rounded<Ladder0, Rounding::toward_zero>("ladder-0+chop", Formulae::ladder_0, Arithmetic::chop);

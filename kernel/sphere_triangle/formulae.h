@@ -1,5 +1,6 @@
 // The sixteen comparisons of the published test, stated once, over any number type with + - * (float, double, a SIMD
-// vector, exact binary numbers, MPFR). Straight-line ring arithmetic: no division, no root, no branch on a computed value.
+// vector, exact binary numbers, MPFR). Straight-line ring arithmetic: no division, no root, no branch on a computed
+// value.
 //
 // Source: C. Ericson, "Optimizing a sphere-triangle intersection test" (2010), last block of pseudocode. Operation
 // order: kernel/base/geometry.h, which also says why there is no guard for AXISCERT_PER_TARGET.
@@ -18,7 +19,7 @@ struct DotProducts {
   T aa, ab, ac, bb, bc, cc;
 };
 template <class T>
-AXISCERT_INLINE DotProducts<T> dot_products(const Centred<T>& q) {
+AXISCERT_INLINE DotProducts<T> dot_products(const CentredProblem<T>& q) {
   return {dot(q.a, q.a), dot(q.a, q.b), dot(q.a, q.c), dot(q.b, q.b), dot(q.b, q.c), dot(q.c, q.c)};
 }
 
@@ -49,7 +50,7 @@ AXISCERT_INLINE void vertex_comparisons(const DotProducts<T>& dots, const T& rr,
 // Over the reals the strict test is right for every triangle with area; on zero-area triangles the zero sides above
 // make it invent contacts, which `>=` in the nine side comparisons avoids.
 template <class T, class Emit>
-AXISCERT_INLINE void published_comparisons(const Centred<T>& query, const T& zero, Emit&& emit) {
+AXISCERT_INLINE void published_comparisons(const CentredProblem<T>& query, const T& zero, Emit&& emit) {
   using enum Comparison;
   const Vec3<T>&A = query.a, &B = query.b, &C = query.c;
   const T& rr = query.rr;
@@ -83,7 +84,7 @@ AXISCERT_INLINE void published_comparisons(const Centred<T>& query, const T& zer
   emit(edge_ca_side_b, dot(Q3, QB), zero);
 }
 
-struct Published {
+struct PublishedFormulae {
   static constexpr bool is_ring = true;  // no division, no root
   template <class T, class Emit>
   AXISCERT_INLINE static void comparisons(const Problem<T>& query, Emit&& emit) {

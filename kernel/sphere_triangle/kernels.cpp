@@ -78,7 +78,7 @@ constexpr std::string_view conservative_proof =
 
 // The certified kernels show only a verdict, whatever they compute on the way.
 template <certified::Question question>
-Kernel certified_kernel(std::string id, std::string summary, Proved proved, std::string_view proof) {
+Kernel certified_kernel(std::string id, std::string summary, ProvedProperty proved, std::string_view proof) {
   return {.id = std::move(id),
           .summary = std::move(summary),
           .test = &sphere_triangle_test(),
@@ -136,8 +136,8 @@ std::vector<Kernel> sphere_triangle_kernels() {
       packed<strict>("packed", "published, one pair at a time: sixteen comparisons in four 4-lane compares"),
       packed<not_less>("packed-nonstrict", "the same with a >= b as !(b > a) in the sides: a NaN side holds"),
       eigen("eigen", "published, written with Eigen's vectors, whose reductions choose their order"),
-      certified_kernel<certified::Question::closed_sphere>("certified", "the exact answer: filtered in the input's precision, then in doubles, then in integers", Proved::no_wrong_verdict, certified_proof),
-      certified_kernel<certified::Question::conservative>("conservative", "never a missed contact; phantom depth at most 20 sqrt(u): 0.00489, in binary64 2.11e-7", Proved::no_missed_contact, conservative_proof),
+      certified_kernel<certified::Question::closed_sphere>("certified", "the exact answer: filtered in the input's precision, then in doubles, then in integers", ProvedProperty::no_wrong_verdict, certified_proof),
+      certified_kernel<certified::Question::conservative>("conservative", "never a missed contact; phantom depth at most 20 sqrt(u): 0.00489, in binary64 2.11e-7", ProvedProperty::no_missed_contact, conservative_proof),
       filter<FilterForm::reduced>("certified-filter", "reduced with thresholds proved of it as a program: separated, contact or undecided"),
       filter<FilterForm::published>("certified-filter-published", "the same with the published formulae, whose thresholds are wider"),
       evaluated<first_publication>("first-publication", "the article as first published: QC = C e + Q, wrong in exact arithmetic"),

@@ -12,12 +12,12 @@
 namespace axiscert::proofs::certified {
 
 template <class Real>
-class Evaluated {
+class EvaluatedStep {
  public:
   using Word = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-  using Signed = std::make_signed_t<Word>;
+  using SignedWord = std::make_signed_t<Word>;
 
-  explicit Evaluated(const RecordedStep& step)
+  explicit EvaluatedStep(const RecordedStep& step)
       : step_(step), numbers_(step.graph.nodes().size()), words_(numbers_.size()), flags_(numbers_.size()) {
     if (step.bits != 8 * sizeof(Real)) throw std::logic_error(step.name + " is recorded in another format");
   }
@@ -35,7 +35,7 @@ class Evaluated {
 };
 
 template <class Real>
-void Evaluated<Real>::compute(std::span<const Real, 13> query) {
+void EvaluatedStep<Real>::compute(std::span<const Real, 13> query) {
   const auto& nodes = step_.graph.nodes();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Node& node = nodes[i];
@@ -92,7 +92,7 @@ void Evaluated<Real>::compute(std::span<const Real, 13> query) {
         number = std::bit_cast<Real>(w(0));
         break;
       case Op::from_integer:
-        number = static_cast<Real>(static_cast<Signed>(w(0)));
+        number = static_cast<Real>(static_cast<SignedWord>(w(0)));
         break;
       case Op::word_constant:
         word = static_cast<Word>(node.word);
@@ -102,8 +102,8 @@ void Evaluated<Real>::compute(std::span<const Real, 13> query) {
         break;
       case Op::to_integer: {  // what is too great gives the least integer, as on x86; no step uses it
         const Real limit = std::ldexp(Real{1}, static_cast<int>(8 * sizeof(Word)) - 1);
-        word =
-            std::fabs(x(0)) < limit ? static_cast<Word>(static_cast<Signed>(x(0))) : Word{1} << (8 * sizeof(Word) - 1);
+        word = std::fabs(x(0)) < limit ? static_cast<Word>(static_cast<SignedWord>(x(0)))
+                                       : Word{1} << (8 * sizeof(Word) - 1);
         break;
       }
       case Op::all_ones:
@@ -140,7 +140,7 @@ void Evaluated<Real>::compute(std::span<const Real, 13> query) {
         flag = w(0) == w(1);
         break;
       case Op::word_less:
-        flag = static_cast<Signed>(w(0)) < static_cast<Signed>(w(1));
+        flag = static_cast<SignedWord>(w(0)) < static_cast<SignedWord>(w(1));
         break;
       case Op::both:
         flag = f(0) && f(1);

@@ -28,7 +28,7 @@ struct Of<Tag<Lane_, lanes>> {
   using Vector = Symbols<Lane, lanes>;
   using Mask = Flags<Lane, lanes>;
   using Unsigned = Tag<std::conditional_t<sizeof(Lane) == 4, std::uint32_t, std::uint64_t>, lanes>;
-  using Signed = Tag<std::conditional_t<sizeof(Lane) == 4, std::int32_t, std::int64_t>, lanes>;
+  using SignedTag = Tag<std::conditional_t<sizeof(Lane) == 4, std::int32_t, std::int64_t>, lanes>;
   static constexpr std::size_t count = lanes;
 };
 template <class D>
@@ -40,7 +40,7 @@ using Mask = typename Of<D>::Mask;
 template <class D>
 using RebindToUnsigned = typename Of<D>::Unsigned;
 template <class D>
-using RebindToSigned = typename Of<D>::Signed;
+using RebindToSigned = typename Of<D>::SignedTag;
 template <class D>
 constexpr std::size_t MaxLanes(D) {
   return Of<D>::count;

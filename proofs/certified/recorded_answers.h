@@ -41,7 +41,7 @@ class RecordedAnswers {
     Index node;
     int bit;
   };
-  Evaluated<Real> evaluated_;
+  EvaluatedStep<Real> evaluated_;
   std::vector<Flag> flags_;
   Index known_ = none, known_open_ = none;
 };

@@ -62,7 +62,7 @@ graph::RecordedStep record_coarse() {
   Recording recording("coarse", bits_of_real<Real>);
   const auto m = coarse_margins(Recording::query<D>());
   const CoarseLimits<D, true> limits(m.S, m.E);
-  const Decided<D> decided = coarse_step(m, limits);
+  const DecidedLanes<D> decided = coarse_step(m, limits);
   recording.result("plane_radius", m.plane.v);
   for (int i = 0; i < 3; ++i) {
     const std::string vertex = std::string("vertex_") + vertex_names[i];
@@ -147,7 +147,7 @@ inline graph::RecordedStep record_fine() {
   return recording.done();
 }
 
-template <Comparing what>
+template <DeepComparison what>
 graph::RecordedStep record_deep(const std::string& name) {
   using D = hn::Tag<double, 1>;
   Recording recording("deep_" + name, 64);
@@ -177,11 +177,11 @@ inline void record(std::vector<graph::RecordedStep>& all) {
   all.push_back(record_pair<float>());
   all.push_back(record_pair<double>());
   all.push_back(record_fine());
-  all.push_back(record_deep<Comparing::vertex_radius>("vertex_radius"));
-  all.push_back(record_deep<Comparing::vertex_sides>("vertex_sides"));
-  all.push_back(record_deep<Comparing::edge_radius>("edge_radius"));
-  all.push_back(record_deep<Comparing::edge_side>("edge_side"));
-  all.push_back(record_deep<Comparing::plane_radius>("plane_radius"));
+  all.push_back(record_deep<DeepComparison::vertex_radius>("vertex_radius"));
+  all.push_back(record_deep<DeepComparison::vertex_sides>("vertex_sides"));
+  all.push_back(record_deep<DeepComparison::edge_radius>("edge_radius"));
+  all.push_back(record_deep<DeepComparison::edge_side>("edge_side"));
+  all.push_back(record_deep<DeepComparison::plane_radius>("plane_radius"));
   if (HWY_NATIVE_FMA) return;  // the conservative test is never fused
   for (const bool scaled : {false, true}) {
     all.push_back(record_conservative<float>(scaled));

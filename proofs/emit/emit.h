@@ -9,8 +9,8 @@
 
 namespace axiscert::proofs {
 
-// Texts by path: coq/, which completes the theory in proofs/coq; ranges/, which Coq checks beside it; gappa/, fpcore/, latex/; programs/,
-// of which programs.txt has the digests; and kernel/, whose header is committed.
+// Texts by path: coq/, which completes the theory in proofs/coq; ranges/, which Coq checks beside it; gappa/, fpcore/,
+// latex/; programs/, of which programs.txt has the digests; and kernel/, whose header is committed.
 using Files = std::map<std::string, std::string>;
 
 Files coq_files();

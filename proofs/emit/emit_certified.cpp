@@ -23,9 +23,9 @@ std::string full_name(const RecordedStep& step) {
 }
 
 // The nodes that these results need, with the names by which they are written: t0, t1, ... in order.
-class Named {
+class NamedNodes {
  public:
-  Named(const RecordedStep& step, const std::vector<Result>& results)
+  NamedNodes(const RecordedStep& step, const std::vector<Result>& results)
       : graph_(step.graph), name_(graph_.nodes().size()) {
     std::vector<Index> ends;
     for (const Result& result : results) ends.push_back(result.node);
@@ -59,7 +59,7 @@ std::string text_of_constant(const Node& node) {
 }  // namespace
 
 std::string text_of(const RecordedStep& step) {
-  const Named named(step, step.results);
+  const NamedNodes named(step, step.results);
   const auto operand = [&](Index i) { return named.name(i).empty() ? text_of_constant(named.node(i)) : named.name(i); };
   std::string text = fmt::format("step {}\n", full_name(step));
   for (const Index i : named.computed()) {
@@ -200,7 +200,7 @@ RecordedStep with_known_bits(RecordedStep step) {
 std::string coq_definition(const RecordedStep& step, Sort sort, std::string_view of, std::string_view type) {
   const std::vector<Result> results = results_of(step, sort);
   if (results.empty()) return {};
-  const Named named(step, results);
+  const NamedNodes named(step, results);
   const auto operand = [&](Index i) { return named.name(i).empty() ? coq_constant(named.node(i)) : named.name(i); };
   std::string names, list;
   for (const Result& result : results) {
@@ -226,8 +226,9 @@ std::string coq_definition(const RecordedStep& step, Sort sort, std::string_view
   return text + fmt::format("  [{}].\n", list);
 }
 
-// The exact step's margins as instructions: the k-th computes value 13 + k, the first thirteen are the query. As lists of Coq: the
-// instructions, each with the degree by which the exact step chooses its words, and the places of the results.
+// The exact step's margins as instructions: the k-th computes value 13 + k, the first thirteen are the query. As lists
+// of Coq: the instructions, each with the degree by which the exact step chooses its words, and the places of the
+// results.
 std::string exact_program() {
   const RecordedExact exact = recorded_exact();
   std::vector<Index> ends;

@@ -37,7 +37,7 @@ bool is_translated(const std::string& name) {
 }
 
 // A program's definitions and its two sides; each side is a name or "0".
-struct Written {
+struct WrittenProgram {
   std::string prefix;
   std::vector<Definition> definitions;
   std::string lhs, rhs;
@@ -88,7 +88,7 @@ class Script {
       }
     }
     text += "r = rnd(r_);\n";
-    for (const Written& program : programs_) {
+    for (const WrittenProgram& program : programs_) {
       for (const Definition& d : program.definitions) text += fmt::format("{} = {};\n", d.name, d.value);
     }
     if (dot_) text += dot_definitions();
@@ -99,7 +99,7 @@ class Script {
   }
 
  private:
-  const Written& computed() const { return programs_[0]; }
+  const WrittenProgram& computed() const { return programs_[0]; }
   bool is_scaled() const { return setting_.domain == Domain::scaled; }
   int digits() const { return setting_.precision == Precision::binary32 ? 24 : 53; }
   std::string sixteenths(int n) const { return fmt::format("{}b-{}", n, digits() + 4); }
@@ -108,7 +108,7 @@ class Script {
     return is_lhs ? program->lhs : program->rhs;
   }
 
-  Written written(const std::string& prefix, const std::string& round) const {
+  WrittenProgram written(const std::string& prefix, const std::string& round) const {
     Notation notation;
     notation.round = round;
     notation.name = [&](const std::string& name) {
@@ -117,7 +117,7 @@ class Script {
     };
     const auto k = static_cast<std::size_t>(which_);
     InfixProgram text = infix(recording_.program, {recording_.lhs[k], recording_.rhs[k]}, notation);
-    Written result{prefix, std::move(text.definitions), text.results[0], text.results[1]};
+    WrittenProgram result{prefix, std::move(text.definitions), text.results[0], text.results[1]};
     std::erase_if(result.definitions, [&](Definition& d) {
       if (prefix == "F") return is_translated(d.name) || d.name == "Mrr";
       if (!is_scaled() || !is_translated(d.name.substr(prefix.size()))) return false;
@@ -174,7 +174,7 @@ class Script {
       for (const std::string_view i : components) {
         const std::string q = std::string(range.quantity) + std::string(range.is_vector ? i : "");
         if (!computed().defines(q)) continue;
-        for (const Written& program : programs_) {
+        for (const WrittenProgram& program : programs_) {
           if (program.prefix.empty()) continue;
           all.push_back(fmt::format("{}{} in [{},{}]", program.prefix, q, range.low, range.high));
         }
@@ -252,7 +252,7 @@ class Script {
   Comparison which_;
   const Recording& recording_;
   std::optional<Dot> dot_;
-  std::vector<Written> programs_;  // computed, M, and F where the domain is scaled
+  std::vector<WrittenProgram> programs_;  // computed, M, and F where the domain is scaled
 };
 
 }  // namespace

@@ -47,7 +47,7 @@ void store_words(D, hn::Vec<hn::RebindToUnsigned<D>> words, std::size_t count, S
   for (std::size_t j = 0; j < count; ++j) out[j].*to = stored[j];
 }
 
-template <Comparing what, class D>
+template <DeepComparison what, class D>
 void deep(D d, const Problem<Lanes<D>>& q, std::size_t count, StepAnswers* out) {
   for (const bool open : {false, true}) {
     const auto found = DeepStep<D>(d, q, open).template answer<what>();
@@ -63,7 +63,7 @@ void answer(std::string_view step, D d, const Block<hn::TFromD<D>>& block, std::
   if (step == "coarse") {
     const auto m = coarse_margins(q);
     const CoarseLimits<D, true> limits(m.S, m.E);
-    const Decided<D> decided = coarse_step(m, limits);
+    const DecidedLanes<D> decided = coarse_step(m, limits);
     add_flag(d, decided.separated, 0, count, out);
     add_flag(d, decided.contact, 1, count, out);
     if constexpr (sizeof(hn::TFromD<D>) == 8) add_flag(d, limits.in_deep_range(m.S, m.r), 2, count, out);
@@ -87,11 +87,11 @@ void answer(std::string_view step, D d, const Block<hn::TFromD<D>>& block, std::
       add_flag(d, found_open.decided.contact, 5, count, out);
       store_words(d, found.known, count, out, &StepAnswers::known);
       store_words(d, found_open.known, count, out, &StepAnswers::known_open);
-    } else if (step == "deep_vertex_radius") deep<Comparing::vertex_radius>(d, q, count, out);
-    else if (step == "deep_vertex_sides") deep<Comparing::vertex_sides>(d, q, count, out);
-    else if (step == "deep_edge_radius") deep<Comparing::edge_radius>(d, q, count, out);
-    else if (step == "deep_edge_side") deep<Comparing::edge_side>(d, q, count, out);
-    else if (step == "deep_plane_radius") deep<Comparing::plane_radius>(d, q, count, out);
+    } else if (step == "deep_vertex_radius") deep<DeepComparison::vertex_radius>(d, q, count, out);
+    else if (step == "deep_vertex_sides") deep<DeepComparison::vertex_sides>(d, q, count, out);
+    else if (step == "deep_edge_radius") deep<DeepComparison::edge_radius>(d, q, count, out);
+    else if (step == "deep_edge_side") deep<DeepComparison::edge_side>(d, q, count, out);
+    else if (step == "deep_plane_radius") deep<DeepComparison::plane_radius>(d, q, count, out);
   }
 }
 

@@ -111,8 +111,8 @@ Count exhaust(Form form, const Space& space) {
 // Three magnitudes of a format with four digits, with all signs; C's z is 0.
 TEST(SmallFormat, NoMarginLeavesItsBound) {
   const Space space{{0, 0.6875, 0.9375}, {0, 0.6875, -0.6875, 0.9375, -0.9375}, {0}, {0.4375}};
-  for (const Count& count : {exhaust<portable::Published, 4, -7>(Form::published, space),
-                             exhaust<portable::Reduced, 4, -7>(Form::reduced, space)}) {
+  for (const Count& count : {exhaust<portable::PublishedFormulae, 4, -7>(Form::published, space),
+                             exhaust<portable::ReducedFormulae, 4, -7>(Form::reduced, space)}) {
     EXPECT_GT(count.certain, 0u);
   }
 }
@@ -120,8 +120,8 @@ TEST(SmallFormat, NoMarginLeavesItsBound) {
 // Every query of a whole format: 0, 1/4, 1/2, 1 with all signs, every radius.
 TEST(SmallFormatLong, NoMarginLeavesItsBound) {
   const std::vector<double> half = numbers(1, -2, false), all = numbers(1, -2, true);
-  exhaust<portable::Published, 1, -2>(Form::published, {half, all, all, half});
-  exhaust<portable::Reduced, 1, -2>(Form::reduced, {half, all, all, half});
+  exhaust<portable::PublishedFormulae, 1, -2>(Form::published, {half, all, all, half});
+  exhaust<portable::ReducedFormulae, 1, -2>(Form::reduced, {half, all, all, half});
 }
 
 // binary32 is the format of 24 digits: its operations are the processor's.

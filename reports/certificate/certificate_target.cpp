@@ -24,7 +24,7 @@ void check(std::string_view text) {
   if (!certificate.envelope) {
     const std::string written = certificate_text(certificate.statement, nullptr);
     if (written != text && written != std::string(text) + "\n")
-      fault("a certificate that was read is written otherwise");
+      report_fault("a certificate that was read is written otherwise");
   }
   try {
     accepts([&] { require_derived(certificate.predicate(), "cert.json"); });
@@ -34,7 +34,7 @@ void check(std::string_view text) {
   const InstrumentReport report = certificate_report(certificate.statement, "axiscert certify");
   if (instrument_page(report).empty() || certificate_words(report).empty() ||
       certificate_badge(certificate.statement).empty()) {
-    fault("a certificate that was read is not shown");
+    report_fault("a certificate that was read is not shown");
   }
 }
 

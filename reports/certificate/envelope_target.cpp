@@ -40,15 +40,15 @@ void check(std::string_view text) {
   const std::string written = envelope_text(envelope);
   const Envelope again = read_envelope(strict_json(written, "cert.json", most_certificate_bytes), "cert.json");
   if (again.payload != envelope.payload || again.signatures.size() != envelope.signatures.size())
-    fault("an envelope that was read, written and read again differs");
-  if (is_signed(envelope)) fault("a signature is taken for that of a key that made none");
+    report_fault("an envelope that was read, written and read again differs");
+  if (is_signed(envelope)) report_fault("a signature is taken for that of a key that made none");
 }
 
 void check_base64(std::string_view text) {
   std::string bytes;
   if (accepts([&] { bytes = bytes_of_base64(text); }) && base64(bytes) != text)
-    fault("base64 that was read is written otherwise");
-  if (bytes_of_base64(base64(text)) != text) fault("bytes that were written as base64 are read otherwise");
+    report_fault("base64 that was read is written otherwise");
+  if (bytes_of_base64(base64(text)) != text) report_fault("bytes that were written as base64 are read otherwise");
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ class CertificatePage {
     if (level.reason) parts.push_back("NOT CHECKED: " + *level.reason);
     for (const GroundStatement& rest : level.rests_on)
       parts.push_back(fmt::format("{}: {}", name(rest.kind), rest.text));
-    for (const Said& failure : level.failures) parts.push_back(failure);
+    for (const SaidText& failure : level.failures) parts.push_back(failure);
     const auto shown = level.failures.size();
     if (level.failure_count > shown) parts.push_back(fmt::format("and {} more", level.failure_count - shown));
     return fmt::format("{}", fmt::join(parts, ". "));
@@ -149,7 +149,7 @@ class CertificatePage {
 
   InstrumentTable limits_table() const {
     InstrumentTable table{"What this does not say", {"limit"}, {}};
-    for (const Said& limit : predicate_.limits) table.rows.push_back({limit});
+    for (const SaidText& limit : predicate_.limits) table.rows.push_back({limit});
     return table;
   }
 

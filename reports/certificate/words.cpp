@@ -18,7 +18,7 @@ std::string wrapped(const std::string& sentence, std::size_t indent) {
     line.clear();
   };
   std::size_t at = 0;
-  const std::string words = plain_line(sentence);
+  const std::string words = printable_line(sentence);
   while (at < words.size()) {
     const std::size_t end = std::min(words.find(' ', at), words.size());
     const std::string_view word = std::string_view(words).substr(at, end - at);
@@ -74,7 +74,7 @@ std::string certificate_words(const InstrumentReport& report) {
   for (const InstrumentTable& table : report.tables) {
     text += "\n" + table_words(table);
     for (const InstrumentScene& scene : table.scenes)
-      text += fmt::format("{}{}", wrapped(scene.sentence, 2), "      " + plain_line(scene.command) + "\n");
+      text += fmt::format("{}{}", wrapped(scene.sentence, 2), "      " + printable_line(scene.command) + "\n");
   }
   return text;
 }

@@ -40,17 +40,17 @@ class Comparer {
   Comparer(const Record& before, const Record& after)
       : before_(before), after_(after), pairs_(before, after), unloaded_(not_judged(after)) {}
 
-  RunComparison run(std::vector<Replayed> replayed, const std::vector<std::string>& allowed) {
+  RunComparison run(std::vector<ReplayedQuery> replayed, const std::vector<std::string>& allowed) {
     result_.families = before_.plan.families.size();
-    say_runs();
-    say_kernels();
+    note_runs();
+    note_kernels();
     for (const ComparedKernel& kernel : pairs_.all()) {
       if (kernel.is_in_both() && !is_unloaded(kernel)) compare_promises(kernel);
     }
     compare_cells();
     correct();
     name_witnesses();
-    say_kernels_without_cells();
+    note_kernels_without_cells();
     allow(result_.not_compared, allowed);
     result_.allowed = allowed;
     result_.kernels = std::move(pairs_.all());
@@ -65,42 +65,42 @@ class Comparer {
   }
 
   // Each thing once: the first reason stands. Two kernels may have had one id, as NEW's that could not be loaded.
-  void say(NotCompared absent) {
+  void note(NotCompared absent) {
     if (said_.insert(absent.what + (absent.kernels.empty() ? "" : "\n" + absent.kernels.front())).second)
       result_.not_compared.push_back(std::move(absent));
   }
-  void say(const std::string& who, const std::string& why, const ComparedKernel& kernel,
-           Absence absence = Absence::fails) {
-    say({who, why, kernel.names(), "", absence});
+  void note(const std::string& who, const std::string& why, const ComparedKernel& kernel,
+            Absence absence = Absence::fails) {
+    note({who, why, kernel.names(), "", absence});
   }
 
-  void say_runs() {
+  void note_runs() {
     for (const auto& [run, record] : {std::pair("OLD", &before_), {"NEW", &after_}}) {
       if (!record->complete)
-        say({run, "is INTERRUPTED: what it lacks cannot be told from what is right", {}, "", Absence::fails});
+        note({run, "is INTERRUPTED: what it lacks cannot be told from what is right", {}, "", Absence::fails});
     }
     const std::vector<Name>&then = before_.plan.families, &now = after_.plan.families;
-    const auto say_missing = [&](const std::vector<Name>& from, const std::vector<Name>& in, const char* why,
-                                 Absence absence) {
+    const auto note_missing = [&](const std::vector<Name>& from, const std::vector<Name>& in, const char* why,
+                                  Absence absence) {
       for (const Name& family : from) {
         if (std::ranges::find(in, family) != in.end()) continue;
-        say({family, why, {}, family, absence});
+        note({family, why, {}, family, absence});
         lost_.insert(family);
       }
     };
-    say_missing(then, now, "is only in OLD", Absence::fails);
-    say_missing(now, then, "is only in NEW", Absence::only_new);
+    note_missing(then, now, "is only in OLD", Absence::fails);
+    note_missing(now, then, "is only in NEW", Absence::only_new);
   }
 
-  void say_kernels() {
+  void note_kernels() {
     for (const ComparedKernel& kernel : pairs_.all()) {
       if (!kernel.after.empty() && is_unloaded(kernel))
-        say(kernel.after, "could not be loaded in NEW, so it was not judged", kernel);
+        note(kernel.after, "could not be loaded in NEW, so it was not judged", kernel);
       else if (kernel.before.empty())
-        say(kernel.after, "is only in NEW" + pairs_.reason(kernel), kernel, Absence::only_new);
-      else if (kernel.after.empty()) say(kernel.before, "is only in OLD" + pairs_.reason(kernel), kernel);
-      else if (contains(not_judged(before_), kernel.before)) say(kernel.before, "could not be loaded in OLD", kernel);
-      else say_given_by_one(before_, after_, kernel, result_.not_compared);
+        note(kernel.after, "is only in NEW" + pairs_.reason(kernel), kernel, Absence::only_new);
+      else if (kernel.after.empty()) note(kernel.before, "is only in OLD" + pairs_.reason(kernel), kernel);
+      else if (contains(not_judged(before_), kernel.before)) note(kernel.before, "could not be loaded in OLD", kernel);
+      else note_given_by_one(before_, after_, kernel, result_.not_compared);
     }
   }
 
@@ -108,17 +108,17 @@ class Comparer {
   void compare_promises(const ComparedKernel& kernel) {
     for (const KernelRecord* now : precision_entries(after_, kernel.after)) {
       if (precision_entry(before_, kernel.before, now->precision) == nullptr)
-        say(fmt::format("{} {}", kernel.after, name(now->precision)), "is only in NEW", kernel, Absence::only_new);
+        note(fmt::format("{} {}", kernel.after, name(now->precision)), "is only in NEW", kernel, Absence::only_new);
     }
     for (const KernelRecord* then : precision_entries(before_, kernel.before)) {
       const std::string precision(name(then->precision)), who = fmt::format("{} {}", kernel.before, precision);
       const KernelRecord* const now = precision_entry(after_, kernel.after, then->precision);
       if (now == nullptr) {
-        say_lost(kernel, then->precision, who);
+        note_lost(kernel, then->precision, who);
         continue;
       }
       if (const Evidence evidence = evidence_of(*now); evidence.population != 0 && evidence.decided() == 0)
-        say(who, "decided none of its promised queries in NEW", kernel);
+        note(who, "decided none of its promised queries in NEW", kernel);
       const PromiseChange change = change_of(promise_in(*then), promise_in(*now));
       if (change.is_none()) {
         compare_populations(kernel, *then, *now);
@@ -128,16 +128,16 @@ class Comparer {
       for (const auto& [family, result] : now->families) apart_.insert({kernel.before, precision, family});
       // A promise of less is said as worse.
       const std::string how = change.less.empty() ? fmt::format(" ({})", change.text()) : "";
-      say(who, populations(evidence_of(*then), evidence_of(*now)) + how, kernel);
+      note(who, populations(evidence_of(*then), evidence_of(*now)) + how, kernel);
       result_.promises.push_back({kernel.name, precision, change});
     }
   }
 
-  void say_lost(const ComparedKernel& kernel, Precision precision, const std::string& who) {
+  void note_lost(const ComparedKernel& kernel, Precision precision, const std::string& who) {
     const std::vector<Precision>& asked = after_.plan.precisions;
     if (std::ranges::find(asked, precision) == asked.end())
-      return say(who, fmt::format("is only in OLD: NEW was not run in {}", name(precision)), kernel);
-    say(who, "is only in OLD", kernel);
+      return note(who, fmt::format("is only in OLD: NEW was not run in {}", name(precision)), kernel);
+    note(who, "is only in OLD", kernel);
     result_.promises.push_back({kernel.name,
                                 std::string(name(precision)),
                                 {{fmt::format("it does not exist in {} any more", name(precision))}, {}}});
@@ -173,7 +173,7 @@ class Comparer {
         absent.why = fmt::format("{} promised queries in NEW, {} in OLD: too few to show a difference",
                                  thousands(fresh.promised()), thousands(old.promised()));
       }
-      say(std::move(absent));
+      note(std::move(absent));
     }
   }
 
@@ -218,7 +218,7 @@ class Comparer {
                              : cell.member == "tolerance_failures" ? ": " + cell.name()
                              : is_error_in_u(cell)                 ? ": errors in u"
                                                                    : ": comparisons";
-    say({family + part, why, kernel.names(), cell.family, absence});
+    note({family + part, why, kernel.names(), cell.family, absence});
   }
 
   void add_finding(Cell cell, bool is_new) {
@@ -310,13 +310,14 @@ class Comparer {
     }
   }
 
-  void say_kernels_without_cells() {
+  void note_kernels_without_cells() {
     for (const ComparedKernel& kernel : pairs_.all()) {
       if (!kernel.is_in_both() || is_unloaded(kernel)) continue;
       for (const KernelRecord* then : precision_entries(before_, kernel.before)) {
         const std::string precision(name(then->precision));
         if (compared_.contains({kernel.before, precision})) continue;
-        say(fmt::format("{} {}", kernel.before, precision), "has no family with promised queries in both runs", kernel);
+        note(fmt::format("{} {}", kernel.before, precision), "has no family with promised queries in both runs",
+             kernel);
       }
     }
   }
@@ -382,7 +383,7 @@ void require_same_test(const Record& before, const Record& after, const std::str
                           old_test, after_name, new_test));
 }
 
-RunComparison compare_records(const Record& before, const Record& after, std::vector<Replayed> replayed,
+RunComparison compare_records(const Record& before, const Record& after, std::vector<ReplayedQuery> replayed,
                               const std::vector<std::string>& allowed) {
   require_same_test(before, after, "OLD", "NEW");
   return Comparer(before, after).run(std::move(replayed), allowed);

@@ -91,7 +91,7 @@ struct RunComparison {
   std::size_t tested = 0;               // number of cells that Holm's correction covers
   std::size_t families = 0;             // of OLD's plan
   std::vector<ComparedKernel> kernels;  // OLD's, then those that only NEW has
-  std::vector<Replayed> replayed;       // OLD's witnesses
+  std::vector<ReplayedQuery> replayed;  // OLD's witnesses
 
   // Cells that are new or worse, promises of less, witnesses that were right and are wrong now or no longer promised.
   std::size_t alarms() const;
@@ -111,7 +111,7 @@ void require_same_test(const Record& before, const Record& after, const std::str
 
 // Compares two records of one test that read_run accepted; `replayed` holds OLD's witnesses and may be empty, `allowed`
 // what is allowed not to be compared. Throws Error as require_same_test and allow do.
-RunComparison compare_records(const Record& before, const Record& after, std::vector<Replayed> replayed,
+RunComparison compare_records(const Record& before, const Record& after, std::vector<ReplayedQuery> replayed,
                               const std::vector<std::string>& allowed = {});
 
 }  // namespace axiscert

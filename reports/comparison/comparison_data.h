@@ -79,7 +79,7 @@ struct ComparisonData {
   EnumArray<Change, std::uint64_t> counts{};
   std::vector<ComparedCellData> cells;
   std::uint64_t wrong_nowhere = 0;
-  std::vector<Replayed> replayed;
+  std::vector<ReplayedQuery> replayed;
   std::vector<NotCompared> not_compared;
   std::vector<WitnessRecord> new_witnesses;
 

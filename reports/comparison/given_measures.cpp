@@ -27,19 +27,19 @@ std::string first_missing(const std::vector<Name>& measures, const std::vector<N
 
 }  // namespace
 
-void say_given_by_one(const Record& before, const Record& after, const ComparedKernel& kernel,
-                      std::vector<NotCompared>& absent) {
+void note_given_by_one(const Record& before, const Record& after, const ComparedKernel& kernel,
+                       std::vector<NotCompared>& absent) {
   const auto now = measures_by_precision(after, kernel.after);
   for (const auto& [precision, then] : measures_by_precision(before, kernel.before)) {
     const auto found = now.find(precision);
     if (found == now.end()) continue;
-    const auto say = [&, precision = precision](const std::string& measure, const char* why, Absence absence) {
+    const auto note = [&, precision = precision](const std::string& measure, const char* why, Absence absence) {
       if (measure.empty()) return;
       absent.push_back({fmt::format("{} {}: '{}' of first contacts", kernel.name, name(precision), measure), why,
                         kernel.names(), "", absence});
     };
-    say(first_missing(then, found->second), "it gives that in OLD and not in NEW", Absence::fails);
-    say(first_missing(found->second, then), "it gives that in NEW alone", Absence::only_new);
+    note(first_missing(then, found->second), "it gives that in OLD and not in NEW", Absence::fails);
+    note(first_missing(found->second, then), "it gives that in NEW alone", Absence::only_new);
   }
 }
 

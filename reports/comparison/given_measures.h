@@ -7,7 +7,7 @@ namespace axiscert {
 
 // Adds an entry for each precision that both runs judged: one that fails where OLD gave more, so that something is not
 // checked any more, and another where NEW gives more. `kernel` is in both records.
-void say_given_by_one(const Record& before, const Record& after, const ComparedKernel& kernel,
-                      std::vector<NotCompared>& absent);
+void note_given_by_one(const Record& before, const Record& after, const ComparedKernel& kernel,
+                       std::vector<NotCompared>& absent);
 
 }  // namespace axiscert

@@ -31,17 +31,17 @@ Record as_of(Record record, const char* kernel) {
   return record;
 }
 
-std::ptrdiff_t count_of(const std::vector<Replayed>& all, ReplayOutcome outcome) {
-  return std::count_if(all.begin(), all.end(), [&](const Replayed& r) { return r.outcome == outcome; });
+std::ptrdiff_t count_of(const std::vector<ReplayedQuery>& all, ReplayOutcome outcome) {
+  return std::count_if(all.begin(), all.end(), [&](const ReplayedQuery& r) { return r.outcome == outcome; });
 }
 
 TEST(ReplayMotions, TheSameKernelDoesAsBefore) {
   const Record rounded = record_of_motions("moving-sphere/rounded", {"moving-sphere/approach", "moving-sphere/graze"}),
                ends = record_of_motions("moving-sphere/ends-gated", {"moving-sphere/ends_approach"});
   for (const Record& record : {rounded, ends}) {
-    const std::vector<Replayed> all = replay_witnesses(record, scalar_target);
+    const std::vector<ReplayedQuery> all = replay_witnesses(record, scalar_target);
     ASSERT_GT(all.size(), 3u) << "seed " << replay_seed;
-    for (const Replayed& r : all) EXPECT_EQ(r.outcome, ReplayOutcome::as_before) << r.id << ": " << r.note;
+    for (const ReplayedQuery& r : all) EXPECT_EQ(r.outcome, ReplayOutcome::as_before) << r.id << ": " << r.note;
   }
 }
 
@@ -58,13 +58,13 @@ TEST(ReplayMotions, AnotherKernelMendsVerdictsOrIsLate) {
   }
   const auto late = replay_witnesses(early, scalar_target);
   EXPECT_GT(count_of(late, ReplayOutcome::wrong_now), 0) << "seed " << replay_seed;
-  const auto first = std::find_if(late.begin(), late.end(), [](const Replayed& r) { return r.is_alarm(); });
+  const auto first = std::find_if(late.begin(), late.end(), [](const ReplayedQuery& r) { return r.is_alarm(); });
   EXPECT_THAT(first->note, testing::HasSubstr("time late"));
 }
 
 TEST(ReplayMotions, AKernelOfAnotherEntryIsNotAskedAndPromisesItNoMore) {
   const Record record = record_of_motions("moving-sphere/rounded", {"moving-sphere/approach"});
-  for (const Replayed& r : replay_witnesses(as_of(record, "moving-sphere/ends-rounded"), scalar_target)) {
+  for (const ReplayedQuery& r : replay_witnesses(as_of(record, "moving-sphere/ends-rounded"), scalar_target)) {
     EXPECT_EQ(r.outcome, ReplayOutcome::not_promised);
     EXPECT_EQ(r.note, "it takes the entry endpoints of the test moving-sphere here");
   }

@@ -138,7 +138,7 @@ std::string PromiseChange::text() const {
 PromiseChange change_of(const Promise& before, const Promise& now) {
   PromiseChange change;
   if (before.touching != now.touching) {
-    (now.touching == Touching::either ? change.less : change.other)
+    (now.touching == TouchingPolicy::either ? change.less : change.other)
         .push_back(fmt::format("touching {}, was {}", name(now.touching), name(before.touching)));
   }
   for (const Bound& bound : bounds) {

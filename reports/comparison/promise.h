@@ -13,7 +13,7 @@
 namespace axiscert {
 
 struct Promise {
-  Touching touching = Touching::contact;
+  TouchingPolicy touching = TouchingPolicy::contact;
   Limits limits = {};
   std::optional<MotionPolicy> motion = {};  // of a test of motions
   bool may_decline = false;

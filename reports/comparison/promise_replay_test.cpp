@@ -33,7 +33,7 @@ Record recorded_by(const std::string& kernel, std::initializer_list<const char*>
 std::string promises(const char* kind) { return fmt::format("plugin:{}/promises/{}.so", BUILD_FOLDER, kind); }
 
 // The witnesses of the record, as though this kind of kernel/plugin/promises had given them.
-std::vector<Replayed> replayed_by(Record record, const char* kind) {
+std::vector<ReplayedQuery> replayed_by(Record record, const char* kind) {
   const std::string id = promises(kind);
   record.plan.kernels[0] = id;
   for (KernelRecord& kernel : record.kernels) kernel.id = id;
@@ -41,9 +41,9 @@ std::vector<Replayed> replayed_by(Record record, const char* kind) {
   return replay_witnesses(record, scalar_target, {{id, id}});
 }
 
-std::set<std::string> outcomes(const std::vector<Replayed>& all) {
+std::set<std::string> outcomes(const std::vector<ReplayedQuery>& all) {
   std::set<std::string> names;
-  for (const Replayed& r : all) names.emplace(replay_names[r.outcome]);
+  for (const ReplayedQuery& r : all) names.emplace(replay_names[r.outcome]);
   return names;
 }
 
@@ -105,7 +105,7 @@ TEST(ReplayPromises, TouchingQueriesThatAreEitherNowAreNotMended) {
   const auto now = replayed();
   EXPECT_THAT(outcomes(now), ElementsAre("no longer promised"));
   EXPECT_THAT(now[0].note, testing::HasSubstr("touching either, was contact"));
-  kernel.touching = Touching::either;
+  kernel.touching = TouchingPolicy::either;
   EXPECT_THAT(outcomes(replayed()), Not(Contains("no longer promised")));
 }
 

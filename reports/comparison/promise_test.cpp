@@ -20,7 +20,7 @@ using testing::Not;
 using testing::StartsWith;
 
 Promise narrowed() {
-  return {Touching::either,
+  return {TouchingPolicy::either,
           {.least_radius = 1e30},
           MotionPolicy{StartPolicy::ignored, StillPolicy::ignored, SidesPolicy::front},
           true};

@@ -76,12 +76,12 @@ std::string wrongs_text(const Wrongs& wrongs) {
 }
 
 // One kernel of the record, started once; where that is not possible, `absent` says why.
-struct Asked {
+struct ReplayKernel {
   std::unique_ptr<Examiner> examiner;
   const Kernel* kernel = nullptr;
   std::string absent;
 
-  Asked(const std::string& id, std::string_view target, const TrustedPlugins& trusted) {
+  ReplayKernel(const std::string& id, std::string_view target, const TrustedPlugins& trusted) {
     const auto named = trusted.find(id);
     if (plugin::is_given_by_file(id) && named == trusted.end()) {
       const bool is_program = id.starts_with(plugin::by_manifest);
@@ -101,21 +101,21 @@ struct Asked {
 
   // The kernel's answer now, and whether it was to be right: under the promise of OLD, and under its own here. It takes
   // this query.
-  struct Said {
+  struct ReplayedAnswer {
     Wrongs wrongs;
     bool was_promised = true, is_promised = true;
   };
-  Said on(const StoredQuery& stored, const Promise& then) const {
+  ReplayedAnswer on(const StoredQuery& stored, const Promise& then) const {
     const Promise now = promise_of_kernel(*kernel);
     const auto is_within_promise = [&](const Promise& p, bool is_touching) {
-      if (is_touching && p.touching == Touching::either) return false;
+      if (is_touching && p.touching == TouchingPolicy::either) return false;
       const MotionPolicy motion = p.motion.value_or(MotionPolicy{});
       return std::visit([&](const auto& q) { return is_promised(oracles_of(*kernel), p.limits, motion, q); },
                         stored.numbers);
     };
     const Examination found = std::visit([&](const auto& q) { return examiner->examine(q); }, stored.numbers);
-    Said all{wrongs_of(flips_of(*kernel->test, found.judgement), measures_of(*kernel->test, found),
-                       found.answer.verdict, kernel->may_decline)};
+    ReplayedAnswer all{wrongs_of(flips_of(*kernel->test, found.judgement), measures_of(*kernel->test, found),
+                                 found.answer.verdict, kernel->may_decline)};
     all.was_promised = is_within_promise(then, found.truth.touching);
     all.is_promised = is_within_promise(now, found.truth.touching);
     return all;
@@ -140,13 +140,15 @@ std::string refusal(const Kernel& kernel, const StoredQuery& stored) {
 
 }  // namespace
 
-std::vector<Replayed> replay_witnesses(const Record& record, std::string_view target, const TrustedPlugins& trusted) {
+std::vector<ReplayedQuery> replay_witnesses(const Record& record, std::string_view target,
+                                            const TrustedPlugins& trusted) {
   const TestDescription& test = test_of(record.plan);
-  std::map<std::string, Asked> kernels;
-  std::vector<Replayed> all;
+  std::map<std::string, ReplayKernel> kernels;
+  std::vector<ReplayedQuery> all;
   for (const WitnessRecord& witness : record.witnesses) {
-    Replayed& replayed = all.emplace_back(Replayed{witness.id, witness.kernel, std::string(name(witness.precision)),
-                                                   witness.family, ReplayOutcome::not_replayed, ""});
+    ReplayedQuery& replayed =
+        all.emplace_back(ReplayedQuery{witness.id, witness.kernel, std::string(name(witness.precision)), witness.family,
+                                       ReplayOutcome::not_replayed, ""});
     if (record.plan.replies) {
       replayed.note = "its answers came through a pipe";
       continue;
@@ -154,7 +156,7 @@ std::vector<Replayed> replay_witnesses(const Record& record, std::string_view ta
     Json line = json_of(witness);
     line["test"] = test.id;
     const StoredQuery stored = query_of_json(line.dump(), Place{"witness " + replayed.id, 1});
-    const Asked& asked = kernels.try_emplace(replayed.kernel, replayed.kernel, target, trusted).first->second;
+    const ReplayKernel& asked = kernels.try_emplace(replayed.kernel, replayed.kernel, target, trusted).first->second;
     if (asked.kernel == nullptr) {
       replayed.note = asked.absent;
       continue;
@@ -167,7 +169,7 @@ std::vector<Replayed> replay_witnesses(const Record& record, std::string_view ta
     const Promise then = promise_in_record(record, witness);
     const Wrongs before =
         wrongs_of(witness.flips, witness.measures.value_or(std::nullopt), witness.computed, then.may_decline);
-    const Asked::Said said = asked.on(stored, then);
+    const ReplayKernel::ReplayedAnswer said = asked.on(stored, then);
     if (said.was_promised && !said.is_promised) {
       replayed.outcome = ReplayOutcome::not_promised;
       replayed.note = change_of(then, promise_of_kernel(*asked.kernel)).text();

@@ -27,13 +27,13 @@ inline constexpr EnumArray<ReplayOutcome, std::string_view> replay_names = {
     "as before", "mended", "changed", "no verdict now", "wrong now", "no longer promised", "not replayed"};
 constexpr std::string_view name(ReplayOutcome outcome) { return replay_names[outcome]; }
 
-struct Replayed {
+struct ReplayedQuery {
   std::string id, kernel, precision, family;
   ReplayOutcome outcome;
   std::string note;  // why it was not replayed, or is not promised; otherwise the answer's faults now
   bool is_alarm() const { return outcome == ReplayOutcome::wrong_now || outcome == ReplayOutcome::not_promised; }
   static constexpr auto fields(auto&& visit) {
-    using Of = Replayed;
+    using Of = ReplayedQuery;
     return visit(
         field(&Of::id, {"id", "Its id in OLD."}), field(&Of::kernel, {"kernel", "Its id."}),
         field(&Of::precision, {"precision", "The precision."}), field(&Of::family, {"family", "Its family."}),
@@ -47,7 +47,7 @@ using TrustedPlugins = std::map<std::string, std::string>;
 
 // Evaluates every witness of the record, in its order. A plug-in is loaded only where `trusted` has its id: a record
 // that came by mail must not choose what code runs here. Throws OracleDisagreement.
-std::vector<Replayed> replay_witnesses(const Record& record, std::string_view target,
-                                       const TrustedPlugins& trusted = {});
+std::vector<ReplayedQuery> replay_witnesses(const Record& record, std::string_view target,
+                                            const TrustedPlugins& trusted = {});
 
 }  // namespace axiscert

@@ -73,15 +73,15 @@ TEST(CompareSeeds, AnotherKernelIsSeenAcrossSeeds) {
 
 TEST(CompareSeeds, KnownWitnessesOfTheSameKernelDoAsBefore) {
   const Record record = run({{"tangent", "repeated"}, 256, {Precision::binary32, Precision::binary64}}, "published", 1);
-  const std::vector<Replayed> replayed = replay_witnesses(record, scalar_target);
+  const std::vector<ReplayedQuery> replayed = replay_witnesses(record, scalar_target);
   ASSERT_GT(replayed.size(), 20u);
-  for (const Replayed& r : replayed) EXPECT_EQ(r.outcome, ReplayOutcome::as_before) << r.id << ": " << r.note;
+  for (const ReplayedQuery& r : replayed) EXPECT_EQ(r.outcome, ReplayOutcome::as_before) << r.id << ": " << r.note;
 }
 
 TEST(CompareSeeds, KnownWitnessesOfAnotherKernelDoNot) {
   const Sample sample{{"repeated"}, 512, {Precision::binary32}};
-  const auto count = [](const std::vector<Replayed>& all, ReplayOutcome outcome) {
-    return std::count_if(all.begin(), all.end(), [&](const Replayed& r) { return r.outcome == outcome; });
+  const auto count = [](const std::vector<ReplayedQuery>& all, ReplayOutcome outcome) {
+    return std::count_if(all.begin(), all.end(), [&](const ReplayedQuery& r) { return r.outcome == outcome; });
   };
   // As if published had become nonstrict: phantom contacts are mended.
   const auto mended = replay_witnesses(renamed(run(sample, "published", 1), "nonstrict"), scalar_target);

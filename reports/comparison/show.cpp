@@ -89,7 +89,7 @@ InstrumentTable replay_table(const RunComparison& comparison) {
                         {"witness", "kernel", "precision", "family", "now", ""},
                         {}};
   for (const bool alarms : {true, false}) {
-    for (const Replayed& r : comparison.replayed) {
+    for (const ReplayedQuery& r : comparison.replayed) {
       if (r.outcome == ReplayOutcome::as_before || r.is_alarm() != alarms) continue;
       table.rows.push_back({r.id, r.kernel, r.precision, r.family, std::string(name(r.outcome)), r.note});
     }
@@ -135,7 +135,7 @@ std::vector<std::string> changes(const RunComparison& comparison) {
       parts.push_back(fmt::format("{} {}", thousands(n), name(change)));
   }
   for (const ReplayOutcome outcome : {ReplayOutcome::wrong_now, ReplayOutcome::not_promised}) {
-    const auto n = std::ranges::count(comparison.replayed, outcome, &Replayed::outcome);
+    const auto n = std::ranges::count(comparison.replayed, outcome, &ReplayedQuery::outcome);
     if (n != 0)
       parts.push_back(fmt::format("{} known witnesses {}", thousands(static_cast<std::size_t>(n)), name(outcome)));
   }
@@ -179,7 +179,7 @@ std::vector<std::string> notes(const ComparedRuns& runs, const RunComparison& co
                                     run_text("NEW", runs.after_name, runs.after)};
   if (!comparison.replayed.empty()) {
     std::map<ReplayOutcome, std::size_t> by_outcome;
-    for (const Replayed& r : comparison.replayed) ++by_outcome[r.outcome];
+    for (const ReplayedQuery& r : comparison.replayed) ++by_outcome[r.outcome];
     std::vector<std::string> parts;
     for (const auto& [outcome, n] : by_outcome) {
       parts.push_back(fmt::format("{} {}", thousands(n), name(outcome)));
@@ -254,15 +254,15 @@ InstrumentReport comparison_report(const ComparedRuns& runs, const RunComparison
 
 std::string comparison_markdown(const ComparedRuns& runs, const RunComparison& comparison) {
   const InstrumentReport report = comparison_report(runs, comparison);
-  std::string text = fmt::format("# {}\n", plain(report.title));
-  for (const std::string& note : report.notes) text += fmt::format("\n{}\n", plain(note, 4000));
+  std::string text = fmt::format("# {}\n", markdown_text(report.title));
+  for (const std::string& note : report.notes) text += fmt::format("\n{}\n", markdown_text(note, 4000));
   for (const InstrumentTable& table : report.tables) {
     Section section(table.caption);
-    section.head(table.columns, table.columns.size());
+    section.add_head(table.columns, table.columns.size());
     for (const Row& row : table.rows) {
       Row cells;
-      for (const std::string& cell : row) cells.push_back(plain(cell, 400));
-      section.row(cells);
+      for (const std::string& cell : row) cells.push_back(markdown_text(cell, 400));
+      section.add_row(cells);
     }
     text += section.text();
   }

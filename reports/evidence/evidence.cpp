@@ -25,9 +25,10 @@ void Evidence::add(const Evidence& other) { merge_fields(*this, other); }
 
 namespace {
 
-Evidence evidence_in(Touching touching, std::uint64_t trials, const TruthCounts& truth, const VerdictTally& verdict) {
+Evidence evidence_in(TouchingPolicy touching, std::uint64_t trials, const TruthCounts& truth,
+                     const VerdictTally& verdict) {
   const OutsideTally beyond = verdict.outside_limits.value_or(OutsideTally());
-  const bool promises_touch = touching != Touching::either;
+  const bool promises_touch = touching != TouchingPolicy::either;
   Evidence evidence;
   evidence.population = without(trials, truth.invalid);
   evidence.outside = beyond.trials;
@@ -44,7 +45,7 @@ Evidence evidence_in(Touching touching, std::uint64_t trials, const TruthCounts&
 
 }  // namespace
 
-Evidence evidence_of(Touching touching, const Tally& tally) {
+Evidence evidence_of(TouchingPolicy touching, const Tally& tally) {
   return evidence_in(touching, tally.trials, tally.truth, tally.verdict);
 }
 

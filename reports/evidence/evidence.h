@@ -60,7 +60,7 @@ struct Evidence {
 };
 
 // `touching`: what the kernel promises of touch.
-Evidence evidence_of(Touching touching, const Tally& tally);
+Evidence evidence_of(TouchingPolicy touching, const Tally& tally);
 Evidence evidence_of(const KernelRecord& kernel, const FamilyRecord& result);
 // The evidence of all families of a kernel.
 Evidence evidence_of(const KernelRecord& kernel);

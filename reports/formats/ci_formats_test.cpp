@@ -63,7 +63,7 @@ TEST(Sarif, NamesComeBackAndResultsStandAtTheirWitness) {
   EXPECT_TRUE(is_named);
 }
 
-// In plain text SARIF's viewers turn [text](target) into a link and fill in {0}.
+// In text SARIF's viewers turn [text](target) into a link and fill in {0}.
 TEST(Sarif, NamesAreNoLinks) {
   const TestFolder folder(named("[x](https://a.example){0}\\"));
   render_reports(folder.path());

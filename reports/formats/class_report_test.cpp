@@ -23,7 +23,7 @@ Record class_record(const Kernel& kernel, const std::vector<std::string>& famili
   plan.questions.trials = [trials](const Source&, Precision) { return trials; };
   plan.running.target = std::string(scalar_target);
   const std::atomic<bool> never = false;
-  return read_record(json_of(record_of(plan, run_campaign(plan, never, [](const Progress&) {}), Required())),
+  return read_record(json_of(record_of(plan, run_campaign(plan, never, [](const Progress&) {}), RunRequirements())),
                      "record.json");
 }
 

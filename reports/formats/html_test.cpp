@@ -17,11 +17,11 @@ using testing::Not;
 
 TEST(Html, NamesInTheDataAreInert) {
   const std::string evil = "</script><script>alert(1)</script><!--/*JS*/&\xE2\x80\xA8\xE2\x80\xA9";
-  const TestFolder folder(named(evil)), plain(stored_record());
+  const TestFolder folder(named(evil)), harmless(stored_record());
   render_reports(folder.path());
-  render_reports(plain.path());
+  render_reports(harmless.path());
   const std::string html = folder.read("report.html");
-  EXPECT_EQ(occurrences(html, "<script"), occurrences(plain.read("report.html"), "<script"));
+  EXPECT_EQ(occurrences(html, "<script"), occurrences(harmless.read("report.html"), "<script"));
   EXPECT_EQ(occurrences(html, "</script"), 3u);
   EXPECT_THAT(html, Not(HasSubstr("alert(1)")));
   EXPECT_THAT(html, Not(HasSubstr("<!--")));

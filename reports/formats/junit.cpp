@@ -59,7 +59,7 @@ struct Suite {
 std::string failure(const std::string& type, const std::string& message, const std::string& detail) {
   return fmt::format("<failure type=\"{}\" message=\"{}\">{}</failure>", xml(type), xml(message), xml(detail));
 }
-std::string skipped(const std::string& why) {
+std::string skipped_element(const std::string& why) {
   return fmt::format("<skipped message=\"{}\"/>", xml("NOT CHECKED: " + why));
 }
 
@@ -111,8 +111,8 @@ std::string verdict_outcome(const std::vector<LevelOutcome>& outcomes, const Ker
     else is_seen = true;
   }
   if (!detail.empty()) return failure("requirement", message, detail);
-  if (evidence.decided() == 0) return skipped(evidence_text(evidence, 0));
-  return is_seen ? "" : skipped(why_skipped);
+  if (evidence.decided() == 0) return skipped_element(evidence_text(evidence, 0));
+  return is_seen ? "" : skipped_element(why_skipped);
 }
 
 // A case for each level that is not checked: failed, or skipped where that is allowed.
@@ -127,8 +127,8 @@ void add_unchecked(Suite& suite, const std::vector<LevelOutcome>& outcomes, cons
 
 // `tolerance`: null where none was given.
 std::string tolerance_outcome(const ComparisonTally& tally, const std::string* tolerance) {
-  if (tolerance == nullptr) return skipped("no tolerance was given for it (--tolerance)");
-  if (!tally.tolerance_failures) return skipped("the kernel does not show its sides");
+  if (tolerance == nullptr) return skipped_element("no tolerance was given for it (--tolerance)");
+  if (!tally.tolerance_failures) return skipped_element("the kernel does not show its sides");
   if (*tally.tolerance_failures == 0) return "";
   const std::string message =
       fmt::format("{} errors above {} u; the smallest tolerance that passes is {} u",
@@ -185,7 +185,7 @@ Suite suite_of(const Run& run, const KernelRecord& kernel, const std::vector<Lev
   for (const std::string& family : record.plan.families) {
     const FamilyRecord* const result = kernel.families.find(family);
     if (result == nullptr) {
-      suite.add(family + " verdict", skipped("no query of this family was run"), Json::object());
+      suite.add(family + " verdict", skipped_element("no query of this family was run"), Json::object());
       continue;
     }
     Json counts = {{"trials", result->trials}, {"truth", json_of(result->truth)}};
@@ -201,7 +201,7 @@ Suite suite_of(const Run& run, const KernelRecord& kernel, const std::vector<Lev
     }
   }
   if (kernel.exposes == std::vector{Exposure::verdict})
-    suite.add("comparisons", skipped("the kernel shows only verdicts"), Json::object());
+    suite.add("comparisons", skipped_element("the kernel shows only verdicts"), Json::object());
   if (!record.complete) {
     const std::string message = "the run was interrupted; the results cover only the queries that were run";
     suite.add("complete", failure("interrupted", message, message), Json::object());
@@ -232,7 +232,7 @@ Suite suite_of_ratchet(const Run& run) {
 }
 
 // Start of the run in UTC, in the schema's form, which has no zone. A record alone does not contain it.
-std::string started(const Run& run) { return run.info ? run.info->started.substr(0, 19) : "1970-01-01T00:00:00"; }
+std::string start_text(const Run& run) { return run.info ? run.info->started.substr(0, 19) : "1970-01-01T00:00:00"; }
 // Kernels share their run, so the first suite has its seconds.
 std::string seconds(const Run& run) { return run.info ? fmt::format("{:.3f}", run.info->seconds) : "0"; }
 
@@ -251,7 +251,7 @@ std::string render_junit(const Run& run) {
         "  <testsuite name=\"{0}\" tests=\"{3}\" failures=\"{4}\" errors=\"0\" skipped=\"{5}\" package=\"axiscert\" "
         "id=\"{1}\" hostname=\"localhost\" timestamp=\"{2}\" time=\"{6}\">\n    <properties/>\n{7}"
         "    <system-out>{8}</system-out>\n    <system-err/>\n  </testsuite>\n",
-        xml(suite.name), id, xml(started(run)), suite.tests, suite.failures, suite.skipped,
+        xml(suite.name), id, xml(start_text(run)), suite.tests, suite.failures, suite.skipped,
         id == 0 ? seconds(run) : "0", suite.cases, xml(suite.figures));
     ++id;
   }

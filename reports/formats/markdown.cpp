@@ -57,7 +57,8 @@ class MarkdownReport {
     if (!record_.complete) {
       text += "\n> **INCOMPLETE**: the run was interrupted. The figures below cover only the queries that were run.\n";
     }
-    for (const std::string& sentence : unjudged(record_)) text += fmt::format("\n> **{}**\n", plain(sentence, 2000));
+    for (const std::string& sentence : unjudged(record_))
+      text += fmt::format("\n> **{}**\n", markdown_text(sentence, 2000));
     return text + ratchet() + findings() + requirements_section(record_, outcomes_) + summary() +
            motion_section(record_) + classes_section(record_) + depths_section(record_) + families() + outside() +
            asymmetries() + axes_section(record_, totals_) + comparisons_section(record_, totals_) + broken_links() +
@@ -74,43 +75,44 @@ class MarkdownReport {
     if (!run_.ratchet) return "";
     Section section("Ratchet");
     const RatchetOutcome& held = *run_.ratchet;
-    section.line(
-        fmt::format("Compared with {}: {}", plain(held.file),
+    section.add_line(
+        fmt::format("Compared with {}: {}", markdown_text(held.file),
                     held.failures.empty() ? "nothing is worse than accepted." : "**the ratchet is not met**."));
-    section.line("");
-    for (const RatchetFailure& failure : held.failures) section.line("- " + plain(failure.text, 2000));
+    section.add_line("");
+    for (const RatchetFailure& failure : held.failures) section.add_line("- " + markdown_text(failure.text, 2000));
     for (const std::string& changed : held.changed)
-      section.line("- changed since the ratchet was written: " + plain(changed, 2000));
-    for (const std::string& better : held.better) section.line("- better: " + plain(better, 2000));
+      section.add_line("- changed since the ratchet was written: " + markdown_text(changed, 2000));
+    for (const std::string& better : held.better) section.add_line("- better: " + markdown_text(better, 2000));
     return section.text();
   }
 
   std::string findings() const {
     if (record_.findings.empty()) return "";
     Section section("Findings");
-    section.line("Faults of plug-ins other than wrong answers. A kernel with a finding meets no requirement.");
+    section.add_line("Faults of plug-ins other than wrong answers. A kernel with a finding meets no requirement.");
     for (const FindingGroup& group : finding_groups(record_)) {
-      const std::string others = group.others.empty() ? "" : "; " + plain(group.others_text(), 2000);
+      const std::string others = group.others.empty() ? "" : "; " + markdown_text(group.others_text(), 2000);
       const std::string command = replay_command(*group.first, plan_);
       const std::string replay = command.empty() ? "" : "\n" + code_block(command);
-      section.add(fmt::format("\n- {}{}\n{}", plain(finding_text(*group.first), 2000), others, replay));
+      section.add(fmt::format("\n- {}{}\n{}", markdown_text(finding_text(*group.first), 2000), others, replay));
     }
     return section.text();
   }
 
   std::string summary() const {
     Section section("Summary");
-    section.head(
+    section.add_head(
         {"kernel", "precision", "requirement", "broken links", "trials", "false_separation (missed contacts)",
          "deepest", "false_contact (phantom contacts)", "deepest", "undecided", "invalid answers", "no answer"},
         4);
     for (const std::string& kernel : not_judged(record_)) {
-      section.row(
-          {plain(kernel), "", "**not judged**", "could not be loaded, see Findings", "0", "", "", "", "", "", "", ""});
+      section.add_row({markdown_text(kernel), "", "**not judged**", "could not be loaded, see Findings", "0", "", "",
+                       "", "", "", "", ""});
     }
     for (std::size_t k = 0; k < totals_.size(); ++k) {
       const KernelRecord& kernel = record_.kernels[k];
-      std::vector<std::string> cells = {plain(kernel.id), std::string(name(kernel.precision)), requirement_of(kernel)};
+      std::vector<std::string> cells = {markdown_text(kernel.id), std::string(name(kernel.precision)),
+                                        requirement_of(kernel)};
       if (!totals_[k]) {
         cells.insert(cells.end(), {"not checked: no family ran", "0", "", "", "", "", "", "", ""});
       } else {
@@ -122,19 +124,19 @@ class MarkdownReport {
                       depth(verdict.deepest_false_contact.best()), thousands(verdict.undecided),
                       thousands(verdict.invalid), thousands(verdict.unanswered)});
       }
-      section.row(cells);
+      section.add_row(cells);
     }
     for (const KernelRecord& kernel : record_.kernels) {
-      if (kernel.touching == Touching::contact && !has_limits(kernel)) continue;
-      section.line(fmt::format("\n{} {} declares: {}; limits: {}.", plain(kernel.id), name(kernel.precision),
-                               touching_text(kernel), limits_text(kernel)));
+      if (kernel.touching == TouchingPolicy::contact && !has_limits(kernel)) continue;
+      section.add_line(fmt::format("\n{} {} declares: {}; limits: {}.", markdown_text(kernel.id),
+                                   name(kernel.precision), touching_text(kernel), limits_text(kernel)));
     }
-    section.line(
+    section.add_line(
         "\nDepth, how far a wrong verdict is from being right, is a share of the scene: |d - r| / max(|A-P|, |B-P|, "
         "|C-P|, r); `axiscert explain WORD` says what any word here means. A limit for zero failures holds for "
         "this generator only. What a broken link of a wrong verdict means:\n");
     for (std::size_t i = 0; i < link_count; ++i)
-      section.line(fmt::format("- {}: {}", link_names[i], link_words[i].meaning));
+      section.add_line(fmt::format("- {}: {}", link_names[i], link_words[i].meaning));
     return section.text();
   }
 
@@ -142,15 +144,16 @@ class MarkdownReport {
   void for_each_family(const Visit& visit) const {
     for (const KernelRecord& kernel : record_.kernels) {
       for (const auto& [family, result] : kernel.families) {
-        visit(std::vector<std::string>{plain(kernel.id), std::string(name(kernel.precision)), plain(family)}, kernel,
-              result);
+        visit(std::vector<std::string>{markdown_text(kernel.id), std::string(name(kernel.precision)),
+                                       markdown_text(family)},
+              kernel, result);
       }
     }
   }
 
   std::string families() const {
     Section section("Kernels and families");
-    section.head(
+    section.add_head(
         {"kernel", "precision", "family", "broken links", "trials", "separated", "contact", "touching", "invalid",
          "false_separation", "deepest", "false_contact", "deepest", "touching flips", "undecided", "no answer"},
         4);
@@ -164,18 +167,18 @@ class MarkdownReport {
                     with_rate(verdict.false_separation, kernel, result), depth(verdict.deepest_false_separation.best()),
                     with_rate(verdict.false_contact, kernel, result), depth(verdict.deepest_false_contact.best()),
                     thousands(verdict.touching_flips), thousands(verdict.undecided), thousands(verdict.unanswered)});
-      section.row(cells);
+      section.add_row(cells);
     });
     return section.text();
   }
 
   std::string outside() const {
     Section section("Outside the limits");
-    section.line(
+    section.add_line(
         "Valid queries outside the limits that a kernel declares: counted here and nowhere else; no requirement covers "
         "them.\n");
     bool any = false;
-    section.head(
+    section.add_head(
         {"kernel", "precision", "family", "queries", "false_separation", "false_contact", "deepest", "no answer"}, 3);
     for_each_family([&](std::vector<std::string> cells, const KernelRecord&, const FamilyRecord& result) {
       const std::optional<OutsideTally>& apart = result.verdict.outside_limits;
@@ -183,29 +186,29 @@ class MarkdownReport {
       any = true;
       cells.insert(cells.end(), {thousands(apart->trials), thousands(apart->false_separation),
                                  thousands(apart->false_contact), depth(apart->deepest), thousands(apart->unanswered)});
-      section.row(cells);
+      section.add_row(cells);
     });
     return any ? section.text() : "";
   }
 
   std::string asymmetries() const {
     Section section("Asymmetry");
-    section.line(
+    section.add_line(
         "An image of a query has the same exact answer: it is the query with its vertices reordered, its axes "
         "exchanged, its "
         "unit of length changed or the like. Counted are the images that the kernel answered otherwise than the "
         "query.\n");
     bool any = false;
-    section.head({"kernel", "precision", "family", "first image with another verdict", "images", "other verdicts",
-                  "other comparisons"},
-                 4);
+    section.add_head({"kernel", "precision", "family", "first image with another verdict", "images", "other verdicts",
+                      "other comparisons"},
+                     4);
     for_each_family([&](std::vector<std::string> cells, const KernelRecord&, const FamilyRecord& result) {
       if (!result.asymmetry) return;
       any = true;
       const AsymmetryRecord& found = *result.asymmetry;
-      cells.insert(cells.end(), {found.first_verdict ? plain(found.first_verdict->image) : "none",
+      cells.insert(cells.end(), {found.first_verdict ? markdown_text(found.first_verdict->image) : "none",
                                  thousands(found.images), thousands(found.verdicts), thousands(found.comparisons)});
-      section.row(cells);
+      section.add_row(cells);
     });
     return any ? section.text() : "";
   }
@@ -217,51 +220,52 @@ class MarkdownReport {
       const std::string wrong = links(result.verdict.links), masked = links(result.verdict.masked_links);
       if (wrong == "none" && masked == "none") return;
       if (!any)
-        section.head(
+        section.add_head(
             {"kernel", "precision", "family", "of wrong verdicts", "first query with it", "cancelled, verdict right"},
             6);
       any = true;
       cells.insert(cells.end(), {wrong, links(first_of(result.verdict.first_by_link)), masked});
-      section.row(cells);
+      section.add_row(cells);
     });
-    if (!any) section.line("None.");
+    if (!any) section.add_line("None.");
     return section.text();
   }
 
   std::string witnesses() const {
     Section section("Worst witnesses");
     const auto worst = worst_witnesses(record_, table_witnesses);
-    section.line(fmt::format("{} of {}, the deepest of each kernel, family and kind; witnesses.jsonl has all.",
-                             worst.size(), record_.witnesses.size()));
+    section.add_line(fmt::format("{} of {}, the deepest of each kernel, family and kind; witnesses.jsonl has all.",
+                                 worst.size(), record_.witnesses.size()));
     for (std::size_t i = 0; i < worst.size(); ++i) {
       const WitnessRecord& w = *worst[i];
       const std::string depth_text = w.depth ? fmt::format(", depth {}", depth(*w.depth)) : "";
-      section.add(fmt::format("\n{}. {}: {} {} on {}: {} computed, {}{} exact{}\n\n{}", i + 1, plain(w.id),
-                              plain(w.kernel), name(w.precision), plain(w.family), name(w.computed), name(w.truth),
-                              w.touching ? " (touching)" : "", depth_text, code_block(replay_command(w, plan_))));
+      section.add(fmt::format("\n{}. {}: {} {} on {}: {} computed, {}{} exact{}\n\n{}", i + 1, markdown_text(w.id),
+                              markdown_text(w.kernel), name(w.precision), markdown_text(w.family), name(w.computed),
+                              name(w.truth), w.touching ? " (touching)" : "", depth_text,
+                              code_block(replay_command(w, plan_))));
     }
     return section.text();
   }
 
   std::string critical_radius() const {
     Section section("Critical radius error");
-    section.line(
+    section.add_line(
         "Error of the smallest radius for which the kernel says contact, in ulps of the exact distance; unbounded: "
         "contact "
         "for no finite radius. Where the kernel declined some radius, called it invalid or gave no answer to it, "
         "nothing "
         "was sampled.\n");
-    section.head({"kernel", "precision", "family", "sampled", "median", "largest", "unbounded", "no answer", "declined",
-                  "called invalid"},
-                 3);
+    section.add_head({"kernel", "precision", "family", "sampled", "median", "largest", "unbounded", "no answer",
+                      "declined", "called invalid"},
+                     3);
     const auto row = [&](std::vector<std::string> cells, const CriticalRadiusRecord& radius) {
       cells.insert(cells.end(), {thousands(radius.sampled), optional_amount(radius.median_ulps),
                                  optional_amount(radius.largest_ulps), thousands(radius.unbounded),
                                  thousands(radius.unanswered), thousands(radius.undecided), thousands(radius.invalid)});
-      section.row(cells);
+      section.add_row(cells);
     };
     for (const KernelRecord& kernel : record_.kernels) {
-      row({plain(kernel.id), std::string(name(kernel.precision)), "all"}, kernel.critical_radius);
+      row({markdown_text(kernel.id), std::string(name(kernel.precision)), "all"}, kernel.critical_radius);
     }
     for_each_family([&](const std::vector<std::string>& cells, const KernelRecord&, const FamilyRecord& result) {
       row(cells, result.critical_radius);
@@ -275,11 +279,11 @@ class MarkdownReport {
     section.add(command.empty()
                     ? "The number of trials depended on the time available; record.json lists the units done.\n"
                     : code_block(command));
-    section.line("");
+    section.add_line("");
     for (const auto& [label, value] : plan_facts(run_))
-      section.line(fmt::format("- {}: {}", plain(label), plain(value, 2000)));
-    section.line("\nNOT CHECKED:\n");
-    for (const std::string& sentence : not_checked(record_)) section.line("- " + plain(sentence, 2000));
+      section.add_line(fmt::format("- {}: {}", markdown_text(label), markdown_text(value, 2000)));
+    section.add_line("\nNOT CHECKED:\n");
+    for (const std::string& sentence : not_checked(record_)) section.add_line("- " + markdown_text(sentence, 2000));
     return section.text();
   }
 

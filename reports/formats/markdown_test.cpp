@@ -27,12 +27,12 @@ TEST(Markdown, EscapesNames) {
 
 // Texts that a forge would interpret in a comment: mentions, issues, addresses, formulae, links, emphasis.
 TEST(Markdown, NamesMentionAndLinkNothing) {
-  EXPECT_EQ(plain("@octocat"), "@<!-- -->octocat");
-  EXPECT_EQ(plain("org/repo#12"), "org/repo#<!-- -->12");
-  EXPECT_EQ(plain("https://a.example www.b.example"), "https:<!-- -->//a.example w<!-- -->ww.b.example");
-  EXPECT_EQ(plain("[a](b) ![c](d)"), "\\[a\\](b) !\\[c\\](d)");
-  EXPECT_EQ(plain("_a_ edge_ab __b__ $x$"), "\\_a\\_ edge_ab \\_\\_b\\_\\_ \\$x\\$");
-  EXPECT_EQ(plain("a\r\n<img src=x>&lt;"), "a  &lt;img src=x>&amp;lt;");
+  EXPECT_EQ(markdown_text("@octocat"), "@<!-- -->octocat");
+  EXPECT_EQ(markdown_text("org/repo#12"), "org/repo#<!-- -->12");
+  EXPECT_EQ(markdown_text("https://a.example www.b.example"), "https:<!-- -->//a.example w<!-- -->ww.b.example");
+  EXPECT_EQ(markdown_text("[a](b) ![c](d)"), "\\[a\\](b) !\\[c\\](d)");
+  EXPECT_EQ(markdown_text("_a_ edge_ab __b__ $x$"), "\\_a\\_ edge_ab \\_\\_b\\_\\_ \\$x\\$");
+  EXPECT_EQ(markdown_text("a\r\n<img src=x>&lt;"), "a  &lt;img src=x>&amp;lt;");
   const TestFolder folder(named("@octocat #1 https://a.example"));
   render_reports(folder.path());
   std::string text = folder.read("report.md");

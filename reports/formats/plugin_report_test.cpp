@@ -39,7 +39,7 @@ Record record_with(std::vector<const Kernel*> kernels, const std::vector<std::st
                             {.name = "gone.so", .kind = "plugin"}};
   const std::atomic<bool> never = false;
   const Record record = record_of(plan, run_campaign(plan, never, [](const Progress&) {}),
-                                  require.empty() ? Required{} : Required{{require}, {}});
+                                  require.empty() ? RunRequirements{} : RunRequirements{{require}, {}});
   return read_record(json_of(record), "record.json");
 }
 
@@ -49,7 +49,7 @@ Record plugin_record(const std::string& require = "") {
   const Kernel gone = unloadable_kernel("plugin:gone.so", "no such file, " + evil);
   Kernel limited = black_box("plugin:box.so", no_fault);
   limited.limits = {.greatest_coordinate = 0x1p10, .least_area = 0.125};
-  limited.touching = Touching::either;
+  limited.touching = TouchingPolicy::either;
   return record_with({&bad, &gone, &limited}, {"general", "scale"}, 2048, require);
 }
 
@@ -83,7 +83,7 @@ TEST(PluginRecord, SaysWhatEachKernelClaims) {
   EXPECT_FALSE(bad.limits);
   EXPECT_FALSE(bad.families.at("scale").verdict.outside_limits);
   EXPECT_FALSE(limited.reference);
-  EXPECT_EQ(limited.touching, Touching::either);
+  EXPECT_EQ(limited.touching, TouchingPolicy::either);
   EXPECT_EQ(limited.limits.value().least_area, 0.125);
   EXPECT_FALSE(limited.limits->least_radius);
   EXPECT_GT(limited.families.at("scale").verdict.outside_limits.value().trials, 0u);

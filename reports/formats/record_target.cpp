@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   run.folder = "/nonexistent";  // a folder without attachments
   for (const Format* format : formats()) {
     accepts([&] {
-      if (format->render(run).empty()) fault(fmt::format("an empty {}", format->file));
+      if (format->render(run).empty()) report_fault(fmt::format("an empty {}", format->file));
     });
   }
   return 0;

@@ -264,9 +264,9 @@ class Log {
   static std::string uri_of(const std::string& path) {
     std::string uri;
     for (const char c : path) {
-      const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-                            std::string_view("-._~/:@!$&'()*+,;=").find(c) != std::string_view::npos;
-      if (is_plain) uri += c;
+      const bool is_unreserved = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                                 std::string_view("-._~/:@!$&'()*+,;=").find(c) != std::string_view::npos;
+      if (is_unreserved) uri += c;
       else uri += fmt::format("%{:02X}", static_cast<unsigned char>(c));
     }
     if (path.starts_with('/')) return "file://" + uri;

@@ -6,7 +6,7 @@
 namespace axiscert {
 namespace {
 
-// A witness like the stored one, with plain numbers: `links` says why it is wrong.
+// A witness like the stored one, with ordinary numbers: `links` says why it is wrong.
 Json wrong(const char* id, double depth, Json links, const char* radius = "0x1p-1") {
   Json witness = stored_record()["witnesses"][0];
   witness["id"] = id;

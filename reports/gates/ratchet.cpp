@@ -38,7 +38,7 @@ RatchetFailure failure_of(const Json& key, const std::string& kernel, const std:
   return {fingerprint(key), kernel, key[1], key[2], key[3], text};
 }
 
-struct Ranked {
+struct RankedFailure {
   RatchetFailure failure;
   int severity;
   double excess;  // by how much the figure is worse, relative to what is accepted: of two of one severity, the first
@@ -86,10 +86,10 @@ class Holder {
       if (!change.empty()) outcome_.changed.push_back(fmt::format("{}: {}", kernel, change));
       if (now == digests_.end()) digests_[kernel] = digest;
     }
-    std::stable_sort(failures_.begin(), failures_.end(), [](const Ranked& x, const Ranked& y) {
+    std::stable_sort(failures_.begin(), failures_.end(), [](const RankedFailure& x, const RankedFailure& y) {
       return x.severity != y.severity ? x.severity < y.severity : x.excess > y.excess;
     });
-    for (Ranked& ranked : failures_) outcome_.failures.push_back(std::move(ranked.failure));
+    for (RankedFailure& ranked : failures_) outcome_.failures.push_back(std::move(ranked.failure));
     outcome_.file = ratchet_.name;
     outcome_.plan = ratchet_.plan;
     outcome_.accepted = ratchet_file(ratchet_.plan, test_of(record_.plan), promises_, accepted_, digests_);
@@ -293,7 +293,7 @@ class Holder {
   std::map<std::array<std::string, 5>, Group> expired_;
   std::vector<HeldPromise> promises_;
   std::vector<RatchetEntry> accepted_;
-  std::vector<Ranked> failures_;
+  std::vector<RankedFailure> failures_;
   RatchetOutcome outcome_;
 };
 

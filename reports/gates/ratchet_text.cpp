@@ -26,10 +26,10 @@ constexpr std::string_view queries_word = "queries=";
 constexpr std::string_view open_expiry = "EXPIRY", open_owner = "OWNER", open_reason = "REASON";
 
 std::string word(const std::string& text) {
-  const bool is_plain = !text.empty() && text[0] != '#' && std::all_of(text.begin(), text.end(), [](unsigned char c) {
-    return c > 0x20 && c < 0x7f && c != '"';
-  });
-  return is_plain ? text : Json(text).dump();
+  const bool needs_no_quotes =
+      !text.empty() && text[0] != '#' &&
+      std::all_of(text.begin(), text.end(), [](unsigned char c) { return c > 0x20 && c < 0x7f && c != '"'; });
+  return needs_no_quotes ? text : Json(text).dump();
 }
 
 struct Line {

@@ -19,7 +19,7 @@ struct ExactAnswersLine {
   bool touching = false;
   std::optional<std::string> reason;
   std::optional<std::optional<std::string>> squared_distance;
-  Named<Json> details;  // of the test, by name
+  NamedValues<Json> details;  // of the test, by name
   std::optional<BitText> comparisons, axes, ties;
 
   static constexpr std::string_view about =
@@ -83,7 +83,7 @@ struct CheckLine : DataHead<CheckLine> {
   std::vector<FindingRow> findings;
   std::vector<FlipRecord> flips;
   std::optional<Name> test;
-  std::optional<std::optional<Named<ComparisonErrorLine>>> errors;
+  std::optional<std::optional<NamedValues<ComparisonErrorLine>>> errors;
 
   static constexpr std::string_view format = "axiscert-check/1", title = "A query judged",
                                     about =

@@ -19,7 +19,7 @@ struct ExactRow {
   std::optional<double> depth;
   std::optional<Name> input_class;
   std::optional<BitText> comparisons;
-  Named<Json> details;  // of the test, by name
+  NamedValues<Json> details;  // of the test, by name
 
   static constexpr std::string_view about =
       "The exact answer, with what the test's oracles know of a valid query besides, as `axiscert check` has it.";
@@ -61,7 +61,7 @@ struct ComputedRow {
 
 struct QueryRow : DataHead<QueryRow> {
   Name address;
-  Named<GroupNumbers> numbers;  // of the query, by group of columns
+  NamedValues<GroupNumbers> numbers;  // of the query, by group of columns
   Name kernel, standing;
   bool wrong = false;
   std::vector<Link> links;

@@ -125,7 +125,7 @@ struct SearchData : DataHead<SearchData> {
   std::uint64_t evaluations = 0;
   bool may_decline = false;
   LookedAt looked_at;
-  Named<LookedAt> looked_at_by_goal;
+  NamedValues<LookedAt> looked_at_by_goal;
   std::vector<ComparisonFindData> comparisons;
   VerdictFindsData verdict;
   BegunFromData begun_from;

@@ -80,12 +80,12 @@ struct LeagueKernelData {
   Name id;
   Precision precision = Precision::binary32;
   std::string summary;
-  Touching touching = Touching::contact;
+  TouchingPolicy touching = TouchingPolicy::contact;
   bool may_decline = false, has_planted_fault = false;
   std::optional<double> ns;
   std::optional<WorstData> worst;
-  Named<TrustData> trust;
-  Named<LeagueFamilyData> families;
+  NamedValues<TrustData> trust;
+  NamedValues<LeagueFamilyData> families;
 
   static constexpr std::string_view about = "One kernel in one precision.";
   static constexpr auto fields(auto&& visit) {

@@ -105,7 +105,7 @@ InstrumentScene worst_scene(const WorstQuery& worst, std::uint64_t seed) {
   const plugin::Manifest manifest =
       plugin::read_manifest(plugin::manifest_text(worst.kernel->file), worst.kernel->file);
   scene.code = plugin::filled_code(manifest.code, entry, numbers);
-  if (!manifest.package.empty()) scene.needs = plain_line(fmt::format("{} {}", manifest.package, manifest.version));
+  if (!manifest.package.empty()) scene.needs = printable_line(fmt::format("{} {}", manifest.package, manifest.version));
   return scene;
 }
 

@@ -159,7 +159,7 @@ function copy_button(text) {
   return button;
 }
 
-// A word of a shell's command, quoted where it is not plain, like shell_word in reports/wording/reproduce.cpp. A page's
+// A word of a shell's command, quoted where it needs to be, like shell_word in reports/wording/reproduce.cpp. A page's
 // text is Unicode, so bytes need no other form; control characters are written as numbers.
 function shell_word(text) {
   if (/^[A-Za-z0-9_.\/:=,-]+$/.test(text)) return text;

@@ -34,7 +34,7 @@ bool is_of(const std::optional<GroupNumbers>& numbers, const ColumnGroup& group)
 }
 
 template <class Numbers>
-const TestEntry* entry_of_numbers(const TestDescription& test, const Named<Numbers>& numbers) {
+const TestEntry* entry_of_numbers(const TestDescription& test, const NamedValues<Numbers>& numbers) {
   const auto fits = [&](const ColumnGroup& group) {
     const Numbers* found = numbers.find(group.name);
     return found != nullptr && is_of(*found, group);
@@ -95,7 +95,7 @@ class NameCheck {
   }
 
   template <class Value>
-  Fault unknown(const std::string& where, const char* kind, const Named<Value>& given, const Names& names) const {
+  Fault unknown(const std::string& where, const char* kind, const NamedValues<Value>& given, const Names& names) const {
     for (const auto& [name, ignored] : given) {
       if (has(names, name)) continue;
       return fmt::format("{}: the test {} has no {} {}; it has: {}", where, test_.id, kind, json_of(name).dump(),
@@ -105,7 +105,7 @@ class NameCheck {
   }
 
   template <class Value>
-  Fault all_and_no_other(const std::string& where, const char* kind, const std::optional<Named<Value>>& given,
+  Fault all_and_no_other(const std::string& where, const char* kind, const std::optional<NamedValues<Value>>& given,
                          const Names& names) const {
     if (!given) return std::nullopt;
     if (Fault fault = unknown(where, kind, *given, names)) return fault;

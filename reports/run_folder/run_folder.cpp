@@ -162,8 +162,8 @@ class RecordCheck {
     const VerdictTally& verdict = family.verdict;
     const std::uint64_t touching = truth.touching, contact = truth.contact, separated = truth.separated;
     const std::uint64_t valid = contact + separated;
-    const std::uint64_t must_touch = kernel.touching == Touching::contact ? contact : contact - touching;
-    const std::uint64_t must_not = kernel.touching == Touching::separated ? separated + touching : separated;
+    const std::uint64_t must_touch = kernel.touching == TouchingPolicy::contact ? contact : contact - touching;
+    const std::uint64_t must_not = kernel.touching == TouchingPolicy::separated ? separated + touching : separated;
     require(verdict.outside_limits.has_value() == has_limits(kernel), where,
             "outside_limits is counted where the kernel declares limits, and only there");
     std::uint64_t missed = verdict.false_separation, phantom = verdict.false_contact;

@@ -50,7 +50,7 @@ inline RatchetOutcome hold_against(const Ratchet& ratchet, const Json& record, c
   return hold_against(ratchet, edited(record), today);
 }
 
-inline RunComparison compare_records(const Json& before, const Json& after, std::vector<Replayed> replayed = {},
+inline RunComparison compare_records(const Json& before, const Json& after, std::vector<ReplayedQuery> replayed = {},
                                      const std::vector<std::string>& allowed = {}) {
   return compare_records(edited(before), edited(after), std::move(replayed), allowed);
 }

@@ -18,7 +18,7 @@ inline constexpr std::size_t section_limit = 68 * 1024;  // bytes; at most fifte
 
 // A text that is safe at any place of a document: one line, cut short, with nothing that Markdown or HTML would
 // interpret, or that a forge would take for a mention, an issue or an address.
-inline std::string plain(const std::string& given, std::size_t limit = 120) {
+inline std::string markdown_text(const std::string& given, std::size_t limit = 120) {
   // Mentions and links are found in the rendered text, where no backslash is left, so a comment separates the text
   // there.
   constexpr std::string_view apart = "<!-- -->";
@@ -61,14 +61,14 @@ class Section {
     if (left_out_ > 0 || text_.size() + piece.size() > section_limit) ++left_out_;
     else text_ += piece;
   }
-  void line(const std::string& piece) { add(piece + "\n"); }
+  void add_line(const std::string& piece) { add(piece + "\n"); }
   // `columns`: the names; the first `texts` of them are left-aligned.
-  void head(const std::vector<std::string>& columns, std::size_t texts) {
+  void add_head(const std::vector<std::string>& columns, std::size_t texts) {
     text_ += fmt::format("| {} |\n|", fmt::join(columns, " | "));
     for (std::size_t i = 0; i < columns.size(); ++i) text_ += i < texts ? " --- |" : " ---: |";
     text_ += "\n";
   }
-  void row(const std::vector<std::string>& cells) { line(fmt::format("| {} |", fmt::join(cells, " | "))); }
+  void add_row(const std::vector<std::string>& cells) { add_line(fmt::format("| {} |", fmt::join(cells, " | "))); }
   std::string text() const {
     if (left_out_ == 0) return text_;
     return text_ +

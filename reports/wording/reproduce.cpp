@@ -125,7 +125,7 @@ std::string judge_command(const PlanRecord& plan) {
   if (plan.kernels.front() != "pipe") command += " --as " + shell_word(plan.kernels.front());
   if (replies.conforms_to) command += " --conforms-to " + shell_word(*replies.conforms_to);
   if (replies.formulae) command += " --formulae " + shell_word(*replies.formulae);
-  if (replies.touching != Touching::contact) command += fmt::format(" --touching {}", name(replies.touching));
+  if (replies.touching != TouchingPolicy::contact) command += fmt::format(" --touching {}", name(replies.touching));
   if (replies.may_decline) command += " --may-decline";
   return command;
 }
@@ -160,10 +160,10 @@ std::string replay(const std::string& address, const std::string& family, const 
 }  // namespace
 
 std::string shell_word(const std::string& text) {
-  const bool is_plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+  const bool needs_no_quotes = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string_view("-_./:=,").find(static_cast<char>(c)) != std::string_view::npos;
   });
-  return is_plain ? text : quoted(text);
+  return needs_no_quotes ? text : quoted(text);
 }
 
 std::string replay_command(const WitnessRecord& witness, const PlanRecord& plan) {

@@ -9,7 +9,7 @@
 
 namespace axiscert {
 
-// The text as a word of a shell's command: quoted where it is not plain.
+// The text as a word of a shell's command: quoted where it needs to be.
 std::string shell_word(const std::string& text);
 
 // Shell commands. A name that a shell would interpret is quoted. Where replies were judged, PROGRAM stands for the

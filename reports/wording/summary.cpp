@@ -68,7 +68,7 @@ double per_million(std::uint64_t count, const FamilyCounts& family) {
   return n == 0 ? 0 : 1e6 * static_cast<double>(count) / static_cast<double>(n);
 }
 
-std::string plain_text(const Json& value) {
+std::string unquoted_text(const Json& value) {
   return value.is_null() ? "-" : value.is_string() ? value.get<std::string>() : value.dump();
 }
 
@@ -124,11 +124,11 @@ bool is_less(const Json& x, const Json& y) {
 
 std::string touching_text(const KernelRecord& kernel) {
   switch (kernel.touching) {
-    case Touching::contact:
+    case TouchingPolicy::contact:
       break;
-    case Touching::separated:
+    case TouchingPolicy::separated:
       return "a touching sphere is separated";
-    case Touching::either:
+    case TouchingPolicy::either:
       return "a touching sphere may be called either";
   }
   return "a touching sphere is in contact";

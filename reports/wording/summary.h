@@ -24,7 +24,7 @@ std::optional<FamilyRecord> all_families(const KernelRecord& kernel);
 // Per million valid queries within the limits; 0 where there are none.
 double per_million(std::uint64_t count, const FamilyCounts& family);
 
-std::string plain_text(const Json& value);         // a text without its quotes; "-" for null
+std::string unquoted_text(const Json& value);      // a text without its quotes; "-" for null
 std::string thousands(std::uint64_t count);        // "1,234,567"
 std::string amount(double value, int digits = 6);  // significant digits, thousands separated
 // "61.2 %", rounded down; "less than 0.1 %", "none".

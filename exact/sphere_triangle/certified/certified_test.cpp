@@ -28,13 +28,13 @@ constexpr axiscert_question both_questions_both_ways[] = {AXISCERT_CLOSED_SPHERE
                                                           AXISCERT_EXACT_ONLY, AXISCERT_OPEN_EXACT_ONLY};
 
 template <class Real>
-struct Judged {
+struct JudgedQueries {
   std::vector<Query<Real>> queries;
   std::vector<int> order;  // order of distance and r; 2: invalid
 
-  static const Judged& all() {
-    static const Judged judged = [] {
-      Judged made;
+  static const JudgedQueries& all() {
+    static const JudgedQueries judged = [] {
+      JudgedQueries made;
       std::mt19937_64 random(seed);
       for (int i = 0; i < 4403; ++i) {
         Query<Real> q = i >= 4003    ? plane_query<Real>(random)
@@ -70,12 +70,12 @@ TYPED_TEST_SUITE(CertifiedTest, Reals);
 
 TYPED_TEST(CertifiedTest, QueriesAreOfEveryKind) {
   int counts[4] = {};
-  for (const int order : Judged<TypeParam>::all().order) ++counts[order + 1];
+  for (const int order : JudgedQueries<TypeParam>::all().order) ++counts[order + 1];
   for (const int count : counts) EXPECT_GT(count, 10);
 }
 
 TYPED_TEST(CertifiedTest, IsExactOnEveryInstructionSet) {
-  const auto& judged = Judged<TypeParam>::all();
+  const auto& judged = JudgedQueries<TypeParam>::all();
   const QueryBatch<TypeParam> batch = judged.batch();
   for (const std::string& target : available_targets()) {
     std::vector<Verdict> found(batch.size());
@@ -88,7 +88,7 @@ TYPED_TEST(CertifiedTest, IsExactOnEveryInstructionSet) {
 }
 
 TYPED_TEST(CertifiedTest, IsExactInEveryFloatingPointModeAndLeavesItAsItWas) {
-  const auto& judged = Judged<TypeParam>::all();
+  const auto& judged = JudgedQueries<TypeParam>::all();
   const QueryBatch<TypeParam> batch = judged.batch();
   std::array<const TypeParam*, coordinate_count> columns;
   std::copy_n(batch.columns().column.begin(), coordinate_count, columns.begin());
@@ -113,7 +113,7 @@ TYPED_TEST(CertifiedTest, IsExactInEveryFloatingPointModeAndLeavesItAsItWas) {
 }
 
 TYPED_TEST(CertifiedTest, OnePairIsTheSame) {
-  const auto& judged = Judged<TypeParam>::all();
+  const auto& judged = JudgedQueries<TypeParam>::all();
   for (std::size_t i = 0; i < judged.queries.size(); ++i) {
     const auto v = coordinates(judged.queries[i]);
     for (const axiscert_question question : both_questions_both_ways) {
@@ -146,15 +146,15 @@ TYPED_TEST(CertifiedTest, EveryShapeGivesTheSameAnswers) {
   for (std::size_t k = 0; k < 2 * std::size(sizes); ++k) {
     const std::size_t size = sizes[k / 2];
     const axiscert_question closed = k % 2 == 0 ? AXISCERT_CLOSED_SPHERE : AXISCERT_EXACT_ONLY;
-    struct Found {
+    struct MeshAnswers {
       std::vector<std::uint8_t> verdict;
       std::vector<std::uint64_t> bits;
       std::vector<std::uint32_t> hits;
       axiscert_counts counts{};
     };
     const auto ask = [&](auto&& call) {
-      Found found{std::vector<std::uint8_t>(size + 1, 99), std::vector<std::uint64_t>(size / 64 + 2, 99),
-                  std::vector<std::uint32_t>(size + 1, 99)};
+      MeshAnswers found{std::vector<std::uint8_t>(size + 1, 99), std::vector<std::uint64_t>(size / 64 + 2, 99),
+                        std::vector<std::uint32_t>(size + 1, 99)};
       found.counts = call(axiscert_results{found.verdict.data(), found.bits.data(), found.hits.data()});
       EXPECT_EQ(found.verdict[size], 99) << "wrote past the verdicts";
       EXPECT_EQ(found.bits[(size + 63) / 64], 99u) << "wrote past the bits";
@@ -164,13 +164,13 @@ TYPED_TEST(CertifiedTest, EveryShapeGivesTheSameAnswers) {
     };
     std::array<const Real*, 9> columns;
     for (std::size_t k = 0; k < 9; ++k) columns[k] = storage[k].data() + first;
-    const Found soa =
+    const MeshAnswers soa =
         ask([&](const axiscert_results& to) { return certified::triangles(sphere, columns, size, closed, to); });
-    const Found range =
+    const MeshAnswers range =
         ask([&](const axiscert_results& to) { return certified::mesh_range(sphere, mesh, first, size, closed, to); });
     std::vector<std::uint32_t> list;
     for (std::size_t i = 0; i < size; ++i) list.push_back(static_cast<std::uint32_t>(first + i));
-    const Found listed = ask([&](const axiscert_results& to) {
+    const MeshAnswers listed = ask([&](const axiscert_results& to) {
       return certified::mesh_list(sphere, mesh, list.data(), list.size(), closed, to);
     });
     EXPECT_EQ(range.verdict, soa.verdict);
@@ -248,7 +248,7 @@ TYPED_TEST(CertifiedTest, OneSphereAndTrianglesBeyondItsBox) {
 }
 
 TYPED_TEST(CertifiedTest, ConservativeNeverMissesAContactAndItsPhantomsAreAsShallowAsPromised) {
-  const auto& judged = Judged<TypeParam>::all();
+  const auto& judged = JudgedQueries<TypeParam>::all();
   const QueryBatch<TypeParam> batch = judged.batch();
   const double promised = sizeof(TypeParam) == 4 ? AXISCERT_PHANTOM_DEPTH_F32 : AXISCERT_PHANTOM_DEPTH_F64;
   for (const std::string& target : available_targets()) {

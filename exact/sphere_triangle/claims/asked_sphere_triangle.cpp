@@ -27,7 +27,7 @@ template <class Real>
 const ExactTruth& AskedSphereTriangle<Real>::exact() {
   if (truth_) return *truth_;
   truth_ = exact_truth(query_, opinion_ != Opinion::first);
-  found(*truth_);
+  check_truth(*truth_);
   if (truth_->touching) distance_.set_touching();
   return *truth_;
 }
@@ -60,8 +60,8 @@ std::optional<Reference> AskedSphereTriangle<Real>::chain(const Kernel& kernel) 
   if (kernel.is_reference) {
     const auto ask = [&](auto&& of) { return of(formulae, kernel.arithmetic, kernel.strictness, query_); };
     if (opinion_ == Opinion::exact_only) {
-      chain.rounded = Rounded{ask([](auto... claim) { return unbounded_by_mpfr(claim...); }),
-                              ask([](auto... claim) { return reference(claim...); })};
+      chain.rounded = RoundedDecisions{ask([](auto... claim) { return unbounded_by_mpfr(claim...); }),
+                                       ask([](auto... claim) { return reference(claim...); })};
     } else {
       chain.rounded = ask([](auto... claim) { return rounded(claim...); });
     }

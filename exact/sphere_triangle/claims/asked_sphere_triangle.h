@@ -37,7 +37,7 @@ class AskedSphereTriangle : public AskedQuery {
 
  private:
   // The truth was found: a place for checks of it.
-  virtual void found(const ExactTruth&) {}
+  virtual void check_truth(const ExactTruth&) {}
 
   const Query<Real> query_;
   const Opinion opinion_;

@@ -35,15 +35,15 @@ Domain domain_of(const Kernel& kernel) {
 }
 
 // Wrong verdicts of one kernel on the lattice.
-struct Found {
+struct WrongCounts {
   std::uint64_t wrong_inside = 0, wrong_outside = 0;  // inside and outside its domain
 };
 
-using FoundByKernel = std::vector<Found>;
+using WrongCountsByKernel = std::vector<WrongCounts>;
 
 // Judges one triangle with the centre at the origin, at these radii: the binary64 numbers next to the exact distance on
 // both sides, and the distance itself where it is a binary64 number.
-void judge_triangle(Query<double> q, FoundByKernel& found) {
+void judge_triangle(Query<double> q, WrongCountsByKernel& found) {
   found.resize(kernels().size());
   const Rational distance2 = squared_distance(q);
   const double near = nearest_sqrt<double>(distance2);
@@ -70,7 +70,7 @@ void judge_triangle(Query<double> q, FoundByKernel& found) {
 
 // Judges all triangles with vertices in {-1, 0, 1}^3 whose first vertex satisfies `first`. Returns their number.
 template <class First>
-int judge_lattice(First&& first, FoundByKernel& found) {
+int judge_lattice(First&& first, WrongCountsByKernel& found) {
   int triangles = 0;
   const auto vertex = [](int i) { return Vec3<double>{double(i % 3 - 1), double(i / 3 % 3 - 1), double(i / 9 - 1)}; };
   for (int i = 0; i < 27; ++i) {
@@ -84,7 +84,7 @@ int judge_lattice(First&& first, FoundByKernel& found) {
   return triangles;
 }
 
-void expect_claims_hold(const FoundByKernel& found) {
+void expect_claims_hold(const WrongCountsByKernel& found) {
   for (std::size_t which = 0; which < kernels().size(); ++which) {
     const Kernel& kernel = kernels()[which];
     if (formulae_of(kernel) == Formulae::none) continue;
@@ -100,13 +100,13 @@ void expect_claims_hold(const FoundByKernel& found) {
 
 // A symmetry of the cube maps each triangle of the lattice to one of these.
 TEST(Claims, HoldOnTheLatticeUpToItsSymmetries) {
-  FoundByKernel found;
+  WrongCountsByKernel found;
   EXPECT_EQ(judge_lattice([](const Vec3<double>& v) { return 0 <= v.x && v.x <= v.y && v.y <= v.z; }, found),
             4 * 27 * 27);
   expect_claims_hold(found);
 }
 TEST(ClaimsLong, HoldOnTheWholeLattice) {
-  FoundByKernel found;
+  WrongCountsByKernel found;
   EXPECT_EQ(judge_lattice([](const Vec3<double>&) { return true; }, found), 19683);
   expect_claims_hold(found);
 }
@@ -116,7 +116,7 @@ TEST(Claims, HoldOnIntegerTrianglesInEveryRegion) {
   constexpr int seed = 81;
   SCOPED_TRACE(testing::Message() << "seed " << seed);
   std::mt19937_64 random(seed);
-  FoundByKernel found;
+  WrongCountsByKernel found;
   for (int i = 0; i < 2000; ++i) {
     const auto integer = [&] { return static_cast<double>(random() % 9) - 4; };
     const auto vertex = [&] { return Vec3<double>{integer(), integer(), integer()}; };

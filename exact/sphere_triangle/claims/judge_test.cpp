@@ -117,7 +117,7 @@ TEST(HandWorked, LinksThatCancelLeaveTheVerdictRight) {
   const auto separated = static_cast<ComparisonBits>(truth.sides->strict | comparisons_of(Axis::vertex_a));
   const Judgement judgement =
       judge(sphere_triangle_test(), truth,
-            Reference{outcome_of(truth.sides->strict), Rounded{outcome_of(separated), outcome_of(separated)}},
+            Reference{outcome_of(truth.sides->strict), RoundedDecisions{outcome_of(separated), outcome_of(separated)}},
             outcome_of(separated));
   EXPECT_FALSE(judgement.verdict_flip);
   EXPECT_EQ(judgement.verdict_links, (LinkSet{Link::specification, Link::rounding}));
@@ -135,7 +135,7 @@ TEST(HandWorked, AFlipTheOtherWayIsMasked) {
                                 one_bit<ComparisonBits>(Comparison::vertex_c_side_a);
   const Judgement judgement =
       judge(sphere_triangle_test(), truth,
-            Reference{outcome_of(exact), Rounded{outcome_of(kernel), outcome_of(kernel)}}, outcome_of(kernel));
+            Reference{outcome_of(exact), RoundedDecisions{outcome_of(kernel), outcome_of(kernel)}}, outcome_of(kernel));
   EXPECT_EQ(told(judgement),
             (Lines{"verdict false_contact decisive rounding", "edge_ab missed_separation decisive rounding",
                    "vertex_c.side_a false_separation masked rounding",

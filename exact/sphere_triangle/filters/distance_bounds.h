@@ -31,7 +31,7 @@ EnclosedSquare<T> face_bounds(const EnclosedTriangle<T>& t, const EnclosedVector
   if (outside == 0) return square;
   // n is rounded up to 2^-300 at least, so that neither n nor n L is lost to underflow; if their product underflows,
   // 2^-1022 makes up for it.
-  const Enclosed<double> divisor = as_double(square.divisor);
+  const EnclosedNumber<double> divisor = as_double(square.divisor);
   const double n = outside / divisor.low() * more + 0x1p-300;
   const double span = n * std::sqrt(longest2) * more;
   square.above = span * span * divisor.high() * more + 0x1p-1022;

@@ -25,12 +25,12 @@ struct EnclosedTriangle {
   double scaling_error = 0;  // error of every number after scaling: less than the least double, if any lost bits
 };
 
-using Doubled = DoubleDouble<double>;
+using DoublePair = DoubleDouble<double>;
 
 // u - v, both within `error` of their exact values.
 template <class T>
 AXISCERT_INLINE T difference_as(double u, double v) {
-  if constexpr (std::is_same_v<T, Doubled>) {
+  if constexpr (std::is_same_v<T, DoublePair>) {
     const auto difference = arithmetic::two_sum(u, -v);
     return {difference.value, difference.error};
   } else {
@@ -38,9 +38,9 @@ AXISCERT_INLINE T difference_as(double u, double v) {
   }
 }
 template <class T>
-AXISCERT_INLINE Enclosed<T> enclosed_difference(double u, double v, double error) {
+AXISCERT_INLINE EnclosedNumber<T> enclosed_difference(double u, double v, double error) {
   const T difference = difference_as<T>(u, v);
-  return {difference, (std::is_same_v<T, Doubled> ? 0 : 0x1p-53 * std::fabs(leading(difference))) + 2 * error};
+  return {difference, (std::is_same_v<T, DoublePair> ? 0 : 0x1p-53 * std::fabs(leading(difference))) + 2 * error};
 }
 
 template <class T>
@@ -68,19 +68,19 @@ inline EnclosedTriangle<double> enclosed_triangle_of(const Query<float>& q) {
 // that degree 6 stays below 2^650, and 2^-890, the underflow of a product, is negligible. Scaling down may lose bits of
 // the small ones.
 template <class Real>
-EnclosedTriangle<Doubled> doubled_triangle_of(const Query<Real>& query) {
+EnclosedTriangle<DoublePair> doubled_triangle_of(const Query<Real>& query) {
   Query<double> q = widened(query);
   auto numbers = coordinates(q);
   double greatest = 0;
   for (std::size_t i = 0; i + 1 < numbers.size(); ++i) greatest = std::max(greatest, std::fabs(numbers[i]));
   if ((greatest >= 0x1p-100 && greatest <= 0x1p100) || greatest == 0 || !std::isfinite(greatest)) {
-    return enclosed_triangle<Doubled>(q);
+    return enclosed_triangle<DoublePair>(q);
   }
   const int exponent = -std::ilogb(greatest);
   // One product rounds as ldexp would; 2^1074 needs two, both exact.
   const double factor = std::ldexp(1.0, std::min(exponent, 1000)), rest = std::ldexp(1.0, std::max(exponent - 1000, 0));
   for (double& x : numbers) x = x * factor * rest;
-  auto triangle = enclosed_triangle<Doubled>(from_coordinates(numbers), exponent < 0 ? 0x1p-1074 : 0);
+  auto triangle = enclosed_triangle<DoublePair>(from_coordinates(numbers), exponent < 0 ? 0x1p-1074 : 0);
   triangle.exponent = exponent;
   return triangle;
 }
@@ -105,7 +105,7 @@ AXISCERT_INLINE double quotient_high(double x, double y) { return x / y * more +
 // unless the divisor is certainly positive.
 template <class T>
 struct EnclosedSquare {
-  Enclosed<T> numerator, divisor;
+  EnclosedNumber<T> numerator, divisor;
   double below = 0, above = 0;
 };
 
@@ -126,14 +126,14 @@ AXISCERT_INLINE std::size_t nearer_vertex(const EnclosedTriangle<T>& t, std::siz
 // The square of the distance to the plane: (v . V)^2 / V^2. A triangle without area has the divisor zero.
 template <class T>
 AXISCERT_INLINE EnclosedSquare<T> plane_square(const EnclosedTriangle<T>& t, const EnclosedVector<T>& normal) {
-  const Enclosed<T> height = dot(t.vertex[nearer_vertex(t, nearer_vertex(t, 0, 1), 2)], normal);
+  const EnclosedNumber<T> height = dot(t.vertex[nearer_vertex(t, nearer_vertex(t, 0, 1), 2)], normal);
   return {height * height, dot(normal, normal)};
 }
 
 template <class T>
 AXISCERT_INLINE EnclosedSquare<T> vertex_square(const EnclosedTriangle<T>& t, std::size_t i) {
   T one{};
-  if constexpr (std::is_same_v<T, Doubled>) one.high = 1;
+  if constexpr (std::is_same_v<T, DoublePair>) one.high = 1;
   else one = 1;
   return {dot(t.vertex[i], t.vertex[i]), {one, 0}};
 }
@@ -149,7 +149,7 @@ AXISCERT_INLINE EnclosedSquare<T> line_square(const EnclosedTriangle<T>& t, std:
 // The signed position of the foot on the plane relative to edge i, times |V|^2: positive within the triangle. (v_i x
 // v_i+1) . V.
 template <class T>
-AXISCERT_INLINE Enclosed<T> inward(const EnclosedTriangle<T>& t, std::size_t i, const EnclosedVector<T>& normal) {
+AXISCERT_INLINE EnclosedNumber<T> inward(const EnclosedTriangle<T>& t, std::size_t i, const EnclosedVector<T>& normal) {
   return dot(cross(t.vertex[i], t.edge[i]), normal);
 }
 

@@ -30,11 +30,11 @@ constexpr bool fits_in_words(int n, int words) {
 // The number types, of a fixed number of words at degree 2 ...
 template <std::size_t words>
 struct FixedWords {
-  using Given = std::conditional_t<(words <= 2), std::int64_t, Int128>;
+  using GivenInteger = std::conditional_t<(words <= 2), std::int64_t, Int128>;
   using Degree2 = WideInteger<words>;
   using Degree4 = WideInteger<2 * words>;
   using Degree6 = WideInteger<3 * words>;
-  AXISCERT_WORDS_INLINE static Degree2 product(Given x, Given y) {
+  AXISCERT_WORDS_INLINE static Degree2 product(GivenInteger x, GivenInteger y) {
     // A coordinate has n bits and a sign, and half as many words hold 32 (words + words % 2) >= n + 1.
     using Coordinate = WideInteger<(words + 1) / 2>;
     if constexpr (words % 2 == 0) return Coordinate(x) * Coordinate(y);
@@ -44,16 +44,16 @@ struct FixedWords {
 // ... and of as many as needed, at most `words` for a coordinate.
 template <std::size_t words>
 struct UpToWords {
-  using Given = LimbInteger<words>;
+  using GivenInteger = LimbInteger<words>;
   using Degree2 = LimbInteger<2 * words>;
   using Degree4 = LimbInteger<4 * words>;
   using Degree6 = LimbInteger<6 * words>;
-  static Degree2 product(const Given& x, const Given& y) { return x * y; }
+  static Degree2 product(const GivenInteger& x, const GivenInteger& y) { return x * y; }
 };
 
 // A, B, C relative to the centre, then r.
 template <class Integer>
-using Centred = std::array<Integer, 10>;
+using CentredNumbers = std::array<Integer, 10>;
 
 template <class Numbers>
 struct Gram {
@@ -66,7 +66,7 @@ struct Gram {
   Degree4 n1v, n2v, n3v, vv;
   Degree6 dd;
 
-  AXISCERT_WORDS_INLINE explicit Gram(const Centred<typename Numbers::Given>& q)
+  AXISCERT_WORDS_INLINE explicit Gram(const CentredNumbers<typename Numbers::GivenInteger>& q)
       : aa(dot(q, 0, 0)),
         ab(dot(q, 0, 3)),
         ac(dot(q, 0, 6)),
@@ -92,7 +92,8 @@ struct Gram {
   }
 
  private:
-  AXISCERT_WORDS_INLINE static Degree2 dot(const Centred<typename Numbers::Given>& q, std::size_t u, std::size_t v) {
+  AXISCERT_WORDS_INLINE static Degree2 dot(const CentredNumbers<typename Numbers::GivenInteger>& q, std::size_t u,
+                                           std::size_t v) {
     return (Numbers::product(q[u], q[v]) + Numbers::product(q[u + 1], q[v + 1])) + Numbers::product(q[u + 2], q[v + 2]);
   }
 };

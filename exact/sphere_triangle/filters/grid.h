@@ -56,25 +56,25 @@ using AnyGrid = UpToWords<(most_bits<Real> + 63) / 64>;
 static_assert(fits_in_words(most_bits<float>, 10) && fits_in_words(most_bits<double>, 66));
 
 template <class Real>
-typename AnyGrid<Real>::Given any_integer(Real x, int unit) {
+typename AnyGrid<Real>::GivenInteger any_integer(Real x, int unit) {
   const Magnitude<Real> stored = magnitude(x);
-  if (stored == 0) return typename AnyGrid<Real>::Given();
+  if (stored == 0) return typename AnyGrid<Real>::GivenInteger();
   const Magnitude<Real> bits = significand<Real>(stored);
   const int zeros = std::countr_zero(bits);
   const auto odd = static_cast<std::int64_t>(bits >> zeros);
-  return AnyGrid<Real>::Given::shifted(x < 0 ? -odd : odd,
-                                       static_cast<unsigned>(unit_exponent<Real>(stored) + zeros - unit));
+  return AnyGrid<Real>::GivenInteger::shifted(x < 0 ? -odd : odd,
+                                              static_cast<unsigned>(unit_exponent<Real>(stored) + zeros - unit));
 }
 
 // A valid query in units of the least bit that is set in it, 2^unit.
 template <class Real>
 struct OnAnyGrid {
-  Centred<typename AnyGrid<Real>::Given> centred;
+  CentredNumbers<typename AnyGrid<Real>::GivenInteger> centred;
   int unit;
 };
 template <class Real>
 OnAnyGrid<Real> on_any_grid(const Query<Real>& q) {
-  using Integer = typename AnyGrid<Real>::Given;
+  using Integer = typename AnyGrid<Real>::GivenInteger;
   const auto numbers = coordinates(q);
   const int unit = least_set_bit(numbers);
   const std::array<Integer, 3> p = {any_integer(numbers[9], unit), any_integer(numbers[10], unit),

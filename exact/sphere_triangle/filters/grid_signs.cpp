@@ -22,7 +22,7 @@ static_assert(fits_in_words(grid_bits(1), 1) && fits_in_words(grid_bits(2), 2) &
               fits_in_words(grid_bits(4), 4));
 
 template <class Numbers>
-Signs signs_in(const Centred<typename Numbers::Given>& q) {
+Signs signs_in(const CentredNumbers<typename Numbers::GivenInteger>& q) {
   using enum Comparison;
   const Gram<Numbers> g(q);
   Signs signs{0, 0};
@@ -55,8 +55,8 @@ Signs signs_in(const Centred<typename Numbers::Given>& q) {
 
 template <class Integer>
 struct Grid {
-  Centred<Integer> centred;  // in units of 2^unit
-  int bits = 0;              // bits of the greatest magnitude
+  CentredNumbers<Integer> centred;  // in units of 2^unit
+  int bits = 0;                     // bits of the greatest magnitude
   int unit = 0;
 };
 
@@ -135,8 +135,8 @@ auto on_grid(const Query<Real>& q, WithGrid&& with_grid) -> decltype(with_grid(G
 }
 
 template <class To, class From>
-Centred<To> converted(const Centred<From>& from) {
-  Centred<To> to;
+CentredNumbers<To> converted(const CentredNumbers<From>& from) {
+  CentredNumbers<To> to;
   for (std::size_t i = 0; i < to.size(); ++i) to[i] = static_cast<To>(from[i]);
   return to;
 }

@@ -29,7 +29,7 @@ QueryBatch<Real> mixed_batch(std::uint64_t seed, std::size_t count) {
   return batch;
 }
 
-// A batch without unusual queries, so that whole vectors take the plain pass; with sizes up to both ends of binary64's
+// A batch without unusual queries, so that whole vectors take the first pass; with sizes up to both ends of binary64's
 // range.
 template <class Real>
 QueryBatch<Real> ordinary_batch(std::uint64_t seed, std::size_t count) {
@@ -82,7 +82,7 @@ TYPED_TEST(FilterTest, WhatItCallsCertainIsExact) {
   expect_exact(mixed_batch<TypeParam>(seed, 6001), 0.25, 100);
 }
 
-TYPED_TEST(FilterTest, WhatThePlainPassCallsCertainIsExact) {
+TYPED_TEST(FilterTest, WhatTheFirstPassCallsCertainIsExact) {
   constexpr std::uint64_t seed = 20261122;
   SCOPED_TRACE(testing::Message() << "seed " << seed);
   expect_exact(ordinary_batch<TypeParam>(seed, 240 * 64 + 5), 0.8, 0);

@@ -89,11 +89,11 @@ HWY_NOINLINE void signs_of_vector(const QueryColumns<Real>& batch, std::size_t a
 
 // The same for a vector whose signs are all certain in doubles and not ties, as in most vectors.
 template <bool planted>
-struct PlainSignSink {
+struct SettledSignSink {
   FilterFault fault;
   V words, slack;  // slack: the least |margin| - bound
 
-  AXISCERT_INLINE explicit PlainSignSink(FilterFault of) : fault(of), words(hn::Zero(D())), slack(constant(1)) {}
+  AXISCERT_INLINE explicit SettledSignSink(FilterFault of) : fault(of), words(hn::Zero(D())), slack(constant(1)) {}
   AXISCERT_INLINE void operator()(Comparison which, const Margin<DoubleLanes>& margin) {
     V value = margin.value.leading(), bound = margin.bound;
     if constexpr (planted) {
@@ -107,10 +107,10 @@ struct PlainSignSink {
 
 // Returns whether the vector is such a one; if not, `out` is unspecified.
 template <bool planted, class Real>
-AXISCERT_INLINE bool plain_signs_of_vector(const QueryColumns<Real>& batch, std::size_t at, FilterFault fault,
-                                           std::uint64_t* out) {
+AXISCERT_INLINE bool settled_signs_of_vector(const QueryColumns<Real>& batch, std::size_t at, FilterFault fault,
+                                             std::uint64_t* out) {
   const Margins<EdgeForm::reduced, DoubleLanes> margins(load_query(batch, at));
-  PlainSignSink<planted> sink(fault);
+  SettledSignSink<planted> sink(fault);
   margins.emit_all(sink);
   M good = hn::And(hn::Gt(sink.slack, hn::Zero(D())), margins.is_valid());
   const bool has_guard = sizeof(Real) == 8 && !(planted && fault == FilterFault::no_underflow_guard);
@@ -129,12 +129,12 @@ void filter_signs(const QueryColumns<Real>& batch, FilterFault fault, FilteredSi
   std::uint64_t words[lane_count];
   std::size_t i = 0;
   for (; i + lane_count <= batch.size; i += lane_count) {
-    // Not the first block: every 4096th query begins a batch, and has to check the plain pass too.
+    // Not the first block: every 4096th query begins a batch, and has to check the first pass too.
     const bool wants_close = i / close_call_block % close_call_stride == close_call_stride - 1;
-    const bool is_plain =
-        !wants_close && (fault == FilterFault::none ? plain_signs_of_vector<false>(batch, i, fault, words)
-                                                    : plain_signs_of_vector<true>(batch, i, fault, words));
-    if (!is_plain) signs_of_vector(batch, i, wants_close, fault, words);
+    const bool is_settled =
+        !wants_close && (fault == FilterFault::none ? settled_signs_of_vector<false>(batch, i, fault, words)
+                                                    : settled_signs_of_vector<true>(batch, i, fault, words));
+    if (!is_settled) signs_of_vector(batch, i, wants_close, fault, words);
     std::memcpy(out + i, words, sizeof words);
   }
   if (i == batch.size) return;

@@ -163,8 +163,8 @@ void compare_with_mpfr(int trials) {
     q.r = std::sqrt(dot(a, a));
     for (auto steps = random() % 8; steps > 0; --steps) q.r = std::nextafter(q.r, std::numeric_limits<Real>::max());
     const std::string what = "query " + std::to_string(trial) + " of seed 22";
-    expect_same_decisions<Bits, portable::Published>(Formulae::published, q, what);
-    expect_same_decisions<Bits, portable::Reduced>(Formulae::reduced, q, what);
+    expect_same_decisions<Bits, portable::PublishedFormulae>(Formulae::published, q, what);
+    expect_same_decisions<Bits, portable::ReducedFormulae>(Formulae::reduced, q, what);
     ++(condition(Formulae::published, q, Comparison::vertex_a_radius).ill_conditioned ? ill : well);
   }
   EXPECT_GT(ill, 0);

@@ -43,8 +43,8 @@ DepthRange range_of(const EnclosedTriangle<T>& triangle, double radius) {
   const EnclosedSquare<T> d = distance_bounds(triangle);
   const double r = std::ldexp(radius, triangle.exponent);
   if (!(r <= 0x1p130)) return rounds_to_one(triangle, r, r, 0) ? DepthRange{1, 1} : DepthRange{};
-  const Enclosed<T> enclosed_r = enclosed_difference<T>(r, 0, triangle.scaling_error);
-  const Enclosed<T> residual = d.numerator - enclosed_r * enclosed_r * d.divisor;
+  const EnclosedNumber<T> enclosed_r = enclosed_difference<T>(r, 0, triangle.scaling_error);
+  const EnclosedNumber<T> residual = d.numerator - enclosed_r * enclosed_r * d.divisor;
   const double least = residual.low() - d.below, greatest = residual.high() + d.above;
   const double divisor_low = as_double(d.divisor).low(), divisor_high = as_double(d.divisor).high();
   if (!(divisor_low > 0) || !(least <= greatest)) return {};
@@ -53,12 +53,12 @@ DepthRange range_of(const EnclosedTriangle<T>& triangle, double radius) {
   const double farthest = std::max(std::fabs(least), std::fabs(greatest)) + margin;
 
   const double r_low = positive_part(as_double(enclosed_r).low()), r_high = as_double(enclosed_r).high();
-  const Enclosed<double> numerator = as_double(d.numerator);
+  const EnclosedNumber<double> numerator = as_double(d.numerator);
   const double d_low = std::sqrt(quotient_low(positive_part(numerator.low() - d.below * more), divisor_high)) * less;
   double d_high = std::sqrt(quotient_high(numerator.high() + d.above, divisor_low)) * more;
   double length_low = r_low, length_high = r_high;
   for (const auto& v : triangle.vertex) {
-    const Enclosed<double> square = dot(as_doubles(v), as_doubles(v));
+    const EnclosedNumber<double> square = dot(as_doubles(v), as_doubles(v));
     length_low = std::max(length_low, std::sqrt(positive_part(square.low())));
     length_high = std::max(length_high, std::sqrt(square.high()));
     d_high = std::min(d_high, length_at_most(v));  // which is tight where the other vertices are far away

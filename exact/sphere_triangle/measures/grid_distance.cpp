@@ -17,17 +17,17 @@
 namespace axiscert {
 namespace {
 
-using Enclosing = Mpfr<192>;  // u = 2^-192; unbounded exponents
+using EnclosingNumber = Mpfr<192>;  // u = 2^-192; unbounded exponents
 // More than 10 u plus the rounding of the bounds themselves and all second-order terms.
 constexpr double enclosing_error = 0x1p-180;
 
 template <std::size_t words>
-Enclosing enclosing(const LimbInteger<words>& x) {
-  return x.as_mpz([](mpz_srcptr z) { return Enclosing::of(z); });
+EnclosingNumber enclosing(const LimbInteger<words>& x) {
+  return x.as_mpz([](mpz_srcptr z) { return EnclosingNumber::of(z); });
 }
 
 template <class Real>
-Real rounded(const Enclosing& x) {
+Real rounded(const EnclosingNumber& x) {
   if constexpr (sizeof(Real) == 4) return mpfr_get_flt(x.get(), MPFR_RNDN);
   else return mpfr_get_d(x.get(), MPFR_RNDN);
 }
@@ -35,15 +35,15 @@ Real rounded(const Enclosing& x) {
 // The value to which every number within the error of x rounds, if there is one. Rounding is monotone, so the two ends
 // decide.
 template <class Real>
-std::optional<Real> certainly_rounded(const Enclosing& x) {
-  const Enclosing one(1), error(enclosing_error);
+std::optional<Real> certainly_rounded(const EnclosingNumber& x) {
+  const EnclosingNumber one(1), error(enclosing_error);
   const Real low = rounded<Real>(x * (one - error)), high = rounded<Real>(x * (one + error));
   return low == high ? std::optional(low) : std::nullopt;
 }
 
 // d^2 = numerator / divisor, and the margin = numerator - r^2 divisor, rounded from exact values.
 struct Square {
-  Enclosing numerator, divisor, margin;
+  EnclosingNumber numerator, divisor, margin;
 };
 
 // The squared distance to the nearest feature, which the signs of comparisons without the radius determine:
@@ -59,7 +59,7 @@ Square nearest_square(const Gram<Numbers>& g) {
   };
   for (const Degree2* xx : {&g.aa, &g.bb, &g.cc}) {
     const Degree2 &xy = xx == &g.cc ? g.ac : g.ab, &xz = xx == &g.aa ? g.ac : g.bc;
-    if (is_nearest(*xx, xy, xz)) return {enclosing(*xx), Enclosing(1), enclosing(*xx - g.rr)};
+    if (is_nearest(*xx, xy, xz)) return {enclosing(*xx), EnclosingNumber(1), enclosing(*xx - g.rr)};
   }
   struct Edge {
     const Degree2 &xx, &xy, &yy;
@@ -84,9 +84,9 @@ std::optional<double> depth_on_grid(const Query<Real>& q) {
   const Square d2 = nearest_square(g);
   if (mpfr_zero_p(d2.margin.get())) return 0;
   const auto greater = [](const auto& x, const auto& y) -> const auto& { return (x - y).is_negative() ? y : x; };
-  const Enclosing length2 = enclosing(greater(greater(g.aa, g.bb), greater(g.cc, g.rr)));
-  const Enclosing r = enclosing(on_grid.centred[9]);
-  const Enclosing sum = square_root(d2.numerator / d2.divisor) + r;
+  const EnclosingNumber length2 = enclosing(greater(greater(g.aa, g.bb), greater(g.cc, g.rr)));
+  const EnclosingNumber r = enclosing(on_grid.centred[9]);
+  const EnclosingNumber sum = square_root(d2.numerator / d2.divisor) + r;
   return certainly_rounded<double>(magnitude(d2.margin) / (d2.divisor * sum * square_root(length2)));
 }
 template std::optional<double> depth_on_grid<float>(const Query<float>&);
@@ -96,7 +96,8 @@ template <class Real>
 std::optional<Real> distance_on_grid(const Query<Real>& q) {
   const auto on_grid = on_any_grid(q);
   const Square d2 = nearest_square(Gram<AnyGrid<Real>>(on_grid.centred));
-  return certainly_rounded<Real>(square_root(d2.numerator / d2.divisor) * Enclosing(std::ldexp(1.0, on_grid.unit)));
+  return certainly_rounded<Real>(square_root(d2.numerator / d2.divisor) *
+                                 EnclosingNumber(std::ldexp(1.0, on_grid.unit)));
 }
 template std::optional<float> distance_on_grid<float>(const Query<float>&);
 template std::optional<double> distance_on_grid<double>(const Query<double>&);

@@ -67,10 +67,10 @@ constexpr double height_factor = double(1u << (2 * sliver_bits));
 template <class T>
 std::optional<Thinness> enclosed_thinness(const EnclosedTriangle<T>& t) {
   const EnclosedVector<T> normal = enclosed_normal(t);
-  const Enclosed<double> area = as_double(dot(normal, normal));
+  const EnclosedNumber<double> area = as_double(dot(normal, normal));
   double low = 0, high = 0;
   for (const EnclosedVector<T>& edge : t.edge) {
-    const Enclosed<double> square = as_double(dot(edge, edge));
+    const EnclosedNumber<double> square = as_double(dot(edge, edge));
     low = std::max(low, square.low());
     high = std::max(high, square.high());
   }

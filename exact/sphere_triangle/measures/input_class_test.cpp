@@ -16,7 +16,7 @@ using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(InputClasses, Reals);
 
 template <class Real>
-Query<Real> plain_query() {
+Query<Real> ordinary_query() {
   return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, Real(0.25)};
 }
 template <class Real>
@@ -36,9 +36,9 @@ void expect_shape(const Query<Real>& q, InputClassSet expected) {
   EXPECT_EQ(shape_classes(q, false), expected);
 }
 
-TYPED_TEST(InputClasses, APlainQueryIsOrdinary) {
-  EXPECT_EQ(all_of(plain_query<TypeParam>()), InputClassSet{ordinary});
-  EXPECT_EQ(class_of(all_of(plain_query<TypeParam>())), ordinary);
+TYPED_TEST(InputClasses, AQueryOfNoOtherClassIsOrdinary) {
+  EXPECT_EQ(all_of(ordinary_query<TypeParam>()), InputClassSet{ordinary});
+  EXPECT_EQ(class_of(all_of(ordinary_query<TypeParam>())), ordinary);
 }
 
 TYPED_TEST(InputClasses, ATieTouchesAndANearTieIsWithin64U) {
@@ -59,7 +59,7 @@ TYPED_TEST(InputClasses, ATieTouchesAndANearTieIsWithin64U) {
 TYPED_TEST(InputClasses, TheScaleWindowIsClosed) {
   using Real = TypeParam;
   using Window = ScaleWindow<Real>;
-  const Query<Real> q = plain_query<Real>();
+  const Query<Real> q = ordinary_query<Real>();
   const auto beside = [](Query<Real> at, Real towards) {
     at.a.x = std::nextafter(at.a.x, towards);
     return at;
@@ -83,7 +83,7 @@ TYPED_TEST(InputClasses, TheScaleWindowIsClosed) {
 // A - P rounds to the bound and lies beyond it by far less than an ulp.
 TYPED_TEST(InputClasses, ALengthThatRoundsToItsBoundIsComparedExactly) {
   using Real = TypeParam;
-  Query<Real> q = times(plain_query<Real>(), ScaleWindow<Real>::greatest_exponent);
+  Query<Real> q = times(ordinary_query<Real>(), ScaleWindow<Real>::greatest_exponent);
   q.p.x = -std::ldexp(Real(1), -100);
   ASSERT_EQ(double(q.a.x) - double(q.p.x), double(q.a.x));
   expect_shape(q, {scale});
@@ -92,7 +92,7 @@ TYPED_TEST(InputClasses, ALengthThatRoundsToItsBoundIsComparedExactly) {
 }
 
 TYPED_TEST(InputClasses, EqualVerticesWhateverTheSignOfZero) {
-  Query<TypeParam> q = plain_query<TypeParam>();
+  Query<TypeParam> q = ordinary_query<TypeParam>();
   q.b = {1, TypeParam(-0.0), 0};
   expect_shape(q, {repeated});
   q.c = q.b;
@@ -120,7 +120,7 @@ TYPED_TEST(InputClasses, ASliverIsLessThanAThousandthHigh) {
 
 TYPED_TEST(InputClasses, FarIs64TimesTheScene) {
   using Real = TypeParam;
-  Query<Real> q = plain_query<Real>();
+  Query<Real> q = ordinary_query<Real>();
   for (Vec3<Real>* v : {&q.a, &q.b, &q.c, &q.p}) v->z += 62;
   expect_shape(q, {});
   for (Vec3<Real>* v : {&q.a, &q.b, &q.c, &q.p}) v->z += 1;

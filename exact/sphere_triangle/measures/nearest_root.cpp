@@ -47,8 +47,8 @@ Real unscaled(double x, int exponent) {
 
 // x^2, exact: for a binary32 number in double, for any number in double-double, above 2^-300.
 template <class T>
-Enclosed<T> exact_square(double x) {
-  if constexpr (std::is_same_v<T, Doubled>) {
+EnclosedNumber<T> exact_square(double x) {
+  if constexpr (std::is_same_v<T, DoublePair>) {
     const auto square = exact_product(x, x);
     return {{square.value, square.error}, 0};
   } else {
@@ -67,11 +67,11 @@ std::optional<Real> nearest_root(const EnclosedSquare<T>& s, int exponent) {
   if (!(root >= 0x1p-300)) return std::nullopt;
   const auto residual = [&](double x) { return s.numerator - exact_square<T>(x) * s.divisor; };
   // In doubles the root may be an ulp off; a Newton step corrects that.
-  if (std::is_same_v<T, Doubled>) root += leading(residual(root).value) / (2 * root * leading(s.divisor.value));
+  if (std::is_same_v<T, DoublePair>) root += leading(residual(root).value) / (2 * root * leading(s.divisor.value));
   const Real nearest = unscaled<Real>(root, exponent);
   const Rounding<Real> y(nearest, exponent);
   if (!y.is_usable) return std::nullopt;
-  const Enclosed<T> rest = residual(y.value);
+  const EnclosedNumber<T> rest = residual(y.value);
   const double short_by = s.below - rest.low(), beyond = rest.high() + s.above;
   const double down = y.towards_zero * (2 * y.value - y.towards_zero) * divisor * less;
   const double up = 2 * y.away * y.value * divisor * less;
@@ -107,7 +107,7 @@ std::optional<Real> tie_radius(const EnclosedTriangle<T>& t, Axis axis) {
 // does not depend on p.
 template <class T>
 struct Margin {
-  Enclosed<T> value;
+  EnclosedNumber<T> value;
   EnclosedVector<T> slope;  // negated
   bool is_given;            // the slope is a difference of given numbers
   bool is_constant;         // independent of every coordinate of p
@@ -166,7 +166,7 @@ template <class Real, class T>
 std::optional<Real> tie_coordinate(const EnclosedTriangle<T>& t, Real given, Comparison side, int coordinate) {
   const Margin<T> margin = side_margin(t, side);
   if (margin.is_constant) return given;
-  const Enclosed<T> falls = {component(margin.slope.value, coordinate), margin.slope.error};
+  const EnclosedNumber<T> falls = {component(margin.slope.value, coordinate), margin.slope.error};
   if (margin.is_given && leading(falls.value) == 0 && t.scaling_error == 0) return given;
   const double sign = leading(falls.value) < 0 ? -1 : 1;
   const double slope = sign > 0 ? falls.low() : -falls.high();
@@ -177,7 +177,7 @@ std::optional<Real> tie_coordinate(const EnclosedTriangle<T>& t, Real given, Com
     const Real nearest = unscaled<Real>(root, t.exponent);
     const Rounding<Real> y(nearest, t.exponent);
     if (!y.is_usable) return std::nullopt;
-    const Enclosed<T> rest = margin.value - enclosed_difference<T>(y.value, from, t.scaling_error) * falls;
+    const EnclosedNumber<T> rest = margin.value - enclosed_difference<T>(y.value, from, t.scaling_error) * falls;
     // Bounds on how far the root can be above and below y, times the slope.
     const double above = sign > 0 ? rest.high() : -rest.low(), below = sign > 0 ? -rest.low() : rest.high();
     const double up = (y.value > 0 ? y.away : y.towards_zero) * slope * less;

@@ -16,7 +16,7 @@ struct Ratio {
 // the perpendicular lies inside, else the least of the distances to the three segments. Nothing is divided; degree 6
 // over degree 4 at most. `order(x, y)` is the sign of x - y; `zero` and `one` are elements of the ring.
 template <class T, class Order>
-Ratio<T> walked_squared_distance(const portable::Centred<T>& q, const T& zero, const T& one, Order&& order) {
+Ratio<T> walked_squared_distance(const portable::CentredProblem<T>& q, const T& zero, const T& one, Order&& order) {
   using portable::cross;
   using portable::dot;
   const auto sign = [&](const T& x) { return order(x, zero); };

@@ -63,7 +63,7 @@ ExactSides exact_sides(Formulae formulae, const Query<Real>& q) {
 template ExactSides exact_sides<float>(Formulae, const Query<float>&);
 template ExactSides exact_sides<double>(Formulae, const Query<double>&);
 
-ExactSides exact_sides(const portable::Centred<BinaryNumber>& centred) {
+ExactSides exact_sides(const portable::CentredProblem<BinaryNumber>& centred) {
   ExactSides sides(comparison_count);
   portable::published_comparisons(centred, BinaryNumber(),
                                   [&](Comparison which, const BinaryNumber& lhs, const BinaryNumber& rhs) {

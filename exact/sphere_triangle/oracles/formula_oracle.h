@@ -17,7 +17,7 @@ ExactSides exact_sides(const Query<Real>& q) {
   return exact_sides(Formulae::published, q);
 }
 // The published sides of a problem that is already centred, for code that solves on a boundary or scales a lattice.
-ExactSides exact_sides(const portable::Centred<BinaryNumber>& centred);
+ExactSides exact_sides(const portable::CentredProblem<BinaryNumber>& centred);
 
 // The verdict of a method, which has no comparisons.
 template <class Real>

@@ -119,7 +119,7 @@ LatticeCount judge_lattice(int n) {
           const BinaryNumber rr =
               BinaryNumber(scaled) +
               (scaled == 0 ? BinaryNumber(offset) : BinaryNumber(scaled * offset) * BinaryNumber(0x1p-40));
-          const portable::Centred<BinaryNumber> centred{scale(q.a), scale(q.b), scale(q.c), rr};
+          const portable::CentredProblem<BinaryNumber> centred{scale(q.a), scale(q.b), scale(q.c), rr};
           const ExactSides truth = exact_sides(centred);
           const bool separated = offset < 0;
           const bool strict = axes_of(truth.strict) != 0, nonstrict = axes_of(truth.holding(side_comparisons)) != 0;

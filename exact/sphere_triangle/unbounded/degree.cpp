@@ -84,7 +84,7 @@ class Degree {
   std::optional<BitLength> bits_;
 };
 
-struct Found {
+struct FoundDegree {
   ComparisonDegree degree{std::nullopt, std::nullopt, BitLength{0, 0}};
 
   void include(const Degree& lhs, const Degree& rhs) {
@@ -107,14 +107,14 @@ std::optional<ComparisonDegrees> found_degrees() {
   if constexpr (requires { F::separated(problem); }) {
     return std::nullopt;
   } else {
-    EnumArray<Comparison, Found> found;
+    EnumArray<Comparison, FoundDegree> found;
     branches = Branches();
     do {
       F::comparisons(problem,
                      [&](Comparison which, const Degree& lhs, const Degree& rhs) { found[which].include(lhs, rhs); });
     } while (branches.advance());
     ComparisonDegrees degrees;
-    std::transform(found.begin(), found.end(), degrees.begin(), [](const Found& f) { return f.degree; });
+    std::transform(found.begin(), found.end(), degrees.begin(), [](const FoundDegree& f) { return f.degree; });
     return degrees;
   }
 }

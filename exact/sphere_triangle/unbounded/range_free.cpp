@@ -23,10 +23,10 @@ static_assert(static_cast<int>(Strictness::strict) == 0 && static_cast<int>(Stri
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
-RangeFreeForms<float> range_free_published32() { return range_free_forms<Published, float>(); }
-RangeFreeForms<double> range_free_published64() { return range_free_forms<Published, double>(); }
-RangeFreeForms<float> range_free_reduced32() { return range_free_forms<Reduced, float>(); }
-RangeFreeForms<double> range_free_reduced64() { return range_free_forms<Reduced, double>(); }
+RangeFreeForms<float> range_free_published32() { return range_free_forms<PublishedFormulae, float>(); }
+RangeFreeForms<double> range_free_published64() { return range_free_forms<PublishedFormulae, double>(); }
+RangeFreeForms<float> range_free_reduced32() { return range_free_forms<ReducedFormulae, float>(); }
+RangeFreeForms<double> range_free_reduced64() { return range_free_forms<ReducedFormulae, double>(); }
 }  // namespace axiscert::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -12,7 +12,7 @@ namespace axiscert {
 // The comparison bits of the outcomes in exact/sphere_triangle/unbounded/unbounded.h.
 struct RoundedBits {
   ComparisonBits range_free, reference;
-  Rounded outcomes() const { return {outcome_of(range_free), outcome_of(reference)}; }
+  RoundedDecisions outcomes() const { return {outcome_of(range_free), outcome_of(reference)}; }
 };
 
 // The bits of the scalar reference that a kernel claims, and those with an unbounded exponent, by SIMD forms of the

@@ -88,14 +88,14 @@ template Outcome unbounded<float>(Formulae, Arithmetic, Strictness, const Query<
 template Outcome unbounded<double>(Formulae, Arithmetic, Strictness, const Query<double>&);
 
 template <class Real>
-Rounded rounded(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q) {
+RoundedDecisions rounded(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q) {
   std::feclearexcept(FE_OVERFLOW | FE_UNDERFLOW);
   const Outcome found = reference(formulae, arithmetic, strictness, q);
   const bool left_range = std::fetestexcept(FE_OVERFLOW | FE_UNDERFLOW) != 0;
   if (!left_range && table_of(arithmetic).flags_tell_range) return {found, found};
   return {unbounded(formulae, arithmetic, strictness, q), found};
 }
-template Rounded rounded<float>(Formulae, Arithmetic, Strictness, const Query<float>&);
-template Rounded rounded<double>(Formulae, Arithmetic, Strictness, const Query<double>&);
+template RoundedDecisions rounded<float>(Formulae, Arithmetic, Strictness, const Query<float>&);
+template RoundedDecisions rounded<double>(Formulae, Arithmetic, Strictness, const Query<double>&);
 
 }  // namespace axiscert

@@ -13,7 +13,7 @@ namespace axiscert {
 // neither, every result was in the normal range or exact, so that the two evaluations are the same. In an arithmetic in
 // which the flags are not reliable it is always unbounded().
 template <class Real>
-Rounded rounded(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q);
+RoundedDecisions rounded(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q);
 
 // R-infinity itself. By MPFR, except for formulae without divisions and roots in binary32 and plain operations, which
 // run on the processor (exact/sphere_triangle/unbounded/wide_range_float.h) with the same bits.

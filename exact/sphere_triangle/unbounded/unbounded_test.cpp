@@ -87,7 +87,7 @@ TEST(Unbounded, DoesNotKnowTheScale) {
     const Query<float> scaled{q.a * s, q.b * s, q.c * s, q.p * s, q.r * s};
     for (const ArithmeticInfo& info : arithmetics()) {
       if (!info.in_binary32) continue;
-      const Rounded found = rounded(Formulae::published, info.arithmetic, Strictness::strict, scaled);
+      const RoundedDecisions found = rounded(Formulae::published, info.arithmetic, Strictness::strict, scaled);
       EXPECT_EQ(found.range_free.verdict, Verdict::separated) << info.name << " at " << s;
       const bool keeps = info.arithmetic == Arithmetic::prescaled || info.arithmetic == Arithmetic::in_double;
       // When rounding toward +infinity, a vanishing side stays above 0; when rounding toward zero, an overflowing side

@@ -9,11 +9,11 @@ namespace {
 
 // An enclosure as a number type of the formulae: a comparison holds where it is certain.
 struct Certain {
-  Enclosed<double> x{0, 0};
+  EnclosedNumber<double> x{0, 0};
 
   Certain() = default;
   explicit Certain(double value) : x{value, 0} {}
-  explicit Certain(const Enclosed<double>& enclosed) : x(enclosed) {}
+  explicit Certain(const EnclosedNumber<double>& enclosed) : x(enclosed) {}
 
   bool is_zero() const { return x.value == 0 && x.error == 0; }
   friend Certain operator+(const Certain& a, const Certain& b) { return Certain(a.x + b.x); }

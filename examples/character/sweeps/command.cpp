@@ -68,7 +68,7 @@ int run_sweeps(const Options& options) {
   std::vector<std::unique_ptr<Sweeper>> sweepers;
   sweepers.push_back(certain_sweeper());
   for (const Kernel* kernel : kernels) sweepers.push_back(sweeper_by(*kernel, options.skin * double(how.radius)));
-  std::vector<Travelled> travelled;
+  std::vector<TravelledSweep> travelled;
   for (const auto& sweeper : sweepers) {
     const Journey made = journey(ground, *sweeper, how);
     const World world{ground, made.grid, how.radius};

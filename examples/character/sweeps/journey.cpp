@@ -231,7 +231,7 @@ class Traveller {
   std::array<double, 2> heading_ = {1, 0};
   std::vector<CentreBox> path_;
   std::vector<std::uint32_t> candidates_;
-  std::vector<Said> said_;
+  std::vector<SweeperAnswer> said_;
 };
 
 }  // namespace

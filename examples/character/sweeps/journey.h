@@ -27,7 +27,7 @@ struct Journey {
   Grid grid;
   std::vector<Motion> motions;
   std::vector<std::uint32_t> triangles;  // the candidates of the broad phase, motion by motion
-  std::vector<Said> said;                // by the sweeper, of each
+  std::vector<SweeperAnswer> said;       // by the sweeper, of each
   std::uint64_t turns = 0;               // strides that got nowhere
   std::uint64_t set_down = 0;            // times that a walk began anew
   std::uint64_t left = 0;                // of these because the sphere had walked off the mesh, or fallen through it

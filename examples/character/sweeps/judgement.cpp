@@ -58,7 +58,7 @@ class SweepJudge {
     ++counts_.triangles;
     counts_.contacts += contact;
     if (!kernel_) return;
-    const Said& said = journey_.said[i];
+    const SweeperAnswer& said = journey_.said[i];
     if (said.contact != contact) {
       if (counts_against_it(q)) ++(contact ? counts_.missed : counts_.phantom);
     } else if (contact && kernel_->measure_count > 0) {
@@ -72,7 +72,7 @@ class SweepJudge {
   bool counts_against_it(const Numbers<float>& q) const {
     const Oracles& oracles = oracles_of(moving_sphere_test());
     if (!oracles.is_promised(kernel_->motion, q)) return false;
-    return kernel_->touching == Touching::contact || !oracles.truth(q).touching;
+    return kernel_->touching == TouchingPolicy::contact || !oracles.truth(q).touching;
   }
 
   void judge_motion(const Motion& motion) {

@@ -30,7 +30,7 @@ class ByVerdict : public Sweeper {
   // Halving keeps a share to which the motion is clear of the triangles in the way and one to which it is not; that
   // there might be clear ones beyond does not matter. A place beside the straight way may meet a triangle that the
   // whole motion does not: that one is then in the way too, and it is halved again.
-  Stop stop(const World& world, const Path& path, std::vector<Said>& said) override {
+  Stop stop(const World& world, const Path& path, std::vector<SweeperAnswer>& said) override {
     std::vector<std::uint32_t> in_the_way = contacts(world, path.from, path.by, path.triangles);
     said.clear();
     for (const std::uint32_t t : path.triangles) said.push_back({std::ranges::binary_search(in_the_way, t), no_time});
@@ -132,7 +132,7 @@ class ByTime final : public Sweeper {
   const Kernel* kernel() const override { return &kernel_; }
 
   // A contact without a time in [0, 1] stops nothing.
-  Stop stop(const World& world, const Path& path, std::vector<Said>& said) override {
+  Stop stop(const World& world, const Path& path, std::vector<SweeperAnswer>& said) override {
     const Reply<float>& reply = asked_.answers(world, path.from, path.by, path.triangles);
     said.clear();
     double first = 1;

@@ -30,7 +30,7 @@ struct Path {
 };
 
 // A kernel's answer about the whole motion and one triangle; the time is NaN where it gives none.
-struct Said {
+struct SweeperAnswer {
   bool contact;
   float time;
 };
@@ -46,7 +46,7 @@ class Sweeper {
   virtual std::string name() const = 0;
   virtual const Kernel* kernel() const { return nullptr; }  // that answers; null: is_clear() does
   // `said` gets an entry for each triangle of the path.
-  virtual Stop stop(const World& world, const Path& path, std::vector<Said>& said) = 0;
+  virtual Stop stop(const World& world, const Path& path, std::vector<SweeperAnswer>& said) = 0;
 };
 
 // Stops by is_clear() at the last place on the way, found by halving, to which the motion is clear of every triangle.

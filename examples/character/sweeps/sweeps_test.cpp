@@ -68,7 +68,7 @@ TEST(Clear, IsTheVerdictOfTheOraclesOnEveryFamily) {
 TEST(CertainSweeper, StopsAtTheLastPlaceThatIsClear) {
   const World world{room(), Grid(16), 0.25f};
   const std::vector<std::uint32_t> all = {0, 1, 2, 3};
-  std::vector<Said> said;
+  std::vector<SweeperAnswer> said;
   const Steps from = world.grid.nearest({1, 2, 3}), down = world.grid.nearest({0, 0, -5});
   const Stop stop = certain_sweeper()->stop(world, {from, down, all}, said);
   EXPECT_EQ(stop.wall, 1u);
@@ -85,7 +85,7 @@ TEST(CertainSweeper, WhatOnlyARoundedPlaceMeetsIsInTheWayToo) {
   const World world{spider_ground(), Grid(4096), 2};
   std::vector<std::uint32_t> all(spider_ground().size());
   for (std::uint32_t t = 0; t < all.size(); ++t) all[t] = t;
-  std::vector<Said> said;
+  std::vector<SweeperAnswer> said;
   const Point at = point(spider_ground().triangle(700)[0]);
   const Steps from = world.grid.nearest({at[0] + 311.7, at[1] + 171.3, at[2] - 153.1}),
               by = world.grid.nearest({-623.4, -342.6, 306.2});

@@ -13,10 +13,10 @@ std::string text(std::uint64_t n) { return fmt::format("{}", n); }
 
 }  // namespace
 
-std::string sweeps_table(std::span<const Travelled> travelled, const JourneyOptions& options) {
+std::string sweeps_table(std::span<const TravelledSweep> travelled, const JourneyOptions& options) {
   const bool walks = options.errand == Errand::walk;
   std::vector<Row> motions, answers, entered, rates;
-  for (const Travelled& t : travelled) {
+  for (const TravelledSweep& t : travelled) {
     const SweepCounts& c = t.counts;
     Row row{t.sweeper, text(c.motions), text(c.stopped), text(c.triangles), text(c.contacts)};
     if (walks) {

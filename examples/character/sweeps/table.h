@@ -8,7 +8,7 @@
 
 namespace axiscert::character {
 
-struct Travelled {
+struct TravelledSweep {
   std::string sweeper;
   std::uint64_t turns, set_down, left;
   SweepCounts counts;
@@ -16,6 +16,6 @@ struct Travelled {
 };
 
 // Tables of the motions, of what was answered, and of what the sphere went into; the last per 1000 steps too.
-std::string sweeps_table(std::span<const Travelled> travelled, const JourneyOptions& options);
+std::string sweeps_table(std::span<const TravelledSweep> travelled, const JourneyOptions& options);
 
 }  // namespace axiscert::character

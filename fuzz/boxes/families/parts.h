@@ -159,8 +159,8 @@ constexpr Family matrix_family(std::string_view name, const Situation& situation
           .purpose = purpose,
           .version = version,
           .exact_arithmetic = exact_arithmetic,
-          .binary32 = one_by_one<numbers_by<Made, BoxPair<float>>, float>,
-          .binary64 = one_by_one<numbers_by<Made, BoxPair<double>>, double>,
+          .binary32 = fill_one_by_one<numbers_by<Made, BoxPair<float>>, float>,
+          .binary64 = fill_one_by_one<numbers_by<Made, BoxPair<double>>, double>,
           .situation = &situation,
           .entry = MatrixBoxes::entry};
 }
@@ -172,8 +172,8 @@ constexpr Family turned_family(std::string_view name, const Situation& situation
           .purpose = purpose,
           .version = version,
           .exact_arithmetic = exact_arithmetic,
-          .binary32 = one_by_one<numbers_by<Made, TurnedPair<float>>, float>,
-          .binary64 = one_by_one<numbers_by<Made, TurnedPair<double>>, double>,
+          .binary32 = fill_one_by_one<numbers_by<Made, TurnedPair<float>>, float>,
+          .binary64 = fill_one_by_one<numbers_by<Made, TurnedPair<double>>, double>,
           .situation = &situation,
           .entry = QuaternionBoxes::entry};
 }

@@ -28,7 +28,7 @@ ComparisonBits planted_bits(AxisFault fault, std::size_t axis, const BoxPair<Rea
     }
     if (lhs > rhs) bits |= one_bit<ComparisonBits>(i);
   };
-  Projected::comparisons<Real>(q, sink);
+  ProjectedFifteen::comparisons<Real>(q, sink);
   if (fault == AxisFault::wrong_axis) {
     const bool neighbour = has_bit(bits, (axis + 1) % axis_count);
     bits &= ~one_bit<ComparisonBits>(axis);
@@ -53,9 +53,9 @@ Implementation<Real> planted_implementation(AxisFault fault, std::size_t axis) {
 
 // A kernel shows its comparisons and the formulae that it should have, or its verdict alone.
 Kernel planted_kernel(AxisFault fault, std::size_t axis, bool shows_comparisons) {
-  Kernel kernel = plain_kernel_named<MatrixBoxes, Projected>(
+  Kernel kernel = bare_kernel<MatrixBoxes, ProjectedFifteen>(
       fmt::format("box-box/planted-{}-{}-{}", static_cast<int>(fault), axis_names[axis], shows_comparisons), "");
-  if (shows_comparisons) kernel.formulae = Projected::name;
+  if (shows_comparisons) kernel.formulae = ProjectedFifteen::name;
   kernel.exposes = shows_comparisons ? Exposure::comparisons : Exposure::verdict;
   kernel.is_reference = shows_comparisons;
   kernel.binary32 = [=](std::string_view) { return planted_implementation<float>(fault, axis); };

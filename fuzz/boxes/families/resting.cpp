@@ -31,7 +31,7 @@ Pair standing(Stream& random, std::uint64_t position, int least, int most, const
   return q;
 }
 
-struct Stacked {
+struct StackedBoxes {
   template <class Pair>
   static Pair make(Stream& random, std::uint64_t position) {
     Pair q = standing<Pair>(random, position, 1, 11, Rational(1, 4), 0);
@@ -47,12 +47,12 @@ struct RestingIn {
     return standing<Pair>(random, position, 7, 23, Rational(3, 4), Rational(1, 1ul << power), frame);
   }
 };
-using Resting = RestingIn<turned_anyhow>;
+using RestingBoxes = RestingIn<turned_anyhow>;
 using Level = RestingIn<upright>;
 
 // Both stand on an edge, up to 24 long, and the two edges cross at an angle of 2^-5 to 2^-17: in turn apart by 2^-8 to
 // 2^-20 and in contact by as much. 13860 / 33461 is the tangent of half of 45 degrees to nine digits.
-struct Crossed {
+struct CrossedEdges {
   template <class Pair>
   static Pair make(Stream& random, std::uint64_t position) {
     constexpr Quaternion on_an_edge = {33461, 13860, 0, 0};
@@ -85,24 +85,24 @@ struct Crossed {
 
 }  // namespace
 
-extern const Family box_box_stacked_family =
-    matrix_family<Stacked, 2>("box-box/stacked", box_box_situation::touching,
-                              "B stands on A, yawed by 2^-1 to 2^-11, touching but for roundings and up to eight ulps");
-extern const Family box_box_resting_family =
-    matrix_family<Resting, 2>("box-box/resting", box_box_situation::everyday,
-                              "B stands on A, yawed by 2^-7 to 2^-23, sunk in by 2^-6 to 2^-14; both turned anyhow");
+extern const Family box_box_stacked_family = matrix_family<StackedBoxes, 2>(
+    "box-box/stacked", box_box_situation::touching,
+    "B stands on A, yawed by 2^-1 to 2^-11, touching but for roundings and up to eight ulps");
+extern const Family box_box_resting_family = matrix_family<RestingBoxes, 2>(
+    "box-box/resting", box_box_situation::everyday,
+    "B stands on A, yawed by 2^-7 to 2^-23, sunk in by 2^-6 to 2^-14; both turned anyhow");
 extern const Family box_box_level_family =
     matrix_family<Level>("box-box/level", box_box_situation::everyday,
                          "resting on a level floor: upright, A along the world's axes or yawed");
-extern const Family box_box_crossed_family = matrix_family<Crossed>(
+extern const Family box_box_crossed_family = matrix_family<CrossedEdges>(
     "box-box/crossed", box_box_situation::crossed,
     "edges of length up to 24 cross at an angle of 2^-5 to 2^-17, 2^-8 to 2^-20 apart or as deep");
 
-extern const Family box_box_resting_turned_family = turned_family<Resting, 2>(
+extern const Family box_box_resting_turned_family = turned_family<RestingBoxes, 2>(
     "box-box/resting_turned", box_box_situation::everyday, "resting, as quaternions of integers");
 extern const Family box_box_level_turned_family =
     turned_family<Level>("box-box/level_turned", box_box_situation::everyday, "level, as quaternions of integers");
-extern const Family box_box_crossed_turned_family =
-    turned_family<Crossed>("box-box/crossed_turned", box_box_situation::crossed, "crossed, as quaternions of integers");
+extern const Family box_box_crossed_turned_family = turned_family<CrossedEdges>(
+    "box-box/crossed_turned", box_box_situation::crossed, "crossed, as quaternions of integers");
 
 }  // namespace axiscert::boxes

@@ -41,7 +41,7 @@ RungCounts rungs_on(const char* family, std::uint64_t queries) {
     const Numbers<float> numbers = made.make<float>(reals_seed, position);
     const auto problem = exact_problem<MatrixBoxes>(numbers);
     const ExactPair exact = exactly(MatrixBoxes::problem<float>([&](std::size_t k) { return numbers[k]; }));
-    count_rungs<Projected, Columns, Dropped, Framed, Textbook, Rtcd, Gottschalk, Bullet, Cofactor>(
+    count_rungs<ProjectedFifteen, Columns, DroppedFifteen, FramedFifteen, Textbook, Rtcd, Gottschalk, Bullet, Cofactor>(
         problem, exact, are_apart(exact), counts);
   }
   return counts;

@@ -228,8 +228,8 @@ constexpr Family triangle_family(std::string_view name, const Situation& situati
           .purpose = purpose,
           .version = version,
           .exact_arithmetic = exact_arithmetic,
-          .binary32 = one_by_one<numbers_by<Made, typename Entry::template Problem<float>>, float>,
-          .binary64 = one_by_one<numbers_by<Made, typename Entry::template Problem<double>>, double>,
+          .binary32 = fill_one_by_one<numbers_by<Made, typename Entry::template Problem<float>>, float>,
+          .binary64 = fill_one_by_one<numbers_by<Made, typename Entry::template Problem<double>>, double>,
           .situation = &situation,
           .entry = Entry::entry};
 }

@@ -80,7 +80,7 @@ Json JsonForm<MarginCounts>::schema() {
 }
 
 template <class Real>
-void count_margins(Named<ComparisonTally>& tallies, const ExactSides& sides, ComparisonBits exact,
+void count_margins(NamedValues<ComparisonTally>& tallies, const ExactSides& sides, ComparisonBits exact,
                    ComparisonBits computed) {
   const ComparisonBits wrong = exact ^ computed;
   for (std::size_t i = 0; i < sides.lhs.size(); ++i) {
@@ -89,7 +89,7 @@ void count_margins(Named<ComparisonTally>& tallies, const ExactSides& sides, Com
       ++(has_bit(wrong, i) ? tally.wrong : tally.right).by_exponent[*exponent];
   }
 }
-template void count_margins<float>(Named<ComparisonTally>&, const ExactSides&, ComparisonBits, ComparisonBits);
-template void count_margins<double>(Named<ComparisonTally>&, const ExactSides&, ComparisonBits, ComparisonBits);
+template void count_margins<float>(NamedValues<ComparisonTally>&, const ExactSides&, ComparisonBits, ComparisonBits);
+template void count_margins<double>(NamedValues<ComparisonTally>&, const ExactSides&, ComparisonBits, ComparisonBits);
 
 }  // namespace axiscert

@@ -67,7 +67,7 @@ struct MarginTally {
 
 // One query with a valid truth: `exact` and `computed` are the signs, each by the kernel's own strictness.
 template <class Real>
-void count_margins(Named<ComparisonTally>& tallies, const ExactSides& sides, ComparisonBits exact,
+void count_margins(NamedValues<ComparisonTally>& tallies, const ExactSides& sides, ComparisonBits exact,
                    ComparisonBits computed);
 
 }  // namespace axiscert

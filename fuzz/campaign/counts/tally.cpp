@@ -85,7 +85,8 @@ Tally empty_tally(const TestDescription& test) {
   return tally;
 }
 
-void count_depth(Tally& tally, std::uint64_t position, const Flip& flip, DepthOf& depth, const Standing& standing) {
+void count_depth(Tally& tally, std::uint64_t position, const Flip& flip, DepthOf& depth,
+                 const StandingLeaders& standing) {
   count_depth(*tally.verdict.depths, *tally.verdict.engine, flip.kind, depth);
   const Candidate<double> at_most{depth.at_most(), position};
   if (!could_keep(tally.verdict, flip, at_most) || !standing.could_keep_depth(flip, at_most)) return;
@@ -125,7 +126,7 @@ void count_numbers(Tally& tally, const Truth& truth, ComparisonBits ties, const 
 }
 
 void count(Tally& tally, std::uint64_t position, const Truth& truth, ComparisonBits ties, const Answer& answer,
-           const Judgement& judgement, DepthOf& depth, const Standing& standing) {
+           const Judgement& judgement, DepthOf& depth, const StandingLeaders& standing) {
   count_numbers(tally, truth, ties, answer, judgement, 1);
   if (truth.verdict == Verdict::invalid) return;
   judgement.for_each_flip([&](const Flip& flip) {
@@ -158,12 +159,12 @@ void count_outside(Tally& tally, const Truth& truth, const Answer& answer, const
   if (depth.at_most() > outside.deepest) outside.deepest = std::max(outside.deepest, depth.exactly());
 }
 
-bool Standing::could_keep_depth(const Flip& flip, const Candidate<double>& at_most) const {
+bool StandingLeaders::could_keep_depth(const Flip& flip, const Candidate<double>& at_most) const {
   return could_keep(verdict, flip, at_most);
 }
 
-Standing standing_of(const Tally& tally) {
-  Standing standing;
+StandingLeaders standing_of(const Tally& tally) {
+  StandingLeaders standing;
   for (const auto& [name, comparison] : tally.comparisons) standing.largest_error.push_back(comparison.largest_error);
   standing.verdict.deepest_false_separation = tally.verdict.deepest_false_separation;
   standing.verdict.deepest_false_contact = tally.verdict.deepest_false_contact;

@@ -288,8 +288,8 @@ struct Tally {
   std::uint64_t trials = 0;
   TruthCounts truth;
   VerdictTally verdict;
-  Named<AxisTally> axes;  // by clause
-  Named<ComparisonTally> comparisons;
+  NamedValues<AxisTally> axes;  // by clause
+  NamedValues<ComparisonTally> comparisons;
   CriticalRadiusTally critical_radius;
   EnumArray<FindingKind, FindingTally> findings;
   ClassTally classes;  // of a kernel with has_input_classes()
@@ -307,13 +307,13 @@ struct Tally {
 Tally empty_tally(const TestDescription& test);
 
 // The leaders that other units of the same cell have found: a query that is certainly no greater is not evaluated.
-struct Standing {
+struct StandingLeaders {
   std::vector<Leaders<Decimal6>> largest_error;  // by comparison
   VerdictTally verdict;                          // its leaders
 
   bool could_keep_depth(const Flip& flip, const Candidate<double>& at_most) const;
 };
-Standing standing_of(const Tally& tally);
+StandingLeaders standing_of(const Tally& tally);
 
 // Tolerated error by comparison, in u; none: not checked.
 class Tolerances {
@@ -334,13 +334,14 @@ class Tolerances {
 // Counts everything of a query within the kernel's limits but the errors of the sides. `ties` are those of the kernel's
 // own formulae in exact arithmetic, where they have comparisons; `depth` is asked where the verdict is wrong.
 void count(Tally& tally, std::uint64_t position, const Truth& truth, ComparisonBits ties, const Answer& answer,
-           const Judgement& judgement, DepthOf& depth, const Standing& standing);
+           const Judgement& judgement, DepthOf& depth, const StandingLeaders& standing);
 
 // The part of count() that adds up: the same for each of `times` queries with this judgement.
 void count_numbers(Tally& tally, const Truth& truth, ComparisonBits ties, const Answer& answer,
                    const Judgement& judgement, std::uint64_t times);
 // The part of count() that counts and keeps the depth of a wrong verdict.
-void count_depth(Tally& tally, std::uint64_t position, const Flip& flip, DepthOf& depth, const Standing& standing);
+void count_depth(Tally& tally, std::uint64_t position, const Flip& flip, DepthOf& depth,
+                 const StandingLeaders& standing);
 
 // Counts a valid query outside the kernel's limits.
 void count_outside(Tally& tally, const Truth& truth, const Answer& answer, const Judgement& judgement, DepthOf& depth);

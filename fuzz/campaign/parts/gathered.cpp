@@ -21,12 +21,12 @@ std::optional<Entry> finished_in(std::string_view content) {
   return note.is_number_unsigned() ? std::nullopt : std::optional(decode_entry(content));
 }
 
-Gathered::Gathered(const Questions& questions, std::size_t kernels, const Stretches& stretches)
+GatheredStretches::GatheredStretches(const Questions& questions, std::size_t kernels, const Stretches& stretches)
     : test_(&questions.test()), stretches_(stretches), is_done_(stretches.count()) {
   result_.cells = cells_of(questions, kernels);
 }
 
-void Gathered::replay(std::string_view content) {
+void GatheredStretches::replay(std::string_view content) {
   if (const auto entry = finished_in(content)) {
     add(*entry);
     return;
@@ -35,7 +35,7 @@ void Gathered::replay(std::string_view content) {
   if (begun_.back() >= stretches_.count()) throw Error(fmt::format("the plan has no stretch {}", begun_.back()));
 }
 
-void Gathered::add(const Entry& entry) {
+void GatheredStretches::add(const Entry& entry) {
   if (entry.stretch >= stretches_.count()) throw Error(fmt::format("the plan has no stretch {}", entry.stretch));
   if (is_done_[entry.stretch]) throw Error(fmt::format("{}: already finished", stretches_.text(entry.stretch)));
   const Stretch stretch = stretches_.at(entry.stretch);
@@ -54,7 +54,7 @@ void Gathered::add(const Entry& entry) {
   queries_ += stretch.queries;
 }
 
-std::uint64_t Gathered::lost_units() const {
+std::uint64_t GatheredStretches::lost_units() const {
   std::vector<std::uint64_t> times(stretches_.count());
   for (const std::uint64_t stretch : begun_) ++times[stretch];
   std::uint64_t lost = 0;
@@ -65,7 +65,7 @@ std::uint64_t Gathered::lost_units() const {
   return lost;
 }
 
-std::vector<std::uint64_t> Gathered::missing() const {
+std::vector<std::uint64_t> GatheredStretches::missing() const {
   std::vector<std::uint64_t> missing;
   for (std::uint64_t stretch = 0; stretch < stretches_.count(); ++stretch) {
     if (!is_done_[stretch]) missing.push_back(stretch);
@@ -73,7 +73,7 @@ std::vector<std::uint64_t> Gathered::missing() const {
   return missing;
 }
 
-CampaignResult Gathered::take() && {
+CampaignResult GatheredStretches::take() && {
   result_.complete = done_ == stretches_.count();
   return std::move(result_);
 }

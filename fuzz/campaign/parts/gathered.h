@@ -10,10 +10,10 @@ std::string begun_note(std::uint64_t stretch);
 // The finished stretch in a journal's entry; empty if the entry is such a note. Throws Error.
 std::optional<Entry> finished_in(std::string_view content);
 
-class Gathered {
+class GatheredStretches {
  public:
   // The stretches of the questions, each answered by so many kernels.
-  Gathered(const Questions& questions, std::size_t kernels, const Stretches& stretches);
+  GatheredStretches(const Questions& questions, std::size_t kernels, const Stretches& stretches);
 
   // Takes the content of a journal's entry. Throws Error if its stretch is not part of the plan or is already finished.
   void replay(std::string_view content);

@@ -36,9 +36,9 @@ Recheck::Recheck(const std::vector<const Kernel*>& kernels, const Stretches& str
   for (const std::uint64_t stretch : sample) digests_[stretch];
 }
 
-void Recheck::first(const Entry& entry) { digests_[entry.stretch] = digests_of(entry); }
+void Recheck::add_first(const Entry& entry) { digests_[entry.stretch] = digests_of(entry); }
 
-void Recheck::again(const Entry& entry) {
+void Recheck::add_again(const Entry& entry) {
   const std::vector<std::string>& before = digests_.at(entry.stretch);
   const std::vector<std::string> now = digests_of(entry);
   for (std::size_t k = 0; k < kernels_.size(); ++k) {

@@ -16,9 +16,9 @@ class Recheck {
           const std::vector<std::uint64_t>& sample);
 
   bool is_in(std::uint64_t stretch) const { return digests_.contains(stretch); }
-  void first(const Entry& entry);
-  // To be called after first() with the same stretch.
-  void again(const Entry& entry);
+  void add_first(const Entry& entry);
+  // To be called after add_first() with the same stretch.
+  void add_again(const Entry& entry);
   std::uint64_t compared() const { return compared_; }
   // Each message names units, kernel and digests.
   const std::vector<std::string>& differences() const { return differences_; }

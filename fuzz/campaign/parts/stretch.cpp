@@ -156,7 +156,7 @@ Entry run_stretch(const Plan& plan, const Stretches& stretches, std::uint64_t nu
   const Source& source = *plan.questions.sources[stretch.source];
   std::vector<Tally> tallies(plan.answerers.kernels.size(), empty_tally(source.test()));
   Costs costs;
-  std::vector<Standing> standing;
+  std::vector<StandingLeaders> standing;
   for (std::uint64_t done = 0; done < stretch.queries; done += unit_size) {
     const UnitResult unit = run_unit(plan, source, stretch.precision, stretch.first_unit + done / unit_size,
                                      std::min(unit_size, stretch.queries - done), standing);

@@ -131,7 +131,7 @@ TEST(Stretch, OfAnotherTestHasAsManyTalliesAsThatHasClauses) {
           run_unit(plan, *plan.questions.sources[stretch.source], stretch.precision, 0, stretch.queries);
       EXPECT_EQ(run_stretch(plan, stretches, number).tallies.front(), encode(unit.tallies.front())) << kernel;
     }
-    Gathered gathered(plan.questions, plan.answerers.kernels.size(), stretches);
+    GatheredStretches gathered(plan.questions, plan.answerers.kernels.size(), stretches);
     gathered.add(run_stretch(plan, stretches, 0));
   }
 }
@@ -155,10 +155,10 @@ TEST(Recheck, AFaultOfOneTargetIsToldWithUnitAndKernel) {
   other.running.target = scalar_target;
   const Stretches stretches(plan.questions, 1);
   Recheck recheck(plan.answerers.kernels, stretches, {0});
-  recheck.first(run_stretch(plan, stretches, 0));
-  recheck.again(run_stretch(plan, stretches, 0));
+  recheck.add_first(run_stretch(plan, stretches, 0));
+  recheck.add_again(run_stretch(plan, stretches, 0));
   EXPECT_TRUE(recheck.differences().empty());
-  recheck.again(run_stretch(other, stretches, 0));
+  recheck.add_again(run_stretch(other, stretches, 0));
   ASSERT_EQ(recheck.differences().size(), 1u) << "and not of the kernel published";
   EXPECT_EQ(recheck.differences()[0].find("kernel planted on tangent binary32, unit 0: "), 0u)
       << recheck.differences()[0];
@@ -175,7 +175,7 @@ TEST(Recheck, ASampleIsPartOfTheWholeAndNeverEmpty) {
 TEST(Gathered, KnowsWhatIsMissingAndWhatWasLost) {
   const Plan plan = small_plan({"published"}, {"general"}, 100);
   const Stretches stretches(plan.questions, 1);
-  Gathered gathered(plan.questions, plan.answerers.kernels.size(), stretches);
+  GatheredStretches gathered(plan.questions, plan.answerers.kernels.size(), stretches);
   const std::string done = encode(run_stretch(plan, stretches, 1));
   for (const std::string& content : {begun_note(0), begun_note(0), begun_note(1), done}) gathered.replay(content);
   EXPECT_EQ(gathered.missing(), std::vector<std::uint64_t>{0});

@@ -6,7 +6,7 @@ namespace axiscert {
 
 template <class Real>
 KernelRun<Real>::KernelRun(const Kernel& kernel, const std::string& target, const StoredReplies* replies,
-                           const Source& source, const Standing& standing, Tally& tally)
+                           const Source& source, const StandingLeaders& standing, Tally& tally)
     : kernel_(kernel),
       source_(source),
       replies_(replies),
@@ -30,9 +30,9 @@ Answer KernelRun<Real>::answer(std::size_t i) const {
 }
 
 template <class Real>
-typename KernelRun<Real>::Judged KernelRun<Real>::judge(std::size_t i, CloseLook<Real>& look) {
+typename KernelRun<Real>::JudgedAnswer KernelRun<Real>::judge(std::size_t i, CloseLook<Real>& look) {
   const Answer said = answer(i);
-  Judged found{true, look.chain(kernel_)};
+  JudgedAnswer found{true, look.chain(kernel_)};
   found.judgement = axiscert::judge(*kernel_.test, look.truth(), found.chain, said, kernel_.touching);
   if (!look.is_promised_by(kernel_)) {
     count_outside(tally_, look.truth(), said, found.judgement, look.depth());

@@ -45,8 +45,8 @@ class CloseLook {
     const bool is_hit = said == Verdict::contact;
     if (!is_contact || (!is_hit && said != Verdict::separated)) return;
     if (!motion_judge_) motion_judge_ = oracles_.motion_judge(numbers_);
-    if (is_hit) count_hit(tally, position, motion_judge_->hit(measures));
-    else count_missed(tally, position, motion_judge_->missed());
+    if (is_hit) count_hit(tally, position, motion_judge_->judge_hit(measures));
+    else count_missed(tally, position, motion_judge_->judge_miss());
   }
 
  private:
@@ -64,12 +64,12 @@ class KernelRun {
  public:
   // The kernel on a target; where there are stored replies, they are its answers, and it is not asked.
   KernelRun(const Kernel& kernel, const std::string& target, const StoredReplies* replies, const Source& source,
-            const Standing& standing, Tally& tally);
+            const StandingLeaders& standing, Tally& tally);
   KernelRun(const KernelRun&) = delete;
 
   const Kernel& kernel() const { return kernel_; }
   const Implementation<Real>& implementation() const { return implementation_; }
-  const Standing& standing() const { return standing_; }
+  const StandingLeaders& standing() const { return standing_; }
   Tally& tally() const { return tally_; }
   bool is_in_another_process() const { return implementation_.supervised != nullptr; }
   bool has_replies() const { return replies_ != nullptr; }
@@ -84,18 +84,18 @@ class KernelRun {
   bool shows_sides() const { return kernel_.exposes == Exposure::sides && reply_.has_bits; }
 
   // Judges the answer to query `i` by its oracles and counts it, but for the errors of its sides.
-  struct Judged {
+  struct JudgedAnswer {
     bool is_counted = false;  // false: outside the kernel's limits
     std::optional<Reference> chain = {};
     Judgement judgement = {};
   };
-  Judged judge(std::size_t i, CloseLook<Real>& look);
+  JudgedAnswer judge(std::size_t i, CloseLook<Real>& look);
 
  private:
   const Kernel& kernel_;
   const Source& source_;
   const StoredReplies* replies_;  // null: the kernel itself is asked
-  const Standing& standing_;
+  const StandingLeaders& standing_;
   Tally& tally_;
   Implementation<Real> implementation_;
   std::uint64_t position_ = 0;  // of the batch's first query

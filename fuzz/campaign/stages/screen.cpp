@@ -9,7 +9,7 @@ namespace {
 template <class Real>
 class NoScreen final : public Screen<Real> {
  public:
-  explicit NoScreen(const Screened<Real>& of) : of_(of) {}
+  explicit NoScreen(const ScreenedRuns<Real>& of) : of_(of) {}
 
   void decide(const MadeBatch<Real>& batch) override {
     queries_ = &batch.queries;
@@ -20,7 +20,7 @@ class NoScreen final : public Screen<Real> {
     for (const KernelRun<Real>& run : of_.runs) asked_->expect(run.kernel());
     return *asked_;
   }
-  void judged(std::size_t k, std::size_t i, const typename KernelRun<Real>::Judged& found) override {
+  void look_at_answer(std::size_t k, std::size_t i, const typename KernelRun<Real>::JudgedAnswer& found) override {
     KernelRun<Real>& run = of_.runs[k];
     if (!found.is_counted || !found.chain || !run.shows_sides() || !run.is_answered(i)) return;
     const ExactSides* sides = asked_->sides(run.kernel());
@@ -30,7 +30,7 @@ class NoScreen final : public Screen<Real> {
   }
 
  private:
-  const Screened<Real> of_;
+  const ScreenedRuns<Real> of_;
   const QueryBatch<Real>* queries_ = nullptr;
   std::unique_ptr<AskedQuery> asked_;
 };
@@ -38,11 +38,11 @@ class NoScreen final : public Screen<Real> {
 }  // namespace
 
 template <class Real>
-std::unique_ptr<Screen<Real>> screen_of(const Screened<Real>& of) {
+std::unique_ptr<Screen<Real>> screen_of(const ScreenedRuns<Real>& of) {
   if (const Screens* screens = capabilities_of(*of.runs.front().kernel().test).screens) return screens->screen(of);
   return std::make_unique<NoScreen<Real>>(of);
 }
-template std::unique_ptr<Screen<float>> screen_of(const Screened<float>&);
-template std::unique_ptr<Screen<double>> screen_of(const Screened<double>&);
+template std::unique_ptr<Screen<float>> screen_of(const ScreenedRuns<float>&);
+template std::unique_ptr<Screen<double>> screen_of(const ScreenedRuns<double>&);
 
 }  // namespace axiscert

@@ -26,7 +26,7 @@ class Screen {
   // Open query `i`, for the oracles. Good until another is asked for.
   virtual AskedQuery& about(std::size_t i) = 0;
   // The oracles have judged kernel k's answer to that query. Counts what is to be seen in its sides.
-  virtual void judged(std::size_t k, std::size_t i, const typename KernelRun<Real>::Judged& found) = 0;
+  virtual void look_at_answer(std::size_t k, std::size_t i, const typename KernelRun<Real>::JudgedAnswer& found) = 0;
   // All of the batch is judged: measures what is measured of a sample alone.
   virtual void sample() {}
   // After the last batch: counts what was put off.
@@ -35,8 +35,8 @@ class Screen {
 
 // What a screen works on; all has to outlive it.
 template <class Real>
-struct Screened {
-  const Judging& judging;
+struct ScreenedRuns {
+  const JudgingOptions& judging;
   const std::string& target;  // of the filters
   const Oracles& oracles;
   KernelRuns<Real>& runs;        // not empty
@@ -48,8 +48,8 @@ struct Screened {
 // A capability of a test: its screens.
 class Screens {
  public:
-  virtual std::unique_ptr<Screen<float>> screen(const Screened<float>& of) const = 0;
-  virtual std::unique_ptr<Screen<double>> screen(const Screened<double>& of) const = 0;
+  virtual std::unique_ptr<Screen<float>> screen(const ScreenedRuns<float>& of) const = 0;
+  virtual std::unique_ptr<Screen<double>> screen(const ScreenedRuns<double>& of) const = 0;
 
  protected:
   ~Screens() = default;
@@ -57,6 +57,6 @@ class Screens {
 
 // That of the kernels' test.
 template <class Real>
-std::unique_ptr<Screen<Real>> screen_of(const Screened<Real>& of);
+std::unique_ptr<Screen<Real>> screen_of(const ScreenedRuns<Real>& of);
 
 }  // namespace axiscert

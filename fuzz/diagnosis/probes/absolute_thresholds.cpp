@@ -25,7 +25,7 @@ class UnitsByForms {
   }
   bool has_forms() const { return !forms_.empty(); }
 
-  Found found() {
+  ProbeFinding found() {
     for (const Family* family : families_of(subject_.test())) {
       if (family->entry == subject_.kernel().entry && image_group(family->name) == nullptr) add(*family);
     }
@@ -125,7 +125,7 @@ class UnitsByForms {
 }  // namespace
 
 template <class Real>
-Found absolute_thresholds(Subject<Real>& subject) {
+ProbeFinding absolute_thresholds(Subject<Real>& subject) {
   if (const auto by_images = scenes_of<Real>(subject.test()).threshold_by_images) return by_images(subject);
   if (!oracles_of(subject.kernel()).has_depth()) return unasked("This test has no depth, by which queries are clear.");
   UnitsByForms<Real> units(subject);
@@ -134,7 +134,7 @@ Found absolute_thresholds(Subject<Real>& subject) {
   }
   return units.found();
 }
-template Found absolute_thresholds(Subject<float>&);
-template Found absolute_thresholds(Subject<double>&);
+template ProbeFinding absolute_thresholds(Subject<float>&);
+template ProbeFinding absolute_thresholds(Subject<double>&);
 
 }  // namespace axiscert::diagnosis

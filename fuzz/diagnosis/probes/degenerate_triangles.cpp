@@ -52,7 +52,7 @@ std::string flat_sentence(Degenerate value) {
 }  // namespace
 
 template <class Real>
-Found degenerate_triangles(Subject<Real>& subject) {
+ProbeFinding degenerate_triangles(Subject<Real>& subject) {
   if (!vertex_columns(subject.kernel())) return unasked("This test has no triangle.");
   if (const auto why = why_not_sound(subject)) return undecided(*why);
   const FlatScenes<Real> flat = scenes_of<Real>(subject.test()).flat(subject, flat_of_each);
@@ -100,7 +100,7 @@ Found degenerate_triangles(Subject<Real>& subject) {
   return decided(value, flat_sentence(value), std::move(witnesses), measured);
 }
 
-template Found degenerate_triangles(Subject<float>&);
-template Found degenerate_triangles(Subject<double>&);
+template ProbeFinding degenerate_triangles(Subject<float>&);
+template ProbeFinding degenerate_triangles(Subject<double>&);
 
 }  // namespace axiscert::diagnosis

@@ -18,14 +18,15 @@ template <class Real>
 using Word = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
 
 // The points of a query whose digits below binary32 are changed.
-enum class Changed : std::uint8_t { vertices, centre, all_points };
-constexpr std::array<Changed, 3> all_changes = {Changed::vertices, Changed::centre, Changed::all_points};
+enum class ChangedPoints : std::uint8_t { vertices, centre, all_points };
+constexpr std::array<ChangedPoints, 3> all_changes = {ChangedPoints::vertices, ChangedPoints::centre,
+                                                      ChangedPoints::all_points};
 
 // The same scene, as long as these points are read as floats.
-Numbers<double> as_in_floats(const TurningScenes<double>& scenes, Numbers<double> query, Changed which) {
+Numbers<double> as_in_floats(const TurningScenes<double>& scenes, Numbers<double> query, ChangedPoints which) {
   for (std::size_t k = 0; k < query.size(); ++k) {
-    const bool is_changed =
-        (which != Changed::centre && scenes.is_of_first[k]) || (which != Changed::vertices && scenes.is_of_second[k]);
+    const bool is_changed = (which != ChangedPoints::centre && scenes.is_of_first[k]) ||
+                            (which != ChangedPoints::vertices && scenes.is_of_second[k]);
     if (!is_changed) continue;
     const double rounded = static_cast<double>(static_cast<float>(query[k]));
     query[k] = query[k] == rounded ? rounded * (1 + 0x1p-30) : rounded;
@@ -88,8 +89,8 @@ struct TurningCounts {
 };
 
 template <class Real>
-Found concluded(Subject<Real>& subject, const TurningScenes<Real>& scenes, const TurningCounts& counts,
-                std::optional<DiagnosisWitness> witness) {
+ProbeFinding concluded(Subject<Real>& subject, const TurningScenes<Real>& scenes, const TurningCounts& counts,
+                       std::optional<DiagnosisWitness> witness) {
   const Json measured = counts.json();
   std::vector<DiagnosisWitness> witnesses;
   if (witness) witnesses.push_back(*witness);
@@ -144,7 +145,7 @@ Found concluded(Subject<Real>& subject, const TurningScenes<Real>& scenes, const
 }  // namespace
 
 template <class Real>
-Found inner_precision(Subject<Real>& subject) {
+ProbeFinding inner_precision(Subject<Real>& subject) {
   const Kernel& kernel = subject.kernel();
   if (!oracles_of(kernel).critical_length())
     return unasked("Queries of this entry have no radius at which the answer turns, by which digits are seen.");
@@ -154,7 +155,7 @@ Found inner_precision(Subject<Real>& subject) {
   const auto radii = turning_radii(subject, scenes.queries, radius);
   std::array<std::vector<std::optional<Real>>, 3> of_floats;  // by Changed
   if constexpr (sizeof(Real) == 8) {
-    for (const Changed which : all_changes) {
+    for (const ChangedPoints which : all_changes) {
       Queries<Real> changed;
       for (const auto& q : scenes.queries) changed.push_back(as_in_floats(scenes, q, which));
       of_floats[static_cast<std::size_t>(which)] = turning_radii(subject, changed, radius);
@@ -188,7 +189,7 @@ Found inner_precision(Subject<Real>& subject) {
   if (!errors.empty()) counts.median = errors[errors.size() / 2];
   return concluded(subject, scenes, counts, witness);
 }
-template Found inner_precision(Subject<float>&);
-template Found inner_precision(Subject<double>&);
+template ProbeFinding inner_precision(Subject<float>&);
+template ProbeFinding inner_precision(Subject<double>&);
 
 }  // namespace axiscert::diagnosis

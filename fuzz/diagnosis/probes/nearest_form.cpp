@@ -8,7 +8,7 @@
 namespace axiscert::diagnosis {
 namespace {
 
-constexpr std::size_t sharp_count = 4096, plain_count = 512, family_count = 128;
+constexpr std::size_t sharp_count = 4096, general_count = 512, family_count = 128;
 // A share of the queries on which forms differ, below which a kernel is not like any of them.
 constexpr double least_share = 0.9;
 
@@ -23,8 +23,8 @@ template <class Real>
 Queries<Real> telling_queries(Subject<Real>& subject) {
   const Kernel& kernel = subject.kernel();
   Queries<Real> queries = sharp_queries<Real>(kernel, subject.seed(), sharp_count);
-  const Queries<Real> plain = plain_queries<Real>(kernel, subject.seed(), plain_count);
-  queries.insert(queries.end(), plain.begin(), plain.end());
+  const Queries<Real> general = queries_of_general<Real>(kernel, subject.seed(), general_count);
+  queries.insert(queries.end(), general.begin(), general.end());
   if (!scenes_of<Real>(subject.test()).near_tie) return queries;  // the sharp ones are of the families already
   for (const Family* family : families_of(subject.test())) {
     if (image_group(family->name) != nullptr || family->cost > 1) continue;
@@ -83,7 +83,7 @@ std::vector<FormCount> forms_on(Subject<Real>& subject, Queries<Real>& queries, 
 }  // namespace
 
 template <class Real>
-Found nearest_form(Subject<Real>& subject) {
+ProbeFinding nearest_form(Subject<Real>& subject) {
   if (const auto why = why_not_sound(subject)) return undecided(*why);
   Queries<Real> queries = telling_queries(subject);
   std::vector<Verdict> said = subject.ask(queries);
@@ -117,7 +117,7 @@ Found nearest_form(Subject<Real>& subject) {
   }
   return {best.id, "It agrees most " + facts + ".", std::move(witnesses), std::move(measured)};
 }
-template Found nearest_form(Subject<float>&);
-template Found nearest_form(Subject<double>&);
+template ProbeFinding nearest_form(Subject<float>&);
+template ProbeFinding nearest_form(Subject<double>&);
 
 }  // namespace axiscert::diagnosis

@@ -62,7 +62,7 @@ class OrderProbe {
     return differing;
   }
 
-  Found found() {
+  ProbeFinding found() {
     Queries<Real> general;
     for (std::uint64_t i = 0; i < order_queries; ++i)
       general.push_back(near_tie_(subject_.seed(), "order", i, no_axis));
@@ -100,8 +100,8 @@ class OrderProbe {
     std::array<std::size_t, 3> by_pair, in_plane;
   };
 
-  static Found concluded(const Counts& counts, const std::optional<DiagnosisWitness>& general_witness,
-                         const std::optional<DiagnosisWitness>& flat_witness, const Json& measured) {
+  static ProbeFinding concluded(const Counts& counts, const std::optional<DiagnosisWitness>& general_witness,
+                                const std::optional<DiagnosisWitness>& flat_witness, const Json& measured) {
     const auto is_none = [](std::size_t n) { return n == 0; };
     if (measured["answered"] == 0) return undecided("It decides nothing near touching.", measured);
     if (counts.by_signs != 0) {
@@ -146,7 +146,7 @@ class OrderProbe {
 }  // namespace
 
 template <class Real>
-Found operation_order(Subject<Real>& subject) {
+ProbeFinding operation_order(Subject<Real>& subject) {
   if (!scenes_of<Real>(subject.test()).near_tie) {
     std::vector<std::string_view> with_near_ties;
     for (const TestDescription* test : tests()) {
@@ -157,7 +157,7 @@ Found operation_order(Subject<Real>& subject) {
   }
   return OrderProbe<Real>(subject).found();
 }
-template Found operation_order(Subject<float>&);
-template Found operation_order(Subject<double>&);
+template ProbeFinding operation_order(Subject<float>&);
+template ProbeFinding operation_order(Subject<double>&);
 
 }  // namespace axiscert::diagnosis

@@ -55,7 +55,7 @@ class WindowScan {
 }  // namespace
 
 template <class Real>
-Found range_window(Subject<Real>& subject) {
+ProbeFinding range_window(Subject<Real>& subject) {
   WindowScan<Real> scan(subject);
   if (scan.size() == 0) return unasked("This test has no queries here that are known to be far from every boundary.");
   if (!scan.tells())
@@ -82,7 +82,7 @@ Found range_window(Subject<Real>& subject) {
                   scan.size(), low, high, std::ldexp(1.0, low), std::ldexp(1.0, high), scanned.low, scanned.high),
       std::move(witnesses), measured);
 }
-template Found range_window(Subject<float>&);
-template Found range_window(Subject<double>&);
+template ProbeFinding range_window(Subject<float>&);
+template ProbeFinding range_window(Subject<double>&);
 
 }  // namespace axiscert::diagnosis

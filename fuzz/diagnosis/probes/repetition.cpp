@@ -15,11 +15,11 @@ constexpr std::size_t longest = 33, placed_queries = 96;
 template <class Real>
 Queries<Real> mixed_queries(Subject<Real>& subject, std::size_t count) {
   const Queries<Real> near = sharp_queries<Real>(subject.kernel(), subject.seed(), count - count / 4);
-  const Queries<Real> plain = plain_queries<Real>(subject.kernel(), subject.seed(), count / 4);
+  const Queries<Real> general = queries_of_general<Real>(subject.kernel(), subject.seed(), count / 4);
   Queries<Real> mixed;
   for (std::size_t i = 0; i < near.size(); ++i) {
     mixed.push_back(near[i]);
-    if (i % 3 == 2 && i / 3 < plain.size()) mixed.push_back(plain[i / 3]);
+    if (i % 3 == 2 && i / 3 < general.size()) mixed.push_back(general[i / 3]);
   }
   return mixed;
 }
@@ -51,12 +51,12 @@ bool is_repeatable(Subject<Real>& subject) {
   return true;
 }
 
-Found not_repeatable() {
+ProbeFinding not_repeatable() {
   return undecided("It gives other answers to the same batch, so nothing can be said of where they stand in it.");
 }
 
 // One difference decides; that there is none takes answers.
-Found too_few_answers(std::size_t answered, std::size_t compared) {
+ProbeFinding too_few_answers(std::size_t answered, std::size_t compared) {
   return undecided(fmt::format(
       "It decided both queries in only {} of {} comparisons, too few to say that none differs.", answered, compared));
 }
@@ -67,7 +67,7 @@ struct PlaceDifference {
 
 // Looks for two places with different answers; `compares` says with which of the earlier ones a place is compared.
 template <class Real>
-Found placed_differently(Subject<Real>& subject, bool is_of_length) {
+ProbeFinding placed_differently(Subject<Real>& subject, bool is_of_length) {
   if (!is_repeatable(subject)) return not_repeatable();
   const Queries<Real> queries = mixed_queries(subject, placed_queries);
   std::optional<PlaceDifference> first;
@@ -115,7 +115,7 @@ Found placed_differently(Subject<Real>& subject, bool is_of_length) {
 }  // namespace
 
 template <class Real>
-Found repeated(Subject<Real>& subject) {
+ProbeFinding repeated(Subject<Real>& subject) {
   const Queries<Real> batch = mixed_queries(subject, 1024);
   const auto first = subject.ask_batch(batch);
   if (std::ranges::none_of(first, is_decided)) return undecided("It decided none of these queries.");
@@ -124,7 +124,7 @@ Found repeated(Subject<Real>& subject) {
     for (std::size_t k = 0; k < batch.size(); ++k) {
       if (again[k] == first[k] || !is_answer(again[k]) || !is_answer(first[k])) continue;
       return decided(
-          Repeated::differs,
+          RepeatedBatch::differs,
           fmt::format("It is not deterministic: the same batch of {}, asked {} times, is "
                       "answered in two ways.",
                       batch.size(), i + 1),
@@ -132,22 +132,23 @@ Found repeated(Subject<Real>& subject) {
                            fmt::format("as query {} of the same batch, the first time and the {}th", k + 1, i + 1))});
     }
   }
-  return decided(Repeated::same, fmt::format("The same {} queries, asked {} times, are answered the same each time.",
-                                             batch.size(), repetitions));
+  return decided(
+      RepeatedBatch::same,
+      fmt::format("The same {} queries, asked {} times, are answered the same each time.", batch.size(), repetitions));
 }
 
 template <class Real>
-Found position_in_batch(Subject<Real>& subject) {
+ProbeFinding position_in_batch(Subject<Real>& subject) {
   return placed_differently(subject, false);
 }
 
 template <class Real>
-Found batch_length(Subject<Real>& subject) {
+ProbeFinding batch_length(Subject<Real>& subject) {
   return placed_differently(subject, true);
 }
 
 template <class Real>
-Found neighbours(Subject<Real>& subject) {
+ProbeFinding neighbours(Subject<Real>& subject) {
   if (!is_repeatable(subject)) return not_repeatable();
   const Queries<Real> queries = mixed_queries(subject, 4 * longest);
   std::size_t differing = 0, answered = 0, compared = 0;
@@ -182,11 +183,11 @@ Found neighbours(Subject<Real>& subject) {
                  {*witness});
 }
 
-#define AXISCERT_INSTANCES(Real)                    \
-  template Found repeated(Subject<Real>&);          \
-  template Found position_in_batch(Subject<Real>&); \
-  template Found batch_length(Subject<Real>&);      \
-  template Found neighbours(Subject<Real>&);
+#define AXISCERT_INSTANCES(Real)                           \
+  template ProbeFinding repeated(Subject<Real>&);          \
+  template ProbeFinding position_in_batch(Subject<Real>&); \
+  template ProbeFinding batch_length(Subject<Real>&);      \
+  template ProbeFinding neighbours(Subject<Real>&);
 AXISCERT_INSTANCES(float)
 AXISCERT_INSTANCES(double)
 #undef AXISCERT_INSTANCES

@@ -25,7 +25,7 @@ bool separates(Subject<Real>& subject) {
 }  // namespace
 
 template <class Real>
-Found sides_hit(Subject<Real>& subject) {
+ProbeFinding sides_hit(Subject<Real>& subject) {
   const Kernel& kernel = subject.kernel();
   if (!vertex_columns(kernel)) return unasked("This test has no triangle that could be hit from one side.");
   const SidedScenes<Real> scenes = scenes_of<Real>(*kernel.test).sided(subject, sided_count);
@@ -36,7 +36,7 @@ Found sides_hit(Subject<Real>& subject) {
   const auto said = subject.ask(hits);
   // A scene whose answer is the same where it is known to be apart says nothing.
   const auto of_apart = scenes.apart.empty() ? std::vector(hits.size(), Verdict::separated) : subject.ask(scenes.apart);
-  Tallied front, back;
+  TalliedVerdicts front, back;
   std::array<std::optional<std::size_t>, 2> first, first_missed;  // back, front
   std::size_t answered = 0;
   for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -78,7 +78,7 @@ Found sides_hit(Subject<Real>& subject) {
   return undecided(fmt::format("It says contact on {}, all of which are contacts: no rule of sides.", counts),
                    measured);
 }
-template Found sides_hit(Subject<float>&);
-template Found sides_hit(Subject<double>&);
+template ProbeFinding sides_hit(Subject<float>&);
+template ProbeFinding sides_hit(Subject<double>&);
 
 }  // namespace axiscert::diagnosis

@@ -23,7 +23,7 @@ OverlappingStarts<Real> overlapping_starts(Subject<Real>& subject) {
   OverlappingStarts<Real> found;
   const Kernel& kernel = subject.kernel();
   const Oracles& oracles = oracles_of(kernel);
-  const Family* family = plain_family(kernel);
+  const Family* family = family_named_general(kernel);
   const MotionPolicy approaching{.start = StartPolicy::approaching};
   for (std::uint64_t i = 0; family && i < start_positions; ++i) {
     if (std::min(found.approaching.size(), found.leaving.size()) >= starts_of_each) break;
@@ -40,12 +40,12 @@ OverlappingStarts<Real> overlapping_starts(Subject<Real>& subject) {
 }  // namespace
 
 template <class Real>
-Found overlap_at_start(Subject<Real>& subject) {
+ProbeFinding overlap_at_start(Subject<Real>& subject) {
   if (!is_of_motions(subject.test())) return unasked("Nothing moves in this test.");
   const OverlappingStarts<Real> starts = overlapping_starts(subject);
   const std::array<const Queries<Real>*, 3> groups = {&starts.approaching, &starts.leaving, &starts.still};
   constexpr std::array<std::string_view, 3> names = {"approaching", "leaving", "still"};
-  std::array<Tallied, 3> said;
+  std::array<TalliedVerdicts, 3> said;
   std::vector<DiagnosisWitness> witnesses;
   Json measured = Json::object();
   for (std::size_t k = 0; k < groups.size(); ++k) {
@@ -84,7 +84,7 @@ Found overlap_at_start(Subject<Real>& subject) {
                    measured);
   return undecided(fmt::format("Of overlaps before the motion it says {}: no rule.", counts), measured);
 }
-template Found overlap_at_start(Subject<float>&);
-template Found overlap_at_start(Subject<double>&);
+template ProbeFinding overlap_at_start(Subject<float>&);
+template ProbeFinding overlap_at_start(Subject<double>&);
 
 }  // namespace axiscert::diagnosis

@@ -30,7 +30,7 @@ class SubnormalProbe {
         queries_(scenes_of<Real>(subject.test()).small(subject.kernel())),
         said_(subject.ask(queries_)) {}
 
-  Found found() {
+  ProbeFinding found() {
     if (auto kept = by_subnormal_queries()) return *kept;
     const std::optional<std::size_t> changed = changed_by_the_caller();
     if (changed) {
@@ -70,7 +70,7 @@ class SubnormalProbe {
   }
 
   // Right where every number of the query is subnormal: zero would be one answer for all.
-  std::optional<Found> by_subnormal_queries() {
+  std::optional<ProbeFinding> by_subnormal_queries() {
     Queries<Real> queries;
     std::vector<Verdict> truths;
     for (const auto& query : clear_queries<Real>(subject_.kernel(), subnormal_scenes)) {
@@ -146,12 +146,12 @@ class SubnormalProbe {
 }  // namespace
 
 template <class Real>
-Found subnormal_numbers(Subject<Real>& subject) {
+ProbeFinding subnormal_numbers(Subject<Real>& subject) {
   if (clear_queries<Real>(subject.kernel(), 1).empty())
     return unasked("This test has no queries here that are known to be far from every boundary.");
   return SubnormalProbe<Real>(subject).found();
 }
-template Found subnormal_numbers(Subject<float>&);
-template Found subnormal_numbers(Subject<double>&);
+template ProbeFinding subnormal_numbers(Subject<float>&);
+template ProbeFinding subnormal_numbers(Subject<double>&);
 
 }  // namespace axiscert::diagnosis

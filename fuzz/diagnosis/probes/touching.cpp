@@ -23,7 +23,7 @@ std::string capitalised(std::string_view text) {
 }  // namespace
 
 template <class Real>
-Found at_touching(Subject<Real>& subject) {
+ProbeFinding at_touching(Subject<Real>& subject) {
   const Kernel& kernel = subject.kernel();
   if (!has_lengths(kernel))
     return unasked("No length of this entry could grow, by which touching is told from a slack.");
@@ -38,8 +38,8 @@ Found at_touching(Subject<Real>& subject) {
     return queries;
   };
   const auto said = subject.ask(touching), smaller = subject.ask(times(0.5)), larger = subject.ask(times(1.5));
-  std::vector<Tallied> parts(scenes.parts.size());
-  Tallied all;
+  std::vector<TalliedVerdicts> parts(scenes.parts.size());
+  TalliedVerdicts all;
   std::optional<std::size_t> contact, apart;
   std::size_t counted = 0;
   std::vector<bool> is_counted(touching.size());
@@ -95,7 +95,7 @@ Found at_touching(Subject<Real>& subject) {
                              scenes.where, said_there, counted, counted),
                  std::move(witnesses), measured);
 }
-template Found at_touching(Subject<float>&);
-template Found at_touching(Subject<double>&);
+template ProbeFinding at_touching(Subject<float>&);
+template ProbeFinding at_touching(Subject<double>&);
 
 }  // namespace axiscert::diagnosis

@@ -29,7 +29,7 @@ enum class Order : std::uint8_t { left_to_right, other_order, contracted };
 // The precision of the computation against that of the query.
 enum class Inner : std::uint8_t { narrower, own, wider };
 // The same batch asked again.
-enum class Repeated : std::uint8_t { same, differs };
+enum class RepeatedBatch : std::uint8_t { same, differs };
 // The same query in another place.
 enum class Place : std::uint8_t { independent, depends };
 
@@ -53,7 +53,7 @@ AXISCERT_VALUES(Window, 2, window_names, "whole", "limited")
 AXISCERT_VALUES(Subnormals, 2, subnormals_names, "kept", "flushed")
 AXISCERT_VALUES(Order, 3, order_names, "left_to_right", "other_order", "contracted")
 AXISCERT_VALUES(Inner, 3, inner_names, "narrower", "own", "wider")
-AXISCERT_VALUES(Repeated, 2, repeated_names, "same", "differs")
+AXISCERT_VALUES(RepeatedBatch, 2, repeated_names, "same", "differs")
 AXISCERT_VALUES(Place, 2, place_names, "independent", "depends")
 #undef AXISCERT_VALUES
 

@@ -28,7 +28,7 @@ bool is_of_motions(const TestDescription& test) {
   return std::ranges::any_of(test.measures, [](const TestMeasure& measure) { return measure.name == "time"; });
 }
 
-const Family* plain_family(const Kernel& kernel) {
+const Family* family_named_general(const Kernel& kernel) {
   for (const Family* family : families_of(*kernel.test)) {
     const std::string_view last = family->name.substr(family->name.rfind('/') + 1);
     if (family->entry == kernel.entry && (last.starts_with("general") || last.ends_with("_general"))) return family;
@@ -45,7 +45,7 @@ template <class Real>
 std::vector<ClearQuery<Real>> clear_by_depth(const Kernel& kernel, std::size_t count) {
   std::vector<ClearQuery<Real>> found;
   const Oracles& oracles = oracles_of(kernel);
-  const Family* family = plain_family(kernel);
+  const Family* family = family_named_general(kernel);
   if (!family || !oracles.has_depth()) return found;
   for (std::uint64_t position = 0; found.size() < count && position < count * most_positions; ++position) {
     const Numbers<Real> numbers = family->make<Real>(1, position);

@@ -11,10 +11,10 @@ inline constexpr double clear_depth = 0x1p-6;
 
 // The family of the kernel's test that is named "general", with the entry that the kernel takes before it or after it
 // ("ends_general", "general_minmax"); null where there is none.
-const Family* plain_family(const Kernel& kernel);
+const Family* family_named_general(const Kernel& kernel);
 
-// The test's own, or the first `count` queries of its plain family whose depth is above 2^-6. The numbers are of the
-// kernel's entry. Empty where the test has no depth or no such family.
+// The test's own, or the first `count` queries of its family `general` whose depth is above 2^-6. The numbers are of
+// the kernel's entry. Empty where the test has no depth or no such family.
 template <class Real>
 std::vector<ClearQuery<Real>> clear_queries(const Kernel& kernel, std::size_t count);
 

@@ -30,16 +30,16 @@ Queries<Real> sharp_queries(const Kernel& kernel, std::uint64_t seed, std::size_
 }
 
 template <class Real>
-Queries<Real> plain_queries(const Kernel& kernel, std::uint64_t seed, std::size_t count) {
+Queries<Real> queries_of_general(const Kernel& kernel, std::uint64_t seed, std::size_t count) {
   Queries<Real> queries;
-  const Family* family = plain_family(kernel);
+  const Family* family = family_named_general(kernel);
   for (std::uint64_t i = 0; i < count && family; ++i) queries.push_back(family->make<Real>(seed, i));
   return queries;
 }
 
 #define AXISCERT_INSTANCES(Real)                                                         \
   template Queries<Real> sharp_queries<Real>(const Kernel&, std::uint64_t, std::size_t); \
-  template Queries<Real> plain_queries<Real>(const Kernel&, std::uint64_t, std::size_t);
+  template Queries<Real> queries_of_general<Real>(const Kernel&, std::uint64_t, std::size_t);
 AXISCERT_INSTANCES(float)
 AXISCERT_INSTANCES(double)
 #undef AXISCERT_INSTANCES

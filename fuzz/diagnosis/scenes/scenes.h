@@ -117,7 +117,7 @@ struct Scenes {
   Numbers<Real> (*near_tie)(std::uint64_t seed, std::string_view probe, std::uint64_t position,
                             std::size_t flat) = nullptr;
   // The property `absolute_threshold` by families whose images are in other units. Null: by built-in forms.
-  Found (*threshold_by_images)(Subject<Real>& subject) = nullptr;
+  ProbeFinding (*threshold_by_images)(Subject<Real>& subject) = nullptr;
 };
 
 // The words for scenes that are made by trait.
@@ -146,6 +146,6 @@ const Scenes<Real>& scenes_of(const TestDescription& test) {
 template <class Real>
 Queries<Real> sharp_queries(const Kernel& kernel, std::uint64_t seed, std::size_t count);
 template <class Real>
-Queries<Real> plain_queries(const Kernel& kernel, std::uint64_t seed, std::size_t count);
+Queries<Real> queries_of_general(const Kernel& kernel, std::uint64_t seed, std::size_t count);
 
 }  // namespace axiscert::diagnosis

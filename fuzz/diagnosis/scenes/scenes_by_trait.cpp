@@ -166,7 +166,7 @@ SidedScenes<Real> sided_by_trait(Subject<Real>& subject, std::size_t count) {
                               .behind = words.behind};
   std::vector<SidedQuery<Real>>& found = scenes.queries;
   const Kernel& kernel = subject.kernel();
-  const Family* family = plain_family(kernel);
+  const Family* family = family_named_general(kernel);
   const Oracles& oracles = oracles_of(kernel);
   if (!family || !oracles.has_depth()) return scenes;
   std::array<std::size_t, 2> of_side{};
@@ -188,13 +188,13 @@ SidedScenes<Real> sided_by_trait(Subject<Real>& subject, std::size_t count) {
   return scenes;
 }
 
-// Queries of the plain family, clear of touching. What the kernel does not promise is left out.
+// Queries of the family `general`, clear of touching. What the kernel does not promise is left out.
 template <class Real>
 FlatScenes<Real> flat_by_trait(Subject<Real>& subject, std::size_t of_each) {
   FlatScenes<Real> scenes = {.queries = {}, .apart = "is apart", .contact = "is in contact"};
   std::vector<FlatQuery<Real>>& found = scenes.queries;
   const Kernel& kernel = subject.kernel();
-  const Family* family = plain_family(kernel);
+  const Family* family = family_named_general(kernel);
   const Oracles& oracles = oracles_of(kernel);
   if (!family || !oracles.has_depth() || !vertex_columns(kernel)) return scenes;
   for (const Flat flat : {Flat::point, Flat::two_equal, Flat::collinear}) {
@@ -216,7 +216,8 @@ FlatScenes<Real> flat_by_trait(Subject<Real>& subject, std::size_t of_each) {
   return scenes;
 }
 
-// Queries of the plain family whose answer turns at a radius between 1/8 and 4, or half extent, and does not near it.
+// Queries of the family `general` whose answer turns at a radius between 1/8 and 4, or half extent, and does not near
+// it.
 template <class Real>
 TurningScenes<Real> turning_by_trait(Subject<Real>& subject, std::size_t count) {
   const Kernel& kernel = subject.kernel();
@@ -233,7 +234,7 @@ TurningScenes<Real> turning_by_trait(Subject<Real>& subject, std::size_t count) 
     scenes.is_of_first.push_back(is_place && is_of_first);
     scenes.is_of_second.push_back(is_place && !is_of_first);
   }
-  const Family* family = plain_family(kernel);
+  const Family* family = family_named_general(kernel);
   for (std::uint64_t i = 0; family && i < turning_positions && scenes.queries.size() < count; ++i) {
     Numbers<Real> query = family->make<Real>(subject.seed(), i);
     if (!is_plump(kernel, query)) continue;

@@ -7,7 +7,7 @@ namespace {
 // Three points of a line in any order; D in the line, across it, or any.
 template <class Real>
 Numbers<Real> motion_at_a_line(Stream& random, std::uint64_t position) {
-  const Touched t = touched(random, FeatureKind::edge);
+  const TouchedTriangle t = touched(random, FeatureKind::edge);
   const auto on_line = [&](std::int64_t bound) { return t.along * random.integer(-bound, bound); };
   const Whole a = t.at + on_line(3), b = t.at + on_line(3), c = t.at + on_line(3);
   const std::uint64_t way = position % 3;

@@ -54,7 +54,7 @@ Numbers<Real> no_motion(Stream& random, std::uint64_t position) {
     q.d = {0, 0, 0};
     return q;
   }
-  const Touched t = touched(random, feature_in_turn(position / 2));
+  const TouchedTriangle t = touched(random, feature_in_turn(position / 2));
   MovingQuery<Real> q = spread<Real>(random, t.vertex, t.at + t.normal, {0, 0, 0}, t.r);
   nudge(random, position / 2, q);
   return q;

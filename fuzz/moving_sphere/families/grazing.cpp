@@ -6,14 +6,14 @@ namespace {
 
 // The centre is at X + n at s / k of its motion k d.
 template <class Real>
-MovingQuery<Real> passing(Stream& random, const Touched& t, const Whole& d) {
+MovingQuery<Real> passing(Stream& random, const TouchedTriangle& t, const Whole& d) {
   const std::int64_t k = random.integer(1, 4), s = random.integer(0, k);
   return spread<Real>(random, t.vertex, t.at + t.normal - d * s, d * k, t.r);
 }
 
 template <class Real>
 Numbers<Real> grazing_motion(Stream& random, std::uint64_t position) {
-  const Touched t = touched(random, feature_in_turn(position));
+  const TouchedTriangle t = touched(random, feature_in_turn(position));
   MovingQuery<Real> q = passing<Real>(random, t, across(random, t.normal));
   nudge(random, position, q);
   return q;
@@ -22,7 +22,7 @@ Numbers<Real> grazing_motion(Stream& random, std::uint64_t position) {
 // Over the face, or beside it at the height of its plane, D.V = 0.
 template <class Real>
 MovingQuery<Real> over_the_face(Stream& random) {
-  Touched t = touched(random, FeatureKind::face);
+  TouchedTriangle t = touched(random, FeatureKind::face);
   const std::int64_t away = random.integer(0, 2);
   t.at = t.at + across(random, t.normal) * away;
   return passing<Real>(random, t, across(random, t.normal));
@@ -47,7 +47,7 @@ Numbers<Real> skimming_motion(Stream& random, std::uint64_t position) {
 // D is parallel to AB: M = 0.
 template <class Real>
 Numbers<Real> motion_along_an_edge(Stream& random, std::uint64_t position) {
-  const Touched t = touched(random, FeatureKind::edge);
+  const TouchedTriangle t = touched(random, FeatureKind::edge);
   Whole d = t.along * random.integer(1, 3);
   if (random.coin()) d = Whole{0, 0, 0} - d;
   MovingQuery<Real> q = passing<Real>(random, t, d);

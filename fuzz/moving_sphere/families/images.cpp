@@ -30,7 +30,7 @@ Numbers<Real> base_motion(Stream& random, std::uint64_t base) {
     d = shapes::integers(random, 4) * 4;
     r = random.integer(0, 6);
   } else {
-    const Touched t = touched(random, static_cast<FeatureKind>(base % 4));
+    const TouchedTriangle t = touched(random, static_cast<FeatureKind>(base % 4));
     const std::int64_t k = random.integer(1, 4), s = random.integer(0, k);
     const Whole step = (base / 4 % 2 == 0 ? across(random, t.normal) : against(random, t.normal)) * 4;
     vertex = t.vertex;

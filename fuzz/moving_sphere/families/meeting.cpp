@@ -6,7 +6,7 @@ namespace {
 
 template <class Real>
 Numbers<Real> touching_at_the_end(Stream& random, std::uint64_t position) {
-  const Touched t = touched(random, feature_in_turn(position));
+  const TouchedTriangle t = touched(random, feature_in_turn(position));
   const std::int64_t length = random.integer(1, 4);
   const Whole d = against(random, t.normal) * length;
   MovingQuery<Real> q = spread<Real>(random, t.vertex, t.at + t.normal - d, d, t.r);
@@ -16,7 +16,7 @@ Numbers<Real> touching_at_the_end(Stream& random, std::uint64_t position) {
 
 template <class Real>
 Numbers<Real> touching_at_the_start(Stream& random, std::uint64_t position) {
-  const Touched t = touched(random, feature_in_turn(position));
+  const TouchedTriangle t = touched(random, feature_in_turn(position));
   const std::int64_t length = random.integer(1, 4);
   const Whole d = Whole{0, 0, 0} - against(random, t.normal) * length;
   MovingQuery<Real> q = spread<Real>(random, t.vertex, t.at + t.normal, d, t.r);
@@ -27,7 +27,7 @@ Numbers<Real> touching_at_the_start(Stream& random, std::uint64_t position) {
 // D = k d reaches X + n at the time s / k exactly: within the motion, at its end, or just not.
 template <class Real>
 Numbers<Real> touching_on_the_way(Stream& random, std::uint64_t position) {
-  const Touched t = touched(random, feature_in_turn(position));
+  const TouchedTriangle t = touched(random, feature_in_turn(position));
   const Whole d = against(random, t.normal);
   const std::int64_t k = random.integer(2, 8), s = random.integer(1, k + 1);
   MovingQuery<Real> q = spread<Real>(random, t.vertex, t.at + t.normal - d * s, d * k, t.r);
@@ -39,7 +39,7 @@ Numbers<Real> touching_on_the_way(Stream& random, std::uint64_t position) {
 // goes both ways, and in the face's turn n is the normal and X a vertex, where three regions meet.
 template <class Real>
 Numbers<Real> meeting_a_seam(Stream& random, std::uint64_t position) {
-  Touched t = touched(random, FeatureKind::vertex);
+  TouchedTriangle t = touched(random, FeatureKind::vertex);
   t.vertex = {t.at, t.at + t.along, t.at + behind(random, t.normal)};
   if (position % 3 == 2) t.vertex[2] = t.at + cross(t.normal, t.along);
   t.vertex = shapes::shuffled(random, t.vertex);
@@ -53,7 +53,7 @@ Numbers<Real> meeting_a_seam(Stream& random, std::uint64_t position) {
 // The radius within four ulps of the distance at the start; inwards, outwards, along the surface.
 template <class Real>
 Numbers<Real> overlap_by_ulps(Stream& random, std::uint64_t position) {
-  const Touched t = touched(random, feature_in_turn(position));
+  const TouchedTriangle t = touched(random, feature_in_turn(position));
   const Whole in = against(random, t.normal);
   const std::uint64_t way = position / 3 % 3;
   const Whole d = way == 0 ? in : way == 1 ? Whole{0, 0, 0} - in : across(random, t.normal);
@@ -65,7 +65,7 @@ Numbers<Real> overlap_by_ulps(Stream& random, std::uint64_t position) {
 // A ray, or a needle, through a vertex, an edge or the face's inside.
 template <class Real>
 Numbers<Real> moving_point(Stream& random, std::uint64_t position) {
-  const Touched t = touched(random, feature_in_turn(position));
+  const TouchedTriangle t = touched(random, feature_in_turn(position));
   const Whole d = shapes::integers(random, 20);
   const std::int64_t k = random.integer(1, 4), s = random.integer(0, k);
   MovingQuery<Real> q = spread<Real>(random, t.vertex, t.at - d * s, d * k, 0);

@@ -159,16 +159,16 @@ TYPED_TEST(MovingFamilies, OfExactTimesTouchAtAnEighthOrSuch) {
 
 // The scenes are of metres: spheres of 0.1 to 1 m, bullets below 1 cm, and motions of a frame.
 TYPED_TEST(MovingFamilies, OfScenesAreOfAFrame) {
-  struct Expected {
+  struct ExpectedScene {
     const char* name;
     double least_radius, greatest_radius, least_step, greatest_step;
   };
   // A place 1 km away is rounded to 2^-14 m in binary32.
   const double slack = sizeof(TypeParam) == 4 ? 0x1p-12 : 0x1p-40;
-  for (const Expected& expected : {Expected{"walk", 0.1, 1, 0.008, 0.14},
-                                   {"fall", 0.1, 1, 0.01, 2},
-                                   {"bullet", 0, 0.01, 1, 17.01},
-                                   {"shake", 0.1, 1, 0, 1.01e-3}}) {
+  for (const ExpectedScene& expected : {ExpectedScene{"walk", 0.1, 1, 0.008, 0.14},
+                                        {"fall", 0.1, 1, 0.01, 2},
+                                        {"bullet", 0, 0.01, 1, 17.01},
+                                        {"shake", 0.1, 1, 0, 1.01e-3}}) {
     const Family& family = find_family(fmt::format("moving-sphere/scene_{}", expected.name));
     for (std::uint64_t position = 0; position < 300; ++position) {
       const MovingQuery<double> q = widened_motion(family.make<TypeParam>(1, position));

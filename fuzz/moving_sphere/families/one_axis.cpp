@@ -1,7 +1,7 @@
 // Motions of small integers that one of the twenty axes alone separates, by less than half a unit: each axis in turn.
 #include "fuzz/moving_sphere/families/parts.h"
 #include "kernel/moving_sphere/twenty.h"
-#include "kernel/plain_kernel.h"
+#include "kernel/formulae_kernel.h"
 
 namespace axiscert::moving_sphere {
 namespace {

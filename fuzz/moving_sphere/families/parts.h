@@ -22,7 +22,7 @@ using Whole = Vec3<std::int64_t>;
 enum class FeatureKind { face, vertex, edge };
 
 // The vertices' order is random. n.n = r r, and n.(Y - at) <= 0 for every vertex Y, with equality on the feature.
-struct Touched {
+struct TouchedTriangle {
   std::array<Whole, 3> vertex;
   Whole at, normal;
   std::int64_t r;
@@ -70,8 +70,8 @@ inline Whole against(Stream& random, const Whole& n, std::int64_t bound = 20) {
   return dot(n, w) < 0 ? w : w - n;
 }
 
-inline Touched touched(Stream& random, FeatureKind feature) {
-  Touched t;
+inline TouchedTriangle touched(Stream& random, FeatureKind feature) {
+  TouchedTriangle t;
   std::tie(t.normal, t.r) = whole_normal(random);
   t.at = shapes::integers(random, 20);
   t.along = across(random, t.normal);
@@ -144,8 +144,8 @@ constexpr Family moving_family(std::string_view name, const Situation& situation
           .purpose = purpose,
           .version = 1,
           .exact_arithmetic = exact_arithmetic,
-          .binary32 = one_by_one<one32, float>,
-          .binary64 = one_by_one<one64, double>,
+          .binary32 = fill_one_by_one<one32, float>,
+          .binary64 = fill_one_by_one<one64, double>,
           .situation = &situation};
 }
 

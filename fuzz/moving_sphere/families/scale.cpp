@@ -53,7 +53,7 @@ Numbers<Real> lattice_base(Stream& random, std::uint64_t base) {
 }
 
 template <class Real>
-void units(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) {
+void fill_units(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) {
   fill_groups(name, first, out, unit_images::count, lattice_base<Real>,
               [](Stream&, const Numbers<Real>& q, std::uint64_t base, std::size_t i) {
                 return times_power(q, unit_images::exponent(units_range<Real>, base, i));
@@ -81,8 +81,8 @@ extern const Family moving_sphere_units_family = {
         "small integers, and times seven powers of two, 2^-20 to 2^16 or 2^-170 to 2^161: every operation is exact",
     .version = 1,
     .exact_arithmetic = true,
-    .binary32 = units<float>,
-    .binary64 = units<double>,
+    .binary32 = fill_units<float>,
+    .binary64 = fill_units<double>,
     .situation = &situation::units};
 extern const Family moving_sphere_scale_family = moving_family<clear_motion<float>, clear_motion<double>>(
     "moving-sphere/scale", situation::units,

@@ -48,8 +48,8 @@ extern const Family collinear_family = {
     "three distinct vertices exactly on a line; radii below, at and above the distance",
     2,
     false,
-    one_by_one<collinear<float>>,
-    one_by_one<collinear<double>>,
+    fill_one_by_one<collinear<float>>,
+    fill_one_by_one<collinear<double>>,
     TrustGroup::degenerate};
 
 }  // namespace axiscert

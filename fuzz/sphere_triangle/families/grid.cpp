@@ -34,7 +34,7 @@ extern const Family grid_family = {
     "small integers, the centre exactly on the face, a vertex or an edge in turn; r 0, -0, 1 and small integers",
     2,
     false,
-    one_by_one<grid<float>>,
-    one_by_one<grid<double>>};
+    fill_one_by_one<grid<float>>,
+    fill_one_by_one<grid<double>>};
 
 }  // namespace axiscert

@@ -52,8 +52,8 @@ extern const Family on_family = {
     "centre exactly on the face, a vertex or an edge in turn; r of 0, -0, the least, tiny and small",
     2,
     false,
-    one_by_one<on<float>>,
-    one_by_one<on<double>>,
+    fill_one_by_one<on<float>>,
+    fill_one_by_one<on<double>>,
     TrustGroup::resting};
 
 }  // namespace axiscert

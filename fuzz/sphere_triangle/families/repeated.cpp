@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
 namespace {
 
-struct Repeated : AimedRadii {
+struct RepeatedVertices : AimedRadii {
   template <class Random, class T = typename Random::T>
   AXISCERT_INLINE static LaneQuery<T> make(Random& random, std::uint64_t first) {
     const T which = in_turn<Random, 4>(first, [](std::uint64_t position) { return position; });
@@ -31,7 +31,7 @@ struct Repeated : AimedRadii {
 };
 
 }  // namespace
-AXISCERT_FILL(repeated, Repeated)
+AXISCERT_FILL(repeated, RepeatedVertices)
 }  // namespace axiscert::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -74,7 +74,7 @@ Query<Real> scene_edge(Stream& random, std::uint64_t position) {
 }
 
 template <class Real>
-void scene_edges(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) {
+void fill_scene_edges(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) {
   for (std::size_t i = 0; i < out.size; ++i) {
     Stream random(name, (first + i) / 2);
     out.set(i, scene_edge<Real>(random, first + i));
@@ -89,8 +89,8 @@ extern const Family scene_edge_family = {sphere_triangle_test,
                                          "seam, a step, a wall of 100 m, a small prop",
                                          1,
                                          false,
-                                         scene_edges<float>,
-                                         scene_edges<double>,
+                                         fill_scene_edges<float>,
+                                         fill_scene_edges<double>,
                                          TrustGroup::scene};
 
 }  // namespace axiscert

@@ -27,8 +27,8 @@ extern const Family scene_walk_family = {
     "metres: a character's sphere within 1 cm of resting on a floor or ramp, its triangles 1 cm to 100 m",
     1,
     false,
-    one_by_one<scene_walk<float>>,
-    one_by_one<scene_walk<double>>,
+    fill_one_by_one<scene_walk<float>>,
+    fill_one_by_one<scene_walk<double>>,
     TrustGroup::scene};
 
 }  // namespace axiscert

@@ -98,7 +98,7 @@ Query<Real> moved_span(Stream& random, const Query<Real>& q, std::uint64_t base,
 }
 
 template <class Real>
-void spans(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) {
+void fill_spans(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) {
   fill_groups(name, first, out, group_size, integer_query<Real>,
               [](Stream& random, const Query<Real>& q, std::uint64_t base, std::size_t i) {
                 if (i >= unit_images::count) return moved_span(random, q, base, i - unit_images::count);
@@ -127,7 +127,7 @@ extern const Family spans_family = {
     "integers below 2^10 or 2^24, times seven powers of two in the range of degree 6, and moved four times, exactly",
     1,
     false,
-    spans<float>,
-    spans<double>};
+    fill_spans<float>,
+    fill_spans<double>};
 
 }  // namespace axiscert

@@ -48,8 +48,8 @@ extern const Family speck_family = {
     "exact ties times powers of two, with specks for zeros: a rounding of them down to the least numbers there are",
     1,
     false,
-    one_by_one<specked_tie<float>>,
-    one_by_one<specked_tie<double>>,
+    fill_one_by_one<specked_tie<float>>,
+    fill_one_by_one<specked_tie<double>>,
     std::nullopt,
     30};
 

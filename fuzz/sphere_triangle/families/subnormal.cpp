@@ -32,8 +32,8 @@ extern const Family subnormal_family = {
     "all subnormal, or within 2^12 of the least normal number; a quarter of the radii at the distance",
     2,
     false,
-    one_by_one<subnormal<float>>,
-    one_by_one<subnormal<double>>,
+    fill_one_by_one<subnormal<float>>,
+    fill_one_by_one<subnormal<double>>,
     TrustGroup::small};
 
 }  // namespace axiscert

@@ -100,8 +100,8 @@ extern const Family tie_family = {
     "integers that touch exactly, on each of the seven features in turn; small ones and large ones",
     2,
     false,
-    one_by_one<touching_integers<float>>,
-    one_by_one<touching_integers<double>>,
+    fill_one_by_one<touching_integers<float>>,
+    fill_one_by_one<touching_integers<double>>,
     TrustGroup::resting};
 
 }  // namespace axiscert

@@ -98,26 +98,27 @@ std::vector<Findings> search_all(const ConditionPlan& plan, const ShowProgress& 
 }
 
 // One evaluated request: its contribution to its cell.
-struct Evaluated {
+struct EvaluatedRequest {
   EnumArray<Comparison, ConditionCounts> comparisons;
   std::vector<Decimal6> flip_kappa_u;
 };
 
 template <class Real>
-Evaluated evaluate(const ConditionPlan& plan, const Kernel& kernel, const Source& source, const Request& request) {
+EvaluatedRequest evaluate(const ConditionPlan& plan, const Kernel& kernel, const Source& source,
+                          const Request& request) {
   using Kind = Condition::Kind;
-  Evaluated result;
+  EvaluatedRequest result;
   const Query<Real> q = source.make<Real>(plan.seed, request.position);
   const auto found = conditions(formulae_of(kernel), q, static_cast<ComparisonBits>(request.flips | request.others));
   ComparisonBits range = 0;  // lost by the bounded exponent: R-infinity agrees with E, R does not
   if (request.flips != 0) {
-    const Rounded chain = rounded(formulae_of(kernel), kernel.arithmetic, kernel.strictness, q);
+    const RoundedDecisions chain = rounded(formulae_of(kernel), kernel.arithmetic, kernel.strictness, q);
     const ComparisonBits exact = exact_bits(exact_sides(formulae_of(kernel), q), kernel);
     range = static_cast<ComparisonBits>(~(*chain.range_free.bits ^ exact) & (*chain.reference.bits ^ exact));
   }
   for (std::size_t i = 0; i < comparison_count; ++i) {
     ConditionCounts& counts = result.comparisons[i];
-    const Measured measured{found[i].kappa_u, request.position};
+    const MeasuredValue measured{found[i].kappa_u, request.position};
     if (has_bit(request.others, i) && found[i].kind == Kind::finite) {
       ++counts.sampled;
       keep_greatest(counts.greatest_right, measured);
@@ -176,13 +177,13 @@ ConditionResult measure(const ConditionPlan& plan, const ShowProgress& report) {
   std::vector<Job> jobs;
   for (const Findings& found : findings) add_findings(found, plan, taken, result, jobs);
 
-  std::vector<Evaluated> evaluated(jobs.size());
+  std::vector<EvaluatedRequest> evaluated(jobs.size());
   ProgressCount conditioned(report, jobs.size(), "conditions");
-  on_threads(plan.threads, [&] {
+  run_on_threads(plan.threads, [&] {
     tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
       const Job& job = jobs[i];
       evaluated[i] = evaluate<Real>(plan, *plan.kernels[job.kernel], *plan.sources[job.source], job.request);
-      conditioned.finished();
+      conditioned.finish_unit();
     });
   });
   for (std::size_t i = 0; i < jobs.size(); ++i) {

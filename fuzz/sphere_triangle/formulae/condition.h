@@ -28,9 +28,9 @@ struct ConditionPlan {
 struct ConditionCounts {
   std::uint64_t flips = 0, evaluated = 0, ill_conditioned = 0, ties = 0, unstable = 0, range = 0, undefined = 0,
                 not_decided = 0;
-  std::optional<Measured> least_unstable;  // kappa u, except for range: the clearest evidence against the formula
+  std::optional<MeasuredValue> least_unstable;  // kappa u, except for range: the clearest evidence against the formula
   std::uint64_t sampled = 0;
-  std::optional<Measured> greatest_right;  // kappa u of those
+  std::optional<MeasuredValue> greatest_right;  // kappa u of those
 
   bool operator==(const ConditionCounts&) const = default;
   static constexpr auto fields(auto&& visit) {

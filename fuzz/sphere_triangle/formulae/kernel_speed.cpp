@@ -10,7 +10,7 @@ namespace axiscert {
 namespace {
 
 template <class Real>
-struct Timed {
+struct TimedKernel {
   Implementation<Real> implementation;
   std::vector<double> ns;  // per query, one for each repetition
 
@@ -33,7 +33,7 @@ template <class Real>
 std::vector<KernelSpeed> measure_speed(const std::vector<const Kernel*>& kernels, int repetitions,
                                        const ShowProgress& report) {
   const std::string best = available_targets().front();
-  std::vector<Timed<Real>> scalar, simd;
+  std::vector<TimedKernel<Real>> scalar, simd;
   for (const Kernel* kernel : kernels) {
     scalar.push_back({kernel->on<Real>(scalar_target), {}});
     simd.push_back({kernel->has_simd && best != scalar_target ? kernel->on<Real>(best) : Implementation<Real>{}, {}});
@@ -44,7 +44,7 @@ std::vector<KernelSpeed> measure_speed(const std::vector<const Kernel*>& kernels
   for (std::uint64_t position = 0; position < speed_queries; ++position)
     batch.push_back(general.make<Real>(1, position));
   std::vector<Verdict> verdicts(speed_queries);
-  const auto time = [&](Timed<Real>& timed) {
+  const auto time = [&](TimedKernel<Real>& timed) {
     if (!timed.implementation.verdicts) return;
     timed.ns.push_back(nanoseconds(timed.implementation, batch.columns(), verdicts.data()) /
                        static_cast<double>(speed_queries));
@@ -55,15 +55,15 @@ std::vector<KernelSpeed> measure_speed(const std::vector<const Kernel*>& kernels
       time(scalar[k]);
       time(simd[k]);
     }
-    progress.finished();
+    progress.finish_unit();
     if (repetition >= 0) continue;
     for (auto* all : {&scalar, &simd}) {  // the first round only loads code and data into the caches
-      for (Timed<Real>& timed : *all) timed.ns.clear();
+      for (TimedKernel<Real>& timed : *all) timed.ns.clear();
     }
   }
 
   for (auto* all : {&scalar, &simd}) {
-    for (Timed<Real>& timed : *all) timed.sort();
+    for (TimedKernel<Real>& timed : *all) timed.sort();
   }
   std::vector<KernelSpeed> speeds;
   for (std::size_t k = 0; k < kernels.size(); ++k) {

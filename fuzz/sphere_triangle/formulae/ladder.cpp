@@ -31,7 +31,7 @@ void count_verdict(KernelAccuracy& into, const Truth& truth, Verdict verdict) {
 template <class Real>
 ComparisonBits flips_by_range(ComparisonBits flips, const Kernel& kernel, ComparisonBits exact, const Query<Real>& q) {
   if (flips == 0) return 0;
-  const Rounded found = rounded(formulae_of(kernel), kernel.arithmetic, kernel.strictness, q);
+  const RoundedDecisions found = rounded(formulae_of(kernel), kernel.arithmetic, kernel.strictness, q);
   return static_cast<ComparisonBits>(flips & (*found.reference.bits ^ exact) & ~(*found.range_free.bits ^ exact));
 }
 
@@ -99,11 +99,11 @@ Accuracies accuracies(const LadderPlan& plan, const ShowProgress& report) {
 
 template <class Real>
 void measure_range_and_speed(const LadderPlan& plan, std::vector<LadderEntry>& entries, const ShowProgress& report) {
-  on_threads(plan.threads, [&] {
+  run_on_threads(plan.threads, [&] {
     ProgressCount progress(report, entries.size(), "exponent windows");
     tbb::parallel_for(std::size_t{0}, entries.size(), [&](std::size_t k) {
       entries[k].windows = exponent_windows<Real>(*entries[k].kernel);
-      progress.finished();
+      progress.finish_unit();
     });
   });
   if (!plan.speed) return;

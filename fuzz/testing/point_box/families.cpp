@@ -37,8 +37,8 @@ constexpr Family family(std::string_view name, std::string_view purpose) {
           .purpose = purpose,
           .version = 1,
           .exact_arithmetic = true,
-          .binary32 = one_by_one<one32, float>,
-          .binary64 = one_by_one<one64, double>};
+          .binary32 = fill_one_by_one<one32, float>,
+          .binary64 = fill_one_by_one<one64, double>};
 }
 const Family general_point =
     family<point_and_box<float>, point_and_box<double>>("point-box/general", "point and box anywhere in [-1, 1]");

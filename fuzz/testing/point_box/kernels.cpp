@@ -17,8 +17,8 @@ struct WrongFace {
 
 std::vector<Kernel> point_box_kernels() {
   return {
-      plain_kernel<PointBox, PointBoxFaces>("point-box/strict", "beyond a face, by six comparisons"),
-      plain_kernel<PointBox, WrongFace>("point-box/fault", "the same with z.above against hy: wrong"),
+      formulae_kernel<PointBox, PointBoxFaces>("point-box/strict", "beyond a face, by six comparisons"),
+      formulae_kernel<PointBox, WrongFace>("point-box/fault", "the same with z.above against hy: wrong"),
   };
 }
 

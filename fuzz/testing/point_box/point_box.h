@@ -3,7 +3,7 @@
 #pragma once
 
 #include "kernel/base/geometry.h"
-#include "kernel/plain_kernel.h"
+#include "kernel/formulae_kernel.h"
 
 namespace axiscert {
 

@@ -126,7 +126,7 @@ typedef struct axiscert_limits {
   double greatest_radius;     /* 0: none */
 } axiscert_limits;
 
-/* One kernel in one precision. The members down to `run` are needed; zero in any other is the plainest choice. */
+/* One kernel in one precision. The members down to `run` are needed; zero in any other is the simplest choice. */
 typedef struct axiscert_kernel {
   uint32_t abi;       /* AXISCERT_PLUGIN_ABI */
   uint32_t precision; /* 32: the arrays are float; 64: double */

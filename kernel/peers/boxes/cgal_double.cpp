@@ -1,4 +1,4 @@
-// CGAL's do_intersect over plain doubles; see cgal_triangle.h.
+// CGAL's do_intersect over doubles; see cgal_triangle.h.
 #include <CGAL/Simple_cartesian.h>
 
 #include "kernel/peers/boxes/cgal_triangle.h"

@@ -60,7 +60,7 @@ void set_error(Control& control, const char* text) {
   std::snprintf(control.load_error, sizeof control.load_error, "%s", text);
 }
 
-void load(const char* path, Control& control, Offered (&kernels)[most_kernels]) {
+void load(const char* path, Control& control, OfferedKernel (&kernels)[most_kernels]) {
   void* const library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     set_error(control, dlerror());
@@ -95,7 +95,7 @@ std::uint64_t nanoseconds(std::chrono::steady_clock::duration taken) {
   return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(taken).count());
 }
 
-Reply answer(const Offered& kernel, const Request& request, Arrays& arrays) {
+Reply answer(const OfferedKernel& kernel, const Request& request, Arrays& arrays) {
   arrays.placed = {request.placement, request.size, {kernel.says.precision / 8, bits_bytes(kernel.abi)}};
   const Call call(kernel, request, arrays);
   std::fesetenv(FE_DFL_ENV);
@@ -123,7 +123,7 @@ int serve(const char* path, const Shape& shape) {
   Arrays arrays;
   Control& control = map_memory(shape, arrays);
   watch_for_faults(arrays, control.fault);
-  Offered kernels[most_kernels] = {};
+  OfferedKernel kernels[most_kernels] = {};
   const FloatingState before = floating_state();
   load(path, control, kernels);
   control.changed = changes(before, floating_state());

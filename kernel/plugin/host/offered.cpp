@@ -27,7 +27,7 @@ T as_far_as(std::size_t size, const void* from) {
   return read;
 }
 
-void read_1(const void* from, Offered& out) {
+void read_1(const void* from, OfferedKernel& out) {
   const auto kernel = first_of<interface_1::Kernel>(from);
   const interface_1::Limits& l = kernel.limits;
   out.run_1 = kernel.run;
@@ -47,7 +47,7 @@ void read_1(const void* from, Offered& out) {
   says.limits = &out.limits;
 }
 
-void read_2(const void* from, Offered& out) {
+void read_2(const void* from, OfferedKernel& out) {
   const auto* const bytes = static_cast<const std::byte*>(from);
   const auto size = first_of<std::size_t>(bytes + offsetof(axiscert_kernel, size));
   out.says.size = size;
@@ -72,15 +72,15 @@ void copy_end(char (&to)[size], const char* from) {
 
 }  // namespace
 
-Offered offered(const void* kernel) {
-  Offered out;
+OfferedKernel offered(const void* kernel) {
+  OfferedKernel out;
   out.abi = first_of<std::uint32_t>(kernel);
   if (out.abi == interface_1::number) read_1(kernel, out);
   else if (out.abi == AXISCERT_PLUGIN_ABI) read_2(kernel, out);
   return out;
 }
 
-void describe(const Offered& kernel, Description& out) {
+void describe(const OfferedKernel& kernel, Description& out) {
   const axiscert_kernel& says = kernel.says;
   const axiscert_limits& l = kernel.limits;
   out.abi = kernel.abi;
@@ -113,7 +113,7 @@ void describe(const Offered& kernel, Description& out) {
   copy_end(out.source, says.source);
 }
 
-Call::Call(const Offered& kernel, const Request& request, const Arrays& arrays) : kernel_(kernel) {
+Call::Call(const OfferedKernel& kernel, const Request& request, const Arrays& arrays) : kernel_(kernel) {
   kernel.run_1 ? prepare_1(request, arrays) : prepare(request, arrays);
 }
 

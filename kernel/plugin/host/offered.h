@@ -8,7 +8,7 @@
 
 namespace axiscert::plugin {
 
-struct Offered {
+struct OfferedKernel {
   // Nothing else is read of an unknown version, or where the size is too small.
   std::uint32_t abi = 0;
   axiscert_kernel says = {};  // members that the plug-in left out are zero; do not follow `limits`, use the copy below
@@ -18,15 +18,15 @@ struct Offered {
 };
 
 // `kernel` is what axiscert_plugin returned, of any version.
-Offered offered(const void* kernel);
+OfferedKernel offered(const void* kernel);
 
 // Copies the description to shared memory.
-void describe(const Offered& kernel, Description& out);
+void describe(const OfferedKernel& kernel, Description& out);
 
 // One call with the arrays where `arrays` has placed them.
 class Call {
  public:
-  Call(const Offered& kernel, const Request& request, const Arrays& arrays);
+  Call(const OfferedKernel& kernel, const Request& request, const Arrays& arrays);
   // Not copied: it holds pointers to its own members.
   Call(const Call&) = delete;
   Call& operator=(const Call&) = delete;
@@ -37,7 +37,7 @@ class Call {
   void prepare(const Request& request, const Arrays& arrays);
   void prepare_1(const Request& request, const Arrays& arrays);
 
-  const Offered& kernel_;
+  const OfferedKernel& kernel_;
   axiscert_batch batch_ = {};
   axiscert_answers answers_ = {};
   const void* column_[AXISCERT_MOST_COLUMNS] = {};

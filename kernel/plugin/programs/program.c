@@ -36,15 +36,15 @@ static void leave_process(void) {
   hang();
 }
 
-static void say(const char* text) { (void)!write(2, text, strlen(text)); }
+static void print_error(const char* text) { (void)!write(2, text, strlen(text)); }
 
 /* 64 KiB at a time, as many bytes as the number after the name says. */
-static void chatter(const char* bytes) {
+static void print_chatter(const char* bytes) {
   static char block[1 << 16];
   long long left = atoll(bytes);
   memset(block, 'x', sizeof block);
   for (; left > 0; left -= (long long)sizeof block) (void)!write(2, block, sizeof block);
-  say("\nthe last word\n");
+  print_error("\nthe last word\n");
 }
 
 static void do_to(float r, unsigned long query) {
@@ -53,7 +53,7 @@ static void do_to(float r, unsigned long query) {
   if (is("crash") || is("kept-crash")) *nowhere = 0;
   if (is("exits")) exit(0);
   if (is("exits-3")) {
-    say("Error: no such shape\n    at somewhere\n\nNode.js v20\n");
+    print_error("Error: no such shape\n    at somewhere\n\nNode.js v20\n");
     exit(3);
   }
   if (is("hang")) hang();
@@ -72,7 +72,7 @@ static void do_to(float r, unsigned long query) {
     abort();
   }
   if (strncmp(how, "chatter-", 8) == 0) {
-    chatter(how + 8);
+    print_chatter(how + 8);
     exit(1);
   }
 }
@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
   how = argc > 1 ? argv[1] : "right";
   keeps_back = is("kept-crash");
   if (is("fails")) {
-    say("Error: Cannot find package 'engine'\n");
+    print_error("Error: Cannot find package 'engine'\n");
     return 1;
   }
   if (is("nothing")) return 0;

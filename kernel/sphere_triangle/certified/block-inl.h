@@ -48,7 +48,7 @@ class Steps {
         left.add_all(block_, first, size);
       } else {
         const std::size_t before = left.size;
-        coarse(first, size, left);
+        take_coarse_step(first, size, left);
         is_hard = left.size - before > chunk_size * 3 / 4;
       }
     }
@@ -59,7 +59,7 @@ class Steps {
   static constexpr std::size_t chunk_size = 64, lanes = hn::MaxLanes(D()), fine_lanes = hn::MaxLanes(D2());
   static_assert(lanes <= Leftovers<Real>::padding && fine_lanes <= Leftovers<Real>::padding);
 
-  AXISCERT_INLINE void coarse(std::size_t first, std::size_t size, Leftovers<Real>& left) noexcept {
+  AXISCERT_INLINE void take_coarse_step(std::size_t first, std::size_t size, Leftovers<Real>& left) noexcept {
     std::size_t i = 0;
     std::uint64_t contact = 0;
     if (block_.one_sphere) i = skipped_by_box(first, size);
@@ -93,7 +93,7 @@ class Steps {
   AXISCERT_INLINE static std::uint64_t coarse_vector(const Block<Real>& from, std::size_t at, std::size_t count,
                                                      std::size_t i, Leftovers<Real>& left) noexcept {
     const D d;
-    const Decided<D> decided = coarse_step(d, load(d, from, at));
+    const DecidedLanes<D> decided = coarse_step(d, load(d, from, at));
     const std::uint64_t contact = bits_of(d, decided.contact), separated = bits_of(d, decided.separated);
     const std::uint64_t pending = ~(contact | separated) & low_bits(count);
     if (pending != 0) left.add(d, from, at, pending, [i](std::size_t j) { return i + j; });
@@ -112,7 +112,7 @@ class Steps {
     for (std::size_t j = 0; j < block.size; j += fine_lanes) {
       const CoarseMargins<D2, true> margins = coarse_margins(load(d, block, j));
       const CoarseLimits<D2, true> limits(margins.S, margins.E);
-      const Decided<D2> decided = coarse_step(margins, limits);
+      const DecidedLanes<D2> decided = coarse_step(margins, limits);
       const std::uint64_t queries = low_bits(block.size - j < fine_lanes ? block.size - j : fine_lanes);
       const std::uint64_t contact = bits_of(d, decided.contact) & queries;
       const std::uint64_t pending = queries & ~(contact | bits_of(d, decided.separated));
@@ -130,9 +130,9 @@ class Steps {
                  [index = left.index + j](std::size_t lane) { return std::size_t{index[lane]}; });
       }
     }
-    conclude(open, [&](std::size_t, std::size_t i, double(&q)[13]) HWY_ATTR { widened(block_, i, q); });
-    if (left.size != 0) fine(left);
-    if (again_.size != 0) fine_again();
+    conclude(open, [&](std::size_t, std::size_t i, double(&q)[13]) HWY_ATTR { widen(block_, i, q); });
+    if (left.size != 0) take_fine_step(left);
+    if (again_.size != 0) repeat_fine_step();
   }
 
   bool open_sphere() const noexcept { return question_ == Question::open_sphere; }
@@ -142,7 +142,7 @@ class Steps {
 
   // The fine step, then the deep and the last step for the comparisons that it leaves open.
   template <class Left>
-  HWY_NOINLINE void fine(Left& left) noexcept {
+  HWY_NOINLINE void take_fine_step(Left& left) noexcept {
     const D2 d;
     const auto block = left.block(block_);
     OpenComparisons<D2, Left> open(left, block, open_sphere());
@@ -162,10 +162,10 @@ class Steps {
                                                    // adds
       for (std::uint64_t rest = queries & ~sound; rest != 0; rest &= rest - 1) {
         const std::size_t lane = first_bit(rest);
-        unsound(block, j + lane, left.index[j + lane], has_bit(valid, lane));
+        settle_out_of_range(block, j + lane, left.index[j + lane], has_bit(valid, lane));
       }
     }
-    conclude(open, [&](std::size_t place, std::size_t, double(&q)[13]) HWY_ATTR { widened(block, place, q); });
+    conclude(open, [&](std::size_t place, std::size_t, double(&q)[13]) HWY_ATTR { widen(block, place, q); });
   }
 
   // Queries at j..j + lanes whose numbers have so few bits that the last step is as quick as the deep step for two
@@ -189,44 +189,44 @@ class Steps {
   // to q.
   template <class Open, class Read>
   AXISCERT_INLINE void conclude(Open& open, Read&& read) noexcept {
-    open.finish([&](std::size_t place, std::size_t i, Known known) HWY_ATTR {
+    open.finish([&](std::size_t place, std::size_t i, KnownResults known) HWY_ATTR {
       // Both cases are about equally likely, so there is no branch on the contact.
       answer_.contact[i / 64] |= std::uint64_t{known.is_contact()} << (i % 64);
       if (int{known.is_separated()} | int{known.is_contact()}) return;
       double q[13];
       read(place, i, q);
-      last_step(q, i, known);
+      take_last_step(q, i, known);
     });
   }
 
   // Handles query i of the block, which is outside the fine step's range: a valid one is scaled, an invalid one marked.
   template <class Number>
-  void unsound(const Block<Number>& from, std::size_t place, std::size_t i, bool known_valid) noexcept {
+  void settle_out_of_range(const Block<Number>& from, std::size_t place, std::size_t i, bool known_valid) noexcept {
     double q[13];
-    widened(from, place, q);
-    if (known_valid || is_valid(q)) scaled_step(q, i);
+    widen(from, place, q);
+    if (known_valid || is_valid(q)) scale_for_fine_step(q, i);
     else set_bit(answer_.invalid, i);
   }
 
   // The last step for query i of the block; q is that query, perhaps scaled.
-  AXISCERT_INLINE void last_step(const double (&q)[13], std::size_t i, Known known) noexcept {
+  AXISCERT_INLINE void take_last_step(const double (&q)[13], std::size_t i, KnownResults known) noexcept {
     if (!exactly_separated(q, question_, known)) set_bit(answer_.contact, i);
   }
   // Scales a query that is outside the fine step's range, for another pass of that step; the last step decides those
   // that cannot be scaled.
-  AXISCERT_INLINE void scaled_step(const double (&q)[13], std::size_t i) noexcept {
+  AXISCERT_INLINE void scale_for_fine_step(const double (&q)[13], std::size_t i) noexcept {
     if constexpr (sizeof(Real) == 8) {
       if (double scaled[13]; scaled_to_range(q, scaled)) {
         again_.add(scaled, i);
-        if (again_.size == again_size) fine_again();
+        if (again_.size == again_size) repeat_fine_step();
         return;
       }
     }
-    last_step(q, i, {});
+    take_last_step(q, i, {});
   }
 
-  HWY_NOINLINE void fine_again() noexcept {
-    fine(again_);
+  HWY_NOINLINE void repeat_fine_step() noexcept {
+    take_fine_step(again_);
     again_.size = 0;
   }
 

@@ -55,7 +55,7 @@ AXISCERT_INLINE Lanes<D, fused> greatest(const Lanes<D, fused>& a, const Lanes<D
 // Lanes in neither mask are passed on: a margin within its threshold, a magnitude outside the range, or an invalid
 // query.
 template <class D>
-struct Decided {
+struct DecidedLanes {
   hn::Mask<D> separated, contact;
 };
 
@@ -72,9 +72,9 @@ AXISCERT_INLINE void note(D d, const AxisMasks<D>& masks, int axis, hn::Vec<hn::
     const auto one = hn::Set(words, static_cast<hn::TFromD<hn::RebindToUnsigned<D>>>(std::uint64_t{1} << (bit + axis)));
     known = hn::Or(known, hn::And(hn::BitCast(words, hn::VecFromMask(d, mask)), one));
   };
-  add(masks.fails, Known::fails);
-  add(masks.radius, Known::radius);
-  add(masks.sides, Known::sides);
+  add(masks.fails, KnownResults::fails);
+  add(masks.radius, KnownResults::radius);
+  add(masks.sides, KnownResults::sides);
 }
 
 // The thresholds of a query of magnitude S whose triangle has the size E, and how margins compare with them: for each
@@ -175,15 +175,15 @@ AXISCERT_INLINE hn::Vec<hn::RebindToUnsigned<D>> coarsely_known(D d, const Coars
     AxisMasks<D> vertex = radius(m.vertex[i].radius, limits.degree2), edge = radius(m.edge[i].radius, limits.degree4);
     sides_of(least(m.vertex[i].away, m.vertex[i].towards), limits.degree2, vertex);
     sides_of(m.edge[i].side, limits.degree4, edge);
-    note(d, vertex, Known::vertex_axis + i, known);
-    note(d, edge, Known::edge_axis + i, known);
+    note(d, vertex, KnownResults::vertex_axis + i, known);
+    note(d, edge, KnownResults::edge_axis + i, known);
   }
-  note(d, radius(m.plane, limits.degree6), Known::plane_axis, known);
+  note(d, radius(m.plane, limits.degree6), KnownResults::plane_axis, known);
   return known;
 }
 
 template <class D, bool fused>
-AXISCERT_INLINE Decided<D> coarse_step(const CoarseMargins<D, fused>& m, const CoarseLimits<D, fused>& limits) {
+AXISCERT_INLINE DecidedLanes<D> coarse_step(const CoarseMargins<D, fused>& m, const CoarseLimits<D, fused>& limits) {
   using T = Lanes<D, fused>;
   const auto of_vertex = [&](int i) HWY_ATTR {
     return least(least(m.vertex[i].radius, m.vertex[i].away), m.vertex[i].towards);
@@ -196,7 +196,7 @@ AXISCERT_INLINE Decided<D> coarse_step(const CoarseMargins<D, fused>& m, const C
           hn::And(in_range, limits.all_within(vertices, edges, m.plane))};
 }
 template <class D, bool fused>
-AXISCERT_INLINE Decided<D> coarse_step(D, const Problem<Lanes<D, fused>>& q) {
+AXISCERT_INLINE DecidedLanes<D> coarse_step(D, const Problem<Lanes<D, fused>>& q) {
   const CoarseMargins<D, fused> margins = coarse_margins(q);
   return coarse_step(margins, CoarseLimits<D, fused>(margins.S, margins.E));
 }

@@ -13,7 +13,7 @@ HWY_NOINLINE void settle_conservatively(const Block<Real>& block, const std::uin
   for (std::size_t i = 0; i < block.size; ++i) {
     if (!has_bit(pending[i / 64], i % 64)) continue;
     double q[13];
-    widened(block, i, q);
+    widen(block, i, q);
     if (!is_valid(q)) {
       set_bit(answer.invalid, i);
       continue;

@@ -7,7 +7,7 @@ HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
 
-enum class Comparing : std::uint8_t { vertex_radius, vertex_sides, edge_radius, edge_side, plane_radius };
+enum class DeepComparison : std::uint8_t { vertex_radius, vertex_sides, edge_radius, edge_side, plane_radius };
 inline constexpr std::size_t comparing_count = 5;
 
 template <class D>
@@ -22,29 +22,29 @@ class DeepStep {
 
   AXISCERT_INLINE DeepStep(D d, const Problem<Lanes<D>>& q, bool open_sphere) : d_(d), open_(open_sphere), m_(q) {}
 
-  template <Comparing what>
+  template <DeepComparison what>
   AXISCERT_INLINE Answer answer() const {
     const Answer found = answer_in_range<what>();
     // The leaves that are used have to be in the range of the bounds' derivation.
     M sound = hn::And(in_range(m_.a), PairMargins::in_range(m_.r));
-    if constexpr (what != Comparing::vertex_radius) sound = hn::And(sound, in_range(m_.ab));
-    if constexpr (what != Comparing::vertex_radius && what != Comparing::edge_radius) {
+    if constexpr (what != DeepComparison::vertex_radius) sound = hn::And(sound, in_range(m_.ab));
+    if constexpr (what != DeepComparison::vertex_radius && what != DeepComparison::edge_radius) {
       sound = hn::And(sound, in_range(m_.ca));
     }
     return {hn::And(found.holds, sound), hn::And(found.fails, sound)};
   }
 
  private:
-  template <Comparing what>
+  template <DeepComparison what>
   AXISCERT_INLINE Answer answer_in_range() const {
-    if constexpr (what == Comparing::vertex_radius) return vertex_radius();
-    else if constexpr (what == Comparing::vertex_sides) return vertex_sides();
-    else if constexpr (what == Comparing::edge_radius) return edge_radius();
-    else if constexpr (what == Comparing::edge_side) return edge_side();
+    if constexpr (what == DeepComparison::vertex_radius) return vertex_radius();
+    else if constexpr (what == DeepComparison::vertex_sides) return vertex_sides();
+    else if constexpr (what == DeepComparison::edge_radius) return edge_radius();
+    else if constexpr (what == DeepComparison::edge_side) return edge_side();
     else return plane_radius();
   }
 
-  using W = Wrapped<D>;
+  using W = WrappedWords<D>;
   using PairMargins = Margins<D, Pairs<D>>;
   using Margin = typename PairMargins::Margin;
   using Normal = typename PairMargins::Normal;

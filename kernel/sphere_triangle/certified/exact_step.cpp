@@ -36,9 +36,10 @@ template <class Numbers>
 using Query13 = typename Numbers::template Value<1>[13];
 
 // Whether V is needed: by the plane's axis, or by an edge whose side comparison is open.
-bool needs_normal(Known known) noexcept {
-  constexpr std::uint64_t plane_and_edges = 0b1111 << Known::plane_axis, edges = 0b111 << Known::edge_axis;
-  const std::uint64_t fails = known.bits >> Known::fails, sides = known.bits >> Known::sides;
+bool needs_normal(KnownResults known) noexcept {
+  constexpr std::uint64_t plane_and_edges = 0b1111 << KnownResults::plane_axis,
+                          edges = 0b111 << KnownResults::edge_axis;
+  const std::uint64_t fails = known.bits >> KnownResults::fails, sides = known.bits >> KnownResults::sides;
   return (~fails & (plane_and_edges ^ (sides & edges))) & plane_and_edges;
 }
 
@@ -48,7 +49,7 @@ bool needs_normal(Known known) noexcept {
 template <class Numbers>
 class Test {
  public:
-  Test(const Query13<Numbers>& q, bool open, Known known) noexcept : m_(q), open_(open), known_(known) {}
+  Test(const Query13<Numbers>& q, bool open, KnownResults known) noexcept : m_(q), open_(open), known_(known) {}
 
   bool separates() const noexcept {
     for (int i = 0; i < 3; ++i) {
@@ -72,37 +73,38 @@ class Test {
     return open_ ? !margin.is_negative() : margin.is_positive();
   }
   bool vertex_separates(int i) const noexcept {
-    const int axis = Known::vertex_axis + i;
+    const int axis = KnownResults::vertex_axis + i;
     const auto leads_away = [&](int to) { return !m_.vertex_side(i, to).is_negative(); };
-    return !known_.has(Known::fails, axis) && (known_.has(Known::radius, axis) || beyond(m_.vertex_radius(i))) &&
-           (known_.has(Known::sides, axis) || (leads_away(m_.next(i)) && leads_away(m_.last(i))));
+    return !known_.has(KnownResults::fails, axis) &&
+           (known_.has(KnownResults::radius, axis) || beyond(m_.vertex_radius(i))) &&
+           (known_.has(KnownResults::sides, axis) || (leads_away(m_.next(i)) && leads_away(m_.last(i))));
   }
   bool plane_separates(const Normal& V) const noexcept {
-    return !known_.has(Known::fails, Known::plane_axis) && !V.is_zero() && beyond(m_.plane_radius(V));
+    return !known_.has(KnownResults::fails, KnownResults::plane_axis) && !V.is_zero() && beyond(m_.plane_radius(V));
   }
   bool edge_separates(int i, const Normal& V) const noexcept {
-    const int axis = Known::edge_axis + i;
-    if (known_.has(Known::fails, axis)) return false;
+    const int axis = KnownResults::edge_axis + i;
+    if (known_.has(KnownResults::fails, axis)) return false;
     const Point along = m_.along(i);
     if (along.is_zero()) return false;
     const Normal N = m_.edge_normal(i, along);
-    return (known_.has(Known::sides, axis) || !m_.edge_side(N, V).is_positive()) &&
-           (known_.has(Known::radius, axis) || beyond(m_.edge_radius(N, along)));
+    return (known_.has(KnownResults::sides, axis) || !m_.edge_side(N, V).is_positive()) &&
+           (known_.has(KnownResults::radius, axis) || beyond(m_.edge_radius(N, along)));
   }
 
   Margins m_;
   bool open_;
-  Known known_;
+  KnownResults known_;
 };
 
 template <class Numbers>
-[[gnu::noinline]] bool separated_in(const Query13<Numbers>& q, bool open, Known known) noexcept {
+[[gnu::noinline]] bool separated_in(const Query13<Numbers>& q, bool open, KnownResults known) noexcept {
   return Test<Numbers>(q, open, known).separates();
 }
 
 // The numbers in units of 2^unit.
 template <int bits>
-[[gnu::noinline]] bool separated_in_units(const double (&q)[13], int unit, bool open, Known known) noexcept {
+[[gnu::noinline]] bool separated_in_units(const double (&q)[13], int unit, bool open, KnownResults known) noexcept {
   using Numbers = Integers<bits>;
   Query13<Numbers> numbers;
   for (int i = 0; i < 13; ++i) {
@@ -116,41 +118,41 @@ template <int bits>
 bool is_open(std::uint32_t axes, int axis) noexcept { return ((axes >> axis) & 1u) != 0; }
 
 // `known` with the results added that are certain in ball arithmetic; they hold for the closed and the open sphere.
-Known with_balls(const double (&q)[13], Known known) noexcept {
+KnownResults with_balls(const double (&q)[13], KnownResults known) noexcept {
   Ball numbers[13];
   for (int i = 0; i < 13; ++i) numbers[i] = Ball(Dyadic(q[i]));
   const ExactMargins<Balls> m(numbers);
   const auto note = [&](int group, int axis, bool holds, bool fails) {
-    known.bits |= std::uint64_t{holds} << (group + axis) | std::uint64_t{fails} << (Known::fails + axis);
+    known.bits |= std::uint64_t{holds} << (group + axis) | std::uint64_t{fails} << (KnownResults::fails + axis);
   };
   const auto note_radius = [&](int axis, const Ball& margin) {
-    note(Known::radius, axis, margin.is_positive(), margin.is_negative());
+    note(KnownResults::radius, axis, margin.is_positive(), margin.is_negative());
   };
-  note(Known::sides, Known::plane_axis, true, false);  // the plane has no sides
+  note(KnownResults::sides, KnownResults::plane_axis, true, false);  // the plane has no sides
   const Vector<Ball> V = needs_normal(known) ? m.plane_normal() : Vector<Ball>{};
   for (int i = 0; i < 3; ++i) {
-    const int vertex = Known::vertex_axis + i, edge = Known::edge_axis + i;
+    const int vertex = KnownResults::vertex_axis + i, edge = KnownResults::edge_axis + i;
     if (is_open(known.open_radii(), vertex)) note_radius(vertex, m.vertex_radius(i));
     if (is_open(known.open_sides(), vertex)) {
       const Ball away = m.vertex_side(i, m.next(i)), towards = m.vertex_side(i, m.last(i));
-      note(Known::sides, vertex, away.is_at_least_zero() && towards.is_at_least_zero(),
+      note(KnownResults::sides, vertex, away.is_at_least_zero() && towards.is_at_least_zero(),
            away.is_negative() || towards.is_negative());
     }
     if (!is_open(known.open_radii() | known.open_sides(), edge)) continue;
     const Vector<Ball> along = m.along(i), N = m.edge_normal(i, along);
     if (is_open(known.open_sides(), edge)) {
       const Ball side = m.edge_side(N, V);
-      note(Known::sides, edge, side.is_at_most_zero(), side.is_positive());
+      note(KnownResults::sides, edge, side.is_at_most_zero(), side.is_positive());
     }
     if (is_open(known.open_radii(), edge)) note_radius(edge, m.edge_radius(N, along));
   }
-  if (is_open(known.open_radii(), Known::plane_axis)) note_radius(Known::plane_axis, m.plane_radius(V));
+  if (is_open(known.open_radii(), KnownResults::plane_axis)) note_radius(KnownResults::plane_axis, m.plane_radius(V));
   return known;
 }
 
 // Decides by balls and, where these do not suffice, by nonzero digits; for numbers so far apart that most digits are
 // zero.
-bool separated_by_digits(const double (&q)[13], bool open, Known known) noexcept {
+bool separated_by_digits(const double (&q)[13], bool open, KnownResults known) noexcept {
   known = with_balls(q, known);
   if (known.is_separated()) return true;
   if (known.is_contact()) return false;
@@ -209,7 +211,7 @@ struct Span {
 
 }  // namespace
 
-bool exactly_separated(const double (&query)[13], Question question, Known known) noexcept {
+bool exactly_separated(const double (&query)[13], Question question, KnownResults known) noexcept {
   bool open = question == Question::open_sphere;
   if (open && query[12] == 0) return true;  // an open sphere of radius 0 is empty
   const int top = top_of(query);

@@ -8,7 +8,7 @@ namespace axiscert::certified {
 // Results of which an earlier step is certain, in groups of bits for the axes A, B, C, ABC, AB, BC, CA; each group
 // begins at the bit of its name. fails: the axis does not separate. radius, sides: these comparisons of the axis hold;
 // radius is only set for an axis that has a normal, because where A = B the open sphere's 0 >= 0 says nothing.
-struct Known {
+struct KnownResults {
   static constexpr int vertex_axis = 0, plane_axis = 3, edge_axis = 4, axes = 7;
   static constexpr int fails = 0, radius = 8, sides = 16;
   std::uint64_t bits = 0;
@@ -36,6 +36,6 @@ struct Known {
 // in balls and, where these do not suffice, by the digits that are not zero. No rounding mode matters: an inexact
 // floating-point operation does not give its number back, which is checked. Subnormal numbers must not be flushed. Uses
 // about 4 KiB of stack, 29 KiB for numbers farther apart.
-bool exactly_separated(const double (&query)[13], Question question, Known known) noexcept;
+bool exactly_separated(const double (&query)[13], Question question, KnownResults known) noexcept;
 
 }  // namespace axiscert::certified

@@ -67,7 +67,7 @@ struct FineStep : Margins<D, Lanes<D>> {
   }
 
   struct Answer {
-    Decided<D> decided;
+    DecidedLanes<D> decided;
     hn::Vec<Words> known;  // the bits of Known
   };
 
@@ -76,12 +76,12 @@ struct FineStep : Margins<D, Lanes<D>> {
     const Axis axes[] = {vertex(a, ab, ca),   vertex(b, bc, ab),   vertex(c, ca, bc),  plane(normal),
                          edge(a, ab, normal), edge(b, bc, normal), edge(c, ca, normal)};
     Answer found{{never(), always()}, hn::Zero(Words())};
-    for (int i = 0; i < Known::axes; ++i) {
+    for (int i = 0; i < KnownResults::axes; ++i) {
       found.decided.separated = hn::Or(found.decided.separated, hn::And(axes[i].radius, axes[i].sides));
       found.decided.contact = hn::And(found.decided.contact, axes[i].fails);
     }
     if (hn::AllTrue(d, hn::Or(found.decided.separated, found.decided.contact))) return found;
-    for (int i = 0; i < Known::axes; ++i) note(d, axes[i], i, found.known);
+    for (int i = 0; i < KnownResults::axes; ++i) note(d, axes[i], i, found.known);
     return found;
   }
 };

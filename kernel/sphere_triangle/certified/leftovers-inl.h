@@ -113,7 +113,7 @@ struct Leftovers {
 };
 
 template <class Real>
-AXISCERT_INLINE void widened(const Block<Real>& block, std::size_t i, double (&q)[13]) {
+AXISCERT_INLINE void widen(const Block<Real>& block, std::size_t i, double (&q)[13]) {
   for (std::size_t k = 0; k < 9; ++k) q[k] = static_cast<double>(block.column[k][i]);
   const std::size_t of_sphere = block.one_sphere ? 0 : i;
   for (std::size_t k = 9; k < 13; ++k) q[k] = static_cast<double>(block.column[k][of_sphere]);

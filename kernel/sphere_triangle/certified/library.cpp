@@ -15,12 +15,12 @@ namespace {
 
 // What answers the questions that steps in floating point may answer, chosen once, under default modes: these steps on
 // the best instruction set, or integers alone where the steps do not pass the check.
-struct Chosen {
+struct ChosenForms {
   bool passed;
   Forms forms;
 };
-const Chosen& chosen() noexcept {
-  static const Chosen made = [] {
+const ChosenForms& chosen() noexcept {
+  static const ChosenForms made = [] {
     if (!answer_as_stored(exact_only_forms(), true)) {
       std::fputs(
           "libaxiscert: its exact step fails its own check, so that no answer would be right; was it compiled with "
@@ -30,12 +30,12 @@ const Chosen& chosen() noexcept {
     }
     const Forms best = chosen_forms();
     const bool passed = answer_as_stored(best, false);
-    return Chosen{passed, passed ? best : exact_only_forms()};
+    return ChosenForms{passed, passed ? best : exact_only_forms()};
   }();
   return made;
 }
 const Forms& forms_for(axiscert_question question) noexcept {
-  const Chosen& mine = chosen();
+  const ChosenForms& mine = chosen();
   if (question == AXISCERT_EXACT_ONLY || question == AXISCERT_OPEN_EXACT_ONLY) return exact_only_forms();
   return mine.forms;
 }

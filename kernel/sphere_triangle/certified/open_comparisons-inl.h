@@ -10,9 +10,10 @@ namespace HWY_NAMESPACE {
 template <class D>
 AXISCERT_INLINE hn::Mask<D> has_one_open(D d, hn::Vec<hn::RebindToUnsigned<D>> known) {
   const hn::RebindToUnsigned<D> words;
-  const auto fails = hn::And(known, hn::Set(words, 0b1111111 << Known::fails));
-  const auto closed = hn::Or(known, hn::Or(hn::ShiftLeft<Known::radius>(fails), hn::ShiftLeft<Known::sides>(fails)));
-  const auto open = hn::AndNot(closed, hn::Set(words, Known::comparisons));
+  const auto fails = hn::And(known, hn::Set(words, 0b1111111 << KnownResults::fails));
+  const auto closed =
+      hn::Or(known, hn::Or(hn::ShiftLeft<KnownResults::radius>(fails), hn::ShiftLeft<KnownResults::sides>(fails)));
+  const auto open = hn::AndNot(closed, hn::Set(words, KnownResults::comparisons));
   return hn::RebindMask(d, hn::Eq(hn::And(open, hn::Sub(open, hn::Set(words, 1))), hn::Zero(words)));
 }
 
@@ -49,10 +50,10 @@ class OpenComparisons {
   template <class Take>
   void finish(Take&& take) noexcept {
     for (std::size_t kind = 0; kind < comparing_count; ++kind) {
-      if (queue_[kind].size >= worth_asking) flush(static_cast<Comparing>(kind));
+      if (queue_[kind].size >= worth_asking) flush(static_cast<DeepComparison>(kind));
     }
     for (std::size_t i = 0; i < size_; ++i)
-      take(std::size_t{place_[i]}, std::size_t{index_[i]}, Known{known_[place_[i]]});
+      take(std::size_t{place_[i]}, std::size_t{index_[i]}, KnownResults{known_[place_[i]]});
   }
 
  private:
@@ -60,18 +61,19 @@ class OpenComparisons {
   // A queue with fewer comparisons at the end is left to the last step, which takes about a fifth as long for a query
   // as the deep step for a vector.
   static constexpr std::size_t worth_asking = lanes == 1 ? 1 : lanes / 2 + 1;
-  static constexpr Comparing radius_of_[Known::axes] = {
-      Comparing::vertex_radius, Comparing::vertex_radius, Comparing::vertex_radius, Comparing::plane_radius,
-      Comparing::edge_radius,   Comparing::edge_radius,   Comparing::edge_radius};
-  static constexpr Comparing sides_of_[Known::axes] = {
-      Comparing::vertex_sides, Comparing::vertex_sides, Comparing::vertex_sides, {},
-      Comparing::edge_side,    Comparing::edge_side,    Comparing::edge_side};
+  static constexpr DeepComparison radius_of_[KnownResults::axes] = {
+      DeepComparison::vertex_radius, DeepComparison::vertex_radius, DeepComparison::vertex_radius,
+      DeepComparison::plane_radius,  DeepComparison::edge_radius,   DeepComparison::edge_radius,
+      DeepComparison::edge_radius};
+  static constexpr DeepComparison sides_of_[KnownResults::axes] = {
+      DeepComparison::vertex_sides, DeepComparison::vertex_sides, DeepComparison::vertex_sides, {},
+      DeepComparison::edge_side,    DeepComparison::edge_side,    DeepComparison::edge_side};
   // The first columns of the vertices that are renamed A, B and C.
   struct Turn {
     std::uint8_t a, b, c;
   };
-  static constexpr Turn turn_of_[Known::axes] = {{0, 3, 6}, {3, 6, 0}, {6, 0, 3}, {0, 3, 6},
-                                                 {0, 3, 6}, {3, 6, 0}, {6, 0, 3}};
+  static constexpr Turn turn_of_[KnownResults::axes] = {{0, 3, 6}, {3, 6, 0}, {6, 0, 3}, {0, 3, 6},
+                                                        {0, 3, 6}, {3, 6, 0}, {6, 0, 3}};
 
   struct Queue {
     alignas(64) Number column[13][capacity];
@@ -92,7 +94,7 @@ class OpenComparisons {
     index_[size_++] = left_.index[place];
   }
   AXISCERT_INLINE void ask_all(std::size_t place) noexcept {
-    const Known known{known_[place]};
+    const KnownResults known{known_[place]};
     for (std::uint32_t rest = known.open_radii(); rest != 0; rest &= rest - 1) {
       ask(radius_of_[std::countr_zero(rest)], std::countr_zero(rest), place);
     }
@@ -100,7 +102,7 @@ class OpenComparisons {
       ask(sides_of_[std::countr_zero(rest)], std::countr_zero(rest), place);
     }
   }
-  AXISCERT_INLINE void ask(Comparing what, int axis, std::size_t place) noexcept {
+  AXISCERT_INLINE void ask(DeepComparison what, int axis, std::size_t place) noexcept {
     Queue& queue = queue_[what];
     const std::size_t at = queue.size++;
     const auto copy = [&](std::size_t to, const Number* from) { queue.column[to][at] = *from; };
@@ -124,21 +126,21 @@ class OpenComparisons {
   }
 
   // Asks the comparisons in the queue, and empties it.
-  HWY_NOINLINE void flush(Comparing what) noexcept {
+  HWY_NOINLINE void flush(DeepComparison what) noexcept {
     switch (what) {
-      case Comparing::vertex_radius:
-        return flush<Comparing::vertex_radius>(Known::radius);
-      case Comparing::vertex_sides:
-        return flush<Comparing::vertex_sides>(Known::sides);
-      case Comparing::edge_radius:
-        return flush<Comparing::edge_radius>(Known::radius);
-      case Comparing::edge_side:
-        return flush<Comparing::edge_side>(Known::sides);
-      case Comparing::plane_radius:
-        return flush<Comparing::plane_radius>(Known::radius);
+      case DeepComparison::vertex_radius:
+        return flush<DeepComparison::vertex_radius>(KnownResults::radius);
+      case DeepComparison::vertex_sides:
+        return flush<DeepComparison::vertex_sides>(KnownResults::sides);
+      case DeepComparison::edge_radius:
+        return flush<DeepComparison::edge_radius>(KnownResults::radius);
+      case DeepComparison::edge_side:
+        return flush<DeepComparison::edge_side>(KnownResults::sides);
+      case DeepComparison::plane_radius:
+        return flush<DeepComparison::plane_radius>(KnownResults::radius);
     }
   }
-  template <Comparing what>
+  template <DeepComparison what>
   HWY_NOINLINE void flush(int group) noexcept {
     Queue& queue = queue_[what];
     const std::size_t end = (queue.size + lanes - 1) / lanes * lanes;
@@ -149,7 +151,7 @@ class OpenComparisons {
     queue.size = 0;
   }
 
-  template <Comparing what>
+  template <DeepComparison what>
   AXISCERT_INLINE void ask_vector(const Queue& queue, std::size_t first, int group) noexcept {
     const D d;
     Block<Number> queries{{}, lanes, false};
@@ -161,7 +163,7 @@ class OpenComparisons {
     for (std::size_t i = 0; i < count; ++i) {
       const int axis = queue.axis[first + i];
       known_[queue.place[first + i]] |= std::uint64_t{has_bit(holds, i)} << (group + axis) |
-                                        std::uint64_t{has_bit(fails, i)} << (Known::fails + axis);
+                                        std::uint64_t{has_bit(fails, i)} << (KnownResults::fails + axis);
     }
   }
 
@@ -172,7 +174,7 @@ class OpenComparisons {
   std::uint64_t known_[block_size + lanes];  // the bits of Known for the places in place_
   std::uint16_t place_[block_size], index_[block_size];
   std::size_t size_ = 0;
-  EnumArray<Comparing, Queue, comparing_count> queue_;
+  EnumArray<DeepComparison, Queue, comparing_count> queue_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -13,7 +13,7 @@ using enum Verdict;
 // ax ay az bx by bz cx cy cz px py pz r, and the exact answer of the closed and the open sphere and that of the
 // conservative test, which has every bit of its own.
 template <class Real>
-struct Stored {
+struct StoredAnswer {
   Real query[13];
   Verdict closed, open, conservative;
 };
@@ -23,7 +23,7 @@ struct Stored {
 // library that was compiled with -ffast-math, -fassociative-math or -ffp-contract=fast, or called with subnormal
 // numbers flushed to zero or another rounding direction. Then inputs that are no queries, and in binary64 one that
 // scaling would lose a bit of.
-constexpr Stored<float> stored_floats[] = {
+constexpr StoredAnswer<float> stored_floats[] = {
     {{0, 0, 0, 0x1.2c634p+18f, 0, 0x1.26e46p+19f, 0, 0x1.9bb56p+19f, 0x1.3fceep+19f, 0x1.150ccp+18f,
       0x1.5a44p+15f, 0x1.20cacp+19f, 0x1.d085acp-40f}, contact, contact, contact},
     {{0, 0, 0, 0x1.2594ep+19f, 0, 0x1.341f8p+17f, 0, 0x1.1f42ep+19f, 0x1.e4a1cp+18f, 0x1.ecabp+17f, 0x1.26dap+16f,
@@ -72,7 +72,7 @@ constexpr Stored<float> stored_floats[] = {
     {{1, 0, 0, 0, std::numeric_limits<float>::infinity(), 0, 0, 0, 1, 0, 0, 0, 1}, invalid, invalid, invalid},
     {{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, -1}, invalid, invalid, invalid},
 };
-constexpr Stored<double> stored_doubles[] = {
+constexpr StoredAnswer<double> stored_doubles[] = {
     {{0x0.0000000000006p-1022, -0x0.0000000000002p-1022, -0x0.0000000000006p-1022, 0x0.0000000000006p-1022,
       -0x0.0000000000002p-1022, -0x0.0000000000006p-1022, -0x0.0000000000004p-1022, 0x0.0000000000004p-1022,
       0x0.0000000000006p-1022, 0, 0x0.0000000000006p-1022, 0, 0x0.0000000000002p-1022}, separated, separated,
@@ -148,13 +148,13 @@ Verdict answered(const Answer<most>& answer, std::size_t i) noexcept {
 
 template <class Real>
 bool answer_as_stored(const Forms& forms, Question question, bool are_integers) noexcept {
-  const auto expected = [&](const Stored<Real>& s) {
+  const auto expected = [&](const StoredAnswer<Real>& s) {
     if (question == Question::open_sphere) return s.open;
     return question == Question::conservative && !are_integers ? s.conservative : s.closed;
   };
   bool agrees = true;
   BlockAnswer answer;
-  for (const Stored<Real>& s : stored<Real>()) {
+  for (const StoredAnswer<Real>& s : stored<Real>()) {
     forms.pair<Real>()(s.query, s.query + 9, question, answer);
     agrees &= answered(answer, 0) == expected(s);
   }

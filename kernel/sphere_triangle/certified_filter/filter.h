@@ -20,11 +20,11 @@ namespace axiscert {
 namespace AXISCERT_TARGET {
 
 struct PublishedFilter {
-  using Formulae = Published;
+  using Formulae = PublishedFormulae;
   static constexpr const auto& thresholds = filter::published_thresholds;
 };
 struct ReducedFilter {
-  using Formulae = Reduced;
+  using Formulae = ReducedFormulae;
   static constexpr const auto& thresholds = filter::reduced_thresholds;
 };
 
@@ -42,7 +42,7 @@ struct Magnitude {
 };
 template <class Real, class T>
 AXISCERT_INLINE auto greatest_magnitude_of(const Problem<T>& query) {
-  const Centred<T> vertices = centred(query);
+  const CentredProblem<T> vertices = centred(query);
   const T least = constant_as(query.r, filter::least_magnitude<Real>);
   const T greatest = constant_as(query.r, filter::greatest_magnitude<Real>);
   Magnitude<T, decltype(less(query.r, query.r))> found{query.r,

@@ -52,11 +52,11 @@ AXISCERT_INLINE Lanes<V> constant_as(const Lanes<V>&, hn::TFromV<V> c) {
   return {hn::Set(hn::DFromV<V>(), c)};
 }
 template <class V>
-AXISCERT_INLINE HeldLanes<V> less(const Lanes<V>& x, const Lanes<V>& y) {
+AXISCERT_INLINE ComparisonLanes<V> less(const Lanes<V>& x, const Lanes<V>& y) {
   return y > x;
 }
 template <class V>
-AXISCERT_INLINE HeldLanes<V> at_most(const Lanes<V>& x, const Lanes<V>& y) {
+AXISCERT_INLINE ComparisonLanes<V> at_most(const Lanes<V>& x, const Lanes<V>& y) {
   return y >= x;
 }
 

@@ -72,14 +72,14 @@ const axiscert_kernel& plugin(std::string_view name) {
   return *entry(sizeof(Real) == 4 ? 0 : 1);
 }
 
-struct Told {
+struct ToldAnswers {
   std::vector<Verdict> verdicts;
   std::vector<std::uint64_t> bits;
 };
 
 template <class Real>
-Told ask(const axiscert_kernel& kernel, const QueryColumns<Real>& queries) {
-  Told told{std::vector<Verdict>(queries.size), std::vector<std::uint64_t>(queries.size)};
+ToldAnswers ask(const axiscert_kernel& kernel, const QueryColumns<Real>& queries) {
+  ToldAnswers told{std::vector<Verdict>(queries.size), std::vector<std::uint64_t>(queries.size)};
   std::array<const void*, coordinate_count> column;
   std::copy_n(queries.column.begin(), queries.count, column.begin());
   const axiscert_batch batch{sizeof batch, queries.size, column.size(), column.data()};
@@ -99,7 +99,7 @@ std::vector<Verdict> verdicts_of(std::string_view built_in, const QueryColumns<R
 }
 
 template <class Real>
-Told ask_published(const QueryColumns<Real>& queries) {
+ToldAnswers ask_published(const QueryColumns<Real>& queries) {
   Answers<Real> answers;
   answers.resize(queries.size, comparison_count);
   find_kernel("published").on<Real>(scalar_target).explain(queries, answers);
@@ -112,7 +112,8 @@ void expect_that_the_control_is_published() {
   std::mt19937_64 random(1);
   QueryBatch<Real> queries(count, coordinate_count);
   for (std::size_t i = 0; i < count; ++i) queries.push_back(random_query<Real>(random, i % 2 == 1));
-  const Told control = ask(plugin<Real>("none"), queries.columns()), published = ask_published(queries.columns());
+  const ToldAnswers control = ask(plugin<Real>("none"), queries.columns()),
+                    published = ask_published(queries.columns());
   for (std::size_t i = 0; i < count; ++i) {
     ASSERT_EQ(control.bits[i], published.bits[i]) << "random query " << i;
     ASSERT_EQ(control.verdicts[i], published.verdicts[i]) << "random query " << i;
@@ -169,7 +170,7 @@ void expect_wrong_where_its_file_says(const Fault& fault) {
   EXPECT_EQ(kernel.precision, 8 * sizeof(Real));
   EXPECT_EQ(kernel.source, "kernel/sphere_triangle/faults/" + std::string(fault.name) + ".c:1");
   EXPECT_STREQ(kernel.conforms_to, "published");
-  const Told right = ask_published(queries.columns()), told = ask(kernel, queries.columns());
+  const ToldAnswers right = ask_published(queries.columns()), told = ask(kernel, queries.columns());
   // The published test is right here: an unrelated method gives the same verdicts.
   ASSERT_EQ(right.verdicts, verdicts_of("minkowski", queries.columns()));
 

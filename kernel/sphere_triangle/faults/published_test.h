@@ -1,4 +1,4 @@
-/* The published test of one query in plain C, in the number type `real`: bit for bit the built-in kernel `published`
+/* The published test of one query in C, in the number type `real`: bit for bit the built-in kernel `published`
  * (kernel/sphere_triangle/formulae.h; operation order: kernel/base/geometry.h). Included once for each precision, hence
  * without include guard, after #define real float #define OF_REAL(name) name##_binary32
  *

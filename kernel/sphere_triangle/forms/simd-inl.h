@@ -30,7 +30,7 @@ AXISCERT_INLINE auto lanes_hold(Comparison which, const T& lhs, const T& rhs) {
 // separates. The comparisons of an axis are emitted one after the other.
 template <class D, Strictness strictness>
 struct VerdictSink {
-  HeldLanes<hn::Vec<D>> any, axis;
+  ComparisonLanes<hn::Vec<D>> any, axis;
   template <class T>
   AXISCERT_INLINE void operator()(Comparison which, const T& lhs, const T& rhs) {
     const auto holds = lanes_hold<strictness>(which, lhs, rhs);

@@ -16,8 +16,8 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
-Implementation<float> published32(Strictness s) { return implementation<Published, float>(s); }
-Implementation<double> published64(Strictness s) { return implementation<Published, double>(s); }
+Implementation<float> published32(Strictness s) { return implementation<PublishedFormulae, float>(s); }
+Implementation<double> published64(Strictness s) { return implementation<PublishedFormulae, double>(s); }
 }  // namespace axiscert::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -16,8 +16,8 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::HWY_NAMESPACE {
-Implementation<float> reduced32(Strictness s) { return implementation<Reduced, float>(s); }
-Implementation<double> reduced64(Strictness s) { return implementation<Reduced, double>(s); }
+Implementation<float> reduced32(Strictness s) { return implementation<ReducedFormulae, float>(s); }
+Implementation<double> reduced64(Strictness s) { return implementation<ReducedFormulae, double>(s); }
 }  // namespace axiscert::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

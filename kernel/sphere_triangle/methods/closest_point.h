@@ -14,7 +14,7 @@ struct ClosestPoint {
   static constexpr bool is_ring = false;
 
   template <class T>
-  static portable::Vec3<T> closest(const portable::Centred<T>& centred, const T& zero) {
+  static portable::Vec3<T> closest(const portable::CentredProblem<T>& centred, const T& zero) {
     const auto& [A, B, C, rr] = centred;
     const auto AB = B - A, AC = C - A;
     const T one_a = zero - dot(AB, A), two_a = zero - dot(AC, A);

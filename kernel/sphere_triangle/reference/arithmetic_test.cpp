@@ -30,21 +30,21 @@ float difference(float a, float b, float c, float d) {
   return float(portable::cross(vector<Number>(0, a, c), vector<Number>(0, d, b)).x);
 }
 
-using arithmetic::Compensated, arithmetic::Fused, arithmetic::Kahan;
+using arithmetic::CompensatedNumber, arithmetic::FusedNumber, arithmetic::Kahan;
 
 // (1 + h)^2 - (1 + 2h) = h^2, h = 2^-12, with the square as the first or as the second product.
 TEST(Arithmetic, DifferencesOfProductsByHand) {
   const float h = 0x1p-12f, hh = 0x1p-24f, s = 1 + h, t = 1 + 2 * h;
   EXPECT_EQ(difference<float>(s, s, t, 1), 0);
-  EXPECT_EQ(difference<Fused<float>>(s, s, t, 1), hh);
+  EXPECT_EQ(difference<FusedNumber<float>>(s, s, t, 1), hh);
   EXPECT_EQ(difference<Kahan<float>>(s, s, t, 1), hh);
-  EXPECT_EQ(difference<Compensated<float>>(s, s, t, 1), hh);
-  EXPECT_EQ(difference<Fused<float>>(t, 1, s, s), 0) << "the second product is rounded";
+  EXPECT_EQ(difference<CompensatedNumber<float>>(s, s, t, 1), hh);
+  EXPECT_EQ(difference<FusedNumber<float>>(t, 1, s, s), 0) << "the second product is rounded";
   EXPECT_EQ(difference<Kahan<float>>(t, 1, s, s), -hh);
-  EXPECT_EQ(difference<Compensated<float>>(t, 1, s, s), -hh);
-  EXPECT_EQ(difference<Fused<float>>(s, s, s, s), hh) << "u x u need not vanish";
+  EXPECT_EQ(difference<CompensatedNumber<float>>(t, 1, s, s), -hh);
+  EXPECT_EQ(difference<FusedNumber<float>>(s, s, s, s), hh) << "u x u need not vanish";
   EXPECT_EQ(difference<Kahan<float>>(s, s, s, s), 0);
-  EXPECT_EQ(difference<Compensated<float>>(s, s, s, s), 0);
+  EXPECT_EQ(difference<CompensatedNumber<float>>(s, s, s, s), 0);
 }
 
 TEST(Arithmetic, DotProductsByHand) {
@@ -52,12 +52,12 @@ TEST(Arithmetic, DotProductsByHand) {
   const Vec3<float> first{s, 1, 1}, first_by{s, -1, -2 * h};  // the square comes first
   const Vec3<float> second{1, s, 1}, second_by{-1, s, -2 * h};
   EXPECT_EQ(dot_of<float>(second, second_by), 0);
-  EXPECT_EQ(dot_of<Fused<float>>(second, second_by), hh);
-  EXPECT_EQ(dot_of<Fused<float>>(first, first_by), 0) << "the first product is rounded";
+  EXPECT_EQ(dot_of<FusedNumber<float>>(second, second_by), hh);
+  EXPECT_EQ(dot_of<FusedNumber<float>>(first, first_by), 0) << "the first product is rounded";
   EXPECT_EQ(dot_of<Kahan<float>>(first, first_by), hh);
   const Vec3<float> small{1, 0x1p-15f, 1}, small_by{1, 0x1p-15f, -1};  // 1 + 2^-30 - 1
   EXPECT_EQ(dot_of<Kahan<float>>(small, small_by), 0) << "the sum of the first two is rounded";
-  EXPECT_EQ(dot_of<Compensated<float>>(small, small_by), 0x1p-30f);
+  EXPECT_EQ(dot_of<CompensatedNumber<float>>(small, small_by), 0x1p-30f);
   // 2^24 + 1 - 2^24, the 1 in the middle.
   using namespace arithmetic;
   using YZFirst = DotOrder<float, FirstPair::y_and_z>;
@@ -102,7 +102,8 @@ TEST(Arithmetic, DifferencesOfProductsStayWithinTheirBounds) {
     if (exact != 0) worst = std::max(worst, kahan / ulp(exact));
     // Ogita, Rump, Oishi: u |exact| + gamma_2^2 (|a b| + |c d|), gamma_2 = 2u / (1 - 2u).
     const double size = std::fabs(double(a * b)) + std::fabs(double(c * d));
-    ASSERT_LE(error.template operator()<Compensated<float>>(), 0x1p-24 * std::fabs(double(exact)) + 0x1.001p-46 * size)
+    ASSERT_LE(error.template operator()<CompensatedNumber<float>>(),
+              0x1p-24 * std::fabs(double(exact)) + 0x1.001p-46 * size)
         << "case " << i << " of seed " << seed;
   }
   EXPECT_GT(worst, 0.5) << "no case came near the bound";
@@ -118,11 +119,11 @@ TEST(Arithmetic, DotProductsAreRoundedWhereTheySay) {
     // The conversion of a 64-bit integer to float rounds once, to nearest.
     const auto once = [](std::int64_t n) { return static_cast<std::int64_t>(static_cast<float>(n)); };
     const std::int64_t fused = once(u[2] * v[2] + once(u[1] * v[1] + once(u[0] * v[0])));
-    ASSERT_EQ(dot_of<Fused<float>>(x, y), static_cast<float>(fused)) << "case " << i << " of seed " << seed;
+    ASSERT_EQ(dot_of<FusedNumber<float>>(x, y), static_cast<float>(fused)) << "case " << i << " of seed " << seed;
     const std::int64_t exact = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
     double size = 0;
     for (int k = 0; k < 3; ++k) size += std::fabs(double(u[k] * v[k]));
-    ASSERT_LE(std::fabs(double(dot_of<Compensated<float>>(x, y)) - double(exact)),
+    ASSERT_LE(std::fabs(double(dot_of<CompensatedNumber<float>>(x, y)) - double(exact)),
               0x1p-24 * std::fabs(double(exact)) + 9 * 0x1.001p-48 * size)  // gamma_3^2
         << "case " << i << " of seed " << seed;
   }

@@ -11,20 +11,24 @@ namespace axiscert {
 
 // A value, or a product that is not rounded yet: an addition to it fuses the two.
 template <class Real>
-struct Contracted {
+struct ContractedNumber {
   Real value = 0, factor = 1;
 
   Real rounded() const { return value * factor; }
-  friend Contracted operator*(Contracted a, Contracted b) { return {a.rounded(), b.rounded()}; }
-  friend Contracted operator+(Contracted a, Contracted b) { return {std::fma(b.value, b.factor, a.rounded())}; }
-  friend Contracted operator-(Contracted a, Contracted b) { return {std::fma(-b.value, b.factor, a.rounded())}; }
+  friend ContractedNumber operator*(ContractedNumber a, ContractedNumber b) { return {a.rounded(), b.rounded()}; }
+  friend ContractedNumber operator+(ContractedNumber a, ContractedNumber b) {
+    return {std::fma(b.value, b.factor, a.rounded())};
+  }
+  friend ContractedNumber operator-(ContractedNumber a, ContractedNumber b) {
+    return {std::fma(-b.value, b.factor, a.rounded())};
+  }
 };
 
 // The published sides of a query as a contracted build computes them.
 template <class Real>
 Sides<Real> contracted_sides(const Query<Real>& q) {
-  const auto fused =
-      sides_of<portable::Published>(problem_as<Contracted<Real>>(q, [](Real x) { return Contracted<Real>{x}; }));
+  const auto fused = sides_of<portable::PublishedFormulae>(
+      problem_as<ContractedNumber<Real>>(q, [](Real x) { return ContractedNumber<Real>{x}; }));
   Sides<Real> sides;
   for (std::size_t k = 0; k < comparison_count; ++k) {
     sides.lhs[k] = fused.lhs[k].rounded();

@@ -16,7 +16,7 @@ portable::Problem<T> problem_as(const Query<Real>& q, Convert&& convert) {
 
 // The query in that number type, with its centre moved to the origin there.
 template <class T, class Real, class Convert>
-portable::Centred<T> centred_as(const Query<Real>& q, Convert&& convert) {
+portable::CentredProblem<T> centred_as(const Query<Real>& q, Convert&& convert) {
   return portable::centred(problem_as<T>(q, convert));
 }
 
@@ -32,7 +32,7 @@ Sides<T> sides_of(const portable::Problem<T>& problem) {
 
 // The published sides of a problem that is already centred. `zero` is the number type's zero.
 template <class T>
-Sides<T> published_sides(const portable::Centred<T>& centred, const T& zero) {
+Sides<T> published_sides(const portable::CentredProblem<T>& centred, const T& zero) {
   Sides<T> sides;
   portable::published_comparisons(centred, zero, [&](Comparison which, const T& lhs, const T& rhs) {
     sides.lhs[which] = lhs;

@@ -25,10 +25,10 @@ template Outcome reference<float>(Formulae, Arithmetic, Strictness, const Query<
 template Outcome reference<double>(Formulae, Arithmetic, Strictness, const Query<double>&, Sides<double>*) noexcept;
 
 Sides<float> reference_sides(const Query<float>& q) noexcept {
-  return sides_of<portable::Published>(problem_as<float>(q, [](float x) { return x; }));
+  return sides_of<portable::PublishedFormulae>(problem_as<float>(q, [](float x) { return x; }));
 }
 Sides<double> reference_sides(const Query<double>& q) noexcept {
-  return sides_of<portable::Published>(problem_as<double>(q, [](double x) { return x; }));
+  return sides_of<portable::PublishedFormulae>(problem_as<double>(q, [](double x) { return x; }));
 }
 
 }  // namespace axiscert

@@ -11,7 +11,7 @@
 
 namespace axiscert::rungs {
 
-using portable::Centred, portable::Problem, portable::Vec3, portable::magnitude, portable::square_root,
+using portable::CentredProblem, portable::Problem, portable::Vec3, portable::magnitude, portable::square_root,
     portable::times_square;
 
 // |A.N| > r with N = V/|V|   ->   (A.V/|V|)^2 > rr   ->   (A.V)^2/(V.V) > rr   ->   (A.V)^2 > rr (V.V).
@@ -23,7 +23,7 @@ enum class VertexForm { rooted, distributed };
 enum class EdgeForm { rooted, squared, scaled, undivided, centred, distributed };
 
 template <PlaneForm form, class T, class Emit>
-AXISCERT_INLINE void plane(const Centred<T>& centred, const T& r, Emit&& emit) {
+AXISCERT_INLINE void plane(const CentredProblem<T>& centred, const T& r, Emit&& emit) {
   using enum PlaneForm;
   const Vec3<T>& A = centred.a;
   const Vec3<T> V = cross(centred.b - A, centred.c - A);
@@ -110,7 +110,7 @@ struct Rung {
   template <class T, class Emit>
   AXISCERT_INLINE static void comparisons(const Problem<T>& q, Emit&& emit) {
     using enum Comparison;
-    const Centred<T> centred = portable::centred(q);
+    const CentredProblem<T> centred = portable::centred(q);
     const auto& [A, B, C, rr] = centred;
     plane<plane_form>(centred, q.r, emit);
     vertex<vertex_form>(A, B, C, q.r, rr, q.zero, vertex_a_radius, emit);

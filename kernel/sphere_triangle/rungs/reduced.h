@@ -32,7 +32,7 @@ struct ReducedForm {
   template <class T, class Emit>
   AXISCERT_INLINE static void comparisons(const Problem<T>& query, Emit&& emit) {
     using enum Comparison;
-    const Centred<T> centred = AXISCERT_TARGET::centred(query);
+    const CentredProblem<T> centred = AXISCERT_TARGET::centred(query);
     const auto& [A, B, C, rr] = centred;
     const Vec3<T> AB = B - A, BC = C - B, CA = A - C;
     const auto normal = [](const Vec3<T>& from, const Vec3<T>& to, const Vec3<T>& along) {
@@ -57,7 +57,7 @@ struct ReducedForm {
   }
 };
 
-using Reduced = ReducedForm<EdgeNormal::by_ends, PlaneTerms::published>;
+using ReducedFormulae = ReducedForm<EdgeNormal::by_ends, PlaneTerms::published>;
 using ReducedAlong = ReducedForm<EdgeNormal::along, PlaneTerms::published>;
 using ReducedDeterminant = ReducedForm<EdgeNormal::by_ends, PlaneTerms::determinant>;
 using ReducedShared = ReducedForm<EdgeNormal::by_ends, PlaneTerms::shared>;

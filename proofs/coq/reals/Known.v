@@ -1,4 +1,4 @@
-(* The certified predicate's steps tell each other `Known` of kernel/sphere_triangle/certified/exact_step.h, three bits
+(* The certified predicate's steps tell each other `KnownResults` of kernel/sphere_triangle/certified/exact_step.h, three bits
    for each axis. Where every bit that is set is right, so are the verdicts made of them, for the closed sphere and the open
    one, whichever steps set which bits and in whatever order; and the last step, which evaluates what is not known, decides. *)
 From Coq Require Import Reals Bool List Lra.

@@ -63,7 +63,7 @@ AskedStatement asked_of(const CertificatePredicate& predicate, const Record& rec
           queries,
           all.decided(),
           {queries - all.population, all.outside, all.touching, all.declined(), all.invalid, all.unanswered},
-          std::vector<Said>(families.begin(), families.end())};
+          std::vector<SaidText>(families.begin(), families.end())};
 }
 
 // Every kernel of the run, on the same queries.
@@ -87,9 +87,9 @@ std::vector<ComparisonStatement> comparison_of(const Record& record) {
 }
 
 // Sentences that say what the certificate leaves open.
-std::vector<Said> limits_of(const CertificatePredicate& predicate) {
+std::vector<SaidText> limits_of(const CertificatePredicate& predicate) {
   const KernelStatement& kernel = predicate.kernel;
-  std::vector<Said> limits;
+  std::vector<SaidText> limits;
   const auto say = [&](std::string sentence) { limits.emplace_back(std::move(sentence)); };
   say("What is met was observed on queries that these families make, but for what `proved` says there: no number of "
       "queries proves it for others, and the bounds are of rates in these families, not in a game.");
@@ -293,7 +293,7 @@ Record require_derived(const CertificatePredicate& predicate, const std::string&
   require_effort(predicate, name);
   const CertificatePredicate derived = derived_predicate(predicate, record);
   const bool has_our_words = is_made_by_this(predicate);
-  if (const Said& version = predicate.materials.axiscert.version; has_our_words && version != axiscert_version) {
+  if (const SaidText& version = predicate.materials.axiscert.version; has_our_words && version != axiscert_version) {
     throw NotValid(fmt::format("{}: it states version {} of axiscert, and its sources are those of {}", name,
                                shown(Json(version).dump()), axiscert_version));
   }

@@ -24,12 +24,12 @@ using testing::HasSubstr;
 constexpr std::uint64_t trials = 256;  // as effort smoke asks
 
 // A run of one kernel and its yardsticks, and the predicate that is made of it.
-struct Certified {
+struct CertifiedRecord {
   Record record;
   CertificatePredicate predicate;
 };
 
-Certified certified(const std::vector<std::string>& ids, const std::vector<std::string>& families) {
+CertifiedRecord certified(const std::vector<std::string>& ids, const std::vector<std::string>& families) {
   Plan plan;
   for (const std::string& id : ids) plan.answerers.kernels.push_back(&find_kernel(id));
   for (const std::string& family : families) plan.questions.sources.push_back(family_source(find_family(family)));
@@ -39,8 +39,8 @@ Certified certified(const std::vector<std::string>& ids, const std::vector<std::
   };
   plan.running.target = resolve_target("auto");
   const Stretches stretches(plan.questions, Stretches::default_units_each(plan.questions));
-  Gathered gathered(plan.questions, ids.size(), stretches);
-  Certified made;
+  GatheredStretches gathered(plan.questions, ids.size(), stretches);
+  CertifiedRecord made;
   CertificatePredicate& p = made.predicate;
   for (std::uint64_t i = 0; i < stretches.count(); ++i) {
     const Entry entry = run_stretch(plan, stretches, i);
@@ -68,8 +68,8 @@ Certified certified(const std::vector<std::string>& ids, const std::vector<std::
   return made;
 }
 
-const Certified& of_published() {
-  static const Certified made = certified({"published", "certified"}, {"tangent", "lattice", "units", "orders"});
+const CertifiedRecord& of_published() {
+  static const CertifiedRecord made = certified({"published", "certified"}, {"tangent", "lattice", "units", "orders"});
   return made;
 }
 
@@ -117,7 +117,7 @@ TEST(ReducedRecord, LeadsToTheSameLevelsAsTheRecord) {
                                           {"published", "certified"}, {"tangent", "lattice", "units", "orders"}},
                                       {{"certified", "published"}, {"general", "nonfinite"}},
                                       {{"box-box/projected"}, {"box-box/general", "box-box/tangent"}}}) {
-    const Certified made = certified(ids, families);
+    const CertifiedRecord made = certified(ids, families);
     EXPECT_EQ(text_of_json(json_of(levels_of(made.record, ids.front(), {}))),
               text_of_json(json_of(made.predicate.levels)))
         << ids.front();

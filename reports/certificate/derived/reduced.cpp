@@ -203,7 +203,7 @@ class Reducer {
   }
 
   // `stated`: what the certificate says of its families beside the stretches.
-  void put_families(KernelRecord& entry, const Named<FamilyMaterial>& stated, const ByFamily& totals) const {
+  void put_families(KernelRecord& entry, const NamedValues<FamilyMaterial>& stated, const ByFamily& totals) const {
     const std::string& id = entry.id;
     const std::string who = fmt::format("{}: {} {}", name_, id, name(entry.precision));
     std::optional<CriticalRadiusRecord> radius;

@@ -144,7 +144,7 @@ std::vector<SituationStatement> where_it_is_wrong(const Record& record, const st
   std::vector<SituationStatement> situations;
   for (const WrongVerdicts& wrong : wrong_situations(record, kernel)) {
     situations.push_back({wrong.precision, wrong.situation->name, wrong.situation->meaning,
-                          std::vector<Said>(wrong.families.begin(), wrong.families.end()), wrong.missed,
+                          std::vector<SaidText>(wrong.families.begin(), wrong.families.end()), wrong.missed,
                           amount(wrong.deepest_missed, 3), wrong.phantom, amount(wrong.deepest_phantom, 3),
                           wrong.situation->advice, wrong.situation->section});
   }

@@ -41,7 +41,7 @@ std::string contradiction(const AskedLevel& asked, const SearchedStatement* sear
   return missed.empty() ? of("phantom_contact", "phantom contact", allowed.phantom) : missed;
 }
 
-std::string observed(const KernelRecord& kernel, const AskedLevel& asked, const std::string& covers) {
+std::string observed_text(const KernelRecord& kernel, const AskedLevel& asked, const std::string& covers) {
   if (!is_of_verdicts(asked)) return covers;
   const std::optional<FamilyRecord> total = all_families(kernel);
   if (!total) return covers;
@@ -79,7 +79,7 @@ LevelStatement level_statement(const Record& record, const LevelOutcome& outcome
     level.failures.push_back(f.family.empty() ? f.what
                                               : fmt::format("{}: {}: {}", f.family, f.what, thousands(f.count)));
   }
-  const auto put = [](std::optional<Said>& into, const std::string& text) {
+  const auto put = [](std::optional<SaidText>& into, const std::string& text) {
     if (!text.empty()) into = text;
   };
   if (level.state == LevelState::not_checked) put(level.reason, outcome.reason);
@@ -89,7 +89,7 @@ LevelStatement level_statement(const Record& record, const LevelOutcome& outcome
     level.rests_on.push_back({Ground::proved, proof});
   const KernelRecord* entry = record_entry_of(record, outcome);
   level.rests_on.push_back(
-      {Ground::observed, entry ? observed(*entry, outcome.asked, outcome.covers) : outcome.covers});
+      {Ground::observed, entry ? observed_text(*entry, outcome.asked, outcome.covers) : outcome.covers});
   if (search != nullptr && is_of_verdicts(outcome.asked)) {
     level.rests_on.push_back(
         {Ground::searched, fmt::format("{} evaluations of a search for the worst found nothing against it",
@@ -104,7 +104,7 @@ std::string proved_at(const std::string& kernel, const AskedLevel& asked) {
   const auto found = std::ranges::find(kernels(), kernel, &Kernel::id);
   if (found == kernels().end()) return "";
   const GateLevel& level = level_of(asked);
-  const bool follows = found->proved == Proved::no_wrong_verdict
+  const bool follows = found->proved == ProvedProperty::no_wrong_verdict
                            ? level.allowed != nullptr || level.is_about_causes
                            : level.allowed != nullptr && level.allowed(asked).phantom == any_depth;
   return follows ? std::string(found->proof) : "";
@@ -122,7 +122,7 @@ std::vector<std::string> levels_asked(const std::vector<std::string>& yardsticks
 }
 
 std::vector<LevelStatement> levels_of(const Record& record, const std::string& kernel,
-                                      const Named<SearchedStatement>& searches) {
+                                      const NamedValues<SearchedStatement>& searches) {
   std::vector<LevelStatement> levels;
   std::vector<std::string> yardsticks;
   for (const Name& id : record.plan.kernels) {

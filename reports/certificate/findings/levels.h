@@ -16,7 +16,7 @@ std::vector<std::string> levels_asked(const std::vector<std::string>& yardsticks
 // An entry for each level and precision, in the order of levels_asked(), with at most five failures. The kernel is one
 // of the record's, and the others are its yardsticks. `searches` has, by precision, what certify's search found.
 std::vector<LevelStatement> levels_of(const Record& record, const std::string& kernel,
-                                      const Named<SearchedStatement>& searches);
+                                      const NamedValues<SearchedStatement>& searches);
 
 // The sentence that says what is proved of a built-in kernel at a level; empty where nothing is.
 std::string proved_at(const std::string& kernel, const AskedLevel& asked);

@@ -48,7 +48,7 @@ TEST(ProvedLevels, NothingElseIsProved) {
 std::map<std::string, LevelStatement> levels_beside(const std::string& goal = "", const std::string& depth = "") {
   Json record = stored_record();
   record["kernels"][0]["families"].erase("tangent");
-  Named<SearchedStatement> searches;
+  NamedValues<SearchedStatement> searches;
   SearchedStatement& search = searches.put("binary32");
   search.evaluations = 12345;
   if (!goal.empty()) search.finds.put(goal).emplace().depth = depth;

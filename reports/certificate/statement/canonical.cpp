@@ -66,7 +66,7 @@ class StrictReader {
 
 }  // namespace
 
-NotValid::NotValid(const std::string& message) : std::runtime_error(plain_line(message)) {}
+NotValid::NotValid(const std::string& message) : std::runtime_error(printable_line(message)) {}
 
 std::string canonical_json(const Json& value) {
   std::string text;

@@ -10,7 +10,7 @@
 
 namespace axiscert {
 
-// A certificate that was read, and does not hold: exit 1. The message is one plain line.
+// A certificate that was read, and does not hold: exit 1. The message is one printable line.
 struct NotValid : std::runtime_error {
   explicit NotValid(const std::string& message);
 };

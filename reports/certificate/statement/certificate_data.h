@@ -13,7 +13,7 @@ struct DigestStatement {
 };
 
 struct AnnotationsStatement {
-  Said what;
+  SaidText what;
 
   static constexpr auto fields(auto&& visit) { return visit(field(&AnnotationsStatement::what, {"what", {}})); }
 };
@@ -35,7 +35,7 @@ using SubjectsStatement = Several<SubjectStatement, 1, 1000>;
 // What it was made from.
 
 struct AxiscertMaterial {
-  Said version;
+  SaidText version;
   Sha256 sources;
 
   static constexpr auto fields(auto&& visit) {
@@ -88,10 +88,10 @@ struct FamilyMaterial {
 inline constexpr const char* portable_id = "kernel";
 
 struct KernelMaterial {
-  Said id;
+  SaidText id;
   Precision precision = Precision::binary32;
-  Named<FamilyMaterial> families;
-  Named<Json> declared;  // the other members of its entry
+  NamedValues<FamilyMaterial> families;
+  NamedValues<Json> declared;  // the other members of its entry
 
   static constexpr auto fields(auto&& visit) {
     using Of = KernelMaterial;
@@ -106,7 +106,7 @@ struct FindingMaterial {
   std::optional<Name> family;
   FindingKind kind = FindingKind::load;
   PositiveCount count;
-  Said detail;
+  SaidText detail;
   std::optional<Name> address;
 
   static constexpr auto fields(auto&& visit) {
@@ -119,7 +119,7 @@ struct FindingMaterial {
 
 struct TallyMaterial {
   std::uint64_t stretch = 0;
-  Said of;
+  SaidText of;
   Several<Sha256, 1, 20> sha256;
   Several<JsonObject, 1, 20> counts;
 
@@ -178,7 +178,7 @@ struct CertificatePredicate {
   std::optional<BreakStatement> breaks_first;
   Several<SituationStatement, 0, 100> situations;
   Several<CertificateWitness, 0, 3> witnesses;
-  Several<Said, 0, 100> limits;
+  Several<SaidText, 0, 100> limits;
   MaterialsStatement materials;
 
   static constexpr std::string_view format = "axiscert-certificate/2";

@@ -19,7 +19,7 @@ struct SaidRule {
   static constexpr std::size_t longest = 20000;
   static constexpr bool may_be_empty = true;
 };
-using Said = Text<SaidRule>;
+using SaidText = Text<SaidRule>;
 
 // A figure that is no whole number, in decimal digits: a certificate has no fractions.
 struct TextNumberRule {
@@ -75,12 +75,12 @@ constexpr std::string_view name(KernelKind kind) {
 }
 
 struct KernelStatement {
-  Said id;
+  SaidText id;
   KernelKind kind = KernelKind::built_in;
-  Said test, entry, summary;
+  SaidText test, entry, summary;
   Several<Exposure, 0, 8> exposes;
-  Touching touching = Touching::contact;
-  std::optional<Said> limits;
+  TouchingPolicy touching = TouchingPolicy::contact;
+  std::optional<SaidText> limits;
   bool may_decline = false;
   Several<Precision, 1, 2> precisions;
 
@@ -116,7 +116,7 @@ struct AskedStatement {
   WholeNumber seed;
   std::uint64_t stretches = 0, queries = 0, looked_at = 0;
   LeftOutStatement left_out;
-  Several<Said, 0, 10000> families;
+  Several<SaidText, 0, 10000> families;
 
   static constexpr auto fields(auto&& visit) {
     using Of = AskedStatement;
@@ -137,7 +137,7 @@ constexpr std::string_view name(Ground ground) {
 
 struct GroundStatement {
   Ground kind = Ground::observed;
-  Said text;
+  SaidText text;
 
   static constexpr auto fields(auto&& visit) {
     return visit(field(&GroundStatement::kind, {"kind", {}}), field(&GroundStatement::text, {"text", {}}));
@@ -145,15 +145,15 @@ struct GroundStatement {
 };
 
 struct LevelStatement {
-  Said level;
+  SaidText level;
   std::optional<Precision> precision;
   LevelState state = LevelState::not_checked;
-  Said claim, looked_at, statement;
+  SaidText claim, looked_at, statement;
   Several<GroundStatement, 0, 8> rests_on;
-  std::optional<Said> leaves_out;
-  Several<Said, 0, 8> failures;
+  std::optional<SaidText> leaves_out;
+  Several<SaidText, 0, 8> failures;
   std::uint64_t failure_count = 0;
-  std::optional<Said> reason;
+  std::optional<SaidText> reason;
 
   bool is_same_question(const LevelStatement& other) const {
     return level == other.level && precision == other.precision;
@@ -201,7 +201,7 @@ struct MarginContactsStatement {
 struct MissedStatement {
   TextNumber value, r;
   std::optional<TextNumber> contact_from;
-  Said family;
+  SaidText family;
   JsonObject query;
 
   static constexpr auto fields(auto&& visit) {
@@ -262,7 +262,7 @@ struct MarginStatement {
 // What a stage gave in each precision, or the reason why it gave nothing.
 template <class Precisions>
 struct StageStatement {
-  std::optional<Said> reason;
+  std::optional<SaidText> reason;
   Precisions precisions;
 
   static constexpr auto fields(auto&& visit) {
@@ -276,7 +276,7 @@ using SafeMarginStatement = StageStatement<Several<MarginStatement, 0, 2>>;
 // Diagnosis, search, planted faults.
 
 struct PropertyStatement {
-  Said name, value, sentence;
+  SaidText name, value, sentence;
   std::uint64_t queries = 0;
 
   static constexpr auto fields(auto&& visit) {
@@ -299,7 +299,7 @@ using DiagnosisStatement = StageStatement<Several<DiagnosedStatement, 0, 2>>;
 
 struct FindStatement {
   std::optional<TextNumber> depth, ulps;
-  std::optional<Several<Said, 0, 8>> links;
+  std::optional<Several<SaidText, 0, 8>> links;
   JsonObject query;
 
   static constexpr auto fields(auto&& visit) {
@@ -314,7 +314,7 @@ struct FindStatement {
 
 struct SearchedStatement {
   std::uint64_t evaluations = 0, begun_from = 0;
-  Named<std::optional<FindStatement>> finds;
+  NamedValues<std::optional<FindStatement>> finds;
 
   const FindStatement* find(std::string_view goal) const {
     const auto* found = finds.find(goal);
@@ -326,7 +326,7 @@ struct SearchedStatement {
                  field(&Of::finds, {"finds", "The worst of each goal; null: none was found."}));
   }
 };
-using SearchesStatement = StageStatement<Named<SearchedStatement>>;
+using SearchesStatement = StageStatement<NamedValues<SearchedStatement>>;
 
 struct PlantedScore {
   std::uint64_t mutants = 0, noticed = 0, survived = 0, equivalent = 0;
@@ -339,9 +339,9 @@ struct PlantedScore {
 };
 
 struct HarnessStatement {
-  std::optional<Said> reason, judged_by, made_of;
+  std::optional<SaidText> reason, judged_by, made_of;
   std::uint64_t planted = 0, exist = 0, queries = 0;
-  Named<PlantedScore> score;
+  NamedValues<PlantedScore> score;
 
   static constexpr std::string_view about = "Faults planted in a right kernel that shows as much as this one.";
   static constexpr auto fields(auto&& visit) {
@@ -356,7 +356,7 @@ struct HarnessStatement {
 // Wrong verdicts.
 
 struct ComparisonStatement {
-  Said kernel;
+  SaidText kernel;
   Precision precision = Precision::binary32;
   std::uint64_t looked_at = 0, missed = 0;
   TextNumber deepest_missed;
@@ -378,10 +378,10 @@ struct ComparisonStatement {
 
 struct BreakStatement {
   std::optional<Precision> precision;
-  Said what, cause, meaning;
+  SaidText what, cause, meaning;
   std::uint64_t count = 0;
   TextNumber deepest;
-  Said advice, section;
+  SaidText advice, section;
 
   static constexpr auto fields(auto&& visit) {
     using Of = BreakStatement;
@@ -396,13 +396,13 @@ struct BreakStatement {
 struct SituationStatement {
   Precision precision = Precision::binary32;
   TextNumber situation;
-  Said meaning;
-  Several<Said, 1, 1000> families;
+  SaidText meaning;
+  Several<SaidText, 1, 1000> families;
   std::uint64_t missed = 0;
   TextNumber deepest_missed;
   std::uint64_t phantom = 0;
   TextNumber deepest_phantom;
-  Said advice, section;
+  SaidText advice, section;
 
   static constexpr auto fields(auto&& visit) {
     using Of = SituationStatement;
@@ -416,7 +416,7 @@ struct SituationStatement {
 };
 
 struct CertificateWitness {
-  Said title, sentence, address, command;
+  SaidText title, sentence, address, command;
   JsonObject query;
 
   static constexpr auto fields(auto&& visit) {

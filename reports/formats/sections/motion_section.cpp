@@ -8,19 +8,20 @@ namespace axiscert {
 
 std::string motion_section(const Record& record) {
   Section section("First contacts");
-  section.line(std::string(motion_note) + "\n");
+  section.add_line(std::string(motion_note) + "\n");
   std::vector<std::string> columns = {"kernel", "precision", "family"};
   columns.insert(columns.end(), motion_columns().begin(), motion_columns().end());
-  section.head(columns, 3);
+  section.add_head(columns, 3);
   bool any = false;
   for (const KernelRecord& kernel : record.kernels) {
     const auto add = [&](const std::string& shown_name, const FamilyRecord& family) {
       const std::vector<std::string> cells = motion_cells(family);
       if (cells.empty()) return;
       any = true;
-      std::vector<std::string> row = {plain(kernel.id), std::string(name(kernel.precision)), plain(shown_name)};
+      std::vector<std::string> row = {markdown_text(kernel.id), std::string(name(kernel.precision)),
+                                      markdown_text(shown_name)};
       row.insert(row.end(), cells.begin(), cells.end());
-      section.row(row);
+      section.add_row(row);
     };
     if (const auto total = all_families(kernel)) add("all", *total);
     for (const auto& [family, result] : kernel.families) add(family, result);

@@ -18,17 +18,17 @@ Cells own_cells(const ComparisonTally& tally) {
 template <class Tally>
 std::string signs_section(const std::string& title, const std::string& level, const Cells& own_columns,
                           const Record& record, const std::vector<std::optional<FamilyRecord>>& totals,
-                          std::optional<Named<Tally>> FamilyCounts::*signs) {
+                          std::optional<NamedValues<Tally>> FamilyCounts::*signs) {
   Section section(title);
   Cells columns = {"kernel", "precision",          level,        "false_separation", "missed_separation", "decisive",
                    "masked", "tolerance failures", "max_error_u"};
   columns.insert(columns.end(), own_columns.begin(), own_columns.end());
-  section.head(columns, 3);
+  section.add_head(columns, 3);
   std::vector<Cells> with_flips, without;
   for (std::size_t k = 0; k < totals.size(); ++k) {
     if (!totals[k]) continue;
     const KernelRecord& kernel = record.kernels[k];
-    const Cells of = {plain(kernel.id), std::string(name(kernel.precision))};
+    const Cells of = {markdown_text(kernel.id), std::string(name(kernel.precision))};
     if (!((*totals[k]).*signs)) {
       Cells& cells = without.emplace_back(of);
       cells.emplace_back("not exposed");
@@ -48,9 +48,9 @@ std::string signs_section(const std::string& title, const std::string& level, co
     }
   }
   for (const auto* rows : {&with_flips, &without}) {
-    for (const Cells& cells : *rows) section.row(cells);
+    for (const Cells& cells : *rows) section.add_row(cells);
   }
-  section.line("\nmax_error_u is also the smallest tolerance that passes.");
+  section.add_line("\nmax_error_u is also the smallest tolerance that passes.");
   return section.text();
 }
 

@@ -63,7 +63,7 @@ std::string conservative_sentence(const AskedLevel& asked) {
 
 extern const GateLevel exact_level = {.usage = "exact",
                                       .meaning = "no wrong verdict",
-                                      .check = no_argument,
+                                      .check = accept_no_argument,
                                       .sentence = [](const AskedLevel&) { return std::string("no wrong verdict"); },
                                       .judge =
                                           [](const AskedLevel&, const Subject& subject) {

@@ -85,6 +85,6 @@ std::vector<const GateLevel*> badge_levels();
 
 // For levels that take a depth: the argument as a share of the scene. Throws Error that names the level.
 double depth_argument(const AskedLevel& asked);
-void no_argument(const AskedLevel& asked);  // for levels that take none: the parser has refused it already
+void accept_no_argument(const AskedLevel& asked);  // for levels that take none: the parser has refused it already
 
 }  // namespace axiscert

@@ -55,6 +55,6 @@ double depth_argument(const AskedLevel& asked) {
   return depth;
 }
 
-void no_argument(const AskedLevel&) {}
+void accept_no_argument(const AskedLevel&) {}
 
 }  // namespace axiscert

@@ -172,7 +172,7 @@ LevelFindings logic_findings(const Subject& subject) {
 extern const GateLevel logic_level = {
     .usage = "logic",
     .meaning = "no wrong verdict but by rounding or range: the method is right, and so is the code",
-    .check = no_argument,
+    .check = accept_no_argument,
     .sentence = logic_sentence,
     .judge = judge_logic,
     .is_about_causes = true,

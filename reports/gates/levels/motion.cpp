@@ -126,7 +126,7 @@ std::string no_tunnel_sentence(const AskedLevel& asked) {
 }  // namespace
 
 extern const GateLevel never_late_level = {
-    "never-late", "no time after the first contact", no_argument,
+    "never-late", "no time after the first contact", accept_no_argument,
     [](const AskedLevel&) { return std::string("no time of contact after the exact first contact"); },
     judge_never_late};
 

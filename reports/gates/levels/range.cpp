@@ -48,7 +48,7 @@ LevelFindings judge_range(const AskedLevel&, const Subject& subject) {
 
 extern const GateLevel range_level = {.usage = "range",
                                       .meaning = "no wrong verdict but by rounding",
-                                      .check = no_argument,
+                                      .check = accept_no_argument,
                                       .sentence = range_sentence,
                                       .judge = judge_range,
                                       .is_about_causes = true};

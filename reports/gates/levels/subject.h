@@ -45,7 +45,7 @@ class Subject {
 
   const Record& record() const { return record_; }
   const KernelRecord& kernel() const { return kernel_; }
-  const Named<FamilyRecord>& families() const { return kernel_.families; }
+  const NamedValues<FamilyRecord>& families() const { return kernel_.families; }
 
   // The cause of a wrong verdict is told by these.
   enum class Basis {

@@ -275,7 +275,7 @@ std::string instrument_markdown(const InstrumentReport& report) {
     text += "\n";
     for (const auto& row : table.rows) {
       text += "|";
-      for (const std::string& cell : row) text += " " + plain(cell, 400) + " |";
+      for (const std::string& cell : row) text += " " + markdown_text(cell, 400) + " |";
       text += "\n";
     }
   }

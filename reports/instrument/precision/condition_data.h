@@ -50,7 +50,7 @@ struct ConditionRow {
   Name kernel, family;
   std::uint64_t invalid = 0;
   ConditionCountsData total;
-  Named<ConditionCountsData> comparisons;
+  NamedValues<ConditionCountsData> comparisons;
   WrongVerdictsData wrong_verdicts;
 
   static constexpr std::string_view about = "One kernel and family.";

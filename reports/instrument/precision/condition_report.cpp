@@ -101,7 +101,7 @@ class ConditionReport {
   // The sum of one comparison of a kernel over the families, and the family that has its least unstable flip.
   std::pair<ConditionCounts, std::size_t> over_families(std::size_t k, std::size_t comparison) const {
     ConditionCounts sum;
-    std::optional<Measured> least;
+    std::optional<MeasuredValue> least;
     std::size_t family = 0;
     for (std::size_t s = 0; s < plan_.sources.size(); ++s) {
       const ConditionCounts& counts = result_.cells[k][s].comparisons[comparison];
@@ -184,7 +184,7 @@ class ConditionReport {
   }
 
   ConditionCountsData data_of(const ConditionCounts& counts, const Source& source) const {
-    const auto at = [&](const std::optional<Measured>& found) {
+    const auto at = [&](const std::optional<MeasuredValue>& found) {
       return found ? std::optional(KappaAt{found->value, origin_.address(source, found->position)}) : std::nullopt;
     };
     return {counts, at(counts.least_unstable), at(counts.greatest_right)};

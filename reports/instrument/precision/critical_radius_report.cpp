@@ -101,7 +101,7 @@ class CriticalRadiusReport {
     }
     return false;
   }
-  static std::string worst(const std::optional<Measured>& measured) {
+  static std::string worst(const std::optional<MeasuredValue>& measured) {
     return measured ? shown(measured->value) : "none";
   }
   void add_cells(std::vector<std::string>& row, const CriticalRadii& cell) const {
@@ -128,8 +128,8 @@ class CriticalRadiusReport {
     return sum;
   }
   // The greater of the two worst errors.
-  static std::optional<Measured> worst_of(const CriticalRadii& cell) {
-    std::optional<Measured> found = cell.worst_early;
+  static std::optional<MeasuredValue> worst_of(const CriticalRadii& cell) {
+    std::optional<MeasuredValue> found = cell.worst_early;
     if (cell.worst_late) keep_greatest(found, *cell.worst_late);
     return found;
   }
@@ -224,7 +224,7 @@ class CriticalRadiusReport {
 
   CriticalRadiusRow row_of(std::size_t k, std::size_t s) const {
     const CriticalRadii& cell = result_.cells[k][s];
-    const auto worst_at = [&](const std::optional<Measured>& worst) {
+    const auto worst_at = [&](const std::optional<MeasuredValue>& worst) {
       return worst ? std::optional(UlpsAt{worst->value, origin_.address(source(s), worst->position)}) : std::nullopt;
     };
     CriticalRadiusRow row{plan_.kernels[k]->id,

@@ -77,9 +77,9 @@ struct LadderResultData {
   std::uint64_t queries = 0;
   LadderVerdictData verdict;
   RadiusSummary critical_radius;
-  Named<FiguresData> axes;
-  Named<KindData> kinds;
-  Named<FiguresData> comparisons;
+  NamedValues<FiguresData> axes;
+  NamedValues<KindData> kinds;
+  NamedValues<FiguresData> comparisons;
 
   static constexpr std::string_view about = "Of one family.";
   static constexpr auto fields(auto&& visit) {
@@ -98,7 +98,7 @@ struct LadderKernelData {
   std::string summary;
   bool shows_sides = false;
   LadderResultData all;
-  Named<LadderResultData> families;
+  NamedValues<LadderResultData> families;
 
   static constexpr std::string_view about = "One kernel, over all families.";
   static constexpr auto fields(auto&& visit) {
@@ -133,7 +133,7 @@ struct CostliestData {
 struct LadderSpeedData {
   Name unit = std::string("ns a query, median");
   std::uint64_t queries = speed_queries, repetitions = speed_repetitions;
-  Named<Named<double>> kernels;
+  NamedValues<NamedValues<double>> kernels;
   std::vector<Name> front;
 
   static constexpr std::string_view about = "Times; absent with --no-speed.";
@@ -159,7 +159,7 @@ struct LadderData : CommandData<LadderData> {
   std::array<int, 2> scanned_exponents{};
   std::vector<LadderKernelData> kernels;
   std::vector<LadderStepData> steps;
-  Named<CostliestData> costliest_steps;
+  NamedValues<CostliestData> costliest_steps;
   std::optional<LadderSpeedData> speed;
 
   static constexpr std::string_view about =

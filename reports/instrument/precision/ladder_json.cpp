@@ -62,7 +62,7 @@ LadderKernelData kernel_data(const LadderPlan& plan, const LadderEntry& entry) {
 LadderSpeedData speed_data(const std::vector<LadderEntry>& entries) {
   LadderSpeedData speed;
   for (const LadderEntry& entry : entries) {
-    Named<double>& kernel = speed.kernels.put(entry.kernel->id);
+    NamedValues<double>& kernel = speed.kernels.put(entry.kernel->id);
     kernel.put("scalar") = entry.speed->scalar_ns;
     kernel.put("scalar_least") = entry.speed->least_scalar_ns;
     if (const auto& best = entry.speed->best_target) kernel.put(best->first) = best->second;

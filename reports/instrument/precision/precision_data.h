@@ -36,7 +36,7 @@ struct ComparisonBitsData {
 
 struct SufficientData {
   SufficientVerdictBits verdicts;
-  std::optional<Named<ComparisonBitsData>> comparisons;
+  std::optional<NamedValues<ComparisonBitsData>> comparisons;
 
   static constexpr auto fields(auto&& visit) {
     return visit(
@@ -68,7 +68,7 @@ struct KernelPrecisionData {
 
 struct PrecisionTallyData {
   std::uint64_t queries = 0;
-  Named<KernelPrecisionData> kernels;
+  NamedValues<KernelPrecisionData> kernels;
 
   static constexpr std::string_view about = "Of some queries.";
   static constexpr auto fields(auto&& visit) {
@@ -83,9 +83,9 @@ struct PrecisionData : CommandData<PrecisionData> {
   std::uint64_t trials = 0;
   WholeNumber seed;
   std::vector<int> bits;
-  Named<SufficientData> sufficient;
+  NamedValues<SufficientData> sufficient;
   PrecisionTallyData all;
-  Named<PrecisionTallyData> families;
+  NamedValues<PrecisionTallyData> families;
 
   static constexpr std::string_view about =
       "precision.json, which `axiscert precision` writes. It depends on the command alone.";

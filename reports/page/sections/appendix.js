@@ -39,15 +39,15 @@ function show_mutation(data) {
     const caught = real.filter((row) => row.caught === true);
     return `${count(caught.length)} of ${count(real.length)} mutants caught; ${count(rows.length - real.length)} equivalent ones are not counted.`;
   };
-  const precisions = [...new Set(mutation.mutants.map((row) => plain(row.precision)))];
+  const precisions = [...new Set(mutation.mutants.map((row) => cell_words(row.precision)))];
   if (mutation.complete === false) place.append(el('p', '', chip('INCOMPLETE', 'warn'), ' It was interrupted: mutants that were not run yet count as not caught.'));
   place.append(...precisions.map((precision) => el('p', 'lead', precision === '' ? '' : `${precision}: `,
-    score(mutation.mutants.filter((row) => plain(row.precision) === precision)))), table('Mutants', [
-    column.text('mutant', (row) => plain(row.name), {cell: (th, value) => th.append(el('span', 'name', value))}),
-    column.text('precision', (row) => plain(row.precision)),
+    score(mutation.mutants.filter((row) => cell_words(row.precision) === precision)))), table('Mutants', [
+    column.text('mutant', (row) => cell_words(row.name), {cell: (th, value) => th.append(el('span', 'name', value))}),
+    column.text('precision', (row) => cell_words(row.precision)),
     column.text('caught', (row) => (is_equivalent(row) ? 'equivalent' : row.caught === true ? 'yes' : 'no'), {cell: (td, value) =>
       td.append(chip(value, {yes: 'good', no: 'bad'}[value]))}),
-    column.text('first by family', (row) => plain(row.family)),
+    column.text('first by family', (row) => cell_words(row.family)),
     column.count('after queries', (row) => (typeof row.queries === 'number' ? row.queries : null), {none: 'never'}),
     column.text('why equivalent', (row) => (typeof row.equivalent === 'string' ? row.equivalent : ''), {cell: (td, value) => {
       td.classList.add('prose');
@@ -58,8 +58,8 @@ function show_mutation(data) {
     return;
   }
   place.append(table('Controls: correct kernels written in another way, none of which may be flagged', [
-    column.text('kernel', (row) => plain(row.kernel), {cell: (th, value) => th.append(el('span', 'name', value))}),
-    column.text('precision', (row) => plain(row.precision)), column.text('claims', (row) => plain(row.claims)),
+    column.text('kernel', (row) => cell_words(row.kernel), {cell: (th, value) => th.append(el('span', 'name', value))}),
+    column.text('precision', (row) => cell_words(row.precision)), column.text('claims', (row) => cell_words(row.claims)),
     column.count('queries', (row) => row.queries), column.count('flagged', (row) => row.flagged, {alarm: 'bad'})], mutation.controls));
 }
 

@@ -1,10 +1,10 @@
 // Maps around witnesses, where `axiscert map` left them in the run's folder.
 
 // Text written by another command, whatever its shape.
-function plain(value) {
+function cell_words(value) {
   if (value === null || value === undefined) return '';
-  if (Array.isArray(value)) return value.map(plain).join(', ');
-  if (typeof value === 'object') return Object.entries(value).map(([key, some]) => `${key}: ${plain(some)}`).join('; ');
+  if (Array.isArray(value)) return value.map(cell_words).join(', ');
+  if (typeof value === 'object') return Object.entries(value).map(([key, some]) => `${key}: ${cell_words(some)}`).join('; ');
   return typeof value === 'number' ? amount(value) : String(value);
 }
 
@@ -14,15 +14,15 @@ function map_legend(legend, counts) {
   return el('ul', 'map-legend', ...present.map((entry) => {
     const swatch = el('span', 'swatch');
     // Only a hexadecimal colour becomes a style.
-    if (/^#[0-9a-f]{6}$/i.test(plain(entry.colour))) swatch.style.background = entry.colour;
-    return el('li', '', swatch, ` ${plain(entry.meaning)}`,
-              counts === null ? null : el('span', 'zero', ` ${plain(counts[entry.class])}`));
+    if (/^#[0-9a-f]{6}$/i.test(cell_words(entry.colour))) swatch.style.background = entry.colour;
+    return el('li', '', swatch, ` ${cell_words(entry.meaning)}`,
+              counts === null ? null : el('span', 'zero', ` ${cell_words(counts[entry.class])}`));
   }));
 }
 
 function side_words(side, kind) {
   const step = side?.step ?? 1;
-  return `${plain(side?.numbers)}, ${kind === 'exponents' ? `a factor of 2${step === 1 ? '' : `^${step}`}` : step === 1 ? 'one ulp' : `${step} ulps`} a pixel`;
+  return `${cell_words(side?.numbers)}, ${kind === 'exponents' ? `a factor of 2${step === 1 ? '' : `^${step}`}` : step === 1 ? 'one ulp' : `${step} ulps`} a pixel`;
 }
 
 function picture_figure(legend, map, picture) {
@@ -32,11 +32,11 @@ function picture_figure(legend, map, picture) {
     ? el('p', 'empty', `Left out of this file for its size, ${count(picture.bytes)} bytes; it is a file next to this one.`) : el('img');
   if (picture.image !== null) {
     image.src = picture.image;
-    image.alt = `${plain(picture.name)} of ${plain(map.kernel)} around ${plain(map.witness?.id ?? map.name)}: ` +
+    image.alt = `${cell_words(picture.name)} of ${cell_words(map.kernel)} around ${cell_words(map.witness?.id ?? map.name)}: ` +
       legend.filter((entry) => picture.counts?.[entry.class] > 0)
-        .map((entry) => `${plain(picture.counts[entry.class])} pixels ${plain(entry.class)}`).join(', ');
+        .map((entry) => `${cell_words(picture.counts[entry.class])} pixels ${cell_words(entry.class)}`).join(', ');
   }
-  return el('div', 'map-picture', image, el('div', '', el('p', '', el('strong', '', plain(picture.name)), ' ', link),
+  return el('div', 'map-picture', image, el('div', '', el('p', '', el('strong', '', cell_words(picture.name)), ' ', link),
                                             map_legend(legend, picture.counts)));
 }
 
@@ -47,15 +47,15 @@ function map_figure(data, legend, map) {
   const pictures = [...map.pictures].sort((x, y) => (wrong(y) > 0) - (wrong(x) > 0));
   const show = (index) => place.replaceChildren(picture_figure(legend, map, pictures[index]));
   const id = map.witness?.id;
-  const figure = el('figure', 'map', el('figcaption', '', el('strong', '', plain(map.name)),
-    `: ${plain(map.kernel)}, ${plain(map.precision)}; to the right ${side_words(map.along, map.kind)}, upwards ${side_words(map.across, map.kind)}`,
+  const figure = el('figure', 'map', el('figcaption', '', el('strong', '', cell_words(map.name)),
+    `: ${cell_words(map.kernel)}, ${cell_words(map.precision)}; to the right ${side_words(map.along, map.kind)}, upwards ${side_words(map.across, map.kind)}`,
     id === undefined ? '' : '; around witness ', id === undefined ? '' : witness_link(data, id)));
   if (pictures.length > 0) {
     figure.append(el('div', 'controls', choice('Picture', pictures.map((picture) =>
-      `${plain(picture.name)}${wrong(picture) > 0 ? `: ${count(wrong(picture))} wrong` : ''}`), show)), place);
+      `${cell_words(picture.name)}${wrong(picture) > 0 ? `: ${count(wrong(picture))} wrong` : ''}`), show)), place);
     show(0);
   }
-  if (map.command !== null) figure.append(command(plain(map.command)));
+  if (map.command !== null) figure.append(command(cell_words(map.command)));
   return figure;
 }
 

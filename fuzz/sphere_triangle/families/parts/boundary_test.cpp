@@ -57,38 +57,38 @@ Silent compare_with_exact(const Family& family, std::uint64_t count) {
 // The permitted share, in thousandths, of distances, radii and coordinates that may be left to exact arithmetic. These
 // are roots of zero, triangles without area that is not apparent from an edge and, in binary64, triangles of almost no
 // area or numbers of every size.
-struct Allowed {
+struct AllowedShares {
   std::string_view family;
   std::uint64_t distances, radii, coordinates;
 };
 template <class Real>
-Allowed allowed(std::string_view family) {
+AllowedShares allowed(std::string_view family) {
   constexpr bool wide = sizeof(Real) == 8;
-  const Allowed known[] = {{"sliver", wide ? 60u : 2u, wide ? 95u : 40u, wide ? 180u : 60u},
-                           {"needle", wide ? 15u : 1u, 2, 5},
-                           {"collinear", 0, 145, 336},
-                           {"tie", 0, 0, 30},
-                           {"speck", 2, 2, 40},
-                           {"lattice", 12, 50, 110},
-                           {"units", wide ? 25u : 12u, 50, wide ? 150u : 110u},
-                           {"spans", 30, 60, 110},
-                           {"far", 0, 0, 12},
-                           {"scale", 5, 6, 10},
-                           {"on", 573, 573, 0},
-                           {"grid", 600, 600, 50},
-                           {"bits", wide ? 620u : 180u, wide ? 500u : 60u, wide ? 900u : 550u},
-                           {"subnormal", wide ? 100u : 0u, wide ? 80u : 0u, wide ? 45u : 0u},
-                           {"nonfinite", wide ? 400u : 150u, wide ? 400u : 100u, wide ? 400u : 150u},
-                           // Floors and walls along the axes: normals with two zero coordinates.
-                           {"scene-walk", wide ? 0u : 3u, wide ? 0u : 2u, 75},
-                           {"scene-edge", wide ? 0u : 2u, wide ? 0u : 2u, 120},
-                           // One base shared by up to 48 queries: slivers and small integers are a quarter each.
-                           {"orders", 60, 150, 250},
-                           {"axes", 60, 150, 250},
-                           {"inverted", 60, 150, 250},
-                           {"scaled", 60, 150, 250},
-                           {"translated", 60, 150, 250}};
-  for (const Allowed& a : known) {
+  const AllowedShares known[] = {{"sliver", wide ? 60u : 2u, wide ? 95u : 40u, wide ? 180u : 60u},
+                                 {"needle", wide ? 15u : 1u, 2, 5},
+                                 {"collinear", 0, 145, 336},
+                                 {"tie", 0, 0, 30},
+                                 {"speck", 2, 2, 40},
+                                 {"lattice", 12, 50, 110},
+                                 {"units", wide ? 25u : 12u, 50, wide ? 150u : 110u},
+                                 {"spans", 30, 60, 110},
+                                 {"far", 0, 0, 12},
+                                 {"scale", 5, 6, 10},
+                                 {"on", 573, 573, 0},
+                                 {"grid", 600, 600, 50},
+                                 {"bits", wide ? 620u : 180u, wide ? 500u : 60u, wide ? 900u : 550u},
+                                 {"subnormal", wide ? 100u : 0u, wide ? 80u : 0u, wide ? 45u : 0u},
+                                 {"nonfinite", wide ? 400u : 150u, wide ? 400u : 100u, wide ? 400u : 150u},
+                                 // Floors and walls along the axes: normals with two zero coordinates.
+                                 {"scene-walk", wide ? 0u : 3u, wide ? 0u : 2u, 75},
+                                 {"scene-edge", wide ? 0u : 2u, wide ? 0u : 2u, 120},
+                                 // One base shared by up to 48 queries: slivers and small integers are a quarter each.
+                                 {"orders", 60, 150, 250},
+                                 {"axes", 60, 150, 250},
+                                 {"inverted", 60, 150, 250},
+                                 {"scaled", 60, 150, 250},
+                                 {"translated", 60, 150, 250}};
+  for (const AllowedShares& a : known) {
     if (a.family == family) return a;
   }
   return {family, 0, 0, 0};  // general, tangent, seam, repeated, ratio
@@ -98,7 +98,7 @@ template <class Real>
 void expect_the_exact_answers(std::uint64_t count) {
   for (const Family* family : families_of(sphere_triangle_test())) {
     const Silent silent = compare_with_exact<Real>(*family, count);
-    const Allowed most = allowed<Real>(family->name);
+    const AllowedShares most = allowed<Real>(family->name);
     const auto places = [count](std::uint64_t thousandths) { return count * thousandths / 1000 + count / 10000; };
     const auto of = fmt::format(
         " of {} queries of {} left to exact arithmetic; fuzz/queries/boundary_test.cpp, allowed(), says how many may "

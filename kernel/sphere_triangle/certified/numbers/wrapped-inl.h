@@ -6,15 +6,19 @@ namespace axiscert::certified {
 namespace HWY_NAMESPACE {
 
 template <class D>
-struct Wrapped {
+struct WrappedWords {
   using Words = hn::RebindToUnsigned<D>;
   using V = hn::Vec<Words>;
   V v;
 
-  AXISCERT_INLINE friend Wrapped operator+(const Wrapped& x, const Wrapped& y) { return {hn::Add(x.v, y.v)}; }
-  AXISCERT_INLINE friend Wrapped operator-(const Wrapped& x, const Wrapped& y) { return {hn::Sub(x.v, y.v)}; }
-  AXISCERT_INLINE friend Wrapped operator-(const Wrapped& x) { return {hn::Sub(hn::Zero(Words()), x.v)}; }
-  AXISCERT_INLINE friend Wrapped operator*(const Wrapped& x, const Wrapped& y) {
+  AXISCERT_INLINE friend WrappedWords operator+(const WrappedWords& x, const WrappedWords& y) {
+    return {hn::Add(x.v, y.v)};
+  }
+  AXISCERT_INLINE friend WrappedWords operator-(const WrappedWords& x, const WrappedWords& y) {
+    return {hn::Sub(x.v, y.v)};
+  }
+  AXISCERT_INLINE friend WrappedWords operator-(const WrappedWords& x) { return {hn::Sub(hn::Zero(Words()), x.v)}; }
+  AXISCERT_INLINE friend WrappedWords operator*(const WrappedWords& x, const WrappedWords& y) {
 #if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
     return {x.v * y.v};
 #else
@@ -32,7 +36,7 @@ struct Wrapped {
   }
 };
 template <class D>
-AXISCERT_INLINE hn::Mask<D> is_zero(const Vec3<Wrapped<D>>& v) {
+AXISCERT_INLINE hn::Mask<D> is_zero(const Vec3<WrappedWords<D>>& v) {
   return hn::And(v.x.is_zero(), hn::And(v.y.is_zero(), v.z.is_zero()));
 }
 
@@ -42,7 +46,7 @@ class Units {
  public:
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
-  using W = Wrapped<D>;
+  using W = WrappedWords<D>;
   using Leaf = Vec3<Pairs<D>>;
 
   template <std::size_t n>

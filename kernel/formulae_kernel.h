@@ -66,7 +66,7 @@ concept GivesMeasures = requires { M::measure_count; };
 
 // Formulae or a method M with the measures that it gives; empty where it gives none.
 template <class Test, class M, class Real>
-std::function<void(const QueryColumns<Real>&, Answers<Real>&)> plain_measures() {
+std::function<void(const QueryColumns<Real>&, Answers<Real>&)> method_measures() {
   if constexpr (!GivesMeasures<M>) {
     return {};
   } else {
@@ -82,18 +82,18 @@ std::function<void(const QueryColumns<Real>&, Answers<Real>&)> plain_measures() 
 }
 
 template <class Test, class F, class Real>
-Implementation<Real> plain_implementation() {
+Implementation<Real> formulae_implementation() {
   const auto bits_at = [](const QueryColumns<Real>& batch, std::size_t i, auto&& see) {
     return bits_of<F, Real>(Test::template problem<Real>([&](std::size_t k) { return batch.column[k][i]; }), see);
   };
-  Implementation<Real> plain;
-  plain.verdicts = [=](const QueryColumns<Real>& batch, Verdict* out) {
+  Implementation<Real> made;
+  made.verdicts = [=](const QueryColumns<Real>& batch, Verdict* out) {
     const TestDescription& test = Test::description();
     for (std::size_t i = 0; i < batch.size; ++i) {
       out[i] = verdict_of(test, bits_at(batch, i, [](std::size_t, Real, Real) {}));
     }
   };
-  plain.explain = [=](const QueryColumns<Real>& batch, Answers<Real>& out) {
+  made.explain = [=](const QueryColumns<Real>& batch, Answers<Real>& out) {
     for (std::size_t i = 0; i < batch.size; ++i) {
       out.bits[i] = bits_at(batch, i, [&](std::size_t k, Real lhs, Real rhs) {
         out.lhs[k][i] = lhs;
@@ -101,13 +101,13 @@ Implementation<Real> plain_implementation() {
       });
     }
   };
-  plain.measure = plain_measures<Test, F, Real>();
-  return plain;
+  made.measure = method_measures<Test, F, Real>();
+  return made;
 }
 
-// The members that all plain kernels have; such a kernel is judged by its verdicts, and by the measures that M gives.
+// The members that all such kernels have; such a kernel is judged by its verdicts, and by the measures that M gives.
 template <class Test, class M>
-Kernel plain_kernel_named(std::string id, std::string summary) {
+Kernel bare_kernel(std::string id, std::string summary) {
   Kernel kernel;
   kernel.id = std::move(id);
   kernel.summary = std::move(summary);
@@ -119,34 +119,34 @@ Kernel plain_kernel_named(std::string id, std::string summary) {
 
 // The kernel claims these formulae and the bits of the reference, which is itself.
 template <class Test, class F>
-Kernel plain_kernel(std::string id, std::string summary) {
-  Kernel kernel = plain_kernel_named<Test, F>(std::move(id), std::move(summary));
+Kernel formulae_kernel(std::string id, std::string summary) {
+  Kernel kernel = bare_kernel<Test, F>(std::move(id), std::move(summary));
   kernel.formulae = F::name;
-  kernel.binary32 = [](std::string_view) { return plain_implementation<Test, F, float>(); };
-  kernel.binary64 = [](std::string_view) { return plain_implementation<Test, F, double>(); };
+  kernel.binary32 = [](std::string_view) { return formulae_implementation<Test, F, float>(); };
+  kernel.binary64 = [](std::string_view) { return formulae_implementation<Test, F, double>(); };
   return kernel;
 }
 
 // A method M that has no comparisons: static bool separated(const Problem<Real>&). It claims nothing.
 template <class Test, class M, class Real>
-Implementation<Real> plain_verdicts() {
-  Implementation<Real> plain;
-  plain.verdicts = [](const QueryColumns<Real>& batch, Verdict* out) {
+Implementation<Real> method_implementation() {
+  Implementation<Real> made;
+  made.verdicts = [](const QueryColumns<Real>& batch, Verdict* out) {
     for (std::size_t i = 0; i < batch.size; ++i) {
       const auto q = Test::template problem<Real>([&](std::size_t k) { return batch.column[k][i]; });
       out[i] = M::template separated<Real>(q) ? Verdict::separated : Verdict::contact;
     }
   };
-  plain.measure = plain_measures<Test, M, Real>();
-  return plain;
+  made.measure = method_measures<Test, M, Real>();
+  return made;
 }
 template <class Test, class M>
-Kernel plain_verdict_kernel(std::string id, std::string summary) {
-  Kernel kernel = plain_kernel_named<Test, M>(std::move(id), std::move(summary));
+Kernel method_kernel(std::string id, std::string summary) {
+  Kernel kernel = bare_kernel<Test, M>(std::move(id), std::move(summary));
   kernel.exposes = Exposure::verdict;
   kernel.is_reference = false;
-  kernel.binary32 = [](std::string_view) { return plain_verdicts<Test, M, float>(); };
-  kernel.binary64 = [](std::string_view) { return plain_verdicts<Test, M, double>(); };
+  kernel.binary32 = [](std::string_view) { return method_implementation<Test, M, float>(); };
+  kernel.binary64 = [](std::string_view) { return method_implementation<Test, M, double>(); };
   return kernel;
 }
 
