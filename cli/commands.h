@@ -31,7 +31,7 @@ void add_shrink(CLI::App& app, Action& action);
 void add_corpus(CLI::App& app, Action& action);
 void add_query(CLI::App& app, Action& action);
 void add_kernels(CLI::App& app, Action& action);
-void add_tests(CLI::App& app, Action& action);
+void add_predicates(CLI::App& app, Action& action);
 void add_families(CLI::App& app, Action& action);
 void add_certify(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);

@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
            Purpose{"Judge a kernel",
                    {add_run, add_certify, add_verify, add_check, add_report, add_diagnose, add_shrink, add_search,
                     add_map, add_generate, add_judge}},
-           Purpose{"Use the right one", {add_league, add_kernels, add_tests}},
+           Purpose{"Use the right one", {add_league, add_kernels, add_predicates}},
            Purpose{"Keep it right in CI", {add_compare, add_corpus, add_plan, add_merge}},
            Purpose{"Study precision",
                    {add_ladder, add_precision, add_condition, add_critical_radius, add_mutate, add_prove}},

@@ -25,7 +25,7 @@ struct Reply {
     return found;
   }
 
-  // The measures that the kernel gives, in the order of the test's; empty where it gave no answer. Floats widen
+  // The measures that the kernel gives, in the order of the predicate's; empty where it gave no answer. Floats widen
   // exactly.
   std::vector<double> measures(std::size_t i) const {
     std::vector<double> found;

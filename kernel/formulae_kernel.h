@@ -1,9 +1,9 @@
-// Formulae of a test as a template over the number type, and the kernel that evaluates them as they stand: one query at
-// a time, every operation rounded once to the input's precision.
+// Formulae of a predicate as a template over the number type, and the kernel that evaluates them as they stand: one
+// query at a time, every operation rounded once to the input's precision.
 //
-// A test's own type, in its room of kernel/, has
-//   static const TestDescription& description();
-//   static constexpr std::size_t entry;                           optional: of the numbers; else the test's first
+// A predicate's own type, in its room of kernel/, has
+//   static const Predicate& description();
+//   static constexpr std::size_t entry;                           optional: of the numbers; else the predicate's first
 //   template <class T> struct Problem;                            the query in the number type of the formulae
 //   template <class T> static Problem<T> problem(load);           load(k) is column k as a T: the only place that knows
 //                                                                 the order of the columns
@@ -13,7 +13,7 @@
 //   template <class T, class Sink>
 //   static void comparisons(const Problem<T>&, Sink& sink);       sink(i, lhs, rhs) for each: comparison i is lhs > rhs
 //   static constexpr ComparisonBits nonstrict;                    optional: those that are lhs >= rhs
-// Formulae, and a method that has a verdict alone, may give the first of the test's measures:
+// Formulae, and a method that has a verdict alone, may give the first of the predicate's measures:
 //   static constexpr std::size_t measure_count;
 //   template <class Real>
 //   static void measure(const Problem<Real>&, Real* out);         measure_count numbers
@@ -30,14 +30,14 @@
 
 namespace axiscert {
 
-// The index of the entry in which `Test` takes the numbers.
+// The index of the entry in which `Predicate` takes the numbers.
 template <class Test>
 constexpr std::size_t entry_of() {
   if constexpr (requires { Test::entry; }) return Test::entry;
   else return 0;
 }
 
-// The formulae of a test. The first are those of the theorem that ties them to the geometry.
+// The formulae of a predicate. The first are those of the theorem that ties them to the geometry.
 template <class... F>
 struct FormulaeList {};
 
@@ -88,9 +88,9 @@ Implementation<Real> formulae_implementation() {
   };
   Implementation<Real> made;
   made.verdicts = [=](const QueryColumns<Real>& batch, Verdict* out) {
-    const TestDescription& test = Test::description();
+    const Predicate& predicate = Test::description();
     for (std::size_t i = 0; i < batch.size; ++i) {
-      out[i] = verdict_of(test, bits_at(batch, i, [](std::size_t, Real, Real) {}));
+      out[i] = verdict_of(predicate, bits_at(batch, i, [](std::size_t, Real, Real) {}));
     }
   };
   made.explain = [=](const QueryColumns<Real>& batch, Answers<Real>& out) {
@@ -111,7 +111,7 @@ Kernel bare_kernel(std::string id, std::string summary) {
   Kernel kernel;
   kernel.id = std::move(id);
   kernel.summary = std::move(summary);
-  kernel.test = &Test::description();
+  kernel.predicate = &Test::description();
   kernel.entry = entry_of<Test>();
   if constexpr (GivesMeasures<M>) kernel.measure_count = M::measure_count;
   return kernel;

@@ -59,7 +59,7 @@ constexpr bool has_comparisons(Formulae f) { return f != Formulae::none && kind_
 // The name by which a kernel claims them, as ids spell it: Formulae::closest_point is "closest-point". That of
 // Formulae::none is empty.
 std::string_view name(Formulae formulae);
-// Those that a kernel claims; none where it claims none, or those of another test.
+// Those that a kernel claims; none where it claims none, or those of another predicate.
 struct Kernel;
 Formulae formulae_of(const Kernel& kernel);
 

@@ -14,7 +14,7 @@
 #include "kernel/names.h"
 #include "kernel/outcome.h"
 #include "kernel/query.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert {
 
@@ -56,10 +56,10 @@ struct Implementation {
   std::function<double(const QueryColumns<Real>& batch, Verdict* out)> timed = {};
   // The bits of `explain` alone. Empty where computing them alone is not faster.
   std::function<void(const QueryColumns<Real>& batch, ComparisonBits* out)> bits = {};
-  // The first of the test's measures; `out.measures` has a column for each and is sized to the batch. A measure has no
-  // meaning where the verdict is not one that it is given with. Empty for a kernel that gives none.
+  // The first of the predicate's measures; `out.measures` has a column for each and is sized to the batch. A measure
+  // has no meaning where the verdict is not one that it is given with. Empty for a kernel that gives none.
   std::function<void(const QueryColumns<Real>& batch, Answers<Real>& out)> measure = {};
-  std::size_t comparisons = 0;    // of the kernel's test; Kernel::on sets this and the next
+  std::size_t comparisons = 0;    // of the kernel's predicate; Kernel::on sets this and the next
   std::size_t measure_count = 0;  // that the kernel gives
 };
 
@@ -104,16 +104,16 @@ enum class ProvedProperty : std::uint8_t { nothing, no_missed_contact, no_wrong_
 
 struct Kernel {
   std::string id;
-  std::string summary;                    // one line
-  const TestDescription* test = nullptr;  // never null in a kernel that is asked
-  std::size_t entry = 0;  // index among the test's entries: the form in which the kernel takes the numbers
-  // The kernel claims to compute these formulae, by their name among those of its test (Oracles::formulae of exact/),
-  // with these side comparisons, in this arithmetic. Empty: none, and only its verdicts are judged.
+  std::string summary;                   // one line
+  const Predicate* predicate = nullptr;  // never null in a kernel that is asked
+  std::size_t entry = 0;  // index among the predicate's entries: the form in which the kernel takes the numbers
+  // The kernel claims to compute these formulae, by their name among those of its predicate (Oracles::formulae of
+  // exact/), with these side comparisons, in this arithmetic. Empty: none, and only its verdicts are judged.
   std::string formulae = {};
   Strictness strictness = Strictness::strict;
   Arithmetic arithmetic = Arithmetic::plain;
   Exposure exposes = Exposure::sides;
-  std::size_t measure_count = 0;  // it gives so many of the test's measures, from the first on
+  std::size_t measure_count = 0;  // it gives so many of the predicate's measures, from the first on
   // Empty where the kernel does not exist in that precision. A kernel that has only one form runs it on every target.
   std::function<Implementation<float>(std::string_view target)> binary32;
   std::function<Implementation<double>(std::string_view target)> binary64;
@@ -125,7 +125,7 @@ struct Kernel {
   bool takes_arithmetic = false;  // may be the rung in RUNG+ARITHMETIC
   TouchingPolicy touching = TouchingPolicy::contact;
   Limits limits = {};
-  MotionPolicy motion = {};  // of a test of motions
+  MotionPolicy motion = {};  // of a predicate of motions
   bool may_decline = false;  // `undecided` is an answer that it may give; else one more fault
   Call call = {};
   std::string file = {};           // path of a plug-in
@@ -137,7 +137,7 @@ struct Kernel {
   Implementation<Real> on(std::string_view target) const {
     const auto begin = [&](const auto& implementation) {
       Implementation<Real> begun = implementation ? implementation(target) : Implementation<Real>{};
-      begun.comparisons = test->comparisons.size();
+      begun.comparisons = predicate->comparisons.size();
       begun.measure_count = measure_count;
       return begun;
     };

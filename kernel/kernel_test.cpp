@@ -95,7 +95,7 @@ TEST(Registry, AKernelThatDeclinesSaysThatItMayAndAnyThatSaysSoDeclines) {
                                  : testing_support::random_query<float>(random, i % 4 == 1));
   }
   for (const Kernel& kernel : kernels()) {
-    if (kernel.test != &sphere_triangle_test() || !kernel.has(Precision::binary32)) continue;
+    if (kernel.predicate != &sphere_triangle_predicate() || !kernel.has(Precision::binary32)) continue;
     std::vector<Verdict> verdicts(queries.size());
     kernel.on<float>(scalar_target).verdicts(queries.columns(), verdicts.data());
     EXPECT_EQ(std::count(verdicts.begin(), verdicts.end(), Verdict::undecided) != 0, kernel.may_decline) << kernel.id;
@@ -131,7 +131,7 @@ TEST(SelfCheck, AcceptsEveryKernelOnEveryTarget) {
 TEST(SelfCheck, RefusesAContractedKernel) {
   Kernel contracted;
   contracted.id = "contracted";
-  contracted.test = &sphere_triangle_test();
+  contracted.predicate = &sphere_triangle_predicate();
   contracted.formulae = "published";
   contracted.binary64 = [](std::string_view) { return Implementation<double>{{}, contracted_explain<double>}; };
   const auto wrong = self_check<double>(contracted, "scalar");

@@ -1,5 +1,5 @@
 // Queries in the lanes of Highway's vectors, one each, for the instruction set that foreach_target is compiling: the
-// number type of a test's formulae, and the walk over a batch. The including file has defined AXISCERT_PER_TARGET.
+// number type of a predicate's formulae, and the walk over a batch. The including file has defined AXISCERT_PER_TARGET.
 #include <cstring>
 
 #include "kernel/base/per_target.h"

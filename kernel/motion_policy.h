@@ -1,4 +1,4 @@
-// The promises of a kernel of a test of motions, where engines differ. A query beyond a promise is not judged.
+// The promises of a kernel of a predicate of motions, where engines differ. A query beyond a promise is not judged.
 #pragma once
 
 #include <cstdint>

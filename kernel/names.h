@@ -1,5 +1,5 @@
-// The vocabulary of every test: verdicts, conventions, precisions, bits of comparisons. A test's own names are in its
-// description (kernel/test.h).
+// The vocabulary of every predicate: verdicts, conventions, precisions, bits of comparisons. A predicate's own names
+// are in its description (kernel/predicate.h).
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace axiscert {
 
-// Bit i is comparison i, or clause i, of the test's description.
+// Bit i is comparison i, or clause i, of the predicate's description.
 using ComparisonBits = std::uint64_t;
 using ClauseBits = std::uint64_t;
 

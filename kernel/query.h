@@ -1,4 +1,4 @@
-// The numbers of a query, and a batch of queries as columns: for every test, by the number of its columns alone.
+// The numbers of a query, and a batch of queries as columns: for every predicate, by the number of its columns alone.
 #pragma once
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 
 namespace axiscert {
 
-// The most numbers that a query of any test has.
+// The most numbers that a query of any predicate has.
 inline constexpr std::size_t most_columns = 64;
 
-// The numbers of one query, in the order of the columns of its test's entry. A test's own type of query, with members
-// that have names, converts to and from these.
+// The numbers of one query, in the order of the columns of its predicate's entry. A predicate's own type of query, with
+// members that have names, converts to and from these.
 template <class Real>
 class Numbers {
  public:
@@ -41,7 +41,7 @@ class Numbers {
   const Real* begin() const { return data(); }
   const Real* end() const { return data() + size_; }
 
-  // To a test's own type of query. Precondition: these are as many numbers as it has.
+  // To a predicate's own type of query. Precondition: these are as many numbers as it has.
   template <class Query>
     requires requires(const Numbers& numbers) { Query::from(numbers); }
   operator Query() const {

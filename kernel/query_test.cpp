@@ -76,7 +76,7 @@ TYPED_TEST(QueryNumbers, FillingOfOneQuery) {
   expect_equal(filled, forty<TypeParam>(5));
 }
 
-TYPED_TEST(QueryNumbers, AQueryOfATestConvertsBothWays) {
+TYPED_TEST(QueryNumbers, AQueryOfAPredicateConvertsBothWays) {
   const Query<TypeParam> q = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {10, 11, 12}, 13};
   const Numbers<TypeParam> numbers = q;
   ASSERT_EQ(numbers.size(), coordinate_count);

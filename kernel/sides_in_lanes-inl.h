@@ -1,5 +1,6 @@
-// The comparisons of a test's formulae in the lanes of Highway's vectors, for the instruction set that foreach_target
-// is compiling: what holds, the sides, and the bits of each query. The including file has defined AXISCERT_PER_TARGET.
+// The comparisons of a predicate's formulae in the lanes of Highway's vectors, for the instruction set that
+// foreach_target is compiling: what holds, the sides, and the bits of each query. The including file has defined
+// AXISCERT_PER_TARGET.
 #include "kernel/lanes-inl.h"
 #include "kernel/formulae_kernel.h"
 
@@ -45,7 +46,7 @@ struct SidesInLanes {
   }
 };
 
-// Sides and bits of a batch. Load::problem(d, batch, i) is the test's problem of the queries from i on, in lanes.
+// Sides and bits of a batch. Load::problem(d, batch, i) is the predicate's problem of the queries from i on, in lanes.
 template <class F, class Load, class Real>
 void explain_in_lanes(const QueryColumns<Real>& batch, Answers<Real>& out) {
   using D = hn::ScalableTag<Real>;

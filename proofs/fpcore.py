@@ -13,7 +13,7 @@ DECNUM = re.compile(r"[-+]?([0-9]+(\.[0-9]+)?|\.[0-9]+)(e[-+]?[0-9]+)?")
 HEXNUM = re.compile(r"[+-]?0x([0-9a-f]+(\.[0-9a-f]+)?|\.[0-9a-f]+)(p[-+]?[0-9]+)?", re.I)
 CONSTANTS = {"E", "LOG2E", "LOG10E", "LN2", "LN10", "PI", "PI_2", "PI_4", "M_1_PI", "M_2_PI", "M_2_SQRTPI", "SQRT2",
              "SQRT1_2", "INFINITY", "NAN", "TRUE", "FALSE"}
-# Operations by their numbers of operands. Arithmetic: real operands, a real result; tests: real operands, a boolean
+# Operations by their numbers of operands. Arithmetic: real operands, a real result; predicates: real operands, a boolean
 # result.
 ARITHMETIC = {"+": {2}, "-": {1, 2}, "*": {2}, "/": {2}, "fma": {3}}
 ARITHMETIC |= dict.fromkeys("""fabs exp exp2 expm1 log log10 log2 log1p sqrt cbrt sin cos tan asin acos atan sinh cosh tanh asinh acosh

@@ -9,7 +9,7 @@
 #include "cli/progress_line.h"
 #include "cli/commands.h"
 #include "cli/options/address_query.h"
-#include "cli/options/test_options.h"
+#include "cli/options/predicate_options.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/confirm/finding_record.h"
@@ -32,25 +32,26 @@ std::optional<SideErrors> errors_of(const StoredQuery& stored, const Kernel& ker
 template <class Real>
 CheckResult check_query(Examiner& examiner, const Numbers<Real>& q) {
   const Examination found = examiner.examine(q);
-  const TestDescription& test = *examiner.kernel().test;
+  const Predicate& predicate = *examiner.kernel().predicate;
   const Oracles& oracles = oracles_of(examiner.kernel());
-  if (found.truth.verdict != Verdict::invalid) return checked_of(test, found, oracles.details(q));
-  CheckResult invalid = checked_of(test, found);
+  if (found.truth.verdict != Verdict::invalid) return checked_of(predicate, found, oracles.details(q));
+  CheckResult invalid = checked_of(predicate, found);
   invalid.why_invalid = oracles.why_invalid(q);
   return invalid;
 }
 
 // `what`: "mine.jsonl: query 'q' is".
-void require_query_of(const Kernel& kernel, const TestDescription& test, std::size_t entry, Precision precision,
+void require_query_of(const Kernel& kernel, const Predicate& predicate, std::size_t entry, Precision precision,
                       const std::string& what) {
   if (!kernel.has(precision)) {
     throw Error(fmt::format("{} in {}, in which kernel {} does not exist", what, name(precision), kernel.id));
   }
-  if (kernel.test == &test && kernel.entry == entry) return;
-  throw Error(fmt::format(
-      "{} of the test {}, entry {}, and kernel {} of {}, entry {}; a query is judged "
-      "by a kernel of its own test and entry",
-      what, test.id, test.entries[entry].name, kernel.id, kernel.test->id, kernel.test->entries[kernel.entry].name));
+  if (kernel.predicate == &predicate && kernel.entry == entry) return;
+  throw Error(
+      fmt::format("{} of the predicate {}, entry {}, and kernel {} of {}, entry {}; a query is judged "
+                  "by a kernel of its own predicate and entry",
+                  what, predicate.id, predicate.entries[entry].name, kernel.id, kernel.predicate->id,
+                  kernel.predicate->entries[kernel.entry].name));
 }
 
 std::vector<const Kernel*> kernels_given(const CheckOptions& options) {
@@ -79,10 +80,10 @@ int check_range(const CheckOptions& options) {
     throw Error("--errors: the errors of sides are of queries in a file; `axiscert query` writes one");
   std::vector<const Kernel*> kernels = kernels_given(options);
   const std::string target = resolve_target(options.target);
-  const TestDescription& test = range.source->test();
-  if (kernels.empty()) kernels.push_back(&default_kernel(test, range.source->entry()));
+  const Predicate& predicate = range.source->predicate();
+  if (kernels.empty()) kernels.push_back(&default_kernel(predicate, range.source->entry()));
   for (const Kernel* kernel : kernels) {
-    require_query_of(*kernel, test, range.source->entry(), range.first.precision,
+    require_query_of(*kernel, predicate, range.source->entry(), range.first.precision,
                      fmt::format("the query {} is", text(range.first)));
   }
   QueryRows rows(range, kernels, target, options.format);
@@ -116,15 +117,15 @@ int check(const CheckOptions& options) {
   const std::string target = resolve_target(options.target);
   const auto queries = read_query_file(options.file, parse_precision(options.precision));
   const Kernel& kernel = given != nullptr  ? *given
-                         : queries.empty() ? default_kernel(default_test())
-                                           : default_kernel(*queries.front().test, queries.front().entry);
+                         : queries.empty() ? default_kernel(default_predicate())
+                                           : default_kernel(*queries.front().predicate, queries.front().entry);
   Examiner examiner(kernel, target);
   ProgressLine progress("check");
   const ShowProgress show = progress.report();
   ProgressCount count(show, queries.size());
   StandingCounts standings;
   for (const StoredQuery& stored : queries) {
-    require_query_of(kernel, *stored.test, stored.entry, stored.precision,
+    require_query_of(kernel, *stored.predicate, stored.entry, stored.precision,
                      fmt::format("{}: query '{}' is", options.file, stored.id));
     const CheckResult found = std::visit([&](const auto& q) { return check_query(examiner, q); }, stored.numbers);
     ++standings[standing_of(kernel, found)];
@@ -132,10 +133,10 @@ int check(const CheckOptions& options) {
     progress.clear();
     if (options.format == "text") {
       fmt::print("{}\n", check_text(stored.id, kernel, found));
-      if (options.errors) fmt::print("{}\n", errors_text(*kernel.test, errors_of(stored, kernel, target)));
+      if (options.errors) fmt::print("{}\n", errors_text(*kernel.predicate, errors_of(stored, kernel, target)));
     } else {
       CheckLine line = check_line(stored.id, kernel, found);
-      if (options.errors) line.errors.emplace(errors_line(*kernel.test, errors_of(stored, kernel, target)));
+      if (options.errors) line.errors.emplace(errors_line(*kernel.predicate, errors_of(stored, kernel, target)));
       fmt::print("{}\n", json_of(line).dump());
     }
   }
@@ -156,7 +157,7 @@ void add_check(CLI::App& app, Action& action) {
       ->required();
   command
       ->add_option("--kernel", options->kernels,
-                   "kernel id, for a range repeatable (default: the first of the test of the queries)")
+                   "kernel id, for a range repeatable (default: the first of the predicate of the queries)")
       ->allow_extra_args(false);
   add_address_files(*command, options->files);
   command->add_option("--target", options->target, "instruction set, or auto")->capture_default_str();

@@ -20,10 +20,10 @@ std::string folder_of(const CorpusOptions& options) {
   return options.folder.empty() ? default_corpus_folder() : options.folder;
 }
 
-// One file for each test that its lines name, and for the others one of each kind of provenance.
+// One file for each predicate that its lines name, and for the others one of each kind of provenance.
 std::string file_for(const StoredQuery& stored, const Provenance& provenance) {
-  const std::string_view test = written_name(*stored.test);
-  return fmt::format("{}.jsonl", test.empty() ? provenance.kind : test);
+  const std::string_view predicate = written_name(*stored.predicate);
+  return fmt::format("{}.jsonl", predicate.empty() ? provenance.kind : predicate);
 }
 
 int list(const CorpusOptions& options) {
@@ -93,7 +93,8 @@ void add_corpus(CLI::App& app, Action& action) {
   listing->callback([&action, options] { action = [options] { return list(*options); }; });
 
   auto* adding = command->add_subcommand(
-      "add", "Add a query with its exact answers, unless the corpus has it already up to the symmetries of the test");
+      "add",
+      "Add a query with its exact answers, unless the corpus has it already up to the symmetries of the predicate");
   adding->add_option("FILE", options->file, "query file with one query; - reads standard input")->required();
   adding->add_option("--name", options->name, "the entry's name")->required();
   adding->add_option("--provenance", options->provenance, "KIND:WHERE; kinds: address, search, report, made")

@@ -1,5 +1,5 @@
 #include "cli/options/instrument_options.h"
-#include "cli/options/test_options.h"
+#include "cli/options/predicate_options.h"
 #include "cli/progress_line.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/queries/capabilities.h"
@@ -10,42 +10,43 @@
 namespace axiscert {
 namespace {
 
-// Those that the test names; else all kernels and families of the entry but images, which are the same radius again.
-CriticalRadiusDefaults defaults_of(const TestDescription& test, std::size_t entry) {
-  if (const CriticalRadiusDefaults* chosen = capabilities_of(test).critical_radius_defaults) return *chosen;
+// Those that the predicate names; else all kernels and families of the entry but images, which are the same radius
+// again.
+CriticalRadiusDefaults defaults_of(const Predicate& predicate, std::size_t entry) {
+  if (const CriticalRadiusDefaults* chosen = capabilities_of(predicate).critical_radius_defaults) return *chosen;
   CriticalRadiusDefaults all;
   for (const Kernel& kernel : kernels()) {
-    if (kernel.test == &test && kernel.entry == entry) all.kernels.push_back(kernel.id);
+    if (kernel.predicate == &predicate && kernel.entry == entry) all.kernels.push_back(kernel.id);
   }
-  for (const Family* family : families_of(test, entry)) {
+  for (const Family* family : families_of(predicate, entry)) {
     if (image_group(family->name) == nullptr) all.families.emplace_back(family->name);
   }
   return all;
 }
 
-// The test and the entry of the kernels or the families that are given; the first where neither are.
-std::pair<const TestDescription*, std::size_t> asked_of(const InstrumentOptions& options) {
+// The predicate and the entry of the kernels or the families that are given; the first where neither are.
+std::pair<const Predicate*, std::size_t> asked_of(const InstrumentOptions& options) {
   std::vector<const Kernel*> kernels;
   for (const std::string& id : options.kernels) kernels.push_back(&find_kernel(id));
   if (kernels.empty() && !options.families.empty()) {
     const Family& first = find_family(options.families.front());
-    return {&first.test(), first.entry};
+    return {&first.predicate(), first.entry};
   }
-  return {&test_of_kernels("", kernels), kernels.empty() ? 0 : kernels.front()->entry};
+  return {&predicate_of_kernels("", kernels), kernels.empty() ? 0 : kernels.front()->entry};
 }
 
 int measure(const InstrumentOptions& options) {
-  const std::vector<const TestDescription*> served = tests_with(has_critical_length);
-  const auto [test, entry] = asked_of(options);
-  require_capability(has_critical_length, options.command, *test, entry);
-  const CriticalRadiusDefaults defaults = defaults_of(*test, entry);
+  const std::vector<const Predicate*> served = predicates_with(has_critical_length);
+  const auto [predicate, entry] = asked_of(options);
+  require_capability(has_critical_length, options.command, *predicate, entry);
+  const CriticalRadiusDefaults defaults = defaults_of(*predicate, entry);
   const CriticalRadiusPlan plan{instrument_kernels(options, defaults.kernels, Measures::verdicts, served),
                                 instrument_sources(options, defaults.families, served),
                                 parse_precision(options.precision),
                                 options.trials,
                                 options.seed,
                                 options.threads};
-  require_one_test(plan.kernels, plan.sources);
+  require_one_predicate(plan.kernels, plan.sources);
   const auto result =
       with_progress("critical-radius", [&](const ShowProgress& show) { return measure_critical_radii(plan, show); });
   const int done = print_and_write_instrument(

@@ -8,7 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/options/run_options.h"
-#include "cli/options/test_options.h"
+#include "cli/options/predicate_options.h"
 #include "cli/progress_line.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/pipe/query_stream.h"
@@ -59,26 +59,27 @@ class Output {
   int descriptor_ = STDOUT_FILENO;
 };
 
-// The test and the entry that `all` and the default mean: those of the first family that is named; where there is none,
-// the first entry of --test or of the default test.
+// The predicate and the entry that `all` and the default mean: those of the first family that is named; where there is
+// none, the first entry of --predicate or of the default predicate.
 struct MeantEntry {
-  const TestDescription& test;
+  const Predicate& predicate;
   std::size_t entry;
 };
 MeantEntry meant_by_families(const GenerateOptions& options) {
   for (const std::string& name : options.families) {
     if (name == "all") continue;
     const Family& family = find_family(name);
-    if (options.test.empty() || &family.test() == &test_given(options.test)) return {family.test(), family.entry};
+    if (options.predicate.empty() || &family.predicate() == &predicate_given(options.predicate))
+      return {family.predicate(), family.entry};
   }
-  return {test_given(options.test), 0};
+  return {predicate_given(options.predicate), 0};
 }
 
 PipePlan pipe_plan_of(const GenerateOptions& options) {
   PipePlan plan{options.seed, parse_precision(options.precision), {}, options.measures};
   const MeantEntry meant = meant_by_families(options);
-  const auto sources = sources_of(options, meant.test, meant.entry, plan.precision);
-  test_of_sources(options.test, sources);
+  const auto sources = sources_of(options, meant.predicate, meant.entry, plan.precision);
+  predicate_of_sources(options.predicate, sources);
   print_left_out(sources, {plan.precision});
   for (const SourcePtr& source : sources) {
     const auto fixed = source->fixed_size(plan.precision);
@@ -122,9 +123,10 @@ void add_generate(CLI::App& app, Action& action) {
   auto* binary =
       command->add_flag("--binary", options->binary, "the query stream of docs/pipe.md instead of JSON Lines");
   command
-      ->add_option("--measures", options->measures,
-                   "the program gives so many of the test's measures beside each verdict, from the first on (`axiscert "
-                   "tests`)")
+      ->add_option(
+          "--measures", options->measures,
+          "the program gives so many of the predicate's measures beside each verdict, from the first on (`axiscert "
+          "predicates`)")
       ->needs(binary);
   command->add_option("-o,--out-file", options->out_file, "file to write, - for standard output")
       ->capture_default_str();

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "cli/commands.h"
-#include "cli/options/test_options.h"
+#include "cli/options/predicate_options.h"
 #include "kernel/registry/called.h"
 #include "kernel/plugin/load.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 #include "fuzz/confirm/record.h"
 #include "reports/instrument/lists.h"
 
@@ -37,20 +37,20 @@ std::vector<std::string_view> words_of(const std::vector<Enum>& all) {
   return words;
 }
 
-// The built-in kernels of a test.
-std::vector<const Kernel*> built_in_kernels(const TestDescription& test) {
+// The built-in kernels of a predicate.
+std::vector<const Kernel*> built_in_kernels(const Predicate& predicate) {
   std::vector<const Kernel*> all;
   for (const Kernel& kernel : kernels()) {
-    if (kernel.test == &test) all.push_back(&kernel);
+    if (kernel.predicate == &predicate) all.push_back(&kernel);
   }
   return all;
 }
 
-// The plug-ins of a test that come with axiscert, by their ids.
-std::vector<const Kernel*> shipped_kernels(const TestDescription& test) {
+// The plug-ins of a predicate that come with axiscert, by their ids.
+std::vector<const Kernel*> shipped_kernels(const Predicate& predicate) {
   std::vector<const Kernel*> all;
   for (const plugin::ShippedPlugins& shipped : plugin::shipped_plugins()) {
-    if (shipped.test != &test) continue;
+    if (shipped.predicate != &predicate) continue;
     for (const std::string& name : shipped.names) all.push_back(&find_kernel(shipped.prefix + name));
   }
   return all;
@@ -74,13 +74,13 @@ void print_arithmetics() {
   }
 }
 
-void print_kernels(const TestDescription& test) {
+void print_kernels(const Predicate& predicate) {
   const auto targets = available_targets();
-  for (const Kernel* kernel : built_in_kernels(test)) {
+  for (const Kernel* kernel : built_in_kernels(predicate)) {
     print_kernel(*kernel, kernel->has_simd ? fmt::format("{}", fmt::join(targets, " ")) : std::string(scalar_target));
   }
   const auto is_rung = [&](const Kernel& kernel) {
-    return kernel.test == &test && kernel.takes_arithmetic && test.claims_arithmetic;
+    return kernel.predicate == &predicate && kernel.takes_arithmetic && predicate.claims_arithmetic;
   };
   if (std::any_of(kernels().begin(), kernels().end(), is_rung)) print_arithmetics();
   fmt::print(
@@ -92,9 +92,9 @@ void print_kernels(const TestDescription& test) {
   fmt::print(
       "\nPlug-ins: plugin:PATH.so is one of your own, program:MANIFEST.json a program; peer/ are libraries, fault/ "
       "kernels with a planted fault:\n");
-  for (const Kernel* kernel : shipped_kernels(test)) print_kernel(*kernel, how_run(*kernel));
+  for (const Kernel* kernel : shipped_kernels(predicate)) print_kernel(*kernel, how_run(*kernel));
   for (const plugin::ShippedPlugins& shipped : plugin::shipped_plugins()) {
-    if (shipped.test != &test) continue;
+    if (shipped.predicate != &predicate) continue;
     for (const auto& absent : shipped.absent) {
       const std::string id = fmt::format("{}{}", shipped.prefix, absent.name);
       if (!absent.command.empty()) {
@@ -114,10 +114,10 @@ std::vector<std::string> targets_of(const Kernel& kernel) {
 
 void print_one(const Kernel& kernel) {
   print_kernel(kernel, kernel.file.empty() ? fmt::format("{}", fmt::join(targets_of(kernel), " ")) : how_run(kernel));
-  fmt::print("{:<20} test {}, entry {}\n", "", kernel.test->id, kernel.test->entries[kernel.entry].name);
+  fmt::print("{:<20} predicate {}, entry {}\n", "", kernel.predicate->id, kernel.predicate->entries[kernel.entry].name);
   if (kernel.measure_count != 0) {
     std::vector<std::string_view> names;
-    for (std::size_t k = 0; k < kernel.measure_count; ++k) names.push_back(kernel.test->measures[k].name);
+    for (std::size_t k = 0; k < kernel.measure_count; ++k) names.push_back(kernel.predicate->measures[k].name);
     fmt::print("{:<20} measures {}\n", "", fmt::join(names, " "));
   }
   if (kernel.motion != MotionPolicy{}) {
@@ -133,9 +133,9 @@ ListedKernel listed_kernel(const Kernel& kernel) {
   const std::vector<std::string> targets = targets_of(kernel);
   ListedKernel listed{.id = kernel.id,
                       .summary = kernel.summary,
-                      .test = kernel.test->id,
-                      .entry = kernel.test->entries[kernel.entry].name,
-                      .formulae = kernel.test->claims_arithmetic ? kernel.formulae : std::string(),
+                      .predicate = kernel.predicate->id,
+                      .entry = kernel.predicate->entries[kernel.entry].name,
+                      .formulae = kernel.predicate->claims_arithmetic ? kernel.formulae : std::string(),
                       .precisions = precisions_of(kernel),
                       .targets = {targets.begin(), targets.end()},
                       .exposes = exposures_of(kernel),
@@ -151,26 +151,26 @@ ListedKernel listed_kernel(const Kernel& kernel) {
     listed.arithmetics.push_back(
         {kernel.id + "+" + arithmetic.name, arithmetic.name, arithmetic.summary, precisions_of(arithmetic)});
   }
-  if (!kernel.test->measures.empty()) {
+  if (!kernel.predicate->measures.empty()) {
     listed.measures = given_measures(kernel);
     listed.motion = policy_of(kernel.motion);
   }
   return listed;
 }
 
-int list_kernels(const std::string& format, const std::vector<std::string>& ids, const std::string& test_id) {
+int list_kernels(const std::string& format, const std::vector<std::string>& ids, const std::string& predicate_id) {
   std::vector<const Kernel*> listed;
   for (const std::string& id : ids) listed.push_back(&find_kernel(id));
-  const TestDescription& test = test_given(test_id);
-  if (!test_id.empty()) test_of_kernels(test_id, listed);
+  const Predicate& predicate = predicate_given(predicate_id);
+  if (!predicate_id.empty()) predicate_of_kernels(predicate_id, listed);
   if (format == "text") {
     for (const Kernel* kernel : listed) print_one(*kernel);
-    if (ids.empty()) print_kernels(test);
+    if (ids.empty()) print_kernels(predicate);
     return exit_done;
   }
   if (ids.empty()) {
-    listed = built_in_kernels(test);
-    for (const Kernel* kernel : shipped_kernels(test)) listed.push_back(kernel);
+    listed = built_in_kernels(predicate);
+    for (const Kernel* kernel : shipped_kernels(predicate)) listed.push_back(kernel);
   }
   KernelsData data;
   for (const Kernel* kernel : listed) data.kernels.push_back(listed_kernel(*kernel));
@@ -186,12 +186,15 @@ void add_kernels(CLI::App& app, Action& action) {
   auto format = std::make_shared<std::string>("text");
   add_format(*command, *format, data_formats);
   auto ids = std::make_shared<std::vector<std::string>>();
-  command->add_option("--kernel", *ids, "list this kernel alone, with its test and where its source is; repeatable")
+  command
+      ->add_option("--kernel", *ids, "list this kernel alone, with its predicate and where its source is; repeatable")
       ->allow_extra_args(false);
-  auto test = std::make_shared<std::string>();
-  add_test_option(*command, *test, fmt::format("test whose kernels are listed (default: {})", default_test().id));
-  command->callback(
-      [&action, format, ids, test] { action = [format, ids, test] { return list_kernels(*format, *ids, *test); }; });
+  auto predicate = std::make_shared<std::string>();
+  add_predicate_option(*command, *predicate,
+                       fmt::format("predicate whose kernels are listed (default: {})", default_predicate().id));
+  command->callback([&action, format, ids, predicate] {
+    action = [format, ids, predicate] { return list_kernels(*format, *ids, *predicate); };
+  });
 }
 
 }  // namespace axiscert

@@ -38,7 +38,7 @@ void require_comparisons(const Kernel& kernel) {
   if (kernel.exposes != Exposure::verdict) return;
   std::vector<std::string_view> able;
   for (const Kernel& other : kernels()) {
-    if (other.test == kernel.test && other.exposes != Exposure::verdict) able.push_back(other.id);
+    if (other.predicate == kernel.predicate && other.exposes != Exposure::verdict) able.push_back(other.id);
   }
   throw Error(
       fmt::format("--kernel {}: it shows only its verdict, but ladder measures comparisons; kernels that show "

@@ -5,7 +5,7 @@
 
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
-#include "cli/options/test_options.h"
+#include "cli/options/predicate_options.h"
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"
 #include "fuzz/queries/address.h"
@@ -32,12 +32,12 @@ const std::vector<std::string> league_families = {"general", "tangent",   "tie",
 constexpr int repetitions = 5;
 
 // That of our own kernels.
-const TestDescription& league_test() { return *find_kernel(own_kernels.front()).test; }
+const Predicate& league_predicate() { return *find_kernel(own_kernels.front()).predicate; }
 
 // Those above, and every family of scenes.
 std::vector<std::string> default_families() {
   std::vector<std::string> names = league_families;
-  for (const Family* family : families_of(league_test())) {
+  for (const Family* family : families_of(league_predicate())) {
     if (family->trust_group == TrustGroup::scene) names.emplace_back(family->name);
   }
   return names;
@@ -45,7 +45,7 @@ std::vector<std::string> default_families() {
 
 void add_kernel(League& league, const std::string& id) {
   const Kernel& kernel = find_kernel(id);
-  require_served("league", *kernel.test, {&league_test()});
+  require_served("league", *kernel.predicate, {&league_predicate()});
   if (std::find(league.kernels.begin(), league.kernels.end(), &kernel) != league.kernels.end()) return;
   league.kernels.push_back(&kernel);
 }
@@ -55,7 +55,7 @@ void add_kernel(League& league, const std::string& id) {
 void add_all_kernels(League& league, bool engines) {
   for (const std::string& id : own_kernels) add_kernel(league, id);
   for (const plugin::ShippedPlugins& shipped : plugin::shipped_plugins()) {
-    if (shipped.test != &league_test()) continue;
+    if (shipped.predicate != &league_predicate()) continue;
     const bool competes = shipped.prefix == "peer/";
     for (const std::string& name : shipped.names) {
       const std::string id = shipped.prefix + name;

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "cli/options/address_query.h"
-#include "cli/options/test_options.h"
+#include "cli/options/predicate_options.h"
 #include "cli/commands.h"
 #include "cli/progress_line.h"
 #include "cli/values.h"
@@ -36,7 +36,7 @@ struct MapOptions {
 // The pixels each way of a map with filters, and of one that is drawn by oracles alone.
 constexpr std::size_t filtered_size = 256, exact_size = 64;
 std::size_t default_size(const StoredQuery& witness) {
-  return has_filters(*witness.test, witness.entry) ? filtered_size : exact_size;
+  return has_filters(*witness.predicate, witness.entry) ? filtered_size : exact_size;
 }
 
 // The query of the file, or the one that --id chooses.
@@ -50,27 +50,27 @@ StoredQuery witness_of(const MapOptions& options) {
                             queries.size(), options.id.empty() ? "" : " of the id '" + options.id + "'"));
   }
   const StoredQuery& only = queries.front();
-  require_moves("map", *only.test, only.entry);
-  const bool valid =
-      std::visit([&](const auto& q) { return oracles_of(*only.test, only.entry).truth(q).verdict != Verdict::invalid; },
-                 only.numbers);
+  require_moves("map", *only.predicate, only.entry);
+  const bool valid = std::visit(
+      [&](const auto& q) { return oracles_of(*only.predicate, only.entry).truth(q).verdict != Verdict::invalid; },
+      only.numbers);
   if (!valid) throw Error(fmt::format("query '{}': not a valid query to draw a map around", queries.front().id));
   return queries.front();
 }
 
 std::vector<MapSubject> subjects_of(const MapOptions& options, const Kernel& kernel) {
-  std::vector<MapSubject> all = map_subjects(*kernel.test);
+  std::vector<MapSubject> all = map_subjects(*kernel.predicate);
   if (!has_comparison_maps(kernel)) all.resize(1);
   if (options.what.empty()) return all;
   std::vector<std::string_view> names;
-  for (const MapSubject& subject : all) names.push_back(name(subject, *kernel.test));
+  for (const MapSubject& subject : all) names.push_back(name(subject, *kernel.predicate));
   for (const std::string& what : options.what) {
     if (std::find(names.begin(), names.end(), what) != names.end()) continue;
     throw Error(fmt::format("--what {}: unknown{} kernel {} has maps of: {}", what, did_you_mean(what, names),
                             kernel.id, fmt::join(most_alike_first(what, names), ", ")));
   }
   std::erase_if(all, [&](const MapSubject& subject) {
-    return std::find(options.what.begin(), options.what.end(), name(subject, *kernel.test)) == options.what.end();
+    return std::find(options.what.begin(), options.what.end(), name(subject, *kernel.predicate)) == options.what.end();
   });
   return all;
 }
@@ -80,7 +80,7 @@ std::vector<MapSubject> subjects_of(const MapOptions& options, const Kernel& ker
 struct DefaultSides {
   std::string along, across;
 };
-DefaultSides default_sides(const TestEntry& entry) {
+DefaultSides default_sides(const PredicateEntry& entry) {
   std::vector<std::string> places, lengths;
   for (const ColumnGroup& group : groups_of(entry)) {
     const std::string first = std::string(group.name) + (group.size == 3 ? ".x" : "");
@@ -104,7 +104,7 @@ Plane plane_of(const MapOptions& options, const StoredQuery& witness) {
   const MovedNumbers along = given(options.along, "scene");
   return std::visit(
       [&](const auto& q) {
-        const std::size_t most = has_filters(*witness.test, witness.entry) ? greatest_map : exact_size;
+        const std::size_t most = has_filters(*witness.predicate, witness.entry) ? greatest_map : exact_size;
         return exponent_plane(q, along, across, options.size.value_or(most));
       },
       witness.numbers);
@@ -135,13 +135,13 @@ std::string command_of(const MapOptions& options, const MapPlan& plan) {
 int draw(const MapOptions& options) {
   const StoredQuery witness = witness_of(options);
   const Kernel& kernel =
-      options.kernel.empty() ? default_kernel(*witness.test, witness.entry) : find_kernel(options.kernel);
-  require_moves("map", *kernel.test, kernel.entry);
+      options.kernel.empty() ? default_kernel(*witness.predicate, witness.entry) : find_kernel(options.kernel);
+  require_moves("map", *kernel.predicate, kernel.entry);
   require_loaded(kernel);
-  if (kernel.test != witness.test || kernel.entry != witness.entry) {
-    throw Error(
-        fmt::format("query '{}' is of the test {}, and kernel {} of {}; give a kernel of its test with --kernel",
-                    witness.id, witness.test->id, kernel.id, kernel.test->id));
+  if (kernel.predicate != witness.predicate || kernel.entry != witness.entry) {
+    throw Error(fmt::format(
+        "query '{}' is of the predicate {}, and kernel {} of {}; give a kernel of its predicate with --kernel",
+        witness.id, witness.predicate->id, kernel.id, kernel.predicate->id));
   }
   if (!kernel.has(witness.precision)) {
     throw Error(fmt::format("query '{}' is in {}, in which kernel {} does not exist", witness.id,
@@ -175,7 +175,7 @@ void add_map(CLI::App& app, Action& action) {
   command->add_option("QUERY", o.query, "query file (- for standard input) or address")->required();
   command->add_option("--id", o.id, "id of the query in the file");
   command->add_option("--kernel", o.kernel,
-                      "kernel id (default: published, or the first of the query's test and entry)");
+                      "kernel id (default: published, or the first of the query's predicate and entry)");
   command->add_option(
       "--along", o.along,
       "the number that changes to the right: a.x ... p.z, d.x ... d.z, r, of boxes a.m.x ... b.s.z (default: the "
@@ -183,10 +183,11 @@ void add_map(CLI::App& app, Action& action) {
   command->add_option("--across", o.across, "the number that changes upwards (default: r, or the first half extent)");
   auto* exponents = command->add_flag("--exponents", o.exponents, "every power of two instead of ulps");
   command
-      ->add_option("--size", o.size,
-                   fmt::format("pixels each way (default: {}; with --exponents at most these, default: {}; of a test "
-                               "other than {} {})",
-                               filtered_size, greatest_map, ids_of(tests_with(has_filters)), exact_size))
+      ->add_option(
+          "--size", o.size,
+          fmt::format("pixels each way (default: {}; with --exponents at most these, default: {}; of a predicate "
+                      "other than {} {})",
+                      filtered_size, greatest_map, ids_of(predicates_with(has_filters)), exact_size))
       ->check(whole_number(2, greatest_map));
   command->add_option("--ulps", o.ulps, "ulps from pixel to pixel")
       ->check(whole_number(1, greatest_ulps))

@@ -7,7 +7,7 @@
 
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
-#include "cli/options/test_options.h"
+#include "cli/options/predicate_options.h"
 #include "cli/progress_line.h"
 #include "cli/values.h"
 #include "cli/running/run_output.h"
@@ -26,7 +26,7 @@ namespace axiscert {
 namespace {
 
 struct MutateOptions {
-  std::string test, kernel, precision, format = "text", out;
+  std::string predicate, kernel, precision, format = "text", out;
   std::vector<std::string> mutants, families;
   std::vector<double> magnitudes;
   std::optional<std::uint64_t> trials;
@@ -39,9 +39,9 @@ struct MutateOptions {
 constexpr std::uint64_t trials_by_formulae = std::uint64_t{1} << 16, trials_by_verdict = std::uint64_t{1} << 11;
 // Without filters every query is judged by exact arithmetic, and there are more formulae and families.
 constexpr std::uint64_t divisor_without_filters = 8;
-std::uint64_t default_trials(const MutateOptions& options, const TestDescription& test) {
+std::uint64_t default_trials(const MutateOptions& options, const Predicate& predicate) {
   const std::uint64_t trials = options.verdict_only ? trials_by_verdict : trials_by_formulae;
-  return has_filters(test) ? trials : trials / divisor_without_filters;
+  return has_filters(predicate) ? trials : trials / divisor_without_filters;
 }
 
 // The controls in other arithmetics are judged by exact arithmetic, at a hundred times the cost of a mutant's query.
@@ -120,11 +120,11 @@ int mutate_by_verdict(const MutateOptions& options, const MutationPlan& plan,
   return print_and_write_score(options, folder, report, report, score.complete, black_box_faults(score));
 }
 
-// The kernel that the mutants are made of: the one given, or the first of the test.
+// The kernel that the mutants are made of: the one given, or the first of the predicate.
 std::string base_asked(const MutateOptions& options) {
-  if (options.kernel.empty()) return std::string(mutants::base_for(test_given(options.test)));
+  if (options.kernel.empty()) return std::string(mutants::base_for(predicate_given(options.predicate)));
   mutants::base_index(options.kernel);  // throws an error that lists what exists
-  test_of_kernels(options.test, {&find_kernel(options.kernel)});
+  predicate_of_kernels(options.predicate, {&find_kernel(options.kernel)});
   return options.kernel;
 }
 
@@ -144,7 +144,7 @@ std::vector<proofs::certified::RecordedStep> steps_asked(const MutateOptions& op
 
 int mutate_certified(const MutateOptions& options) {
   using namespace proofs::certified;
-  if (!options.mutants.empty() || !options.families.empty() || options.verdict_only || !options.test.empty()) {
+  if (!options.mutants.empty() || !options.families.empty() || options.verdict_only || !options.predicate.empty()) {
     throw Error(
         "mutate --kernel certified plants each fault in each step of the certified predicate; it takes "
         "--precision, --trials, --seed, --list, --format and --out");
@@ -223,12 +223,12 @@ int mutate(const MutateOptions& given) {
   const Kernel& base = find_kernel(plan.base);
   for (const std::string& name : options.families) {
     plan.families.push_back(&find_family(name));
-    require_one_test({&base}, {family_source(*plan.families.back())});
+    require_one_predicate({&base}, {family_source(*plan.families.back())});
   }
-  if (plan.families.empty()) plan.families = families_of(*base.test, base.entry);
+  if (plan.families.empty()) plan.families = families_of(*base.predicate, base.entry);
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};
-  plan.trials = options.trials.value_or(default_trials(options, *base.test));
+  plan.trials = options.trials.value_or(default_trials(options, *base.predicate));
   plan.seed = options.seed;
   plan.threads = threads_of(options.threads);
   plan.controls = !options.no_controls;
@@ -263,18 +263,21 @@ void add_mutate(CLI::App& app, Action& action) {
       "mutate", "Plant one fault after the other in a correct kernel, and show which are caught, and how soon");
   auto options = std::make_shared<MutateOptions>();
   MutateOptions& o = *options;
-  add_test_option(*command, o.test, "test whose first such kernel the mutants are made from (axiscert tests)");
-  command->add_option("--kernel", o.kernel,
-                      fmt::format("kernel that the mutants are made from: {} (default: the first of the test); or {}, "
-                                  "each of whose steps is judged by itself",
-                                  fmt::join(mutants::bases, ", "), certified_kernel));
+  add_predicate_option(*command, o.predicate,
+                       "predicate whose first such kernel the mutants are made from (axiscert predicates)");
+  command->add_option(
+      "--kernel", o.kernel,
+      fmt::format("kernel that the mutants are made from: {} (default: the first of the predicate); or {}, "
+                  "each of whose steps is judged by itself",
+                  fmt::join(mutants::bases, ", "), certified_kernel));
   command->add_option("--mutant", o.mutants, "id or fault, repeatable (default: all)")->allow_extra_args(false);
   command->add_option("--family", o.families, "family, repeatable (default: all)")->allow_extra_args(false);
   command
-      ->add_option("--trials", o.trials,
-                   fmt::format("queries per family and precision (default: {}, with --verdict-only {}; of a test other "
-                               "than {} an eighth)",
-                               trials_by_formulae, trials_by_verdict, ids_of(tests_with(has_filters))))
+      ->add_option(
+          "--trials", o.trials,
+          fmt::format("queries per family and precision (default: {}, with --verdict-only {}; of a predicate other "
+                      "than {} an eighth)",
+                      trials_by_formulae, trials_by_verdict, ids_of(predicates_with(has_filters))))
       ->check(whole_number(1, std::uint64_t{1} << 48));
   command->add_option("--seed", o.seed, "seed of every family")->check(whole_number())->capture_default_str();
   command->add_option("--precision", o.precision, "binary32 or binary64")->default_str("both");

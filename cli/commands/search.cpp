@@ -7,7 +7,7 @@
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/search_plan.h"
-#include "cli/options/test_options.h"
+#include "cli/options/predicate_options.h"
 #include "cli/progress_line.h"
 #include "cli/values.h"
 #include "cli/running/run_output.h"
@@ -75,9 +75,10 @@ void add_search(CLI::App& app, Action& action) {
                                      "verdicts, the scales where range fails");
   auto options = std::make_shared<SearchOptions>();
   SearchOptions& o = *options;
-  add_test_option(*command, o.test,
-                  fmt::format("the test of which the kernel is (default: {}, or that of --kernel)", default_test().id));
-  command->add_option("--kernel", o.kernel, "kernel id (default: the first of the test)");
+  add_predicate_option(
+      *command, o.predicate,
+      fmt::format("the predicate of which the kernel is (default: {}, or that of --kernel)", default_predicate().id));
+  command->add_option("--kernel", o.kernel, "kernel id (default: the first of the predicate)");
   command->add_option("--precision", o.precision, "binary32 or binary64")->capture_default_str();
   command->add_option("--comparison", o.comparisons, "comparison, repeatable (default: all, and the verdict)")
       ->allow_extra_args(false);
@@ -85,10 +86,11 @@ void add_search(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   auto* evaluations =
       command
-          ->add_option("--evaluations", o.evaluations,
-                       fmt::format("queries to evaluate, rounded up to whole islands (default: 2^24, of a test other "
-                                   "than {} 2^14); the short run from which it begins is not counted",
-                                   ids_of(tests_with(has_filters))))
+          ->add_option(
+              "--evaluations", o.evaluations,
+              fmt::format("queries to evaluate, rounded up to whole islands (default: 2^24, of a predicate other "
+                          "than {} 2^14); the short run from which it begins is not counted",
+                          ids_of(predicates_with(has_filters))))
           ->check(whole_number(1, std::uint64_t{1} << 48));
   command->add_option("--time", o.seconds, "seconds to search instead")
       ->check(number_above_zero())

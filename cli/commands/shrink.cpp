@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "cli/options/address_query.h"
-#include "cli/options/test_options.h"
+#include "cli/options/predicate_options.h"
 #include "cli/commands.h"
 #include "cli/progress_line.h"
 #include "cli/values.h"
@@ -31,10 +31,10 @@ struct ShrinkOptions {
 // to a query and to an image of it.
 constexpr std::string_view error_suffix = ":error", asymmetry_name = "asymmetry";
 
-std::string unknown_symptom(const TestDescription& test, std::string_view given) {
+std::string unknown_symptom(const Predicate& predicate, std::string_view given) {
   std::vector<std::string_view> names = {"verdict"};
-  for (const TestClause& clause : test.clauses) names.push_back(clause.name);
-  for (const TestComparison& comparison : test.comparisons) names.push_back(comparison.name);
+  for (const PredicateClause& clause : predicate.clauses) names.push_back(clause.name);
+  for (const PredicateComparison& comparison : predicate.comparisons) names.push_back(comparison.name);
   names.push_back(asymmetry_name);
   const std::string_view suffix = given.find(':') == given.npos ? "" : error_suffix;
   const std::string_view word = given.substr(0, given.find(':')), guess = meant(word, names);
@@ -45,26 +45,30 @@ std::string unknown_symptom(const TestDescription& test, std::string_view given)
 
 // The symptom of that name, without the parts that have to be determined from a query; empty where there is no such
 // name.
-std::optional<Symptom> symptom_named(const TestDescription& test, std::string_view what) {
+std::optional<Symptom> symptom_named(const Predicate& predicate, std::string_view what) {
   const bool is_error = what.ends_with(error_suffix);
   if (is_error) what.remove_suffix(error_suffix.size());
-  if (what == "verdict" && !is_error) return Symptom{.test = &test};
-  for (std::uint8_t i = 0; i < test.clauses.size(); ++i) {
-    if (test.clauses[i].name == what && !is_error) return Symptom{.test = &test, .level = Level::axis, .index = i};
+  if (what == "verdict" && !is_error) return Symptom{.predicate = &predicate};
+  for (std::uint8_t i = 0; i < predicate.clauses.size(); ++i) {
+    if (predicate.clauses[i].name == what && !is_error)
+      return Symptom{.predicate = &predicate, .level = Level::axis, .index = i};
   }
-  for (std::uint8_t i = 0; i < test.comparisons.size(); ++i) {
-    if (test.comparisons[i].name == what) return Symptom{.test = &test, .level = Level::comparison, .index = i};
+  for (std::uint8_t i = 0; i < predicate.comparisons.size(); ++i) {
+    if (predicate.comparisons[i].name == what)
+      return Symptom{.predicate = &predicate, .level = Level::comparison, .index = i};
   }
   return std::nullopt;
 }
 
-// Refuses an entry whose numbers cannot be moved, what is no name of a symptom, and asymmetry of a test without images.
+// Refuses an entry whose numbers cannot be moved, what is no name of a symptom, and asymmetry of a predicate without
+// images.
 void require_known(const Kernel& kernel, std::string_view what) {
-  const TestDescription& test = *kernel.test;
-  require_moves("shrink", test, kernel.entry);
+  const Predicate& predicate = *kernel.predicate;
+  require_moves("shrink", predicate, kernel.entry);
   if (what.empty()) return;
-  if (what != asymmetry_name && !symptom_named(test, what)) throw Error(unknown_symptom(test, what));
-  if (what == asymmetry_name) require_capability(has_image_maps, fmt::format("--what {}", what), test, kernel.entry);
+  if (what != asymmetry_name && !symptom_named(predicate, what)) throw Error(unknown_symptom(predicate, what));
+  if (what == asymmetry_name)
+    require_capability(has_image_maps, fmt::format("--what {}", what), predicate, kernel.entry);
 }
 
 std::string symptoms_text(const std::vector<Symptom>& symptoms) {
@@ -105,7 +109,7 @@ Symptom symptom_to_keep(const Numbers<Real>& q, const StoredQuery& stored, const
                            kernel.id, symptoms_text(flips),
                            stored.address.empty() ? "" : ", and it answers no image of it differently", error_suffix));
   }
-  const Symptom asked = *symptom_named(*kernel.test, options.what);
+  const Symptom asked = *symptom_named(*kernel.predicate, options.what);
   if (!std::string_view(options.what).ends_with(error_suffix)) {
     for (const Symptom& flip : flips) {
       if (flip.level == asked.level && flip.index == asked.index) return flip;
@@ -219,19 +223,19 @@ void shrink_one(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkO
   std::fflush(stdout);
 }
 
-// The kernel that was given; else that of the queries' test.
+// The kernel that was given; else that of the queries' predicate.
 const Kernel& kernel_for(const ShrinkOptions& options, const std::vector<StoredQuery>& queries) {
   if (!options.kernel.empty()) return find_kernel(options.kernel);
-  if (queries.empty()) return default_kernel(default_test());
-  return default_kernel(*queries.front().test, queries.front().entry);
+  if (queries.empty()) return default_kernel(default_predicate());
+  return default_kernel(*queries.front().predicate, queries.front().entry);
 }
 
 void require_queries_of(const Kernel& kernel, const std::vector<StoredQuery>& queries) {
   for (const StoredQuery& stored : queries) {
-    if (stored.test != kernel.test || stored.entry != kernel.entry) {
-      throw Error(fmt::format("query '{}' is of the test {}, entry {}, and kernel {} of {}, {}", stored.id,
-                              stored.test->id, stored.columns().name, kernel.id, kernel.test->id,
-                              kernel.test->entries[kernel.entry].name));
+    if (stored.predicate != kernel.predicate || stored.entry != kernel.entry) {
+      throw Error(fmt::format("query '{}' is of the predicate {}, entry {}, and kernel {} of {}, {}", stored.id,
+                              stored.predicate->id, stored.columns().name, kernel.id, kernel.predicate->id,
+                              kernel.predicate->entries[kernel.entry].name));
     }
     if (!kernel.has(stored.precision)) {
       throw Error(fmt::format("query '{}' is in {}, in which kernel {} does not exist", stored.id,
@@ -276,7 +280,7 @@ void add_shrink(CLI::App& app, Action& action) {
       "Make queries on which a kernel is wrong smaller and easier to read, with the same fault, no less severe");
   auto options = std::make_shared<ShrinkOptions>();
   command->add_option("QUERY", options->queries, "query files (- for standard input) and addresses")->required();
-  command->add_option("--kernel", options->kernel, "kernel id (default: the first of the queries' test)");
+  command->add_option("--kernel", options->kernel, "kernel id (default: the first of the queries' predicate)");
   command->add_option("--target", options->target, "instruction set, or auto")->capture_default_str();
   command->add_option("--precision", options->precision, "precision of a CSV file, which does not state it")
       ->capture_default_str();
@@ -284,7 +288,7 @@ void add_shrink(CLI::App& app, Action& action) {
                       fmt::format("what to keep: verdict, an axis or a comparison that is wrong, COMPARISON:error, or "
                                   "asymmetry: another answer to an image of the query (default: the first that is "
                                   "wrong, in this order; asymmetry of {} alone)",
-                                  ids_of(tests_with(has_image_maps))));
+                                  ids_of(predicates_with(has_image_maps))));
   command->add_flag("--any-class", options->any_class,
                     fmt::format("as small as it goes: keep neither the class of the input nor a depth of at most {} "
                                 "times the given one",

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/options/test_options.h"
+#include "cli/options/predicate_options.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
@@ -21,34 +21,34 @@ const Family& family_of(const Address& address) {
   }
 }
 
-// The corpus's queries of the test and entry that have this address; of the default test where none have.
+// The corpus's queries of the predicate and entry that have this address; of the default predicate where none have.
 SourcePtr corpus_of(const Address& address, const std::string& folder) {
-  for (const TestDescription* test : tests()) {
-    for (std::size_t entry = 0; entry < test->entries.size(); ++entry) {
+  for (const Predicate* predicate : predicates()) {
+    for (std::size_t entry = 0; entry < predicate->entries.size(); ++entry) {
       try {
-        if (SourcePtr source = corpus_source(folder, *test, entry); source->address_name() == address.name)
+        if (SourcePtr source = corpus_source(folder, *predicate, entry); source->address_name() == address.name)
           return source;
       } catch (const Error&) {  // none of this entry
       }
     }
   }
-  return corpus_source(folder, default_test());
+  return corpus_source(folder, default_predicate());
 }
 
 // The source that an address names: a family, or the given file if its SHA-256 is the address's.
 SourcePtr source_of(const Address& address, const AddressFiles& files) {
-  // A mesh has queries of several tests, [TEST/]mesh-SHA256.
-  const TestDescription* test = nullptr;
+  // A mesh has queries of several predicates, [TEST/]mesh-SHA256.
+  const Predicate* predicate = nullptr;
   std::string_view name = address.name;
-  for (const TestDescription* other : mesh_tests()) {
+  for (const Predicate* other : mesh_predicates()) {
     const std::string own = id_prefix(*other);
     if (!name.starts_with(own + "mesh-")) continue;
-    test = other;
+    predicate = other;
     name.remove_prefix(own.size());
     break;
   }
   const auto is_into = [&](const char* kind) { return name.starts_with(kind); };
-  const bool is_mesh = test != nullptr, is_corpus = is_into("corpus-");
+  const bool is_mesh = predicate != nullptr, is_corpus = is_into("corpus-");
   if (!is_mesh && !is_corpus && !is_into("queries-")) return family_source(family_of(address));
   const std::string& path = is_mesh ? files.mesh : is_corpus ? files.corpus : files.queries;
   const char* option = is_mesh ? "--mesh" : is_corpus ? "--corpus" : "--queries";
@@ -56,7 +56,7 @@ SourcePtr source_of(const Address& address, const AddressFiles& files) {
     throw Error(fmt::format("address '{}' is in a file: give that file with {} FILE", text(address), option));
   }
   const std::string place = is_corpus && path.empty() ? default_corpus_folder() : path;
-  const SourcePtr source = is_mesh     ? mesh_source(place, *test)
+  const SourcePtr source = is_mesh     ? mesh_source(place, *predicate)
                            : is_corpus ? corpus_of(address, place)
                                        : query_file_source(place, address.precision);
   if (source->address_name() != address.name) {
@@ -138,7 +138,7 @@ std::vector<StoredQuery> queries_given(const std::vector<std::string>& given, co
 
 StoredQuery query_at(const Address& address, const AddressFiles& files) {
   const SourcePtr source = same_source_of(address, files);
-  StoredQuery stored{text(address), address.precision, {}, &source->test(), source->entry(), 0, text(address)};
+  StoredQuery stored{text(address), address.precision, {}, &source->predicate(), source->entry(), 0, text(address)};
   if (address.precision == Precision::binary32) stored.numbers = make_query<float>(address, *source);
   else stored.numbers = make_query<double>(address, *source);
   return stored;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "cli/options/test_options.h"
+#include "cli/options/predicate_options.h"
 #include "fuzz/certify/effort.h"
 #include "fuzz/confirm/finding_record.h"
 #include "fuzz/files/corpus.h"
@@ -13,23 +13,23 @@ namespace axiscert {
 
 namespace {
 
-std::vector<std::string> yardsticks_of(const TestDescription& test, std::size_t entry, const std::string& kernel) {
-  std::vector<std::string> ids = {default_kernel(test, entry).id};
-  if (!test.certified.empty()) ids.emplace_back(test.certified);
+std::vector<std::string> yardsticks_of(const Predicate& predicate, std::size_t entry, const std::string& kernel) {
+  std::vector<std::string> ids = {default_kernel(predicate, entry).id};
+  if (!predicate.certified.empty()) ids.emplace_back(predicate.certified);
   std::erase(ids, kernel);
   std::erase_if(ids, [&](const std::string& id) { return find_kernel(id).entry != entry; });
   return ids;
 }
 
-// `kernels`: of this test and entry.
-RunOptions certified_options(const CertifiedRun& run, const TestDescription& test, std::size_t entry,
+// `kernels`: of this predicate and entry.
+RunOptions certified_options(const CertifiedRun& run, const Predicate& predicate, std::size_t entry,
                              const std::vector<std::string>& kernels, bool is_slow) {
   RunOptions options;
   options.kernels = kernels;
   options.families = {"all"};
   options.meshes = run.meshes;
   const auto is_of_kernel = [&](const CorpusEntry& known) {
-    return known.stored.test == &test && known.stored.entry == entry;
+    return known.stored.predicate == &predicate && known.stored.entry == entry;
   };
   if (std::ranges::any_of(read_corpus(default_corpus_folder()), is_of_kernel)) options.corpus = default_corpus_folder();
   options.seed = run.seed;
@@ -46,16 +46,17 @@ PlanFile certified_plan(const CertifiedRun& run) {
   require_loaded(kernel);
   parse_effort(run.effort);
   std::vector<std::string> kernels = {run.kernel};
-  for (const std::string& id : yardsticks_of(*kernel.test, kernel.entry, kernel.id)) kernels.push_back(id);
-  return plan_file_of(certified_options(run, *kernel.test, kernel.entry, kernels, !kernel.file.empty()), std::nullopt);
+  for (const std::string& id : yardsticks_of(*kernel.predicate, kernel.entry, kernel.id)) kernels.push_back(id);
+  return plan_file_of(certified_options(run, *kernel.predicate, kernel.entry, kernels, !kernel.file.empty()),
+                      std::nullopt);
 }
 
 PlanOfAbsent certified_plan_of(const CertifiedRun& run, const AbsentKernel& kernel) {
-  const std::vector<std::string> yardsticks = yardsticks_of(*kernel.test, kernel.entry, run.kernel);
+  const std::vector<std::string> yardsticks = yardsticks_of(*kernel.predicate, kernel.entry, run.kernel);
   std::vector<std::string> run_here = yardsticks;
   if (run_here.empty())
-    run_here = {default_kernel(*kernel.test, kernel.entry).id};  // in place of the one that is absent
-  Plan plan = plan_of(certified_options(run, *kernel.test, kernel.entry, run_here, kernel.is_slow));
+    run_here = {default_kernel(*kernel.predicate, kernel.entry).id};  // in place of the one that is absent
+  Plan plan = plan_of(certified_options(run, *kernel.predicate, kernel.entry, run_here, kernel.is_slow));
   plan.questions.precisions.clear();
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {
     const bool has = std::ranges::find(kernel.precisions, precision) != kernel.precisions.end();

@@ -18,13 +18,13 @@ struct CertifiedRun {
 };
 
 // The kernel, then those that answer the same queries besides (first `published`, then `certified`, where they are of
-// the kernel's test; of another test its default kernel), on every family of its test, the corpus where there is one,
-// and the meshes. Throws Error for a kernel that could not be loaded.
+// the kernel's predicate; of another predicate its default kernel), on every family of its predicate, the corpus where
+// there is one, and the meshes. Throws Error for a kernel that could not be loaded.
 PlanFile certified_plan(const CertifiedRun& run);
 
 // A kernel of which nothing is here but what a certificate says.
 struct AbsentKernel {
-  const TestDescription* test;
+  const Predicate* predicate;
   std::size_t entry;
   std::vector<Precision> precisions;
   bool is_slow;  // not built in

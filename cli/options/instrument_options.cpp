@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "cli/options/run_options.h"
-#include "cli/options/test_options.h"
+#include "cli/options/predicate_options.h"
 #include "cli/progress_line.h"
 #include "cli/values.h"
 #include "fuzz/queries/address.h"
@@ -46,12 +46,12 @@ void add_instrument_options(CLI::App& command, InstrumentOptions& o, std::uint64
 }
 
 std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, std::vector<std::string> defaults,
-                                              Measures measures, const std::vector<const TestDescription*>& served) {
+                                              Measures measures, const std::vector<const Predicate*>& served) {
   const Precision precision = parse_precision(options.precision);
   std::vector<const Kernel*> kernels;
   for (const std::string& id : options.kernels.empty() ? defaults : options.kernels) {
     const Kernel& kernel = find_kernel(id);
-    require_served(options.command, *kernel.test, served);
+    require_served(options.command, *kernel.predicate, served);
     if (measures == Measures::formulae && !kernel.file.empty()) {
       throw Error(
           fmt::format("--kernel {}: this command measures built-in formulae; plug-ins are accepted by run, check, "
@@ -72,11 +72,11 @@ std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, 
 }
 
 std::vector<SourcePtr> instrument_sources(const InstrumentOptions& options, std::vector<std::string> defaults,
-                                          const std::vector<const TestDescription*>& served) {
+                                          const std::vector<const Predicate*>& served) {
   std::vector<SourcePtr> sources;
   for (const std::string& name : options.families.empty() ? defaults : options.families) {
     const Family& family = find_family(name);
-    require_served(options.command, family.test(), served);
+    require_served(options.command, family.predicate(), served);
     sources.push_back(family_source(family));
   }
   return sources;

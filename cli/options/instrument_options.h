@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/commands.h"
-#include "cli/options/test_options.h"
+#include "cli/options/predicate_options.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
 #include "reports/instrument/instrument.h"
@@ -24,13 +24,13 @@ void add_instrument_options(CLI::App& command, InstrumentOptions& options, std::
 // Whether an instrument uses only verdicts, or examines formulae, which only a built-in kernel is known to evaluate.
 enum class Measures { verdicts, formulae };
 // The kernels given by the options, or `defaults`. Throws Error for one that does not exist in the precision, that the
-// instrument does not accept, or of a test that is none of `served`.
+// instrument does not accept, or of a predicate that is none of `served`.
 std::vector<const Kernel*> instrument_kernels(
     const InstrumentOptions& options, std::vector<std::string> defaults, Measures measures,
-    const std::vector<const TestDescription*>& served = tests_with(has_formulae));
-// The families given by the options, or `defaults`. Throws Error for one of a test that is none of `served`.
+    const std::vector<const Predicate*>& served = predicates_with(has_formulae));
+// The families given by the options, or `defaults`. Throws Error for one of a predicate that is none of `served`.
 std::vector<SourcePtr> instrument_sources(const InstrumentOptions& options, std::vector<std::string> defaults,
-                                          const std::vector<const TestDescription*>& served = tests_with(has_formulae));
+                                          const std::vector<const Predicate*>& served = predicates_with(has_formulae));
 // The command line that produces the report again: "axiscert NAME --kernel ...".
 std::string instrument_command(const std::string& name, const InstrumentOptions& options);
 

@@ -21,7 +21,7 @@ constexpr const char* plan_schema = "axiscert-plan/1";
 // Calls visit(name, member) with each option that a record depends on.
 template <class Options, class Visit>
 void for_each_option(Options& o, Visit&& visit) {
-  visit("test", o.test);
+  visit("predicate", o.predicate);
   visit("kernels", o.kernels);
   visit("families", o.families);
   visit("meshes", o.meshes);
@@ -103,7 +103,7 @@ PlanFile plan_file_of(const RunOptions& given, std::optional<std::uint64_t> unit
   }
   const Plan plan = plan_of(given);
   RunOptions options = given;
-  options.test = plan.questions.test().id;
+  options.predicate = plan.questions.predicate().id;
   const Stretches stretches(plan.questions, units_each ? *units_each : Stretches::default_units_each(plan.questions));
   PlanFile file{"the plan", {}, {}, options, stretches.units_each()};
   for (const auto* files : {&options.meshes, &options.queries}) {
@@ -151,17 +151,17 @@ PlanFile read_plan_file(const std::string& path) {
                     path, file.digest, shown(digest.dump())));
   }
   try {
-    // A plan that names no test is of a version that had one.
+    // A plan that names no predicate is of a version that had one.
     const Json& options = json.at("options");
     for_each_option(file.options, [&](const char* name, auto& value) {
-      if (name != std::string_view("test") || !options.is_object() || options.contains(name))
+      if (name != std::string_view("predicate") || !options.is_object() || options.contains(name))
         get_member(options, name, value);
     });
     if (options.is_object() && options.contains("effort")) {
       for_each_option_of_effort(file.options, [&](const char* name, auto& value) { get_member(options, name, value); });
     }
     get_required(options, file.options.required);
-    if (file.options.test.empty()) file.options.test = test_named("").id;
+    if (file.options.predicate.empty()) file.options.predicate = predicate_named("").id;
     get_member(json, "units_per_stretch", file.units_each);
     std::uint64_t counted;  // computed again where the plan is taken
     for (const char* count : {"queries", "units", "stretches"}) get_member(json, count, counted);

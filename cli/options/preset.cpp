@@ -26,12 +26,12 @@ std::vector<std::string> preset_names() {
   return names;
 }
 
-void apply_preset(const std::string& name, const TestDescription& test, RunOptions& options) {
+void apply_preset(const std::string& name, const Predicate& predicate, RunOptions& options) {
   const auto preset =
       std::find_if(std::begin(presets), std::end(presets), [&](const Preset& p) { return p.name == name; });
   if (options.families.empty() && options.meshes.empty() && options.queries.empty()) options.families = {"all"};
   // A corpus that states the exact answers in full is part of every run of the preset.
-  if (!options.corpus && oracles_of(test).has_squared_distance()) options.corpus = default_corpus_folder();
+  if (!options.corpus && oracles_of(predicate).has_squared_distance()) options.corpus = default_corpus_folder();
   if (!options.trials) options.trials = preset->trials;
 }
 

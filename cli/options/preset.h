@@ -9,8 +9,8 @@
 namespace axiscert {
 
 std::vector<std::string> preset_names();
-// Sets the options that were not given to the preset's values for a run of this test, which may have no corpus. The
-// name is one of preset_names().
-void apply_preset(const std::string& name, const TestDescription& test, RunOptions& options);
+// Sets the options that were not given to the preset's values for a run of this predicate, which may have no corpus.
+// The name is one of preset_names().
+void apply_preset(const std::string& name, const Predicate& predicate, RunOptions& options);
 
 }  // namespace axiscert

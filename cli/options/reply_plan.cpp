@@ -57,9 +57,9 @@ const Kernel& claimed(const char* option, const std::string& id, const StoredRep
     throw Error(fmt::format("{} {}: not a built-in kernel; see `axiscert kernels`", option, id));
   const Kernel& kernel = find_kernel(id);
   const Source& source = *replies.sources().front();
-  if (kernel.test != &source.test()) {
-    throw Error(fmt::format("{} {}: of the test {}, and the replies are to queries of {}", option, id, kernel.test->id,
-                            source.test().id));
+  if (kernel.predicate != &source.predicate()) {
+    throw Error(fmt::format("{} {}: of the predicate {}, and the replies are to queries of {}", option, id,
+                            kernel.predicate->id, source.predicate().id));
   }
   for (const Precision precision : replies.precisions()) {
     if (!kernel.has(precision)) throw Error(fmt::format("{} {}: does not exist in {}", option, id, name(precision)));
@@ -83,12 +83,12 @@ Kernel program(const ReplyOptions& options, const StoredReplies& replies) {
   for (const Kernel& kernel : kernels()) {
     if (kernel.id == options.id) throw Error(fmt::format("--as {}: that is a built-in kernel", options.id));
   }
-  // Replies with bits are of the usual or the first formulae of their test, unless the command says which.
-  const TestDescription& test = replies.sources().front()->test();
+  // Replies with bits are of the usual or the first formulae of their predicate, unless the command says which.
+  const Predicate& predicate = replies.sources().front()->predicate();
   std::string formulae;
   if (replies.has_bits()) {
-    formulae = test.usual_formulae.empty() ? std::string(oracles_of(test).formulae().front())
-                                           : find_kernel(test.usual_formulae).formulae;
+    formulae = predicate.usual_formulae.empty() ? std::string(oracles_of(predicate).formulae().front())
+                                                : find_kernel(predicate.usual_formulae).formulae;
   }
   Kernel kernel{.id = options.id,
                 .summary = "a program's replies, through a pipe",
@@ -97,7 +97,7 @@ Kernel program(const ReplyOptions& options, const StoredReplies& replies) {
                 .binary32 = {},
                 .binary64 = {},
                 .is_reference = false};
-  kernel.test = &test;
+  kernel.predicate = &predicate;
   kernel.entry = replies.sources().front()->entry();
   kernel.measure_count = replies.measure_count();
   if (const std::string& id = options.claim.conforms_to; !id.empty()) {

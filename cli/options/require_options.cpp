@@ -11,14 +11,15 @@ namespace axiscert {
 namespace {
 
 // Any kernel meets a depth beyond the greatest; a record that requires one is read all the same.
-void require_depth_that_occurs(const AskedLevel& asked, const TestDescription& test) {
+void require_depth_that_occurs(const AskedLevel& asked, const Predicate& predicate) {
   const GateLevel& level = level_of(asked);
-  if (!asked.has_argument || level.allowed == nullptr || !(level.allowed(asked).phantom > test.greatest_depth)) return;
+  if (!asked.has_argument || level.allowed == nullptr || !(level.allowed(asked).phantom > predicate.greatest_depth))
+    return;
   const bool is_optional = std::string_view(level.usage).find('[') != std::string_view::npos;
-  throw Error(
-      fmt::format("--require {}: D is a depth, a share of the scene from 0 to {} in a test of {}, as in {}=0.001{}",
-                  asked.text, test.greatest_depth, test.id, asked.name,
-                  is_optional ? fmt::format("; `{}` alone sets no limit", asked.name) : ""));
+  throw Error(fmt::format(
+      "--require {}: D is a depth, a share of the scene from 0 to {} in a predicate of {}, as in {}=0.001{}",
+      asked.text, predicate.greatest_depth, predicate.id, asked.name,
+      is_optional ? fmt::format("; `{}` alone sets no limit", asked.name) : ""));
 }
 
 }  // namespace
@@ -37,7 +38,7 @@ void add_require_options(CLI::App& command, RunRequirements& required) {
 void check_required(const RunRequirements& required, const Plan& plan) {
   const PlanRecord stated = plan_record(plan, CampaignResult(), required);
   const Requirements requirements = requirements_of(stated);
-  for (const AskedLevel& asked : requirements.levels) require_depth_that_occurs(asked, plan.questions.test());
+  for (const AskedLevel& asked : requirements.levels) require_depth_that_occurs(asked, plan.questions.predicate());
   for (const std::string& id : yardsticks_of(stated)) {
     const bool is_run = std::any_of(plan.answerers.kernels.begin(), plan.answerers.kernels.end(),
                                     [&](const Kernel* kernel) { return kernel->id == id; });

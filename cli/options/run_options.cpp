@@ -10,7 +10,7 @@
 #include "cli/commands.h"
 #include "cli/options/preset.h"
 #include "cli/options/require_options.h"
-#include "cli/options/test_options.h"
+#include "cli/options/predicate_options.h"
 #include "cli/progress_line.h"
 #include "cli/values.h"
 #include "fuzz/queries/address.h"
@@ -33,7 +33,7 @@ constexpr int trials_of_binary32 = 18, trials_of_binary64 = 16, trials_without_f
 
 // Fewer in binary64 where a family says so.
 std::uint64_t default_trials(const Source& source, Precision precision) {
-  const bool filters = has_filters(source.test());
+  const bool filters = has_filters(source.predicate());
   if (precision == Precision::binary32)
     return std::uint64_t{1} << (filters ? trials_of_binary32 : trials_without_filters);
   return (std::uint64_t{1} << (filters ? trials_of_binary64 : trials_without_filters)) /
@@ -41,11 +41,11 @@ std::uint64_t default_trials(const Source& source, Precision precision) {
 }
 
 std::string default_trials_text() {
-  const std::vector<const TestDescription*> filtered = tests_with(has_filters);
-  std::string text = fmt::format("2^{} in binary32, 2^{} in binary64, 2^{} of a test other than {}", trials_of_binary32,
-                                 trials_of_binary64, trials_without_filters, ids_of(filtered));
-  for (const TestDescription* test : filtered) {
-    for (const Family* family : families_of(*test)) {
+  const std::vector<const Predicate*> filtered = predicates_with(has_filters);
+  std::string text = fmt::format("2^{} in binary32, 2^{} in binary64, 2^{} of a predicate other than {}",
+                                 trials_of_binary32, trials_of_binary64, trials_without_filters, ids_of(filtered));
+  for (const Predicate* predicate : filtered) {
+    for (const Family* family : families_of(*predicate)) {
       if (family->trial_divisor > 1)
         text += fmt::format(", {} for {}", (1 << trials_of_binary64) / family->trial_divisor, family->name);
     }
@@ -54,7 +54,7 @@ std::string default_trials_text() {
 }
 
 // Parses "T" for all comparisons or "COMPARISON=T" for one; a later one overrides.
-void add_tolerance(const std::string& given, const TestDescription& test, JudgingOptions& judging) {
+void add_tolerance(const std::string& given, const Predicate& predicate, JudgingOptions& judging) {
   const std::size_t equals = given.find('=');
   const std::string which = equals == given.npos ? "" : given.substr(0, equals);
   const std::string number = equals == given.npos ? given : given.substr(equals + 1);
@@ -67,7 +67,7 @@ void add_tolerance(const std::string& given, const TestDescription& test, Judgin
   }
   if (sgn(*value) < 0) throw Error(fmt::format("--tolerance {}: a tolerance is not negative", given));
   bool found = false;
-  const std::vector<TestComparison>& comparisons = test.comparisons;
+  const std::vector<PredicateComparison>& comparisons = predicate.comparisons;
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     if (!which.empty() && comparisons[i].name != which) continue;
     judging.tolerances.set(i, *value);
@@ -76,7 +76,7 @@ void add_tolerance(const std::string& given, const TestDescription& test, Judgin
   }
   if (found) return;
   std::vector<std::string_view> names;
-  for (const TestComparison& c : comparisons) names.push_back(c.name);
+  for (const PredicateComparison& c : comparisons) names.push_back(c.name);
   throw Error(fmt::format("--tolerance {}: {}", given, unknown_name("comparison", "comparisons", which, names)));
 }
 
@@ -131,10 +131,11 @@ bool is_unloadable(const Kernel& kernel) {
 }
 
 CLI::Option* add_source_options(CLI::App& command, SourceOptions& o) {
-  add_test_option(command, o.test,
-                  fmt::format("test whose kernels and families are the defaults, and of which all others have to be; "
-                              "see `axiscert tests` (default: that of the kernels and families given, or {})",
-                              default_test().id));
+  add_predicate_option(
+      command, o.predicate,
+      fmt::format("predicate whose kernels and families are the defaults, and of which all others have to be; "
+                  "see `axiscert predicates` (default: that of the kernels and families given, or {})",
+                  default_predicate().id));
   command.add_option("--family", o.families, "family, repeatable, or all (default: all unless files are given)")
       ->allow_extra_args(false);
   command.add_option("--mesh", o.meshes, "mesh file of any format assimp reads, repeatable")->allow_extra_args(false);
@@ -210,9 +211,9 @@ void add_run_options(CLI::App& command, RunOptions& o) {
   add_output_options(command, o);
 }
 
-std::vector<SourcePtr> sources_of(const SourceOptions& options, const TestDescription& test, std::size_t entry,
+std::vector<SourcePtr> sources_of(const SourceOptions& options, const Predicate& predicate, std::size_t entry,
                                   Precision csv_precision) {
-  if (!options.meshes.empty()) require_served("--mesh", test, mesh_tests());
+  if (!options.meshes.empty()) require_served("--mesh", predicate, mesh_predicates());
   std::vector<SourcePtr> sources;
   const auto add = [&](SourcePtr source) {
     for (const SourcePtr& other : sources) {
@@ -228,14 +229,14 @@ std::vector<SourcePtr> sources_of(const SourceOptions& options, const TestDescri
   const bool all =
       nothing_given || std::find(options.families.begin(), options.families.end(), "all") != options.families.end();
   if (all) {
-    for (const Family* family : families_of(test, entry)) add(family_source(*family));
+    for (const Family* family : families_of(predicate, entry)) add(family_source(*family));
   }
   for (const std::string& name : options.families) {
     if (name != "all") add(family_source(find_family(name)));
   }
-  for (const std::string& path : options.meshes) add(mesh_source(path, test));
+  for (const std::string& path : options.meshes) add(mesh_source(path, predicate));
   for (const std::string& path : options.queries) add(query_file_source(path, csv_precision));
-  if (options.corpus) add(corpus_source(*options.corpus, test, entry));
+  if (options.corpus) add(corpus_source(*options.corpus, predicate, entry));
   return sources;
 }
 
@@ -287,20 +288,21 @@ Plan plan_of(const RunOptions& given) {
     kernels.push_back(kernel);
     add_plugin(*kernel, answerers.plugins);
   }
-  const TestDescription& test = test_of_kernels(options.test, kernels);
+  const Predicate& predicate = predicate_of_kernels(options.predicate, kernels);
   if (kernels.empty()) {
     const bool is_of_a_mesh = options.families.empty() && !options.meshes.empty();
-    if (is_of_a_mesh) require_served("--mesh", test, mesh_tests());
-    const std::size_t entry = is_of_a_mesh ? mesh_queries_of(test).entry : entry_of_families(test, options.families);
-    kernels.push_back(&default_kernel(test, entry));
+    if (is_of_a_mesh) require_served("--mesh", predicate, mesh_predicates());
+    const std::size_t entry =
+        is_of_a_mesh ? mesh_queries_of(predicate).entry : entry_of_families(predicate, options.families);
+    kernels.push_back(&default_kernel(predicate, entry));
   }
-  if (options.planted != RunOptions().planted) require_served("--plant", test, tests_with(has_filters));
-  if (options.shrink != 0) require_moves("--shrink", test, kernels.front()->entry);
-  if (!options.preset.empty()) apply_preset(options.preset, test, options);
+  if (options.planted != RunOptions().planted) require_served("--plant", predicate, predicates_with(has_filters));
+  if (options.shrink != 0) require_moves("--shrink", predicate, kernels.front()->entry);
+  if (!options.preset.empty()) apply_preset(options.preset, predicate, options);
   if (options.precision.empty()) questions.precisions = {Precision::binary32, Precision::binary64};
   else questions.precisions = {parse_precision(options.precision)};
   drop_idle_precisions(questions.precisions, kernels, options.precision);
-  for (const std::string& tolerance : options.tolerances) add_tolerance(tolerance, test, judging);
+  for (const std::string& tolerance : options.tolerances) add_tolerance(tolerance, predicate, judging);
   questions.seconds = options.seconds;
   judging.exact_only = options.exact_only;
   judging.planted = static_cast<FilterFault>(
@@ -309,9 +311,9 @@ Plan plan_of(const RunOptions& given) {
     return trials_of(options, source, precision);
   };
   running.threads = threads_of(options.threads);
-  questions.sources = sources_of(options, test, kernels.front()->entry,
+  questions.sources = sources_of(options, predicate, kernels.front()->entry,
                                  options.precision.empty() ? Precision::binary32 : parse_precision(options.precision));
-  require_one_test(kernels, questions.sources);
+  require_one_predicate(kernels, questions.sources);
   check_required(options.required, plan);
   // Only of files that were asked for: the corpus of a preset was not.
   std::vector<SourcePtr> asked = questions.sources;

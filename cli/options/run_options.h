@@ -16,7 +16,7 @@ namespace axiscert {
 
 // The queries.
 struct SourceOptions {
-  std::string test;  // its id; empty: that of the kernels
+  std::string predicate;  // its id; empty: that of the kernels
   std::vector<std::string> families, meshes, queries;
   std::optional<std::string> corpus;  // its folder
   std::optional<std::uint64_t> trials;
@@ -57,9 +57,9 @@ void add_thread_option(CLI::App& command, int& threads);
 void add_output_options(CLI::App& command, OutputOptions& options);
 void add_run_options(CLI::App& command, RunOptions& options);
 
-// The families given by name, and the files, which are read; all families of `test` where nothing is named. Throws
-// Error, also for a mesh or the corpus where these do not serve the test.
-std::vector<SourcePtr> sources_of(const SourceOptions& options, const TestDescription& test, std::size_t entry,
+// The families given by name, and the files, which are read; all families of `predicate` where nothing is named. Throws
+// Error, also for a mesh or the corpus where these do not serve the predicate.
+std::vector<SourcePtr> sources_of(const SourceOptions& options, const Predicate& predicate, std::size_t entry,
                                   Precision csv_precision);
 // Number of queries of a source: as requested, or the default; the number of a query file's own queries is ignored.
 std::uint64_t trials_of(const SourceOptions& options, const Source& source, Precision precision);

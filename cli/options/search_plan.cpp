@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "cli/options/run_options.h"
-#include "cli/options/test_options.h"
+#include "cli/options/predicate_options.h"
 #include "fuzz/confirm/finding_record.h"
 #include "fuzz/queries/address.h"
 #include "fuzz/queries/entry_families.h"
@@ -17,20 +17,20 @@
 namespace axiscert {
 namespace {
 
-std::size_t parse_comparison(const std::string& given, const TestDescription& test) {
+std::size_t parse_comparison(const std::string& given, const Predicate& predicate) {
   std::vector<std::string_view> known;
-  for (std::size_t k = 0; k < test.comparisons.size(); ++k) {
-    if (test.comparisons[k].name == given) return k;
-    known.push_back(test.comparisons[k].name);
+  for (std::size_t k = 0; k < predicate.comparisons.size(); ++k) {
+    if (predicate.comparisons[k].name == given) return k;
+    known.push_back(predicate.comparisons[k].name);
   }
   throw Error(fmt::format("--comparison {}: {}", given, unknown_name("comparison", "comparisons", given, known)));
 }
 
 const Kernel& kernel_of(const SearchOptions& options) {
   const Kernel& kernel =
-      options.kernel.empty() ? default_kernel(test_given(options.test)) : find_kernel(options.kernel);
-  test_of_kernels(options.test, {&kernel});
-  require_moves("search", *kernel.test, kernel.entry);
+      options.kernel.empty() ? default_kernel(predicate_given(options.predicate)) : find_kernel(options.kernel);
+  predicate_of_kernels(options.predicate, {&kernel});
+  require_moves("search", *kernel.predicate, kernel.entry);
   return kernel;
 }
 
@@ -41,9 +41,9 @@ std::vector<SourcePtr> beginning_sources(const SearchOptions& options, const Ker
   std::vector<SourcePtr> sources;
   for (const std::string& name : names) sources.push_back(family_source(find_family(name)));
   if (names.empty()) {
-    for (const Family* family : families_of(*kernel.test, kernel.entry)) sources.push_back(family_source(*family));
+    for (const Family* family : families_of(*kernel.predicate, kernel.entry)) sources.push_back(family_source(*family));
   }
-  require_one_test({&kernel}, sources);
+  require_one_predicate({&kernel}, sources);
   return sources;
 }
 
@@ -52,7 +52,7 @@ std::vector<SourcePtr> beginning_sources(const SearchOptions& options, const Ker
 SearchPlan search_plan_of(const SearchOptions& options) {
   SearchPlan plan;
   plan.kernel = &kernel_of(options);
-  const SearchMethod& method = search_method_of(*plan.kernel->test);
+  const SearchMethod& method = search_method_of(*plan.kernel->predicate);
   const SearchDefaults& defaults = method.defaults();
   require_loaded(*plan.kernel);
   plan.precision = parse_precision(options.precision);
@@ -60,9 +60,9 @@ SearchPlan search_plan_of(const SearchOptions& options) {
     throw Error(fmt::format("--precision {}: kernel {} does not exist in it", options.precision, plan.kernel->id));
   }
   if (!options.comparisons.empty())
-    require_capability(has_error_aims, "--comparison", *plan.kernel->test, plan.kernel->entry);
+    require_capability(has_error_aims, "--comparison", *plan.kernel->predicate, plan.kernel->entry);
   for (const std::string& given : options.comparisons) {
-    const std::size_t which = parse_comparison(given, *plan.kernel->test);
+    const std::size_t which = parse_comparison(given, *plan.kernel->predicate);
     const auto& so_far = plan.comparisons;
     if (std::find(so_far.begin(), so_far.end(), which) == so_far.end()) plan.comparisons.push_back(which);
   }
@@ -76,7 +76,7 @@ SearchPlan search_plan_of(const SearchOptions& options) {
   plan.first_queries = options.first_queries != 0 ? options.first_queries : defaults.first_queries;
   if (!options.families.empty()) plan.first_sources = plan.sources;
   else
-    for (const Family* family : families_of(*plan.kernel->test, plan.kernel->entry))
+    for (const Family* family : families_of(*plan.kernel->predicate, plan.kernel->entry))
       plan.first_sources.push_back(family_source(*family));
   plan.seed = options.seed;
   plan.seconds = options.seconds;

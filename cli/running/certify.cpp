@@ -115,7 +115,7 @@ int write_certificate(const CertificateMaterial& judged, const std::optional<Sig
   const Kernel& kernel = judged.kernel();
   const OutputFolder folder(options.out);
   const Run run = read_run(fs::path(options.out) / "run");
-  const EffortSize size = size_of(parse_effort(options.effort), *kernel.test, judged.is_slow);
+  const EffortSize size = size_of(parse_effort(options.effort), *kernel.predicate, judged.is_slow);
   const StagedCertificate staged{options, kernel, judged.plan.questions, judged.plan.running, run.record, size};
   Stages stages(folder, options.out, judged.digest, options.resume);
 
@@ -124,8 +124,8 @@ int write_certificate(const CertificateMaterial& judged, const std::optional<Sig
   CertificatePredicate& predicate = statement.predicate;
   predicate.kernel.id = kernel.id;
   predicate.kernel.kind = judged.kind;
-  predicate.kernel.test = kernel.test->id;
-  predicate.kernel.entry = kernel.test->entries[kernel.entry].name;
+  predicate.kernel.predicate = kernel.predicate->id;
+  predicate.kernel.entry = kernel.predicate->entries[kernel.entry].name;
   predicate.asked.effort = judged.effort;
   predicate.materials = in_canonical_order(materials_of(judged, run.record));
   predicate.search = run_search_stage(staged, stages);

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "cli/options/search_plan.h"
-#include "cli/options/test_options.h"
+#include "cli/options/predicate_options.h"
 #include "cli/progress_line.h"
 #include "fuzz/certify/safe_margin.h"
 #include "fuzz/diagnosis/diagnosis.h"
@@ -66,11 +66,11 @@ SearchedStatement search_precision(const StagedCertificate& staged, Precision pr
   }
   SearchedStatement said{result.evaluations, plan.first_queries, {}};
   for (const Aim& aim : result.aims) {
-    if (!is_about_a_comparison(aim.goal)) said.finds.put(name(aim, *plan.kernel->test));
+    if (!is_about_a_comparison(aim.goal)) said.finds.put(name(aim, *plan.kernel->predicate));
   }
   for (const Find& find : result.finds) {
     if (!is_about_a_comparison(find.aim.goal))
-      said.finds.put(name(find.aim, *plan.kernel->test)) = find_statement(find);
+      said.finds.put(name(find.aim, *plan.kernel->predicate)) = find_statement(find);
   }
   return said;
 }
@@ -151,7 +151,7 @@ HarnessStatement score_harness(const StagedCertificate& staged, std::string_view
   MutationPlan plan;
   plan.mutants = mutants_judged(base, by_verdict, staged.size.mutant_stride, exist);
   plan.base = base;
-  plan.families = families_of(*staged.kernel.test);
+  plan.families = families_of(*staged.kernel.predicate);
   plan.precisions = staged.precisions();
   plan.trials = staged.size.mutant_trials;
   plan.seed = staged.options.seed;
@@ -248,9 +248,9 @@ SearchResult run_resumable_search(SearchPlan plan, Stages& stages, const std::st
 SearchesStatement run_search_stage(const StagedCertificate& staged, Stages& stages) {
   auto all = stage_of<SearchesStatement>(staged);
   if (all.reason) return all;
-  if (!staged.kernel.test->entries[staged.kernel.entry].has_free_numbers) {
+  if (!staged.kernel.predicate->entries[staged.kernel.entry].has_free_numbers) {
     all.reason = fmt::format("the search does not move queries of the entry {} of {}",
-                             staged.kernel.test->entries[staged.kernel.entry].name, staged.kernel.test->id);
+                             staged.kernel.predicate->entries[staged.kernel.entry].name, staged.kernel.predicate->id);
     return all;
   }
   for (const Precision precision : staged.precisions()) {
@@ -275,8 +275,8 @@ DiagnosisStatement run_diagnosis_stage(const StagedCertificate& staged, Stages& 
 SafeMarginStatement run_margin_stage(const StagedCertificate& staged, Stages& stages, const SearchesStatement& search) {
   auto all = stage_of<SafeMarginStatement>(staged);
   if (all.reason) return all;
-  if (!has_sphere_radius(*staged.kernel.test, staged.kernel.entry)) {
-    all.reason = fmt::format("the answer of {} does not depend on one radius", staged.kernel.test->id);
+  if (!has_sphere_radius(*staged.kernel.predicate, staged.kernel.entry)) {
+    all.reason = fmt::format("the answer of {} does not depend on one radius", staged.kernel.predicate->id);
     return all;
   }
   for (const Precision precision : staged.precisions()) {
@@ -288,11 +288,11 @@ SafeMarginStatement run_margin_stage(const StagedCertificate& staged, Stages& st
 
 HarnessStatement run_harness_stage(const StagedCertificate& staged, Stages& stages) {
   for (const std::string_view base : mutants::bases) {
-    if (&mutants::test_of(mutants::base_index(base)) != staged.kernel.test) continue;
+    if (&mutants::predicate_of(mutants::base_index(base)) != staged.kernel.predicate) continue;
     return stages.part<HarnessStatement>("harness", [&] { return score_harness(staged, base); });
   }
   HarnessStatement none;
-  none.reason = fmt::format("no kernel of {} has faults to plant", staged.kernel.test->id);
+  none.reason = fmt::format("no kernel of {} has faults to plant", staged.kernel.predicate->id);
   return none;
 }
 

@@ -12,11 +12,12 @@
 namespace axiscert {
 namespace {
 
-std::optional<BitText> bits_line(const TestDescription& test, const std::optional<ComparisonBits>& bits) {
-  return bits ? std::optional(BitText(bit_string(*bits, test.comparisons.size()))) : std::nullopt;
+std::optional<BitText> bits_line(const Predicate& predicate, const std::optional<ComparisonBits>& bits) {
+  return bits ? std::optional(BitText(bit_string(*bits, predicate.comparisons.size()))) : std::nullopt;
 }
-std::optional<BitText> axes_line(const TestDescription& test, const std::optional<ComparisonBits>& bits) {
-  return bits ? std::optional(BitText(bit_string(clauses_of(test, *bits), test.clauses.size()))) : std::nullopt;
+std::optional<BitText> axes_line(const Predicate& predicate, const std::optional<ComparisonBits>& bits) {
+  return bits ? std::optional(BitText(bit_string(clauses_of(predicate, *bits), predicate.clauses.size())))
+              : std::nullopt;
 }
 
 // "time 0.25, features vertex_a edge_ab": those that the query has, numbers in decimal.
@@ -35,17 +36,17 @@ std::string details_text(const std::vector<Detail>& details) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-ExactAnswersLine exact_line(const TestDescription& test, const CheckResult& found) {
+ExactAnswersLine exact_line(const Predicate& predicate, const CheckResult& found) {
   ExactAnswersLine line{.verdict = found.truth.verdict,
                         .touching = found.truth.touching,
                         .reason = {},
                         .squared_distance = {},
                         .details = {},
-                        .comparisons = bits_line(test, found.exact),
-                        .axes = axes_line(test, found.exact),
-                        .ties = bits_line(test, found.ties)};
+                        .comparisons = bits_line(predicate, found.exact),
+                        .axes = axes_line(predicate, found.exact),
+                        .ties = bits_line(predicate, found.ties)};
   if (!found.why_invalid.empty()) line.reason = found.why_invalid;
-  if (oracles_of(test).has_squared_distance()) line.squared_distance.emplace();
+  if (oracles_of(predicate).has_squared_distance()) line.squared_distance.emplace();
   if (found.squared_distance) {
     const Rational& d = *found.squared_distance;
     line.squared_distance = d.get_num().get_str() + "/" + d.get_den().get_str();
@@ -73,7 +74,7 @@ std::string remarks(const CheckResult& found, const Kernel& kernel) {
   std::vector<std::string> all;
   if (found.truth.touching) all.push_back(touching_text(kernel));
   if (!found.why_invalid.empty()) all.push_back(found.why_invalid);
-  if (found.truth.verdict == Verdict::contact || kernel.test->measures.empty()) {
+  if (found.truth.verdict == Verdict::contact || kernel.predicate->measures.empty()) {
     if (std::string text = details_text(found.details); !text.empty()) all.push_back(std::move(text));
   }
   return all.empty() ? "" : fmt::format(" ({})", fmt::join(all, "; "));
@@ -100,12 +101,13 @@ std::string time_text(const MotionJudgement& motion) {
 
 // " (time 0.25, feature 3, ...; late by 2.5 ulps, ...)": beside a contact that is right, and of a missed one its
 // tunnel.
-std::string measures_text(const TestDescription& test, const Examination& found) {
+std::string measures_text(const Predicate& predicate, const Examination& found) {
   if (found.missed) return fmt::format(" (tunnel {})", found.missed->depth.text());
   if (!found.motion || found.measures.empty()) return "";
   std::vector<std::string> given, wrong;
   for (std::size_t k = 0; k < found.measures.size(); ++k) {
-    if (!std::isnan(found.measures[k])) given.push_back(fmt::format("{} {}", test.measures[k].name, found.measures[k]));
+    if (!std::isnan(found.measures[k]))
+      given.push_back(fmt::format("{} {}", predicate.measures[k].name, found.measures[k]));
   }
   const MotionJudgement& motion = *found.motion;
   wrong.push_back(time_text(motion));
@@ -144,12 +146,12 @@ std::string_view standing_of(const Kernel& kernel, Verdict exact, bool is_within
   return "unanswered";
 }
 
-CheckResult checked_of(const TestDescription& test, const Examination& found, std::vector<Detail> details) {
+CheckResult checked_of(const Predicate& predicate, const Examination& found, std::vector<Detail> details) {
   CheckResult checked{found.truth,    found.squared_distance, {},          {},
                       found.answer,   found.judgement,        found.depth, found.is_promised,
                       found.findings, std::move(details)};
-  if (!test.measures.empty()) checked.measures = measures_of(test, found);
-  checked.measures_text = measures_text(test, found);
+  if (!predicate.measures.empty()) checked.measures = measures_of(predicate, found);
+  checked.measures_text = measures_text(predicate, found);
   if (found.exact) {
     checked.exact = found.exact->holds;
     checked.ties = found.exact->ties;
@@ -165,7 +167,7 @@ std::string check_text(const std::string& id, const Kernel& kernel, const CheckR
   line += standing_text(standing_of(kernel, found));
   if (found.depth) line += fmt::format(", wrong by {:.3g} of the scene", *found.depth);
   for (const Flip& flip : found.judgement.flips()) {
-    line += fmt::format("; {} {}{} [{}]", name(*kernel.test, flip), flip_kind_names[flip.kind],
+    line += fmt::format("; {} {}{} [{}]", name(*kernel.predicate, flip), flip_kind_names[flip.kind],
                         flip.level == Level::verdict ? ""
                         : flip.decisive              ? " decisive"
                                                      : " masked",
@@ -176,38 +178,39 @@ std::string check_text(const std::string& id, const Kernel& kernel, const CheckR
 }
 
 CheckLine check_line(const std::string& id, const Kernel& kernel, const CheckResult& found) {
-  const TestDescription& test = *kernel.test;
+  const Predicate& predicate = *kernel.predicate;
   CheckLine line;
   line.id = id;
   line.kernel = kernel.id;
   line.standing = standing_of(kernel, found);
-  line.exact = exact_line(test, found);
-  line.computed = {found.answer.verdict, bits_line(test, found.answer.bits), axes_line(test, found.answer.bits), {}};
-  if (!test.measures.empty()) line.computed.measures.emplace(found.measures);
+  line.exact = exact_line(predicate, found);
+  line.computed = {
+      found.answer.verdict, bits_line(predicate, found.answer.bits), axes_line(predicate, found.answer.bits), {}};
+  if (!predicate.measures.empty()) line.computed.measures.emplace(found.measures);
   line.within_limits = found.within_limits;
   line.findings = finding_rows(found.findings);
-  line.flips = flips_of(test, found.judgement);
-  if (const std::string_view name = written_name(test); !name.empty()) line.test = name;
+  line.flips = flips_of(predicate, found.judgement);
+  if (const std::string_view name = written_name(predicate); !name.empty()) line.predicate = name;
   return line;
 }
 
-std::string errors_text(const TestDescription& test, const std::optional<SideErrors>& errors) {
+std::string errors_text(const Predicate& predicate, const std::optional<SideErrors>& errors) {
   if (!errors) return "  no computed sides to measure";
   std::string text;
   const auto amount = [](const std::optional<Decimal6>& error) { return error ? error->text() : "none"; };
-  for (std::size_t k = 0; k < test.comparisons.size(); ++k) {
-    text += fmt::format("{}  {}: error {} u, relative {} u", k == 0 ? "" : "\n", test.comparisons[k].name,
+  for (std::size_t k = 0; k < predicate.comparisons.size(); ++k) {
+    text += fmt::format("{}  {}: error {} u, relative {} u", k == 0 ? "" : "\n", predicate.comparisons[k].name,
                         amount(errors->absolute[k]), amount(errors->relative[k]));
   }
   return text;
 }
 
-std::optional<NamedValues<ComparisonErrorLine>> errors_line(const TestDescription& test,
+std::optional<NamedValues<ComparisonErrorLine>> errors_line(const Predicate& predicate,
                                                             const std::optional<SideErrors>& errors) {
   if (!errors) return std::nullopt;
   NamedValues<ComparisonErrorLine> all;
-  for (std::size_t k = 0; k < test.comparisons.size(); ++k)
-    all.put(test.comparisons[k].name) = {errors->absolute[k], errors->relative[k]};
+  for (std::size_t k = 0; k < predicate.comparisons.size(); ++k)
+    all.put(predicate.comparisons[k].name) = {errors->absolute[k], errors->relative[k]};
   return all;
 }
 

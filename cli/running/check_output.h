@@ -10,10 +10,10 @@
 
 namespace axiscert {
 
-// A query of any test as `check` shows it.
+// A query of any predicate as `check` shows it.
 struct CheckResult {
   Truth truth;
-  std::optional<Rational> squared_distance;   // of a test that compares one; empty if the truth is `invalid`
+  std::optional<Rational> squared_distance;   // of a predicate that compares one; empty if the truth is `invalid`
   std::optional<ComparisonBits> exact, ties;  // of the formulae; empty without formulae, or if the truth is `invalid`
   Answer answer;
   Judgement judgement;
@@ -21,12 +21,12 @@ struct CheckResult {
   bool within_limits = true;
   std::vector<Finding> findings;
   std::vector<Detail> details = {};  // of the truth; none if it is `invalid`
-  std::string why_invalid = {};      // where the test says it
-  // The measures that the kernel gave, where its test has any, and how they are wrong.
+  std::string why_invalid = {};      // where the predicate says it
+  // The measures that the kernel gave, where its predicate has any, and how they are wrong.
   std::optional<MeasuresRecord> measures = {};
   std::string measures_text = {};
 };
-CheckResult checked_of(const TestDescription& test, const Examination& found, std::vector<Detail> details = {});
+CheckResult checked_of(const Predicate& predicate, const Examination& found, std::vector<Detail> details = {});
 
 // The standing of the query is "decided", "declined", "undeclared_decline", "called_invalid", "unanswered",
 // "outside_limits" or "no_query". Only the first shows whether the kernel is right; the three after `declined` are
@@ -42,8 +42,8 @@ CheckLine check_line(const std::string& id, const Kernel& kernel, const CheckRes
 
 // The errors of the computed sides: as text, one line for each comparison, to follow check_text's; and for a CheckLine,
 // by comparison.
-std::string errors_text(const TestDescription& test, const std::optional<SideErrors>& errors);
-std::optional<NamedValues<ComparisonErrorLine>> errors_line(const TestDescription& test,
+std::string errors_text(const Predicate& predicate, const std::optional<SideErrors>& errors);
+std::optional<NamedValues<ComparisonErrorLine>> errors_line(const Predicate& predicate,
                                                             const std::optional<SideErrors>& errors);
 
 }  // namespace axiscert

@@ -22,27 +22,30 @@ constexpr std::string_view features_name = "features";
 constexpr double stand_in_depth = 0.12345678901234567;
 constexpr std::string_view stand_in_text = "0x1.234567p-12";
 
-// The columns of an entry: those of QueryRow, less what no query of the test has, and those whose names the test gives.
-DataColumns row_columns(const TestDescription& test, std::size_t entry) {
+// The columns of an entry: those of QueryRow, less what no query of the predicate has, and those whose names the
+// predicate gives.
+DataColumns row_columns(const Predicate& predicate, std::size_t entry) {
   DataColumns columns = {"address"};
-  for (const ColumnGroup& group : groups_of(test.entries[entry])) columns.emplace_back(group.name);
+  for (const ColumnGroup& group : groups_of(predicate.entries[entry])) columns.emplace_back(group.name);
   columns = with_columns_of<QueryRow>(std::move(columns));
-  const bool has_classes = capabilities_of(test).input_classes != nullptr, has_measures = !test.measures.empty();
+  const bool has_classes = capabilities_of(predicate).input_classes != nullptr,
+             has_measures = !predicate.measures.empty();
   std::erase_if(columns, [&](const std::string& column) {
     const bool is_of_file = column == "schema" || column == "axiscert" || column == "revision";
     return is_of_file || (!has_classes && column == "exact.class") ||
            (!has_measures && column.starts_with("measures."));
   });
-  if (capabilities_of(test).nearest_features != nullptr) columns.push_back("exact." + std::string(features_name));
-  for (const std::string_view detail : oracles_of(test, entry).detail_names())
+  if (capabilities_of(predicate).nearest_features != nullptr) columns.push_back("exact." + std::string(features_name));
+  for (const std::string_view detail : oracles_of(predicate, entry).detail_names())
     columns.push_back("exact." + std::string(detail));
-  for (const TestMeasure& measure : test.measures) columns.push_back("measures.given." + std::string(measure.name));
+  for (const PredicateMeasure& measure : predicate.measures)
+    columns.push_back("measures.given." + std::string(measure.name));
   return columns;
 }
 
-std::optional<BitText> bit_text(const std::optional<ComparisonBits>& bits, const TestDescription& test) {
-  if (!bits || test.comparisons.empty()) return std::nullopt;
-  return BitText(bit_string(*bits, test.comparisons.size()));
+std::optional<BitText> bit_text(const std::optional<ComparisonBits>& bits, const Predicate& predicate) {
+  if (!bits || predicate.comparisons.empty()) return std::nullopt;
+  return BitText(bit_string(*bits, predicate.comparisons.size()));
 }
 
 // Those of every other query, as if half of them had contact.
@@ -65,11 +68,11 @@ std::optional<MeasuresRecord> stand_in_measures(const Kernel& kernel, bool has_c
 QueryRows::QueryRows(const QueryRange& range, const std::vector<const Kernel*>& kernels, const std::string& target,
                      const std::string& format)
     : range_(range),
-      test_(range.source->test()),
-      oracles_(oracles_of(test_, range.source->entry())),
+      predicate_(range.source->predicate()),
+      oracles_(oracles_of(predicate_, range.source->entry())),
       target_(target),
       is_csv_(format == "csv"),
-      columns_(row_columns(test_, range.source->entry())),
+      columns_(row_columns(predicate_, range.source->entry())),
       standings_(kernels.size()) {
   for (const Kernel* kernel : kernels) examiners_.emplace_back(*kernel, target_);
 }
@@ -86,7 +89,7 @@ template <class Real>
 QueryRow QueryRows::row_of(std::uint64_t position, const Numbers<Real>& numbers) const {
   QueryRow row;
   row.address = SeededSource{*range_.source, range_.first.seed, range_.first.precision}.address(position);
-  row.numbers = groups_of_numbers(test_.entries[range_.source->entry()], numbers);
+  row.numbers = groups_of_numbers(predicate_.entries[range_.source->entry()], numbers);
   return row;
 }
 
@@ -99,12 +102,12 @@ std::uint64_t QueryRows::stand_in_bytes() const {
     QueryRow row = row_of(position, range_.source->make<Real>(range_.first.seed, position));
     row.standing = "decided";
     row.exact.depth = stand_in_depth;
-    row.exact.comparisons = row.computed.comparisons = bit_text(0, test_);
+    row.exact.comparisons = row.computed.comparisons = bit_text(0, predicate_);
     for (const std::string_view detail : oracles_.detail_names()) row.exact.details.put(detail) = stand_in_text;
-    if (capabilities_of(test_).nearest_features != nullptr) row.exact.details.put(features_name) = stand_in_text;
+    if (capabilities_of(predicate_).nearest_features != nullptr) row.exact.details.put(features_name) = stand_in_text;
     for (const Examiner& examiner : examiners_) {
       row.kernel = examiner.kernel().id;
-      if (!test_.measures.empty()) row.measures.emplace(stand_in_measures(examiner.kernel(), i % 2 == 0));
+      if (!predicate_.measures.empty()) row.measures.emplace(stand_in_measures(examiner.kernel(), i % 2 == 0));
       bytes += line(row).size();
     }
   }
@@ -125,8 +128,8 @@ std::string QueryRows::next(std::uint64_t most) {
 
 template <class Real>
 std::string QueryRows::rows(std::uint64_t first, std::uint64_t count) {
-  const InputClasses* const classes = capabilities_of(test_).input_classes;
-  const NearestFeatures* const features = capabilities_of(test_).nearest_features;
+  const InputClasses* const classes = capabilities_of(predicate_).input_classes;
+  const NearestFeatures* const features = capabilities_of(predicate_).nearest_features;
   QueryBatch<Real> queries(static_cast<std::size_t>(count), range_.source->columns().size());
   range_.source->fill(range_.first.seed, first, static_cast<std::size_t>(count), queries);
   std::string text;
@@ -154,11 +157,11 @@ std::string QueryRows::rows(std::uint64_t first, std::uint64_t count) {
       }
       row.exact.verdict = found.truth.verdict;
       row.exact.touching = found.truth.touching;
-      row.exact.comparisons = bit_text(found.exact ? std::optional(found.exact->holds) : std::nullopt, test_);
-      row.computed = {found.answer.verdict, bit_text(found.answer.bits, test_)};
+      row.exact.comparisons = bit_text(found.exact ? std::optional(found.exact->holds) : std::nullopt, predicate_);
+      row.computed = {found.answer.verdict, bit_text(found.answer.bits, predicate_)};
       row.findings.clear();
       for (const Finding& finding : found.findings) row.findings.push_back(finding.kind);
-      if (!test_.measures.empty()) row.measures.emplace(measures_of(test_, found));
+      if (!predicate_.measures.empty()) row.measures.emplace(measures_of(predicate_, found));
       text += line(row);
     }
   }

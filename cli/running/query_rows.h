@@ -45,7 +45,7 @@ class QueryRows {
   std::string line(const QueryRow& row) const;
 
   const QueryRange& range_;
-  const TestDescription& test_;
+  const Predicate& predicate_;
   const Oracles& oracles_;
   const std::string target_;
   const bool is_csv_;

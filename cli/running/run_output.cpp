@@ -59,7 +59,7 @@ std::string OutputFolder::save(const OracleDisagreement& d) const {
     std::transform(d.query.begin(), d.query.end(), values.begin(), [](double x) { return static_cast<Real>(x); });
     return values;
   };
-  StoredQuery stored{"disagreement", d.precision, numbers(double()), d.test, d.entry};
+  StoredQuery stored{"disagreement", d.precision, numbers(double()), d.predicate, d.entry};
   if (d.precision == Precision::binary32) stored.numbers = numbers(float());
   write_text("disagreement.jsonl", query_line(stored) + "\n");
   return (path_ / "disagreement.jsonl").string();
@@ -136,7 +136,7 @@ std::string kernels_table(const std::vector<KernelRecord>& kernels) {
 }
 
 // How deep the wrong verdicts are, by kernel and direction, then on engine-like queries and to which side. Empty where
-// nothing is wrong, and for a record of a test without depths.
+// nothing is wrong, and for a record of a predicate without depths.
 std::string depths_table(const std::vector<KernelRecord>& kernels) {
   std::vector<std::string> columns = {"kernel", "precision", "wrong by, of the scene"};
   columns.insert(columns.end(), depth_columns().begin(), depth_columns().end());
@@ -180,7 +180,7 @@ std::string classes_table(const std::vector<KernelRecord>& kernels) {
   return rows.empty() ? "" : aligned_table(columns, rows) + nearest;
 }
 
-// The first contacts that the kernels report, in a test of motions.
+// The first contacts that the kernels report, in a predicate of motions.
 std::string motion_table(const std::vector<KernelRecord>& kernels) {
   std::vector<std::string> columns = {"kernel", "precision"};
   columns.insert(columns.end(), motion_columns().begin(), motion_columns().end());

@@ -38,11 +38,11 @@ ShrunkQuery line_of(const StoredQuery& stored, KeptLine kept, const ShrinkResult
 }  // namespace
 
 StoredQuery smaller_query(const StoredQuery& stored, AnyNumbers numbers) {
-  return {"shrunk-" + stored.id, stored.precision, std::move(numbers), stored.test, stored.entry};
+  return {"shrunk-" + stored.id, stored.precision, std::move(numbers), stored.predicate, stored.entry};
 }
 
 StoredQuery image_of(const StoredQuery& stored, AnyNumbers image) {
-  return {stored.id + "-image", stored.precision, std::move(image), stored.test, stored.entry};
+  return {stored.id + "-image", stored.precision, std::move(image), stored.predicate, stored.entry};
 }
 
 template <class Real>
@@ -58,7 +58,7 @@ ShrunkQuery shrunk_pair(const StoredQuery& stored, const Pair<Real>& pair, const
                         const Kernel& kernel) {
   const PairSymptom& symptom = pair.symptom;
   const KeptLine kept{.level = symptom.which ? Level::comparison : Level::verdict,
-                      .name = symptom.which ? symptom.test->comparisons[*symptom.which].name : "verdict",
+                      .name = symptom.which ? symptom.predicate->comparisons[*symptom.which].name : "verdict",
                       .kind = "asymmetry",
                       .links = {},
                       .input_class = {},
@@ -80,7 +80,7 @@ std::string shrunk_witnesses(const Record& record, const std::string& target, st
     progress.finish_unit();  // when the next one is begun
     const Kernel& kernel = find_kernel(witness.kernel);
     Json line = json_of(witness);
-    line["test"] = kernel.test->id;
+    line["predicate"] = kernel.predicate->id;
     const StoredQuery stored = parse_queries(line.dump(), witness.id, Precision::binary32).front();
     std::visit(
         [&]<class Real>(const Numbers<Real>& q) {

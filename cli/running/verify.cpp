@@ -163,11 +163,11 @@ CheckedPlan check_stated_plan(const CertificatePredicate& predicate, const Verif
   if (kernel.kind == KernelKind::replies) return {"that of the replies, which is what their program was asked"};
   if (!is_made_by_this(predicate))
     return {"NOT CHECKED: made by another axiscert, whose families and numbers may be others", false};
-  const TestDescription& test = find_test(kernel.test);
-  const auto entry = std::ranges::find(test.entries, std::string(kernel.entry), &TestEntry::name);
-  if (entry == test.entries.end())
-    throw NotValid(fmt::format("{}: {} has no entry {}", name, test.id, axiscert::shown(kernel.entry)));
-  AbsentKernel absent{&test, static_cast<std::size_t>(entry - test.entries.begin()), kernel.precisions,
+  const Predicate& predicate = find_predicate(kernel.predicate);
+  const auto entry = std::ranges::find(predicate.entries, std::string(kernel.entry), &PredicateEntry::name);
+  if (entry == predicate.entries.end())
+    throw NotValid(fmt::format("{}: {} has no entry {}", name, predicate.id, axiscert::shown(kernel.entry)));
+  AbsentKernel absent{&predicate, static_cast<std::size_t>(entry - predicate.entries.begin()), kernel.precisions,
                       kernel.kind != KernelKind::built_in};
   PlanOfAbsent made = certified_plan_of(
       {kernel.id, predicate.asked.effort, stated["seed"].get<std::uint64_t>(), options.replies.meshes, options.threads},

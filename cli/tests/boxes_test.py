@@ -20,7 +20,7 @@ def turned(at=(0, 0, 0), quaternion=(1, 0, 0, 0), half=(1, 1, 1)):
 
 
 def line(a, b, id="q", precision="binary64"):
-    return json.dumps({"id": id, "test": "box-box", "precision": precision, "a": a, "b": b}) + "\n"
+    return json.dumps({"id": id, "predicate": "box-box", "precision": precision, "a": a, "b": b}) + "\n"
 
 
 def columns_by(x, y, z):
@@ -43,7 +43,7 @@ class BoxBox(Case):
     def test_check_tells_penetration_or_distance_and_the_axes_that_decide(self):
         lines = line(cube(), cube((0.5, 1.5, 0))) + line(cube(), cube((3, 0, 0), half=(0.5, 4, 4)))
         inside, apart = self.checked(lines, "--kernel", "box-box/textbook")
-        self.assertEqual((inside["test"], inside["kernel"]), ("box-box", "box-box/textbook"))
+        self.assertEqual((inside["predicate"], inside["kernel"]), ("box-box", "box-box/textbook"))
         exact = inside["exact"]
         self.assertEqual((exact["verdict"], exact["penetration"], exact["distance"]), ("contact", "0x1p-1", None))
         self.assertEqual(exact["deciding_axes"], ["a1", "b1", "a0b2", "a2b0"])
@@ -60,7 +60,7 @@ class BoxBox(Case):
         (found,) = self.checked(line(turned(), turned((2, 0, 0), (0, 5, 0, 0))))
         self.assertEqual((found["kernel"], found["exact"]["touching"]), ("box-box/projected-turned", True))
         self.refused("check", "-", "--kernel", "box-box/textbook", stdin=line(turned(), turned()),
-                     says=["entry quaternion", "entry matrix", "a query is judged by a kernel of its own test and entry"])
+                     says=["entry quaternion", "entry matrix", "a query is judged by a kernel of its own predicate and entry"])
 
     def test_an_invalid_box_says_why(self):
         flat = [[1, 0, 0], [2, 0, 0], [0, 0, 1]]
@@ -80,9 +80,9 @@ class BoxBox(Case):
                      says=["stdin:1: field 'a.q': not read beside m, s and b"])
 
     def test_a_run_has_a_record_witnesses_and_reports(self):
-        record = self.run_ok("--test", "box-box", "--trials", "96", "--precision", "binary32", "--kernel", "box-box/textbook",
+        record = self.run_ok("--predicate", "box-box", "--trials", "96", "--precision", "binary32", "--kernel", "box-box/textbook",
                              "--kernel", "box-box/cofactor", "--kernel", "box-box/gottschalk")
-        self.assertEqual(record["plan"]["test"], "box-box")
+        self.assertEqual(record["plan"]["predicate"], "box-box")
         by = {kernel["id"]: kernel["families"] for kernel in record["kernels"]}
         self.assertEqual(len(by["box-box/textbook"]), 19)
         resting = {id: families["box-box/resting"]["verdict"] for id, families in by.items()}
@@ -101,17 +101,17 @@ class BoxBox(Case):
         self.assertEqual(again["a"], first["a"])
 
     def test_a_run_of_quaternions_has_their_families(self):
-        record = self.run_ok("--test", "box-box", "--trials", "16", "--precision", "binary32", "--kernel", "box-box/homogeneous",
+        record = self.run_ok("--predicate", "box-box", "--trials", "16", "--precision", "binary32", "--kernel", "box-box/homogeneous",
                              "--kernel", "box-box/textbook-turned")
         self.assertEqual({name[-7:] for name in record["kernels"][0]["families"]}, {"_turned"})
-        record = self.run_ok("--test", "box-box", "--family", "box-box/lattice_turned", "--trials", "8", "--precision", "binary32", out="one")
+        record = self.run_ok("--predicate", "box-box", "--family", "box-box/lattice_turned", "--trials", "8", "--precision", "binary32", out="one")
         self.assertEqual(record["plan"]["kernels"], ["box-box/projected-turned"])
 
     def test_what_does_not_serve_the_test_says_so_in_one_line(self):
         kernel = ("--kernel", "box-box/textbook")
         for command in (("ladder", *kernel), ("precision", *kernel), ("condition", *kernel), ("league", *kernel),
-                        ("run", "--test", "box-box", "--mesh", "x.obj")):
-            done = self.refused(*command, says=["does not serve the test box-box"])
+                        ("run", "--predicate", "box-box", "--mesh", "x.obj")):
+            done = self.refused(*command, says=["does not serve the predicate box-box"])
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
         self.refused("mutate", *kernel, says=["box-box/textbook"])
 
@@ -165,7 +165,7 @@ class BoxTriangle(Case):
     TRIANGLE = {"a": [1, 0, 0], "b": [3, 0, 0], "c": [2, 1, 0]}
 
     def line(self, box, precision="binary32"):
-        return json.dumps({"id": "q", "test": "box-triangle", "precision": precision, "box": box, **self.TRIANGLE}) + "\n"
+        return json.dumps({"id": "q", "predicate": "box-triangle", "precision": precision, "box": box, **self.TRIANGLE}) + "\n"
 
     def checked(self, text, *options):
         done = axiscert("check", "-", "--format", "jsonl", *options, stdin=text)
@@ -184,7 +184,7 @@ class BoxTriangle(Case):
         self.assertEqual(found["exact"]["reason"], "box.min, element 1, is 2, above 1 in box.max; each element of min is at most that of max")
 
     def test_a_run_is_of_one_entry(self):
-        record = self.run_ok("--test", "box-triangle", "--trials", "40", "--precision", "binary32")
+        record = self.run_ok("--predicate", "box-triangle", "--trials", "40", "--precision", "binary32")
         self.assertEqual(set(record["kernels"][0]["families"]),
                          {f"box-triangle/{name}" for name in ("general", "touching", "lattice", "degenerate")})
         record = self.run_ok("--kernel", "box-triangle/textbook-minmax", "--kernel", "box-triangle/thirteen-minmax", "--trials", "200",
@@ -196,7 +196,7 @@ class BoxTriangle(Case):
 
     def test_a_mesh_is_asked_against_the_cells_of_a_grid(self):
         (self.folder / "one.obj").write_text("v 0 0 0\nv 1 0 0\nv 0.3 1 0.2\nf 1 2 3\n")
-        record = self.run_ok("--test", "box-triangle", "--mesh", str(self.folder / "one.obj"), "--trials", "200", "--precision", "binary32")
+        record = self.run_ok("--predicate", "box-triangle", "--mesh", str(self.folder / "one.obj"), "--trials", "200", "--precision", "binary32")
         self.assertEqual(record["plan"]["kernels"], ["box-triangle/textbook-minmax"])
         (found,) = record["kernels"][0]["families"].values()
         self.assertEqual(found["trials"], 200)

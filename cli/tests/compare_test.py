@@ -60,7 +60,7 @@ class Compare(Case):
         bad.mkdir()
         for text, says in {
             good.replace("axiscert-record/3", "axiscert-record/2"): ["axiscert-record/2"],
-            good.replace('"test": "sphere-triangle"', '"test": "nosuch"'): ["/plan/test", "unknown test 'nosuch'", "sphere-triangle"],
+            good.replace('"predicate": "sphere-triangle"', '"predicate": "nosuch"'): ["/plan/predicate", "unknown predicate 'nosuch'", "sphere-triangle"],
             good[:-100]: ["cut off"],
             good.replace('"plane.radius"', '"plane.radios"', 1): ["plane.radi"],
             good.replace('"trials": 100', '"trials": 101'): ["do not add up"],

@@ -28,12 +28,12 @@ COMMANDS = {
     "mutate --kernel certified": ("mutation-of-certified", ("mutate", "--kernel", "certified", "--trials", 200, "--precision", "binary32")),
     "kernels": ("kernels", ("kernels",)),
     "families": ("families", ("families",)),
-    "tests": ("tests", ("tests",)),
+    "predicates": ("predicates", ("predicates",)),
 }
 # Formats that have changed since the first.
 NUMBERS = {"critical-radius": 2, "league": 2, "maps": 2}
 # Commands that print a line of JSON for each query, by its schema, with their standard input.
-MOTION = ('{"id":"m","test":"moving-sphere","precision":"binary32","a":[0,0,0],"b":[1,0,0],"c":[0,1,0],"p":[0,0,5],"d":[0,0,-3],"r":1}\n')
+MOTION = ('{"id":"m","predicate":"moving-sphere","precision":"binary32","a":[0,0,0],"b":[1,0,0],"c":[0,1,0],"p":[0,0,5],"d":[0,0,-3],"r":1}\n')
 LINES = {
     "check": ((("check", "-", "--kernel", "published", "--errors"), QUERY % 1), (("check", "-", "--kernel", "published"), QUERY % -1),
               (("check", "-", "--kernel", "closest-point"), QUERY % 2), (("check", "-", "--kernel", "moving-sphere/twenty"), MOTION)),
@@ -140,7 +140,7 @@ class Data(Case):
     def test_every_column_is_filled_somewhere(self):
         # Columns that need more than these few queries to have a value.
         rare = {"caught_after", "ns", "overflow.exponent", "underflow.exponent", "unanswered", "left_out", "reason", "source", "equivalent", "undefined", "not_decided"}
-        for heading in ("ladder", "precision", "condition", "critical-radius", "league", "search", "diagnose", "map", "kernels", "families", "tests"):
+        for heading in ("ladder", "precision", "condition", "critical-radius", "league", "search", "diagnose", "map", "kernels", "families", "predicates"):
             head, rows = self.csv(heading)
             empty = {name for name in head if not any(row[name] for row in rows)}
             self.assertLessEqual(empty, rare, heading)
@@ -179,7 +179,7 @@ class Data(Case):
         for heading in ("mutate", "mutate --verdict-only"):
             self.assertEqual([row["id"] for row in self.csv(heading)[1]], [mutant["id"] for mutant in self.json(heading)["mutants"]])
         # Summaries have commas and quotes in them.
-        for heading, text in (("kernels", "summary"), ("families", "purpose"), ("tests", "asks")):
+        for heading, text in (("kernels", "summary"), ("families", "purpose"), ("predicates", "asks")):
             self.assertEqual([row[text] for row in self.csv(heading)[1]], [one[text] for one in self.json(heading)[heading]])
         self.assertIn('"', self.text("kernels", "csv"))
 

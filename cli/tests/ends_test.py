@@ -6,7 +6,7 @@ import unittest
 from command import Case, axiscert
 
 # From z = 10^8 down to z = 1, half a radius above the face: P1 - P is no number of binary32.
-CLEAR = ('{"id":"clear","test":"moving-sphere","precision":"binary32","a":[0,0,0],"b":[4,0,0],"c":[0,4,0],'
+CLEAR = ('{"id":"clear","predicate":"moving-sphere","precision":"binary32","a":[0,0,0],"b":[4,0,0],"c":[0,4,0],'
          '"p":[1,1,100000000],"p1":[1,1,1],"r":0.5}\n')
 FALLS = CLEAR.replace("100000000", "3").replace('"p1":[1,1,1]', '"p1":[1,1,-1]').replace("0.5", "1")
 SURE, ROUNDED = "moving-sphere/ends-twenty-nonstrict", "moving-sphere/ends-difference"
@@ -25,7 +25,7 @@ class Ends(Case):
                          ["contact", "0x1p-1", ["face"], "clear"])
         self.assertEqual(self.checked(FALLS.replace('"p":', '"entry":"endpoints","p":'))["exact"], found["exact"])
         self.refused("check", "-", "--kernel", "moving-sphere/twenty", stdin=FALLS,
-                     says=["entry endpoints", "entry displacement", "a query is judged by a kernel of its own test and entry"])
+                     says=["entry endpoints", "entry displacement", "a query is judged by a kernel of its own predicate and entry"])
         csv = "id,ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,p1x,p1y,p1z,r\nfalls,0,0,0,4,0,0,0,4,0,1,1,3,1,1,-1,1\n"
         self.assertEqual(self.checked(csv)["exact"], found["exact"])
 
@@ -62,7 +62,7 @@ class Ends(Case):
             self.assertEqual(found["exact"]["verdict"], "invalid")
 
     def test_what_does_not_serve_the_entry_says_so_in_one_line(self):
-        says = ["does not serve the entry endpoints of the test moving-sphere yet; it serves displacement"]
+        says = ["does not serve the entry endpoints of the predicate moving-sphere yet; it serves displacement"]
         for command, stdin in ((("search", "--kernel", SURE), None), (("shrink", "-", "--kernel", ROUNDED), CLEAR),
                                (("shrink", "-"), CLEAR), (("map", "-"), CLEAR),
                                (("critical-radius", "--kernel", SURE, "--family", "moving-sphere/ends_general"), None),

@@ -175,7 +175,7 @@ class NotJudged(GatesCase):
     def test_a_kernel_that_cannot_be_loaded_is_never_a_pass(self):
         text = self.folder / "text.so"
         text.write_text("no shared object\n")
-        for kernel in (text, *(BUILD / f"misdeclared/{name}.so" for name in ("no_symbol", "wrong_abi", "unknown_test"))):
+        for kernel in (text, *(BUILD / f"misdeclared/{name}.so" for name in ("no_symbol", "wrong_abi", "unknown_predicate"))):
             for beside in ((), ("published",)):
                 with self.subTest(kernel=kernel, beside=beside):
                     done = self.judged("out", f"plugin:{kernel}", *beside)

@@ -24,8 +24,8 @@ class Kernels(Case):
         for kernel in listed:
             self.assertIn([c["arithmetic"] for c in kernel["arithmetics"]], [arithmetics, []], kernel["id"])
         refused = axiscert("check", "-", "--kernel", "nosuch").stderr.strip()
-        others = [kernel["id"] for test in ("moving-sphere", "box-box", "box-triangle")
-                  for kernel in json.loads(axiscert("kernels", "--test", test, "--format", "json").stdout)["kernels"]]
+        others = [kernel["id"] for predicate in ("moving-sphere", "box-box", "box-triangle")
+                  for kernel in json.loads(axiscert("kernels", "--predicate", predicate, "--format", "json").stdout)["kernels"]]
         built_in = [kernel["id"] for kernel in listed] + [id for id in others if "/peer/" not in id]
         self.assertEqual(sorted(refused.split("; kernels: ")[1].split(", ")), sorted(built_in))
         refused = axiscert("check", "-", "--kernel", "published+nosuch").stderr.strip()
@@ -98,7 +98,7 @@ class Kernels(Case):
             # difference has no known link.
             references = {"eigen": False} | {kernel["id"]: None for kernel in listed if kernel["formulae"] == ""}
             self.assertEqual(entry["reference"], references.get(entry["id"], True),
-                             f"kernel '{entry['id']}': is_reference in kernel/sphere_triangle/kernels.cpp, references of this test")
+                             f"kernel '{entry['id']}': is_reference in kernel/sphere_triangle/kernels.cpp, references of this predicate")
             for name, found in entry["families"].items():
                 links = found["verdict"]["links"]
                 self.assertEqual(links["implementation"], 0, (entry["id"], name))

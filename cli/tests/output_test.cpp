@@ -27,7 +27,7 @@ void crash(const Query<double>&, std::size_t i, Verdict& verdict, std::vector<Fi
 }
 
 std::string line_of(const Kernel& kernel, const Query<float>& q) {
-  return check_text("q", kernel, checked_of(*kernel.test, Examiner(kernel, scalar_target).examine(q)));
+  return check_text("q", kernel, checked_of(*kernel.predicate, Examiner(kernel, scalar_target).examine(q)));
 }
 
 TEST(CheckOutput, NoAnswerIsSaidWithTheFinding) {
@@ -35,7 +35,7 @@ TEST(CheckOutput, NoAnswerIsSaidWithTheFinding) {
   EXPECT_EQ(line_of(kernel, apart),
             "q: exact separated, mine gave no answer (a fault: the query is valid); crash: signal 11");
   const CheckLine line =
-      check_line("q", kernel, checked_of(*kernel.test, Examiner(kernel, scalar_target).examine(apart)));
+      check_line("q", kernel, checked_of(*kernel.predicate, Examiner(kernel, scalar_target).examine(apart)));
   EXPECT_EQ(line.computed.verdict, Verdict::unanswered);
   EXPECT_FALSE(line.computed.comparisons.has_value());
   ASSERT_EQ(line.findings.size(), 1u);
@@ -74,7 +74,8 @@ TEST(CheckOutput, AQueryWithoutAVerdictSaysWhatThatMeans) {
     return black_box("mine", [said](const Query<double>&, auto, Verdict& verdict, auto&) { verdict = said; });
   };
   const auto standing = [](const Kernel& kernel) {
-    return check_line("q", kernel, checked_of(*kernel.test, Examiner(kernel, scalar_target).examine(apart))).standing;
+    return check_line("q", kernel, checked_of(*kernel.predicate, Examiner(kernel, scalar_target).examine(apart)))
+        .standing;
   };
   Kernel declining = saying(Verdict::undecided);
   EXPECT_EQ(line_of(declining, apart),
@@ -123,7 +124,7 @@ TEST(RunOutput, FindingsStandFirstThenWhatWasJudged) {
   EXPECT_EQ(row("plugin:box.so").at(11), "0");
 }
 
-TEST(RunOutput, ADisagreementIsSavedAsAQueryOfItsTest) {
+TEST(RunOutput, ADisagreementIsSavedAsAQueryOfItsPredicate) {
   const TemporaryFolder temporary;
   const OutputFolder folder((temporary.path() / "run").string());
   const auto saved = [&](const OracleDisagreement& disagreement) {
@@ -132,7 +133,7 @@ TEST(RunOutput, ADisagreementIsSavedAsAQueryOfItsTest) {
     std::getline(file, line);
     return Json::parse(line);
   };
-  const TestDescription interval =
+  const Predicate interval =
       checked({.id = "point-interval",
                .asks = "",
                .touching = "",
@@ -142,11 +143,11 @@ TEST(RunOutput, ADisagreementIsSavedAsAQueryOfItsTest) {
                .clauses = {{"x", 1}},
                .measures = {}});
   const Json other = saved({"two", Numbers<float>{1, 2}, interval});
-  EXPECT_EQ(other["test"], "point-interval");
+  EXPECT_EQ(other["predicate"], "point-interval");
   EXPECT_EQ(other["precision"], "binary32");
   EXPECT_EQ(other["i"], (Json{"0x1p+0", "0x1p+1"}));
-  const Json first = saved({"two", Numbers<float>(apart), sphere_triangle_test()});
-  EXPECT_FALSE(first.contains("test")) << "the test that files imply is not named";
+  const Json first = saved({"two", Numbers<float>(apart), sphere_triangle_predicate()});
+  EXPECT_FALSE(first.contains("predicate")) << "the predicate that files imply is not named";
   EXPECT_EQ(first["r"], "0x1p-1");
 }
 

@@ -206,7 +206,7 @@ class Pipe(Case):
 
     def test_times_of_motions_are_judged(self):
         """Contact at the start is never late; at the end it is wherever the motion touches before."""
-        plan = ("--test", "moving-sphere", "--family", "moving-sphere/general", "--trials", 400)
+        plan = ("--predicate", "moving-sphere", "--family", "moving-sphere/general", "--trials", 400)
         late = {}
         for time in (0, 1):
             queries = self.queries(*plan, "--measures", 1)
@@ -223,7 +223,7 @@ class Pipe(Case):
         self.assertGreater(late[1], 10)
         self.assertIn("--measures 1 | PROGRAM", (self.folder / "late1/report.md").read_text())
     def test_what_is_no_time_is_counted_and_nothing_is_lost(self):
-        plan = ("--test", "moving-sphere", "--family", "moving-sphere/general", "--trials", 300)
+        plan = ("--predicate", "moving-sphere", "--family", "moving-sphere/general", "--trials", 300)
         queries = self.queries(*plan, "--measures", 1)
         size, count = struct.unpack_from("<I", queries, 24)[0], struct.unpack_from("<Q", queries, 16)[0]
         replies = lambda time: queries[:size] + struct.pack("<BB6xQf", 0, 2, 0, time) * count
@@ -243,8 +243,8 @@ class Pipe(Case):
         self.refused_replies(replies(0.5)[:-3], says=["bad.bin"])
 
     def test_measures_are_of_a_test_that_has_them(self):
-        plan = ("--test", "moving-sphere", "--family", "moving-sphere/general", "--trials", 400)
-        self.refused("generate", "--binary", "--family", "general", "--measures", 1, says=["the test sphere-triangle has none"])
+        plan = ("--predicate", "moving-sphere", "--family", "moving-sphere/general", "--trials", 400)
+        self.refused("generate", "--binary", "--family", "general", "--measures", 1, says=["the predicate sphere-triangle has none"])
         self.refused("generate", "--binary", *plan, "--measures", 9, says=["has 8, from time to point_z"])
         self.refused("generate", *plan, "--measures", 1, says=["--measures", "--binary"])
 

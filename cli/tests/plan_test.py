@@ -40,8 +40,8 @@ class Plan(PlanCase):
         return broken
 
     def test_a_plan_of_an_unknown_test_is_refused(self):
-        plan = self.resigned(self.plan.read_text(), "options", "test", "nosuch")
-        self.refused("run", "--out", self.folder / "out", "--plan", plan, says=["unknown test 'nosuch'"])
+        plan = self.resigned(self.plan.read_text(), "options", "predicate", "nosuch")
+        self.refused("run", "--out", self.folder / "out", "--plan", plan, says=["unknown predicate 'nosuch'"])
 
     def test_what_is_no_plan_of_this_axiscert_is_refused(self):
         text = self.plan.read_text()

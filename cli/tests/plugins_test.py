@@ -183,13 +183,13 @@ class Plugins(Case):
         for id, source in (("fault/none", "kernel/sphere_triangle/faults/none.c:1"),
                            (f"plugin:{BUILD}/layouts/published_1.so", None), ("published", None)):
             (listed,) = json.loads(axiscert("kernels", "--kernel", id, "--format", "json").stdout)["kernels"]
-            self.assertEqual((listed["id"], listed["test"], listed["entry"], listed["source"], listed["findings"]),
+            self.assertEqual((listed["id"], listed["predicate"], listed["entry"], listed["source"], listed["findings"]),
                              (id, "sphere-triangle", "vertices", source, []))
             text = axiscert("kernels", "--kernel", id).stdout
-            self.assertIn("test sphere-triangle, entry vertices\n", text)
+            self.assertIn("predicate sphere-triangle, entry vertices\n", text)
             self.assertEqual(f"source {source}\n" in text, source is not None, text)
-        refused = axiscert("kernels", "--kernel", f"plugin:{BUILD}/misdeclared/unknown_test.so").stdout
-        self.assertIn("load: what it answers: unknown test 'sphere-cube'", refused)
+        refused = axiscert("kernels", "--kernel", f"plugin:{BUILD}/misdeclared/unknown_predicate.so").stdout
+        self.assertIn("load: what it answers: unknown predicate 'sphere-cube'", refused)
         self.refused("kernels", "--kernel", "nosuch", says=["unknown kernel 'nosuch'"])
 
     def test_a_plugin_for_another_version_leaves_the_run_whole(self):

@@ -32,8 +32,8 @@ class PredicateCase(Case):
         return PLANS[self.predicate]
 
     @cached_property
-    def test(self):
-        return next(t for t in self.json("tests")["tests"] if t["id"] == self.predicate)
+    def description(self):
+        return next(t for t in self.json("predicates")["predicates"] if t["id"] == self.predicate)
 
     @cached_property
     def kernel(self):
@@ -51,7 +51,7 @@ class PredicateCase(Case):
         return json.loads((self.folder / folder / "record.json").read_text())
 
     def read(self, lines):
-        return [Query(self.test, json.loads(line)) for line in lines.splitlines()]
+        return [Query(self.description, json.loads(line)) for line in lines.splitlines()]
 
     def queries(self, families, trials, precision="binary32"):
         named = [part for family in families for part in ("--family", family)]
@@ -68,7 +68,7 @@ class PredicateCase(Case):
     @cached_property
     def entries(self):
         """The entry of each family."""
-        return {family: query.entry["name"] for family, query in zip(self.test["families"], self.queries(self.test["families"], 1), strict=True)}
+        return {family: query.entry["name"] for family, query in zip(self.description["families"], self.queries(self.description["families"], 1), strict=True)}
 
     def families_of(self, kernel):
         """Those of the kernel's entry, apart that with few valid queries."""
@@ -111,7 +111,7 @@ class PredicateCase(Case):
                 self.said("run", "--kernel", kernel, *named, "--trials", trials, "--precision", "binary32", "--threads", 1, "--quiet", "--out",
                           self.folder / "all")
                 record = self.record("all")
-                self.assertEqual(record["plan"]["test"], self.predicate)
+                self.assertEqual(record["plan"]["predicate"], self.predicate)
                 yield from self.told_by_record(record)
         yield from self.told_by_record(self.record(self.run_folder))
 
@@ -134,7 +134,7 @@ class PredicateCase(Case):
 
     def ask_diagnose(self):
         found = self.json("diagnose", self.kernel)
-        self.assertEqual(found["test"], self.predicate)
+        self.assertEqual(found["predicate"], self.predicate)
         for one in found["properties"]:
             for witness in one["witnesses"]:
                 (query,) = self.read(json.dumps(witness["query"]))
@@ -148,7 +148,7 @@ class PredicateCase(Case):
         return json.loads((self.folder / "certified/certificate.json").read_text())["predicate"]
 
     def ask_certify(self):
-        self.assertEqual(self.certificate["kernel"]["test"], self.predicate)
+        self.assertEqual(self.certificate["kernel"]["predicate"], self.predicate)
         record = self.record("certified/run")
         own = [one for one in record["kernels"] if one["id"] == self.kernel]
         for one in own:
@@ -185,7 +185,7 @@ class PredicateCase(Case):
         found = json.loads(self.said("shrink", "-", "--kernel", kernel, "--evaluations", 200, "--format", "jsonl", stdin=json.dumps(query.line)))
         self.assertEqual(found["kept"]["level"], "verdict")
         right, said = {"false_separation": ("contact", "separated"), "false_contact": ("separated", "contact")}[found["kept"]["kind"]]
-        members = ("id", "precision", "test", "entry", *{group.split(".")[0] for group, _ in query.groups})
+        members = ("id", "precision", "predicate", "entry", *{group.split(".")[0] for group, _ in query.groups})
         (smaller,) = self.read(json.dumps({name: found[name] for name in members if name in found}))
         self.assertEqual(self.answers([smaller, query], kernel), [said] * 2)
         self.assertLessEqual(found["bits"]["after"], found["bits"]["before"])
@@ -244,23 +244,23 @@ class PredicateCase(Case):
                     first = last
 
     def ask_kernels(self):
-        listed = self.json("kernels", "--test", self.predicate)["kernels"]
-        self.assertEqual({one["test"] for one in listed}, {self.predicate})
+        listed = self.json("kernels", "--predicate", self.predicate)["kernels"]
+        self.assertEqual({one["predicate"] for one in listed}, {self.predicate})
         self.assertLessEqual(set(self.plan.kernels), {one["id"] for one in listed})
-        self.assertEqual([one["entry"] for one in listed if one["id"] in self.plan.kernels], [e["name"] for e in self.test["entries"]])
+        self.assertEqual([one["entry"] for one in listed if one["id"] in self.plan.kernels], [e["name"] for e in self.description["entries"]])
         yield from ()
 
     def ask_families(self):
-        listed = self.json("families", "--test", self.predicate)["families"]
-        self.assertEqual([one["name"] for one in listed], self.test["families"])
+        listed = self.json("families", "--predicate", self.predicate)["families"]
+        self.assertEqual([one["name"] for one in listed], self.description["families"])
         yield from ()
 
     def ask_tests(self):
-        self.assertIn(f"{self.predicate}: {self.test['asks']}", self.said("tests"))
+        self.assertIn(f"{self.predicate}: {self.description['asks']}", self.said("predicates"))
         yield from ()
 
     def ask_query(self):
-        for query in self.queries(self.test["families"][::7], 1):
+        for query in self.queries(self.description["families"][::7], 1):
             self.assertEqual(json.loads(self.said("query", query.line["id"])), query.line)
         yield from ()
 
@@ -282,8 +282,8 @@ class PredicateCase(Case):
         added = [json.loads(line) for line in self.said("corpus", "list", "--format", "jsonl", "--folder", self.folder / "corpus").splitlines()]
         self.assertEqual(len(added), 1)
         for one in kept + added:
-            if one.get("test", "sphere-triangle") == self.predicate:
-                yield Told(one["id"], [Query(self.test, one)], [(one["expected"]["verdict"], one["expected"]["touching"])], list)
+            if one.get("predicate", "sphere-triangle") == self.predicate:
+                yield Told(one["id"], [Query(self.description, one)], [(one["expected"]["verdict"], one["expected"]["touching"])], list)
 
     def ask_plan(self):
         self.said("plan", "--kernel", self.kernel, "--family", self.plan.family, "--trials", 48, "--out", self.folder / "plan.json")
@@ -329,7 +329,7 @@ class PredicateCase(Case):
 
     def ask_critical_radius(self):
         """Right is who says separated at the greatest length that is, and contact at the next; lengths are bisected by the rationals."""
-        family = next(f for f in self.test["families"] if f.endswith("tangent") or f.endswith("graze"))
+        family = next(f for f in self.description["families"] if f.endswith("tangent") or f.endswith("graze"))
         found = self.json("critical-radius", "--kernel", self.kernel, "--family", family, "--trials", 8, "--threads", 1)
         (row,) = found["rows"]
         self.assertEqual([row[name] for name in ("unbounded", "not_monotone", "left_out")], [0, 0, 0])
@@ -368,9 +368,9 @@ class PredicateCase(Case):
 
     def ask_refused(self, command, *args, lacks="", stdin=None):
         """One line with the predicate and what it lacks, and the exit code of a wrong usage."""
-        which = ("--test", self.predicate) if command == "mutate" else args or ("--kernel", self.kernel)
+        which = ("--predicate", self.predicate) if command == "mutate" else args or ("--kernel", self.kernel)
         done = axiscert(command, *which, program=self.plan.program, stdin=stdin)
         self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
         self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
-        says = "no kernel of the test {} is one that mutants are made of" if command == "mutate" else f"{command} does not serve {lacks}the test {{}}"
+        says = "no kernel of the predicate {} is one that mutants are made of" if command == "mutate" else f"{command} does not serve {lacks}the predicate {{}}"
         self.assertRegex(done.stderr, says.format(self.predicate) + "\\b")

@@ -73,9 +73,9 @@ def moved(x, ulps, precision):
 class Query:
     """A line of a query file, with its numbers in the order of the columns."""
 
-    def __init__(self, test, line):
-        self.test, self.line, self.precision = test, line, line["precision"]
-        self.entry = next(e for e in test["entries"] if e["name"] == line.get("entry", test["entries"][0]["name"]))
+    def __init__(self, description, line):
+        self.description, self.line, self.precision = description, line, line["precision"]
+        self.entry = next(e for e in description["entries"] if e["name"] == line.get("entry", description["entries"][0]["name"]))
         self.groups = [(name, len(list(group))) for name, group in groupby(c["group"] for c in self.entry["columns"])]
         self.numbers = []
         for name, size in self.groups:
@@ -91,7 +91,7 @@ class Query:
         return inside, last
 
     def truth(self):
-        return truth(self.test["id"], self.entry["name"], self.numbers)
+        return truth(self.description["id"], self.entry["name"], self.numbers)
 
     def column(self, name):
         """That of "a.m.x", the first number of the group a.m, or of "r"."""
@@ -105,7 +105,7 @@ class Query:
 
     def changed(self, changes):
         """The query with other numbers at these columns."""
-        other = Query(self.test, json.loads(json.dumps(self.line)))
+        other = Query(self.description, json.loads(json.dumps(self.line)))
         for column, value in changes.items():
             other.numbers[column] = value
         first = 0

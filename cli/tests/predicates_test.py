@@ -18,13 +18,13 @@ TABLE = {
     "run":             "x x x x x", "certify":   "x x x x x", "verify":   "x x x x x", "check":      "x x x x x",
     "report":          "x x x x x", "diagnose":  "x x x x x", "shrink":   "x x x x x", "search":     "x x x x x",
     "map":             "x x x x x", "generate":  "x x x x x", "judge":    "x x x x x", "league":     "x - - - -",
-    "kernels":         "x x x x x", "tests":     "x x x x x", "compare":  "x x x x x", "corpus":     "x x x x x",
+    "kernels":         "x x x x x", "predicates": "x x x x x", "compare":  "x x x x x", "corpus":     "x x x x x",
     "plan":            "x x x x x", "merge":     "x x x x x", "ladder":   "x - - - -", "precision":  "x - - - -",
     "condition":       "x - - - -", "mutate":    "x x - - -", "prove":    ". . . . .", "explain":    ". . . . .",
     "critical-radius": "x x x - -", "families":  "x x x x x", "query":    "x x x x x", "completion": ". . . . .",
 }
 # These repeat queries, names or files, and say nothing of a verdict.
-SILENT = {"generate", "kernels", "tests", "families", "query", "plan", "verify"}
+SILENT = {"generate", "kernels", "predicates", "families", "query", "plan", "verify"}
 # Commands that change one number of a query serve the other entries of a predicate too, but this one, whose numbers depend on each other: a
 # kernel of each, a family in which it is wrong, and two numbers that a map changes.
 ENTRIES = {
@@ -56,7 +56,7 @@ class EveryCommand:
                 self.compare(all_told)
 
     def test_every_other_entry(self):
-        self.assertEqual([entry["name"] for entry in self.test["entries"][1:]], list(ENTRIES.get(self.predicate, {})))
+        self.assertEqual([entry["name"] for entry in self.description["entries"][1:]], list(ENTRIES.get(self.predicate, {})))
         for (entry, served), kernel in zip(ENTRIES.get(self.predicate, {}).items(), self.plan.kernels[1:], strict=True):
             with self.subTest(entry=entry):
                 if served:
@@ -94,7 +94,7 @@ class PointBoxCommands(EveryCommand, PredicateCase):
 class CommandTable(Case):
     def test_it_has_every_predicate_and_every_command(self):
         for program in ("axiscert", "axiscert_toy"):
-            listed = [test["id"] for test in json.loads(axiscert("tests", "--format", "json", program=program).stdout)["tests"]]
+            listed = [one["id"] for one in json.loads(axiscert("predicates", "--format", "json", program=program).stdout)["predicates"]]
             self.assertEqual(listed, [one for one, plan in PLANS.items() if program == "axiscert_toy" or plan.program == program])
             shown = axiscert("--help", program=program).stdout
             commands = {line.split()[0] for line in shown.splitlines() if line.startswith("  ") and line[2].isalpha()}
@@ -110,7 +110,7 @@ class CommandTable(Case):
             if "." in marks:
                 shown = axiscert(command, "--help").stdout
                 self.assertIn("Usage", shown)
-                self.assertNotRegex(shown, "--(test|kernel|family)\\b", command)
+                self.assertNotRegex(shown, "--(predicate|kernel|family)\\b", command)
 
 
 if __name__ == "__main__":

@@ -63,8 +63,8 @@ class Rows(Case):
     @classmethod
     def setUpClass(cls):
         cls.versions = {}
-        for test in ("sphere-triangle", "moving-sphere", "box-box", "box-triangle"):
-            listed = json.loads(axiscert("families", "--test", test, "--format", "json").stdout)["families"]
+        for predicate in ("sphere-triangle", "moving-sphere", "box-box", "box-triangle"):
+            listed = json.loads(axiscert("families", "--predicate", predicate, "--format", "json").stdout)["families"]
             cls.versions.update({entry["name"]: entry["version"] for entry in listed})
 
     def ranges(self):
@@ -113,7 +113,7 @@ class Rows(Case):
         self.assertEqual(depth is None, exact["verdict"] == "invalid")
         if exact["touching"]:
             self.assertEqual(depth, 0)
-        self.assertLessEqual(input_class is None, "test" in line or exact["verdict"] == "invalid")
+        self.assertLessEqual(input_class is None, "predicate" in line or exact["verdict"] == "invalid")
 
     def test_features_are_those_that_are_nearest(self):
         for text in ("1:general:2:binary32:0:0-49", "1:repeated:2:binary64:0:0-49", "1:collinear:2:binary32:0:0-49"):
@@ -228,7 +228,7 @@ class Rows(Case):
         good = "1:general:2:binary32:0:0-9"
         self.refused("check", good, says=["--format csv or jsonl"])
         self.refused("check", good, *rows, "--kernel", "nosuch", says=["unknown kernel 'nosuch'"])
-        self.refused("check", good, *rows, "--kernel", "box-box/textbook", says=["sphere-triangle", "box-box", "its own test"])
+        self.refused("check", good, *rows, "--kernel", "box-box/textbook", says=["sphere-triangle", "box-box", "its own predicate"])
         self.refused("check", good, *rows, "--errors", says=["--errors"])
         self.refused("check", MODELS / "none.jsonl", *rows, says=["--format csv", "FIRST-LAST"])
         self.refused("check", "-", "--kernel", "published", "--kernel", "eigen", stdin="", says=["--kernel", "one kernel"])

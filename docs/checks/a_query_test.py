@@ -12,7 +12,7 @@ root = pathlib.Path(sys.argv[1])
 page = roads((root / "docs/a-query.md").read_text())
 wrong = []
 
-listed = re.findall(r"X\((\w+)\)", (root / "kernel/test_list.h").read_text().split("#define AXISCERT_TESTS(X)")[1])
+listed = re.findall(r"X\((\w+)\)", (root / "kernel/predicate_list.h").read_text().split("#define AXISCERT_PREDICATES(X)")[1])
 for missing in {name.replace("_", "-") for name in listed} - set(page):
     wrong.append(f"docs/a-query.md has no row for {missing}")
 

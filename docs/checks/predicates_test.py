@@ -2,7 +2,7 @@
 
 Generic is what lies outside the rooms of the predicates; tests, benchmarks and programs of the suite may name one. What a predicate has and
 another has not is data of its description or a capability (fuzz/queries/capabilities.h, exact/trait/oracles.h). The lists that name every
-predicate once expand kernel/test_list.h.
+predicate once expand kernel/predicate_list.h.
 
     predicates_test.py ROOT --list   prints every place that is counted
 """
@@ -18,7 +18,7 @@ if LIST:
 ROOT = Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]
 LAYERS = ("kernel", "exact", "fuzz", "reports", "cli")
 PREDICATES = ("sphere_triangle", "moving_sphere", "boxes", "point_box")
-NAMES = "sphere_triangle|moving_sphere|box_box|box_triangle|point_box"  # as in kernel/test_list.h, and the suite's own
+NAMES = "sphere_triangle|moving_sphere|box_box|box_triangle|point_box"  # as in kernel/predicate_list.h, and the suite's own
 ROOM = "|".join(PREDICATES)
 
 # Each count is the most that there may be, by layer. They only fall.
@@ -29,14 +29,14 @@ INCLUDES = {"kernel": 7, "fuzz": 16, "reports": 12, "cli": 2}
 EXEMPT = re.compile(rf"_(test|bench)\.(cpp|h)$|testing|/(bench|targets|oracle_checks|peers|examples|testdata)/|(^|/)write_\w+\.cpp$"
                     rf"|^kernel/plugin/(misbehaving|misdeclared|programs|promises|layouts)/|/({ROOM})/")
 COMPARISON = re.compile(
-    rf"\b(?:{NAMES})_test\(\)"              # a particular predicate, whatever is done with it
-    r"|\bfirst_test\(\)|\bfirst_test\b(?=[;,)])|\bis_first_test\b|\bis_first\(\)"
+    rf"\b(?:{NAMES})_predicate\(\)"              # a particular predicate, whatever is done with it
+    r"|\bfirst_predicate\(\)|\bfirst_predicate\b(?=[;,)])|\bis_first_predicate\b|\bis_first\(\)"
     r"|\bis_implied\b"                      # written_name() and test_named() alone ask this
     r"|(?:==|!=)\s*\"(?:" + NAMES.replace("_", "-") + r")\"|\"(?:" + NAMES.replace("_", "-") + r")\"\s*(?:==|!=)"
-    r"|\bfind_test\(\"")                    # of a name that is written in the code
+    r"|\bfind_predicate\(\"")                    # of a name that is written in the code
 INCLUDE = re.compile(rf'^\s*#\s*include\s*[<"](?:[\w./-]*/)?(?:{ROOM})/')
-# Where the list of kernel/test_list.h and is_implied are declared and defined.
-OWN = {"kernel/registry/tests.cpp", "kernel/test.h", "kernel/test_list.h"}
+# Where the list of kernel/predicate_list.h and is_implied are declared and defined.
+OWN = {"kernel/registry/predicates.cpp", "kernel/predicate.h", "kernel/predicate_list.h"}
 
 
 def generic():
@@ -86,10 +86,10 @@ class Predicates(unittest.TestCase):
         self.assert_none(too_many(places(generic(), INCLUDE), INCLUDES))
 
     def test_what_is_planted_is_seen(self):
-        for planted in ("if (&test == &sphere_triangle_test()) return 1;", "if (kernel.test != &box_box_test()) continue;",
-                        "const bool own = &test == &first_test();", "  const TestDescription& (*test)() = first_test;",
-                        "if (subject.is_first_test()) return;", "return is_first() ? a : b;", "if (test.is_implied) return;",
-                        'return test.id == "moving-sphere";', 'if ("box-triangle" != id) return;', 'find_test("box-box")'):
+        for planted in ("if (&predicate == &sphere_triangle_predicate()) return 1;", "if (kernel.predicate != &box_box_predicate()) continue;",
+                        "const bool own = &predicate == &first_predicate();", "  const Predicate& (*predicate)() = first_predicate;",
+                        "if (subject.is_first_predicate()) return;", "return is_first() ? a : b;", "if (predicate.is_implied) return;",
+                        'return predicate.id == "moving-sphere";', 'if ("box-triangle" != id) return;', 'find_predicate("box-box")'):
             self.assertEqual(places({"fuzz/map/x.cpp": "\n" + planted}, COMPARISON), [("fuzz/map/x.cpp", 2, planted.strip())])
         for planted in ('#include "exact/sphere_triangle/filters/cascade.h"', '#include "kernel/boxes/boxes.h"',
                         '#include "fuzz/testing/point_box/point_box.h"', '# include <fuzz/moving_sphere/mesh_motion.h>'):
@@ -97,7 +97,7 @@ class Predicates(unittest.TestCase):
         self.assertEqual(too_many([("cli/x.cpp", 3, "y")], {"cli": 0}), ["cli: 1, at most 0", "  cli/x.cpp:3: y"])
 
     def test_what_is_no_comparison_is_not(self):
-        for line in ('// as "sphere-triangle" == it says', 'const auto& test = find_test(name);', "bool is_first_call = true;",
+        for line in ('// as "sphere-triangle" == it says', 'const auto& predicate = find_predicate(name);', "bool is_first_call = true;",
                      '{"moving-sphere", of_moving_sphere},', "X(sphere_triangle)      \\"):
             self.assertEqual(places({"fuzz/map/x.cpp": line}, COMPARISON), [])
 

@@ -4,7 +4,7 @@
     readme_test.py AXISCERT MODELS quick|long     makes them and fails where a page says otherwise
     readme_test.py AXISCERT MODELS --write [NAME...]    puts what the commands give now into the pages
 
-The commands are those that stand with the tables, and in the function of each: of sphere-triangle in triangle_tables.py, of other tests here. The
+The commands are those that stand with the tables, and in the function of each: of sphere-triangle in triangle_tables.py, of other predicates here. The
 rows of a table are those that the page has.
 """
 import json
@@ -30,14 +30,14 @@ SWEEPS = ("general huge_d", "graze touch_end touch_start seam_time overlap_ulp",
 
 def sweeps(commands, old):
     """Rows of engines from npm stay where the engine is not installed."""
-    known = commands.text("kernels", "--test", "moving-sphere")
+    known = commands.text("kernels", "--predicate", "moving-sphere")
 
     def row(line):
         name = cells_of(line)[0].strip("`")
         kernel = name if name.startswith("moving-sphere/") else "moving-sphere/peer/" + name
         if not re.search(rf"^{re.escape(kernel)} +(?!NOT)", known, re.M):
             return line
-        record = commands.run("--test", "moving-sphere", "--precision", "binary32", "--trials", "1000", "--kernel", kernel)[1]
+        record = commands.run("--predicate", "moving-sphere", "--precision", "binary32", "--trials", "1000", "--kernel", kernel)[1]
         families = {family.split("/")[-1]: result["verdict"] for family, result in record["kernels"][0]["families"].items()}
 
         def cell(group):
@@ -72,7 +72,7 @@ def start_of(query, answer):
 
 def starts(commands, old):
     """Of the motions in contact, by how they begin: how many a peer misses of those that it answers. Rows of engines that are not installed stay."""
-    known = commands.text("kernels", "--test", "moving-sphere")
+    known = commands.text("kernels", "--predicate", "moving-sphere")
     queries = commands.text("generate", *options("--family", ["moving-sphere/" + name for name in START_FAMILIES]), "--trials", "100", "--seed", "2")
     columns = {}
 
@@ -101,7 +101,7 @@ def starts(commands, old):
 def rapier_times(commands, old):
     """Late and early by how much of the way at most. The row stays where the engine is not installed."""
     kernel = "moving-sphere/peer/rapier/sweep"
-    if not re.search(rf"^{kernel} +(?!NOT)", commands.text("kernels", "--test", "moving-sphere"), re.M):
+    if not re.search(rf"^{kernel} +(?!NOT)", commands.text("kernels", "--predicate", "moving-sphere"), re.M):
         return old
 
     def row(line):
@@ -201,20 +201,20 @@ BOX_ENTRIES = {"matrix": "", "quaternion": "_turned"}  # the families of each en
 CELL_ENTRIES = {"centre": "", "minmax": "_minmax", "matrix": "_oriented"}
 
 
-def engines(test, ends, trials):
+def engines(predicate, ends, trials):
     """A row for each engine from npm: missed (deepest) / phantom (deepest) / declined. Where it is not installed its row stays."""
 
     def table(commands, old):
-        known = commands.text("kernels", "--test", test)
+        known = commands.text("kernels", "--predicate", predicate)
         lines = old.splitlines(keepends=True)
         columns = [column.strip("`") for column in cells_of(lines[0])[2:]]
 
         def row(line):
             name, entry, *_ = cells_of(line)
-            kernel = f"{test}/peer/" + name.strip("`")
+            kernel = f"{predicate}/peer/" + name.strip("`")
             if not re.search(rf"^{re.escape(kernel)} +(?!NOT)", known, re.M):
                 return line
-            record = commands.run("--test", test, "--kernel", kernel, "--trials", trials, "--precision", "binary32")[1]
+            record = commands.run("--predicate", predicate, "--kernel", kernel, "--trials", trials, "--precision", "binary32")[1]
             found = {family.split("/")[-1]: result["verdict"] for family, result in record["kernels"][0]["families"].items()}
 
             def cell(family):

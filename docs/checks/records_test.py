@@ -135,7 +135,7 @@ class Citation(unittest.TestCase):
     def test_each_test_is_named(self):
         """sphere-triangle as "sphere and triangle" and so on."""
         said = re.search(r"collision tests \((.*?)\)", text_of("CITATION.cff"))[1].split(", ")
-        listed = re.findall(r"^  X\((\w+)\)", text_of("kernel/test_list.h"), re.M)
+        listed = re.findall(r"^  X\((\w+)\)", text_of("kernel/predicate_list.h"), re.M)
         self.assertEqual([{*one.split(" and ")} for one in said], [{*name.replace("moving_sphere", "moving sphere_triangle").split("_")} for name in listed])
 
 

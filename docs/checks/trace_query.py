@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""trace_query.py PROGRAM [--test ID] [--all]: follows queries through the code, and holds docs/a-query.md to what it saw.
+"""trace_query.py PROGRAM [--predicate ID] [--all]: follows queries through the code, and holds docs/a-query.md to what it saw.
 
 PROGRAM is `axiscert`, or `axiscert_toy`, which knows the suite's own predicate too; any build of it will do. For each predicate the
 script runs
@@ -205,10 +205,10 @@ def listed(program, *arguments):
     return json.loads(subprocess.run([program, *arguments, "--format", "json"], capture_output=True, check=True).stdout)
 
 
-def run_with_witness(program, test, folder):
+def run_with_witness(program, predicate, folder):
     """The first run of the lists that keeps a witness."""
-    for kernel in listed(program, "kernels", "--test", test)["kernels"]:
-        for family in listed(program, "families", "--test", test)["families"]:
+    for kernel in listed(program, "kernels", "--predicate", predicate)["kernels"]:
+        for family in listed(program, "families", "--predicate", predicate)["families"]:
             command = [program, "run", "--kernel", kernel["id"], "--family", family["name"], "--precision", "binary64", "--trials",
                        "1024", "--threads", "1", "--shrink", "0", "--out", folder]
             record = pathlib.Path(folder, "record.json")
@@ -216,7 +216,7 @@ def run_with_witness(program, test, folder):
             subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             if record.exists() and json.loads(record.read_text())["witnesses"]:
                 return command
-    raise SystemExit(f"{test}: no kernel is wrong in any family")
+    raise SystemExit(f"{predicate}: no kernel is wrong in any family")
 
 
 class Trace:
@@ -294,7 +294,7 @@ def faults_of(road, trace, tree):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
-    parser.add_argument("--test")
+    parser.add_argument("--predicate")
     parser.add_argument("--all", action="store_true")
     asked = parser.parse_args()
     if platform.machine() != "x86_64" or sys.platform != "linux":
@@ -303,23 +303,23 @@ def main():
     program, page, tree = os.path.realpath(asked.program), roads((ROOT / "docs/a-query.md").read_text()), Tree()
     functions = {address: components(name) for address, name in symbols(program).items()}
     wrong = []
-    for test in [asked.test] if asked.test else [test["id"] for test in listed(program, "tests")["tests"]]:
+    for predicate in [asked.predicate] if asked.predicate else [predicate["id"] for predicate in listed(program, "predicates")["predicates"]]:
         with tempfile.TemporaryDirectory() as folder:
-            command = run_with_witness(program, test, folder)
+            command = run_with_witness(program, predicate, folder)
             entered, code = first_entries(command, [address for address, names in functions.items() if names])
         trace = Trace(functions, entered)
-        print(f"{test}: kernel {command[3]}, family {command[5]}, exit code {code}")
+        print(f"{predicate}: kernel {command[3]}, family {command[5]}, exit code {code}")
         if asked.all:
             print_all(trace.names, tree)
             continue
-        if test not in page:
-            wrong.append(f"docs/a-query.md has no row for {test}")
+        if predicate not in page:
+            wrong.append(f"docs/a-query.md has no row for {predicate}")
             continue
-        for file, function, _ in page[test]:
+        for file, function, _ in page[predicate]:
             print(f"  {file}: {function}")
-        count, back = changes([file for file, _, _ in page[test]])
-        print(f"  {len(page[test])} functions, {count} changes of file, {back} of them back")
-        wrong += [f"docs/a-query.md, {test}: {fault}" for fault in faults_of(page[test], trace, tree)]
+        count, back = changes([file for file, _, _ in page[predicate]])
+        print(f"  {len(page[predicate])} functions, {count} changes of file, {back} of them back")
+        wrong += [f"docs/a-query.md, {predicate}: {fault}" for fault in faults_of(page[predicate], trace, tree)]
     for line in wrong:
         print(line, file=sys.stderr)
     return 1 if wrong else 0

@@ -1,7 +1,7 @@
 """words_test.py ROOT: generic code of reports and the page know no family, level, comparison or predicate by its name.
 
-Their words (situation, advice, section) are members of their definitions: struct Family, struct GateLevel, a test's capabilities, and for the page
-the script of a test's picture. A string literal that is a name of one, is a list of names, or gives one to an option, is knowledge in another place.
+Their words (situation, advice, section) are members of their definitions: struct Family, struct GateLevel, a predicate's capabilities, and for the page
+the script of a predicate's picture. A string literal that is a name of one, is a list of names, or gives one to an option, is knowledge in another place.
 """
 import re
 import sys
@@ -21,8 +21,8 @@ HOMONYMS = {
 }
 EXEMPT = re.compile(r"_test\.(cpp|mjs|py)$|_target\.cpp$|/(testing|testdata|browser)/|_scene\.js$")
 # A comparison with a name is knowledge of it even where it is a homonym.
-COMPARED = re.compile(r"\b(level|asked\.name|family|test)\b(?:\.name)?\s*[!=]==?\s*[\"'`]([\w-]+)[\"'`]")
-KIND_OF = {"level": "level", "asked.name": "level", "family": "family", "test": "predicate"}
+COMPARED = re.compile(r"\b(level|asked\.name|family|predicate)\b(?:\.name)?\s*[!=]==?\s*[\"'`]([\w-]+)[\"'`]")
+KIND_OF = {"level": "level", "asked.name": "level", "family": "family", "predicate": "predicate"}
 LITERAL = re.compile(r'"((?:\\.|[^"\\\n])*)"|\'((?:\\.|[^\'\\\n])*)\'|`((?:\\.|[^`\\\n])*)`')
 
 
@@ -54,7 +54,7 @@ def literals(line):
 def known_in(text, kinds):
     """What a literal knows by name: [(name, kind)]."""
     told = [(name, "predicate") for name in re.findall(r"([\w-]+)/[\w-]", text) if name in kinds["predicate"]]
-    told += [(name, kind) for name in re.findall(r"--(?:require|family|test)[ =]([\w-]+)", text) for kind in kinds if name in kinds[kind]]
+    told += [(name, kind) for name in re.findall(r"--(?:require|family|predicate)[ =]([\w-]+)", text) for kind in kinds if name in kinds[kind]]
     words = text.split()
     for kind, all_names in kinds.items():
         if words and all(word in all_names for word in words) and not (len(words) == 1 and words[0] in HOMONYMS):
@@ -97,7 +97,7 @@ class Words(unittest.TestCase):
 
     def test_what_is_planted_is_seen(self):
         for planted in ('if (family == "tangent") return 1;', "const hard = ['sliver', 'needle'];", '{"parallel", "motions", "slide skim along_edge"},',
-                        "if (of.test === 'moving-sphere') draw();", 'if (level == "conservative") return "";', "row.name === 'plane.radius'",
+                        "if (of.predicate === 'moving-sphere') draw();", 'if (level == "conservative") return "";', "row.name === 'plane.radius'",
                         "el('code', '', 'axiscert run --require logic')", '"take moving-sphere/general"', "`--family ${x} --family scene_walk`",
                         'if (asked.name == "decided") share = 1;', 'return level == "exact" || other;'):
             self.assertTrue(places({"reports/x.cpp": planted}, names()), planted)

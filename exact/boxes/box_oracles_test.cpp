@@ -13,8 +13,8 @@ namespace {
 
 using testing::ElementsAre;
 
-const Oracles& matrix_oracles() { return oracles_of(box_box_test(), MatrixBoxes::entry); }
-const Oracles& quaternion_oracles() { return oracles_of(box_box_test(), QuaternionBoxes::entry); }
+const Oracles& matrix_oracles() { return oracles_of(box_box_predicate(), MatrixBoxes::entry); }
+const Oracles& quaternion_oracles() { return oracles_of(box_box_predicate(), QuaternionBoxes::entry); }
 
 constexpr std::array<Vec3<double>, 3> unit_axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 

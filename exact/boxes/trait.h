@@ -1,5 +1,5 @@
-// The traits of the test of two boxes, one for each entry: the truth by the nearest points, compared on every query
-// with the edges clipped and, by the theorem, with the fifteen axes.
+// The traits of the predicate of two boxes, one for each entry: the truth by the nearest points, compared on every
+// query with the edges clipped and, by the theorem, with the fifteen axes.
 #pragma once
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ struct BoxTrait : Boxes {
   static ExactPair exactly(const Numbers<double>& numbers) { return exact_pair(query(numbers)); }
 
   static std::string why_invalid(const Numbers<double>& numbers) {
-    const TestEntry& entry = Boxes::description().entries[Boxes::entry];
+    const PredicateEntry& entry = Boxes::description().entries[Boxes::entry];
     if (std::string why = why_numbers_are_invalid(entry, numbers); !why.empty()) return why;
     const auto q = query(numbers);
     if (std::string why = why_invalid_box("a", q.a); !why.empty()) return why;
@@ -56,7 +56,7 @@ struct BoxTrait : Boxes {
   // sides are equal.
   static std::string contradiction(const Numbers<double>& numbers, const ClippedTruth& truth, ComparisonBits holds,
                                    ComparisonBits ties) {
-    return contradiction_of("fifteen", truth, verdict_of(box_box_test(), holds), holds, ties,
+    return contradiction_of("fifteen", truth, verdict_of(box_box_predicate(), holds), holds, ties,
                             [&] { return scaled<DyadicNumber>(query(numbers)); });
   }
 

@@ -13,7 +13,7 @@ namespace {
 
 using testing::ElementsAre;
 
-const Oracles& oracles_in(std::size_t entry) { return oracles_of(box_triangle_test(), entry); }
+const Oracles& oracles_in(std::size_t entry) { return oracles_of(box_triangle_predicate(), entry); }
 
 // The cube of half extent 1 at the origin, and a triangle.
 Numbers<double> at_cube(const std::array<Vec3<double>, 3>& corner) {

@@ -1,4 +1,4 @@
-// The traits of the test of a box and a triangle, one for each entry: the truth by the nearest points, compared on
+// The traits of the predicate of a box and a triangle, one for each entry: the truth by the nearest points, compared on
 // every query with the edges clipped and, by the theorem, with the thirteen axes.
 #pragma once
 
@@ -37,7 +37,7 @@ struct TriangleTrait : Entry {
   static ExactBoxAndTriangle exactly(const Numbers<double>& numbers) { return exact_box_and_triangle(query(numbers)); }
 
   static std::string why_invalid(const Numbers<double>& numbers) {
-    const TestEntry& entry = Entry::description().entries[Entry::entry];
+    const PredicateEntry& entry = Entry::description().entries[Entry::entry];
     if (std::string why = why_numbers_are_invalid(entry, numbers); !why.empty()) return why;
     return why_invalid_box(query(numbers));
   }
@@ -52,7 +52,7 @@ struct TriangleTrait : Entry {
   // The theorem, as that of two boxes (exact/boxes/trait.h), of thirteen axes.
   static std::string contradiction(const Numbers<double>& numbers, const ClippedTruth& truth, ComparisonBits holds,
                                    ComparisonBits ties) {
-    return contradiction_of("thirteen", truth, verdict_of(box_triangle_test(), holds), holds, ties,
+    return contradiction_of("thirteen", truth, verdict_of(box_triangle_predicate(), holds), holds, ties,
                             [&] { return scaled<DyadicNumber>(query(numbers)); });
   }
 

@@ -11,12 +11,12 @@
 
 #include "exact/boxes/scaled.h"
 #include "exact/trait/dyadic_number.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert::boxes {
 
 // "a.s, element 2": the place of a column in a line of JSON.
-inline std::string place_of(const TestEntry& entry, std::size_t column) {
+inline std::string place_of(const PredicateEntry& entry, std::size_t column) {
   for (const ColumnGroup& group : groups_of(entry)) {
     if (column < group.first || column >= group.first + group.size) continue;
     return group.size == 1 ? std::string(group.name)
@@ -26,7 +26,7 @@ inline std::string place_of(const TestEntry& entry, std::size_t column) {
 }
 
 // The first number that is not finite or a negative half extent; empty where there is none.
-inline std::string why_numbers_are_invalid(const TestEntry& entry, const Numbers<double>& numbers) {
+inline std::string why_numbers_are_invalid(const PredicateEntry& entry, const Numbers<double>& numbers) {
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     if (!std::isfinite(numbers[k])) {
       return fmt::format("{} is {}; every number is finite", place_of(entry, k), numbers[k]);

@@ -14,7 +14,7 @@ class DepthOf {
   virtual double exactly() = 0;  // rounded once, to the nearest binary64
   virtual bool is_touching() = 0;
   // The depth above which a wrong verdict counts as one on an engine-like query; infinity where the query is not one,
-  // and in a test for which no query is.
+  // and in a predicate for which no query is.
   virtual double engine_threshold() { return std::numeric_limits<double>::infinity(); }
 
  protected:

@@ -39,40 +39,40 @@ LinkSet verdict_links(Verdict right, const Reference& chain, Verdict kernel) {
   return links;
 }
 
-void judge_bits(const TestDescription& test, const Reference& chain, ComparisonBits bits, Verdict verdict,
+void judge_bits(const Predicate& predicate, const Reference& chain, ComparisonBits bits, Verdict verdict,
                 Judgement& out) {
   const ComparisonBits exact = *chain.exact.bits;
-  const auto clauses = [&](ComparisonBits own) { return clauses_of(test, own); };
+  const auto clauses = [&](ComparisonBits own) { return clauses_of(predicate, own); };
   const ClauseBits axes = clauses(bits);
   out.comparison_flips = exact ^ bits;
   out.axis_flips = out.exact_axes ^ axes;
   out.broken = broken_links(chain, bits, [](ComparisonBits own) { return own; });
   out.broken_axes = broken_links(chain, bits, clauses);
-  if (verdict == verdict_of(test, exact)) return;  // nothing flipped the verdict: all masked
+  if (verdict == verdict_of(predicate, exact)) return;  // nothing flipped the verdict: all masked
   // A wrong verdict has one direction, and so has every flip that can have caused it: the axes that flipped in that
   // direction and, within those axes, the comparisons that did.
   const bool false_separation = verdict == Verdict::separated;
   out.axis_decisive = out.axis_flips & (false_separation ? axes : out.exact_axes);
   ComparisonBits in_those_axes = 0;
-  for (std::size_t i = 0; i < test.clauses.size(); ++i) {
-    if (has_bit(out.axis_decisive, i)) in_those_axes |= test.clauses[i].comparisons;
+  for (std::size_t i = 0; i < predicate.clauses.size(); ++i) {
+    if (has_bit(out.axis_decisive, i)) in_those_axes |= predicate.clauses[i].comparisons;
   }
   out.comparison_decisive = out.comparison_flips & in_those_axes & (false_separation ? bits : exact);
 }
 
 // The reference on a touching query under a convention other than `contact`, which decides its ties at touching.
-Reference by_convention(const TestDescription& test, Reference chain, TouchingPolicy touching, const Answer& answer) {
+Reference by_convention(const Predicate& predicate, Reference chain, TouchingPolicy touching, const Answer& answer) {
   if (!chain.exact.bits) {
     chain.exact.verdict = touching == TouchingPolicy::separated ? Verdict::separated : answer.verdict;
     return chain;
   }
   ComparisonBits open = 0;
-  for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
-    if (test.comparisons[i].ties_at_touching) open |= chain.ties & one_bit<ComparisonBits>(i);
+  for (std::size_t i = 0; i < predicate.comparisons.size(); ++i) {
+    if (predicate.comparisons[i].ties_at_touching) open |= chain.ties & one_bit<ComparisonBits>(i);
   }
   const ComparisonBits decided = touching == TouchingPolicy::separated ? open : answer.bits.value_or(0);
   const ComparisonBits bits = (*chain.exact.bits & ~open) | (decided & open);
-  chain.exact = {verdict_of(test, bits), bits};
+  chain.exact = {verdict_of(predicate, bits), bits};
   return chain;
 }
 
@@ -84,14 +84,14 @@ std::vector<std::string_view> names(LinkSet links) {
   return all;
 }
 
-std::string_view name(const TestDescription& test, const Flip& flip) {
+std::string_view name(const Predicate& predicate, const Flip& flip) {
   switch (flip.level) {
     case Level::verdict:
       return "verdict";
     case Level::axis:
-      return test.clauses[flip.index].name;
+      return predicate.clauses[flip.index].name;
     case Level::comparison:
-      return test.comparisons[flip.index].name;
+      return predicate.comparisons[flip.index].name;
   }
   return {};
 }
@@ -109,7 +109,7 @@ std::optional<Verdict> right_verdict(const Truth& truth, TouchingPolicy touching
   return truth.verdict;
 }
 
-Judgement judge(const TestDescription& test, const Truth& truth, const std::optional<Reference>& reference,
+Judgement judge(const Predicate& predicate, const Truth& truth, const std::optional<Reference>& reference,
                 const Answer& answer, TouchingPolicy touching) {
   Judgement out;
   if (truth.verdict == Verdict::invalid) return out;
@@ -123,11 +123,11 @@ Judgement judge(const TestDescription& test, const Truth& truth, const std::opti
     return out;
   }
   const bool conventional = truth.touching && touching != TouchingPolicy::contact && !reference->rounded;
-  const Reference chain = conventional ? by_convention(test, *reference, touching, answer) : *reference;
+  const Reference chain = conventional ? by_convention(predicate, *reference, touching, answer) : *reference;
   out.exact = chain.exact.bits;
-  if (out.exact) out.exact_axes = clauses_of(test, *out.exact);
+  if (out.exact) out.exact_axes = clauses_of(predicate, *out.exact);
   if (decided && right) out.verdict_links = verdict_links(*right, chain, answer.verdict);
-  if (decided && answer.bits && chain.exact.bits) judge_bits(test, chain, *answer.bits, answer.verdict, out);
+  if (decided && answer.bits && chain.exact.bits) judge_bits(predicate, chain, *answer.bits, answer.verdict, out);
   return out;
 }
 

@@ -10,7 +10,7 @@
 #include "kernel/base/bits.h"
 #include "kernel/base/enum_set.h"
 #include "kernel/outcome.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert {
 
@@ -25,7 +25,7 @@ constexpr std::string_view name(Link which) { return link_names[which]; }
 using LinkSet = EnumSet<Link, std::uint8_t>;
 std::vector<std::string_view> names(LinkSet links);
 
-// An axis is a clause, in the word of the tests by separating axes.
+// An axis is a clause, in the word of the predicates by separating axes.
 enum class Level : std::uint8_t { verdict, axis, comparison };
 template <>
 inline constexpr std::size_t enum_count<Level> = 3;
@@ -48,7 +48,7 @@ struct Flip {
   bool decisive;
   LinkSet links;
 };
-std::string_view name(const TestDescription& test, const Flip& flip);  // "verdict", "edge_ab", "edge_ab.radius"
+std::string_view name(const Predicate& predicate, const Flip& flip);  // "verdict", "edge_ab", "edge_ab.radius"
 
 // A kernel's answer: its verdict and, if it exposes them, its comparison bits.
 using Answer = Outcome;
@@ -91,13 +91,13 @@ std::optional<Verdict> right_verdict(const Truth& truth, TouchingPolicy touching
 // or there is no answer, there is no flip.
 //
 // On a touching query a kernel is judged by its own convention, and so are formulae that it evaluates in its own way.
-// The two touch where a comparison of TestComparison::ties_at_touching (sphere-triangle's: of a radius) is a tie, and a
-// convention can only mean the relation, `>` or `>=`, that this comparison uses: with `separated`, such ties hold; with
-// `either`, they are as the kernel has them, and no link is broken. Otherwise each right answer would break links, and
-// each rounding at a tie would count as a fault of the specification. On any other query the formulae are taken as
-// named: a `>=` that also separates a zero-area triangle by 0 >= 0 is a fault. A bit-for-bit reference has a fixed
-// relation, so a convention other than `contact` contradicts the formulae of such a kernel: `specification`.
-Judgement judge(const TestDescription& test, const Truth& truth, const std::optional<Reference>& reference,
+// The two touch where a comparison of PredicateComparison::ties_at_touching (sphere-triangle's: of a radius) is a tie,
+// and a convention can only mean the relation, `>` or `>=`, that this comparison uses: with `separated`, such ties
+// hold; with `either`, they are as the kernel has them, and no link is broken. Otherwise each right answer would break
+// links, and each rounding at a tie would count as a fault of the specification. On any other query the formulae are
+// taken as named: a `>=` that also separates a zero-area triangle by 0 >= 0 is a fault. A bit-for-bit reference has a
+// fixed relation, so a convention other than `contact` contradicts the formulae of such a kernel: `specification`.
+Judgement judge(const Predicate& predicate, const Truth& truth, const std::optional<Reference>& reference,
                 const Answer& answer, TouchingPolicy touching = TouchingPolicy::contact);
 
 template <class Visit>

@@ -1,4 +1,4 @@
-// The judgement of what a kernel says of a first contact beside its verdict: of the measures of a test of motions.
+// The judgement of what a kernel says of a first contact beside its verdict: of the measures of a predicate of motions.
 #pragma once
 
 #include <array>
@@ -57,7 +57,7 @@ struct ContactPlace {
 class MotionJudge {
  public:
   virtual ~MotionJudge() = default;
-  // The measures beside a contact, the first of the test's.
+  // The measures beside a contact, the first of the predicate's.
   virtual MotionJudgement judge_hit(std::span<const double> measures) = 0;
   // The tunnel of an answer that there is no contact.
   virtual Tunnel judge_miss() = 0;

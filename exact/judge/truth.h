@@ -6,7 +6,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/query.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert {
 
@@ -19,14 +19,13 @@ struct Truth {
 // exactly): the numbers of this entry of `of`.
 struct OracleDisagreement : HarnessFault {
   template <class Real>
-  OracleDisagreement(const std::string& what, const Numbers<Real>& q, const TestDescription& of,
-                     std::size_t of_entry = 0)
+  OracleDisagreement(const std::string& what, const Numbers<Real>& q, const Predicate& of, std::size_t of_entry = 0)
       : HarnessFault("the oracles disagree: " + what),
-        test(&of),
+        predicate(&of),
         entry(of_entry),
         precision(precision_of<Real>),
         query(q.begin(), q.end()) {}
-  const TestDescription* test;
+  const Predicate* predicate;
   std::size_t entry;
   Precision precision;
   std::vector<double> query;

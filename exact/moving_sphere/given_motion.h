@@ -1,4 +1,4 @@
-// A motion as the exact side takes it, in either entry of the test.
+// A motion as the exact side takes it, in either entry of the predicate.
 #pragma once
 
 #include "kernel/moving_sphere/moving_sphere.h"

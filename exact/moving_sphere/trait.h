@@ -20,7 +20,7 @@
 
 namespace axiscert::moving_sphere {
 
-// `Entry` is the test in one of its entries.
+// `Entry` is the predicate in one of its entries.
 template <class Entry>
 struct MotionTrait : Entry {
   using AllFormulae = FormulaeList<Twenty, TwentyNonstrict>;
@@ -48,7 +48,7 @@ struct MotionTrait : Entry {
                                    ComparisonBits ties) {
     const int order = swept_distance_order(query(numbers));
     const Verdict by_cgal = order > 0 ? Verdict::separated : Verdict::contact;
-    const Verdict by_axes = verdict_of(moving_sphere_test(), holds | (ties & side_bits));
+    const Verdict by_axes = verdict_of(moving_sphere_predicate(), holds | (ties & side_bits));
     const bool touching_agrees = truth.touching ? order == 0 : order != 0 || query(numbers).r == 0;
     if (truth.verdict == by_cgal && truth.verdict == by_axes && touching_agrees) return "";
     return fmt::format(

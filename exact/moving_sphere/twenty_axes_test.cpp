@@ -115,11 +115,11 @@ TEST(TwentyAxesLong, OfAllLatticeConfigurationsTheNonstrictAreWrongOnNoneAndTheS
 }
 
 TEST(TwentyAxes, AreTheSixtyOneComparisonsOfTheDescription) {
-  const TestDescription& test = moving_sphere_test();
-  EXPECT_EQ(test.comparisons.size(), 61u);
-  EXPECT_EQ(test.clauses.size(), 20u);
-  EXPECT_EQ(test.entries[0].columns.size(), 16u);
-  for (const TestClause& clause : test.clauses) {
+  const Predicate& predicate = moving_sphere_predicate();
+  EXPECT_EQ(predicate.comparisons.size(), 61u);
+  EXPECT_EQ(predicate.clauses.size(), 20u);
+  EXPECT_EQ(predicate.entries[0].columns.size(), 16u);
+  for (const PredicateClause& clause : predicate.clauses) {
     EXPECT_EQ(std::popcount(clause.comparisons & ~side_bits), 1) << clause.name << " has one radius comparison";
   }
   EXPECT_EQ(comparison_names[start_axes], "start.plane.radius");
@@ -127,7 +127,7 @@ TEST(TwentyAxes, AreTheSixtyOneComparisonsOfTheDescription) {
   EXPECT_EQ(comparison_names[sweep_axes], "sweep.vertex_a.radius");
 }
 
-const Oracles& real_oracles() { return oracles_of(moving_sphere_test()); }
+const Oracles& real_oracles() { return oracles_of(moving_sphere_predicate()); }
 
 TEST(MovingSphereOracles, AnswerByHand) {
   const auto truth = [](const MovingQuery<double>& q) { return real_oracles().truth(Numbers<double>(q)); };
@@ -147,7 +147,7 @@ TEST(MovingSphereOracles, AnswerByHand) {
 
 // The same motions by their ends: nothing is rounded where all are small integers.
 TEST(MovingSphereOracles, OfEndsAnswerAsThoseOfDisplacements) {
-  const Oracles& of_ends = oracles_of(moving_sphere_test(), MovingEnds::entry);
+  const Oracles& of_ends = oracles_of(moving_sphere_predicate(), MovingEnds::entry);
   constexpr std::uint64_t seed = 20261126;
   std::mt19937_64 random(seed);
   int contacts = 0;
@@ -205,7 +205,7 @@ TEST(MovingSphereOracles, RefuseEachComparisonWithItsSidesExchanged) {
 }
 
 TEST(MovingSphereOraclesLong, RefuseAnAxisThatIsDropped) {
-  for (const TestClause& clause : moving_sphere_test().clauses) {
+  for (const PredicateClause& clause : moving_sphere_predicate().clauses) {
     PlantedAxes::dropped = clause.name;
     EXPECT_TRUE(is_caught<WithPlantedAxes>(400000)) << clause.name;
   }

@@ -16,7 +16,7 @@ struct KnownSigns {
   ComparisonBits holds = 0, ties = 0, certain = 0;
 };
 
-// Serves one thread. A test without filters has AskedOneByOne.
+// Serves one thread. A predicate without filters has AskedOneByOne.
 template <class Real>
 class BatchOracle {
  public:

@@ -22,7 +22,7 @@ struct RadiusRange {
 template <class Real>
 RadiusRange<Real> radii_within(const Limits& limits);
 
-// A query of any test; the number of one column is not read.
+// A query of any predicate; the number of one column is not read.
 template <class Real>
 struct QueryWithRadius {
   Numbers<Real> numbers;

@@ -30,9 +30,9 @@ Examination examination(const Numbers<Real>& q, const Kernel& kernel, const Answ
     out.squared_distance = asked->squared_distance();
     out.is_promised = is_promised(kernel, q);
   }
-  out.judgement = judge(*kernel.test, out.truth, chain, answer, kernel.touching);
+  out.judgement = judge(*kernel.predicate, out.truth, chain, answer, kernel.touching);
   if (out.judgement.verdict_flip) out.depth = oracles.depth(q);
-  if (!kernel.test->measures.empty() && right_verdict(out.truth, kernel.touching) == Verdict::contact) {
+  if (!kernel.predicate->measures.empty() && right_verdict(out.truth, kernel.touching) == Verdict::contact) {
     const auto motion = oracles.motion_judge(q);
     if (answer.verdict == Verdict::contact) out.motion = motion->judge_hit(out.measures);
     if (answer.verdict == Verdict::separated) out.missed = motion->judge_miss();

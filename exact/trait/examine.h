@@ -1,5 +1,5 @@
-// The full examination of one query with one kernel by the oracles of its test: the output of `check` and the content
-// of a witness.
+// The full examination of one query with one kernel by the oracles of its predicate: the output of `check` and the
+// content of a witness.
 #pragma once
 
 #include <optional>
@@ -17,22 +17,22 @@ struct ShownSides {
 struct Examination {
   Truth truth;
   Answer answer;
-  // The signs of the formulae that the test publishes or, where it publishes none, of the kernel's claim; and the exact
-  // squared distance, in a test that compares one. Empty for an invalid query.
+  // The signs of the formulae that the predicate publishes or, where it publishes none, of the kernel's claim; and the
+  // exact squared distance, in a predicate that compares one. Empty for an invalid query.
   std::optional<ExactSigns> exact;
   std::optional<Rational> squared_distance;
   Judgement judgement;
-  std::optional<double> depth;            // of the query, if the verdict is wrong and the test has a depth
+  std::optional<double> depth;            // of the query, if the verdict is wrong and the predicate has a depth
   std::optional<ShownSides> sides;        // as computed, if the kernel exposes them and was asked now
-  std::vector<double> measures;           // that the kernel gave, the first of the test's
+  std::vector<double> measures;           // that the kernel gave, the first of the predicate's
   std::optional<MotionJudgement> motion;  // of these, beside a contact that is right
-  std::optional<Tunnel> missed;           // of a missed contact, in a test with measures
+  std::optional<Tunnel> missed;           // of a missed contact, in a predicate with measures
   bool is_promised = true;                // the query is one on which the kernel promises to be right, or is invalid
   std::vector<Finding> findings;          // faults of the kernel other than a wrong answer
 };
 
-// Examines queries of the kernel's test. The kernel is begun once in each precision, since a plug-in is a process of
-// its own, and again after a query that it did not answer.
+// Examines queries of the kernel's predicate. The kernel is begun once in each precision, since a plug-in is a process
+// of its own, and again after a query that it did not answer.
 class Examiner {
  public:
   // The kernel and the string must outlive the examiner.

@@ -3,22 +3,22 @@
 #include <fmt/format.h>
 
 #include "kernel/base/error.h"
-#include "kernel/test_list.h"
+#include "kernel/predicate_list.h"
 
 namespace axiscert {
 
-#define AXISCERT_DECLARE(name)          \
-  const TestDescription& name##_test(); \
+#define AXISCERT_DECLARE(name)         \
+  const Predicate& name##_predicate(); \
   const Oracles& name##_oracles(std::size_t entry);
-AXISCERT_TESTS(AXISCERT_DECLARE)
+AXISCERT_PREDICATES(AXISCERT_DECLARE)
 #undef AXISCERT_DECLARE
 
-const Oracles& oracles_of(const TestDescription& test, std::size_t entry) {
+const Oracles& oracles_of(const Predicate& predicate, std::size_t entry) {
 #define AXISCERT_FIND(name) \
-  if (&test == &name##_test()) return name##_oracles(entry);
-  AXISCERT_TESTS(AXISCERT_FIND)
+  if (&predicate == &name##_predicate()) return name##_oracles(entry);
+  AXISCERT_PREDICATES(AXISCERT_FIND)
 #undef AXISCERT_FIND
-  throw HarnessFault(fmt::format("the test '{}' is not on the list of kernel/test_list.h", test.id));
+  throw HarnessFault(fmt::format("the predicate '{}' is not on the list of kernel/predicate_list.h", predicate.id));
 }
 
 namespace {

@@ -1,4 +1,4 @@
-// The oracles of one test, as code that serves every test sees them.
+// The oracles of one predicate, as code that serves every predicate sees them.
 #pragma once
 
 #include <memory>
@@ -45,7 +45,7 @@ struct CriticalLength {
 // By what a query is decided.
 enum class Opinion : std::uint8_t {
   first,
-  second,      // another arithmetic repeats the decisions of the truth, where the test has one
+  second,      // another arithmetic repeats the decisions of the truth, where the predicate has one
   exact_only,  // that, and no filter or enclosure takes part in anything: the answers are the same
 };
 
@@ -68,8 +68,8 @@ class AskedQuery {
   std::vector<Rational> relative_margins(const Kernel& kernel, ComparisonBits comparisons);
   virtual DepthOf& depth() = 0;
 
-  // All that follow are empty where the test does not tell them.
-  // The signs of the formulae that the test publishes, with strict relations, whatever a kernel claims.
+  // All that follow are empty where the predicate does not tell them.
+  // The signs of the formulae that the predicate publishes, with strict relations, whatever a kernel claims.
   virtual std::optional<ExactSigns> published_signs() { return std::nullopt; }
   // The square of the distance that the test compares.
   virtual std::optional<Rational> squared_distance() { return std::nullopt; }
@@ -77,16 +77,16 @@ class AskedQuery {
   virtual std::optional<ExactDepth> exact_depth() { return std::nullopt; }
 };
 
-// Stateless: any thread may ask at any time. `numbers` are of one entry of the test, whose oracles these are. Each
+// Stateless: any thread may ask at any time. `numbers` are of one entry of the predicate, whose oracles these are. Each
 // member throws OracleDisagreement where two ways of finding one answer differ.
 class Oracles {
  public:
   virtual ~Oracles() = default;
-  virtual const TestDescription& test() const = 0;
+  virtual const Predicate& predicate() const = 0;
   // Whether the numbers are a query: the truth of others is `invalid`.
   virtual bool is_valid(const Numbers<float>& numbers) const = 0;
   virtual bool is_valid(const Numbers<double>& numbers) const = 0;
-  // The reason for which numbers whose truth is `invalid` are no query; empty where the test says none.
+  // The reason for which numbers whose truth is `invalid` are no query; empty where the predicate says none.
   virtual std::string why_invalid(const Numbers<float>&) const { return {}; }
   virtual std::string why_invalid(const Numbers<double>&) const { return {}; }
   // The names of the formulae that a kernel can claim.
@@ -94,12 +94,12 @@ class Oracles {
   // Whether batches() decides nearly all queries by filters, at a hundredth of the cost of exact arithmetic.
   virtual bool has_filters() const { return false; }
 
-  // The truths of batches, by filters on this instruction set where the test has them.
+  // The truths of batches, by filters on this instruction set where the predicate has them.
   virtual std::unique_ptr<BatchOracle<float>> batches(std::string_view target, std::type_identity<float>) const;
   virtual std::unique_ptr<BatchOracle<double>> batches(std::string_view target, std::type_identity<double>) const;
 
-  // The query, to be asked more than once. Another arithmetic repeats the decisions of the truth where the test has a
-  // second oracle and `opinion` says so.
+  // The query, to be asked more than once. Another arithmetic repeats the decisions of the truth where the predicate
+  // has a second oracle and `opinion` says so.
   virtual std::unique_ptr<AskedQuery> about(const Numbers<float>& numbers, Opinion opinion = Opinion::second) const = 0;
   virtual std::unique_ptr<AskedQuery> about(const Numbers<double>& numbers,
                                             Opinion opinion = Opinion::second) const = 0;
@@ -107,11 +107,12 @@ class Oracles {
   Truth truth(const Numbers<float>& numbers) const { return about(numbers)->truth(); }
   Truth truth(const Numbers<double>& numbers) const { return about(numbers)->truth(); }
   virtual bool has_depth() const = 0;
-  // The distance of a valid query from touching, relative to its scene and rounded once; empty if the test has none.
+  // The distance of a valid query from touching, relative to its scene and rounded once; empty if the predicate has
+  // none.
   virtual std::optional<double> depth(const Numbers<float>& numbers) const = 0;
   virtual std::optional<double> depth(const Numbers<double>& numbers) const = 0;
   // The verdict of numbers whose depth exceeds this; empty on any others. By the rounded depth, or exactly where the
-  // test has quick bounds of it.
+  // predicate has quick bounds of it.
   virtual std::optional<Verdict> verdict_beyond(double depth, const Numbers<float>& numbers) const;
   virtual std::optional<Verdict> verdict_beyond(double depth, const Numbers<double>& numbers) const;
   // Whether the test compares a distance: then AskedQuery tells its square and the published signs.
@@ -120,26 +121,26 @@ class Oracles {
   // Empty where the answer depends on no length in this way.
   virtual std::optional<CriticalLength> critical_length() const { return std::nullopt; }
   // Whether the shape of finite numbers is so extreme that a kernel may be wrong there by its formulae alone, by as
-  // much as the scene is large. `false` where the test has no such notion.
+  // much as the scene is large. `false` where the predicate has no such notion.
   virtual bool is_degenerate(const Numbers<float>&) const { return false; }
   virtual bool is_degenerate(const Numbers<double>&) const { return false; }
 
-  // Facts about a valid query besides its truth, in the order in which `check` shows them; most tests have none.
+  // Facts about a valid query besides its truth, in the order in which `check` shows them; most predicates have none.
   virtual std::vector<Detail> details(const Numbers<float>&) const { return {}; }
   virtual std::vector<Detail> details(const Numbers<double>&) const { return {}; }
   // Their names, in the same order, whatever the query.
   virtual std::vector<std::string_view> detail_names() const { return {}; }
 
-  // Whether kernels of the test can promise to be right within limits alone; else every query is within them.
+  // Whether kernels of the predicate can promise to be right within limits alone; else every query is within them.
   virtual bool has_limits() const { return false; }
   // Whether a valid query lies within a kernel's limits, and whether a kernel with this policy promises to be right on
-  // it. A test has one of the two, or neither.
+  // it. A predicate has one of the two, or neither.
   virtual bool is_within(const Limits&, const Numbers<float>&) const { return true; }
   virtual bool is_within(const Limits&, const Numbers<double>&) const { return true; }
   virtual bool is_promised(const MotionPolicy&, const Numbers<float>&) const { return true; }
   virtual bool is_promised(const MotionPolicy&, const Numbers<double>&) const { return true; }
 
-  // The judge of a kernel's measures on a valid query that has contact; null for a test that has none.
+  // The judge of a kernel's measures on a valid query that has contact; null for a predicate that has none.
   virtual std::unique_ptr<MotionJudge> motion_judge(const Numbers<float>&) const { return nullptr; }
   virtual std::unique_ptr<MotionJudge> motion_judge(const Numbers<double>&) const { return nullptr; }
 };
@@ -150,10 +151,10 @@ std::unique_ptr<BatchOracle<Real>> batches_of(const Oracles& oracles, std::strin
 }
 
 // Those of an entry; where none is named, of the first. They throw HarnessFault if they are given numbers of another.
-const Oracles& oracles_of(const TestDescription& test, std::size_t entry = 0);
-inline const Oracles& oracles_of(const Kernel& kernel) { return oracles_of(*kernel.test, kernel.entry); }
+const Oracles& oracles_of(const Predicate& predicate, std::size_t entry = 0);
+inline const Oracles& oracles_of(const Kernel& kernel) { return oracles_of(*kernel.predicate, kernel.entry); }
 
-// Whether a kernel with these limits and this policy promises to be right on a valid query of the oracles' test.
+// Whether a kernel with these limits and this policy promises to be right on a valid query of the oracles' predicate.
 template <class Real>
 bool is_promised(const Oracles& oracles, const Limits& limits, const MotionPolicy& motion, const Numbers<Real>& q) {
   return (!limits.any() || oracles.is_within(limits, q)) &&

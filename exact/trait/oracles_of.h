@@ -1,4 +1,5 @@
-// Oracles made of a test's trait. A test's room instantiates this once, in the file that defines NAME_oracles().
+// Oracles made of a predicate's trait. A predicate's room instantiates this once, in the file that defines
+// NAME_oracles().
 #pragma once
 
 #include <fmt/format.h>
@@ -17,26 +18,26 @@
 
 namespace axiscert {
 
-template <class Test>
+template <class Trait>
 struct ExactOfTrait {
   using type = BinaryNumber;
 };
-template <class Test>
-  requires requires { typename Test::Exact; }
-struct ExactOfTrait<Test> {
-  using type = typename Test::Exact;
+template <class Trait>
+  requires requires { typename Trait::Exact; }
+struct ExactOfTrait<Trait> {
+  using type = typename Trait::Exact;
 };
-template <class Test>
-using ExactOf = typename ExactOfTrait<Test>::type;
+template <class Trait>
+using ExactOf = typename ExactOfTrait<Trait>::type;
 
-template <TestTrait Test>
+template <PredicateTrait Trait>
 class OraclesOf final : public Oracles {
  public:
-  const TestDescription& test() const override { return Test::description(); }
-  std::vector<std::string_view> formulae() const override { return names_of(typename Test::AllFormulae()); }
+  const Predicate& predicate() const override { return Trait::description(); }
+  std::vector<std::string_view> formulae() const override { return names_of(typename Trait::AllFormulae()); }
 
-  bool is_valid(const Numbers<float>& q) const override { return Test::is_valid(widened(q)); }
-  bool is_valid(const Numbers<double>& q) const override { return Test::is_valid(widened(q)); }
+  bool is_valid(const Numbers<float>& q) const override { return Trait::is_valid(widened(q)); }
+  bool is_valid(const Numbers<double>& q) const override { return Trait::is_valid(widened(q)); }
   std::string why_invalid(const Numbers<float>& q) const override { return reason(q); }
   std::string why_invalid(const Numbers<double>& q) const override { return reason(q); }
 
@@ -46,21 +47,21 @@ class OraclesOf final : public Oracles {
   std::unique_ptr<AskedQuery> about(const Numbers<double>& q, Opinion) const override {
     return std::make_unique<EvaluatedQuery<double>>(q);
   }
-  bool has_depth() const override { return HasDepth<Test>; }
+  bool has_depth() const override { return HasDepth<Trait>; }
   std::optional<double> depth(const Numbers<float>& q) const override { return depth_of(q); }
   std::optional<double> depth(const Numbers<double>& q) const override { return depth_of(q); }
   std::optional<CriticalLength> critical_length() const override {
-    if constexpr (!HasCriticalLength<Test>) return std::nullopt;
-    else if constexpr (requires { Test::critical_centre; })
-      return CriticalLength{first_length(), Test::squared_critical_length, Test::critical_centre};
-    else return CriticalLength{first_length(), Test::squared_critical_length};
+    if constexpr (!HasCriticalLength<Trait>) return std::nullopt;
+    else if constexpr (requires { Trait::critical_centre; })
+      return CriticalLength{first_length(), Trait::squared_critical_length, Trait::critical_centre};
+    else return CriticalLength{first_length(), Trait::squared_critical_length};
   }
   bool is_degenerate(const Numbers<float>& q) const override { return says_degenerate(q); }
   bool is_degenerate(const Numbers<double>& q) const override { return says_degenerate(q); }
   std::vector<Detail> details(const Numbers<float>& q) const override { return details_of(q); }
   std::vector<Detail> details(const Numbers<double>& q) const override { return details_of(q); }
   std::vector<std::string_view> detail_names() const override {
-    if constexpr (HasDetails<Test, double>) return Test::detail_names();
+    if constexpr (HasDetails<Trait, double>) return Trait::detail_names();
     else return {};
   }
   bool is_promised(const MotionPolicy& policy, const Numbers<float>& q) const override { return promises(policy, q); }
@@ -69,7 +70,7 @@ class OraclesOf final : public Oracles {
   std::unique_ptr<MotionJudge> motion_judge(const Numbers<double>& q) const override { return motion_judge_of(q); }
 
  private:
-  using Exact = ExactOf<Test>;
+  using Exact = ExactOf<Trait>;
 
   template <class... F>
   static std::vector<std::string_view> names_of(FormulaeList<F...>) {
@@ -86,7 +87,7 @@ class OraclesOf final : public Oracles {
 
   template <class T, class Real>
   static auto problem_of(const Numbers<Real>& q) {
-    return Test::template problem<T>([&](std::size_t k) { return T(q[k]); });
+    return Trait::template problem<T>([&](std::size_t k) { return T(q[k]); });
   }
 
   template <class List>
@@ -96,19 +97,19 @@ class OraclesOf final : public Oracles {
     using type = F;
   };
   // Those of the theorem.
-  using First = typename FirstOf<typename Test::AllFormulae>::type;
+  using First = typename FirstOf<typename Trait::AllFormulae>::type;
 
   // Both sides of each comparison of these formulae.
   template <class F, class Real>
   static ExactSides exact_sides(const Numbers<Real>& q) {
-    ExactSides sides(Test::description().comparisons.size());
+    ExactSides sides(Trait::description().comparisons.size());
     const auto keep = [&](std::size_t i, const Exact& lhs, const Exact& rhs) { sides.set(i, lhs, rhs); };
     F::template comparisons<Exact>(problem_of<Exact>(q), keep);
     return sides;
   }
   template <class Real>
   static std::string reason(const Numbers<Real>& q) {
-    if constexpr (SaysWhyInvalid<Test>) return Test::why_invalid(widened(q));
+    if constexpr (SaysWhyInvalid<Trait>) return Trait::why_invalid(widened(q));
     else return {};
   }
 
@@ -142,18 +143,18 @@ class OraclesOf final : public Oracles {
       const auto expected = [&]<class... F>(FormulaeList<F...>) {
         return ((has_first_sides<F> && F::name == kernel.formulae) || ...);
       };
-      keeps_sides_ = keeps_sides_ || expected(typename Test::AllFormulae());
+      keeps_sides_ = keeps_sides_ || expected(typename Trait::AllFormulae());
     }
 
     std::optional<Reference> chain(const Kernel& kernel) override {
-      const EvaluatedFormulae* claim = claim_of(kernel, typename Test::AllFormulae());
+      const EvaluatedFormulae* claim = claim_of(kernel, typename Trait::AllFormulae());
       if (claim == nullptr) return std::nullopt;
       Reference found{outcome(claim->sides.holding(claim->nonstrict)), std::nullopt, claim->sides.ties};
       if (kernel.is_reference) found.rounded = claim->rounded;
       return found;
     }
     const ExactSides* sides(const Kernel& kernel) override {
-      const EvaluatedFormulae* claim = claim_of(kernel, typename Test::AllFormulae());
+      const EvaluatedFormulae* claim = claim_of(kernel, typename Trait::AllFormulae());
       return claim == nullptr ? nullptr : &claim->sides;
     }
     DepthOf& depth() override { return *this; }
@@ -167,18 +168,18 @@ class OraclesOf final : public Oracles {
     };
 
     Truth decided() {
-      const TestEntry& entry = Test::description().entries[entry_of<Test>()];
+      const PredicateEntry& entry = Trait::description().entries[entry_of<Trait>()];
       if (q_.size() != entry.columns.size()) {
         throw HarnessFault(fmt::format("{}: the oracles of entry {}, of {} columns, are asked about {} numbers",
-                                       Test::description().id, entry.name, entry.columns.size(), q_.size()));
+                                       Trait::description().id, entry.name, entry.columns.size(), q_.size()));
       }
       const Numbers<double> wide = widened(q_);
-      if (!Test::is_valid(wide)) return {Verdict::invalid, false};
-      const auto truth = Test::geometric_truth(wide);
-      const std::string wrong = Test::contradiction(wide, truth, signs().holds, signs().ties);
+      if (!Trait::is_valid(wide)) return {Verdict::invalid, false};
+      const auto truth = Trait::geometric_truth(wide);
+      const std::string wrong = Trait::contradiction(wide, truth, signs().holds, signs().ties);
       if (!wrong.empty()) {
-        throw OracleDisagreement(fmt::format("{}: {}", Test::description().id, wrong), q_, Test::description(),
-                                 entry_of<Test>());
+        throw OracleDisagreement(fmt::format("{}: {}", Trait::description().id, wrong), q_, Trait::description(),
+                                 entry_of<Trait>());
       }
       return truth;
     }
@@ -205,7 +206,7 @@ class OraclesOf final : public Oracles {
       (evaluate.template operator()<F>(), ...);
       if (found != nullptr) return found;
       throw HarnessFault(fmt::format("kernel '{}' claims formulae '{}', which {} has not", kernel.id, kernel.formulae,
-                                     kernel.test->id));
+                                     kernel.predicate->id));
     }
 
     template <class F>
@@ -228,7 +229,7 @@ class OraclesOf final : public Oracles {
       const FloatingScope scope({std::numeric_limits<Real>::digits, Rounding::nearest, {}});
       return {outcome(bits_of<F, Floating>(problem_of<Floating>(q_), ignore)), found};
     }
-    static Outcome outcome(ComparisonBits bits) { return {verdict_of(Test::description(), bits), bits}; }
+    static Outcome outcome(ComparisonBits bits) { return {verdict_of(Trait::description(), bits), bits}; }
 
     // The signs of the first formulae.
     const ExactSigns& signs() {
@@ -255,8 +256,8 @@ class OraclesOf final : public Oracles {
           fmt::format(
               "{}: formulae {} have the exact signs {:#b} ties {:#b}, the first formulae {:#b} ties {:#b} (bit 0 "
               "is the first comparison)",
-              Test::description().id, name, rung.strict, rung.ties, strict, signs().ties),
-          q_, Test::description(), entry_of<Test>());
+              Trait::description().id, name, rung.strict, rung.ties, strict, signs().ties),
+          q_, Trait::description(), entry_of<Trait>());
     }
 
     const Numbers<Real> q_;
@@ -270,32 +271,32 @@ class OraclesOf final : public Oracles {
 
   template <class Real>
   static std::optional<double> depth_of(const Numbers<Real>& q) {
-    if constexpr (HasDepth<Test>) return Test::depth(widened(q));
+    if constexpr (HasDepth<Trait>) return Trait::depth(widened(q));
     else return std::nullopt;
   }
   static std::size_t first_length() {
-    const std::vector<TestColumn>& columns = Test::description().entries[entry_of<Test>()].columns;
-    const auto is_length = [](const TestColumn& column) { return column.role == Role::length; };
+    const std::vector<PredicateColumn>& columns = Trait::description().entries[entry_of<Trait>()].columns;
+    const auto is_length = [](const PredicateColumn& column) { return column.role == Role::length; };
     return static_cast<std::size_t>(std::find_if(columns.begin(), columns.end(), is_length) - columns.begin());
   }
   template <class Real>
   static bool says_degenerate(const Numbers<Real>& q) {
-    if constexpr (SaysDegenerate<Test, Real>) return Test::template is_degenerate<Real>(widened(q));
+    if constexpr (SaysDegenerate<Trait, Real>) return Trait::template is_degenerate<Real>(widened(q));
     else return false;
   }
   template <class Real>
   static std::vector<Detail> details_of(const Numbers<Real>& q) {
-    if constexpr (HasDetails<Test, Real>) return Test::template details<Real>(widened(q));
+    if constexpr (HasDetails<Trait, Real>) return Trait::template details<Real>(widened(q));
     else return {};
   }
   template <class Real>
   static bool promises(const MotionPolicy& policy, const Numbers<Real>& q) {
-    if constexpr (HasMotionPolicy<Test>) return policy == MotionPolicy{} || Test::is_promised(policy, widened(q));
+    if constexpr (HasMotionPolicy<Trait>) return policy == MotionPolicy{} || Trait::is_promised(policy, widened(q));
     else return true;
   }
   template <class Real>
   static std::unique_ptr<MotionJudge> motion_judge_of(const Numbers<Real>& q) {
-    if constexpr (HasMotionJudge<Test, Real>) return Test::template motion_judge<Real>(widened(q));
+    if constexpr (HasMotionJudge<Trait, Real>) return Trait::template motion_judge<Real>(widened(q));
     else return nullptr;
   }
 };

@@ -1,5 +1,5 @@
 // The steps that decide the signs of a query, cheapest first; each step either is certain or passes the query on. A
-// test without filters has the last alone.
+// predicate without filters has the last alone.
 #pragma once
 
 #include <cstdint>

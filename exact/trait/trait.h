@@ -1,6 +1,6 @@
-// The trait of a test: what has to be known about it at compile time for its oracles to exist. It derives from the
-// test's own type of kernel/ (kernel/formulae_kernel.h) and adds geometry; exact/trait/oracles_of.h makes oracles of
-// it.
+// The trait of a predicate: what has to be known about it at compile time for its oracles to exist. It derives from the
+// predicate's own type of kernel/ (kernel/formulae_kernel.h) and adds geometry; exact/trait/oracles_of.h makes oracles
+// of it.
 #pragma once
 
 #include <concepts>
@@ -12,7 +12,7 @@
 #include "exact/trait/exact_number.h"
 #include "kernel/motion_policy.h"
 #include "kernel/formulae_kernel.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert {
 
@@ -35,49 +35,50 @@ namespace axiscert {
 //   is_degenerate<Real>
 //                      optional: whether the shape is extreme in this precision (Oracles::is_degenerate); numbers are
 //                      finite
-//   details<Real>      optional: further facts about a query in this precision, by detail_names(), which a test that
+//   details<Real>      optional: further facts about a query in this precision, by detail_names(), which a predicate
+//   that
 //                      has them gives too (exact/trait/oracles.h)
-//   is_promised        of a test of motions, optional: whether a kernel with this policy promises to be right on a
-//   query motion_judge<Real> of a test with measures: the judge of those of a query that has contact
-template <class Test>
-concept TestTrait = requires(const Numbers<double>& numbers, ComparisonBits holds, ComparisonBits ties) {
-  { Test::description() } -> std::same_as<const TestDescription&>;
-  typename Test::template Problem<ExactNumber>;
-  typename Test::AllFormulae;
-  { Test::is_valid(numbers) } -> std::same_as<bool>;
-  { Test::geometric_truth(numbers) } -> std::convertible_to<Truth>;
-  { Test::contradiction(numbers, Test::geometric_truth(numbers), holds, ties) } -> std::same_as<std::string>;
+//   is_promised        of a predicate of motions, optional: whether a kernel with this policy promises to be right on a
+//   query motion_judge<Real> of a predicate with measures: the judge of those of a query that has contact
+template <class Trait>
+concept PredicateTrait = requires(const Numbers<double>& numbers, ComparisonBits holds, ComparisonBits ties) {
+  { Trait::description() } -> std::same_as<const Predicate&>;
+  typename Trait::template Problem<ExactNumber>;
+  typename Trait::AllFormulae;
+  { Trait::is_valid(numbers) } -> std::same_as<bool>;
+  { Trait::geometric_truth(numbers) } -> std::convertible_to<Truth>;
+  { Trait::contradiction(numbers, Trait::geometric_truth(numbers), holds, ties) } -> std::same_as<std::string>;
 };
 
-template <class Test>
+template <class Trait>
 concept HasDepth = requires(const Numbers<double>& numbers) {
-  { Test::depth(numbers) } -> std::same_as<double>;
+  { Trait::depth(numbers) } -> std::same_as<double>;
 };
 
-template <class Test>
+template <class Trait>
 concept HasCriticalLength = requires(const Numbers<double>& numbers) {
-  { Test::squared_critical_length(numbers) } -> std::same_as<std::optional<Rational>>;
+  { Trait::squared_critical_length(numbers) } -> std::same_as<std::optional<Rational>>;
 };
 
-template <class Test, class Real>
+template <class Trait, class Real>
 concept SaysDegenerate = requires(const Numbers<double>& numbers) {
-  { Test::template is_degenerate<Real>(numbers) } -> std::same_as<bool>;
+  { Trait::template is_degenerate<Real>(numbers) } -> std::same_as<bool>;
 };
 
-template <class Test>
+template <class Trait>
 concept SaysWhyInvalid = requires(const Numbers<double>& numbers) {
-  { Test::why_invalid(numbers) } -> std::same_as<std::string>;
+  { Trait::why_invalid(numbers) } -> std::same_as<std::string>;
 };
 
-template <class Test, class Real>
-concept HasDetails = requires(const Numbers<double>& numbers) { Test::template details<Real>(numbers); };
+template <class Trait, class Real>
+concept HasDetails = requires(const Numbers<double>& numbers) { Trait::template details<Real>(numbers); };
 
-template <class Test>
+template <class Trait>
 concept HasMotionPolicy = requires(const MotionPolicy& policy, const Numbers<double>& numbers) {
-  { Test::is_promised(policy, numbers) } -> std::same_as<bool>;
+  { Trait::is_promised(policy, numbers) } -> std::same_as<bool>;
 };
 
-template <class Test, class Real>
-concept HasMotionJudge = requires(const Numbers<double>& numbers) { Test::template motion_judge<Real>(numbers); };
+template <class Trait, class Real>
+concept HasMotionJudge = requires(const Numbers<double>& numbers) { Trait::template motion_judge<Real>(numbers); };
 
 }  // namespace axiscert

@@ -16,8 +16,8 @@ using testing::ThrowsMessage;
 
 // a a + b > c separates; the entry's numbers are a, b, c.
 struct Sum {
-  static const TestDescription& description() {
-    static const TestDescription test =
+  static const Predicate& description() {
+    static const Predicate predicate =
         checked({.id = "sum",
                  .asks = "is a a + b at most c",
                  .touching = "they are equal",
@@ -28,7 +28,7 @@ struct Sum {
                  .comparisons = {{"more", 0}},
                  .clauses = {{"more", 1}},
                  .measures = {}});
-    return test;
+    return predicate;
   }
   template <class T>
   struct Problem {

@@ -155,7 +155,7 @@ template <class Answer>
 Kernel kernel_of(const std::string& id, TouchingPolicy touching, Answer answer) {
   Kernel kernel;
   kernel.id = id;
-  kernel.test = &sphere_triangle_test();
+  kernel.predicate = &sphere_triangle_predicate();
   kernel.formulae = "published";
   kernel.touching = touching;
   kernel.binary32 = [answer](std::string_view) {

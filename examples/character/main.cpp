@@ -34,9 +34,9 @@ void write_queries(Out& out, const Ground& ground, const Walk& walk) {
     for (std::size_t i = ask.first; i < ask.first + ask.count; ++i) {
       const std::uint32_t t = walk.triangles[i];
       const std::string id = fmt::format("{}-{}-{}", moment, a, t);
-      out.write(
-          query_line({id, Precision::binary32, Numbers<float>(ground.query(ask.sphere, t)), &sphere_triangle_test()}) +
-          "\n");
+      out.write(query_line({id, Precision::binary32, Numbers<float>(ground.query(ask.sphere, t)),
+                            &sphere_triangle_predicate()}) +
+                "\n");
     }
   }
   out.end();
@@ -53,7 +53,8 @@ std::string whole_number(const std::string& text) {
 int run(const Options& options) {
   require_uncontracted(resolve_target("auto"));
   std::string not_checked;
-  const std::vector<const Kernel*> kernels = kernels_of(options, sphere_triangle_test(), walk_kernels, not_checked);
+  const std::vector<const Kernel*> kernels =
+      kernels_of(options, sphere_triangle_predicate(), walk_kernels, not_checked);
   Mesh mesh = load_mesh(options.mesh, read_bytes(options.mesh).size());
   const WalkOptions walk_options{options.seed, options.steps, radius_of(options, mesh, walk_share)};
   const std::string words = mesh_words(options, mesh);

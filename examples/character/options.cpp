@@ -44,17 +44,17 @@ float radius_of(const Options& options, const Mesh& mesh, double share) {
 
 namespace {
 
-void require_of(const TestDescription& test, const Kernel& kernel) {
-  if (kernel.test == &test) return;
-  throw Error(fmt::format("--kernel {}: answers {}; {}", kernel.id, kernel.test->id,
-                          &test == &sphere_triangle_test()
-                              ? "a walk by static tests asks sphere-triangle, and --sweep moving-sphere"
-                              : "--sweep asks moving-sphere: axiscert kernels --test moving-sphere"));
+void require_of(const Predicate& predicate, const Kernel& kernel) {
+  if (kernel.predicate == &predicate) return;
+  throw Error(fmt::format("--kernel {}: answers {}; {}", kernel.id, kernel.predicate->id,
+                          &predicate == &sphere_triangle_predicate()
+                              ? "a walk by static predicates asks sphere-triangle, and --sweep moving-sphere"
+                              : "--sweep asks moving-sphere: axiscert kernels --predicate moving-sphere"));
 }
 
 }  // namespace
 
-std::vector<const Kernel*> kernels_of(const Options& options, const TestDescription& test,
+std::vector<const Kernel*> kernels_of(const Options& options, const Predicate& predicate,
                                       std::span<const std::string_view> defaults, std::string& not_checked) {
   std::vector<const Kernel*> found;
   for (const std::string& id : options.kernels) {
@@ -72,7 +72,7 @@ std::vector<const Kernel*> kernels_of(const Options& options, const TestDescript
   }
   for (const Kernel* kernel : found) {
     require_loaded(*kernel);
-    require_of(test, *kernel);
+    require_of(predicate, *kernel);
     if (!kernel->has(Precision::binary32)) {
       throw Error(fmt::format("--kernel {}: does not exist in binary32, the precision of this walk", kernel->id));
     }

@@ -17,16 +17,16 @@ struct Options {
   std::string mesh, radius, up, out, queries;
   std::uint64_t seed = 1, steps = 2000;
   std::vector<std::string> kernels;
-  std::string sweep;  // the errand of a journey by sweeps; empty: the walk by static tests
+  std::string sweep;  // the errand of a journey by sweeps; empty: the walk by static predicates
   double stride = 0.5, skin = 0x1p-6;
 };
 
 // The radius, by default the diagonal of the mesh's box over `share`.
 float radius_of(const Options& options, const Mesh& mesh, double share);
 
-// The kernels of `test` that are asked for; if none, the defaults, of which those that are not built are said in
-// `not_checked`. Throws Error for a kernel of another test, and for one that has no binary32.
-std::vector<const Kernel*> kernels_of(const Options& options, const TestDescription& test,
+// The kernels of `predicate` that are asked for; if none, the defaults, of which those that are not built are said in
+// `not_checked`. Throws Error for a kernel of another predicate, and for one that has no binary32.
+std::vector<const Kernel*> kernels_of(const Options& options, const Predicate& predicate,
                                       std::span<const std::string_view> defaults, std::string& not_checked);
 
 // "spider.obj: 1368 triangles, 56 of them without area".

@@ -214,9 +214,9 @@ class Sweeps(Walked):
         motions, answers, _, _ = self.tables(SPIDER, "--sweep", "fall", "--steps", 60, "--kernel", kernel, "--queries", file)
         lines = [json.loads(line) for line in file.read_text().splitlines()]
         self.assertEqual(len(lines), int(motions["twenty, certain"][2]))
-        self.assertEqual({line["test"] for line in lines}, {"moving-sphere"})
+        self.assertEqual({line["predicate"] for line in lines}, {"moving-sphere"})
         self.assertEqual(len({line["id"] for line in lines}), len(lines))
-        done = axiscert("run", "--test", "moving-sphere", "--queries", file, "--precision", "binary32", "--kernel", kernel, "--out", self.folder / "run")
+        done = axiscert("run", "--predicate", "moving-sphere", "--queries", file, "--precision", "binary32", "--kernel", kernel, "--out", self.folder / "run")
         self.assertEqual(done.returncode, 0, done.stderr)
         (judged,) = json.loads((self.folder / "run/record.json").read_text())["kernels"]
         (found,) = judged["families"].values()

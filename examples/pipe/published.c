@@ -1,4 +1,4 @@
-/* The published sphere-triangle test in C99, as a program for axiscert's pipe (docs/pipe.md):
+/* The published sphere-triangle predicate in C99, as a program for axiscert's pipe (docs/pipe.md):
  *
  *     cc -std=c99 -O2 -ffp-contract=off -o published published.c
  *     axiscert generate --family tangent --binary | ./published | axiscert judge --conforms-to published

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The published sphere-triangle test in numpy, as a program for axiscert's pipe (docs/pipe.md):
+"""The published sphere-triangle predicate in numpy, as a program for axiscert's pipe (docs/pipe.md):
 
     axiscert generate --family tangent --binary | ./published.py | axiscert judge --conforms-to published
     axiscert run --kernel program:published.json

@@ -24,8 +24,8 @@ inline double median(std::vector<double> of) {
 // The families and the mesh with these names; all if there are no names. Throws std::invalid_argument for another name.
 inline std::vector<SourcePtr> sources_named(const std::vector<std::string_view>& names) {
   std::vector<SourcePtr> all, named;
-  for (const Family* family : families_of(sphere_triangle_test())) all.push_back(family_source(*family));
-  all.push_back(mesh_source(TEST_MODELS "/OBJ/spider.obj", sphere_triangle_test()));
+  for (const Family* family : families_of(sphere_triangle_predicate())) all.push_back(family_source(*family));
+  all.push_back(mesh_source(TEST_MODELS "/OBJ/spider.obj", sphere_triangle_predicate()));
   if (names.empty()) return all;
   for (const std::string_view name : names) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const SourcePtr& s) { return s->name() == name; });

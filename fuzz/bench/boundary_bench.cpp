@@ -68,7 +68,7 @@ void measure_all(const Family& family) {
 }
 
 const bool registered = [] {
-  for (const Family* family : families_of(sphere_triangle_test())) {
+  for (const Family* family : families_of(sphere_triangle_predicate())) {
     measure_all<float>(*family);
     measure_all<double>(*family);
   }

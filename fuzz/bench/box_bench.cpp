@@ -22,7 +22,7 @@ const JudgedBoxes& judged(const std::string& family) {
   static std::map<std::string, JudgedBoxes> known;
   JudgedBoxes& all = known[family];
   if (!all.truth.empty()) return all;
-  const Oracles& oracles = oracles_of(box_box_test());
+  const Oracles& oracles = oracles_of(box_box_predicate());
   for (std::size_t i = 0; i < box_queries; ++i) {
     const Numbers<float> q = find_family("box-box/" + family).make<float>(1, i);
     all.batch.push_back(q);

@@ -50,7 +50,7 @@ const bool added = [] {
   benchmark::RegisterBenchmark("one word of a Stream", time_words);
   for (const Family* family : families()) add(family_source(*family));
   const std::string model = "/usr/share/assimp/models/OBJ/spider.obj";  // from the package assimp-testmodels
-  if (std::filesystem::exists(model)) add(mesh_source(model, sphere_triangle_test()));
+  if (std::filesystem::exists(model)) add(mesh_source(model, sphere_triangle_predicate()));
   return true;
 }();
 

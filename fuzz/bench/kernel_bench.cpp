@@ -79,7 +79,7 @@ void add() {
   benchmark::RegisterBenchmark(("plain loop/" + precision).c_str(), time_verdicts<Real>, handwritten_loop<Real>);
   for (const std::string& target : available_targets()) {
     for (const Kernel& kernel : kernels()) {
-      if (kernel.test != &sphere_triangle_test()) continue;
+      if (kernel.predicate != &sphere_triangle_predicate()) continue;
       if (target != scalar_target && !kernel.has_simd) continue;
       benchmark::RegisterBenchmark((std::string(kernel.id) + "/" + precision + "/" + target).c_str(),
                                    time_verdicts<Real>, kernel.on<Real>(target).verdicts);

@@ -76,7 +76,7 @@ void by_bullet(const QueryColumns<float>& batch, Verdict* out) {
 const bool added = [] {
   for (const std::string& target : available_targets()) {
     for (const Kernel& kernel : kernels()) {
-      if (kernel.test != &moving_sphere_test()) continue;
+      if (kernel.predicate != &moving_sphere_predicate()) continue;
       if (target != scalar_target && !kernel.has_simd) continue;
       benchmark::RegisterBenchmark((kernel.id + "/" + target).c_str(), time_verdicts,
                                    kernel.on<float>(target).verdicts);

@@ -42,7 +42,7 @@ BENCHMARK(unit_with_standing)->Unit(benchmark::kMicrosecond);
 void entry(benchmark::State& state) {
   const Stretches stretches(plan().questions, 1);
   const Entry made = run_stretch(plan(), stretches, 0);
-  const Tally tally = decode_tally(made.tallies[0], sphere_triangle_test());
+  const Tally tally = decode_tally(made.tallies[0], sphere_triangle_predicate());
   const Costs costs = decode_costs(made.costs);
   const TemporaryFolder folder;
   Journal journal((folder.path() / "journal").string(), std::string(64, 'a'), [](std::string_view) {});

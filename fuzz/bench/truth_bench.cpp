@@ -101,7 +101,7 @@ void measure(const Plan& plan, const Source& source, std::uint64_t most_queries)
     naive.push_back(nanoseconds([&] { by_naive = separated_by_distance(queries); }));
     interval.push_back(nanoseconds([&] { signs_by_intervals(queries, signs); }));
     harness.push_back(nanoseconds([&] {
-      Tally all = empty_tally(source.test());  // as in a campaign, whose units know the findings of others
+      Tally all = empty_tally(source.predicate());  // as in a campaign, whose units know the findings of others
       for (std::uint64_t first = 0; first < count; first += unit_size) {
         const std::uint64_t size = std::min(unit_size, count - first);
         all.merge(run_unit(plan, source, precision_of<Real>, first / unit_size, size, {standing_of(all)}).tallies[0]);

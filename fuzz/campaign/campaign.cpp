@@ -60,7 +60,7 @@ std::vector<CellResult> cells_of(const Questions& questions, std::size_t kernels
   for (const Precision precision : {Precision::binary64, Precision::binary32}) {
     if (std::ranges::find(questions.precisions, precision) == questions.precisions.end()) continue;
     for (std::size_t s = 0; s < questions.sources.size(); ++s) {
-      cells.push_back({s, precision, 0, 0, 0, std::vector<Tally>(kernels, empty_tally(questions.test())), {}});
+      cells.push_back({s, precision, 0, 0, 0, std::vector<Tally>(kernels, empty_tally(questions.predicate())), {}});
     }
   }
   return cells;

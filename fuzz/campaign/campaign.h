@@ -30,10 +30,10 @@ struct Questions {
   std::optional<double> seconds;  // time limit; units that were begun are finished
 
   // That of all sources; there is one.
-  const TestDescription& test() const { return sources.front()->test(); }
+  const Predicate& predicate() const { return sources.front()->predicate(); }
 };
 
-// Who answers: kernels of the questions' test.
+// Who answers: kernels of the questions' predicate.
 struct Answerers {
   std::vector<const Kernel*> kernels;
   std::vector<FileInfo> plugins;  // the files of kernels that were given by path, as they were loaded
@@ -69,7 +69,7 @@ struct StepCounts {
   EnumArray<Step, std::uint64_t> queries{};
   std::vector<EnumArray<Step, std::uint64_t>> signs = {};  // by comparison; empty without filters
   std::uint64_t checked = 0;                               // decided by a filter, and by CGAL again
-  std::uint64_t by_cgal = 0;                               // verdicts of filtered tests that CGAL decided
+  std::uint64_t by_cgal = 0;                               // verdicts of filtered predicates that CGAL decided
   // Nanoseconds.
   double generation = 0, kernels = 0, errors = 0, judging = 0;
   EnumArray<Step, double> steps{};  // of the filters; `exact` is part of judging

@@ -88,7 +88,7 @@ Kernel planted(const char* id, Implementation<float> binary32, Implementation<do
   Kernel kernel;
   kernel.id = id;
   kernel.summary = "planted";
-  kernel.test = &sphere_triangle_test();
+  kernel.predicate = &sphere_triangle_predicate();
   kernel.formulae = "published";
   kernel.binary32 = [=](std::string_view) { return binary32; };
   kernel.binary64 = [=](std::string_view) { return binary64; };

@@ -55,7 +55,7 @@ template <ToldContact (*tell32)(float, std::size_t), ToldContact (*tell64)(doubl
 Kernel planted_motion(bool misses = false) {
   Kernel kernel;
   kernel.id = "planted";
-  kernel.test = &moving_sphere_test();
+  kernel.predicate = &moving_sphere_predicate();
   kernel.exposes = Exposure::verdict;
   kernel.is_reference = false;
   kernel.measure_count = 2;

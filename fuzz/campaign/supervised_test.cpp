@@ -50,7 +50,7 @@ TEST(Supervised, FindingsHaveTheirPlaceInTheSource) {
 }
 
 TEST(Supervised, TheFirstFindingIsKeptInAnyOrderOfMerging) {
-  Tally early = empty_tally(sphere_triangle_test()), late = empty_tally(sphere_triangle_test());
+  Tally early = empty_tally(sphere_triangle_predicate()), late = empty_tally(sphere_triangle_predicate());
   count_finding(early, FindingKind::hang, 7, "early");
   count_finding(late, FindingKind::hang, 70000, "late");
   count_finding(late, FindingKind::crash, 70001, "other");

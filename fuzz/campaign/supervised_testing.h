@@ -62,7 +62,7 @@ inline Kernel unloadable_kernel(const std::string& id, const std::string& why) {
   Kernel kernel;
   kernel.id = id;
   kernel.summary = "not loaded";
-  kernel.test = &sphere_triangle_test();
+  kernel.predicate = &sphere_triangle_predicate();
   kernel.exposes = Exposure::verdict;
   kernel.is_reference = false;
   kernel.findings = {{FindingKind::load, 0, why}};

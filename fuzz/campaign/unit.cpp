@@ -29,7 +29,7 @@ void judge(const Oracles& oracles, const MadeBatch<Real>& batch, KernelRuns<Real
 template <class Real>
 void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint64_t size,
          const std::vector<StandingLeaders>& standing, const BatchDone& asked, UnitResult& out) {
-  const StandingLeaders nothing = standing_of(empty_tally(source.test()));
+  const StandingLeaders nothing = standing_of(empty_tally(source.predicate()));
   KernelRuns<Real> runs;
   for (std::size_t k = 0; k < plan.answerers.kernels.size(); ++k) {
     const Kernel& kernel = *plan.answerers.kernels[k];
@@ -40,7 +40,7 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
   if (runs.empty()) return;
   const bool any_process = std::any_of(runs.begin(), runs.end(), [](auto& run) { return run.is_in_another_process(); });
   const std::size_t most = any_process ? batch_size_for_processes : batch_size;
-  const Oracles& oracles = oracles_of(source.test(), source.entry());
+  const Oracles& oracles = oracles_of(source.predicate(), source.entry());
   StepCounts& steps = out.steps;
   const auto screen =
       screen_of<Real>({plan.judging, plan.running.target, oracles, runs, first, steps, out.second_opinions});
@@ -70,7 +70,7 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
 
 UnitResult run_unit(const Plan& plan, const Source& source, Precision precision, std::uint64_t number,
                     std::uint64_t size, const std::vector<StandingLeaders>& standing, const BatchDone& asked) {
-  UnitResult result{std::vector<Tally>(plan.answerers.kernels.size(), empty_tally(source.test())), 0, 0, {}};
+  UnitResult result{std::vector<Tally>(plan.answerers.kernels.size(), empty_tally(source.predicate())), 0, 0, {}};
   const double start = thread_seconds();
   const std::uint64_t first = number * unit_size;
   if (precision == Precision::binary32) run<float>(plan, source, first, size, standing, asked, result);

@@ -20,7 +20,8 @@ constexpr EnumArray<Effort, EffortSize> effort_sizes = {EffortSize{two_to(8), tw
                                                         EffortSize{two_to(22), two_to(30), two_to(14), 2, two_to(12)},
                                                         EffortSize{two_to(24), two_to(33), two_to(16), 1, two_to(13)}};
 
-// A query of a test without filters costs a hundred times as much; a kernel in another process some ten microseconds.
+// A query of a predicate without filters costs a hundred times as much; a kernel in another process some ten
+// microseconds.
 constexpr std::uint64_t divisor_without_filters = 64, divisor_if_slow = 8, least_asked = 16;
 // Fewer than 59 right answers are no evidence about a family (reports/evidence/evidence.h). Four times as many cost
 // next to nothing with filters, and are enough for a family of which a third is queries, as `nonfinite`.
@@ -39,9 +40,9 @@ Effort parse_effort(std::string_view text) {
   throw Error(unknown_name("effort", "efforts", text, known));
 }
 
-EffortSize size_of(Effort effort, const TestDescription& test, bool is_slow) {
+EffortSize size_of(Effort effort, const Predicate& predicate, bool is_slow) {
   EffortSize size = effort_sizes[effort];
-  const bool has_filters = oracles_of(test).has_filters();
+  const bool has_filters = oracles_of(predicate).has_filters();
   const std::uint64_t divisor = (has_filters ? 1 : divisor_without_filters) * (is_slow ? divisor_if_slow : 1);
   size.trials = std::max(has_filters ? least_trials_with_filters : least_trials, size.trials / divisor);
   size.evaluations = std::max(least_asked, size.evaluations / divisor);
@@ -50,9 +51,9 @@ EffortSize size_of(Effort effort, const TestDescription& test, bool is_slow) {
   return size;
 }
 
-std::uint64_t trials_of(Effort effort, const TestDescription& test, std::string_view source, bool is_slow) {
-  const std::uint64_t trials = size_of(effort, test, is_slow).trials;
-  for (const Family* family : families_of(test)) {
+std::uint64_t trials_of(Effort effort, const Predicate& predicate, std::string_view source, bool is_slow) {
+  const std::uint64_t trials = size_of(effort, predicate, is_slow).trials;
+  for (const Family* family : families_of(predicate)) {
     if (family->name == source && family->cost >= dear_cost)
       return std::max(least_trials, trials / static_cast<std::uint64_t>(family->cost));
   }
@@ -60,7 +61,7 @@ std::uint64_t trials_of(Effort effort, const TestDescription& test, std::string_
 }
 
 std::uint64_t trials_of(Effort effort, const Source& source, bool is_slow) {
-  return trials_of(effort, source.test(), source.name(), is_slow);
+  return trials_of(effort, source.predicate(), source.name(), is_slow);
 }
 
 }  // namespace axiscert

@@ -22,9 +22,9 @@ inline constexpr EnumArray<Effort, std::string_view> effort_names = {"smoke", "q
 // Throws Error that lists the efforts.
 Effort parse_effort(std::string_view text);
 
-// Numbers of an effort. Those of queries and evaluations are divided for a test without filters, every query of which
-// is judged by exact arithmetic, and for a kernel in another process; those of families, where a family says it is
-// dear.
+// Numbers of an effort. Those of queries and evaluations are divided for a predicate without filters, every query of
+// which is judged by exact arithmetic, and for a kernel in another process; those of families, where a family says it
+// is dear.
 struct EffortSize {
   std::uint64_t trials;         // queries of each family in each precision
   std::uint64_t evaluations;    // of the search in each precision
@@ -33,11 +33,11 @@ struct EffortSize {
   std::uint64_t mutant_trials;  // on so many queries of each family
 };
 // `is_slow`: the kernel answers from another process, or is a program.
-EffortSize size_of(Effort effort, const TestDescription& test, bool is_slow);
+EffortSize size_of(Effort effort, const Predicate& predicate, bool is_slow);
 
 // Queries of a source in a run of this effort, in either precision; of a file of queries all that it has.
 std::uint64_t trials_of(Effort effort, const Source& source, bool is_slow);
 // The same of a source by its name, "general" or "mesh/spider.obj".
-std::uint64_t trials_of(Effort effort, const TestDescription& test, std::string_view source, bool is_slow);
+std::uint64_t trials_of(Effort effort, const Predicate& predicate, std::string_view source, bool is_slow);
 
 }  // namespace axiscert

@@ -16,26 +16,26 @@ namespace {
 TEST(Effort, AsksFewerWhereAQueryCostsMore) {
   for (const Effort effort : enumerators<Effort>) {
     EXPECT_EQ(parse_effort(effort_names[effort]), effort);
-    const EffortSize first = size_of(effort, sphere_triangle_test(), false);
+    const EffortSize first = size_of(effort, sphere_triangle_predicate(), false);
     if (effort != Effort::smoke) {
-      EXPECT_LT(size_of(effort, sphere_triangle_test(), true).trials, first.trials);
+      EXPECT_LT(size_of(effort, sphere_triangle_predicate(), true).trials, first.trials);
     }
-    EXPECT_LT(size_of(effort, find_test("box-box"), false).trials, first.trials);
+    EXPECT_LT(size_of(effort, find_predicate("box-box"), false).trials, first.trials);
     EXPECT_LT(trials_of(effort, *family_source(find_family("bits")), false),
               trials_of(effort, *family_source(find_family("general")), false));
   }
-  EXPECT_LT(size_of(Effort::quick, sphere_triangle_test(), false).trials,
-            size_of(Effort::standard, sphere_triangle_test(), false).trials);
+  EXPECT_LT(size_of(Effort::quick, sphere_triangle_predicate(), false).trials,
+            size_of(Effort::standard, sphere_triangle_predicate(), false).trials);
   EXPECT_THROW(parse_effort("quickly"), Error);
 }
 
 // Fewer right answers than that are no evidence: no level could be met.
 TEST(Effort, AsksEveryFamilyEnoughToBeEvidence) {
   constexpr std::uint64_t enough = 59;
-  for (const TestDescription* test : tests()) {
-    for (const Family* family : families_of(*test, 0)) {
+  for (const Predicate* predicate : predicates()) {
+    for (const Family* family : families_of(*predicate, 0)) {
       const std::uint64_t trials = trials_of(Effort::smoke, *family_source(*family), true);
-      const Oracles& oracles = oracles_of(*test);
+      const Oracles& oracles = oracles_of(*predicate);
       std::uint64_t valid = 0;
       for (std::uint64_t i = 0; i < trials; ++i) {
         const Numbers<float> query = family_source(*family)->make<float>(1, i);
@@ -55,7 +55,7 @@ TEST(Effort, HasTheNumbersOfItsDocument) {
     return fmt::format("2^{}", exponent);
   };
   for (const Effort effort : enumerators<Effort>) {
-    const EffortSize size = size_of(effort, sphere_triangle_test(), false);
+    const EffortSize size = size_of(effort, sphere_triangle_predicate(), false);
     const std::string row =
         fmt::format("| `{}` | {} | {} | {} | one in {}, on {} queries |", effort_names[effort], power(size.trials),
                     power(size.evaluations), power(size.probes), power(size.mutant_stride), power(size.mutant_trials));

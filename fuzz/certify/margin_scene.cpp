@@ -35,11 +35,11 @@ int scene_decade(double size) {
 
 }  // namespace
 
-SceneMeasure::SceneMeasure(const TestDescription& test)
-    : oracles_(oracles_of(test)), columns_(test.entries[0].columns), centre_(columns_.size()) {
+SceneMeasure::SceneMeasure(const Predicate& predicate)
+    : oracles_(oracles_of(predicate)), columns_(predicate.entries[0].columns), centre_(columns_.size()) {
   const std::optional<CriticalLength> length = oracles_.critical_length();
   if (!length || !length->centre) return;
-  for (const ColumnGroup& group : groups_of(test.entries[0])) {
+  for (const ColumnGroup& group : groups_of(predicate.entries[0])) {
     for (std::size_t k = 0; k < group.size && group.size == 3; ++k)
       if (columns_[group.first + k].role == Role::coordinate) centre_[group.first + k] = *length->centre + k;
   }

@@ -7,7 +7,7 @@
 
 #include "exact/trait/oracles.h"
 #include "kernel/query.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert {
 
@@ -19,10 +19,10 @@ struct MarginScene {
   auto operator<=>(const MarginScene&) const = default;
 };
 
-// The columns of a test's first entry, as a scene is measured by them.
+// The columns of a predicate's first entry, as a scene is measured by them.
 class SceneMeasure {
  public:
-  explicit SceneMeasure(const TestDescription& test);
+  explicit SceneMeasure(const Predicate& predicate);
 
   template <class Real>
   double size(const Numbers<Real>& query) const;
@@ -32,7 +32,7 @@ class SceneMeasure {
 
  private:
   const Oracles& oracles_;
-  const std::vector<TestColumn>& columns_;
+  const std::vector<PredicateColumn>& columns_;
   std::vector<std::optional<std::size_t>> centre_;  // the column of the centre from which a column's number is seen
 };
 

@@ -14,14 +14,14 @@
 #include <random>
 #include <string>
 
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 #include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {
 
 const SceneMeasure& of_spheres() {
-  static const SceneMeasure measure(sphere_triangle_test());
+  static const SceneMeasure measure(sphere_triangle_predicate());
   return measure;
 }
 
@@ -79,7 +79,7 @@ TEST(MarginScene, TrianglesWithoutAnAreaAndNeedlesAreDegenerate) {
 }
 
 TEST(MarginScene, AMovingSphereIsMeasuredByTheSameTriangle) {
-  const SceneMeasure moving(find_test("moving-sphere"));
+  const SceneMeasure moving(find_predicate("moving-sphere"));
   Numbers<float> motion = {-1, -1, 0, 1, -1, 0, 0, -1, 0, 0, 0, 5, 30, 0, 0, 1};
   EXPECT_EQ(moving.of(motion), (MarginScene{true, 1}));  // the displacement counts
   motion[7] = 1;

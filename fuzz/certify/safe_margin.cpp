@@ -21,8 +21,8 @@ namespace {
 constexpr std::uint64_t margin_batch = 1024, margin_block = 4 * margin_batch;
 
 CriticalLength critical_length_of(const Kernel& kernel) {
-  if (const auto length = oracles_of(*kernel.test).critical_length()) return *length;
-  throw HarnessFault(fmt::format("{} has no critical length", kernel.test->id));
+  if (const auto length = oracles_of(*kernel.predicate).critical_length()) return *length;
+  throw HarnessFault(fmt::format("{} has no critical length", kernel.predicate->id));
 }
 
 // The right verdict, as the kernel's convention has it; empty where neither is wrong, where the numbers are no query,
@@ -41,7 +41,7 @@ class MarginFinder {
   MarginFinder(const SafeMarginPlan& plan, const Implementation<Real>& kernel, SafeMargin& into)
       : plan_(plan),
         length_(critical_length_of(*plan.kernel)),
-        scene_(*plan.kernel->test),
+        scene_(*plan.kernel->predicate),
         range_(radii_within<Real>(plan.kernel->limits)),
         kernel_(kernel),
         into_(into) {}
@@ -65,8 +65,8 @@ class MarginFinder {
     const CriticalRadius<Real> critical =
         critical_radius(kernel_, QueryWithRadius<Real>{query, radius()}, {r, std::max(r, greatest_for(query))});
     const auto contact = [&](const Decimal6& value) {
-      const TestDescription& test = *plan_.kernel->test;
-      return MissedContact{query_line({id, precision_of<Real>, query, &test}), family, format_number(r),
+      const Predicate& predicate = *plan_.kernel->predicate;
+      return MissedContact{query_line({id, precision_of<Real>, query, &predicate}), family, format_number(r),
                            critical.radius ? format_number(*critical.radius) : "", value};
     };
     if (!critical.answered || (critical.radius && *critical.radius <= r)) {
@@ -276,8 +276,8 @@ MarginPart SafeMargin::total() const {
   return all;
 }
 
-bool has_sphere_radius(const TestDescription& test, std::size_t entry) {
-  const std::optional<CriticalLength> length = oracles_of(test, entry).critical_length();
+bool has_sphere_radius(const Predicate& predicate, std::size_t entry) {
+  const std::optional<CriticalLength> length = oracles_of(predicate, entry).critical_length();
   return length && length->centre;
 }
 

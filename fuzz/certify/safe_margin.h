@@ -18,9 +18,9 @@
 namespace axiscert {
 
 struct SafeMarginPlan {
-  const Questions* asked;  // of a run: its sources and seed; their test has a sphere's radius
+  const Questions* asked;  // of a run: its sources and seed; their predicate has a sphere's radius
   const RunningOptions* on;
-  const Kernel* kernel;  // of that test, in the first entry
+  const Kernel* kernel;  // of that predicate, in the first entry
   Precision precision = Precision::binary32;
   // How many of the source's queries were run: those from the first on.
   std::function<std::uint64_t(const Source&)> queries;
@@ -105,14 +105,14 @@ inline constexpr EnumArray<Precision, int> tiny_radius_exponent = {12, 26};
 
 // Whether the answer depends on the radius of a sphere, which may grow; the half extent of a box, which has a critical
 // value too, is none.
-bool has_sphere_radius(const TestDescription& test, std::size_t entry);
+bool has_sphere_radius(const Predicate& predicate, std::size_t entry);
 
 // The least number of the precision that is not below `value`; the greatest finite one where none is.
 template <class Real>
 Real rounded_up_to(const Rational& value);
 
 // Depends on the plan alone, not on its threads. `interrupted` is polled between blocks. Throws OracleDisagreement, and
-// HarnessFault for a test without a critical length.
+// HarnessFault for a predicate without a critical length.
 SafeMargin safe_margin(const SafeMarginPlan& plan, const std::atomic<bool>& interrupted, const ShowProgress& report);
 
 }  // namespace axiscert

@@ -104,7 +104,7 @@ void narrow(const SeededSource& of, const Kernel& kernel, const std::string& tar
 }
 
 std::vector<AbsoluteSize> absolute_sizes(const SeededSource& of, std::span<const UnitFlip> flips) {
-  const Quantities* const quantities = capabilities_of(of.source.test()).quantities;
+  const Quantities* const quantities = capabilities_of(of.source.predicate()).quantities;
   if (quantities == nullptr) return {};
   return of.precision == Precision::binary32 ? sizes_in<float>(of, flips, *quantities)
                                              : sizes_in<double>(of, flips, *quantities);

@@ -48,7 +48,7 @@ struct AbsoluteSize {
 };
 
 // The quantities that explain most of the flips, at least three quarters of them; three at most, in the order of
-// Quantities. None for a test that names no quantities (fuzz/queries/capabilities.h).
+// Quantities. None for a predicate that names no quantities (fuzz/queries/capabilities.h).
 std::vector<AbsoluteSize> absolute_sizes(const SeededSource& of, std::span<const UnitFlip> flips);
 
 }  // namespace axiscert

@@ -25,7 +25,8 @@ class AsymmetryBlock {
         batch_(batch_bases * group.size, of.source.columns().size()) {
     for (std::size_t i = 0; i < group.size; ++i) {
       const bool are_others = i != 0 && has_own_comparisons(group.kind(i));
-      of_base_.push_back(are_others ? std::nullopt : std::optional(ComparisonsOfBase(group.test(), group.order(i))));
+      of_base_.push_back(are_others ? std::nullopt
+                                    : std::optional(ComparisonsOfBase(group.predicate(), group.order(i))));
     }
     if (!replies) implementation_ = kernel.on<Real>(target);
   }

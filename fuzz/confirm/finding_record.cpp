@@ -13,7 +13,7 @@ template <class Real>
 NamedValues<std::optional<GroupNumbers>> numbers_of(const SeededSource& of, std::uint64_t position) {
   NamedValues<std::optional<GroupNumbers>> numbers;
   for (auto& [group, values] :
-       groups_of_numbers(of.source.test().entries[of.source.entry()], of.source.make<Real>(of.seed, position)))
+       groups_of_numbers(of.source.predicate().entries[of.source.entry()], of.source.make<Real>(of.seed, position)))
     numbers.put(group) = std::move(values);
   return numbers;
 }
@@ -34,7 +34,7 @@ void put_loading_findings(std::vector<FindingRecord>& findings, const Kernel& ke
     record.kind = finding.kind;
     record.count = 1;
     record.detail = finding.detail;
-    for (const ColumnGroup& group : groups_of(kernel.test->entries[kernel.entry])) record.numbers.put(group.name);
+    for (const ColumnGroup& group : groups_of(kernel.predicate->entries[kernel.entry])) record.numbers.put(group.name);
   }
 }
 

@@ -19,12 +19,12 @@ PlaceNumbers place_numbers(const std::array<double, 3>& at) {
 
 }  // namespace
 
-std::optional<MeasuresRecord> measures_of(const TestDescription& test, const Examination& found) {
+std::optional<MeasuresRecord> measures_of(const Predicate& predicate, const Examination& found) {
   const bool is_contact = found.answer.verdict == Verdict::contact && !found.measures.empty();
   if (!is_contact && !found.missed) return std::nullopt;
   MeasuresRecord record;
   for (std::size_t k = 0; is_contact && k < found.measures.size(); ++k) {
-    record.given.put(test.measures[k].name) = format_number(found.measures[k]);
+    record.given.put(predicate.measures[k].name) = format_number(found.measures[k]);
   }
   record.tunnel = depth_of(found.missed);
   if (!found.motion) return record;

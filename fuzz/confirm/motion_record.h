@@ -10,7 +10,7 @@ namespace axiscert {
 
 // The measures that a kernel gave beside a contact, by name, numbers as a query has them, and how they are wrong, where
 // that contact is right; of a missed contact its tunnel. Empty where there is neither.
-std::optional<MeasuresRecord> measures_of(const TestDescription& test, const Examination& found);
+std::optional<MeasuresRecord> measures_of(const Predicate& predicate, const Examination& found);
 
 // The exact first contact of a query whose verdict is `truth`: the details of the oracles of its entry and, where there
 // is contact, its point and normal as numbers of binary64. Empty of a query that is invalid.

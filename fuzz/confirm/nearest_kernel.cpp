@@ -39,9 +39,9 @@ class NearestSearch {
       : kernel_(kernel),
         oracles_(oracles_of(kernel)),
         truths_(batches_of<Real>(oracles_, target)),
-        batch_(most_at_once, kernel.test->entries[kernel.entry].columns.size()) {
+        batch_(most_at_once, kernel.predicate->entries[kernel.entry].columns.size()) {
     for (const Kernel& other : kernels()) {
-      if (other.id == kernel.id || other.test != kernel.test || other.entry != kernel.entry ||
+      if (other.id == kernel.id || other.predicate != kernel.predicate || other.entry != kernel.entry ||
           !other.has(precision_of<Real>))
         continue;
       others_.push_back({&other, other.on<Real>(target)});

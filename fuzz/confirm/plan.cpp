@@ -34,7 +34,7 @@ PlanRecord plan_record(const Plan& plan, const CampaignResult& result, const Run
   const Answerers& answerers = plan.answerers;
   PlanRecord record;
   record.axiscert = axiscert_version;
-  record.test = questions.test().id;
+  record.predicate = questions.predicate().id;
   record.seed = {questions.seed};
   for (const Kernel* kernel : answerers.kernels) record.kernels.push_back(kernel->id);
   record.precisions = questions.precisions;

@@ -15,28 +15,29 @@
 namespace axiscert {
 namespace {
 
-// Whether the kernel gives the test's measure of that name, and so all before it.
+// Whether the kernel gives the predicate's measure of that name, and so all before it.
 bool gives(const Kernel& kernel, std::string_view measure) {
-  const auto& all = kernel.test->measures;
-  const auto found = std::find_if(all.begin(), all.end(), [&](const TestMeasure& one) { return one.name == measure; });
+  const auto& all = kernel.predicate->measures;
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const PredicateMeasure& one) { return one.name == measure; });
   return found - all.begin() < static_cast<std::ptrdiff_t>(kernel.measure_count);
 }
 
 // A figure that the kernel does not show, or nobody asked for, was not measured: empty, and no count of zero.
 Tally measured(Tally tally, const Kernel& kernel, const Tolerances& tolerances) {
-  const TestDescription& test = *kernel.test;
+  const Predicate& predicate = *kernel.predicate;
   const std::uint64_t promised = tally.trials - tally.truth.invalid - tally.verdict.outside_limits->trials;
   const bool has_sides = kernel.exposes == Exposure::sides && promised > tally.verdict.unanswered;
-  for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
+  for (std::size_t i = 0; i < predicate.comparisons.size(); ++i) {
     ComparisonTally& comparison = tally.comparisons[i];
     comparison.max_error = has_sides ? std::optional(comparison.largest_error.best()) : std::nullopt;
     if (!has_sides) comparison.range_events = comparison.error_without_scale = std::nullopt;
     if (!has_sides || !tolerances[i]) comparison.tolerance_failures.reset();
   }
-  for (std::size_t a = 0; a < test.clauses.size(); ++a) {
+  for (std::size_t a = 0; a < predicate.clauses.size(); ++a) {
     bool has_tolerance = false;
     std::optional<Decimal6> max_error;
-    for_each_bit(test.clauses[a].comparisons, [&](std::size_t i) {
+    for_each_bit(predicate.clauses[a].comparisons, [&](std::size_t i) {
       has_tolerance |= tolerances[i].has_value();
       max_error = std::max(max_error, tally.comparisons[i].max_error);
     });
@@ -44,8 +45,8 @@ Tally measured(Tally tally, const Kernel& kernel, const Tolerances& tolerances) 
     if (!has_sides || !has_tolerance) tally.axes[a].tolerance_failures.reset();
   }
   if (!kernel.limits.any() && kernel.motion == MotionPolicy{}) tally.verdict.outside_limits.reset();
-  if (!oracles_of(test).has_depth()) tally.verdict.depths.reset();
-  if (!capabilities_of(test).has_engine_queries) tally.verdict.engine.reset();
+  if (!oracles_of(predicate).has_depth()) tally.verdict.depths.reset();
+  if (!capabilities_of(predicate).has_engine_queries) tally.verdict.engine.reset();
   if (!gives(kernel, "time")) tally.motion.time.reset();
   if (!gives(kernel, "feature")) tally.motion.feature.reset();
   if (!gives(kernel, "normal_z")) tally.motion.normal.reset();
@@ -72,7 +73,7 @@ FamilyRecord counted(Tally tally, const Kernel& kernel, const Tolerances& tolera
   family.verdict = std::move(tally.verdict);
   family.critical_radius = summary_of(std::move(tally.critical_radius));
   if (has_input_classes(kernel)) family.classes = class_records(tally.classes, address);
-  if (!kernel.test->measures.empty()) family.motion = std::move(tally.motion);
+  if (!kernel.predicate->measures.empty()) family.motion = std::move(tally.motion);
   if (kernel.exposes != Exposure::verdict) {
     family.axes = std::move(tally.axes);
     family.comparisons = std::move(tally.comparisons);
@@ -151,7 +152,7 @@ PolicyRecord policy_of(const MotionPolicy& policy) { return {policy.start, polic
 
 std::vector<Name> given_measures(const Kernel& kernel) {
   std::vector<Name> names;
-  for (std::size_t k = 0; k < kernel.measure_count; ++k) names.push_back(kernel.test->measures[k].name);
+  for (std::size_t k = 0; k < kernel.measure_count; ++k) names.push_back(kernel.predicate->measures[k].name);
   return names;
 }
 
@@ -165,14 +166,14 @@ KernelRecord kernel_record(const std::vector<FileInfo>& plugins, const Kernel& k
   if (!kernel.formulae.empty()) {
     record.formulae = kernel.formulae;
     record.reference = kernel.is_reference;
-    if (kernel.test->claims_arithmetic) record.arithmetic = name(kernel.arithmetic);
+    if (kernel.predicate->claims_arithmetic) record.arithmetic = name(kernel.arithmetic);
   }
-  if (has_comparisons(kernel) && kernel.test->has_strictness) record.strictness = kernel.strictness;
+  if (has_comparisons(kernel) && kernel.predicate->has_strictness) record.strictness = kernel.strictness;
   record.exposes = exposures_of(kernel);
   record.touching = kernel.touching;
   record.limits = limits_of(kernel.limits);
   record.may_decline = kernel.may_decline;
-  if (!kernel.test->measures.empty()) {
+  if (!kernel.predicate->measures.empty()) {
     record.measures = given_measures(kernel);
     record.motion = policy_of(kernel.motion);
   }

@@ -41,8 +41,8 @@ std::vector<Name> given_measures(const Kernel& kernel);
 
 // The numbers of a query by the group of the entry's columns.
 template <class Real>
-NamedValues<GroupNumbers> groups_of_numbers(const TestEntry& entry, const Numbers<Real>& numbers);
+NamedValues<GroupNumbers> groups_of_numbers(const PredicateEntry& entry, const Numbers<Real>& numbers);
 // Flips in the form in which `check` and the witnesses list them.
-std::vector<FlipRecord> flips_of(const TestDescription& test, const Judgement& judgement);
+std::vector<FlipRecord> flips_of(const Predicate& predicate, const Judgement& judgement);
 
 }  // namespace axiscert

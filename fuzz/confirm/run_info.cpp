@@ -19,7 +19,7 @@ CellSteps steps_of(const Source& source, const CellResult& cell, bool exact_only
   const StepCounts& steps = cell.steps;
   NamedValues<StepQueries> signs;
   for (std::size_t k = 0; k < steps.signs.size() && !exact_only; ++k)
-    signs.put(source.test().comparisons[k].name) = steps.signs[k];
+    signs.put(source.predicate().comparisons[k].name) = steps.signs[k];
   const auto each = [&](double nanoseconds) { return nanoseconds / static_cast<double>(cell.queries); };
   return {source.name(),
           cell.precision,

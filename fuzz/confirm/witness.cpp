@@ -14,33 +14,34 @@ namespace {
 
 // The class of a query with a wrong verdict, which was counted as this one if as any. Throws OracleDisagreement.
 template <class Real>
-InputClass class_of_wrong(const TestDescription& test, const Numbers<Real>& numbers,
-                          std::optional<InputClass> counted) {
-  const std::string_view found = capabilities_of(test).input_classes->of(numbers).front();
+InputClass class_of_wrong(const Predicate& predicate, const Numbers<Real>& numbers, std::optional<InputClass> counted) {
+  const std::string_view found = capabilities_of(predicate).input_classes->of(numbers).front();
   for (const InputClass which : enumerators<InputClass>) {
     if (name(which) == found && counted.value_or(which) == which) return which;
   }
   throw OracleDisagreement(
-      fmt::format("the input was counted as {}, and is {}", counted ? name(*counted) : "none", found), numbers, test);
+      fmt::format("the input was counted as {}, and is {}", counted ? name(*counted) : "none", found), numbers,
+      predicate);
 }
 
 }  // namespace
 
 template <class Real>
-NamedValues<GroupNumbers> groups_of_numbers(const TestEntry& entry, const Numbers<Real>& numbers) {
+NamedValues<GroupNumbers> groups_of_numbers(const PredicateEntry& entry, const Numbers<Real>& numbers) {
   NamedValues<GroupNumbers> groups;
   for (const auto& [name, first, size] : groups_of(entry)) {
     for (std::size_t k = first; k < first + size; ++k) groups.put(name).numbers.push_back(format_number(numbers[k]));
   }
   return groups;
 }
-template NamedValues<GroupNumbers> groups_of_numbers<float>(const TestEntry&, const Numbers<float>&);
-template NamedValues<GroupNumbers> groups_of_numbers<double>(const TestEntry&, const Numbers<double>&);
+template NamedValues<GroupNumbers> groups_of_numbers<float>(const PredicateEntry&, const Numbers<float>&);
+template NamedValues<GroupNumbers> groups_of_numbers<double>(const PredicateEntry&, const Numbers<double>&);
 
-std::vector<FlipRecord> flips_of(const TestDescription& test, const Judgement& judgement) {
+std::vector<FlipRecord> flips_of(const Predicate& predicate, const Judgement& judgement) {
   std::vector<FlipRecord> flips;
   for (const Flip& flip : judgement.flips()) {
-    flips.push_back({flip.level, name(test, flip), flip.kind, flip.decisive, {flip.links.begin(), flip.links.end()}});
+    flips.push_back(
+        {flip.level, name(predicate, flip), flip.kind, flip.decisive, {flip.links.begin(), flip.links.end()}});
   }
   return flips;
 }
@@ -65,18 +66,18 @@ void WitnessWriter::add(const Kernel& kernel, const SeededSource& of, const Tall
       shown[candidate.position].input_class = which;
     }
   }
-  const TestDescription& test = *kernel.test;
-  for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
+  const Predicate& predicate = *kernel.predicate;
+  for (std::size_t i = 0; i < predicate.comparisons.size(); ++i) {
     const ComparisonTally& comparison = tally.comparisons[i];
     const auto flip = [&](const char* kind) {
-      return [&test, kind, i](const Candidate<bool>& c) {
-        return fmt::format("{} {} of {}", c.rank ? "decisive" : "masked", kind, test.comparisons[i].name);
+      return [&predicate, kind, i](const Candidate<bool>& c) {
+        return fmt::format("{} {} of {}", c.rank ? "decisive" : "masked", kind, predicate.comparisons[i].name);
       };
     };
     note(comparison.false_witness, flip("false_separation"));
     note(comparison.missed_witness, flip("missed_separation"));
-    note(comparison.largest_error, [&test, i](const Candidate<Decimal6>& c) {
-      return fmt::format("largest error of {}: {} u", test.comparisons[i].name, c.rank.text());
+    note(comparison.largest_error, [&predicate, i](const Candidate<Decimal6>& c) {
+      return fmt::format("largest error of {}: {} u", predicate.comparisons[i].name, c.rank.text());
     });
     for (const auto& candidate : comparison.largest_error.candidates()) {
       shown[candidate.position].largest_errors |= one_bit<ComparisonBits>(i);
@@ -155,15 +156,15 @@ Examination WitnessWriter::examined(const Kernel& kernel, const Source& source, 
 template <class Real>
 void WitnessWriter::write(const Kernel& kernel, const SeededSource& of, const ShownReasons& shown) {
   const Source& source = of.source;
-  const TestDescription& test = *kernel.test;
-  const WitnessSides* const sides = capabilities_of(test).witness_sides;
+  const Predicate& predicate = *kernel.predicate;
+  const WitnessSides* const sides = capabilities_of(predicate).witness_sides;
   for (const auto& [position, what] : shown) {
     const Numbers<Real> numbers = source.make<Real>(of.seed, position);
     const Examination found = examined(kernel, source, position, numbers);
     WitnessRecord& witness = witnesses_.emplace_back();
     witness.id = fmt::format("w{}", witnesses_.size());
     witness.precision = precision_of<Real>;
-    witness.numbers = groups_of_numbers(source.test().entries[source.entry()], numbers);
+    witness.numbers = groups_of_numbers(source.predicate().entries[source.entry()], numbers);
     witness.kernel = kernel.id;
     witness.family = source.name();
     witness.address = of.address(position);
@@ -172,19 +173,19 @@ void WitnessWriter::write(const Kernel& kernel, const SeededSource& of, const Sh
     witness.touching = found.truth.touching;
     witness.depth = found.depth;
     if (has_input_classes(kernel) && found.judgement.verdict_flip) {
-      witness.input_class = class_of_wrong(test, numbers, what.input_class);
+      witness.input_class = class_of_wrong(predicate, numbers, what.input_class);
     }
     const auto bits = [&](const std::optional<ComparisonBits>& all) {
-      return all ? std::optional(BitText(bit_string(*all, test.comparisons.size()))) : std::nullopt;
+      return all ? std::optional(BitText(bit_string(*all, predicate.comparisons.size()))) : std::nullopt;
     };
     witness.exact_comparisons = bits(found.judgement.exact);
     witness.computed_comparisons = bits(found.answer.bits);
     witness.shows = what.texts;
-    witness.flips = flips_of(test, found.judgement);
+    witness.flips = flips_of(predicate, found.judgement);
     if (sides != nullptr) witness.sides = sides->of(numbers, kernel, found, what.largest_errors);
-    if (!test.measures.empty()) {
-      witness.measures.emplace(measures_of(test, found));
-      witness.first_contact.emplace(first_contact_of(oracles_of(test, source.entry()), found.truth, numbers));
+    if (!predicate.measures.empty()) {
+      witness.measures.emplace(measures_of(predicate, found));
+      witness.first_contact.emplace(first_contact_of(oracles_of(predicate, source.entry()), found.truth, numbers));
     }
   }
 }

@@ -91,7 +91,7 @@ void require_enough(std::string_view property, const LookedAt& looked_at, ProbeF
 
 template <class Real>
 Diagnosis diagnosed(const Kernel& kernel, const DiagnosisOptions& options) {
-  Diagnosis diagnosis{kernel.id, kernel.test, options.precision, options.seed, kernel.may_decline};
+  Diagnosis diagnosis{kernel.id, kernel.predicate, options.precision, options.seed, kernel.may_decline};
   Subject<Real> subject(kernel, options);
   ProgressCount progress(options.report, probes().size());
   for (const Probe& probe : probes()) {

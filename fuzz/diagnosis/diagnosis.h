@@ -16,7 +16,7 @@
 namespace axiscert {
 
 // Values that every property may have. `not_known`: the kernel was asked, and its answers do not decide. `not_asked`:
-// the probe does not apply to this test or precision; the sentence says why.
+// the probe does not apply to this predicate or precision; the sentence says why.
 inline constexpr std::string_view not_known = "not_known", not_asked = "not_asked";
 
 // A property as it is defined, whatever the kernel.
@@ -72,7 +72,7 @@ struct Property {
 
 struct Diagnosis {
   std::string kernel;  // id
-  const TestDescription* test = nullptr;
+  const Predicate* predicate = nullptr;
   Precision precision = Precision::binary32;
   std::uint64_t seed = 1;
   bool may_decline = false, complete = true;
@@ -82,14 +82,14 @@ struct Diagnosis {
   const Property* find(std::string_view name) const;
   // Over all properties. Where nothing was decided, nothing is known of the kernel.
   LookedAt looked_at() const;
-  std::string test_id() const { return std::string(test->id); }
+  std::string predicate_id() const { return std::string(predicate->id); }
   WholeNumber whole_seed() const { return {seed}; }
 
   static constexpr auto fields(auto&& visit) {
     using Of = Diagnosis;
     return visit(
-        field(&Of::kernel, {"kernel", "The kernel as given."}), journalled(&Of::test),
-        field(&Of::test_id, {"test", "The test that it answers."}),
+        field(&Of::kernel, {"kernel", "The kernel as given."}), journalled(&Of::predicate),
+        field(&Of::predicate_id, {"predicate", "The predicate that it answers."}),
         field(&Of::precision, {"precision", "The precision of the queries."}), journalled(&Of::seed),
         field(&Of::whole_seed, {"seed", "The seed of all random choices."}),
         field(&Of::may_decline, {"may_decline", "Whether the kernel declares that it may answer `undecided`."}),

@@ -138,7 +138,7 @@ TEST(Diagnosis, EndsWhereItIsInterrupted) {
   options.report = [&](const Progress& progress) { interrupted = progress.units_done >= 2; };
   const Diagnosis diagnosis = diagnose(find_kernel("published"), options);
   EXPECT_FALSE(diagnosis.complete);
-  // Two that ask queries, and one that has nothing to ask a test without motions.
+  // Two that ask queries, and one that has nothing to ask a predicate without motions.
   EXPECT_EQ(diagnosis.properties.size(), 3u);
 }
 

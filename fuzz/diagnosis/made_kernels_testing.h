@@ -40,7 +40,7 @@ Kernel kernel_of(std::string id, Answer answer) {
   Kernel kernel;
   kernel.id = std::move(id);
   kernel.summary = "made for the tests";
-  kernel.test = &sphere_triangle_test();
+  kernel.predicate = &sphere_triangle_predicate();
   kernel.exposes = Exposure::verdict;
   kernel.is_reference = false;
   const auto made = [answer]<class Real>() {

@@ -32,8 +32,8 @@ class Subject {
       : kernel_(kernel), options_(options), implementation_(kernel.on<Real>(options.target)), counter_(kernel, true) {}
 
   const Kernel& kernel() const { return kernel_; }
-  const TestDescription& test() const { return *kernel_.test; }
-  const TestEntry& entry() const { return test().entries[kernel_.entry]; }
+  const Predicate& predicate() const { return *kernel_.predicate; }
+  const PredicateEntry& entry() const { return predicate().entries[kernel_.entry]; }
   bool is_built_in() const { return kernel_.file.empty(); }
   std::uint64_t seed() const { return options_.seed; }
   const std::string& target() const { return options_.target; }
@@ -65,7 +65,7 @@ class Subject {
   // A query that shows something, with what was answered.
   DiagnosisWitness witness(const Numbers<Real>& query, std::string answered, std::string shows) const {
     const Truth truth_of = truth(query);
-    return {query_line({"diagnosis", precision_of<Real>, query, kernel_.test, kernel_.entry}), std::move(answered),
+    return {query_line({"diagnosis", precision_of<Real>, query, kernel_.predicate, kernel_.entry}), std::move(answered),
             std::string(truth_of.touching ? "touching" : name(truth_of.verdict)), std::move(shows)};
   }
   DiagnosisWitness witness(const Numbers<Real>& query, Verdict said, std::string shows) const {

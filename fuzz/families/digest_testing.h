@@ -16,10 +16,10 @@
 namespace axiscert {
 
 // Fails where the lines of the test's families in the file, a path in the repository, are not those of digest_lines();
-// each failure says how the file is written. Lines of other tests that exist may stand between them.
-inline void expect_committed_digests(const TestDescription& test, const std::string& path) {
+// each failure says how the file is written. Lines of other predicates that exist may stand between them.
+inline void expect_committed_digests(const Predicate& predicate, const std::string& path) {
   std::ifstream file(SOURCE_FOLDER "/" + path);
-  ASSERT_TRUE(file) << path << ": cannot be read, and has to hold the digests of the families of " << test.id;
+  ASSERT_TRUE(file) << path << ": cannot be read, and has to hold the digests of the families of " << predicate.id;
   std::vector<std::string> committed;
   const auto name_in = [](std::string_view line) { return line.substr(0, line.find(' ')); };
   const auto is_of = [&](std::span<const Family* const> some, std::string_view line) {
@@ -28,10 +28,10 @@ inline void expect_committed_digests(const TestDescription& test, const std::str
   for (std::string line; std::getline(file, line);) {
     const bool is_known = is_of(families(), line);
     EXPECT_TRUE(is_known) << path << ": a line of no family: " << line;
-    if (is_of(families_of(test), line)) committed.push_back(line);
+    if (is_of(families_of(predicate), line)) committed.push_back(line);
   }
-  const std::vector<std::string> made = digest_lines(test);
-  const std::string command = fmt::format("build/release/write_digests {} > {}", test.id, path);
+  const std::vector<std::string> made = digest_lines(predicate);
+  const std::string command = fmt::format("build/release/write_digests {} > {}", predicate.id, path);
   for (const std::string& line : made) {
     if (std::count(committed.begin(), committed.end(), line) == 1) continue;
     const std::string name(name_in(line));

@@ -9,17 +9,17 @@
 namespace axiscert {
 
 // Tests are listed with it; without it, with a pointer.
-static void PrintTo(const TestDescription* test, std::ostream* out) { *out << test->id; }
+static void PrintTo(const Predicate* predicate, std::ostream* out) { *out << predicate->id; }
 
 namespace {
 
-std::string name_in_sources(const TestDescription& test) {
-  std::string name(test.id);
+std::string name_in_sources(const Predicate& predicate) {
+  std::string name(predicate.id);
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
 
-class CommittedBytes : public testing::TestWithParam<const TestDescription*> {};
+class CommittedBytes : public testing::TestWithParam<const Predicate*> {};
 
 // Each test's digests.txt is beside the list of its families, in the room that the test may share with others.
 TEST_P(CommittedBytes, AreMadeByEveryFamily) {
@@ -30,7 +30,7 @@ TEST_P(CommittedBytes, AreMadeByEveryFamily) {
   expect_committed_digests(*GetParam(), list.substr(0, list.rfind('/')) + "/digests.txt");
 }
 
-INSTANTIATE_TEST_SUITE_P(Tests, CommittedBytes, testing::ValuesIn(tests().begin(), tests().end()),
+INSTANTIATE_TEST_SUITE_P(Predicates, CommittedBytes, testing::ValuesIn(predicates().begin(), predicates().end()),
                          [](const auto& info) { return name_in_sources(*info.param); });
 
 }  // namespace

@@ -46,11 +46,11 @@ TEST(Families, EveryOneThatIsDefinedIsListed) {
     const std::string folder = file.substr(0, file.rfind('/'));
     std::string name = defined;
     if (folder.ends_with("/sphere_triangle/families")) std::replace(name.begin(), name.end(), '_', '-');
-    for (const TestDescription* test : tests()) {
-      std::string prefix = std::string(test->id) + "_";
+    for (const Predicate* predicate : predicates()) {
+      std::string prefix = std::string(predicate->id) + "_";
       std::replace(prefix.begin(), prefix.end(), '-', '_');
-      if (test != &sphere_triangle_test() && defined.starts_with(prefix)) {
-        name = fmt::format("{}/{}", test->id, defined.substr(prefix.size()));
+      if (predicate != &sphere_triangle_predicate() && defined.starts_with(prefix)) {
+        name = fmt::format("{}/{}", predicate->id, defined.substr(prefix.size()));
       }
     }
     EXPECT_NO_THROW(find_family(name)) << file << " defines " << defined << "_family, which the list of " << folder
@@ -59,7 +59,7 @@ TEST(Families, EveryOneThatIsDefinedIsListed) {
 }
 
 TYPED_TEST(EveryFamily, RoundsNothingWhereItSaysSo) {
-  for (const Family* family : families_of(sphere_triangle_test())) {
+  for (const Family* family : families_of(sphere_triangle_predicate())) {
     if (!family->exact_arithmetic) continue;
     for_each_query<TypeParam>(family->name, 2000, [&](const Query<TypeParam>& q, std::uint64_t) {
       std::feclearexcept(FE_INEXACT);
@@ -71,7 +71,7 @@ TYPED_TEST(EveryFamily, RoundsNothingWhereItSaysSo) {
 }
 
 TYPED_TEST(EveryFamily, GivesAnAddressOneQueryAndAnotherSeedAnother) {
-  for (const Family* family : families_of(sphere_triangle_test())) {
+  for (const Family* family : families_of(sphere_triangle_predicate())) {
     const auto bytes = [&](std::uint64_t seed, std::uint64_t position) {
       const auto v = coordinates(query_from(family->make<TypeParam>(seed, position)));
       return std::string(reinterpret_cast<const char*>(v.data()), sizeof v);
@@ -88,7 +88,7 @@ TYPED_TEST(EveryFamily, GivesAnAddressOneQueryAndAnotherSeedAnother) {
 // CGAL and the exact formulae agree; exact_truth throws if they do not. The queries of all families but one are valid
 // throughout.
 TYPED_TEST(EveryFamily, IsAcceptedByTheOracles) {
-  for (const Family* family : families_of(sphere_triangle_test())) {
+  for (const Family* family : families_of(sphere_triangle_predicate())) {
     for_each_query<TypeParam>(family->name, 2000, [&](const Query<TypeParam>& q, std::uint64_t position) {
       EXPECT_NO_THROW(exact_truth(q, position % 512 == 0));
       EXPECT_TRUE(is_valid(q) || family->name == "nonfinite");
@@ -98,7 +98,7 @@ TYPED_TEST(EveryFamily, IsAcceptedByTheOracles) {
 
 // The generators solve with formulae of their own, which are compared here with the oracle's distance.
 TYPED_TEST(EveryFamily, RadiusAtDistanceIsTheOraclesDistance) {
-  for (const Family* family : families_of(sphere_triangle_test())) {
+  for (const Family* family : families_of(sphere_triangle_predicate())) {
     for_each_query<TypeParam>(family->name, 400, [&](const Query<TypeParam>& q, std::uint64_t) {
       if (is_valid(q)) {
         EXPECT_EQ(radius_at_distance(q), nearest_sqrt<TypeParam>(squared_distance(q)));
@@ -221,13 +221,13 @@ TYPED_TEST(FamilySizes, NonfiniteReachesEveryPlaceAndLeavesSomeValid) {
   EXPECT_GE(minus_zero_radius, 10u);
 }
 
-TEST(Families, AreOfOneTestEachAndAreNamedAfterItUnlessItIsTheFirst) {
+TEST(Families, AreOfOnePredicateEachAndAreNamedAfterItUnlessItIsTheFirst) {
   std::size_t sum = 0;
-  for (const TestDescription* test : tests()) {
-    for (const Family* family : families_of(*test)) {
-      const bool is_of_first = test == &sphere_triangle_test();
-      EXPECT_EQ(family->name.starts_with(std::string(test->id) + "/"), !is_of_first) << family->name;
-      ASSERT_LT(family->entry, test->entries.size()) << family->name;
+  for (const Predicate* predicate : predicates()) {
+    for (const Family* family : families_of(*predicate)) {
+      const bool is_of_first = predicate == &sphere_triangle_predicate();
+      EXPECT_EQ(family->name.starts_with(std::string(predicate->id) + "/"), !is_of_first) << family->name;
+      ASSERT_LT(family->entry, predicate->entries.size()) << family->name;
       EXPECT_EQ(family->make<float>(1, 0).size(), family->column_count()) << family->name;
       ++sum;
     }

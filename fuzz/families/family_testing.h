@@ -19,7 +19,7 @@ Judgement judge_published(const Query<Real>& q) {
   AskedSphereTriangle asked(q, Opinion::first);
   const Truth truth = asked.truth();
   const Reference chain = *asked.chain(find_kernel("published"));
-  return judge(sphere_triangle_test(), truth, chain, chain.rounded->reference);
+  return judge(sphere_triangle_predicate(), truth, chain, chain.rounded->reference);
 }
 
 // How often the running test has failed.

@@ -13,14 +13,14 @@ namespace axiscert {
 namespace {
 
 std::string line_of(const std::string& a, const std::string& b) {
-  return R"({"test":"box-box","precision":"binary64","a":)" + a + R"(,"b":)" + b + "}";
+  return R"({"predicate":"box-box","precision":"binary64","a":)" + a + R"(,"b":)" + b + "}";
 }
 const std::string cube = R"({"m":[0,0,0],"s":[1,1,1],"b":[[1,0,0],[0,1,0],[0,0,1]]})";
 const std::string slab = R"({"b":[["0x1p-1",0,0],[0,1,0],[0,0,-1]],"s":[1,2,0.25],"m":[3,4,5]})";
 const std::string in_either_way = "with m, s and b or with m, s and q";
 const std::string axes_due = "an array of three, each an array of three numbers, belongs here";
 std::string line_of_triangle(const std::string& box) {
-  return R"({"test":"box-triangle","precision":"binary64","a":[0,0,0],"b":[1,0,0],"c":[0,1,0],"box":)" + box + "}";
+  return R"({"predicate":"box-triangle","precision":"binary64","a":[0,0,0],"b":[1,0,0],"c":[0,1,0],"box":)" + box + "}";
 }
 const std::string turned = R"({"m":[0,0,0],"s":[1,1,1],"q":[1,0,0,0]})";
 
@@ -35,7 +35,7 @@ std::string box_refusal(const std::string& line) {
 
 TEST(BoxQuery, IsReadFromNestedMembersInAnyOrder) {
   const StoredQuery stored = parsed_boxes(line_of(cube, slab)).front();
-  EXPECT_EQ(stored.test, &box_box_test());
+  EXPECT_EQ(stored.predicate, &box_box_predicate());
   EXPECT_EQ(stored.entry, boxes::MatrixBoxes::entry);
   const auto& numbers = std::get<Numbers<double>>(stored.numbers);
   EXPECT_THAT(std::vector<double>(numbers.begin() + 15, numbers.end()),
@@ -52,11 +52,12 @@ TEST(BoxQuery, HasTheEntryOfItsMembers) {
 
 TEST(BoxQuery, IsWrittenNestedAndReadsBackTheSame) {
   const std::string line = query_line(parsed_boxes(line_of(cube, slab)).front());
-  EXPECT_EQ(line, R"({"id":"line-1","precision":"binary64","test":"box-box","a":{"m":["0x0p+0","0x0p+0","0x0p+0"],)"
-                  R"("s":["0x1p+0","0x1p+0","0x1p+0"],"b":[["0x1p+0","0x0p+0","0x0p+0"],["0x0p+0","0x1p+0","0x0p+0"],)"
-                  R"(["0x0p+0","0x0p+0","0x1p+0"]]},"b":{"m":["0x1.8p+1","0x1p+2","0x1.4p+2"],)"
-                  R"("s":["0x1p+0","0x1p+1","0x1p-2"],"b":[["0x1p-1","0x0p+0","0x0p+0"],["0x0p+0","0x1p+0","0x0p+0"],)"
-                  R"(["0x0p+0","0x0p+0","-0x1p+0"]]}})");
+  EXPECT_EQ(line,
+            R"({"id":"line-1","precision":"binary64","predicate":"box-box","a":{"m":["0x0p+0","0x0p+0","0x0p+0"],)"
+            R"("s":["0x1p+0","0x1p+0","0x1p+0"],"b":[["0x1p+0","0x0p+0","0x0p+0"],["0x0p+0","0x1p+0","0x0p+0"],)"
+            R"(["0x0p+0","0x0p+0","0x1p+0"]]},"b":{"m":["0x1.8p+1","0x1p+2","0x1.4p+2"],)"
+            R"("s":["0x1p+0","0x1p+1","0x1p-2"],"b":[["0x1p-1","0x0p+0","0x0p+0"],["0x0p+0","0x1p+0","0x0p+0"],)"
+            R"(["0x0p+0","0x0p+0","-0x1p+0"]]}})");
   EXPECT_EQ(query_line(parsed_boxes(line).front()), line);
   const std::string quaternions = query_line(parsed_boxes(line_of(turned, turned)).front());
   EXPECT_THAT(quaternions, testing::HasSubstr(R"("entry":"quaternion","a":{"m":)"));
@@ -68,7 +69,7 @@ TEST(BoxQuery, WhatIsWrongIsNamedByItsPath) {
             "f:1: field 'a.s': an array of 2; an array of three numbers belongs here");
   EXPECT_THAT(box_refusal(line_of(cube, R"({"m":[0,0,0],"s":[1,1,1],"b":[[1,0,0],[0,1,"x"],[0,0,1]]})")),
               testing::StartsWith("f:1: field 'b.b.1': element 3: "));
-  EXPECT_EQ(box_refusal(R"({"test":"box-box","precision":"binary64","a":[0,0,0]})"),
+  EXPECT_EQ(box_refusal(R"({"predicate":"box-box","precision":"binary64","a":[0,0,0]})"),
             "f:1: field 'a': an array; an object " + in_either_way + " belongs here");
   EXPECT_EQ(box_refusal(R"({"a":1,)" + line_of(cube, cube).substr(1)), "f:1: field 'a': given twice");
   EXPECT_THAT(box_refusal(line_of(R"({"m":[0,0,0],"m":[0,0,0],"s":[1,1,1],"b":[[1,0,0],[0,1,0],[0,0,1]]})", cube)),
@@ -106,7 +107,7 @@ TEST(BoxQuery, TheAxesAreThreeColumns) {
 
 TEST(BoxQuery, TheOutermostMemberAtFaultIsBlamed) {
   EXPECT_EQ(box_refusal(line_of("7", cube)), "f:1: field 'a': a number; an object " + in_either_way + " belongs here");
-  EXPECT_EQ(box_refusal(R"({"test":"box-box","precision":"binary64","A":)" + cube + R"(,"b":)" + cube + "}"),
+  EXPECT_EQ(box_refusal(R"({"predicate":"box-box","precision":"binary64","A":)" + cube + R"(,"b":)" + cube + "}"),
             "f:1: field 'a': missing; an object " + in_either_way +
                 " belongs here; it has what is not read: 'A' (did you mean 'a'?)");
 }

@@ -57,7 +57,7 @@ class EntryReader {
 
   std::string note() const { return line_.contains("note") ? text(line_, "note") : ""; }
 
-  ExactAnswers expected(const TestDescription& test) const {
+  ExactAnswers expected(const Predicate& predicate) const {
     const json& given = object(line_, "expected");
     ExactAnswers out;
     const std::string verdict = text(given, "verdict");
@@ -69,10 +69,10 @@ class EntryReader {
     const json& touching = member(given, "touching");
     if (!touching.is_boolean()) place_.fail("touching", "true or false belongs here");
     out.touching = touching.get<bool>();
-    if (out.verdict == Verdict::invalid || !oracles_of(test).has_squared_distance()) return out;
+    if (out.verdict == Verdict::invalid || !oracles_of(predicate).has_squared_distance()) return out;
     out.squared_distance = fraction(text(given, "squared_distance"));
-    out.comparisons = bits(given, "comparisons", test.comparisons.size());
-    out.ties = bits(given, "ties", test.comparisons.size());
+    out.comparisons = bits(given, "comparisons", predicate.comparisons.size());
+    out.ties = bits(given, "ties", predicate.comparisons.size());
     return out;
   }
 
@@ -145,7 +145,7 @@ void read_file(const std::string& path, std::vector<CorpusEntry>& into) {
     const EntryReader reader(line, place);
     Provenance provenance = reader.provenance();
     std::string note = reader.note();
-    ExactAnswers expected = reader.expected(*stored.test);
+    ExactAnswers expected = reader.expected(*stored.predicate);
     into.push_back({std::move(stored), std::move(provenance), std::move(note), std::move(expected), path});
   }
 }
@@ -162,7 +162,7 @@ void require_distinct(const std::vector<CorpusEntry>& entries) {
     }
     const auto [formed, is_new_form] = forms.try_emplace(canonical_form(entry.stored), &entry);
     if (!is_new_form) {
-      throw Error(fmt::format("{}: '{}' is equal to '{}' of {} up to a symmetry of the test", place(entry),
+      throw Error(fmt::format("{}: '{}' is equal to '{}' of {} up to a symmetry of the predicate", place(entry),
                               entry.stored.id, formed->second->stored.id, place(*formed->second)));
     }
   }
@@ -171,7 +171,7 @@ void require_distinct(const std::vector<CorpusEntry>& entries) {
 }  // namespace
 
 ExactAnswers exact_answers(const StoredQuery& stored) {
-  const Oracles& oracles = oracles_of(*stored.test, stored.entry);
+  const Oracles& oracles = oracles_of(*stored.predicate, stored.entry);
   const auto asked = std::visit([&](const auto& q) { return oracles.about(q); }, stored.numbers);
   const Truth truth = asked->truth();
   ExactAnswers answers{truth.verdict, truth.touching};
@@ -184,8 +184,8 @@ ExactAnswers exact_answers(const StoredQuery& stored) {
 }
 
 std::string canonical_form(const StoredQuery& stored) {
-  if (const auto own = capabilities_of(*stored.test).canonical_form) return own(stored);
-  std::string text = fmt::format("{} {}", stored.test->id, name(stored.precision));
+  if (const auto own = capabilities_of(*stored.predicate).canonical_form) return own(stored);
+  std::string text = fmt::format("{} {}", stored.predicate->id, name(stored.precision));
   std::visit(
       [&](const auto& q) {
         for (const auto x : q) text += " " + format_number(x == 0 ? x - x : x);
@@ -209,7 +209,7 @@ std::string corpus_line(const CorpusEntry& entry) {
   ExpectedLine& expected = line.expected;
   expected.verdict = entry.expected.verdict;
   expected.touching = entry.expected.touching;
-  const Oracles& oracles = oracles_of(*entry.stored.test, entry.stored.entry);
+  const Oracles& oracles = oracles_of(*entry.stored.predicate, entry.stored.entry);
   if (oracles.has_squared_distance()) {
     for (auto* member : {&expected.squared_distance, &expected.comparisons, &expected.ties}) member->emplace();
   } else if (entry.expected.verdict != Verdict::invalid) {
@@ -218,7 +218,7 @@ std::string corpus_line(const CorpusEntry& entry) {
   }
   if (const auto& d = entry.expected.squared_distance) {
     expected.squared_distance = d->get_num().get_str() + "/" + d->get_den().get_str();
-    const std::size_t count = entry.stored.test->comparisons.size();
+    const std::size_t count = entry.stored.predicate->comparisons.size();
     expected.comparisons = bit_string(*entry.expected.comparisons, count);
     expected.ties = bit_string(*entry.expected.ties, count);
   }

@@ -5,8 +5,8 @@
 //                 "about": "static" | "sweep" | "other", the subject of the report
 //   "note": TEXT, optional
 //   "expected": {"verdict", "touching", "squared_distance", "comparisons", "ties"}, as the `exact` of `axiscert check`;
-//   the last three are null if the verdict is `invalid`. For a query of a test that compares no distance the first two,
-//   and whatever else `exact` has for that test.
+//   the last three are null if the verdict is `invalid`. For a query of a predicate that compares no distance the first
+//   two, and whatever else `exact` has for that predicate.
 #pragma once
 
 #include <optional>
@@ -30,11 +30,11 @@ struct ExactAnswers {
   std::optional<ComparisonBits> comparisons = {}, ties = {};  // those of the published formulae, strict
   bool operator==(const ExactAnswers&) const = default;
 };
-// Computed by all oracles of the test. Throws OracleDisagreement.
+// Computed by all oracles of the predicate. Throws OracleDisagreement.
 ExactAnswers exact_answers(const StoredQuery& stored);
 
-// Text that two queries of one precision share if and only if one is an image of the other (Capabilities); of a test
-// without the capability each query has its own. Zeros have no sign.
+// Text that two queries of one precision share if and only if one is an image of the other (Capabilities); of a
+// predicate without the capability each query has its own. Zeros have no sign.
 std::string canonical_form(const StoredQuery& stored);
 
 struct CorpusEntry {
@@ -46,7 +46,7 @@ struct CorpusEntry {
 };
 
 // Every entry, file by file in the order of their names. Throws Error that names file, line and field: a folder that
-// cannot be read or has no entry, a name given twice, two entries that are equal up to a symmetry of the test.
+// cannot be read or has no entry, a name given twice, two entries that are equal up to a symmetry of the predicate.
 std::vector<CorpusEntry> read_corpus(const std::string& folder);
 // One line of a corpus file, as a struct, and without its line end.
 struct ProvenanceLine {
@@ -65,20 +65,21 @@ struct ExpectedLine {
   Verdict verdict = Verdict::invalid;
   bool touching = false;
   std::optional<std::optional<std::string>> squared_distance, comparisons, ties;
-  NamedValues<Json> details;  // of the test, by name
+  NamedValues<Json> details;  // of the predicate, by name
 
-  static constexpr std::string_view about = "The exact answers, with what else the test's oracles tell.";
+  static constexpr std::string_view about = "The exact answers, with what else the predicate's oracles tell.";
   static constexpr auto fields(auto&& visit) {
     using Of = ExpectedLine;
     return visit(
         field(&Of::verdict, {"verdict", "The answer."}),
         field(&Of::touching, {"touching", "Whether the two touch and no more."}),
-        field(&Of::squared_distance,
-              {.name = "squared_distance",
-               .about = "A fraction; this and the next two of a test that compares a distance, null where invalid.",
-               .may_be_absent = true}),
+        field(
+            &Of::squared_distance,
+            {.name = "squared_distance",
+             .about = "A fraction; this and the next two of a predicate that compares a distance, null where invalid.",
+             .may_be_absent = true}),
         field(&Of::comparisons, {.name = "comparisons",
-                                 .about = "Comparison bits, a digit each in the order of `axiscert tests`.",
+                                 .about = "Comparison bits, a digit each in the order of `axiscert predicates`.",
                                  .may_be_absent = true}),
         field(&Of::ties, {.name = "ties", .about = "Which of the comparisons are ties.", .may_be_absent = true}),
         rest(&Of::details));
@@ -113,8 +114,8 @@ Provenance parse_provenance(const std::string& text, const std::string& about);
 std::string default_corpus_folder();
 
 inline constexpr std::string_view corpus_name = "corpus";
-// The corpus's queries of one entry of a test as a source of that name. Its address is "corpus-SHA256", the hash of
-// the queries' lines, one file after the other. Throws Error where it has none.
-SourcePtr corpus_source(const std::string& folder, const TestDescription& test, std::size_t entry = 0);
+// The corpus's queries of one entry of a predicate as a source of that name. Its address is "corpus-SHA256", the hash
+// of the queries' lines, one file after the other. Throws Error where it has none.
+SourcePtr corpus_source(const std::string& folder, const Predicate& predicate, std::size_t entry = 0);
 
 }  // namespace axiscert

@@ -82,7 +82,7 @@ TEST_P(CorpusEntryTest, HasTheseExactAnswers) {
   const ExactAnswers& expected = entry.expected;
   EXPECT_EQ(exact_answers(entry.stored), expected);
   if (expected.verdict == Verdict::invalid) return;
-  if (entry.stored.test == &moving_sphere_test()) {
+  if (entry.stored.predicate == &moving_sphere_predicate()) {
     // Each oracle separately: our own rationals, and CGAL's distance of two triangles.
     const Numbers<double> q = wide_numbers(entry.stored);
     const MovingQuery<double> motion = MovingSphere::problem<double>([&](std::size_t k) { return q[k]; });
@@ -94,7 +94,8 @@ TEST_P(CorpusEntryTest, HasTheseExactAnswers) {
     EXPECT_EQ(sgn(Rational(squared - r * r)), order) << "feature by feature";
     return;
   }
-  if (entry.stored.test != &sphere_triangle_test()) return;  // exact_answers has compared the oracles of two boxes
+  if (entry.stored.predicate != &sphere_triangle_predicate())
+    return;  // exact_answers has compared the oracles of two boxes
   std::visit(
       [&](const auto& q) {
         // Checks each oracle separately.
@@ -136,7 +137,7 @@ class CorpusFolder {
 
 CorpusEntry touching_entry() {
   const Query<float> q = {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 0, 0}, 1};
-  StoredQuery stored{"touching", Precision::binary32, q, &sphere_triangle_test(), 0, 1};
+  StoredQuery stored{"touching", Precision::binary32, q, &sphere_triangle_predicate(), 0, 1};
   return {stored, {"made", "by hand", ""}, "", exact_answers(stored), "x.jsonl"};
 }
 
@@ -172,11 +173,11 @@ TEST(CorpusFiles, ABadOneIsNamedByFileLineAndField) {
 }
 
 TEST(CorpusSource, HasEveryQueryInItsPrecision) {
-  const auto source = corpus_source(SOURCE_FOLDER "/fuzz/corpus", sphere_triangle_test());
+  const auto source = corpus_source(SOURCE_FOLDER "/fuzz/corpus", sphere_triangle_predicate());
   EXPECT_EQ(source->name(), "corpus");
   std::size_t n32 = 0, n64 = 0;
   for (const CorpusEntry& entry : entries_or_none()) {
-    if (entry.stored.test != &sphere_triangle_test()) continue;
+    if (entry.stored.predicate != &sphere_triangle_predicate()) continue;
     if (entry.stored.precision == Precision::binary32) {
       const Query<float> q = source->make<float>(1, n32++);
       expect_same_bits(q, sphere_triangle_query_in<float>(entry.stored));
@@ -190,26 +191,26 @@ TEST(CorpusSource, HasEveryQueryInItsPrecision) {
   EXPECT_EQ(source->address_name(), "corpus-" + source->file()->sha256);
 }
 
-TEST(CorpusSource, HasTheQueriesOfOneEntryOfATest) {
-  for (const TestDescription* test : tests()) {
+TEST(CorpusSource, HasTheQueriesOfOneEntryOfAPredicate) {
+  for (const Predicate* predicate : predicates()) {
     std::size_t all = 0;
-    for (std::size_t entry = 0; entry < test->entries.size(); ++entry) {
+    for (std::size_t entry = 0; entry < predicate->entries.size(); ++entry) {
       std::size_t count = 0;
       for (const CorpusEntry& kept : entries_or_none()) {
-        count += kept.stored.test == test && kept.stored.entry == entry ? 1 : 0;
+        count += kept.stored.predicate == predicate && kept.stored.entry == entry ? 1 : 0;
       }
       all += count;
       if (count == 0) {
-        EXPECT_THAT([&] { corpus_source(SOURCE_FOLDER "/fuzz/corpus", *test, entry); },
-                    testing::ThrowsMessage<Error>(testing::HasSubstr(std::string(test->entries[entry].name))));
+        EXPECT_THAT([&] { corpus_source(SOURCE_FOLDER "/fuzz/corpus", *predicate, entry); },
+                    testing::ThrowsMessage<Error>(testing::HasSubstr(std::string(predicate->entries[entry].name))));
         continue;
       }
-      const auto source = corpus_source(SOURCE_FOLDER "/fuzz/corpus", *test, entry);
+      const auto source = corpus_source(SOURCE_FOLDER "/fuzz/corpus", *predicate, entry);
       EXPECT_EQ(*source->fixed_size(Precision::binary32) + *source->fixed_size(Precision::binary64), count)
-          << test->id << ", " << test->entries[entry].name;
+          << predicate->id << ", " << predicate->entries[entry].name;
     }
-    if (test->entries.size() > 1) {
-      EXPECT_GT(all, 1u) << test->id;
+    if (predicate->entries.size() > 1) {
+      EXPECT_GT(all, 1u) << predicate->id;
     }
   }
 }

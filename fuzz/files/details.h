@@ -1,5 +1,5 @@
-// The details that a test's oracles know of a query beside its verdict (exact/trait/oracles.h), as query lines have
-// them.
+// The details that a predicate's oracles know of a query beside its verdict (exact/trait/oracles.h), as query lines
+// have them.
 #pragma once
 
 #include "exact/trait/oracles.h"

@@ -38,7 +38,7 @@ struct CountingIterator {
 
 class MemberHandler : public nlohmann::json_sax<nlohmann::json> {
  public:
-  MemberHandler(std::string_view line, const Place& place, KnownTests known,
+  MemberHandler(std::string_view line, const Place& place, KnownPredicates known,
                 const std::function<void(const LineMembers&)>& before_a_fault)
       : line_(line), place_(place), known_(known), before_a_fault_(before_a_fault) {}
 
@@ -77,7 +77,7 @@ class MemberHandler : public nlohmann::json_sax<nlohmann::json> {
     if (depth_ > most_depth) return true;
     const std::string& outer = containers_.back().path;
     const std::string path = outer.empty() ? text : outer + '.' + text;
-    // Which members matter is known when the test is, and that may be the last member.
+    // Which members matter is known when the predicate is, and that may be the last member.
     const auto [at, is_new] = found_.members.try_emplace(path);
     if (!is_new) found_.repeated.push_back(path);
     given_ = &*at;
@@ -162,7 +162,7 @@ class MemberHandler : public nlohmann::json_sax<nlohmann::json> {
 
   std::string_view line_;
   const Place& place_;
-  KnownTests known_;
+  KnownPredicates known_;
   const std::function<void(const LineMembers&)>& before_a_fault_;
   std::size_t consumed_ = 0;
   std::size_t depth_ = 0;
@@ -180,7 +180,7 @@ const JsonMember& LineMembers::at(std::string_view name) const {
   return found == members.end() ? absent : found->second;
 }
 
-LineMembers read_members(std::string_view line, const Place& place, KnownTests known,
+LineMembers read_members(std::string_view line, const Place& place, KnownPredicates known,
                          const std::function<void(const LineMembers&)>& before_a_fault) {
   return MemberHandler(line, place, known, before_a_fault).read();
 }

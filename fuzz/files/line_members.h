@@ -43,7 +43,7 @@ struct LineMembers {
 // gone through double. Throws Error by place.fail() for anything but one JSON object, and for a number that is too
 // large for the precision that the line states; `known` are the tests that the message speaks of. `before_a_fault` is
 // called with the members so far, so that it can throw what says more.
-LineMembers read_members(std::string_view line, const Place& place, KnownTests known,
+LineMembers read_members(std::string_view line, const Place& place, KnownPredicates known,
                          const std::function<void(const LineMembers&)>& before_a_fault);
 
 }  // namespace axiscert

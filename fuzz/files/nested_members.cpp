@@ -23,7 +23,7 @@ void add_once(std::vector<Value>& values, const Value& value) {
 }
 
 // The names of the members right inside this one, in the order of the entry: m, s and b in "a".
-std::vector<std::string_view> names_inside(std::string_view outer, const TestEntry& entry) {
+std::vector<std::string_view> names_inside(std::string_view outer, const PredicateEntry& entry) {
   std::vector<std::string_view> names;
   for (const ColumnGroup& group : groups_of(entry)) {
     if (!is_within(group.name, outer)) continue;
@@ -56,11 +56,11 @@ bool is_within(std::string_view path, std::string_view outer) {
   return path.size() > outer.size() && path.starts_with(outer) && path[outer.size()] == '.';
 }
 
-std::size_t entry_of_most_members(const TestDescription& test, const LineMembers& given) {
+std::size_t entry_of_most_members(const Predicate& predicate, const LineMembers& given) {
   std::size_t found = 0;
   std::pair<std::size_t, bool> most{0, false};
-  for (std::size_t e = 0; e < test.entries.size(); ++e) {
-    const std::vector<ColumnGroup> groups = groups_of(test.entries[e]);
+  for (std::size_t e = 0; e < predicate.entries.size(); ++e) {
+    const std::vector<ColumnGroup> groups = groups_of(predicate.entries[e]);
     const auto is_read = [&](const auto& member) {
       return std::any_of(groups.begin(), groups.end(), [&](const ColumnGroup& group) {
         return group.name == member.first || is_within(group.name, member.first);
@@ -85,7 +85,7 @@ bool NestedMembers::has(std::string_view path) const {
 // "with m, s and b or with m, s and q": the members of the object in each of the entries.
 std::string NestedMembers::object_forms(std::string_view outer) const {
   std::vector<std::string> forms;
-  for (const TestEntry& entry : entries_) {
+  for (const PredicateEntry& entry : entries_) {
     const std::vector<std::string_view> names = names_inside(outer, entry);
     if (!names.empty()) add_once(forms, "with " + enumerated(names));
   }
@@ -93,7 +93,7 @@ std::string NestedMembers::object_forms(std::string_view outer) const {
   return fmt::format("{} or {}", fmt::join(forms.begin(), forms.end() - 1, ", "), forms.back());
 }
 
-std::string NestedMembers::due(std::string_view path, const TestEntry& entry) const {
+std::string NestedMembers::due(std::string_view path, const PredicateEntry& entry) const {
   for (const ColumnGroup& group : groups_of(entry)) {
     if (group.name == path) {
       return group.size == 1 ? "a number" : fmt::format("an array of {} numbers", count_in_words(group.size));
@@ -105,7 +105,7 @@ std::string NestedMembers::due(std::string_view path, const TestEntry& entry) co
                      due(fmt::format("{}.{}", path, names.front()), entry));
 }
 
-std::optional<MemberFault> NestedMembers::fault_around(std::string_view group, const TestEntry& entry) const {
+std::optional<MemberFault> NestedMembers::fault_around(std::string_view group, const PredicateEntry& entry) const {
   for (std::size_t dot = group.find('.'); dot != group.npos; dot = group.find('.', dot + 1)) {
     const std::string outer(group.substr(0, dot));
     const JsonMember& given = given_.at(outer);
@@ -144,7 +144,7 @@ std::optional<MemberFault> NestedMembers::fault_around(std::string_view group, c
 std::vector<std::string_view> NestedMembers::given_form(std::string_view outer) const {
   std::vector<std::string_view> found;
   std::size_t most = 0;
-  for (const TestEntry& entry : entries_) {
+  for (const PredicateEntry& entry : entries_) {
     const std::vector<ColumnGroup> groups = groups_of(entry);
     const auto is_inside = [&](const ColumnGroup& group) { return is_within(group.name, outer); };
     const auto is_there = [&](const ColumnGroup& group) {
@@ -160,7 +160,7 @@ std::vector<std::string_view> NestedMembers::given_form(std::string_view outer) 
 
 std::optional<MemberFault> NestedMembers::mixed_entries() const {
   std::vector<std::string_view> objects;
-  for (const TestEntry& entry : entries_) {
+  for (const PredicateEntry& entry : entries_) {
     for (const ColumnGroup& group : groups_of(entry)) {
       if (const std::size_t dot = group.name.find('.'); dot != group.name.npos) {
         add_once(objects, group.name.substr(0, dot));
@@ -180,7 +180,7 @@ std::optional<MemberFault> NestedMembers::mixed_entries() const {
   return std::nullopt;
 }
 
-MemberFault NestedMembers::unread_inside(std::string_view path, const TestEntry& entry) const {
+MemberFault NestedMembers::unread_inside(std::string_view path, const PredicateEntry& entry) const {
   const std::string_view outer = path.substr(0, path.find('.'));
   return {std::string(path), fmt::format("not read beside {}; '{}' is an object {}",
                                          enumerated(names_inside(outer, entry)), outer, object_forms(outer))};

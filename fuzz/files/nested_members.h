@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fuzz/files/line_members.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert {
 
@@ -19,7 +19,7 @@ std::string count_in_words(std::size_t count);
 bool is_within(std::string_view path, std::string_view outer);
 
 // The entry that reads the most of the members given; among equals one whose members are all there, then the first.
-std::size_t entry_of_most_members(const TestDescription& test, const LineMembers& given);
+std::size_t entry_of_most_members(const Predicate& predicate, const LineMembers& given);
 
 // A member at fault, with the end of the message about it.
 struct MemberFault {
@@ -27,29 +27,29 @@ struct MemberFault {
   bool is_missing = false;
 };
 
-// The members of a line that may be in any of `entries`: all of a test, or the one that the line states.
+// The members of a line that may be in any of `entries`: all of a predicate, or the one that the line states.
 class NestedMembers {
  public:
-  NestedMembers(const LineMembers& given, std::span<const TestEntry> entries) : given_(given), entries_(entries) {}
+  NestedMembers(const LineMembers& given, std::span<const PredicateEntry> entries) : given_(given), entries_(entries) {}
 
   // The first of the members around this group of `entry`, the outermost first, that is missing, of another kind or, as
   // an array, of another length: "field 'a': a number; an object with m, s and b or with m, s and q belongs here".
-  std::optional<MemberFault> fault_around(std::string_view group, const TestEntry& entry) const;
+  std::optional<MemberFault> fault_around(std::string_view group, const PredicateEntry& entry) const;
 
   // The fault of objects that are complete, each in another entry: one box by its axes, the other by a quaternion.
   std::optional<MemberFault> mixed_entries() const;
 
   // The fault of a member inside an object of `entry` that this entry does not read.
-  MemberFault unread_inside(std::string_view path, const TestEntry& entry) const;
+  MemberFault unread_inside(std::string_view path, const PredicateEntry& entry) const;
 
  private:
-  std::string due(std::string_view path, const TestEntry& entry) const;
+  std::string due(std::string_view path, const PredicateEntry& entry) const;
   std::string object_forms(std::string_view outer) const;
   std::vector<std::string_view> given_form(std::string_view outer) const;
   bool has(std::string_view path) const;
 
   const LineMembers& given_;
-  std::span<const TestEntry> entries_;
+  std::span<const PredicateEntry> entries_;
 };
 
 }  // namespace axiscert

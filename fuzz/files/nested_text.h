@@ -1,4 +1,4 @@
-// Members by their paths (kernel/test.h, TestColumn::group) as the text of nested JSON.
+// Members by their paths (kernel/predicate.h, PredicateColumn::group) as the text of nested JSON.
 #pragma once
 
 #include <string>

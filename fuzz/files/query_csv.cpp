@@ -43,9 +43,9 @@ std::size_t right_cells(const std::vector<std::string_view>& cells, const CsvHea
   return right;
 }
 
-std::string columns_text(const TestEntry& entry) {
+std::string columns_text(const PredicateEntry& entry) {
   std::string text;
-  for (const TestColumn& column : entry.columns) text += fmt::format("{}{}", text.empty() ? "" : ",", column.name);
+  for (const PredicateColumn& column : entry.columns) text += fmt::format("{}{}", text.empty() ? "" : ",", column.name);
   return text;
 }
 
@@ -78,7 +78,7 @@ bool begins_like_a_number(std::string_view cell) {
 }
 
 // Fails where a first line that is not a header is CSV all the same: in words that say what to change.
-void refuse_other_csv(std::string_view line, const Place& place, KnownTests known) {
+void refuse_other_csv(std::string_view line, const Place& place, KnownPredicates known) {
   const std::string_view text = trimmed(line);
   if (text.empty() || text.front() == '{' || text.front() == '[') return;
   const char separator = separator_of(text);
@@ -101,20 +101,20 @@ void refuse_other_csv(std::string_view line, const Place& place, KnownTests know
 
 }  // namespace
 
-std::string csv_columns(KnownTests known) { return columns_text(test_named("", known).entries.front()); }
+std::string csv_columns(KnownPredicates known) { return columns_text(predicate_named("", known).entries.front()); }
 
-std::optional<CsvHeader> csv_header(std::string_view line, const Place& place, KnownTests known) {
+std::optional<CsvHeader> csv_header(std::string_view line, const Place& place, KnownPredicates known) {
   const auto cells = csv_cells(line);
   const bool has_id = cells[0] == "id";
   // A header that no entry has is measured by the one that is most like it, and among those by the first.
   std::optional<CsvHeader> header;
   bool begins_like_one = has_id;
-  for (const TestDescription* test : known) {
-    for (std::size_t e = 0; e < test->entries.size(); ++e) {
-      const CsvHeader candidate{has_id, {test, e}};
-      const auto& columns = test->entries[e].columns;
+  for (const Predicate* predicate : known) {
+    for (std::size_t e = 0; e < predicate->entries.size(); ++e) {
+      const CsvHeader candidate{has_id, {predicate, e}};
+      const auto& columns = predicate->entries[e].columns;
       begins_like_one |= std::any_of(columns.begin(), columns.end(),
-                                     [&](const TestColumn& column) { return cells[0] == column.name; });
+                                     [&](const PredicateColumn& column) { return cells[0] == column.name; });
       const std::size_t right = right_cells(cells, candidate);
       if (right == cells.size() && right == width(candidate)) return candidate;
       if (!header || right > right_cells(cells, *header)) header = candidate;
@@ -153,7 +153,7 @@ StoredQuery query_of_csv(std::string_view line, const CsvHeader& header, Precisi
     place.fail("id", fmt::format("{} is quoted; write the cell without quotes or commas", shown(cells[0])));
   }
   std::vector<NumberText> numbers;
-  for (const TestColumn& column : header.of.columns().columns) {
+  for (const PredicateColumn& column : header.of.columns().columns) {
     numbers.push_back({std::string(column.name), "", std::string(cells[first + numbers.size()])});
   }
   std::string id = header.has_id && !cells[0].empty() ? std::string(cells[0]) : place.default_id();

@@ -64,9 +64,9 @@ void Place::fail(std::string_view field, std::string_view what) const {
   throw Error(fmt::format("{}:{}: field '{}': {}", file, line, shown(field), what));
 }
 
-StoredQuery stored_query(std::string id, Precision precision, const EntryOfTest& of,
+StoredQuery stored_query(std::string id, Precision precision, const EntryOfPredicate& of,
                          const std::vector<NumberText>& numbers, const Place& place) {
-  StoredQuery stored{std::move(id), precision, {}, of.test, of.entry, place.line};
+  StoredQuery stored{std::move(id), precision, {}, of.predicate, of.entry, place.line};
   switch (precision) {
     case Precision::binary32:
       stored.numbers = numbers_of<float>(numbers, place);
@@ -79,7 +79,7 @@ StoredQuery stored_query(std::string id, Precision precision, const EntryOfTest&
 }
 
 std::vector<StoredQuery> parse_queries(std::string_view bytes, std::string_view name, Precision csv_precision,
-                                       KnownTests known) {
+                                       KnownPredicates known) {
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
   std::vector<StoredQuery> queries;
   std::optional<CsvHeader> csv;

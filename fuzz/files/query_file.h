@@ -2,17 +2,17 @@
 //
 // JSON Lines, one object per line:
 //   {"id":"parry-76","precision":"binary32","a":[x,y,z],"b":[x,y,z],"c":[x,y,z],"p":[x,y,z],"r":"0x1.99999ap-3"}
-// `test` is the id of the query's test (default: the first), and `entry` the entry in which its numbers are given
-// (default: that which reads the most of the members given). The numbers' members are the groups of the entry's
-// columns: an array, or a number where the group has one column. A name with dots is nested (kernel/test.h): in
-//   {"test":"box-box","precision":"binary64","a":BOX,"b":BOX} with BOX {"m":[..],"s":[..],"q":[w,x,y,z]}
+// `predicate` is the id of the query's predicate (default: the first), and `entry` the entry in which its numbers are
+// given (default: that which reads the most of the members given). The numbers' members are the groups of the entry's
+// columns: an array, or a number where the group has one column. A name with dots is nested (kernel/predicate.h): in
+//   {"predicate":"box-box","precision":"binary64","a":BOX,"b":BOX} with BOX {"m":[..],"s":[..],"q":[w,x,y,z]}
 // `q` is "a.q" and "b.q", and this as a name is read too. A number is text for parse_number: a JSON string, or the
 // characters of a JSON number. `id` is optional (default "line-N") and need not be unique. Fields that are not read,
 // since a witness is a query too, and that axiscert does not itself write beside a query are told (set_query_notes);
 // inside an object of the query, as a box is, they are refused.
-// CSV begins with a header of column names, [id,]ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r for the test that files imply,
-// in this order; which names they are tells test and entry. Cells are not quoted. Either format may begin with a UTF-8
-// byte order mark, end its lines in CRLF and contain blank lines.
+// CSV begins with a header of column names, [id,]ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r for the predicate that files
+// imply, in this order; which names they are tells predicate and entry. Cells are not quoted. Either format may begin
+// with a UTF-8 byte order mark, end its lines in CRLF and contain blank lines.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "kernel/query.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert {
 
@@ -35,12 +35,12 @@ struct StoredQuery {
   std::string id;
   Precision precision;  // precision of `numbers`
   AnyNumbers numbers;
-  const TestDescription* test;
-  std::size_t entry = 0;     // of the test: that in which the numbers are given
+  const Predicate* predicate;
+  std::size_t entry = 0;     // of the predicate: that in which the numbers are given
   std::size_t line = 0;      // in its file, from 1; 0 if it does not come from a file
   std::string address = {};  // that a line of JSON states, as a witness does; not written again
 
-  const TestEntry& columns() const { return test->entries[entry]; }
+  const PredicateEntry& columns() const { return predicate->entries[entry]; }
 };
 
 // Is told of each field of a query file that is not read and may be a slip, once a file and name:
@@ -49,10 +49,10 @@ using QueryNotes = std::function<void(const std::string& note)>;
 void set_query_notes(QueryNotes notes);
 
 // Parses all queries or throws. The Error begins NAME:LINE: field 'FIELD': as far as these are known. `csv_precision`
-// is the precision of a CSV file, which does not state one; a line of JSON does. `known` are the tests of which queries
-// are understood.
+// is the precision of a CSV file, which does not state one; a line of JSON does. `known` are the predicates of which
+// queries are understood.
 std::vector<StoredQuery> parse_queries(std::string_view bytes, std::string_view name, Precision csv_precision,
-                                       std::span<const TestDescription* const> known = tests());
+                                       std::span<const Predicate* const> known = predicates());
 std::vector<StoredQuery> read_queries(std::istream& in, std::string_view name, Precision csv_precision);
 // The path "-" means standard input.
 std::vector<StoredQuery> read_query_file(const std::string& path, Precision csv_precision);

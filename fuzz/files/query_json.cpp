@@ -35,11 +35,11 @@ bool is_written_beside_queries(std::string_view field) {
 // The members of one line as a query.
 class QueryOfMembers {
  public:
-  QueryOfMembers(const LineMembers& given, const Place& place, KnownTests known)
+  QueryOfMembers(const LineMembers& given, const Place& place, KnownPredicates known)
       : given_(given), place_(place), known_(known) {}
 
   StoredQuery query(std::vector<UnreadField>* unread) const {
-    const EntryOfTest of = entry_given_once();
+    const EntryOfPredicate of = entry_given_once();
     const Precision precision = precision_of_line(of);
     const JsonValue& id = given_.at("id").value;
     if (id.kind != JsonKind::absent && id.kind != JsonKind::string) throw_wrong_kind("id", id.kind, "a string");
@@ -58,14 +58,14 @@ class QueryOfMembers {
     return stored;
   }
 
-  // The test and the entry of the line. Fails if a member that matters to these was given twice.
-  EntryOfTest entry_given_once() const {
+  // The predicate and the entry of the line. Fails if a member that matters to these was given twice.
+  EntryOfPredicate entry_given_once() const {
     const auto fail_if_repeated = [&](const auto& matters) {
       const auto twice = std::find_if(given_.repeated.begin(), given_.repeated.end(), matters);
       if (twice != given_.repeated.end()) place_.fail(*twice, "given twice");
     };
-    fail_if_repeated([](const std::string& name) { return name == "test" || name == "entry"; });
-    const EntryOfTest of = entry_of_line();
+    fail_if_repeated([](const std::string& name) { return name == "predicate" || name == "entry"; });
+    const EntryOfPredicate of = entry_of_line();
     const std::vector<ColumnGroup> groups = groups_of(of.columns());
     fail_if_repeated([&](const std::string& name) {
       return name == "id" || name == "precision" || std::any_of(groups.begin(), groups.end(), [&](const auto& group) {
@@ -77,14 +77,14 @@ class QueryOfMembers {
 
  private:
   // The names of the members that a query of this entry has.
-  std::vector<std::string_view> member_names(const EntryOfTest& of) const {
-    std::vector<std::string_view> names = {"id", "precision", "test", "entry"};
+  std::vector<std::string_view> member_names(const EntryOfPredicate& of) const {
+    std::vector<std::string_view> names = {"id", "precision", "predicate", "entry"};
     for (const ColumnGroup& group : groups_of(of.columns())) names.push_back(group.name);
     return names;
   }
 
   // "; it has what is not read: 'radius' (did you mean 'r'?)", for a line that lacks a member.
-  std::string unknown_fields(const EntryOfTest& of) const {
+  std::string unknown_fields(const EntryOfPredicate& of) const {
     std::vector<std::string> texts;
     for (const UnreadField& field : unread_fields(of)) {
       if (texts.size() == 4) break;
@@ -94,7 +94,7 @@ class QueryOfMembers {
     return texts.empty() ? "" : fmt::format("; it has what is not read: {}", fmt::join(texts, ", "));
   }
 
-  std::vector<UnreadField> unread_fields(const EntryOfTest& of) const {
+  std::vector<UnreadField> unread_fields(const EntryOfPredicate& of) const {
     const std::vector<std::string_view> names = member_names(of);
     std::vector<UnreadField> unread;
     for (const auto& [given, ignored] : given_.members) {
@@ -143,47 +143,48 @@ class QueryOfMembers {
 
   // `of` is the line's, where a member of it may be missing.
   [[noreturn]] void throw_wrong_kind(std::string_view blamed, JsonKind given, std::string_view expected,
-                                     const EntryOfTest* of = nullptr) const {
+                                     const EntryOfPredicate* of = nullptr) const {
     place_.fail(blamed, fmt::format("{}; {} belongs here{}", name(given), expected,
                                     given == JsonKind::absent && of != nullptr ? unknown_fields(*of) : ""));
   }
 
   bool states_entry() const { return given_.at("entry").value.kind == JsonKind::string; }
 
-  NestedMembers nested(const EntryOfTest& of) const {
-    const std::span<const TestEntry> entries = of.test->entries;
+  NestedMembers nested(const EntryOfPredicate& of) const {
+    const std::span<const PredicateEntry> entries = of.predicate->entries;
     return {given_, states_entry() ? entries.subspan(of.entry, 1) : entries};
   }
 
-  [[noreturn]] void fail(const MemberFault& fault, const EntryOfTest& of) const {
+  [[noreturn]] void fail(const MemberFault& fault, const EntryOfPredicate& of) const {
     place_.fail(fault.field, fault.says + (fault.is_missing ? unknown_fields(of) : ""));
   }
 
-  EntryOfTest entry_of_line() const {
-    const JsonValue &test = given_.at("test").value, &entry = given_.at("entry").value;
-    if (test.kind != JsonKind::absent && test.kind != JsonKind::string)
-      throw_wrong_kind("test", test.kind, "the id of a test");
+  EntryOfPredicate entry_of_line() const {
+    const JsonValue &predicate = given_.at("predicate").value, &entry = given_.at("entry").value;
+    if (predicate.kind != JsonKind::absent && predicate.kind != JsonKind::string)
+      throw_wrong_kind("predicate", predicate.kind, "the id of a predicate");
     if (entry.kind != JsonKind::absent && entry.kind != JsonKind::string)
       throw_wrong_kind("entry", entry.kind, "an entry's name");
-    EntryOfTest of{nullptr, 0};
+    EntryOfPredicate of{nullptr, 0};
     try {
-      of.test = test.kind == JsonKind::string ? &find_test(shown(test.text), known_) : &test_named("", known_);
+      of.predicate = predicate.kind == JsonKind::string ? &find_predicate(shown(predicate.text), known_)
+                                                        : &predicate_named("", known_);
     } catch (const Error& unknown) {
-      place_.fail("test", unknown.what());
+      place_.fail("predicate", unknown.what());
     }
     if (entry.kind == JsonKind::absent) {
-      of.entry = entry_of_most_members(*of.test, given_);
+      of.entry = entry_of_most_members(*of.predicate, given_);
       return of;
     }
     try {
-      of.entry = find_entry(*of.test, shown(entry.text));
+      of.entry = find_entry(*of.predicate, shown(entry.text));
     } catch (const Error& unknown) {
       place_.fail("entry", unknown.what());
     }
     return of;
   }
 
-  Precision precision_of_line(const EntryOfTest& of) const {
+  Precision precision_of_line(const EntryOfPredicate& of) const {
     const JsonValue& given = given_.at("precision").value;
     if (given.kind != JsonKind::string) throw_wrong_kind("precision", given.kind, "\"binary32\" or \"binary64\"", &of);
     try {
@@ -194,7 +195,7 @@ class QueryOfMembers {
   }
 
   std::string number_text(std::string_view blamed, std::string_view element, const JsonValue& value,
-                          const EntryOfTest& of) const {
+                          const EntryOfPredicate& of) const {
     if (value.kind != JsonKind::number && value.kind != JsonKind::string) {
       place_.fail(blamed, fmt::format("{}{}; a number belongs here{}", element, name(value.kind),
                                       value.kind == JsonKind::absent ? unknown_fields(of) : ""));
@@ -202,7 +203,7 @@ class QueryOfMembers {
     return value.text;
   }
 
-  void take_group(const ColumnGroup& group, const EntryOfTest& of, std::vector<NumberText>& numbers) const {
+  void take_group(const ColumnGroup& group, const EntryOfPredicate& of, std::vector<NumberText>& numbers) const {
     const JsonMember& given = given_.at(group.name);
     if (given.value.kind == JsonKind::absent) {
       if (const auto fault = nested(of).mixed_entries()) fail(*fault, of);
@@ -228,7 +229,7 @@ class QueryOfMembers {
 
   const LineMembers& given_;
   const Place& place_;
-  KnownTests known_;
+  KnownPredicates known_;
 };
 
 template <class Real>
@@ -241,7 +242,7 @@ std::string group_text(const ColumnGroup& group, const Numbers<Real>& numbers) {
 }
 
 template <class Real>
-std::string json_numbers(const TestEntry& entry, const Numbers<Real>& numbers) {
+std::string json_numbers(const PredicateEntry& entry, const Numbers<Real>& numbers) {
   NestedText text;
   for (const ColumnGroup& group : groups_of(entry)) text.add(group.name, group_text(group, numbers));
   return std::move(text).take();
@@ -249,7 +250,7 @@ std::string json_numbers(const TestEntry& entry, const Numbers<Real>& numbers) {
 
 }  // namespace
 
-StoredQuery query_of_json(std::string_view line, const Place& place, KnownTests known,
+StoredQuery query_of_json(std::string_view line, const Place& place, KnownPredicates known,
                           std::vector<UnreadField>* unread) {
   // A member that is given twice is told before a fault behind it.
   const auto require_once = [&](const LineMembers& so_far) {
@@ -262,8 +263,8 @@ std::string query_line(const StoredQuery& stored) {
   // An id from a CSV file may not be UTF-8.
   const std::string id = nlohmann::json(stored.id).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   std::string of;
-  if (const std::string_view test = written_name(*stored.test); !test.empty())
-    of += fmt::format(R"(,"test":"{}")", test);
+  if (const std::string_view predicate = written_name(*stored.predicate); !predicate.empty())
+    of += fmt::format(R"(,"predicate":"{}")", predicate);
   if (stored.entry != 0) of += fmt::format(R"(,"entry":"{}")", stored.columns().name);
   return fmt::format(
       R"({{"id":{},"precision":"{}"{}{}}})", id, name(stored.precision), of,

@@ -11,10 +11,11 @@
 
 namespace axiscert {
 
-using KnownTests = std::span<const TestDescription* const>;
+using KnownPredicates = std::span<const Predicate* const>;
 
-// The numbers' columns of a CSV header, as messages show them: those of the first entry of the test that files imply.
-std::string csv_columns(KnownTests known);
+// The numbers' columns of a CSV header, as messages show them: those of the first entry of the predicate that files
+// imply.
+std::string csv_columns(KnownPredicates known);
 
 // The position of a line, for messages.
 struct Place {
@@ -26,12 +27,12 @@ struct Place {
   [[noreturn]] void fail(std::string_view field, std::string_view what) const;
 };
 
-// A test and one of its entries: the meaning of a line's numbers.
-struct EntryOfTest {
-  const TestDescription* test;
+// A predicate and one of its entries: the meaning of a line's numbers.
+struct EntryOfPredicate {
+  const Predicate* predicate;
   std::size_t entry;
 
-  const TestEntry& columns() const { return test->entries[entry]; }
+  const PredicateEntry& columns() const { return predicate->entries[entry]; }
 };
 
 // One of the numbers of a query as text, with the beginning of a message about it.
@@ -39,7 +40,7 @@ struct NumberText {
   std::string field, element, text;
 };
 // `numbers` are as many as the entry has columns.
-StoredQuery stored_query(std::string id, Precision precision, const EntryOfTest& of,
+StoredQuery stored_query(std::string id, Precision precision, const EntryOfPredicate& of,
                          const std::vector<NumberText>& numbers, const Place& place);
 
 // The name of a member that is neither the query's nor one that axiscert writes beside it, and the member that may have
@@ -48,15 +49,15 @@ struct UnreadField {
   std::string name, meant;
 };
 // Adds to `unread`, where it is given, the fields that were passed over.
-StoredQuery query_of_json(std::string_view line, const Place& place, KnownTests known = tests(),
+StoredQuery query_of_json(std::string_view line, const Place& place, KnownPredicates known = predicates(),
                           std::vector<UnreadField>* unread = nullptr);
 
 struct CsvHeader {
   bool has_id;
-  EntryOfTest of;
+  EntryOfPredicate of;
 };
 // Empty if the line does not begin like a CSV header of any entry; throws Error if it does but is not a valid header.
-std::optional<CsvHeader> csv_header(std::string_view line, const Place& place, KnownTests known = tests());
+std::optional<CsvHeader> csv_header(std::string_view line, const Place& place, KnownPredicates known = predicates());
 StoredQuery query_of_csv(std::string_view line, const CsvHeader& header, Precision precision, const Place& place);
 
 }  // namespace axiscert

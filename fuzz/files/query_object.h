@@ -29,16 +29,17 @@ struct JsonForm<QueryLine> {
 struct StoredLine {
   std::string id;
   Precision precision = Precision::binary32;
-  std::optional<Name> test, entry;
+  std::optional<Name> predicate, entry;
   NamedValues<Json> numbers;  // by group of columns; those whose names have dots are nested
 
   static constexpr std::string_view about =
-      "A line of a query file (docs/queries.md). The numbers have the names of the groups of columns of its test.";
+      "A line of a query file (docs/queries.md). The numbers have the names of the groups of columns of its predicate.";
   static constexpr auto fields(auto&& visit) {
     using Of = StoredLine;
     return visit(
         field(&Of::id, {"id", "Its name."}), field(&Of::precision, {"precision", "Of its numbers."}),
-        field(&Of::test, {.name = "test", .about = "Its test; absent for the implied one.", .may_be_absent = true}),
+        field(&Of::predicate,
+              {.name = "predicate", .about = "Its predicate; absent for the implied one.", .may_be_absent = true}),
         field(&Of::entry,
               {.name = "entry", .about = "The form of its numbers; absent for the first.", .may_be_absent = true}),
         rest(&Of::numbers));

@@ -47,8 +47,8 @@ std::uint64_t distinct(const Rows<Real>& queries, std::size_t columns) {
 }
 
 std::string query_text_of(const StoredQuery& stored) {
-  return stored.entry == 0 ? std::string(stored.test->id)
-                           : fmt::format("{}, entry {}", stored.test->id, stored.columns().name);
+  return stored.entry == 0 ? std::string(stored.predicate->id)
+                           : fmt::format("{}, entry {}", stored.predicate->id, stored.columns().name);
 }
 
 class QueryFileSource final : public ColumnSource<QueryFileSource> {
@@ -57,18 +57,18 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
   QueryFileSource(const char* kind, const FileInfo& file, const std::string& bytes,
                   const std::vector<StoredQuery>& queries)
       : kind_(kind),
-        test_(*queries.front().test),
+        predicate_(*queries.front().predicate),
         entry_(queries.front().entry),
         binary32_(queries.front().columns().columns.size()),
         binary64_(queries.front().columns().columns.size()),
         file_(file) {
     for (const StoredQuery& stored : queries) {
-      if (stored.test != &test_ || stored.entry != entry_) {
-        throw Error(
-            fmt::format("{}:{}: a query of {}, but those before it are of {}; the queries of a file have one test and "
-                        "one entry",
-                        file.path == "-" ? "stdin" : file.path, stored.line, query_text_of(stored),
-                        query_text_of(queries.front())));
+      if (stored.predicate != &predicate_ || stored.entry != entry_) {
+        throw Error(fmt::format(
+            "{}:{}: a query of {}, but those before it are of {}; the queries of a file have one predicate and "
+            "one entry",
+            file.path == "-" ? "stdin" : file.path, stored.line, query_text_of(stored),
+            query_text_of(queries.front())));
       }
       switch (stored.precision) {
         case Precision::binary32:
@@ -79,7 +79,7 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
           break;
       }
     }
-    const TestEntry& entry = queries.front().columns();
+    const PredicateEntry& entry = queries.front().columns();
     const std::size_t columns = entry.shared_columns != 0 ? entry.shared_columns : entry.columns.size();
     independent32_ = distinct(binary32_, columns);
     independent64_ = distinct(binary64_, columns);
@@ -109,7 +109,7 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
   }
   std::optional<FileInfo> file() const override { return file_; }
 
-  const TestDescription& test() const override { return test_; }
+  const Predicate& predicate() const override { return predicate_; }
   std::size_t entry() const override { return entry_; }
   template <class Real>
   void fill_columns(std::uint64_t, std::uint64_t first, const MutableColumns<Real>& out) const {
@@ -131,7 +131,7 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
   }
 
   std::string kind_;
-  const TestDescription& test_;
+  const Predicate& predicate_;
   std::size_t entry_;
   Rows<float> binary32_;
   Rows<double> binary64_;
@@ -141,25 +141,24 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
 
 }  // namespace
 
-SourcePtr query_file_source(const std::string& path, Precision csv_precision,
-                            std::span<const TestDescription* const> known) {
+SourcePtr query_file_source(const std::string& path, Precision csv_precision, std::span<const Predicate* const> known) {
   const bool piped = path == "-";
   const std::string where = piped ? "stdin" : path, bytes = piped ? read_bytes(std::cin, where) : read_bytes(path);
   return std::make_shared<QueryFileSource>("queries", FileInfo{path, base_name(where)}, bytes,
                                            parse_queries(bytes, where, csv_precision, known));
 }
 
-SourcePtr corpus_source(const std::string& folder, const TestDescription& test, std::size_t entry) {
+SourcePtr corpus_source(const std::string& folder, const Predicate& predicate, std::size_t entry) {
   std::string lines;
   std::vector<StoredQuery> queries;
   for (const CorpusEntry& kept : read_corpus(folder)) {
-    if (kept.stored.test != &test || kept.stored.entry != entry) continue;
+    if (kept.stored.predicate != &predicate || kept.stored.entry != entry) continue;
     lines += query_line(kept.stored) + "\n";
     queries.push_back(kept.stored);
   }
   if (queries.empty()) {
-    throw Error(
-        fmt::format("{}: the corpus has no query of the test {}, entry {}", folder, test.id, test.entries[entry].name));
+    throw Error(fmt::format("{}: the corpus has no query of the predicate {}, entry {}", folder, predicate.id,
+                            predicate.entries[entry].name));
   }
   return std::make_shared<QueryFileSource>("corpus", FileInfo{folder, "corpus"}, lines, queries);
 }

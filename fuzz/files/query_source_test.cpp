@@ -27,14 +27,14 @@ std::string line(const std::string& precision, const std::string& r, const std::
 template <class Real>
 void line_round_trip() {
   using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-  Stream random(1, name_hash("query_file_test"), 1, precision_of<Real>, 0);
+  Stream random(1, name_hash("query_file_predicate"), 1, precision_of<Real>, 0);
   std::string file;
   std::vector<StoredQuery> written;
   for (int i = 0; i < 500; ++i) {
     std::array<Real, coordinate_count> v;
     for (Real& x : v) x = std::bit_cast<Real>(static_cast<Bits>(random.bits()));
     written.push_back({"say \"" + std::to_string(i) + "\"\\\n\xc3\xa4", precision_of<Real>, from_coordinates(v),
-                       &sphere_triangle_test()});
+                       &sphere_triangle_predicate()});
     file += query_line(written.back()) + "\n";
   }
   std::istringstream in(file);
@@ -51,13 +51,14 @@ TEST(QueryFile, AWrittenLineReadsBackTheSame) {
   line_round_trip<float>();
   line_round_trip<double>();
   EXPECT_EQ(query_line({"parry-76", Precision::binary32, Query<float>{{1, 0, 0}, {0, -0.0f, 0}, {}, {}, 0.2f},
-                        &sphere_triangle_test()}),
+                        &sphere_triangle_predicate()}),
             R"({"id":"parry-76","precision":"binary32","a":["0x1p+0","0x0p+0","0x0p+0"],)"
             R"("b":["0x0p+0","-0x0p+0","0x0p+0"],"c":["0x0p+0","0x0p+0","0x0p+0"],)"
             R"("p":["0x0p+0","0x0p+0","0x0p+0"],"r":"0x1.99999ap-3"})");
   // An id that is not UTF-8 cannot be JSON; the query must not be lost with it.
-  EXPECT_NO_THROW(parse_queries(query_line({"\xff", Precision::binary64, Query<double>{}, &sphere_triangle_test()}),
-                                "f.jsonl", Precision::binary32));
+  EXPECT_NO_THROW(
+      parse_queries(query_line({"\xff", Precision::binary64, Query<double>{}, &sphere_triangle_predicate()}), "f.jsonl",
+                    Precision::binary32));
 }
 
 TEST(QueryFile, AFileThatCannotBeReadIsNamed) {

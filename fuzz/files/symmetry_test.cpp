@@ -20,7 +20,7 @@ constexpr std::uint64_t symmetry_seed = 20260611;
 
 template <class Real>
 StoredQuery stored(const Query<Real>& q) {
-  return {"q", precision_of<Real>, q, &sphere_triangle_test()};
+  return {"q", precision_of<Real>, q, &sphere_triangle_predicate()};
 }
 
 // Small integers, sometimes equal or zero: translations by integers and powers of two are exact.

@@ -18,7 +18,7 @@ ReversalWitness witness_of(const RadiusReversal<Real>& reversal, QueryWithRadius
                            std::string address, std::uint64_t position) {
   const auto line = [&](Real radius, const char* answer) {
     q.numbers[q.column] = radius;
-    return query_line({address + " " + answer, precision_of<Real>, q.numbers, &source.test(), source.entry()});
+    return query_line({address + " " + answer, precision_of<Real>, q.numbers, &source.predicate(), source.entry()});
   };
   return {position, line(reversal.contact, "contact"), line(reversal.separated, "separated")};
 }

@@ -14,7 +14,7 @@
 
 namespace axiscert {
 
-// Kernels and sources are of one test, whose answer turns at a critical length (exact/trait/oracles.h).
+// Kernels and sources are of one predicate, whose answer turns at a critical length (exact/trait/oracles.h).
 struct CriticalRadiusPlan {
   std::vector<const Kernel*> kernels;
   std::vector<SourcePtr> sources;
@@ -23,8 +23,8 @@ struct CriticalRadiusPlan {
   int threads = 0;                     // 0: one per core
 };
 
-// What `axiscert critical-radius` measures of a test where nothing is named. A test that has none of these: all of its
-// kernels and families.
+// What `axiscert critical-radius` measures of a predicate where nothing is named. A predicate that has none of these:
+// all of its kernels and families.
 struct CriticalRadiusDefaults {
   std::vector<std::string> kernels, families;
 };

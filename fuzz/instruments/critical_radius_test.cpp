@@ -99,7 +99,7 @@ TEST(CriticalRadiusInstrument, InvalidQueriesAndDistancesBeyondThePrecisionAreLe
 // The half extent of A's first axis at which the boxes touch: rational. Kernels are monotone in it, since rounding is.
 TEST(CriticalRadiusInstrument, MeasuresTheHalfExtentAtWhichTwoBoxesTouch) {
   const auto squared = [](const Numbers<double>& q) {
-    return oracles_of(find_test("box-box")).critical_length()->squared(q);
+    return oracles_of(find_predicate("box-box")).critical_length()->squared(q);
   };
   Numbers<double> cubes = {0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 3.5, 0, 0, 1, 1, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   EXPECT_EQ(squared(cubes), Rational(25, 4));
@@ -138,8 +138,8 @@ TEST(CriticalRadiusInstrument, MeasuresAMovingSphereFromTheLeastDistanceOfItsMot
   EXPECT_GT(result.cells[1][1].late, 0u) << "steps by |D| alone end before a motion along the face does";
   // A static query has the same critical radius as its motion by 0.
   const Numbers<double> still = {0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, 3, 0, 0, 0, 0};
-  EXPECT_EQ(oracles_of(moving_sphere_test()).critical_length()->squared(still), 9);
-  EXPECT_EQ(oracles_of(moving_sphere_test()).critical_length()->column, 15u);
+  EXPECT_EQ(oracles_of(moving_sphere_predicate()).critical_length()->squared(still), 9);
+  EXPECT_EQ(oracles_of(moving_sphere_predicate()).critical_length()->column, 15u);
 }
 
 TEST(CriticalRadiusInstrument, DoesNotDependOnThreads) {

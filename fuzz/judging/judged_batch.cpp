@@ -19,7 +19,7 @@ JudgedBatch<Real>::JudgedBatch(const JudgedPlan& plan, const QueryBlock& block, 
     : plan_(plan),
       block_(block),
       progress_(progress),
-      oracles_(oracles_of(source().test(), source().entry())),
+      oracles_(oracles_of(source().predicate(), source().entry())),
       queries_(static_cast<std::size_t>(std::min(plan.batch_size, block.size)), source().columns().size()),
       first_(block.first) {
   for (const Kernel* kernel : plan.kernels) kernels_.push_back({kernel->on<Real>(plan.target)});

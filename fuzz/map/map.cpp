@@ -77,13 +77,13 @@ struct Pixel {
 // The content of the pictures at a pixel.
 class PixelShown {
  public:
-  PixelShown(const TestDescription& test, const Pixel& pixel)
-      : test_(test),
+  PixelShown(const Predicate& predicate, const Pixel& pixel)
+      : predicate_(predicate),
         p_(pixel),
-        exact_(clauses_of(test, p_.exact)),
-        strictly_(clauses_of(test, p_.exact & ~p_.ties)),
-        with_ties_(clauses_of(test, p_.exact | p_.ties)) {
-    if (p_.said.bits) said_ = clauses_of(test, *p_.said.bits);
+        exact_(clauses_of(predicate, p_.exact)),
+        strictly_(clauses_of(predicate, p_.exact & ~p_.ties)),
+        with_ties_(clauses_of(predicate, p_.exact | p_.ties)) {
+    if (p_.said.bits) said_ = clauses_of(predicate, *p_.said.bits);
   }
 
   ShownPixel of(const MapSubject& subject) const {
@@ -135,14 +135,14 @@ class PixelShown {
 
   // Whether the certain comparisons settle the clause: all of its comparisons are certain, or a certain one fails.
   bool is_clause_settled(std::size_t i, ComparisonBits bits) const {
-    const ComparisonBits all = test_.clauses[i].comparisons;
+    const ComparisonBits all = predicate_.clauses[i].comparisons;
     return (all & ~p_.certain) == 0 || (all & p_.certain & ~bits) != 0;
   }
   // Settled if a clause is certain to separate, or if every one is settled.
   bool is_verdict_settled() const {
-    const ClauseBits holding = clauses_of(test_, p_.of_truth);
+    const ClauseBits holding = clauses_of(predicate_, p_.of_truth);
     bool every_clause = true;
-    for (std::size_t i = 0; i < test_.clauses.size(); ++i) {
+    for (std::size_t i = 0; i < predicate_.clauses.size(); ++i) {
       const bool settled = is_clause_settled(i, p_.of_truth);
       if (settled && has_bit(holding, i)) return true;
       every_clause = every_clause && settled;
@@ -150,7 +150,7 @@ class PixelShown {
     return every_clause;
   }
 
-  const TestDescription& test_;
+  const Predicate& predicate_;
   const Pixel& p_;
   const ClauseBits exact_, strictly_, with_ties_;
   std::optional<ClauseBits> said_;
@@ -164,8 +164,8 @@ class Drawing {
         witness_(std::get<Numbers<Real>>(plan.witness.numbers)),
         oracles_(oracles_of(*plan.kernel)),
         canvases_(canvases),
-        bounds_(test().comparisons.size()),
-        proved_(capabilities_of(test()).proved_bounds) {
+        bounds_(predicate().comparisons.size()),
+        proved_(capabilities_of(predicate()).proved_bounds) {
     constexpr double u = std::numeric_limits<Real>::epsilon() / 2;
     for (std::size_t k = 0; k < bounds_.size(); ++k) {
       const auto proved = proved_error(*plan.kernel, precision_of<Real>, k);
@@ -199,7 +199,7 @@ class Drawing {
   }
 
  private:
-  const TestDescription& test() const { return *plan_.kernel->test; }
+  const Predicate& predicate() const { return *plan_.kernel->predicate; }
 
   // By filters where these know, else by the oracles.
   Pixel pixel(const BatchOracle<Real>& known, const Reply<Real>& reply, std::size_t i, const Numbers<Real>& q) const {
@@ -216,7 +216,7 @@ class Drawing {
     p.outside = !is_promised(oracles_, kernel.limits, kernel.motion, q);
     const std::optional<KnownSigns> signs = known.signs(i);
     p.of_truth = signs ? signs->holds : 0;
-    p.certain = signs ? signs->certain : all_comparisons(test());
+    p.certain = signs ? signs->certain : all_comparisons(predicate());
     if (!has_comparison_maps(kernel)) return p;
     if (const std::optional<KnownSigns> claimed = known.claimed(i, kernel)) {
       p.exact = claimed->holds;
@@ -243,16 +243,16 @@ class Drawing {
       if (certain && is_wrong && !proved_->are_as_claimed(*plan_.kernel, q, answers, i)) certain = false;
       p.certain = certain ? p.certain | bit : p.certain & ~bit;
       if (certain && is_wrong) {
-        throw HarnessFault(fmt::format("{}: the proved bound of {} is refuted by {}", plan_.kernel->id,
-                                       test().comparisons[k].name,
-                                       query_line({"refuted", precision_of<Real>, q, &test(), plan_.kernel->entry})));
+        throw HarnessFault(fmt::format(
+            "{}: the proved bound of {} is refuted by {}", plan_.kernel->id, predicate().comparisons[k].name,
+            query_line({"refuted", precision_of<Real>, q, &predicate(), plan_.kernel->entry})));
       }
     }
   }
 
   void put(std::size_t position, const Pixel& p) const {
     if (p.truth.verdict == Verdict::invalid) return;  // remains no_query, as initialised
-    const PixelShown shown(test(), p);
+    const PixelShown shown(predicate(), p);
     for (std::size_t s = 0; s < plan_.subjects.size(); ++s) canvases_[s].put(position, shown.of(plan_.subjects[s]));
   }
 
@@ -296,15 +296,15 @@ void draw(const MapPlan& plan, std::vector<Canvas>& canvases, const ShowProgress
 
 }  // namespace
 
-std::string_view name(const MapSubject& subject, const TestDescription& test) {
-  return name(test, Flip{subject.level, subject.index, FlipKind::false_separation, false, {}});
+std::string_view name(const MapSubject& subject, const Predicate& predicate) {
+  return name(predicate, Flip{subject.level, subject.index, FlipKind::false_separation, false, {}});
 }
 
-std::vector<MapSubject> map_subjects(const TestDescription& test) {
+std::vector<MapSubject> map_subjects(const Predicate& predicate) {
   std::vector<MapSubject> all = {{Level::verdict, 0}};
-  for (std::size_t i = 0; i < test.clauses.size(); ++i) all.push_back({Level::axis, static_cast<std::uint8_t>(i)});
-  for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
-    if (test.comparisons[i].name == test.clauses[test.comparisons[i].clause].name) continue;
+  for (std::size_t i = 0; i < predicate.clauses.size(); ++i) all.push_back({Level::axis, static_cast<std::uint8_t>(i)});
+  for (std::size_t i = 0; i < predicate.comparisons.size(); ++i) {
+    if (predicate.comparisons[i].name == predicate.clauses[predicate.comparisons[i].clause].name) continue;
     all.push_back({Level::comparison, static_cast<std::uint8_t>(i)});
   }
   return all;

@@ -59,14 +59,14 @@ struct MapSubject {
   std::uint8_t index;  // 0 for the verdict
   bool operator==(const MapSubject&) const = default;
 };
-std::string_view name(const MapSubject& subject, const TestDescription& test);
+std::string_view name(const MapSubject& subject, const Predicate& predicate);
 // The verdict, the axes and the comparisons, in this order; a comparison that is an axis by itself, of its name, once.
-std::vector<MapSubject> map_subjects(const TestDescription& test);
+std::vector<MapSubject> map_subjects(const Predicate& predicate);
 
 struct MapPlan {
   const Kernel* kernel;  // has to exist in the witness's precision
   std::string target;    // resolved
-  StoredQuery witness;   // of the kernel's test
+  StoredQuery witness;   // of the kernel's predicate
   Plane plane;
   std::vector<MapSubject> subjects;  // only the verdict if the kernel exposes no comparisons of its own formulae
 };
@@ -89,8 +89,8 @@ struct MapPicture {
 // 4096th pixel, and for every 64th of those that needed integers of any size, the signs are decided again by CGAL, the
 // exact formulae and MPFR: throws OracleDisagreement.
 //
-// A test without filters (Oracles::has_filters) is drawn by its oracles at every pixel, some hundred times as slowly,
-// and has no uncertain band.
+// A predicate without filters (Oracles::has_filters) is drawn by its oracles at every pixel, some hundred times as
+// slowly, and has no uncertain band.
 //
 // The uncertain band of a comparison is the region where a bound does not determine its sign: the proved bound for the
 // kernel's own sides if there is one and it covers the query (fuzz/search/proved.h), otherwise that of the quickest

@@ -28,11 +28,11 @@ TYPED_TEST_SUITE(Maps, Reals);
 
 template <class Real>
 StoredQuery stored(const Query<Real>& q) {
-  return {"q", precision_of<Real>, q, &sphere_triangle_test()};
+  return {"q", precision_of<Real>, q, &sphere_triangle_predicate()};
 }
 
 MovedNumbers numbers_named(std::string_view name) {
-  return parse_numbers(name, sphere_triangle_test().entries.front());
+  return parse_numbers(name, sphere_triangle_predicate().entries.front());
 }
 template <class Real>
 Query<Real> query_at(const Plane& plane, const Query<Real>& witness, std::size_t column, std::size_t row) {
@@ -143,7 +143,7 @@ class CheckedPixel {
 template <class Real>
 std::size_t expect_as_checked(const Kernel& kernel, const Query<Real>& witness, const Plane& plane) {
   const MapPlan plan{&kernel, resolve_target("auto"), stored(witness), plane,
-                     has_comparison_maps(kernel) ? map_subjects(sphere_triangle_test())
+                     has_comparison_maps(kernel) ? map_subjects(sphere_triangle_predicate())
                                                  : std::vector<MapSubject>{{Level::verdict, 0}}};
   std::size_t wrong = 0;
   const auto pictures = draw_map(plan);
@@ -154,7 +154,7 @@ std::size_t expect_as_checked(const Kernel& kernel, const Query<Real>& witness, 
       const PixelClass shown = picture.pixels[i];
       const auto due = checked.expected(picture.subject);
       const bool as_due = due ? shown == *due : shown > PixelClass::missed_separation;
-      EXPECT_TRUE(as_due) << kernel.id << " " << name(picture.subject, sphere_triangle_test()) << ", pixel " << i
+      EXPECT_TRUE(as_due) << kernel.id << " " << name(picture.subject, sphere_triangle_predicate()) << ", pixel " << i
                           << ", seed " << seed;
     }
   }
@@ -186,7 +186,7 @@ TEST(MapPictures, ShowTheBoundaryTiesAndTheWrongBit) {
   const Query<float> q = {{1, 0, 0}, {2, 1, 0}, {2, -1, 1}, {0, 0, 0}, 1};
   const Plane plane = ulp_plane(numbers_named("a.x"), numbers_named("r"), 8, 1);
   MapPlan plan{&find_kernel("published"), resolve_target("auto"), stored(q), plane,
-               map_subjects(sphere_triangle_test())};
+               map_subjects(sphere_triangle_predicate())};
   const auto verdict = draw_map(plan).front();
   for (std::size_t row = 0; row < 8; ++row) {
     for (std::size_t column = 0; column < 8; ++column) {
@@ -205,29 +205,29 @@ TEST(MapPictures, ShowTheBoundaryTiesAndTheWrongBit) {
   plan.kernel = &wrong;
   for (const MapPicture& picture : draw_map(plan)) {
     const auto count = [&](PixelClass c) { return picture.counts[c]; };
-    const bool is_it = name(picture.subject, sphere_triangle_test()) == "edge_bc.radius";
+    const bool is_it = name(picture.subject, sphere_triangle_predicate()) == "edge_bc.radius";
     EXPECT_EQ(count(PixelClass::false_separation) + count(PixelClass::missed_separation) == 64, is_it)
-        << name(picture.subject, sphere_triangle_test());
+        << name(picture.subject, sphere_triangle_predicate());
   }
 }
 
-// A test without filters: every pixel of the verdict is as the oracles and the kernel say.
+// A predicate without filters: every pixel of the verdict is as the oracles and the kernel say.
 TEST(MapsOfOracles, ShowWhatTheOraclesAndTheKernelSay) {
   // Along a triangle that is a segment, at height 2: strict sides invent a contact for any radius.
   const Numbers<float> q = MovingQuery<float>{{0, 0, 0}, {4, 0, 0}, {8, 0, 0}, {1, 0, 2}, {1, 0, 0}, 2};
-  const TestEntry& columns = moving_sphere_test().entries[0];
+  const PredicateEntry& columns = moving_sphere_predicate().entries[0];
   const Kernel& strict = find_kernel("moving-sphere/twenty");
-  const StoredQuery witness = {"q", Precision::binary32, q, &moving_sphere_test()};
+  const StoredQuery witness = {"q", Precision::binary32, q, &moving_sphere_predicate()};
   const MapPlan plan{&strict, std::string(scalar_target), witness,
                      ulp_plane(parse_numbers("d.x", columns), parse_numbers("r", columns), 8, 1),
-                     map_subjects(moving_sphere_test())};
+                     map_subjects(moving_sphere_predicate())};
   ASSERT_EQ(plan.subjects.size(), 1u + 20 + 61);
   const std::vector<MapPicture> pictures = draw_map(plan);
   ASSERT_EQ(pictures.size(), plan.subjects.size());
   std::size_t phantoms = 0, touching = 0;
   for (std::size_t i = 0; i < 64; ++i) {
     const Numbers<float> at = query_at(plan.plane, q, i % 8, i / 8);
-    const Truth truth = oracles_of(moving_sphere_test()).truth(at);
+    const Truth truth = oracles_of(moving_sphere_predicate()).truth(at);
     const Verdict said = ask(strict.on<float>(scalar_target), at).verdicts[0];
     const PixelClass shown = pictures[0].pixels[i];
     const bool is_phantom = truth.verdict == Verdict::separated && said == Verdict::contact;
@@ -238,11 +238,11 @@ TEST(MapsOfOracles, ShowWhatTheOraclesAndTheKernelSay) {
   }
   EXPECT_EQ(phantoms, 32u) << "the four rows with a radius below 2";
   EXPECT_EQ(touching, 8u);
-  EXPECT_EQ(name(plan.subjects[1], moving_sphere_test()), "start.plane");
+  EXPECT_EQ(name(plan.subjects[1], moving_sphere_predicate()), "start.plane");
 }
 
 TEST(MapNumbers, AreThoseOfTheEntry) {
-  const TestEntry& columns = moving_sphere_test().entries[0];
+  const PredicateEntry& columns = moving_sphere_predicate().entries[0];
   EXPECT_EQ(parse_numbers("d.z", columns).places, std::uint64_t{1} << 14);
   EXPECT_EQ(parse_numbers("r", columns).places, std::uint64_t{1} << 15);
   EXPECT_EQ(parse_numbers("scene", columns).places, 0xffffu);

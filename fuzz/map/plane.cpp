@@ -55,7 +55,7 @@ PlaneSide exponent_side(const Numbers<Real>& witness, const MovedNumbers& number
 
 }  // namespace
 
-MovedNumbers parse_numbers(std::string_view name, const TestEntry& entry) {
+MovedNumbers parse_numbers(std::string_view name, const PredicateEntry& entry) {
   const std::string text(name);
   const std::vector<ColumnGroup> groups = groups_of(entry);
   std::uint64_t triangle = 0, scene = 0;

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "kernel/query.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert {
 
@@ -17,7 +17,7 @@ struct MovedNumbers {
 };
 // One number of the entry, by its group and x, y or z where the group has three; a group; the triangle (a, b and c) or
 // the scene (all of them). Throws Error that lists the valid names.
-MovedNumbers parse_numbers(std::string_view name, const TestEntry& entry);
+MovedNumbers parse_numbers(std::string_view name, const PredicateEntry& entry);
 
 // From pixel to pixel a number changes by ulps, through zero to the other sign; or by powers of two.
 enum class PlaneKind : std::uint8_t { ulps, exponents };

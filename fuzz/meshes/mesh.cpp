@@ -47,8 +47,8 @@ double box_diagonal(const std::vector<MeshTriangle>& triangles) {
 
 class MeshSource final : public ColumnSource<MeshSource> {
  public:
-  MeshSource(const std::string& path, const std::string& bytes, const TestDescription& test)
-      : mesh_(load_mesh(path, bytes.size())), test_(test), queries_(mesh_queries_of(test)) {
+  MeshSource(const std::string& path, const std::string& bytes, const Predicate& predicate)
+      : mesh_(load_mesh(path, bytes.size())), predicate_(predicate), queries_(mesh_queries_of(predicate)) {
     file_.path = path;
     file_.name = base_name(path);
     file_.kind = "mesh";
@@ -61,11 +61,11 @@ class MeshSource final : public ColumnSource<MeshSource> {
   }
 
   std::string name() const override { return "mesh/" + file_.name; }
-  std::string address_name() const override { return id_prefix(test_) + "mesh-" + file_.sha256; }
+  std::string address_name() const override { return id_prefix(predicate_) + "mesh-" + file_.sha256; }
   std::string purpose() const override { return std::string(queries_.purpose); }
   int version() const override { return queries_.version; }
   std::size_t entry() const override { return queries_.entry; }
-  const TestDescription& test() const override { return test_; }
+  const Predicate& predicate() const override { return predicate_; }
   std::uint64_t base_triangles(Precision, std::uint64_t trials) const override {
     return std::min(trials, file_.triangles);
   }
@@ -81,7 +81,7 @@ class MeshSource final : public ColumnSource<MeshSource> {
 
  private:
   Mesh mesh_;
-  const TestDescription& test_;
+  const Predicate& predicate_;
   const MeshQueries& queries_;
   FileInfo file_;
   std::uint64_t generator_ = 0, placements_ = 0;  // names of streams, hashed
@@ -104,22 +104,22 @@ Mesh load_mesh(const std::string& path, std::uint64_t file_size) {
   return mesh;
 }
 
-std::vector<const TestDescription*> mesh_tests() {
-  std::vector<const TestDescription*> served;
-  for (const TestDescription* test : tests()) {
-    if (capabilities_of(*test).mesh != nullptr) served.push_back(test);
+std::vector<const Predicate*> mesh_predicates() {
+  std::vector<const Predicate*> served;
+  for (const Predicate* predicate : predicates()) {
+    if (capabilities_of(*predicate).mesh != nullptr) served.push_back(predicate);
   }
   return served;
 }
 
-const MeshQueries& mesh_queries_of(const TestDescription& test) {
-  const MeshQueries* const queries = capabilities_of(test).mesh;
-  if (queries == nullptr) throw Error(fmt::format("a mesh has no queries of the test {}", test.id));
+const MeshQueries& mesh_queries_of(const Predicate& predicate) {
+  const MeshQueries* const queries = capabilities_of(predicate).mesh;
+  if (queries == nullptr) throw Error(fmt::format("a mesh has no queries of the predicate {}", predicate.id));
   return *queries;
 }
 
-SourcePtr mesh_source(const std::string& path, const TestDescription& test) {
-  return std::make_shared<MeshSource>(path, read_bytes(path), test);
+SourcePtr mesh_source(const std::string& path, const Predicate& predicate) {
+  return std::make_shared<MeshSource>(path, read_bytes(path), predicate);
 }
 
 }  // namespace axiscert

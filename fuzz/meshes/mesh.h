@@ -8,7 +8,7 @@
 #include "fuzz/meshes/mesh_import.h"
 #include "fuzz/queries/random.h"
 #include "kernel/query.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert {
 
@@ -26,19 +26,19 @@ inline constexpr int placements_version = 2;
 // Throws Error with the path if the file cannot be read, is not a mesh according to assimp, or contains no triangle.
 Mesh load_mesh(const std::string& path, std::uint64_t file_size);
 
-// The queries that a test has for a mesh: a capability of the test (fuzz/queries/capabilities.h).
+// The queries that a predicate has for a mesh: a capability of the predicate (fuzz/queries/capabilities.h).
 struct MeshQueries {
   std::string_view purpose;  // one line
   int version;               // raised with what is made at a position
   std::size_t entry;
   // From position `first` on. `placed` names the stream of the spheres about the triangles (placements_version), on
-  // which every test builds; `own` that of what the test adds to them. Every number is finite.
+  // which every predicate builds; `own` that of what the predicate adds to them. Every number is finite.
   void (*in_binary32)(const Mesh& mesh, const StreamName& placed, const StreamName& own, std::uint64_t first,
                       const MutableColumns<float>& out);
   void (*in_binary64)(const Mesh& mesh, const StreamName& placed, const StreamName& own, std::uint64_t first,
                       const MutableColumns<double>& out);
 };
-// Of a test of mesh_tests().
-const MeshQueries& mesh_queries_of(const TestDescription& test);
+// Of a predicate of mesh_predicates().
+const MeshQueries& mesh_queries_of(const Predicate& predicate);
 
 }  // namespace axiscert

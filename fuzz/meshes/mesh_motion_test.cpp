@@ -23,9 +23,9 @@ namespace {
 
 // Motions past the same triangles and spheres.
 TEST(MeshMotions, AreOfTheFilesTrianglesAndAgreedUponByTheOracles) {
-  const SourcePtr still = mesh_source(model("OBJ/spider.obj"), sphere_triangle_test()),
-                  moving = mesh_source(model("OBJ/spider.obj"), moving_sphere_test());
-  const Oracles& oracles = oracles_of(moving_sphere_test());
+  const SourcePtr still = mesh_source(model("OBJ/spider.obj"), sphere_triangle_predicate()),
+                  moving = mesh_source(model("OBJ/spider.obj"), moving_sphere_predicate());
+  const Oracles& oracles = oracles_of(moving_sphere_predicate());
   std::set<MeshMotion> met;
   std::size_t contacts = 0, asked = 0;
   // Two rounds of placements over the first triangles, in each of which every placement is.
@@ -50,7 +50,7 @@ TEST(MeshMotions, AreOfTheFilesTrianglesAndAgreedUponByTheOracles) {
 // A step is shorter than the walker, a bullet's longer than its triangle, and a shaking camera's hardly any.
 TEST(MeshMotions, AreAsLongAsTheySay) {
   const Mesh spider = load_mesh(model("OBJ/spider.obj"), 0);
-  const SourcePtr moving = mesh_source(model("OBJ/spider.obj"), moving_sphere_test());
+  const SourcePtr moving = mesh_source(model("OBJ/spider.obj"), moving_sphere_predicate());
   std::size_t characters = 0, walks = 0;
   for (std::uint64_t position = 0; position < 4000; ++position) {
     const Numbers<double> q = moving->make<double>(1, position);
@@ -77,7 +77,7 @@ TEST(MeshMotions, AreAsLongAsTheySay) {
 
 TEST(MeshMotions, ABatchIsItsQueriesAndAnAddressGivesTheSameBytes) {
   const OwnMesh own("motions.obj", degenerate_obj);
-  const SourcePtr source = mesh_source(own.path, moving_sphere_test());
+  const SourcePtr source = mesh_source(own.path, moving_sphere_predicate());
   QueryBatch<float> batch(1100, source->columns().size());
   source->fill(11, 1000, 1100, batch);
   for (std::size_t i = 0; i < 1100; i += 7) {
@@ -113,13 +113,13 @@ TEST(MeshMotions, OfExtremeCoordinatesAreFinite) {
   }
 }
 
-TEST(MeshSource, ItsAddressesNameATestOtherThanTheFirst) {
+TEST(MeshSource, ItsAddressesNameAPredicateOtherThanTheFirst) {
   const OwnMesh own("tests.obj", degenerate_obj);
-  const SourcePtr still = mesh_source(own.path, sphere_triangle_test()),
-                  moving = mesh_source(own.path, moving_sphere_test());
+  const SourcePtr still = mesh_source(own.path, sphere_triangle_predicate()),
+                  moving = mesh_source(own.path, moving_sphere_predicate());
   EXPECT_EQ(moving->address_name(), "moving-sphere/" + still->address_name());
-  EXPECT_EQ(moving->name(), still->name()) << "a record is of one test";
-  EXPECT_EQ(&moving->test(), &moving_sphere_test());
+  EXPECT_EQ(moving->name(), still->name()) << "a record is of one predicate";
+  EXPECT_EQ(&moving->predicate(), &moving_sphere_predicate());
   EXPECT_EQ(moving->version(), 1);
 }
 

@@ -25,7 +25,7 @@ namespace {
 
 std::string mesh_refusal(const std::string& path) {
   try {
-    const auto file = mesh_source(path, sphere_triangle_test())->file();
+    const auto file = mesh_source(path, sphere_triangle_predicate())->file();
     return fmt::format("accepted with {} triangles", file->triangles);
   } catch (const Error& wrong) {
     return wrong.what();
@@ -43,7 +43,7 @@ TEST(Mesh, RealModelsGiveTheirTriangles) {
       {"PLY/cube.ply", 12, 0, 0},       {"OFF/Cube.off", 12, 0, 0},
       {"OBJ/testmixed.obj", 12, 0, 42}, {"glTF2/IndexOutOfRange/IndexOutOfRange.gltf", 11, 0, 0}};
   for (const ExpectedCounts& expected : models) {
-    const auto file = mesh_source(model(expected.file), sphere_triangle_test())->file();
+    const auto file = mesh_source(model(expected.file), sphere_triangle_predicate())->file();
     EXPECT_EQ(file->triangles, expected.triangles) << expected.file;
     EXPECT_EQ(file->degenerate_triangles, expected.degenerate) << expected.file;
     EXPECT_EQ(file->skipped_primitives, expected.skipped) << expected.file;
@@ -153,7 +153,7 @@ template <class Real>
 void expect_promises(const Mesh& mesh, std::uint64_t count) {
   std::set<Placement> met;
   for (std::uint64_t position = 0; position < count; ++position) {
-    const auto q = mesh_query<Real>(mesh, StreamName(7, name_hash("mesh_test"), 1, precision_of<Real>), position);
+    const auto q = mesh_query<Real>(mesh, StreamName(7, name_hash("mesh_predicate"), 1, precision_of<Real>), position);
     const Placement placement = placement_at(position, mesh.triangles.size());
     SCOPED_TRACE(fmt::format("position {}, placement {}", position, static_cast<int>(placement)));
     met.insert(placement);
@@ -191,7 +191,7 @@ TEST(Mesh, ExtremeCoordinatesGiveFiniteQueries) {
 }
 
 TEST(MeshSource, Binary32AsksAboutTheFilesOwnTriangles) {
-  const SourcePtr source = mesh_source(model("OBJ/spider.obj"), sphere_triangle_test());
+  const SourcePtr source = mesh_source(model("OBJ/spider.obj"), sphere_triangle_predicate());
   const Mesh mesh = load_mesh(model("OBJ/spider.obj"), 0);
   for (const std::uint64_t position : {0ul, 1ul, 1367ul, 1368ul, 2000000ul}) {
     const Query<float> q = source->make<float>(1, position);
@@ -201,7 +201,7 @@ TEST(MeshSource, Binary32AsksAboutTheFilesOwnTriangles) {
 }
 
 TEST(MeshSource, Binary64TurnsAndScalesTheTriangle) {
-  const SourcePtr source = mesh_source(model("OFF/Cube.off"), sphere_triangle_test());
+  const SourcePtr source = mesh_source(model("OFF/Cube.off"), sphere_triangle_predicate());
   const auto length = [](const auto& v) { return std::sqrt(static_cast<double>(portable::dot(v, v))); };
   for (std::uint64_t position = 0; position < 200; ++position) {
     const Query<float> own = source->make<float>(3, position);
@@ -238,7 +238,7 @@ void expect_batches_are_their_queries(const Source& source) {
 }
 TEST(MeshSource, ABatchIsItsQueriesOnEveryInstructionSet) {
   const OwnMesh own("batch.obj", degenerate_obj);
-  const SourcePtr source = mesh_source(own.path, sphere_triangle_test());
+  const SourcePtr source = mesh_source(own.path, sphere_triangle_predicate());
   expect_batches_are_their_queries<float>(*source);
   expect_batches_are_their_queries<double>(*source);
 }
@@ -254,14 +254,14 @@ std::string digest(const Source& source, std::uint64_t count) {
 
 TEST(MeshSource, AnAddressGivesTheSameBytesEverywhere) {
   const OwnMesh own("digest.obj", degenerate_obj);
-  const SourcePtr source = mesh_source(own.path, sphere_triangle_test());
+  const SourcePtr source = mesh_source(own.path, sphere_triangle_predicate());
   EXPECT_EQ(digest<float>(*source, 2000), "cf810bf5cc40e377f6aff35604070d8ca229843b8e7abcb7e3c100e014fea92c");
   EXPECT_EQ(digest<double>(*source, 2000), "cc4bf99dbd874098883336eb666417e9c482708a34ecc493b9ab5ff32bab729c");
 }
 
 TEST(MeshSource, NamesItsFileByBaseNameAndHash) {
   const OwnMesh own("named.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  const SourcePtr source = mesh_source(own.path, sphere_triangle_test());
+  const SourcePtr source = mesh_source(own.path, sphere_triangle_predicate());
   const std::string hash = "697b00ab13410c52a542d2e9c63711fcc04e9cbf6c0d3439a9b43cc812e6e713";  // sha256sum
   EXPECT_EQ(source->name(), "mesh/named.obj");
   EXPECT_EQ(source->address_name(), "mesh-" + hash);

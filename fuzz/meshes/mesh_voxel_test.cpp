@@ -17,12 +17,12 @@ namespace axiscert {
 namespace {
 
 TEST(MeshVoxels, AreCellsBesideTheFilesTriangles) {
-  const SourcePtr spheres = mesh_source(model("OBJ/spider.obj"), sphere_triangle_test()),
-                  voxels = mesh_source(model("OBJ/spider.obj"), box_triangle_test());
-  EXPECT_EQ(voxels->entry(), mesh_queries_of(box_triangle_test()).entry);
-  EXPECT_EQ(mesh_queries_of(sphere_triangle_test()).entry, 0u);
+  const SourcePtr spheres = mesh_source(model("OBJ/spider.obj"), sphere_triangle_predicate()),
+                  voxels = mesh_source(model("OBJ/spider.obj"), box_triangle_predicate());
+  EXPECT_EQ(voxels->entry(), mesh_queries_of(box_triangle_predicate()).entry);
+  EXPECT_EQ(mesh_queries_of(sphere_triangle_predicate()).entry, 0u);
   EXPECT_TRUE(voxels->address_name().starts_with("box-triangle/mesh-"));
-  const Oracles& oracles = oracles_of(box_triangle_test(), voxels->entry());
+  const Oracles& oracles = oracles_of(box_triangle_predicate(), voxels->entry());
   std::size_t contacts = 0;
   constexpr std::uint64_t asked = 300;
   for (std::uint64_t position = 0; position < asked; ++position) {

@@ -80,14 +80,14 @@ void compare(const MutationPlan& plan, const std::vector<BlackBoxResult*>& survi
   mutants::Mutant without_fault;
   without_fault.id = plan.base;
   std::vector<Verdict> base;
-  for (const ComparisonBits bits : bits_of(without_fault)) base.push_back(verdict_of(family.test(), bits));
+  for (const ComparisonBits bits : bits_of(without_fault)) base.push_back(verdict_of(family.predicate(), bits));
   for (std::size_t m = 0; m < survivors.size(); ++m) {
     const std::vector<ComparisonBits> bits = bits_of(*survivors[m]->mutant);
     Survival& counts = found[m];
     counts.queries += batch.size();
     int depths = 0;
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      const Verdict verdict = verdict_of(family.test(), bits[i]);
+      const Verdict verdict = verdict_of(family.predicate(), bits[i]);
       if (verdict == base[i]) continue;
       ++counts.other_verdicts;
       const Truth& truth = batch.truth(i);
@@ -164,7 +164,7 @@ class Judge {
   void judge_controls() {
     std::deque<Kernel> boxes;
     std::vector<const Kernel*> kernels;
-    for (const std::string_view id : capabilities_of(*find_kernel(plan_.base).test).correct_forms) {
+    for (const std::string_view id : capabilities_of(*find_kernel(plan_.base).predicate).correct_forms) {
       Kernel& box = boxes.emplace_back(find_kernel(id));
       box.formulae.clear();
       box.exposes = Exposure::verdict;

@@ -74,7 +74,7 @@ struct BlackBoxScore {
   bool complete = true;  // false: interrupted
 };
 
-// The record that `run` makes of these kernels, of one test, on the first `trials` queries of each of the plan's
+// The record that `run` makes of these kernels, of one predicate, on the first `trials` queries of each of the plan's
 // families. Throws OracleDisagreement.
 Record record_of_kernels(const MutationPlan& plan, Precision precision, std::uint64_t trials,
                          std::vector<const Kernel*> kernels);

@@ -22,7 +22,7 @@ MutationPlan motion_mutants(std::size_t stride, std::uint64_t trials, std::strin
     if (!fault.empty() && m.fault != fault) continue;
     if (i++ % stride == 0) plan.mutants.push_back(&m);
   }
-  plan.families = families_of(*find_kernel(twenty).test, 0);
+  plan.families = families_of(*find_kernel(twenty).predicate, 0);
   return plan;
 }
 
@@ -36,7 +36,7 @@ TEST(MotionMutants, AreOfEveryOperationComparisonAndAxis) {
   EXPECT_EQ(count("drop"), 20);
   EXPECT_GE(count("operator"), 300);
   EXPECT_EQ(mutants::find_mutant(std::string(twenty) + "~operator:0").where, "0: ax - px");
-  EXPECT_EQ(mutants::kernel_of(all.front()).test, &find_test("moving-sphere"));
+  EXPECT_EQ(mutants::kernel_of(all.front()).predicate, &find_predicate("moving-sphere"));
   EXPECT_THROW(mutants::mutants_of("moving-sphere/twenty"), Error) << "strict sides are wrong over the reals";
 }
 

@@ -19,7 +19,7 @@ namespace {
 template <class Real>
 struct FamilyBatch {
   const Family* family;
-  const Oracles* oracles = &oracles_of(family->test(), family->entry);
+  const Oracles* oracles = &oracles_of(family->predicate(), family->entry);
   QueryBatch<Real> batch{batch_size, family->column_count()};
   std::vector<ComparisonBits> base;
   std::vector<Verdict> base_verdicts;
@@ -29,7 +29,7 @@ struct FamilyBatch {
   std::vector<std::atomic<signed char>> order = std::vector<std::atomic<signed char>>(batch_size);
 
   explicit FamilyBatch(const Family* of) : family(of) {}
-  const TestDescription& test() const { return family->test(); }
+  const Predicate& predicate() const { return family->predicate(); }
 
   // Makes `size` queries of the family from position `first` on, and the answers of the kernel without a fault.
   void prepare(const mutants::Mutant& without_fault, std::uint64_t seed, std::uint64_t first, std::size_t size) {
@@ -39,7 +39,7 @@ struct FamilyBatch {
     mutants::mutant_bits(without_fault, batch.columns(), base.data());
     base_verdicts.resize(size);
     for (std::size_t i = 0; i < size; ++i) {
-      base_verdicts[i] = verdict_of(test(), base[i]);
+      base_verdicts[i] = verdict_of(predicate(), base[i]);
       order[i].store(unknown, std::memory_order_relaxed);
     }
   }
@@ -107,7 +107,7 @@ class MutationRun {
 
   void look(MutantResult& result, FamilyBatch<Real>& asked, std::size_t i, ComparisonBits bits, std::uint64_t queries,
             std::uint64_t exact_queries) {
-    const Verdict verdict = verdict_of(asked.test(), bits);
+    const Verdict verdict = verdict_of(asked.predicate(), bits);
     if (verdict == asked.base_verdicts[i]) return;
     if (!asked.is_wrong(i, verdict)) return;
     const bool in_exact_arithmetic = asked.shows_formulae() && asked.order_of(i) != 0;

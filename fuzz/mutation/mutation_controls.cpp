@@ -11,7 +11,7 @@ namespace {
 // In addition to the correct forms each arithmetic under the base.
 std::vector<Kernel> kernels_of(const std::string& base) {
   std::vector<Kernel> kernels;
-  for (const std::string_view id : capabilities_of(*find_kernel(base).test).correct_forms)
+  for (const std::string_view id : capabilities_of(*find_kernel(base).predicate).correct_forms)
     kernels.push_back(find_kernel(id));
   for (const ArithmeticInfo& arithmetic : arithmetics()) {
     if (arithmetic.arithmetic != Arithmetic::plain) kernels.push_back(find_kernel(base + "+" + arithmetic.name));

@@ -21,7 +21,7 @@ const std::atomic<bool> not_interrupted = false;
 MutationPlan plan_of(std::string_view base, std::vector<const mutants::Mutant*> mutants, std::uint64_t trials) {
   MutationPlan plan{
       std::move(mutants), std::string(base), {}, {Precision::binary32, Precision::binary64}, trials, seed, 2};
-  for (const Family* family : families_of(*find_kernel(base).test, 0)) plan.families.push_back(family);
+  for (const Family* family : families_of(*find_kernel(base).predicate, 0)) plan.families.push_back(family);
   return plan;
 }
 MutationResult run(const MutationPlan& plan) {
@@ -40,15 +40,15 @@ void expect_base_bits(std::string_view base) {
   none.id = base;
   const Kernel& kernel = find_kernel(base);
   const Implementation<Real> right = kernel.on<Real>(scalar_target);
-  for (const Family* family : families_of(*kernel.test, kernel.entry)) {
+  for (const Family* family : families_of(*kernel.predicate, kernel.entry)) {
     // Not a multiple of the number of lanes.
-    QueryBatch<Real> batch(100, kernel.test->entries.front().columns.size());
+    QueryBatch<Real> batch(100, kernel.predicate->entries.front().columns.size());
     batch.resize(100);
     family->fill(seed, 0, batch.mutable_columns());
     std::array<ComparisonBits, 100> bits;
     mutants::mutant_bits(none, batch.columns(), bits.data());
     Answers<Real> expected;
-    expected.resize(batch.size(), kernel.test->comparisons.size());
+    expected.resize(batch.size(), kernel.predicate->comparisons.size());
     right.explain(batch.columns(), expected);
     for (std::size_t i = 0; i < batch.size(); ++i) {
       ASSERT_EQ(bits[i], expected.bits[i]) << base << ' ' << family->name << ' ' << i << " seed " << seed;

@@ -18,7 +18,7 @@ constexpr std::uint64_t value_seed = 7;
 template <class Real>
 std::vector<ComparisonBits> bits_everywhere(const mutants::Mutant& mutant, bool takes_radius = false, Real least = 0) {
   std::vector<ComparisonBits> all;
-  for (const Family* family : families_of(sphere_triangle_test())) {
+  for (const Family* family : families_of(sphere_triangle_predicate())) {
     QueryBatch<Real> batch(100, coordinate_count);
     batch.resize(100);
     family->fill(value_seed, 0, batch.mutable_columns());

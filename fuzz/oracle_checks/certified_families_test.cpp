@@ -17,8 +17,8 @@ namespace {
 
 std::vector<SourcePtr> all_sources() {
   std::vector<SourcePtr> sources;
-  for (const Family* family : families_of(sphere_triangle_test())) sources.push_back(family_source(*family));
-  sources.push_back(mesh_source(TEST_MODELS "/OBJ/spider.obj", sphere_triangle_test()));
+  for (const Family* family : families_of(sphere_triangle_predicate())) sources.push_back(family_source(*family));
+  sources.push_back(mesh_source(TEST_MODELS "/OBJ/spider.obj", sphere_triangle_predicate()));
   return sources;
 }
 
@@ -32,7 +32,7 @@ void for_each_tally(const std::vector<std::string>& ids, std::uint64_t size, Vis
   plan.running.target = available_targets().front();
   for (const SourcePtr& source : plan.questions.sources) {
     for (const Precision precision : {Precision::binary32, Precision::binary64}) {
-      std::vector<Tally> all(ids.size(), empty_tally(sphere_triangle_test()));
+      std::vector<Tally> all(ids.size(), empty_tally(sphere_triangle_predicate()));
       for (std::uint64_t unit = 0; unit * unit_size < size; ++unit) {
         const std::uint64_t count = std::min(unit_size, size - unit * unit_size);
         std::vector<StandingLeaders> standings;

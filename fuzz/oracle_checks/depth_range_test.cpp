@@ -25,7 +25,7 @@ bool may_be_wide(std::string_view family) {
 // Every family in two precisions: 10^5 queries.
 TYPED_TEST(DepthRanges, HoldTheDepth) {
   constexpr std::uint64_t count = 3000;
-  for (const Family* family : families_of(sphere_triangle_test())) {
+  for (const Family* family : families_of(sphere_triangle_predicate())) {
     std::size_t wide = 0;
     for_each_query<TypeParam>(family->name, count, [&](const Query<TypeParam>& q, std::uint64_t) {
       if (!is_valid(q)) return;

@@ -16,7 +16,7 @@ TYPED_TEST_SUITE(GridDistances, Reals);
 
 TYPED_TEST(GridDistances, AreTheRoundedOnesOfEveryFamily) {
   constexpr std::uint64_t count = 800;
-  for (const Family* family : families_of(sphere_triangle_test())) {
+  for (const Family* family : families_of(sphere_triangle_predicate())) {
     std::uint64_t silent = 0;
     for_each_query<TypeParam>(family->name, count, [&](const Query<TypeParam>& q, std::uint64_t) {
       if (!is_valid(q)) return;

@@ -10,7 +10,7 @@ namespace {
 template <class Real>
 void expect_exact() {
   constexpr int queries = 4096;
-  for (const Family* family : families_of(sphere_triangle_test())) {
+  for (const Family* family : families_of(sphere_triangle_predicate())) {
     for_each_query<Real>(family->name, queries, [&](const Query<Real>& q, std::uint64_t) {
       if (!is_valid(q)) return;
       const Signs found = integer_signs(q), exact = signs_of(exact_sides(q));

@@ -14,7 +14,7 @@ class InputClassesOfFamilies : public testing::Test {};
 TYPED_TEST_SUITE(InputClassesOfFamilies, Reals);
 
 TYPED_TEST(InputClassesOfFamilies, AreTheSameWithAndWithoutTheFilter) {
-  for (const Family* family : families_of(sphere_triangle_test())) {
+  for (const Family* family : families_of(sphere_triangle_predicate())) {
     for_each_query<TypeParam>(family->name, 2000 / TRIAL_DIVISOR, [&](const Query<TypeParam>& q, std::uint64_t) {
       if (!is_valid(q)) return;
       EXPECT_EQ(shape_classes(q), shape_classes(q, false));

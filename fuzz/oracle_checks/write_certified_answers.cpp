@@ -99,9 +99,9 @@ int main(int argc, char** argv) {
   }
   try {
     std::vector<SourcePtr> sources;
-    for (const Family* family : families_of(sphere_triangle_test())) sources.push_back(family_source(*family));
-    sources.push_back(corpus_source(argv[3], sphere_triangle_test()));
-    for (int i = 4; i < argc; ++i) sources.push_back(mesh_source(argv[i], sphere_triangle_test()));
+    for (const Family* family : families_of(sphere_triangle_predicate())) sources.push_back(family_source(*family));
+    sources.push_back(corpus_source(argv[3], sphere_triangle_predicate()));
+    for (int i = 4; i < argc; ++i) sources.push_back(mesh_source(argv[i], sphere_triangle_predicate()));
     write_file(argv[1], size, sources);
   } catch (const std::exception& error) {
     fmt::print(stderr, "write_certified_answers: {}\n", error.what());

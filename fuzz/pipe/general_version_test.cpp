@@ -22,26 +22,26 @@ namespace {
 using pipe::WideReplyRecord;
 using testing::HasSubstr;
 
-const TestDescription& piped_test() {
+const Predicate& piped_predicate() {
   static std::deque<std::string> names;
-  static const TestDescription test = [] {
-    TestDescription wide{.id = "wide",
-                         .asks = "nothing",
-                         .touching = "never",
-                         .wrong_answers = {},
-                         .entries = {{"first", "any", {{"y", Role::length, "y"}}}, {"numbers", "any", {}}},
-                         .comparisons = {},
-                         .clauses = {{"all", (std::uint64_t{1} << 33) - 1}},
-                         .measures = {{"time", "fraction", "ulps"}, {"height", "length", "u"}}};
+  static const Predicate predicate = [] {
+    Predicate wide{.id = "wide",
+                   .asks = "nothing",
+                   .touching = "never",
+                   .wrong_answers = {},
+                   .entries = {{"first", "any", {{"y", Role::length, "y"}}}, {"numbers", "any", {}}},
+                   .comparisons = {},
+                   .clauses = {{"all", (std::uint64_t{1} << 33) - 1}},
+                   .measures = {{"time", "fraction", "ulps"}, {"height", "length", "u"}}};
     for (std::size_t k = 0; k < 40; ++k) {
       wide.entries[1].columns.push_back({names.emplace_back(fmt::format("x{}", k)), Role::coordinate, "x"});
     }
     for (std::size_t k = 0; k < 33; ++k) wide.comparisons.push_back({names.emplace_back(fmt::format("c{}", k)), 0});
     return checked(wide);
   }();
-  return test;
+  return predicate;
 }
-const TestDescription* const known[] = {&sphere_triangle_test(), &piped_test()};
+const Predicate* const known[] = {&sphere_triangle_predicate(), &piped_predicate()};
 
 // Two queries, of the numbers 0 to 39 and 1000 to 1039.
 class WideStream : public testing::Test {
@@ -49,7 +49,7 @@ class WideStream : public testing::Test {
   void SetUp() override {
     std::ofstream file(path_);
     for (const int base : {0, 1000}) {
-      file << R"({"precision":"binary32","test":"wide","entry":"numbers","x":[)";
+      file << R"({"precision":"binary32","predicate":"wide","entry":"numbers","x":[)";
       for (int k = 0; k < 40; ++k) file << (k == 0 ? "" : ",") << base + k;
       file << "]}\n";
     }
@@ -94,14 +94,15 @@ std::string changed(std::string header, std::uint32_t version, const std::string
 
 constexpr std::uint64_t all_bits = (std::uint64_t{1} << 33) - 1;
 
-TEST_F(WideStream, HasItsTestInTheHeaderAndFortyNumbersARecord) {
+TEST_F(WideStream, HasItsPredicateInTheHeaderAndFortyNumbersARecord) {
   std::string stream;
   write_queries(plan(), QueryEncoding::binary, 1, [&](std::string_view bytes) { stream += bytes; });
   pipe::Head head;
   std::memcpy(&head, stream.data(), sizeof head);
   EXPECT_EQ(head.version, 2u);
   EXPECT_EQ(head.record_size, 160u);
-  EXPECT_THAT(stream, HasSubstr(R"("precision":"binary32","test":"wide","entry":"numbers","columns":40,"sources":[)"));
+  EXPECT_THAT(stream,
+              HasSubstr(R"("precision":"binary32","predicate":"wide","entry":"numbers","columns":40,"sources":[)"));
   ASSERT_EQ(stream.size(), head.header_size + 2 * 160u);
   std::array<float, 80> numbers;
   std::memcpy(numbers.data(), stream.data() + head.header_size, sizeof numbers);
@@ -116,7 +117,7 @@ TEST_F(WideStream, RepliesHaveBitsBeyondSixteen) {
   EXPECT_EQ(streams[0].wide_replies[0].bits, all_bits);
   const StoredReplies replies(std::move(streams));
   const Source& source = *replies.sources()[0];
-  EXPECT_EQ(&source.test(), &piped_test());
+  EXPECT_EQ(&source.predicate(), &piped_predicate());
   EXPECT_EQ(source.entry(), 1u);
   EXPECT_EQ(replies.at(source, Precision::binary32, 0).verdict, Verdict::separated);
   EXPECT_EQ(replies.at(source, Precision::binary32, 1).verdict, Verdict::contact);
@@ -131,7 +132,7 @@ TEST_F(WideStream, AWrongReplyIsNamed) {
   expect_fault({0, 1, {}, all_bits}, "contact, but its comparison bits 0x1ffffffff say separated");
   expect_fault({1, 1, {0, 0, 0, 0, 0, 1}, all_bits}, "bytes 3 to 8 of the reply are not 0");
   expect_fault({0, 1, {}, all_bits + 1},
-               "comparison bits 0x200000000, but the test wide has 33 comparisons; the other bits are 0");
+               "comparison bits 0x200000000, but the predicate wide has 33 comparisons; the other bits are 0");
   EXPECT_THAT(stream_refusal(header + stream_bytes({{0, 1, {}, 0}})), HasSubstr("ends after 1 of 2 replies"));
   EXPECT_THAT(stream_refusal(header + stream_bytes({{0, 1, {}, 0}}) + "1234"),
               HasSubstr("4 bytes of the next; a reply has 16"));
@@ -164,45 +165,47 @@ TEST_F(WideStream, MeasuresFollowTheReplies) {
   EXPECT_THAT(stream_refusal(header_of(plan()) + stream_bytes({{0, 2, {}, 0}, {0, 2, {}, 0}})),
               HasSubstr("flags 0x02; bit 0 says that comparison bits are given, the others are 0"));
   measured.measures = 3;
-  EXPECT_THAT(
-      [&] { header_of(measured); },
-      testing::ThrowsMessage<Error>("3 measures, but the test wide has 2, from time to height (`axiscert tests`)"));
+  EXPECT_THAT([&] { header_of(measured); },
+              testing::ThrowsMessage<Error>(
+                  "3 measures, but the predicate wide has 2, from time to height (`axiscert predicates`)"));
   EXPECT_THAT(stream_refusal(changed(header, 2, "\"measures\":2", "\"measures\":9") + reply(2, {})),
-              HasSubstr("r.bin: its plan has 9 measures, but the test wide has 2"));
+              HasSubstr("r.bin: its plan has 9 measures, but the predicate wide has 2"));
 }
 
-TEST_F(WideStream, VersionAndTestBelongTogether) {
+TEST_F(WideStream, VersionAndPredicateBelongTogether) {
   const std::string header = header_of(plan()), replies = stream_bytes({{0, 0, {}, 0}, {0, 0, {}, 0}});
   EXPECT_EQ(stream_refusal(changed(header, 2) + replies), "accepted");
-  EXPECT_THAT(stream_refusal(changed(header, 1) + replies),
-              HasSubstr("version 1 of the format, but its plan is of the test wide, whose streams have version 2"));
+  EXPECT_THAT(
+      stream_refusal(changed(header, 1) + replies),
+      HasSubstr("version 1 of the format, but its plan is of the predicate wide, whose streams have version 2"));
   EXPECT_THAT(stream_refusal(changed(header, 3) + replies), HasSubstr("version 3 of the format; this axiscert knows"));
   EXPECT_THAT(stream_refusal(changed(header, 2, "\"wide\"", "\"sphere-triangle\"") + replies),
-              HasSubstr("version 2 of the format, but its plan is of the test sphere-triangle"));
+              HasSubstr("version 2 of the format, but its plan is of the predicate sphere-triangle"));
   EXPECT_THAT(stream_refusal(changed(header, 2, "\"columns\":40", "\"columns\":39") + replies),
               HasSubstr("its plan has 39 columns, but wide, entry numbers, has 40 here"));
   EXPECT_THAT(stream_refusal(changed(header, 2, "\"numbers\",\"columns\":40", "\"first\",\"columns\":1") + replies),
-              HasSubstr("its plan is of the test wide, entry first, but queries/wide_stream.jsonl has queries of "
+              HasSubstr("its plan is of the predicate wide, entry first, but queries/wide_stream.jsonl has queries of "
                         "wide, entry numbers here"));
   std::istringstream in(header + replies);
-  EXPECT_THAT([&] { read_replies(in, "r.bin", {}); }, testing::ThrowsMessage<Error>(HasSubstr("unknown test 'wide'")));
+  EXPECT_THAT([&] { read_replies(in, "r.bin", {}); },
+              testing::ThrowsMessage<Error>(HasSubstr("unknown predicate 'wide'")));
 }
 
-TEST_F(WideStream, SourcesOfTwoTestsAreNoStream) {
+TEST_F(WideStream, SourcesOfTwoPredicatesAreNoStream) {
   PipePlan mixed = plan();
   mixed.parts.push_back({family_source(find_family("general")), 3});
   EXPECT_THAT([&] { header_of(mixed); },
-              testing::ThrowsMessage<Error>("a stream is of one test and one entry: queries/wide_stream.jsonl "
+              testing::ThrowsMessage<Error>("a stream is of one predicate and one entry: queries/wide_stream.jsonl "
                                             "has queries of wide, entry numbers, but general has queries of "
                                             "sphere-triangle, entry vertices"));
 }
 
-TEST_F(WideStream, AFileOfTwoTestsIsNoSource) {
-  std::ofstream(path_, std::ios::app) << R"({"precision":"binary32","test":"wide","y":1})"
+TEST_F(WideStream, AFileOfTwoPredicatesIsNoSource) {
+  std::ofstream(path_, std::ios::app) << R"({"precision":"binary32","predicate":"wide","y":1})"
                                       << "\n";
   EXPECT_THAT([&] { plan(); }, testing::ThrowsMessage<Error>(
                                    path_ + ":3: a query of wide, but those before it are of wide, entry numbers; "
-                                           "the queries of a file have one test and one entry"));
+                                           "the queries of a file have one predicate and one entry"));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace axiscert {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using KnownTests = std::span<const TestDescription* const>;
+using KnownPredicates = std::span<const Predicate* const>;
 
 // The greatest count of queries: JSON readers represent no greater integer.
 constexpr std::uint64_t greatest_count = (std::uint64_t{1} << 53) - 1;
@@ -40,23 +40,25 @@ Json part_json(const PipePlan::Part& part) {
   return json;
 }
 
-// A source whose queries are not of the given test and entry, and what it has instead; empty if there is none.
-std::string other_test(const PipePlan& plan, const TestDescription& test, std::size_t entry) {
+// A source whose queries are not of the given predicate and entry, and what it has instead; empty if there is none.
+std::string other_predicate(const PipePlan& plan, const Predicate& predicate, std::size_t entry) {
   for (const PipePlan::Part& part : plan.parts) {
     const Source& source = *part.source;
-    if (&source.test() == &test && source.entry() == entry) continue;
-    return fmt::format("{} has queries of {}, entry {}", source.name(), source.test().id,
-                       source.test().entries[source.entry()].name);
+    if (&source.predicate() == &predicate && source.entry() == entry) continue;
+    return fmt::format("{} has queries of {}, entry {}", source.name(), source.predicate().id,
+                       source.predicate().entries[source.entry()].name);
   }
   return "";
 }
 
-// The fault of a plan that asks for more measures than its test has; empty if there is none.
-std::string too_many_measures(const TestDescription& test, std::size_t measures) {
-  if (measures <= test.measures.size()) return "";
-  if (test.measures.empty()) return fmt::format("{} measures, but the test {} has none", measures, test.id);
-  return fmt::format("{} measures, but the test {} has {}, from {} to {} (`axiscert tests`)", measures, test.id,
-                     test.measures.size(), test.measures.front().name, test.measures.back().name);
+// The fault of a plan that asks for more measures than its predicate has; empty if there is none.
+std::string too_many_measures(const Predicate& predicate, std::size_t measures) {
+  if (measures <= predicate.measures.size()) return "";
+  if (predicate.measures.empty())
+    return fmt::format("{} measures, but the predicate {} has none", measures, predicate.id);
+  return fmt::format("{} measures, but the predicate {} has {}, from {} to {} (`axiscert predicates`)", measures,
+                     predicate.id, predicate.measures.size(), predicate.measures.front().name,
+                     predicate.measures.back().name);
 }
 
 std::array<std::byte, 32> hash_of(std::string_view text) { return sha256(std::as_bytes(std::span(text))); }
@@ -64,7 +66,7 @@ std::array<std::byte, 32> hash_of(std::string_view text) { return sha256(std::as
 // Detects everything that can be wrong with one header, in the order in which it is read.
 class Reader {
  public:
-  Reader(std::istream& in, const std::string& name, const FilePlaces& places, KnownTests known)
+  Reader(std::istream& in, const std::string& name, const FilePlaces& places, KnownPredicates known)
       : in_(in), name_(name), places_(places), known_(known) {}
 
   PipeHeader read() {
@@ -148,50 +150,51 @@ class Reader {
     }
     PipePlan plan{whole<std::uint64_t>(json, "seed"), Precision::binary32, {}, 0};
     if (json.at("precision") == axiscert::name(Precision::binary64)) plan.precision = Precision::binary64;
-    const TestDescription& test = test_of(json);
-    const std::size_t entry = entry_of(json, test);
+    const Predicate& predicate = predicate_of(json);
+    const std::size_t entry = entry_of(json, predicate);
     for (const Json& part : json.at("sources")) {
-      plan.parts.push_back({source_of(part, plan.precision, test), whole<std::uint64_t>(part, "queries")});
+      plan.parts.push_back({source_of(part, plan.precision, predicate), whole<std::uint64_t>(part, "queries")});
       check(part, plan.parts.back(), plan.precision);
     }
-    if (const std::string other = other_test(plan, test, entry); !other.empty()) {
-      fail(fmt::format("its plan is of the test {}, entry {}, but {} here", test.id, test.entries[entry].name, other));
+    if (const std::string other = other_predicate(plan, predicate, entry); !other.empty()) {
+      fail(fmt::format("its plan is of the predicate {}, entry {}, but {} here", predicate.id,
+                       predicate.entries[entry].name, other));
     }
     if (json.contains("measures")) plan.measures = whole<std::size_t>(json, "measures");
-    if (const std::string wrong = too_many_measures(test, plan.measures); !wrong.empty()) {
+    if (const std::string wrong = too_many_measures(predicate, plan.measures); !wrong.empty()) {
       fail("its plan has " + wrong);
     }
     return plan;
   }
 
-  const TestDescription& test_of(const Json& json) const {
-    const TestDescription* test = nullptr;
+  const Predicate& predicate_of(const Json& json) const {
+    const Predicate* predicate = nullptr;
     try {
-      test = json.contains("test") ? &find_test(shown(json.at("test").get<std::string>()), known_)
-                                   : &test_named("", known_);
+      predicate = json.contains("predicate") ? &find_predicate(shown(json.at("predicate").get<std::string>()), known_)
+                                             : &predicate_named("", known_);
     } catch (const Error& unknown) {
       fail(unknown.what());
     }
-    if (const std::uint32_t version = pipe::version_of(*test); head_.version != version) {
-      fail(
-          fmt::format("the header was changed: it says version {} of the format, but its plan is of the test {}, whose "
-                      "streams have version {}; a program has to copy it unchanged",
-                      head_.version, test->id, version));
+    if (const std::uint32_t version = pipe::version_of(*predicate); head_.version != version) {
+      fail(fmt::format(
+          "the header was changed: it says version {} of the format, but its plan is of the predicate {}, whose "
+          "streams have version {}; a program has to copy it unchanged",
+          head_.version, predicate->id, version));
     }
-    return *test;
+    return *predicate;
   }
 
-  std::size_t entry_of(const Json& json, const TestDescription& test) const {
+  std::size_t entry_of(const Json& json, const Predicate& predicate) const {
     std::size_t entry = 0;
     try {
-      if (json.contains("entry")) entry = find_entry(test, shown(json.at("entry").get<std::string>()));
+      if (json.contains("entry")) entry = find_entry(predicate, shown(json.at("entry").get<std::string>()));
     } catch (const Error& unknown) {
       fail(unknown.what());
     }
-    const std::size_t columns = test.entries[entry].columns.size();
+    const std::size_t columns = predicate.entries[entry].columns.size();
     if (json.contains("columns") && whole<std::size_t>(json, "columns") != columns) {
       fail(fmt::format("its plan has {} columns, but {}, entry {}, has {} here", whole<std::size_t>(json, "columns"),
-                       test.id, test.entries[entry].name, columns));
+                       predicate.id, predicate.entries[entry].name, columns));
     }
     return entry;
   }
@@ -205,7 +208,7 @@ class Reader {
     }
   }
 
-  SourcePtr source_of(const Json& part, Precision precision, const TestDescription& test) const {
+  SourcePtr source_of(const Json& part, Precision precision, const Predicate& predicate) const {
     const auto kind = part.at("kind").get<std::string>(), base = part.at("name").get<std::string>();
     if (kind != "family" && kind != "mesh" && kind != "queries") {
       fail(fmt::format("its plan has a source of unknown kind '{}'", shown(kind)));
@@ -214,7 +217,7 @@ class Reader {
       if (kind == "family") return family_source(find_family(base));
       const auto place = places_.find(base);
       const std::string path = place != places_.end() ? place->second : part.at("path").get<std::string>();
-      return kind == "mesh" ? mesh_source(path, test) : query_file_source(path, precision, known_);
+      return kind == "mesh" ? mesh_source(path, predicate) : query_file_source(path, precision, known_);
     } catch (const Error& wrong) {
       if (kind == "family") fail(wrong.what());
       fail(fmt::format("its queries come from a file. {}; give its present path with --{} FILE", wrong.what(), kind));
@@ -242,7 +245,7 @@ class Reader {
   std::istream& in_;
   const std::string& name_;
   const FilePlaces& places_;
-  KnownTests known_;
+  KnownPredicates known_;
   pipe::Head head_{};
 };
 
@@ -267,14 +270,14 @@ std::string printed_text(std::string_view bytes) {
 }
 
 std::string header_of(const PipePlan& plan) {
-  if (const std::string other = other_test(plan, plan.test(), plan.entry()); !other.empty()) {
-    throw Error(fmt::format("a stream is of one test and one entry: {} has queries of {}, entry {}, but {}",
-                            plan.parts.front().source->name(), plan.test().id, plan.columns().name, other));
+  if (const std::string other = other_predicate(plan, plan.predicate(), plan.entry()); !other.empty()) {
+    throw Error(fmt::format("a stream is of one predicate and one entry: {} has queries of {}, entry {}, but {}",
+                            plan.parts.front().source->name(), plan.predicate().id, plan.columns().name, other));
   }
-  if (const std::string wrong = too_many_measures(plan.test(), plan.measures); !wrong.empty()) throw Error(wrong);
+  if (const std::string wrong = too_many_measures(plan.predicate(), plan.measures); !wrong.empty()) throw Error(wrong);
   Json json = {{"axiscert", axiscert_version}, {"seed", plan.seed}, {"precision", name(plan.precision)}};
-  if (pipe::version_of(plan.test()) != pipe::first_version) {
-    json["test"] = plan.test().id;
+  if (pipe::version_of(plan.predicate()) != pipe::first_version) {
+    json["predicate"] = plan.predicate().id;
     json["entry"] = plan.columns().name;
     json["columns"] = plan.columns().columns.size();
     if (plan.measures != 0) json["measures"] = plan.measures;
@@ -289,8 +292,8 @@ std::string header_of(const PipePlan& plan) {
         "the path of a mesh or query file is not UTF-8, which the plan in a stream's header is: rename the file");
   }
   text += '\n';
-  std::string bytes =
-      pipe::stream_header(std::move(text), plan.test(), plan.columns().columns.size(), plan.precision, plan.queries());
+  std::string bytes = pipe::stream_header(std::move(text), plan.predicate(), plan.columns().columns.size(),
+                                          plan.precision, plan.queries());
   if (bytes.size() > pipe::greatest_header) {
     throw Error(fmt::format("the plan takes more than the {} bytes of a header: name fewer files in one stream",
                             pipe::greatest_header));
@@ -298,7 +301,7 @@ std::string header_of(const PipePlan& plan) {
   return bytes;
 }
 
-PipeHeader read_header(std::istream& in, const std::string& name, const FilePlaces& places, KnownTests known) {
+PipeHeader read_header(std::istream& in, const std::string& name, const FilePlaces& places, KnownPredicates known) {
   return Reader(in, name, places, known).read();
 }
 

@@ -57,7 +57,7 @@ std::string encoded(const Block& block, std::uint64_t seed, QueryEncoding encodi
         break;
       case QueryEncoding::json_lines: {
         const Address address = address_of(source, seed, precision_of<Real>, block.first + i);
-        bytes += query_line({text(address), precision_of<Real>, numbers, &source.test(), source.entry()}) + '\n';
+        bytes += query_line({text(address), precision_of<Real>, numbers, &source.predicate(), source.entry()}) + '\n';
         break;
       }
     }

@@ -25,7 +25,7 @@ std::string padding_fault(const pipe::WideReplyRecord& reply) {
 
 // The fault of a reply that differs in kind from the first one, or is not valid; empty if there is none.
 template <class Record>
-std::string fault(const Record& reply, bool has_bits, std::size_t measures, const TestDescription& test) {
+std::string fault(const Record& reply, bool has_bits, std::size_t measures, const Predicate& predicate) {
   const auto bytes = std::bit_cast<std::array<char, sizeof reply>>(reply);
   if (reply.verdict > static_cast<std::uint8_t>(Verdict::invalid)) {
     return fmt::format("verdict {}; 0 is contact, 1 separated, 2 undecided, 3 invalid{}", reply.verdict,
@@ -48,12 +48,12 @@ std::string fault(const Record& reply, bool has_bits, std::size_t measures, cons
   if (!has_bits && reply.bits != 0) {
     return fmt::format("comparison bits {:#06x} without the flag that says so (bit 0 of the second byte)", reply.bits);
   }
-  const std::size_t comparisons = test.comparisons.size();
+  const std::size_t comparisons = predicate.comparisons.size();
   if (comparisons < 8 * sizeof reply.bits && (reply.bits >> comparisons) != 0) {
-    return fmt::format("comparison bits {:#06x}, but the test {} has {} comparisons; the other bits are 0", reply.bits,
-                       test.id, comparisons);
+    return fmt::format("comparison bits {:#06x}, but the predicate {} has {} comparisons; the other bits are 0",
+                       reply.bits, predicate.id, comparisons);
   }
-  const auto verdict = static_cast<Verdict>(reply.verdict), by_bits = verdict_of(test, reply.bits);
+  const auto verdict = static_cast<Verdict>(reply.verdict), by_bits = verdict_of(predicate, reply.bits);
   const bool decided = verdict == Verdict::contact || verdict == Verdict::separated;
   if (has_bits && decided && verdict != by_bits) {
     return fmt::format("{}, but its comparison bits {:#06x} say {}", name(verdict), reply.bits, name(by_bits));
@@ -96,7 +96,7 @@ void read_records(std::istream& in, std::uint32_t header_size, ReplyStream& stre
       std::memcpy(&reply, block.data() + i, sizeof(Record));
       const std::size_t k = records.size();
       if (k == 0) stream.has_bits = (reply.flags & pipe::has_bits) != 0;
-      if (const std::string wrong = fault(reply, stream.has_bits, measures, stream.plan.test()); !wrong.empty()) {
+      if (const std::string wrong = fault(reply, stream.has_bits, measures, stream.plan.predicate()); !wrong.empty()) {
         fail(fmt::format("reply {} of {}, at byte {}: {}", k + 1, due, header_size + k * size, wrong));
       }
       records.push_back(reply);
@@ -115,10 +115,10 @@ void read_records(std::istream& in, std::uint32_t header_size, ReplyStream& stre
 }  // namespace
 
 ReplyStream read_replies(std::istream& in, const std::string& name, const FilePlaces& places,
-                         std::span<const TestDescription* const> known) {
+                         std::span<const Predicate* const> known) {
   PipeHeader header = read_header(in, name, places, known);
   ReplyStream stream{name, std::move(header.plan), false, {}, {}, {}};
-  if (pipe::version_of(stream.plan.test()) == pipe::first_version) {
+  if (pipe::version_of(stream.plan.predicate()) == pipe::first_version) {
     read_records(in, header.size, stream, stream.replies);
   } else {
     read_records(in, header.size, stream, stream.wide_replies);
@@ -154,9 +154,9 @@ StoredReplies::StoredReplies(std::vector<ReplyStream> streams) : streams_(std::m
       throw Error(fmt::format("{}: a second stream in {}; give one stream per precision", stream.name, name(*last)));
     }
     last = stream.plan.precision;
-    if (&stream.plan.test() != &first.plan.test() || stream.plan.entry() != first.plan.entry()) {
-      differ(fmt::format("of {}, entry {}, and of {}, entry {}; give streams of one test and entry",
-                         first.plan.test().id, first.plan.columns().name, stream.plan.test().id,
+    if (&stream.plan.predicate() != &first.plan.predicate() || stream.plan.entry() != first.plan.entry()) {
+      differ(fmt::format("of {}, entry {}, and of {}, entry {}; give streams of one predicate and entry",
+                         first.plan.predicate().id, first.plan.columns().name, stream.plan.predicate().id,
                          stream.plan.columns().name));
     }
     if (stream.plan.seed != first.plan.seed)

@@ -27,18 +27,18 @@ struct ReplyStream {
 // Throws Error that begins with `name` and says which reply is wrong and at which byte: a stream is never read
 // partially. `known` as in read_header.
 ReplyStream read_replies(std::istream& in, const std::string& name, const FilePlaces& places,
-                         std::span<const TestDescription* const> known = tests());
+                         std::span<const Predicate* const> known = predicates());
 
 // The replies of one program, with at most one stream in each precision. Immutable: any thread may ask at any time.
 class StoredReplies {
  public:
-  // Throws Error if the streams do not fit together: two of one precision, different tests or seeds, comparison bits or
-  // measures in only some, different files under one name.
+  // Throws Error if the streams do not fit together: two of one precision, different predicates or seeds, comparison
+  // bits or measures in only some, different files under one name.
   explicit StoredReplies(std::vector<ReplyStream> streams);
 
   std::uint64_t seed() const { return streams_.front().plan.seed; }
   bool has_bits() const { return streams_.front().has_bits; }
-  // The replies give so many of the test's measures, from the first on.
+  // The replies give so many of the predicate's measures, from the first on.
   std::size_t measure_count() const { return streams_.front().plan.measures; }
   std::vector<Precision> precisions() const;
   const std::vector<SourcePtr>& sources() const { return sources_; }

@@ -1,12 +1,12 @@
-// What fuzz/ has for a test beside its families: each member serves one command or measurement, and is null where the
-// test has no such thing. Code asks for the capability that it needs, and never which test it is.
+// What fuzz/ has for a predicate beside its families: each member serves one command or measurement, and is null where
+// the predicate has no such thing. Code asks for the capability that it needs, and never which test it is.
 #pragma once
 
 #include <span>
 #include <string>
 #include <string_view>
 
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert {
 
@@ -33,14 +33,14 @@ struct Capabilities {
   const MeshQueries* mesh = nullptr;                            // fuzz/meshes/mesh.h: queries for a mesh
   std::string (*canonical_form)(const StoredQuery&) = nullptr;  // fuzz/files/corpus.h: of all images of a query
 
-  const Screens* screens = nullptr;                   // fuzz/campaign/stages/screen.h: of a test with filters
+  const Screens* screens = nullptr;                   // fuzz/campaign/stages/screen.h: of a predicate with filters
   const InputClasses* input_classes = nullptr;        // fuzz/queries/input_classes.h
   const NearestFeatures* nearest_features = nullptr;  // fuzz/queries/nearest_features.h
   bool has_engine_queries = false;                    // which the screen counts (fuzz/campaign/counts/depths.h)
   const Quantities* quantities = nullptr;             // fuzz/confirm/absolute_size.h
   const WitnessSides* witness_sides = nullptr;        // fuzz/confirm/witness_sides.h
 
-  // Of the documents: what the test's built-in kernels answer.
+  // Of the documents: what the predicate's built-in kernels answer.
   std::string_view section_of_forms = {};
   const Situations* situations = nullptr;  // fuzz/queries/situation.h
 
@@ -53,7 +53,7 @@ struct Capabilities {
   const ImageMaps* image_maps = nullptr;                             // fuzz/shrink/pair.h
 };
 
-// Those of a test on the list of kernel/test_list.h: NAME_capabilities() of its room in fuzz/.
-const Capabilities& capabilities_of(const TestDescription& test);
+// Those of a predicate on the list of kernel/predicate_list.h: NAME_capabilities() of its room in fuzz/.
+const Capabilities& capabilities_of(const Predicate& predicate);
 
 }  // namespace axiscert

@@ -40,9 +40,9 @@ std::string digest_line(const Family& family, Precision precision) {
   return fmt::format("{} {} {} {}", family.name, family.version, name(precision), family_digest(family, precision));
 }
 
-std::vector<std::string> digest_lines(const TestDescription& test) {
+std::vector<std::string> digest_lines(const Predicate& predicate) {
   std::vector<std::string> lines;
-  for (const Family* family : families_of(test)) {
+  for (const Family* family : families_of(predicate)) {
     for (const Precision precision : {Precision::binary32, Precision::binary64}) {
       lines.push_back(digest_line(*family, precision));
     }

@@ -15,8 +15,8 @@ std::string family_digest(const Family& family, Precision precision);
 // One line, without its line end: family, version, precision, digest.
 std::string digest_line(const Family& family, Precision precision);
 
-// The lines of a test's families, in the order of its list, for each precision: the committed digests.txt beside that
-// list holds them.
-std::vector<std::string> digest_lines(const TestDescription& test);
+// The lines of a predicate's families, in the order of its list, for each precision: the committed digests.txt beside
+// that list holds them.
+std::vector<std::string> digest_lines(const Predicate& predicate);
 
 }  // namespace axiscert

@@ -1,5 +1,5 @@
-// Images of a query of any test by the roles and groups of its columns: nothing is rounded but where a sum is that the
-// caller has to leave room for.
+// Images of a query of any predicate by the roles and groups of its columns: nothing is rounded but where a sum is that
+// the caller has to leave room for.
 #pragma once
 
 #include <array>
@@ -8,12 +8,12 @@
 
 #include "kernel/base/geometry.h"
 #include "kernel/names.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert::exact_images {
 
 // Whether the columns from `first` on are the three of a place or a direction.
-inline bool is_vector(const TestEntry& entry, std::size_t first) {
+inline bool is_vector(const PredicateEntry& entry, std::size_t first) {
   const auto& columns = entry.columns;
   const auto is_role = [&](std::size_t k) {
     return columns[k].role == Role::coordinate || columns[k].role == Role::direction;
@@ -24,8 +24,8 @@ inline bool is_vector(const TestEntry& entry, std::size_t first) {
 
 // Coordinate i of every vector of the image is coordinate axes[i] of the original, negated if bit i of `signs` is set.
 template <class Real>
-Numbers<Real> with_axes(const Numbers<Real>& numbers, const TestEntry& entry, const std::array<std::uint8_t, 3>& axes,
-                        std::uint8_t signs) {
+Numbers<Real> with_axes(const Numbers<Real>& numbers, const PredicateEntry& entry,
+                        const std::array<std::uint8_t, 3>& axes, std::uint8_t signs) {
   Numbers<Real> image = numbers;
   for (std::size_t k = 0; k < numbers.size(); k += is_vector(entry, k) ? 3 : 1) {
     if (!is_vector(entry, k)) continue;
@@ -49,7 +49,7 @@ Numbers<Real> with_order(const Numbers<Real>& numbers, const std::array<std::uin
 
 // Every place moved; directions and lengths stay. One rounding a coordinate.
 template <class Real>
-Numbers<Real> moved(const Numbers<Real>& numbers, const TestEntry& entry, const portable::Vec3<Real>& by) {
+Numbers<Real> moved(const Numbers<Real>& numbers, const PredicateEntry& entry, const portable::Vec3<Real>& by) {
   Numbers<Real> image = numbers;
   const std::array<Real, 3> step = {by.x, by.y, by.z};
   for (std::size_t k = 0; k < numbers.size(); k += is_vector(entry, k) ? 3 : 1) {

@@ -1,4 +1,4 @@
-// The families of all tests, in the order of the tests.
+// The families of all predicates, in the order of the predicates.
 #include "fuzz/queries/family.h"
 
 #include <vector>
@@ -6,12 +6,12 @@
 #include "fuzz/queries/entry_families.h"
 #include "kernel/base/alike.h"
 #include "kernel/base/error.h"
-#include "kernel/test_list.h"
+#include "kernel/predicate_list.h"
 
 namespace axiscert {
 
 #define AXISCERT_DECLARE(name) std::span<const Family* const> name##_families();
-AXISCERT_TESTS(AXISCERT_DECLARE)
+AXISCERT_PREDICATES(AXISCERT_DECLARE)
 #undef AXISCERT_DECLARE
 
 std::span<const Family* const> families() {
@@ -21,23 +21,23 @@ std::span<const Family* const> families() {
       families.insert(families.end(), more.begin(), more.end());
     };
 #define AXISCERT_APPEND(name) append(name##_families());
-    AXISCERT_TESTS(AXISCERT_APPEND)
+    AXISCERT_PREDICATES(AXISCERT_APPEND)
 #undef AXISCERT_APPEND
     return families;
   }();
   return all;
 }
 
-std::vector<const Family*> families_of(const TestDescription& test) {
+std::vector<const Family*> families_of(const Predicate& predicate) {
   std::vector<const Family*> all;
   for (const Family* family : families()) {
-    if (&family->test() == &test) all.push_back(family);
+    if (&family->predicate() == &predicate) all.push_back(family);
   }
   return all;
 }
 
-std::vector<const Family*> families_of(const TestDescription& test, std::size_t entry) {
-  std::vector<const Family*> all = families_of(test);
+std::vector<const Family*> families_of(const Predicate& predicate, std::size_t entry) {
+  std::vector<const Family*> all = families_of(predicate);
   std::erase_if(all, [&](const Family* family) { return family->entry != entry; });
   return all;
 }

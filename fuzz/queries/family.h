@@ -1,5 +1,5 @@
-// A family: a named generator of related queries. A new one is a file in the room of its test in fuzz/families and a
-// line in that room's families.cpp.
+// A family: a named generator of related queries. A new one is a file in the room of its predicate in fuzz/families and
+// a line in that room's families.cpp.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 #include "fuzz/queries/situation.h"
 #include "fuzz/queries/stream_name.h"
 #include "kernel/query.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert {
 
@@ -31,8 +31,8 @@ inline constexpr EnumArray<TrustGroup, std::string_view> trust_group_names = {"t
 constexpr std::string_view name(TrustGroup group) { return trust_group_names[group]; }
 
 struct Family {
-  const TestDescription& (*test)();  // whose queries these are
-  // As reports, addresses and the command say it; TEST/NAME where the test's own name is written.
+  const Predicate& (*predicate)();  // whose queries these are
+  // As reports, addresses and the command say it; TEST/NAME where the predicate's own name is written.
   std::string_view name;
   std::string_view purpose;  // one line
   // Has to be raised whenever the same address would make another query; the committed digests fail until it is.
@@ -47,12 +47,12 @@ struct Family {
   int cost = 1;
   // Divides the number of queries in binary64 of a run that is given none (cli/options/run_options.cpp).
   int trial_divisor = 1;
-  // What a wrong verdict on it says to a user; null in a test whose wrong verdicts have the class of their input
+  // What a wrong verdict on it says to a user; null in a predicate whose wrong verdicts have the class of their input
   // instead.
   const Situation* situation = nullptr;
-  std::size_t entry = 0;  // of the test, in which the numbers are given
+  std::size_t entry = 0;  // of the predicate, in which the numbers are given
 
-  std::size_t column_count() const { return test().entries[entry].columns.size(); }
+  std::size_t column_count() const { return predicate().entries[entry].columns.size(); }
   template <class Real>
   void fill(std::uint64_t seed, std::uint64_t first, const MutableColumns<Real>& out) const {
     const StreamName stream(seed, name_hash(name), version, precision_of<Real>);
@@ -65,9 +65,9 @@ struct Family {
   }
 };
 
-// The families of all tests, and those of one.
+// The families of all predicates, and those of one.
 std::span<const Family* const> families();
-std::vector<const Family*> families_of(const TestDescription& test);
+std::vector<const Family*> families_of(const Predicate& predicate);
 // Throws Error that lists the families that exist.
 const Family& find_family(std::string_view name);
 

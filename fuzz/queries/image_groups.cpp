@@ -47,8 +47,8 @@ std::string name_in_base(std::string_view name, const std::array<std::uint8_t, 3
 
 std::vector<const ImageGroup*> image_groups() {
   std::vector<const ImageGroup*> all;
-  for (const TestDescription* test : tests()) {
-    const auto groups = capabilities_of(*test).image_groups;
+  for (const Predicate* predicate : predicates()) {
+    const auto groups = capabilities_of(*predicate).image_groups;
     all.insert(all.end(), groups.begin(), groups.end());
   }
   return all;
@@ -60,16 +60,16 @@ const ImageGroup* image_group(std::string_view family) {
   return found == all.end() ? nullptr : *found;
 }
 
-ComparisonsOfBase::ComparisonsOfBase(const TestDescription& test, const std::array<std::uint8_t, 3>& order) {
-  for (const TestComparison& comparison : test.comparisons) {
+ComparisonsOfBase::ComparisonsOfBase(const Predicate& predicate, const std::array<std::uint8_t, 3>& order) {
+  for (const PredicateComparison& comparison : predicate.comparisons) {
     const std::string wanted = name_in_base(comparison.name, order);
-    const auto base = std::find_if(test.comparisons.begin(), test.comparisons.end(),
-                                   [&](const TestComparison& other) { return other.name == wanted; });
-    if (base == test.comparisons.end()) {
+    const auto base = std::find_if(predicate.comparisons.begin(), predicate.comparisons.end(),
+                                   [&](const PredicateComparison& other) { return other.name == wanted; });
+    if (base == predicate.comparisons.end()) {
       throw HarnessFault(fmt::format("{}: comparison {} would be {} with the vertices in another order, which is none",
-                                     test.id, comparison.name, wanted));
+                                     predicate.id, comparison.name, wanted));
     }
-    base_.push_back(static_cast<std::uint8_t>(base - test.comparisons.begin()));
+    base_.push_back(static_cast<std::uint8_t>(base - predicate.comparisons.begin()));
   }
 }
 

@@ -13,7 +13,7 @@
 #include "kernel/base/enum_array.h"
 #include "kernel/base/powers_of_two.h"
 #include "kernel/sphere_triangle/query.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert {
 
@@ -44,7 +44,7 @@ struct PowerRange {
 };
 
 struct ImageGroup {
-  const TestDescription& (*test)();
+  const Predicate& (*predicate)();
   std::string_view family;
   std::size_t size;  // queries that share a base, the base first: position p is image p % size of base p / size
   // Vertex i of the image is vertex order[i] of the base.
@@ -60,16 +60,16 @@ struct ImageGroup {
 };
 // The group of a family; null if the family makes no images.
 const ImageGroup* image_group(std::string_view family);
-// The groups of all tests.
+// The groups of all predicates.
 std::vector<const ImageGroup*> image_groups();
 
 // The comparisons of images by their names in the base: for an image whose B and C are the base's A and B,
-// vertex_b.side_c is the base's vertex_a.side_b. The names of a test's comparisons tell its vertices: "vertex_a",
+// vertex_b.side_c is the base's vertex_a.side_b. The names of a predicate's comparisons tell its vertices: "vertex_a",
 // "side_a", "edge_ab".
 class ComparisonsOfBase {
  public:
   // Throws HarnessFault where a comparison has no name in the base.
-  ComparisonsOfBase(const TestDescription& test, const std::array<std::uint8_t, 3>& order);
+  ComparisonsOfBase(const Predicate& predicate, const std::array<std::uint8_t, 3>& order);
   ComparisonBits operator()(ComparisonBits image) const;
 
  private:
@@ -83,7 +83,7 @@ Query<Real> times_power(const Query<Real>& q, int exponent) {
   scale_by_power_of_two(v, exponent);
   return from_coordinates(v);
 }
-// The same of any test, every number of which is a length, a place or a direction.
+// The same of any predicate, every number of which is a length, a place or a direction.
 template <class Real>
 Numbers<Real> times_power(const Numbers<Real>& numbers, int exponent) {
   Numbers<Real> v = numbers;

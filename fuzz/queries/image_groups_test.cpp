@@ -16,9 +16,9 @@ namespace axiscert {
 namespace {
 
 // Those of the first test; of another, its own room has such tests.
-std::vector<const ImageGroup*> groups_of_first_test() {
+std::vector<const ImageGroup*> groups_of_first_predicate() {
   std::vector<const ImageGroup*> groups = image_groups();
-  std::erase_if(groups, [](const ImageGroup* group) { return &group->test() != &sphere_triangle_test(); });
+  std::erase_if(groups, [](const ImageGroup* group) { return &group->predicate() != &sphere_triangle_predicate(); });
   return groups;
 }
 
@@ -53,7 +53,7 @@ std::array<Rational, 7> shape(const Query<Real>& q, const std::array<std::uint8_
 
 // All seven are multiplied by the same power of two.
 TYPED_TEST(Images, AreExactly) {
-  for (const ImageGroup* const each : groups_of_first_test()) {
+  for (const ImageGroup* const each : groups_of_first_predicate()) {
     const ImageGroup& group = *each;
     std::array<Rational, 7> base;
     for_each_query<TypeParam>(group.family, 40 * group.size, [&](const Query<TypeParam>& q, std::uint64_t position) {
@@ -77,7 +77,7 @@ TYPED_TEST(Images, AreExactly) {
 
 // MPFR gives the same answers for every image, by the base's names of the comparisons.
 TYPED_TEST(Images, HaveTheExactAnswersOfTheBase) {
-  for (const ImageGroup* const each : groups_of_first_test()) {
+  for (const ImageGroup* const each : groups_of_first_predicate()) {
     const ImageGroup& group = *each;
     SecondOpinion base;
     for_each_query<TypeParam>(group.family, 12 * group.size, [&](const Query<TypeParam>& q, std::uint64_t position) {
@@ -85,7 +85,7 @@ TYPED_TEST(Images, HaveTheExactAnswersOfTheBase) {
       const SecondOpinion found = second_opinion(q);
       if (image == 0) base = found;
       EXPECT_EQ(found.distance_order, base.distance_order);
-      const ComparisonsOfBase of_base(sphere_triangle_test(), group.order(image));
+      const ComparisonsOfBase of_base(sphere_triangle_predicate(), group.order(image));
       EXPECT_EQ(of_base(found.strict), base.strict);
       EXPECT_EQ(of_base(found.ties), base.ties);
     });
@@ -94,7 +94,7 @@ TYPED_TEST(Images, HaveTheExactAnswersOfTheBase) {
 
 TEST(ImageGroups, HaveTheSizesTheyClaimAndAreAllDifferent) {
   std::vector<std::size_t> sizes;
-  for (const ImageGroup* const each : groups_of_first_test()) {
+  for (const ImageGroup* const each : groups_of_first_predicate()) {
     const ImageGroup& group = *each;
     sizes.push_back(group.size);
     EXPECT_EQ(image_group(group.family), &group);
@@ -108,7 +108,8 @@ TEST(ImageGroups, HaveTheSizesTheyClaimAndAreAllDifferent) {
 }
 
 TEST(ImageGroups, NameTheComparisonsOfTheBase) {
-  const ComparisonsOfBase in_order(sphere_triangle_test(), {0, 1, 2}), turned(sphere_triangle_test(), {2, 0, 1});
+  const ComparisonsOfBase in_order(sphere_triangle_predicate(), {0, 1, 2}),
+      turned(sphere_triangle_predicate(), {2, 0, 1});
   EXPECT_EQ(in_order(0xffff), 0xffffu);
   const auto bit = [](Comparison comparison) { return one_bit<ComparisonBits>(static_cast<std::size_t>(comparison)); };
   // The image's A is the base's C, its B the base's A, its C the base's B.

@@ -1,4 +1,4 @@
-// Classes of the input of a test, by definitions of its own: why a kernel may be wrong on a query.
+// Classes of the input of a predicate, by definitions of its own: why a kernel may be wrong on a query.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// The parts of a shape that are nearest to the other, in a test that names them.
+// The parts of a shape that are nearest to the other, in a predicate that names them.
 #pragma once
 
 #include <string_view>

@@ -6,7 +6,7 @@
 
 namespace axiscert {
 
-// A Fill<Real> by one(random, position), which returns a test's query or its Numbers<Real>.
+// A Fill<Real> by one(random, position), which returns a predicate's query or its Numbers<Real>.
 template <auto one, class Real>
 void fill_one_by_one(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) {
   for (std::size_t i = 0; i < out.size; ++i) {

@@ -6,7 +6,7 @@
 
 namespace axiscert {
 
-QueryShape shape_of(const TestEntry& entry) {
+QueryShape shape_of(const PredicateEntry& entry) {
   QueryShape shape;
   shape.numbers = entry.columns.size();
   for (const ColumnGroup& group : groups_of(entry)) {

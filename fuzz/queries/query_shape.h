@@ -1,4 +1,4 @@
-// The parts of a query by the description of its test: which numbers are points, directions and lengths.
+// The parts of a query by the description of its predicate: which numbers are points, directions and lengths.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernel/query.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert {
 
@@ -24,7 +24,7 @@ struct QueryShape {
 
 // The points are the groups of coordinates of the size of the first such group, and directions have this size too;
 // numbers of other groups are moved one by one.
-QueryShape shape_of(const TestEntry& entry);
+QueryShape shape_of(const PredicateEntry& entry);
 
 // Whether the frame from column `first` on is a rotation but for some roundings, perhaps of the other handedness: every
 // dot product of two of its vectors within eight halves of an ulp of 1 of 1 or 0, as computed.
@@ -35,7 +35,7 @@ bool is_nearly_rotation(const Numbers<Real>& q, std::size_t first);
 template <class Real>
 void make_rotation(Numbers<Real>& q, std::size_t first);
 
-// Whether all numbers are finite and no length is negative: what every test asks of a query.
+// Whether all numbers are finite and no length is negative: what every predicate asks of a query.
 template <class Real>
 bool may_be_valid(const QueryShape& shape, const Numbers<Real>& q);
 

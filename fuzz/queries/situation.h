@@ -13,7 +13,7 @@ struct Situation {
   std::string_view section;  // of the documents
 };
 
-// Those of a test, every family of which names one.
+// Those of a predicate, every family of which names one.
 struct Situations {
   std::span<const Situation* const> of_families;  // the most everyday ones first
   Situation own;                                  // of the queries of meshes and files
@@ -25,7 +25,7 @@ constexpr Situation of_own_queries(std::string_view meaning, std::string_view se
 inline constexpr Situation of_corpus = {"known", "queries of the corpus, which were hard once or are faults of engines",
                                         "`axiscert corpus list` says what each is about.", "docs/corpus.md#the-corpus"};
 
-// Advice of more than one test.
+// Advice of more than one predicate.
 inline constexpr std::string_view mend_units =
     "Bring the scene to a unit in which the kernel is right: `range_window` and "
     "`absolute_threshold` of the diagnosis say which.";

@@ -18,7 +18,7 @@ class FamilySource final : public ColumnSource<FamilySource> {
     const ImageGroup* group = image_group(family_.name);
     return group ? (trials + group->size - 1) / group->size : trials;
   }
-  const TestDescription& test() const override { return family_.test(); }
+  const Predicate& predicate() const override { return family_.predicate(); }
   std::size_t entry() const override { return family_.entry; }
   template <class Real>
   void fill_columns(std::uint64_t seed, std::uint64_t first, const MutableColumns<Real>& out) const {

@@ -41,10 +41,10 @@ class Source {
   virtual std::uint64_t base_triangles(Precision, std::uint64_t trials) const { return trials; }
   virtual std::optional<FileInfo> file() const { return std::nullopt; }
 
-  // The test whose queries these are, and its entry in which their numbers are given.
-  virtual const TestDescription& test() const = 0;
+  // The predicate whose queries these are, and its entry in which their numbers are given.
+  virtual const Predicate& predicate() const = 0;
   virtual std::size_t entry() const { return 0; }
-  const std::vector<TestColumn>& columns() const { return test().entries[entry()].columns; }
+  const std::vector<PredicateColumn>& columns() const { return predicate().entries[entry()].columns; }
 
   // Sets `out`, which has these columns, to the queries at `first` to first + count - 1; `count` is at most its
   // capacity.
@@ -83,14 +83,14 @@ using SourcePtr = std::shared_ptr<const Source>;
 
 SourcePtr family_source(const Family& family);
 // Defined in fuzz/meshes/mesh.cpp: any format that assimp reads. Throws Error with the file and its fault, or for a
-// test that is not one of mesh_tests().
-SourcePtr mesh_source(const std::string& path, const TestDescription& test);
-// The tests of which a mesh has queries.
-std::vector<const TestDescription*> mesh_tests();
+// predicate that is not one of mesh_predicates().
+SourcePtr mesh_source(const std::string& path, const Predicate& predicate);
+// The predicates of which a mesh has queries.
+std::vector<const Predicate*> mesh_predicates();
 // Defined in fuzz/files/query_source.cpp: JSON Lines or CSV, "-" for standard input; `csv_precision` applies to CSV,
-// which does not state one, and `known` are the tests of which queries are understood. Throws Error if the queries have
-// not one test and one entry.
+// which does not state one, and `known` are the predicates of which queries are understood. Throws Error if the queries
+// have not one predicate and one entry.
 SourcePtr query_file_source(const std::string& path, Precision csv_precision,
-                            std::span<const TestDescription* const> known = tests());
+                            std::span<const Predicate* const> known = predicates());
 
 }  // namespace axiscert

@@ -20,8 +20,9 @@ constexpr std::uint64_t name_hash(std::string_view text) {
 // low word first; the counter's words are
 //   0  position, low                    1  position, high
 //   2  the halves of the name's hash, exclusive or      3  block number | version << 20 | precision << 31
-// Names that give the same word 2 would give the same numbers: a test checks that the families' words differ. A mesh is
-// named by the SHA-256 of its file, and has the same word as another by chance, once in 2^32, which does no harm.
+// Names that give the same word 2 would give the same numbers: a predicate checks that the families' words differ. A
+// mesh is named by the SHA-256 of its file, and has the same word as another by chance, once in 2^32, which does no
+// harm.
 struct StreamName {
   std::uint64_t seed;
   std::uint32_t generator, kind;  // words 2 and 3, for block 0

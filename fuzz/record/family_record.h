@@ -231,12 +231,12 @@ struct FamilyCounts {
     using Of = FamilyCounts;
     return visit(
         field(&Of::trials, {"trials", "Number of queries: separated + contact + invalid."}),
-        field(
-            &Of::base_triangles,
-            {"base_triangles",
-             "Number of different triangles among them. Queries that share a triangle are not independent, so limits "
-             "for zero failures count triangles. Of a query file of a test without triangles, the number of different "
-             "queries."}),
+        field(&Of::base_triangles,
+              {"base_triangles",
+               "Number of different triangles among them. Queries that share a triangle are not independent, so limits "
+               "for zero failures count triangles. Of a query file of a predicate without triangles, the number of "
+               "different "
+               "queries."}),
         field(&Of::exact_arithmetic,
               {"exact_arithmetic", "The precision's arithmetic is exact on every query of the family."}, by::least),
         field(&Of::truth, {"truth", {}}), field(&Of::verdict, {"verdict", {}}),
@@ -247,8 +247,9 @@ struct FamilyCounts {
                "verdicts."}),
         field(&Of::motion,
               {.name = "motion",
-               .about = "The first contacts that the kernel reports, against the exact one. Absent for a test without "
-                        "measures.",
+               .about =
+                   "The first contacts that the kernel reports, against the exact one. Absent for a predicate without "
+                   "measures.",
                .may_be_absent = true}));
   }
 };

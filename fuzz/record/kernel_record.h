@@ -74,7 +74,7 @@ struct PolicyRecord {
 
   bool operator==(const PolicyRecord&) const = default;
   static constexpr std::string_view about =
-      "What it promises of motions; queries beyond that are counted in verdict.outside_limits. Absent for a test "
+      "What it promises of motions; queries beyond that are counted in verdict.outside_limits. Absent for a predicate "
       "without "
       "measures.";
   static constexpr auto fields(auto&& visit) {
@@ -153,7 +153,8 @@ struct KernelRecord {
         field(
             &Of::measures,
             {.name = "measures",
-             .about = "The names of the measures that it gives beside its verdict. Absent for a test without measures.",
+             .about =
+                 "The names of the measures that it gives beside its verdict. Absent for a predicate without measures.",
              .may_be_absent = true}),
         field(&Of::motion, {.name = "motion", .about = PolicyRecord::about, .may_be_absent = true}));
   }

@@ -100,8 +100,9 @@ struct RepliesRecord {
         field(&Of::may_decline, {"may_decline", "Whether it may answer `undecided`, as --may-decline says."}),
         field(&Of::measures,
               {.name = "measures",
-               .about = "So many of the test's measures came with each reply, from the first on, as given to generate "
-                        "--measures. Absent: none.",
+               .about =
+                   "So many of the predicate's measures came with each reply, from the first on, as given to generate "
+                   "--measures. Absent: none.",
                .may_be_absent = true}));
   }
 };
@@ -121,7 +122,7 @@ struct JsonForm<RequiredLevels> {
 using CountsByFamily = NamedValues<std::map<Precision, std::uint64_t>>;
 
 struct PlanRecord {
-  Name axiscert, test;
+  Name axiscert, predicate;
   WholeNumber seed;
   std::vector<Name> kernels;
   std::vector<Precision> precisions;
@@ -142,10 +143,10 @@ struct PlanRecord {
     using Of = PlanRecord;
     return visit(
         field(&Of::axiscert, {"axiscert", "The version of axiscert that ran it."}),
-        field(&Of::test,
-              {"test",
-               "The test of all kernels and queries, as `axiscert tests` lists it. Its description says which axes, "
-               "comparisons and numbers of a query this record has: those and no others."}),
+        field(&Of::predicate, {"predicate",
+                               "The predicate of all kernels and queries, as `axiscert predicates` lists it. Its "
+                               "description says which axes, "
+                               "comparisons and numbers of a query this record has: those and no others."}),
         field(&Of::seed, {"seed", "The seed of every generator's random stream; 64 bits."}),
         field(&Of::kernels, {"kernels", "Ids as given to --kernel."}),
         field(&Of::precisions,

@@ -28,7 +28,7 @@ struct DigitsRule {
   static constexpr std::string_view pattern = "^-?[0-9]+([.][0-9]+)?(e[-+][0-9]+)?$";
 };
 using Digits = Text<DigitsRule>;
-// One 0 or 1 for each comparison of the test, in their order.
+// One 0 or 1 for each comparison of the predicate, in their order.
 struct BitsRule {
   static constexpr std::size_t longest = 64;
   static constexpr std::string_view pattern = "^[01]+$";
@@ -122,7 +122,8 @@ struct MeasuresRecord {
   std::optional<std::optional<double>> normal_angle, point_error;
 
   static constexpr std::string_view about =
-      "What a kernel said of the first contact on this query, and how it is wrong. Absent for a test without measures; "
+      "What a kernel said of the first contact on this query, and how it is wrong. Absent for a predicate without "
+      "measures; "
       "null where it gave none beside a contact, and missed none.";
   static constexpr auto fields(auto&& visit) {
     using Of = MeasuresRecord;
@@ -170,7 +171,7 @@ struct FirstContactRecord {
   std::optional<std::optional<PlaceNumbers>> normal;
 
   static constexpr std::string_view about =
-      "The exact first contact. Absent for a test without measures; null where the query is invalid.";
+      "The exact first contact. Absent for a predicate without measures; null where the query is invalid.";
   static constexpr auto fields(auto&& visit) {
     using Of = FirstContactRecord;
     return visit(
@@ -221,7 +222,7 @@ struct WitnessRecord {
   static constexpr std::string_view about =
       "A query, with one kernel's results on it. The numbers of the query have the names of the groups of columns of "
       "its "
-      "test.";
+      "predicate.";
   static constexpr auto fields(auto&& visit) {
     using Of = WitnessRecord;
     return visit(
@@ -270,7 +271,7 @@ struct FindingRecord {
       "One kind of fault of a plug-in, other than a wrong answer, on one family; it was found in loading where "
       "precision, "
       "family, address and query are null. The numbers of the query have the names of the groups of columns of its "
-      "test.";
+      "predicate.";
   static constexpr auto fields(auto&& visit) {
     using Of = FindingRecord;
     return visit(

@@ -40,17 +40,17 @@ double value_of(const SearchResult& result, Goal goal) {
 }
 
 TEST(SearchBoxes, FramesAreThreeDirectionsOfOneBox) {
-  const TestDescription& boxes = find_test("box-box");
+  const Predicate& boxes = find_predicate("box-box");
   EXPECT_EQ(shape_of(boxes.entries[0]).frames, (std::vector<std::size_t>{6, 21}));
   EXPECT_TRUE(shape_of(boxes.entries[1]).frames.empty());
-  EXPECT_EQ(shape_of(find_test("box-triangle").entries[2]).frames, std::vector<std::size_t>{6});
-  EXPECT_TRUE(shape_of(find_test("moving-sphere").entries[0]).frames.empty());
+  EXPECT_EQ(shape_of(find_predicate("box-triangle").entries[2]).frames, std::vector<std::size_t>{6});
+  EXPECT_TRUE(shape_of(find_predicate("moving-sphere").entries[0]).frames.empty());
 }
 
 TEST(SearchBoxes, WhateverTheMovesMakeSettlesAsRotations) {
   for (const std::size_t entry : {0, 1}) {
-    const QueryShape shape = shape_of(find_test("box-box").entries[entry]);
-    Stream stream(boxes_seed, name_hash("box_search_test"), 1, Precision::binary32, entry);
+    const QueryShape shape = shape_of(find_predicate("box-box").entries[entry]);
+    Stream stream(boxes_seed, name_hash("box_search_predicate"), 1, Precision::binary32, entry);
     Dice random(stream);
     const Family& family = find_family(entry == 0 ? "box-box/resting" : "box-box/resting_turned");
     Numbers<float> q = family.make<float>(boxes_seed, 0);

@@ -60,7 +60,7 @@ template <class Real>
 std::optional<Decimal6> Confirmer<Real>::value(const Aim& aim, const Numbers<Real>& q) {
   if (aim.goal == Goal::missed_contact) return depth(FlipKind::false_separation, q);
   if (aim.goal == Goal::phantom_contact) return depth(FlipKind::false_contact, q);
-  const AimValues* const values = capabilities_of(*kernel_.test).aim_values;
+  const AimValues* const values = capabilities_of(*kernel_.predicate).aim_values;
   return values == nullptr ? std::nullopt : values->value(aim, kernel_, implementation_, q);
 }
 

@@ -20,8 +20,8 @@ struct SideErrors {
 template <class Real>
 std::optional<SideErrors> side_errors(const Kernel&, const Implementation<Real>&, const Numbers<Real>&);
 
-// The exact values of the aims that only some tests have: all but wrong verdicts. The implementation is the kernel's,
-// and may be asked.
+// The exact values of the aims that only some predicates have: all but wrong verdicts. The implementation is the
+// kernel's, and may be asked.
 class AimValues {
  public:
   // As Confirmer::value() says.
@@ -43,8 +43,8 @@ class Confirmer {
 
   // The value of the aim on a query, rounded up to six digits: an error in u, a depth, ulps; for range, range_score().
   // Empty if the query shows none: not within the box of Goal::error, a side without scale or not finite, no wrong
-  // verdict of that kind, a change of range that also occurs with unbounded exponents; and if the test has no such aim.
-  // Throws OracleDisagreement.
+  // verdict of that kind, a change of range that also occurs with unbounded exponents; and if the predicate has no such
+  // aim. Throws OracleDisagreement.
   std::optional<Decimal6> value(const Aim& aim, const Numbers<Real>& q);
 
   std::optional<SideErrors> errors(const Numbers<Real>& q) { return side_errors(kernel_, implementation_, q); }

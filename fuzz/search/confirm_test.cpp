@@ -69,12 +69,12 @@ TEST(Confirm, ErrorsAreThoseOfTheFormulaeInRationals) {
   }
 }
 
-TEST(Confirm, EveryTestHasErrorsOfTheSidesThatAKernelShows) {
+TEST(Confirm, EveryPredicateHasErrorsOfTheSidesThatAKernelShows) {
   const Kernel& kernel = find_kernel("moving-sphere/twenty");
   Confirmer<float> confirmer(kernel, scalar_target);
   const auto exact_ones = confirmer.errors({0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, 1, 1, 0, 0, 1});
   ASSERT_TRUE(exact_ones);
-  ASSERT_EQ(exact_ones->absolute.size(), kernel.test->comparisons.size());
+  ASSERT_EQ(exact_ones->absolute.size(), kernel.predicate->comparisons.size());
   for (const auto& error : exact_ones->absolute) EXPECT_TRUE(error && error->is_zero());
   const auto rounded = confirmer.errors(find_family("moving-sphere/general").make<float>(seed, 0));
   ASSERT_TRUE(rounded);
@@ -110,7 +110,7 @@ TEST(Confirm, TheGuideIsNearTheTruth) {
     }
     std::vector<double> scores;
     std::vector<Verdict> said;
-    for (const Aim& aim : search_method_of(*kernel.test).aims(kernel, {})) {
+    for (const Aim& aim : search_method_of(*kernel.predicate).aims(kernel, {})) {
       if (aim.goal == Goal::critical_radius) continue;  // estimated only to a fraction of an ulp
       QueryBatch<Real> solved = batch;
       evaluator.evaluate(aim, solved, scores, said);
@@ -118,10 +118,10 @@ TEST(Confirm, TheGuideIsNearTheTruth) {
         if (scores[i] == 0) continue;
         const auto found = confirmer.value(aim, solved[i]);
         const bool tiny = !is_about_a_comparison(aim.goal) && scores[i] < 1e-6;  // within the estimate's own error
-        ASSERT_TRUE(found || tiny) << name(aim, *kernel.test) << " " << i << ": " << scores[i];
+        ASSERT_TRUE(found || tiny) << name(aim, *kernel.predicate) << " " << i << ": " << scores[i];
         if (tiny) continue;
         EXPECT_NEAR(found->value(), scores[i], 1e-3 * scores[i])
-            << name(aim, *kernel.test) << " " << i << ", seed " << seed;
+            << name(aim, *kernel.predicate) << " " << i << ", seed " << seed;
       }
     }
   };

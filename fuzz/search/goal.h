@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert {
 
@@ -40,9 +40,9 @@ struct Aim {
 };
 
 // "error plane.radius", "missed_contact".
-inline std::string name(const Aim& aim, const TestDescription& test) {
+inline std::string name(const Aim& aim, const Predicate& predicate) {
   const std::string goal(goal_names[aim.goal]);
-  return is_about_a_comparison(aim.goal) ? goal + ' ' + std::string(test.comparisons[aim.which].name) : goal;
+  return is_about_a_comparison(aim.goal) ? goal + ' ' + std::string(predicate.comparisons[aim.which].name) : goal;
 }
 
 }  // namespace axiscert

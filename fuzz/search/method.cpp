@@ -16,7 +16,7 @@ class SearchByVerdicts final : public SearchMethod {
     return {{Goal::missed_contact}, {Goal::phantom_contact}};
   }
   std::string why_no_aims(const Kernel& kernel) const override {
-    return fmt::format("the test {} has no depth, by which wrong verdicts are compared", kernel.test->id);
+    return fmt::format("the predicate {} has no depth, by which wrong verdicts are compared", kernel.predicate->id);
   }
   IslandShare share(const Aim&) const override { return {1, 1 << 10}; }
   std::unique_ptr<Guide<float>> guide(const Kernel& kernel, std::string_view target,
@@ -34,16 +34,17 @@ class SearchByVerdicts final : public SearchMethod {
   std::vector<std::string> notes() const override {
     return {
         "A depth is in units of the scene. Queries are of numbers up to 2^8; a length is set to where the kernel's own "
-        "verdict changes. Every witness was confirmed by all oracles of the test. These are lower bounds of the worst: "
+        "verdict changes. Every witness was confirmed by all oracles of the predicate. These are lower bounds of the "
+        "worst: "
         "a search proves nothing about what it does not find."};
   }
 };
 
 }  // namespace
 
-const SearchMethod& search_method_of(const TestDescription& test) {
+const SearchMethod& search_method_of(const Predicate& predicate) {
   static const SearchByVerdicts by_verdicts;
-  const SearchMethod* own = capabilities_of(test).search_method;
+  const SearchMethod* own = capabilities_of(predicate).search_method;
   return own ? *own : by_verdicts;
 }
 

@@ -1,4 +1,4 @@
-// How the queries of a test are searched: for what, by which guide, and how much work each aim gets.
+// How the queries of a predicate are searched: for what, by which guide, and how much work each aim gets.
 #pragma once
 
 #include <memory>
@@ -45,7 +45,7 @@ class SearchMethod {
   virtual std::vector<std::string> notes() const = 0;
 };
 
-// That of Capabilities; of a test that has none, by its kernels' verdicts and the oracles' depth (VerdictGuide).
-const SearchMethod& search_method_of(const TestDescription& test);
+// That of Capabilities; of a predicate that has none, by its kernels' verdicts and the oracles' depth (VerdictGuide).
+const SearchMethod& search_method_of(const Predicate& predicate);
 
 }  // namespace axiscert

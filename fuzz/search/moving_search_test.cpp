@@ -118,10 +118,10 @@ TEST(SearchMotions, TheLengthIsSetToWhereTheVerdictChanges) {
 }
 
 TEST(SearchMotions, WhateverTheMovesMakeSettles) {
-  const QueryShape shape = shape_of(find_test("moving-sphere").entries.front());
-  Stream stream(motions_seed, name_hash("moving_search_test"), 1, Precision::binary32, 0);
+  const QueryShape shape = shape_of(find_predicate("moving-sphere").entries.front());
+  Stream stream(motions_seed, name_hash("moving_search_predicate"), 1, Precision::binary32, 0);
   Dice random(stream);
-  for (const Family* family : families_of(find_test("moving-sphere"), 0)) {
+  for (const Family* family : families_of(find_predicate("moving-sphere"), 0)) {
     Numbers<float> q = family->make<float>(motions_seed, 0);
     const Numbers<float> other = family->make<float>(motions_seed, 1);
     for (int i = 0; i < 300; ++i) {

@@ -9,7 +9,7 @@
 
 namespace axiscert {
 
-// The bounds that a test has for kernels that claim to give the recorded programs' bits.
+// The bounds that a predicate has for kernels that claim to give the recorded programs' bits.
 class ProvedBounds {
  public:
   virtual ~ProvedBounds() = default;
@@ -28,9 +28,9 @@ class ProvedBounds {
                               std::size_t i) const = 0;
 };
 
-// ProvedBounds::error; empty where the kernel's test has no bounds.
+// ProvedBounds::error; empty where the kernel's predicate has no bounds.
 inline std::optional<Decimal6> proved_error(const Kernel& kernel, Precision precision, std::size_t comparison) {
-  const ProvedBounds* bounds = capabilities_of(*kernel.test).proved_bounds;
+  const ProvedBounds* bounds = capabilities_of(*kernel.predicate).proved_bounds;
   return bounds ? bounds->error(kernel, precision, comparison) : std::nullopt;
 }
 

@@ -75,7 +75,7 @@ class Search {
 
   explicit Search(const SearchPlan& plan)
       : plan_(plan),
-        method_(search_method_of(*plan.kernel->test)),
+        method_(search_method_of(*plan.kernel->predicate)),
         aims_(method_.aims(*plan.kernel, plan.comparisons)),
         slots_(slots_of(aims_, method_)) {
     if (aims_.empty()) throw Error(method_.why_no_aims(*plan_.kernel));
@@ -147,7 +147,7 @@ class Search {
   }
 
   StoredQuery stored_query(std::string id, const Numbers<Real>& q) const {
-    return {std::move(id), plan_.precision, q, plan_.kernel->test, plan_.kernel->entry};
+    return {std::move(id), plan_.precision, q, plan_.kernel->predicate, plan_.kernel->entry};
   }
   std::unique_ptr<Guide<Real>> make_guide() const {
     return method_.guide(*plan_.kernel, plan_.target, std::type_identity<Real>());
@@ -291,7 +291,7 @@ class Search {
       if (known[i].best.empty()) continue;
       const Aim& aim = aims_[i];
       const auto& [value, query] = known[i].best.best();
-      Find find{aim, value, stored_query(name(aim, *plan_.kernel->test), query)};
+      Find find{aim, value, stored_query(name(aim, *plan_.kernel->predicate), query)};
       if (is_about_range(aim.goal)) {
         find.range_exponent = method_.exponent(aim.goal, plan_.precision, value.value());
         find.witness.numbers = times_power(query, find.range_exponent);

@@ -21,7 +21,7 @@ namespace axiscert {
 struct SearchPlan {
   const Kernel* kernel;
   Precision precision = Precision::binary32;
-  std::vector<std::size_t> comparisons;  // of the kernel's test; empty: all, and the verdict
+  std::vector<std::size_t> comparisons;  // of the kernel's predicate; empty: all, and the verdict
   std::vector<SourcePtr> sources;        // families that islands start from
   std::uint64_t seed = 1;
   // A search without an island so far begins with a run of so many queries of each of these sources, which are not

@@ -112,9 +112,9 @@ TEST(Search, EveryWitnessShowsWhatIsSaidOfIt) {
       const Sides<float> sides = reference_sides(q);
       EXPECT_TRUE(has_bit(found.judgement.broken[Link::range], which) || !std::isfinite(sides.lhs[which]) ||
                   !std::isfinite(sides.rhs[which]))
-          << name(find.aim, *kernel.test);
+          << name(find.aim, *kernel.predicate);
     } else {
-      EXPECT_EQ(confirmer.value(find.aim, q), find.value) << name(find.aim, *kernel.test);
+      EXPECT_EQ(confirmer.value(find.aim, q), find.value) << name(find.aim, *kernel.predicate);
     }
   }
 }

@@ -23,7 +23,7 @@ Json search_plan_json(const SearchPlan& plan) {
     return all;
   };
   for (const std::size_t which : plan.comparisons) {
-    comparison_names.push_back(plan.kernel->test->comparisons[which].name);
+    comparison_names.push_back(plan.kernel->predicate->comparisons[which].name);
   }
   return {{"schema", "axiscert-search-state/2"},
           {"search_version", search_version},
@@ -101,7 +101,7 @@ std::string state_text(const SearchPlan& plan, const std::vector<Aim>& aims, con
   for (std::size_t i = 0; i < aims.size(); ++i) {
     for (const Kind& kind : kinds) {
       for (StoredQuery stored : state.pools[i].*kind.queries) {
-        stored.id = std::string(kind.prefix) + name(aims[i], *plan.kernel->test);
+        stored.id = std::string(kind.prefix) + name(aims[i], *plan.kernel->predicate);
         text += query_line(stored) + "\n";
       }
     }
@@ -145,8 +145,8 @@ SearchState parse_state(std::string_view text, const SearchPlan& plan, const std
     bool found = false;
     for (std::size_t i = 0; i < aims.size(); ++i) {
       for (const Kind& kind : kinds) {
-        if (found || stored.precision != plan.precision || stored.test != plan.kernel->test ||
-            stored.id != std::string(kind.prefix) + name(aims[i], *plan.kernel->test))
+        if (found || stored.precision != plan.precision || stored.predicate != plan.kernel->predicate ||
+            stored.id != std::string(kind.prefix) + name(aims[i], *plan.kernel->predicate))
           continue;
         (state.pools[i].*kind.queries).push_back(stored);
         found = true;

@@ -16,7 +16,7 @@ constexpr double greatest_length = 0x1p10;
 
 template <class Real>
 VerdictGuide<Real>::VerdictGuide(const Kernel& kernel, std::string_view target)
-    : Guide<Real>(shape_of(kernel.test->entries[kernel.entry])),
+    : Guide<Real>(shape_of(kernel.predicate->entries[kernel.entry])),
       kernel_(kernel),
       oracles_(oracles_of(kernel)),
       implementation_(kernel.on<Real>(target)) {

@@ -1,4 +1,4 @@
-// The guide of a search in any test whose oracles have a depth: by the kernel's verdicts and the oracles alone.
+// The guide of a search in any predicate whose oracles have a depth: by the kernel's verdicts and the oracles alone.
 #pragma once
 
 #include <optional>

@@ -37,7 +37,7 @@ void expect_the_same_fault_of_boxes(const char* kernel_id, const char* family) {
   EXPECT_EQ(after.judgement.verdict_links, before.judgement.verdict_links);
   EXPECT_GE(*after.depth, *before.depth);
   EXPECT_LE(*after.depth, depth_factor * *before.depth);
-  const QueryShape shape = shape_of(kernel.test->entries[kernel.entry]);
+  const QueryShape shape = shape_of(kernel.predicate->entries[kernel.entry]);
   for (const std::size_t first : shape.frames) EXPECT_TRUE(is_nearly_rotation(found.query, first));
 }
 
@@ -49,7 +49,7 @@ TEST(ShrinkBoxes, KeepWhatIsWrongAndThatAxesAreRotations) {
 }
 
 TEST(ShrinkBoxes, TheMovesOfAFrame) {
-  const TestEntry& entry = find_test("box-box").entries[0];
+  const PredicateEntry& entry = find_predicate("box-box").entries[0];
   const QueryShape shape = shape_of(entry);
   Numbers<double> q(30);
   for (std::size_t k = 0; k < 30; ++k) q[k] = 0;
@@ -67,11 +67,11 @@ TEST(ShrinkBoxes, TheMovesOfAFrame) {
   EXPECT_EQ((*moved(shape, q, {MoveKind::upright, 0, 0}))[6], 1);
   EXPECT_EQ((*moved(shape, q, {MoveKind::copy_frame, 1, 0}))[22], 1);
   // Without frames the list is that of before.
-  EXPECT_EQ(moves<float>(shape_of(sphere_triangle_test().entries.front())).size(), 1961u);
+  EXPECT_EQ(moves<float>(shape_of(sphere_triangle_predicate().entries.front())).size(), 1961u);
 }
 
 TEST(ShrinkBoxes, AxesThatAreNoRotationAreAClass) {
-  const TestDescription& boxes = find_test("box-box");
+  const Predicate& boxes = find_predicate("box-box");
   const Numbers<float> resting = find_family("box-box/resting").make<float>(1, 0);
   const auto has_sheared = [&](const Numbers<float>& q) {
     const auto names = classes_of(boxes, q, 0);

@@ -5,8 +5,8 @@
 namespace axiscert {
 
 template <class Real>
-Keep::Keep(const TestDescription& test, const Numbers<Real>& q, const Severity& severity, std::size_t entry)
-    : test_(&test), entry_(entry), classes_(classes_of(test, q, entry)) {
+Keep::Keep(const Predicate& predicate, const Numbers<Real>& q, const Severity& severity, std::size_t entry)
+    : predicate_(&predicate), entry_(entry), classes_(classes_of(predicate, q, entry)) {
   if (const auto* depth = std::get_if<ExactDepth>(&severity.exact)) {
     // |sqrt(dd) - r| / sqrt(ss) times the factor.
     greatest_ = {
@@ -16,14 +16,14 @@ Keep::Keep(const TestDescription& test, const Numbers<Real>& q, const Severity& 
   if (const auto* depth = std::get_if<RoundedDepth>(&severity.exact))
     greatest_ = {RoundedDepth{depth->value * depth_factor}, ""};
 }
-template Keep::Keep(const TestDescription&, const Numbers<float>&, const Severity&, std::size_t);
-template Keep::Keep(const TestDescription&, const Numbers<double>&, const Severity&, std::size_t);
+template Keep::Keep(const Predicate&, const Numbers<float>&, const Severity&, std::size_t);
+template Keep::Keep(const Predicate&, const Numbers<double>&, const Severity&, std::size_t);
 
 template <class Real>
 bool Keep::allows(const Numbers<Real>& q, const Severity& severity) const {
   if (greatest_ && !is_no_less(*greatest_, severity)) return false;
   if (!classes_) return true;
-  const std::vector<std::string_view> meets = classes_of(*test_, q, entry_);
+  const std::vector<std::string_view> meets = classes_of(*predicate_, q, entry_);
   const auto is_kept = [&](std::string_view name) {
     return std::find(classes_->begin(), classes_->end(), name) != classes_->end();
   };

@@ -19,7 +19,7 @@ class Keep {
   Keep() = default;
   // Keeps the class of this valid query of the entry, which has this severity.
   template <class Real>
-  Keep(const TestDescription& test, const Numbers<Real>& q, const Severity& severity, std::size_t entry = 0);
+  Keep(const Predicate& predicate, const Numbers<Real>& q, const Severity& severity, std::size_t entry = 0);
 
   // Whether a smaller query has the same class and meets no definition of a class that the given one does not, and a
   // depth of at most depth_factor times the given one's. Only a depth is limited, not a margin or an error.
@@ -30,7 +30,7 @@ class Keep {
   const std::optional<std::vector<std::string_view>>& classes() const { return classes_; }
 
  private:
-  const TestDescription* test_ = nullptr;
+  const Predicate* predicate_ = nullptr;
   std::size_t entry_ = 0;
   std::optional<std::vector<std::string_view>> classes_;
   std::optional<Severity> greatest_;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t motion_seed = 3;
 
-const TestDescription& motions() { return find_test("moving-sphere"); }
+const Predicate& motions() { return find_predicate("moving-sphere"); }
 
 // The first query of the family on which the kernel is wrong.
 template <class Real>
@@ -73,7 +73,7 @@ TEST(ShrinkMotions, TheMovesFollowFromTheDescription) {
 
 // The list, by which combined steps are drawn, decides what a shrunk query is, to the byte.
 TEST(ShrinkMotions, WithoutDirectionsTheMovesAreThoseThatTheyWere) {
-  const QueryShape shape = shape_of(sphere_triangle_test().entries.front());
+  const QueryShape shape = shape_of(sphere_triangle_predicate().entries.front());
   EXPECT_EQ(moves<float>(shape).size(), 1961u);
   EXPECT_EQ(moves<double>(shape).size(), 2744u);
   for (const Move& move : moves<float>(shape)) EXPECT_LT(move.kind, MoveKind::zero_direction);

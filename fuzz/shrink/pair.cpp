@@ -27,7 +27,7 @@ class PairSymptomFinder {
     const Outcome of_query = answer(q), of_image = answer(image_of_it);
     if (of_query.verdict == Verdict::unanswered || of_image.verdict == Verdict::unanswered) return std::nullopt;
     if (of_query.verdict == Verdict::undecided || of_image.verdict == Verdict::undecided) return std::nullopt;
-    PairSymptom found{of_query.verdict, of_image.verdict, std::nullopt, kernel_.test};
+    PairSymptom found{of_query.verdict, of_image.verdict, std::nullopt, kernel_.predicate};
     if (of_query.verdict != of_image.verdict) return found;
     if (!of_query.bits || !of_image.bits) return std::nullopt;
     const ComparisonBits differing = map.of_query(*of_image.bits) ^ *of_query.bits;
@@ -76,7 +76,7 @@ std::optional<Address> address_in(const std::string& given) {
 std::string text(const PairSymptom& symptom) {
   if (!symptom.which) return fmt::format("{}, and {} of its image", name(symptom.of_query), name(symptom.of_image));
   return fmt::format("{} of both, but {} differs", name(symptom.of_query),
-                     symptom.test->comparisons[*symptom.which].name);
+                     symptom.predicate->comparisons[*symptom.which].name);
 }
 
 template <class Real>
@@ -85,10 +85,11 @@ std::optional<Pair<Real>> asymmetric_pair(const std::string& given, const Kernel
   if (!address) return std::nullopt;
   const ImageGroup* group = image_group(address->name);
   if (group == nullptr || address->precision != precision_of<Real>) return std::nullopt;
-  const ImageMaps* const maps = capabilities_of(group->test()).image_maps;
+  const ImageMaps* const maps = capabilities_of(group->predicate()).image_maps;
   if (maps == nullptr) return std::nullopt;
   const SourcePtr source = family_source(find_family(address->name));
-  if (source->version() != address->version || source->test().id != kernel.test->id || source->entry() != kernel.entry)
+  if (source->version() != address->version || source->predicate().id != kernel.predicate->id ||
+      source->entry() != kernel.entry)
     return std::nullopt;
   const Oracles& oracles = oracles_of(kernel);
   const std::uint64_t position = address->position(), base = position - position % group->size;
@@ -137,7 +138,7 @@ ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::
         fmt::format("{} does not answer the query and its image differently: {}", kernel.id, text(pair.symptom)));
   }
   ShrinkResult<Real> found =
-      shrink<Real>(*kernel.test, pair.query, SeverityOn<Real>(severity), keeping, limit, evaluated, kernel.entry);
+      shrink<Real>(*kernel.predicate, pair.query, SeverityOn<Real>(severity), keeping, limit, evaluated, kernel.entry);
   const Numbers<Real> image_of_it = *pair.map->image(found.query);
   return {std::move(found), image_of_it};
 }

@@ -21,7 +21,7 @@ class ImageMap {
   virtual ComparisonBits of_query(ComparisonBits image) const = 0;
 };
 
-// The maps of a test.
+// The maps of a predicate.
 class ImageMaps {
  public:
   // The first that makes `image` of `query`, exactly; both are valid. Null if none does.
@@ -37,7 +37,7 @@ class ImageMaps {
 struct PairSymptom {
   Verdict of_query, of_image;
   std::optional<std::size_t> which;
-  const TestDescription* test;
+  const Predicate* predicate;
 };
 // "separated, and contact of its image"; "contact of both, but edge_ab.side_c differs".
 std::string text(const PairSymptom& symptom);
@@ -50,8 +50,8 @@ struct Pair {
 };
 
 // The pair of a query of a family of images (fuzz/queries/image_groups.h) with its base or, if it is a base, with the
-// first of its images that the kernel answers differently. Empty if the address is of no such query, the test has no
-// ImageMaps, there is no such image, or one of the two is not valid or outside the kernel's limits.
+// first of its images that the kernel answers differently. Empty if the address is of no such query, the predicate has
+// no ImageMaps, there is no such image, or one of the two is not valid or outside the kernel's limits.
 template <class Real>
 std::optional<Pair<Real>> asymmetric_pair(const std::string& address, const Kernel& kernel, std::string_view target);
 

@@ -40,7 +40,7 @@ std::size_t rank_of(std::vector<ExactVector> rows) {
   return rank;
 }
 
-// A query of any test as exact vectors.
+// A query of any predicate as exact vectors.
 class ExactParts {
  public:
   template <class Real>
@@ -103,15 +103,15 @@ class ExactParts {
 }  // namespace
 
 template <class Real>
-std::vector<std::string_view> classes_of(const TestDescription& test, const Numbers<Real>& q, std::size_t entry) {
-  if (const InputClasses* const own = capabilities_of(test).input_classes) return own->of(q);
-  const QueryShape shape = shape_of(test.entries[entry]);
+std::vector<std::string_view> classes_of(const Predicate& predicate, const Numbers<Real>& q, std::size_t entry) {
+  if (const InputClasses* const own = capabilities_of(predicate).input_classes) return own->of(q);
+  const QueryShape shape = shape_of(predicate.entries[entry]);
   const ExactParts parts(shape, q);
   std::vector<std::string_view> names;
   const auto add = [&](bool is_met, std::string_view name) {
     if (is_met) names.push_back(name);
   };
-  if (const auto depth = oracles_of(test, entry).depth(q)) {
+  if (const auto depth = oracles_of(predicate, entry).depth(q)) {
     add(*depth == 0, "tie");
     add(*depth <= near_tie_depth<Real>, "near_tie");
   }
@@ -131,7 +131,7 @@ std::vector<std::string_view> classes_of(const TestDescription& test, const Numb
   add(names.empty(), "ordinary");
   return names;
 }
-template std::vector<std::string_view> classes_of(const TestDescription&, const Numbers<float>&, std::size_t);
-template std::vector<std::string_view> classes_of(const TestDescription&, const Numbers<double>&, std::size_t);
+template std::vector<std::string_view> classes_of(const Predicate&, const Numbers<float>&, std::size_t);
+template std::vector<std::string_view> classes_of(const Predicate&, const Numbers<double>&, std::size_t);
 
 }  // namespace axiscert

@@ -9,8 +9,8 @@
 namespace axiscert {
 
 // The names of the definitions that a valid query of this entry meets, in their order; the first is its class. They are
-// the test's own (fuzz/queries/input_classes.h) or, where it has none, these, which its description and its oracles
-// serve, decided exactly:
+// the predicate's own (fuzz/queries/input_classes.h) or, where it has none, these, which its description and its
+// oracles serve, decided exactly:
 //
 //   tie        the depth is 0
 //   near_tie   the depth, rounded once, is at most 64 u
@@ -26,6 +26,6 @@ namespace axiscert {
 //
 // L is the greatest |number| of the points, as seen from the last of them, the directions and the lengths.
 template <class Real>
-std::vector<std::string_view> classes_of(const TestDescription& test, const Numbers<Real>& q, std::size_t entry = 0);
+std::vector<std::string_view> classes_of(const Predicate& predicate, const Numbers<Real>& q, std::size_t entry = 0);
 
 }  // namespace axiscert

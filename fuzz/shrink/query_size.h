@@ -19,7 +19,7 @@ struct QuerySize {
   auto operator<=>(const QuerySize&) const = default;
 };
 
-// The size of a query of any test with finite numbers.
+// The size of a query of any predicate with finite numbers.
 QuerySize size_of(const Numbers<float>& q);
 QuerySize size_of(const Numbers<double>& q);
 

@@ -20,19 +20,19 @@ std::uint64_t attempts_of(const Oracles& oracles) { return oracles.has_filters()
 template <class Real>
 class Walk {
  public:
-  Walk(const TestDescription& test, const Numbers<Real>& q, const SeverityOn<Real>& severity, KeepingRule keeping,
+  Walk(const Predicate& predicate, const Numbers<Real>& q, const SeverityOn<Real>& severity, KeepingRule keeping,
        std::uint64_t limit, const CountEvaluations& evaluated, std::size_t entry)
-      : test_(test), entry_(entry), severity_(severity), limit_(limit), evaluated_(evaluated) {
+      : predicate_(predicate), entry_(entry), severity_(severity), limit_(limit), evaluated_(evaluated) {
     const Severity given = *severity(q);
-    const Keep keep = keeping == KeepingRule::symptom ? Keep() : Keep(test, q, given, entry);
+    const Keep keep = keeping == KeepingRule::symptom ? Keep() : Keep(predicate, q, given, entry);
     out_ = {q, given, given, keep, {size_of(q)}, 0, true};
   }
 
   ShrinkResult<Real> run() && {
     do apply_single_moves();
     while (out_.complete && try_combinations());
-    // The second oracle, where the test has one, checks the result before it is returned.
-    oracles_of(test_, entry_).truth(out_.query);
+    // The second oracle, where the predicate has one, checks the result before it is returned.
+    oracles_of(predicate_, entry_).truth(out_.query);
     return std::move(out_);
   }
 
@@ -46,7 +46,7 @@ class Walk {
 
   // Returns whether a combination was accepted.
   bool try_combinations() {
-    const std::uint64_t attempts = attempts_of(oracles_of(test_, entry_));
+    const std::uint64_t attempts = attempts_of(oracles_of(predicate_, entry_));
     for (std::uint64_t n = 0; n < attempts && out_.complete; ++n) {
       Stream random(seed, name_hash("shrink"), 1, precision_of<Real>, n);
       std::optional<Numbers<Real>> q = out_.query;
@@ -78,12 +78,12 @@ class Walk {
     return true;
   }
 
-  const TestDescription& test_;
+  const Predicate& predicate_;
   const std::size_t entry_;
   const SeverityOn<Real>& severity_;
   std::uint64_t limit_;
   const CountEvaluations& evaluated_;
-  const QueryShape shape_ = shape_of(test_.entries[entry_]);
+  const QueryShape shape_ = shape_of(predicate_.entries[entry_]);
   const std::vector<Move> moves_ = moves<Real>(shape_), nudges_ = nudges(shape_);
   ShrinkResult<Real> out_;
 };
@@ -91,15 +91,15 @@ class Walk {
 }  // namespace
 
 template <class Real>
-ShrinkResult<Real> shrink(const TestDescription& test, const Numbers<Real>& q, const SeverityOn<Real>& severity,
+ShrinkResult<Real> shrink(const Predicate& predicate, const Numbers<Real>& q, const SeverityOn<Real>& severity,
                           KeepingRule keeping, std::uint64_t limit, const CountEvaluations& evaluated,
                           std::size_t entry) {
-  return Walk<Real>(test, q, severity, keeping, limit, evaluated, entry).run();
+  return Walk<Real>(predicate, q, severity, keeping, limit, evaluated, entry).run();
 }
-template ShrinkResult<float> shrink(const TestDescription&, const Numbers<float>&, const SeverityOn<float>&,
-                                    KeepingRule, std::uint64_t, const CountEvaluations&, std::size_t);
-template ShrinkResult<double> shrink(const TestDescription&, const Numbers<double>&, const SeverityOn<double>&,
-                                     KeepingRule, std::uint64_t, const CountEvaluations&, std::size_t);
+template ShrinkResult<float> shrink(const Predicate&, const Numbers<float>&, const SeverityOn<float>&, KeepingRule,
+                                    std::uint64_t, const CountEvaluations&, std::size_t);
+template ShrinkResult<double> shrink(const Predicate&, const Numbers<double>&, const SeverityOn<double>&, KeepingRule,
+                                     std::uint64_t, const CountEvaluations&, std::size_t);
 
 template <class Real>
 ShrinkResult<Real> shrink(const Numbers<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
@@ -109,7 +109,7 @@ ShrinkResult<Real> shrink(const Numbers<Real>& q, const Symptom& symptom, const 
     throw Error(fmt::format("the query does not show {} of {}", text(symptom), kernel.id));
   }
   const SeverityOn<Real> severity = [&](const Numbers<Real>& at) { return finder.severity(at, symptom); };
-  return shrink<Real>(*kernel.test, q, severity, keeping, limit, evaluated, kernel.entry);
+  return shrink<Real>(*kernel.predicate, q, severity, keeping, limit, evaluated, kernel.entry);
 }
 template ShrinkResult<float> shrink<float>(const Numbers<float>&, const Symptom&, const Kernel&, std::string_view,
                                            std::uint64_t, KeepingRule, const CountEvaluations&);

@@ -32,10 +32,10 @@ using CountEvaluations = std::function<void(std::uint64_t)>;
 // Tries all ways to change one thing (fuzz/shrink/shrink_moves.h) and accepts each that makes the query smaller by
 // QuerySize and keeps what has to be kept with a severity not below that of the given query; ends after a round in
 // which none does. It always ends, since sizes cannot decrease for ever; `limit` bounds the time. Precondition: the
-// given query, of this entry of `test`, shows it. Throws HarnessFault if the oracles contradict their earlier
+// given query, of this entry of `predicate`, shows it. Throws HarnessFault if the oracles contradict their earlier
 // answer.
 template <class Real>
-ShrinkResult<Real> shrink(const TestDescription& test, const Numbers<Real>& q, const SeverityOn<Real>& severity,
+ShrinkResult<Real> shrink(const Predicate& predicate, const Numbers<Real>& q, const SeverityOn<Real>& severity,
                           KeepingRule keeping, std::uint64_t limit, const CountEvaluations& evaluated = {},
                           std::size_t entry = 0);
 

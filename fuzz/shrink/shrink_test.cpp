@@ -163,7 +163,7 @@ TEST(ShrinkLong, EveryKindOfKernelAndBothPrecisions) {
 TEST(Shrink, KeepsTheErrorOfAComparison) {
   const Query<float> q = find_family("sliver").make<float>(seed, 1);
   for (const char* id : {"published", "ladder-0"}) {
-    const Symptom error{.test = &sphere_triangle_test(),
+    const Symptom error{.predicate = &sphere_triangle_predicate(),
                         .level = Level::comparison,
                         .index = static_cast<std::uint8_t>(Comparison::edge_bc_radius)};
     expect_smaller_and_as_bad(q, error, find_kernel(id));
@@ -198,7 +198,7 @@ Kernel two_faults() {
 TEST(Shrink, KeepsTheClassOfTheInputAndTheDepth) {
   const Kernel kernel = two_faults();
   const Query<double> q = {{1, 0.25, 1}, {-0.5, 1, 1}, {-1, -1.25, 1}, {0.125, 0.0625, 0}, 1 + 0x1p-50};
-  const Symptom missed{.test = &sphere_triangle_test(),
+  const Symptom missed{.predicate = &sphere_triangle_predicate(),
                        .kind = FlipKind::false_separation,
                        .decisive = true,
                        .links = {Link::unattributed}};
@@ -276,8 +276,10 @@ TEST(ShrinkPairs, TheAnswersToTheSmallerQueryAndItsImageStillDiffer) {
 
 TEST(Shrink, AQueryWithoutTheSymptomIsAnError) {
   const Query<float> q = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, 2};
-  const Symptom symptom{
-      .test = &sphere_triangle_test(), .kind = FlipKind::false_separation, .decisive = true, .links = {Link::rounding}};
+  const Symptom symptom{.predicate = &sphere_triangle_predicate(),
+                        .kind = FlipKind::false_separation,
+                        .decisive = true,
+                        .links = {Link::rounding}};
   EXPECT_THROW(shrink<float>(q, symptom, find_kernel("published"), scalar_target, 10), Error);
 }
 

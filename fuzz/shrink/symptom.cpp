@@ -41,30 +41,31 @@ bool can_show(const Symptom& symptom, const Answer& answer) {
     return answer.verdict == (symptom.kind == FlipKind::false_separation ? Verdict::separated : Verdict::contact);
   }
   if (!answer.bits) return false;
-  const std::uint64_t bits = symptom.level == Level::axis ? clauses_of(*symptom.test, *answer.bits) : *answer.bits;
+  const std::uint64_t bits = symptom.level == Level::axis ? clauses_of(*symptom.predicate, *answer.bits) : *answer.bits;
   return !symptom.kind || has_bit(bits, symptom.index) == (symptom.kind == FlipKind::false_separation);
 }
 
-ComparisonBits causes_of(const TestDescription& test, const Judgement& judgement, const Flip& flip) {
+ComparisonBits causes_of(const Predicate& predicate, const Judgement& judgement, const Flip& flip) {
   switch (flip.level) {
     case Level::verdict:
       return judgement.comparison_decisive;
     case Level::axis:
-      return judgement.comparison_flips & test.clauses[flip.index].comparisons;
+      return judgement.comparison_flips & predicate.clauses[flip.index].comparisons;
     case Level::comparison:
       return one_bit<ComparisonBits>(flip.index);
   }
   return 0;
 }
 
-Symptom symptom_of(const TestDescription& test, const Judgement& judgement, const Flip& flip) {
-  return {&test, flip.level, flip.index, flip.kind, flip.decisive, flip.links, causes_of(test, judgement, flip)};
+Symptom symptom_of(const Predicate& predicate, const Judgement& judgement, const Flip& flip) {
+  return {
+      &predicate, flip.level, flip.index, flip.kind, flip.decisive, flip.links, causes_of(predicate, judgement, flip)};
 }
 
 bool shows(const Judgement& judgement, const Symptom& symptom) {
   bool found = false;
   judgement.for_each_flip([&](const Flip& flip) {
-    const Symptom s = symptom_of(*symptom.test, judgement, flip);
+    const Symptom s = symptom_of(*symptom.predicate, judgement, flip);
     const bool same_causes = (s.causes & ~symptom.causes) == 0 && (s.causes != 0) == (symptom.causes != 0);
     found = found || (s.level == symptom.level && s.index == symptom.index && s.kind == symptom.kind &&
                       s.links == symptom.links && s.decisive >= symptom.decisive && same_causes);
@@ -74,13 +75,13 @@ bool shows(const Judgement& judgement, const Symptom& symptom) {
 
 }  // namespace
 
-std::string_view name(const Symptom& s) { return name(*s.test, Flip{s.level, s.index, FlipKind{}, false, {}}); }
+std::string_view name(const Symptom& s) { return name(*s.predicate, Flip{s.level, s.index, FlipKind{}, false, {}}); }
 
 std::string text(const Symptom& s) {
   if (!s.kind) return fmt::format("{} error", name(s));
   std::vector<std::string_view> causes;
-  for (std::size_t i = 0; i < s.test->comparisons.size() && s.level != Level::comparison; ++i) {
-    if (has_bit(s.causes, i)) causes.push_back(s.test->comparisons[i].name);
+  for (std::size_t i = 0; i < s.predicate->comparisons.size() && s.level != Level::comparison; ++i) {
+    if (has_bit(s.causes, i)) causes.push_back(s.predicate->comparisons[i].name);
   }
   return fmt::format("{} {}{} [{}]{}{}", name(s), flip_kind_names[*s.kind],
                      s.level == Level::verdict ? ""
@@ -106,7 +107,7 @@ Severity depth_severity(const Oracles& oracles, AskedQuery& asked, const Numbers
     return {*exact, fmt::format("{:.6g} of the scene", rounded_depth(*exact))};
   if (const std::optional<double> rounded = oracles.depth(q))
     return {RoundedDepth{*rounded}, fmt::format("{:.6g} of the scene", *rounded)};
-  return {RoundedDepth{0}, "no depth: the test has none"};
+  return {RoundedDepth{0}, "no depth: the predicate has none"};
 }
 template Severity depth_severity(const Oracles&, AskedQuery&, const Numbers<float>&);
 template Severity depth_severity(const Oracles&, AskedQuery&, const Numbers<double>&);
@@ -128,7 +129,7 @@ template <class Real>
 std::vector<Symptom> SymptomFinder<Real>::flips(const Numbers<Real>& q) {
   std::vector<Symptom> all;
   const Judgement found = judgement(q);
-  found.for_each_flip([&](const Flip& flip) { all.push_back(symptom_of(*kernel_.test, found, flip)); });
+  found.for_each_flip([&](const Flip& flip) { all.push_back(symptom_of(*kernel_.predicate, found, flip)); });
   return all;
 }
 
@@ -161,13 +162,13 @@ std::optional<Severity> SymptomFinder<Real>::severity(const Numbers<Real>& q, co
   const Truth truth = about->truth();
   if (truth.verdict == Verdict::invalid) return std::nullopt;
   if (!symptom.kind) return error_severity(kernel_, *about, reply.answers, symptom.index);
-  if (!shows(judge(*kernel_.test, truth, about->chain(kernel_), answer, kernel_.touching), symptom))
+  if (!shows(judge(*kernel_.predicate, truth, about->chain(kernel_), answer, kernel_.touching), symptom))
     return std::nullopt;
   switch (symptom.level) {
     case Level::verdict:
       return depth_severity(oracles, *about, q);
     case Level::axis:
-      return margin_severity(about->relative_margins(kernel_, symptom.test->clauses[symptom.index].comparisons));
+      return margin_severity(about->relative_margins(kernel_, symptom.predicate->clauses[symptom.index].comparisons));
     case Level::comparison:
       return margin_severity(about->relative_margins(kernel_, one_bit<ComparisonBits>(symptom.index)));
   }

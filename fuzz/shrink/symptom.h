@@ -11,7 +11,7 @@ namespace axiscert {
 
 // A flip; or, if `kind` is empty, the error of a comparison, whatever its sign.
 struct Symptom {
-  const TestDescription* test;
+  const Predicate* predicate;
   Level level = Level::verdict;
   std::uint8_t index = 0;  // index of the axis or comparison
   std::optional<FlipKind> kind = {};
@@ -31,9 +31,9 @@ struct RoundedDepth {
 };
 
 // Exact, without a unit:
-//   for a wrong verdict, its depth: where the oracles have it only rounded, so, and 0 where the test has none; for a
-//   comparison's flip, |lhs - rhs| / (|lhs| + |rhs|) of the exact sides, 0 where both are 0; if lhs is a root, the same
-//   with the signed squares of the sides, which orders queries in the same way; for an axis, the value of the
+//   for a wrong verdict, its depth: where the oracles have it only rounded, so, and 0 where the predicate has none; for
+//   a comparison's flip, |lhs - rhs| / (|lhs| + |rhs|) of the exact sides, 0 where both are 0; if lhs is a root, the
+//   same with the signed squares of the sides, which orders queries in the same way; for an axis, the value of the
 //   comparison that decides: the least one if all of them hold, otherwise that of the comparison farthest from holding;
 //   for a comparison's error, that error in u; rounded up to six digits if a side is a root.
 struct Severity {
@@ -47,8 +47,8 @@ bool is_no_less(const Severity& now, const Severity& then);
 template <class Real>
 Severity depth_severity(const Oracles& oracles, AskedQuery& asked, const Numbers<Real>& q);
 
-// Asks one kernel about queries of its test, by the test's oracles. A foreign kernel's process is begun once, and again
-// after a query that it did not answer.
+// Asks one kernel about queries of its predicate, by the predicate's oracles. A foreign kernel's process is begun once,
+// and again after a query that it did not answer.
 template <class Real>
 class SymptomFinder {
  public:

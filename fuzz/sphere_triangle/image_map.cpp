@@ -90,7 +90,7 @@ template <class Real>
 class MapOfTriangle final : public ImageMap<Real> {
  public:
   explicit MapOfTriangle(const TriangleMap& map)
-      : map_(map), of_query_(sphere_triangle_test(), map.symmetry.vertices) {}
+      : map_(map), of_query_(sphere_triangle_predicate(), map.symmetry.vertices) {}
   std::optional<Numbers<Real>> image(const Numbers<Real>& q) const override {
     const auto found = image_by(map_, query_from(q));
     return found ? std::optional<Numbers<Real>>(*found) : std::nullopt;

@@ -55,7 +55,7 @@ void KernelScreen<Real>::look_at_errors(const DecidedBatch<Real>& batch) {
   errors_.look(batch, answered, reply.answers);
 }
 
-// Without ties strict and non-strict signs are the same, no query touches, and each test is one comparison of flat
+// Without ties strict and non-strict signs are the same, no query touches, and each predicate is one comparison of flat
 // arrays.
 template <class Real>
 void KernelScreen<Real>::count_clear(const DecidedBatch<Real>& batch) {
@@ -132,7 +132,7 @@ void KernelScreen<Real>::judge_by_signs(std::size_t i, const Signs& signs, Asked
     if (batched) chain->rounded = batched->outcomes();
     else if (kernel_.is_reference) chain->rounded = rounded(formulae_, kernel_.arithmetic, kernel_.strictness, q);
   }
-  const Judgement judgement = axiscert::judge(*kernel_.test, truth, chain, answer, kernel_.touching);
+  const Judgement judgement = axiscert::judge(*kernel_.predicate, truth, chain, answer, kernel_.touching);
   if (truth.touching) depth.set_touching();
   count(tally_, run_.position(i), truth, chain ? signs.ties : ComparisonBits{0}, answer, judgement, depth,
         run_.standing());
@@ -170,7 +170,7 @@ void KernelScreen<Real>::check_sides(std::size_t i, const ExactSides& exact, con
                       "scalar one {:016b} and {:016b} (bit 0 is the first comparison)",
                       kernel_.id, batched->reference, batched->range_free, *scalar.reference.bits,
                       *scalar.range_free.bits),
-          Numbers<Real>(q), *kernel_.test);
+          Numbers<Real>(q), *kernel_.predicate);
     }
   }
   if (!run_.shows_sides()) return;
@@ -187,7 +187,7 @@ void KernelScreen<Real>::check_sides(std::size_t i, const ExactSides& exact, con
   for (std::size_t k = 0; k < comparison_count; ++k) {
     const SideError error(computed.lhs[k], computed.rhs[k], exact.comparison(k));
     if (const std::string wrong = errors_.contradiction(i, k, error); !wrong.empty()) {
-      throw OracleDisagreement(kernel_.id + ": " + wrong, Numbers<Real>(q), *kernel_.test);
+      throw OracleDisagreement(kernel_.id + ": " + wrong, Numbers<Real>(q), *kernel_.predicate);
     }
   }
 }

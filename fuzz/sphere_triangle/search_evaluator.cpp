@@ -142,7 +142,7 @@ Distances distances(const Query<Real>& q) {
 
 template <class Real>
 Evaluator<Real>::Evaluator(const Kernel& kernel, std::string_view target)
-    : Guide<Real>(shape_of(kernel.test->entries[kernel.entry])),
+    : Guide<Real>(shape_of(kernel.predicate->entries[kernel.entry])),
       kernel_(kernel),
       implementation_(kernel.on<Real>(target)) {
   if constexpr (sizeof(Real) == 4) {

@@ -75,14 +75,14 @@ void check_content(std::string_view content) {
       report_fault("a stretch changes when it is written, read and written again");
     for (const std::string& tally : entry->tallies) {
       std::optional<Tally> read;
-      if (!accepts([&] { read = decode_tally(tally, sphere_triangle_test()); })) continue;
+      if (!accepts([&] { read = decode_tally(tally, sphere_triangle_predicate()); })) continue;
       const std::string again = encode(*read);
-      if (encode(decode_tally(again, sphere_triangle_test())) != again)
+      if (encode(decode_tally(again, sphere_triangle_predicate())) != again)
         report_fault("a tally changes when it is written, read and written again");
     }
     accepts([&] { encode(decode_costs(entry->costs)); });
   }
-  accepts([&] { decode_tally(content, sphere_triangle_test()); });
+  accepts([&] { decode_tally(content, sphere_triangle_predicate()); });
   accepts([&] { decode_costs(content); });
 }
 

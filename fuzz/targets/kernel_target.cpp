@@ -55,7 +55,8 @@ class Look {
 
  private:
   [[noreturn]] void fail(std::string_view what) const {
-    report_fault(fmt::format("{}\n{}", what, query_line({"fuzzed", precision_of<Real>, q_, &sphere_triangle_test()})));
+    report_fault(
+        fmt::format("{}\n{}", what, query_line({"fuzzed", precision_of<Real>, q_, &sphere_triangle_predicate()})));
   }
 
   ExactTruth decided() const {
@@ -162,7 +163,7 @@ class Look {
         fail(fmt::format("{} on {} has the comparison bits {:016b}, its scalar reference {:016b}", kernel.id, target,
                          *answer.bits, chain->rounded->reference.bits.value_or(0)));
       }
-      see_verdict(kernel, judge(*kernel.test, *truth_, chain, answer, kernel.touching));
+      see_verdict(kernel, judge(*kernel.predicate, *truth_, chain, answer, kernel.touching));
     }
   }
 
@@ -210,8 +211,10 @@ std::size_t put(const FuzzedQuery& fuzzed, std::uint8_t* data, std::size_t room)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   FuzzedQuery fuzzed = given(data, size);
   // Kernels of sphere-triangle, which are listed first.
-  static const auto known = static_cast<std::size_t>(std::count_if(
-      kernels().begin(), kernels().end(), [](const Kernel& kernel) { return kernel.test == &sphere_triangle_test(); }));
+  static const auto known =
+      static_cast<std::size_t>(std::count_if(kernels().begin(), kernels().end(), [](const Kernel& kernel) {
+        return kernel.predicate == &sphere_triangle_predicate();
+      }));
   const Kernel& chosen = kernels()[fuzzed.kernel % std::min(known, most_kernels)];
   const auto look = [&](const auto& q) { Look(q).at(chosen); };
   std::visit(look, fuzzed.query);

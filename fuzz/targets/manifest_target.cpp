@@ -16,7 +16,7 @@ std::string written(const plugin::Manifest& m) {
   Json json = {{"format", plugin::manifest_format},
                {"name", m.name},
                {"command", m.command},
-               {"test", m.test},
+               {"predicate", m.predicate},
                {"entry", m.entry},
                {"exposes", exposure_names[m.exposes]},
                {"touching", name(m.touching)},

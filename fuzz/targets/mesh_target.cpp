@@ -62,7 +62,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     // assimp may use all the time that it is given, so it gets little; a file that was read within it is read again.
     import_mesh(path, {std::uint64_t{1} << 30, 1});
-    const SourcePtr source = mesh_source(path, sphere_triangle_test());
+    const SourcePtr source = mesh_source(path, sphere_triangle_predicate());
     const FileInfo file = *source->file();
     see(fmt::format("{} {} {}", std::bit_width(file.triangles), std::bit_width(file.degenerate_triangles),
                     std::bit_width(file.skipped_primitives)));

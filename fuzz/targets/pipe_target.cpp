@@ -62,7 +62,7 @@ std::string stream_of(std::string_view input) {
                         pipe::code_of(precision),
                         count,
                         static_cast<std::uint32_t>(sizeof(pipe::Head) + plan.size()),
-                        pipe::record_size_of(precision, sphere_triangle_test().entries.front().columns.size()),
+                        pipe::record_size_of(precision, sphere_triangle_predicate().entries.front().columns.size()),
                         sha256(std::as_bytes(std::span(plan)))};
   std::string stream(sizeof head, '\0');
   std::memcpy(stream.data(), &head, sizeof head);

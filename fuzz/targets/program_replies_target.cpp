@@ -67,7 +67,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size < options) return -1;
   const auto has = [&](unsigned bit) { return ((data[1] >> bit) & 1) != 0; };
   const GivenStream given{data[0], std::size_t{1} + data[2], has(0), has(1), has(2), has(3)};
-  std::string header = plugin::program_header(sphere_triangle_test(), 0, Precision::binary32);
+  std::string header = plugin::program_header(sphere_triangle_predicate(), 0, Precision::binary32);
   if (given.is_wide)
     std::memcpy(header.data() + offsetof(pipe::Head, version), &pipe::general_version, sizeof pipe::general_version);
   const std::string stream = (given.has_header ? header : "") + std::string(text_of(data + options, size - options));

@@ -17,7 +17,7 @@ bool is_same_number(Real x, Real y) {
 
 bool is_same_query(const StoredQuery& x, const StoredQuery& y) {
   if (x.precision != y.precision || x.numbers.index() != y.numbers.index()) return false;
-  if (x.test != y.test || x.entry != y.entry) return false;
+  if (x.predicate != y.predicate || x.entry != y.entry) return false;
   return std::visit(
       [&](const auto& numbers) {
         const auto& other = std::get<std::remove_cvref_t<decltype(numbers)>>(y.numbers);

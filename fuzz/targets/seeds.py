@@ -45,8 +45,8 @@ def seeds(source):
     """The inputs by target."""
     files = sorted((source / "fuzz/corpus").glob("*.jsonl")) + sorted((source / "examples").rglob("*.jsonl"))
     lines = [line for file in files for line in file.read_text().splitlines() if line.strip()]
-    # Queries of three points, a centre and a radius; the boxes of other tests are texts for the parser alone.
-    queries = [query for query in map(json.loads, lines) if "box" not in query.get("test", "")]
+    # Queries of three points, a centre and a radius; the boxes of other predicates are texts for the parser alone.
+    queries = [query for query in map(json.loads, lines) if "box" not in query.get("predicate", "")]
     result = {}
     result["kernel"] = [kernel_seed(query, i) for i, query in enumerate(queries)]
 
@@ -93,7 +93,7 @@ def seeds(source):
 
     manifest = {"format": "axiscert-program/1", "name": "a/b", "command": ["node", "b.mjs"], "precisions": ["binary32", "binary64"]}
     result["manifest"] = [plan_text(one).encode() for one in (
-        manifest, dict(manifest, test="sphere-triangle", entry="vertices", touching="either", may_decline=True, exposes="comparisons", summary="s",
+        manifest, dict(manifest, predicate="sphere-triangle", entry="vertices", touching="either", may_decline=True, exposes="comparisons", summary="s",
                        package="p", version="1.0", source="b.mjs:1", formulae="published", limits={"least_radius": 1e-3}),
         dict(manifest, conforms_to="published", precisions=["binary32"]), dict(manifest, format="axiscert-program/2"), {}, [])]
     result["manifest"] += [path.read_bytes() for path in sorted((source / "examples").rglob("*.json"))]
@@ -102,12 +102,12 @@ def seeds(source):
         (8, 255, b"\x07\0\0\0hello"), (0, 3, b"engine loaded\n"), (4, 3, b"more"), (0, 2, b"AXISCERT\1\0\0\0"))]
 
     result["journal"] = [b"", b"\x01\x07", b"\x03\x00\x00\x07\x00\x80", bytes([0x40, 4]) + b"\x83\x00\x80\x40"]
-    options = {"test": "sphere-triangle", "kernels": ["published", "certified"], "families": ["tangent", "lattice"], "meshes": [], "queries": [],
+    options = {"predicate": "sphere-triangle", "kernels": ["published", "certified"], "families": ["tangent", "lattice"], "meshes": [], "queries": [],
                "corpus": None, "trials": 1000, "seed": 1, "precision": "binary32", "tolerances": ["plane.radius=2"], "require": "logic"}
     plan = {"schema": "axiscert-plan/1", "plan": {"seed": 1}, "options": options, "queries": 2000, "units": 2,
             "units_per_stretch": 1, "stretches": 2, "digest": ""}
     least = dict(options, kernels=["published+fma"], families=[], trials=2**64 - 1, seed=0, precision="", require="")
-    first = {name: value for name, value in options.items() if name != "test"}  # a plan of a version that had one test
+    first = {name: value for name, value in options.items() if name != "predicate"}  # a plan of a version that had one predicate
     plans = [plan, dict(plan, options=first), dict(plan, options=least), dict(plan, options=least, plan={}), dict(plan, queries=1.8e19), {}]
     result["plan"] = [plan_text(one).encode() for one in plans]
 

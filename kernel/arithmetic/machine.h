@@ -73,7 +73,7 @@ class Spu {
 };
 
 // The practice in large worlds: vertices and centre are in the wide type, their difference is taken there and rounded,
-// and the test runs in the narrow type. The radius is rounded too.
+// and the predicate runs in the narrow type. The radius is rounded too.
 template <class Wide, class Narrow>
 struct LargeWorld {
   Wide value;

@@ -1,4 +1,4 @@
-// Words whose bit i is thing i of a list that is only known while axiscert runs, such as comparison i of a test's
+// Words whose bit i is thing i of a list that is only known while axiscert runs, such as comparison i of a predicate's
 // description. Where the things are an enum, EnumSet (enum_set.h) says more.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Parts that all tests of a box by separating axes share: the extent of a box, and of a triangle, in a direction.
+// Parts that all predicates of a box by separating axes share: the extent of a box, and of a triangle, in a direction.
 #pragma once
 
 #include "kernel/boxes/boxes.h"

@@ -143,16 +143,16 @@ TEST(BoxColumns, AreReadInTheOrderInWhichTheyAreWritten) {
   const Numbers<float> back = numbers_of(q), turned_back = numbers_of(t);
   EXPECT_TRUE(std::equal(numbers.begin(), numbers.end(), back.begin(), back.end()));
   EXPECT_TRUE(std::equal(turned.begin(), turned.end(), turned_back.begin(), turned_back.end()));
-  const TestDescription& test = box_box_test();
-  ASSERT_EQ(test.entries.size(), 2u);
-  EXPECT_EQ(test.entries[0].columns.size(), 30u);
-  EXPECT_EQ(test.entries[1].columns.size(), 20u);
-  EXPECT_EQ(test.entries[0].columns[14].name, "a.b2z");
+  const Predicate& predicate = box_box_predicate();
+  ASSERT_EQ(predicate.entries.size(), 2u);
+  EXPECT_EQ(predicate.entries[0].columns.size(), 30u);
+  EXPECT_EQ(predicate.entries[1].columns.size(), 20u);
+  EXPECT_EQ(predicate.entries[0].columns[14].name, "a.b2z");
   EXPECT_EQ(q.a.axis[2].z, 14);
-  EXPECT_EQ(test.entries[1].columns[16].name, "b.qw");
+  EXPECT_EQ(predicate.entries[1].columns[16].name, "b.qw");
   EXPECT_EQ(t.b.q[0], 16);
-  EXPECT_EQ(test.comparisons[edges(1, 2)].name, "a1b2");
-  EXPECT_EQ(test.comparisons[facet_of_b(2)].name, "b2");
+  EXPECT_EQ(predicate.comparisons[edges(1, 2)].name, "a1b2");
+  EXPECT_EQ(predicate.comparisons[facet_of_b(2)].name, "b2");
 }
 
 // Each slip is wrong on a query by hand, and in one direction.
@@ -177,7 +177,7 @@ TEST(BoxKernels, SlipsAreWrong) {
   EXPECT_EQ(asked, 4);
 }
 
-TEST(BoxKernels, HaveIdsOfTheTestAndOfTheirEntry) {
+TEST(BoxKernels, HaveIdsOfThePredicateAndOfTheirEntry) {
   EXPECT_EQ(kernels_of_entry(0).size(), 10u);
   EXPECT_EQ(kernels_of_entry(0, true).size(), 16u);
   EXPECT_EQ(kernels_of_entry(1).size(), 10u);

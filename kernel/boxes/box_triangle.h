@@ -5,7 +5,7 @@
 
 namespace axiscert {
 
-const TestDescription& box_triangle_test();
+const Predicate& box_triangle_predicate();
 
 namespace boxes {
 
@@ -39,7 +39,7 @@ std::array<Vec3<T>, 3> corners_at(Load&& load, std::size_t k) {
 // Entry `centre`: centre, half extents, and the triangle's corners a, b, c.
 struct CentreEntry {
   static constexpr std::size_t entry = 0;
-  static const TestDescription& description() { return box_triangle_test(); }
+  static const Predicate& description() { return box_triangle_predicate(); }
   template <class T>
   using Problem = CentredAndTriangle<T>;
   template <class T, class Load>
@@ -51,7 +51,7 @@ struct CentreEntry {
 // Entry `minmax`: the box's two corners, and the triangle's.
 struct MinmaxEntry {
   static constexpr std::size_t entry = 1;
-  static const TestDescription& description() { return box_triangle_test(); }
+  static const Predicate& description() { return box_triangle_predicate(); }
   template <class T>
   using Problem = CornersAndTriangle<T>;
   template <class T, class Load>
@@ -63,7 +63,7 @@ struct MinmaxEntry {
 // Entry `matrix`: an oriented box as box-box has it, and the triangle's corners.
 struct OrientedEntry {
   static constexpr std::size_t entry = 2;
-  static const TestDescription& description() { return box_triangle_test(); }
+  static const Predicate& description() { return box_triangle_predicate(); }
   template <class T>
   using Problem = BoxAndTriangle<T>;
   template <class T, class Load>

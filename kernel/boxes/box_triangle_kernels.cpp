@@ -10,32 +10,32 @@ namespace {
 
 constexpr Role place = Role::coordinate, direction_role = Role::direction, length = Role::length;
 
-void add_group(std::vector<TestColumn>& columns, Role role, std::string_view group,
+void add_group(std::vector<PredicateColumn>& columns, Role role, std::string_view group,
                std::initializer_list<std::string_view> names) {
   for (const std::string_view name : names) columns.push_back({name, role, group});
 }
-void add_triangle(std::vector<TestColumn>& columns) {
+void add_triangle(std::vector<PredicateColumn>& columns) {
   add_group(columns, place, "a", {"ax", "ay", "az"});
   add_group(columns, place, "b", {"bx", "by", "bz"});
   add_group(columns, place, "c", {"cx", "cy", "cz"});
 }
 
-std::vector<TestColumn> centre_columns() {
-  std::vector<TestColumn> columns;
+std::vector<PredicateColumn> centre_columns() {
+  std::vector<PredicateColumn> columns;
   add_group(columns, place, "box.m", {"box.mx", "box.my", "box.mz"});
   add_group(columns, length, "box.s", {"box.s0", "box.s1", "box.s2"});
   add_triangle(columns);
   return columns;
 }
-std::vector<TestColumn> minmax_columns() {
-  std::vector<TestColumn> columns;
+std::vector<PredicateColumn> minmax_columns() {
+  std::vector<PredicateColumn> columns;
   add_group(columns, place, "box.min", {"box.minx", "box.miny", "box.minz"});
   add_group(columns, place, "box.max", {"box.maxx", "box.maxy", "box.maxz"});
   add_triangle(columns);
   return columns;
 }
-std::vector<TestColumn> oriented_columns() {
-  std::vector<TestColumn> columns;
+std::vector<PredicateColumn> oriented_columns() {
+  std::vector<PredicateColumn> columns;
   add_group(columns, place, "box.m", {"box.mx", "box.my", "box.mz"});
   add_group(columns, length, "box.s", {"box.s0", "box.s1", "box.s2"});
   add_group(columns, direction_role, "box.b.0", {"box.b0x", "box.b0y", "box.b0z"});
@@ -45,8 +45,8 @@ std::vector<TestColumn> oriented_columns() {
   return columns;
 }
 
-TestDescription box_triangle_described() {
-  TestDescription test{
+Predicate box_triangle_described() {
+  Predicate predicate{
       .id = "box-triangle",
       .asks = "do a closed box and a closed triangle have a point in common",
       .touching = "they have a point in common, and a translation of one of them, as small as you like, parts them",
@@ -62,19 +62,19 @@ TestDescription box_triangle_described() {
       .measures = {},
   };
   for (std::size_t i = 0; i < boxes::thirteen_count; ++i) {
-    test.clauses.push_back({boxes::thirteen_names[i], one_bit<ComparisonBits>(i)});
-    test.comparisons.push_back({boxes::thirteen_names[i], i});
+    predicate.clauses.push_back({boxes::thirteen_names[i], one_bit<ComparisonBits>(i)});
+    predicate.comparisons.push_back({boxes::thirteen_names[i], i});
   }
-  return checked(std::move(test));
+  return checked(std::move(predicate));
 }
 
 using namespace boxes;
 
 }  // namespace
 
-const TestDescription& box_triangle_test() {
-  static const TestDescription test = box_triangle_described();
-  return test;
+const Predicate& box_triangle_predicate() {
+  static const Predicate predicate = box_triangle_described();
+  return predicate;
 }
 
 std::vector<Kernel> box_triangle_kernels() {

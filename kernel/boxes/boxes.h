@@ -8,7 +8,7 @@
 
 namespace axiscert {
 
-const TestDescription& box_box_test();
+const Predicate& box_box_predicate();
 
 namespace boxes {
 
@@ -47,10 +47,10 @@ Vec3<T> vector_at(Load&& load, std::size_t k) {
   return {load(k), load(k + 1), load(k + 2)};
 }
 
-// The test in its entry `matrix`: centre, half extents and three axes of A, then those of B.
+// The predicate in its entry `matrix`: centre, half extents and three axes of A, then those of B.
 struct MatrixBoxes {
   static constexpr std::size_t entry = 0;
-  static const TestDescription& description() { return box_box_test(); }
+  static const Predicate& description() { return box_box_predicate(); }
 
   template <class T>
   using Problem = BoxPair<T>;
@@ -65,10 +65,10 @@ struct MatrixBoxes {
   }
 };
 
-// The test in its entry `quaternion`: centre, half extents and quaternion of A, then those of B.
+// The predicate in its entry `quaternion`: centre, half extents and quaternion of A, then those of B.
 struct QuaternionBoxes {
   static constexpr std::size_t entry = 1;
-  static const TestDescription& description() { return box_box_test(); }
+  static const Predicate& description() { return box_box_predicate(); }
 
   template <class T>
   using Problem = TurnedPair<T>;

@@ -5,14 +5,14 @@ namespace axiscert {
 namespace {
 
 // Columns of one box; `names` has "x y z" of each vector in the order of the entry.
-void add_group(std::vector<TestColumn>& columns, Role role, std::string_view group,
+void add_group(std::vector<PredicateColumn>& columns, Role role, std::string_view group,
                std::initializer_list<std::string_view> names) {
   for (const std::string_view name : names) columns.push_back({name, role, group});
 }
 
-std::vector<TestColumn> matrix_columns() {
+std::vector<PredicateColumn> matrix_columns() {
   constexpr Role place = Role::coordinate, direction = Role::direction, length = Role::length;
-  std::vector<TestColumn> columns;
+  std::vector<PredicateColumn> columns;
   add_group(columns, place, "a.m", {"a.mx", "a.my", "a.mz"});
   add_group(columns, length, "a.s", {"a.s0", "a.s1", "a.s2"});
   add_group(columns, direction, "a.b.0", {"a.b0x", "a.b0y", "a.b0z"});
@@ -26,9 +26,9 @@ std::vector<TestColumn> matrix_columns() {
   return columns;
 }
 
-std::vector<TestColumn> quaternion_columns() {
+std::vector<PredicateColumn> quaternion_columns() {
   constexpr Role place = Role::coordinate, direction = Role::direction, length = Role::length;
-  std::vector<TestColumn> columns;
+  std::vector<PredicateColumn> columns;
   add_group(columns, place, "a.m", {"a.mx", "a.my", "a.mz"});
   add_group(columns, length, "a.s", {"a.s0", "a.s1", "a.s2"});
   add_group(columns, direction, "a.q", {"a.qw", "a.qx", "a.qy", "a.qz"});
@@ -38,8 +38,8 @@ std::vector<TestColumn> quaternion_columns() {
   return columns;
 }
 
-TestDescription box_box_described() {
-  TestDescription test{
+Predicate box_box_described() {
+  Predicate predicate{
       .id = "box-box",
       .asks = "do two closed oriented boxes have a point in common",
       .touching = "they have a point in common, and a translation of one of them, as small as you like, parts them",
@@ -55,17 +55,17 @@ TestDescription box_box_described() {
       .greatest_depth = 1.58,
   };
   for (std::size_t i = 0; i < boxes::axis_count; ++i) {
-    test.clauses.push_back({boxes::axis_names[i], one_bit<ComparisonBits>(i)});
-    test.comparisons.push_back({boxes::axis_names[i], i});
+    predicate.clauses.push_back({boxes::axis_names[i], one_bit<ComparisonBits>(i)});
+    predicate.comparisons.push_back({boxes::axis_names[i], i});
   }
-  return checked(std::move(test));
+  return checked(std::move(predicate));
 }
 
 }  // namespace
 
-const TestDescription& box_box_test() {
-  static const TestDescription test = box_box_described();
-  return test;
+const Predicate& box_box_predicate() {
+  static const Predicate predicate = box_box_described();
+  return predicate;
 }
 
 }  // namespace axiscert

@@ -152,7 +152,7 @@ struct FramedFifteen {
   }
 };
 
-// Rung 4. The test as books have it: det(b_k, a_i, b_j) is rewritten as an entry of R, which holds for orthonormal
+// Rung 4. The predicate as books have it: det(b_k, a_i, b_j) is rewritten as an entry of R, which holds for orthonormal
 // boxes alone. For rounded rotations it misses deep contacts over the reals, wherever two edges are nearly parallel.
 // Degree 4 > 3 for b_j and the edges. Source: S. Gottschalk, M. Lin, D. Manocha, OBBTree (1996); C. Ericson, Real-Time
 // Collision Detection (2005), 4.4.1.

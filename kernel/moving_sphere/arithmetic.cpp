@@ -77,7 +77,8 @@ Implementation<Real> twenty_implementation(ComparisonBits nonstrict) {
   };
   Implementation<Real> made;
   made.verdicts = [=](const QueryColumns<Real>& batch, Verdict* out) {
-    for (std::size_t i = 0; i < batch.size; ++i) out[i] = verdict_of(moving_sphere_test(), bits_at(batch, i, nullptr));
+    for (std::size_t i = 0; i < batch.size; ++i)
+      out[i] = verdict_of(moving_sphere_predicate(), bits_at(batch, i, nullptr));
   };
   made.explain = [=](const QueryColumns<Real>& batch, Answers<Real>& out) {
     for (std::size_t i = 0; i < batch.size; ++i) out.bits[i] = bits_at(batch, i, &out);
@@ -99,7 +100,7 @@ Kernel twenty_in(std::string_view id, const Kernel& rung, const ArithmeticInfo& 
   Kernel kernel;
   kernel.id = id;
   kernel.summary = fmt::format("{}; {}", rung.summary, arithmetic.summary);
-  kernel.test = rung.test;
+  kernel.predicate = rung.predicate;
   kernel.formulae = rung.formulae;
   kernel.arithmetic = arithmetic.arithmetic;
   kernel.exposes = arithmetic.exposes;

@@ -12,20 +12,20 @@ struct MotionColumns {
   Role role;
   std::string_view x, y, z;
 };
-std::vector<TestColumn> columns(const MotionColumns& to) {
+std::vector<PredicateColumn> columns(const MotionColumns& to) {
   return {{"ax", place, "a"},        {"ay", place, "a"},        {"az", place, "a"},        {"bx", place, "b"},
           {"by", place, "b"},        {"bz", place, "b"},        {"cx", place, "c"},        {"cy", place, "c"},
           {"cz", place, "c"},        {"px", place, "p"},        {"py", place, "p"},        {"pz", place, "p"},
           {to.x, to.role, to.group}, {to.y, to.role, to.group}, {to.z, to.role, to.group}, {"r", Role::length, "r"}};
 }
 
-TestDescription moving_sphere_described() {
+Predicate moving_sphere_described() {
   constexpr std::string_view validity = "every number finite, the radius not negative; -0 is 0";
   constexpr std::string_view normal = "of the unit vector from the triangle's nearest point to the centre at contact",
                              angle = "of the three, the angle in radians where the two are apart at the first contact",
                              point = "of the triangle's point at contact, in the unit of the coordinates",
                              distance = "of the three, the distance relative to the scene, as a depth";
-  TestDescription test{
+  Predicate predicate{
       .id = "moving-sphere",
       .asks = "does a closed solid sphere that moves along a line have a point in common with a closed triangle",
       .touching =
@@ -48,22 +48,22 @@ TestDescription moving_sphere_described() {
                    {"point_y", point, distance},
                    {"point_z", point, distance}},
   };
-  test.entries[1].has_free_numbers = false;  // both ends say where the sphere is
+  predicate.entries[1].has_free_numbers = false;  // both ends say where the sphere is
   for (std::size_t i = 0; i < moving_sphere::comparison_names.size(); ++i) {
     const std::string_view clause = moving_sphere::clause_name(i);
-    if (test.clauses.empty() || test.clauses.back().name != clause) test.clauses.push_back({clause, 0});
-    test.clauses.back().comparisons |= one_bit<ComparisonBits>(i);
-    test.comparisons.push_back(
-        {moving_sphere::comparison_names[i], test.clauses.size() - 1, moving_sphere::is_radius(i)});
+    if (predicate.clauses.empty() || predicate.clauses.back().name != clause) predicate.clauses.push_back({clause, 0});
+    predicate.clauses.back().comparisons |= one_bit<ComparisonBits>(i);
+    predicate.comparisons.push_back(
+        {moving_sphere::comparison_names[i], predicate.clauses.size() - 1, moving_sphere::is_radius(i)});
   }
-  return checked(std::move(test));
+  return checked(std::move(predicate));
 }
 
 }  // namespace
 
-const TestDescription& moving_sphere_test() {
-  static const TestDescription test = moving_sphere_described();
-  return test;
+const Predicate& moving_sphere_predicate() {
+  static const Predicate predicate = moving_sphere_described();
+  return predicate;
 }
 
 }  // namespace axiscert

@@ -12,10 +12,10 @@ namespace axiscert::moving_sphere {
 // point is in the triangle; else the least root in (0, 1) of the three vertices and the three edges.
 //
 // The method is one-sided: it leaves out a triangle that faces away. Here the triangle is turned to face the motion, as
-// for a mesh of two sides, so that this is no fault. What remains wrong over the reals: it has no test of the start, so
-// an overlap that a vertex or an edge makes is met at its end, late, or missed; r = 0 divides by 0; D = 0 has no roots;
-// zero area has no normal; roots at 0 and at 1 are no contact. Degrees: roots of degree 8 after a division by r.
-// Source: K. Fauerby, Improved Collision detection and Response (2003), appendix.
+// for a mesh of two sides, so that this is no fault. What remains wrong over the reals: it has no predicate of the
+// start, so an overlap that a vertex or an edge makes is met at its end, late, or missed; r = 0 divides by 0; D = 0 has
+// no roots; zero area has no normal; roots at 0 and at 1 are no contact. Degrees: roots of degree 8 after a division by
+// r. Source: K. Fauerby, Improved Collision detection and Response (2003), appendix.
 struct Fauerby {
   template <class Real>
   static std::optional<Real> first_time(const MovingQuery<Real>& q) {

@@ -40,7 +40,7 @@ struct ByDifference : M {
 struct TwentyVerdict {
   template <class Real>
   static bool separated(const MovingQuery<Real>& q) {
-    return verdict_of(moving_sphere_test(), bits_of<TwentyNonstrict, Real>(q, [](std::size_t, Real, Real) {})) ==
+    return verdict_of(moving_sphere_predicate(), bits_of<TwentyNonstrict, Real>(q, [](std::size_t, Real, Real) {})) ==
            Verdict::separated;
   }
 };

@@ -92,7 +92,7 @@ TEST(PhysX, MissesZeroAreaAndNoMotion) {
   EXPECT_EQ(time_by("walk", still), 0);
 }
 
-TEST(Fauerby, HasNoTestOfTheStartAndNoMotionOfAPoint) {
+TEST(Fauerby, HasNoPredicateOfTheStartAndNoMotionOfAPoint) {
   const MovingQuery<double> inside{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {-0.5, -0.25, 0}, {8, 0, 0.5}, 1};
   EXPECT_GT(time_by("fauerby", inside).value(), 0) << "late";
   EXPECT_EQ(time_by("gated", inside), 0);
@@ -153,7 +153,7 @@ TEST(Ends, AreExactWhereTheDisplacementIsRounded) {
     EXPECT_EQ(asked(id, batch).verdicts[0], Verdict::contact) << id << " asks about another motion";
 }
 
-TEST(Nearest, IsTheClosestPointOfTheStaticTestToTheBit) {
+TEST(Nearest, IsTheClosestPointOfTheStaticPredicateToTheBit) {
   std::mt19937_64 random(5);
   for (int i = 0; i < 20000; ++i) {
     const Query<double> q = testing_support::random_query<double>(random, false);

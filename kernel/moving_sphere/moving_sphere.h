@@ -7,7 +7,7 @@
 
 namespace axiscert {
 
-const TestDescription& moving_sphere_test();
+const Predicate& moving_sphere_predicate();
 
 // A query with names. Its numbers are in the order of the columns.
 template <class Real>
@@ -29,10 +29,10 @@ struct EndsQuery {
   }
 };
 
-// The test in its entry `displacement`.
+// The predicate in its entry `displacement`.
 struct MovingSphere {
   static constexpr std::size_t entry = 0;
-  static const TestDescription& description() { return moving_sphere_test(); }
+  static const Predicate& description() { return moving_sphere_predicate(); }
 
   template <class T>
   using Problem = MovingQuery<T>;
@@ -43,10 +43,10 @@ struct MovingSphere {
   }
 };
 
-// The test in its entry `endpoints`.
+// The predicate in its entry `endpoints`.
 struct MovingEnds {
   static constexpr std::size_t entry = 1;
-  static const TestDescription& description() { return moving_sphere_test(); }
+  static const Predicate& description() { return moving_sphere_predicate(); }
 
   template <class T>
   using Problem = EndsQuery<T>;

@@ -9,7 +9,7 @@ namespace axiscert::mutants {
 
 // The twenty axes make their zero themselves.
 struct MotionForm {
-  static const TestDescription& test() { return moving_sphere_test(); }
+  static const Predicate& predicate() { return moving_sphere_predicate(); }
   static std::string_view formulae() { return moving_sphere::TwentyNonstrict::name; }
   static constexpr std::size_t columns = 16;
   static constexpr ComparisonBits nonstrict = moving_sphere::TwentyNonstrict::nonstrict;

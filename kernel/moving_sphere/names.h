@@ -69,7 +69,8 @@ inline constexpr std::array<ComparisonBits, 20> clause_bits = [] {
   return bits;
 }();
 
-// Where the measures of each kind begin among the test's: a time, a feature, a normal of three and a point of three.
+// Where the measures of each kind begin among the predicate's: a time, a feature, a normal of three and a point of
+// three.
 inline constexpr std::size_t time_measure = 0, feature_measure = 1, normal_measure = 2, point_measure = 5,
                              measure_count = 8;
 

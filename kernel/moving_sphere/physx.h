@@ -29,7 +29,8 @@ inline constexpr double kept_back = 10;
 //
 // Wrong over the reals: a determinant below 1e-5, which is a motion parallel to the plane or an area below 5e-6, is no
 // hit whatever the edges say; zero area is left out; D = 0 has no direction, and is left out with it.
-// Source: PhysX 4.1 and 5, the function that sweeps a sphere against a triangle, with its test of the initial overlap.
+// Source: PhysX 4.1 and 5, the function that sweeps a sphere against a triangle, with its predicate of the initial
+// overlap.
 template <class Rest>
 struct Sweep {
   template <class Real>

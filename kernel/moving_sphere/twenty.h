@@ -1,5 +1,5 @@
 // The twenty axes of a moving sphere: the sphere, standing still, against the prism that the triangle sweeps towards
-// it. Straight-line ring arithmetic, no parameter of time, degree 6 as the static test. docs/moving.md derives it.
+// it. Straight-line ring arithmetic, no parameter of time, degree 6 as the static predicate. docs/moving.md derives it.
 //
 // kernel/base/geometry.h says why there is no guard for AXISCERT_PER_TARGET.
 #if defined(AXISCERT_PER_TARGET) || !defined(AXISCERT_KERNEL_MOVING_SPHERE_TWENTY_H)
@@ -62,8 +62,8 @@ struct StillAxes {
     heading(i + 2, dot(normal, line.across), sink);
   }
 
-  // The seven axes of the static test, with the sphere's centre at the origin and the triangle at `a`, `b`, `c`, each
-  // with one more side, `heading`. Comparisons from i on.
+  // The seven axes of the static predicate, with the sphere's centre at the origin and the triangle at `a`, `b`, `c`,
+  // each with one more side, `heading`. Comparisons from i on.
   //
   // plane.radius    beyond the plane of ABC                      degree 6; zero area: 0 > 0, never separates
   // vertex.radius   vertex A is outside the sphere               degree 2
@@ -87,7 +87,7 @@ struct StillAxes {
   }
 };
 
-// The static test in two dimensions, seen along D; D = 0 never separates.
+// The static predicate in two dimensions, seen along D; D = 0 never separates.
 //
 // vertex.radius   the line of the moving vertex is outside the sphere: W = A x D       degree 4
 // vertex.side     the line of B is beyond the plane of that of A, normal D x W         degree 4
@@ -131,8 +131,8 @@ struct SweepingAxes {
 struct Twenty {
   static constexpr std::string_view name = "twenty";
   static constexpr FormulaeKind kind = FormulaeKind::rung;
-  // `q` has the members of MovingQuery, or of EndsQuery: then the axes at the end are those of the static test at P1,
-  // from coordinates that are rounded once.
+  // `q` has the members of MovingQuery, or of EndsQuery: then the axes at the end are those of the static predicate at
+  // P1, from coordinates that are rounded once.
   template <class T, class Query, class Sink>
   AXISCERT_INLINE static void comparisons(const Query& q, Sink& sink) {
     const Vec3<T> a = translated(q.a, q.p), b = translated(q.b, q.p), c = translated(q.c, q.p);

@@ -1,4 +1,4 @@
-// The seven axes of the static test, tracked over time: what the article calls messy.
+// The seven axes of the static predicate, tracked over time: what the article calls messy.
 #pragma once
 
 #include <algorithm>

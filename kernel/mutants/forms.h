@@ -1,4 +1,4 @@
-// The formulae that mutants are made of, in one form for all tests: columns in, comparisons by their index out.
+// The formulae that mutants are made of, in one form for all predicates: columns in, comparisons by their index out.
 #pragma once
 
 #include "kernel/moving_sphere/mutant_form.h"
@@ -7,8 +7,8 @@
 namespace axiscert::mutants {
 
 // A form has
-//   static const TestDescription& test();
-//   formulae()   as a kernel of that test claims them
+//   static const Predicate& test();
+//   formulae()   as a kernel of that predicate claims them
 //   columns      how many numbers a query has: three for each of A, B, C and P, then others, the radius last
 //   nonstrict    the comparisons that are lhs >= rhs
 //   plane_radius, edge_radius, edge_side, vertex_radius

@@ -68,9 +68,9 @@ inline constexpr std::array<std::string_view, 3> bases = {"nonstrict", "reduced-
 std::size_t base_index(std::string_view base);
 // That of a mutant; a mutant without a fault has its base's id.
 std::size_t base_of(const Mutant& mutant);
-const TestDescription& test_of(std::size_t base);
-// The first base of a test. Throws Error that names the bases.
-std::string_view base_for(const TestDescription& test);
+const Predicate& predicate_of(std::size_t base);
+// The first base of a predicate. Throws Error that names the bases.
+std::string_view base_for(const Predicate& predicate);
 
 // All mutants of a base, in a fixed order. Throws Error that names the bases.
 std::span<const Mutant> mutants_of(std::string_view base);

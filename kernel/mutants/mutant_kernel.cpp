@@ -91,10 +91,10 @@ template <class Form, class Real>
 }
 
 template <class Real>
-void answer_early(const TestDescription& test, const Mutant& mutant, Evaluation<Real>& found) {
+void answer_early(const Predicate& predicate, const Mutant& mutant, Evaluation<Real>& found) {
   const bool separated = mutant.value != ValueFault::none ? mutant.value == ValueFault::early_separated
                                                           : static_cast<Verdict>(mutant.place) == Verdict::separated;
-  const ComparisonBits all = separated ? test.clauses.front().comparisons : ComparisonBits{0};
+  const ComparisonBits all = separated ? predicate.clauses.front().comparisons : ComparisonBits{0};
   for (std::size_t i = 0; i < found.bits.size(); ++i) {
     const bool is_small = mutant.kernel == KernelFault::small_area && found.kept.at[i] < static_cast<Real>(small_area);
     if (is_small || found.is_early[i]) found.bits[i] = all;
@@ -119,11 +119,11 @@ void bits(const Mutant& mutant, const QueryColumns<Real>& batch, ComparisonBits*
     if (mutant.kernel == KernelFault::ftz) environment.emplace(Rounding::nearest, true);
     Evaluation<Real> found = evaluate<Form>(mutant, batch, first);
     if (mutant.kernel == KernelFault::small_area || answers_early(mutant.value))
-      answer_early(Form::test(), mutant, found);
+      answer_early(Form::predicate(), mutant, found);
     for (std::size_t i = 0; i < Lanes<Real>::width && first + i < batch.size; ++i) {
       ComparisonBits here = found.bits[i];
       if (mutant.kernel == KernelFault::drop) {
-        here &= ~Form::test().clauses[mutant.place].comparisons;
+        here &= ~Form::predicate().clauses[mutant.place].comparisons;
       }
       out[first + i] = here;
     }
@@ -137,8 +137,8 @@ Implementation<Real> implementation_of(const Mutant& mutant) {
       [&mutant](const QueryColumns<Real>& batch, Verdict* out) {
         std::vector<ComparisonBits> bits(batch.size);
         mutant_bits(mutant, batch, bits.data());
-        const TestDescription& test = test_of(base_of(mutant));
-        for (std::size_t i = 0; i < batch.size; ++i) out[i] = verdict_of(test, bits[i]);
+        const Predicate& predicate = predicate_of(base_of(mutant));
+        for (std::size_t i = 0; i < batch.size; ++i) out[i] = verdict_of(predicate, bits[i]);
       },
       [&mutant](const QueryColumns<Real>& batch, Answers<Real>& out) { mutant_bits(mutant, batch, out.bits.data()); }};
 }
@@ -157,7 +157,7 @@ Kernel kernel_of(const Mutant& mutant) {
   kernel.id = mutant.id;
   kernel.summary = fmt::format("one fault: {}, at {}", mutant.what, mutant.where);
   with_form(base_of(mutant), [&]<class Form>(Form) {
-    kernel.test = &Form::test();
+    kernel.predicate = &Form::predicate();
     kernel.formulae = Form::formulae();
   });
   kernel.strictness = Strictness::nonstrict;

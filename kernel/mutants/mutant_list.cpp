@@ -38,19 +38,19 @@ FaultDescription described(Fault fault) {
 class List {
  public:
   explicit List(std::size_t base) : base_(bases[base]), operations_(operations_of(base)) {
-    const TestDescription& test = test_of(base);
+    const Predicate& predicate = predicate_of(base);
     for (std::size_t i = 0; i < operations_.all.size(); ++i) add_operation(i);
-    for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
+    for (std::size_t i = 0; i < predicate.comparisons.size(); ++i) {
       for (const ComparisonFault fault :
            {ComparisonFault::strictness, ComparisonFault::reverse, ComparisonFault::always, ComparisonFault::epsilon,
             ComparisonFault::slack, ComparisonFault::flush}) {
-        Mutant& m = add(fault, std::string(test.comparisons[i].name), "");
+        Mutant& m = add(fault, std::string(predicate.comparisons[i].name), "");
         m.comparison = fault;
         m.place = i;
       }
     }
-    for (std::size_t i = 0; i < test.clauses.size(); ++i)
-      add_kernel(KernelFault::drop, std::string(test.clauses[i].name), i);
+    for (std::size_t i = 0; i < predicate.clauses.size(); ++i)
+      add_kernel(KernelFault::drop, std::string(predicate.clauses[i].name), i);
     for (const Verdict verdict : {Verdict::contact, Verdict::separated}) {
       Mutant& m = add_kernel(KernelFault::small_area, std::string(name(verdict)), index_of(verdict));
       m.operation.kept = operations_.squared_normal;
@@ -153,18 +153,18 @@ std::size_t base_index(std::string_view base) {
   return static_cast<std::size_t>(found - bases.begin());
 }
 std::size_t base_of(const Mutant& mutant) { return base_index(mutant.id.substr(0, mutant.id.find('~'))); }
-const TestDescription& test_of(std::size_t base) {
-  return with_form(base, [](auto form) -> const TestDescription& { return form.test(); });
+const Predicate& predicate_of(std::size_t base) {
+  return with_form(base, [](auto form) -> const Predicate& { return form.predicate(); });
 }
 
 std::span<const Mutant> mutants_of(std::string_view base) { return list_of(base_index(base)); }
 
-std::string_view base_for(const TestDescription& test) {
+std::string_view base_for(const Predicate& predicate) {
   for (std::size_t base = 0; base < bases.size(); ++base) {
-    if (&test_of(base) == &test) return bases[base];
+    if (&predicate_of(base) == &predicate) return bases[base];
   }
-  throw Error(fmt::format("no kernel of the test {} is one that mutants are made of; such kernels: {}", test.id,
-                          fmt::join(bases, ", ")));
+  throw Error(fmt::format("no kernel of the predicate {} is one that mutants are made of; such kernels: {}",
+                          predicate.id, fmt::join(bases, ", ")));
 }
 
 const Mutant& find_mutant(std::string_view id) {

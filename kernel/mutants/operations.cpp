@@ -65,8 +65,8 @@ struct Component : RecordedOperation<Component> {
 
 class Numbering {
  public:
-  Numbering(const TestDescription& test, const Recording& recorded)
-      : columns_(test.entries.front().columns), recorded_(recorded) {
+  Numbering(const Predicate& predicate, const Recording& recorded)
+      : columns_(predicate.entries.front().columns), recorded_(recorded) {
     for (const auto& [lhs, rhs] : recorded.sides) {
       visit(lhs);
       visit(rhs);
@@ -106,7 +106,7 @@ class Numbering {
     return "#" + std::to_string(all_.size());
   }
 
-  const std::vector<TestColumn>& columns_;
+  const std::vector<PredicateColumn>& columns_;
   const Recording& recorded_;
   std::map<Key, std::string> names_;
   std::vector<Operation> all_;
@@ -115,7 +115,7 @@ class Numbering {
 template <class Form>
 Operations record_operations() {
   Recording recorded;
-  recorded.sides.resize(Form::test().comparisons.size());
+  recorded.sides.resize(Form::predicate().comparisons.size());
   recording = &recorded;
   std::array<Component, Form::columns> in;
   for (std::size_t k = 0; k < in.size(); ++k) in[k] = Component(input_key(k));
@@ -132,7 +132,7 @@ Operations record_operations() {
   };
   const Operation& plane = right_side(Form::plane_radius);  // rr * e
   const Operation& edge = right_side(Form::edge_radius);    // rr * e1, or (rr * e1) * e1
-  return {Numbering(Form::test(), recorded).take(), recorded.vectors, plane.right, plane.left, edge.right};
+  return {Numbering(Form::predicate(), recorded).take(), recorded.vectors, plane.right, plane.left, edge.right};
 }
 
 }  // namespace

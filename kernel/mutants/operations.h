@@ -42,7 +42,7 @@ struct Operations {
   std::vector<std::array<Key, 3>> vectors;
   Key squared_normal;                // e = V.V, the greatest factor of plane.radius's right side
   Key squared_radius, squared_edge;  // r r; AB.AB, the last factor of edge_ab.radius's right side; of the first
-                                     // plane and edge, where a test has several
+                                     // plane and edge, where a predicate has several
 
   const Operation* find(Key key) const;
 };

@@ -49,7 +49,7 @@ std::vector<Place> places_in() {
       return;
     }
     for (const std::size_t which : {Form::edge_radius, Form::edge_side, Form::vertex_radius}) {
-      const std::string_view name = Form::test().comparisons[which].name;
+      const std::string_view name = Form::predicate().comparisons[which].name;
       made.push_back({std::string(name), fmt::format("the left side of {}", name), relative_to, quantity, which});
     }
   };

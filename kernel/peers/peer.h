@@ -68,7 +68,7 @@ constexpr axiscert_kernel verdict_kernel(const Description& says, std::size_t co
           .name = says.name,
           .column_count = columns,
           .run = run,
-          .test = nullptr,
+          .predicate = nullptr,
           .entry = nullptr,
           .summary = says.summary,
           .source = says.source,

@@ -55,7 +55,7 @@ auto Caller<Real>::call(const QueryColumns<Real>& batch, std::size_t first, std:
                         const Arrangement& arrangement, double seconds, Outputs<Real>& out) -> Result {
   const Shape shape = callee_.subject.shape();
   if (batch.count != shape.columns) {
-    throw HarnessFault(fmt::format("plug-in {}: its test takes {} columns; the batch has {}", callee_.hosted.path,
+    throw HarnessFault(fmt::format("plug-in {}: its predicate takes {} columns; the batch has {}", callee_.hosted.path,
                                    shape.columns, batch.count));
   }
   if (!process_) process_.emplace(callee_.hosted, callee_.subject);

@@ -54,22 +54,22 @@ void check_sizes(const Description& d) {
   if (d.has_limits) check("its `limits`", "axiscert_limits", d.limits_size, d.least_limits_size);
 }
 
-// The test and entry of the kernel. Refuses unknown ones, and counts that differ from theirs.
+// The predicate and entry of the kernel. Refuses unknown ones, and counts that differ from theirs.
 void describe_subject(const Description& d, Kernel& kernel) {
   try {
-    kernel.test = &test_named(text_of(d.test));
-    kernel.entry = find_entry(*kernel.test, text_of(d.entry));
+    kernel.predicate = &predicate_named(text_of(d.predicate));
+    kernel.entry = find_entry(*kernel.predicate, text_of(d.entry));
   } catch (const Error& unknown) {
-    refuse(fmt::format("what it answers: {}; `axiscert tests` lists them", unknown.what()));
+    refuse(fmt::format("what it answers: {}; `axiscert predicates` lists them", unknown.what()));
   }
-  const TestEntry& entry = kernel.test->entries[kernel.entry];
+  const PredicateEntry& entry = kernel.predicate->entries[kernel.entry];
   if (d.column_count != entry.columns.size()) {
-    refuse(fmt::format("it reads {} columns; test '{}' in entry '{}' has {}", d.column_count, kernel.test->id,
+    refuse(fmt::format("it reads {} columns; predicate '{}' in entry '{}' has {}", d.column_count, kernel.predicate->id,
                        entry.name, entry.columns.size()));
   }
-  if (d.measure_count > kernel.test->measures.size()) {
-    refuse(fmt::format("it gives {} measures; test '{}' has {}", d.measure_count, kernel.test->id,
-                       kernel.test->measures.size()));
+  if (d.measure_count > kernel.predicate->measures.size()) {
+    refuse(fmt::format("it gives {} measures; predicate '{}' has {}", d.measure_count, kernel.predicate->id,
+                       kernel.predicate->measures.size()));
   }
   kernel.measure_count = d.measure_count;
 }
@@ -82,20 +82,21 @@ Limits limits_of(const Description& d) {
   return limits;
 }
 
-MotionPolicy motion_of(const Description& d, const TestDescription& test) {
+MotionPolicy motion_of(const Description& d, const Predicate& predicate) {
   const MotionPolicy motion{one_of<StartPolicy>(d.start, start_policy_names.size(), "policy for the start"),
                             one_of<StillPolicy>(d.still, still_policy_names.size(), "policy for no motion"),
                             one_of<SidesPolicy>(d.sides, sides_policy_names.size(), "policy for sides")};
-  if (motion != MotionPolicy{} && test.measures.empty())
-    refuse(fmt::format("it declares what it promises of motions; test '{}' has none", test.id));
+  if (motion != MotionPolicy{} && predicate.measures.empty())
+    refuse(fmt::format("it declares what it promises of motions; predicate '{}' has none", predicate.id));
   return motion;
 }
 
 // A kernel claims to compute as another does, and both answer the same question.
 void require_same_question(const char* member, const Kernel& own, const Kernel& kernel) {
-  if (own.test == kernel.test && own.entry == kernel.entry) return;
-  refuse(fmt::format("its {} is '{}' of the test {}, entry {}; it answers {}, entry {}", member, own.id, own.test->id,
-                     own.test->entries[own.entry].name, kernel.test->id, kernel.test->entries[kernel.entry].name));
+  if (own.predicate == kernel.predicate && own.entry == kernel.entry) return;
+  refuse(fmt::format("its {} is '{}' of the predicate {}, entry {}; it answers {}, entry {}", member, own.id,
+                     own.predicate->id, own.predicate->entries[own.entry].name, kernel.predicate->id,
+                     kernel.predicate->entries[kernel.entry].name));
 }
 
 void claim(const Description& d, Kernel& kernel) {
@@ -108,8 +109,8 @@ void claim(const Description& d, Kernel& kernel) {
     kernel.arithmetic = own.arithmetic;
     require_same_question("conforms_to", own, kernel);
     if (!own.is_reference) refuse(fmt::format("it conforms_to '{}', whose bits depend on its target", own.id));
-  } else if (d.has_formulae || (kernel.exposes != Exposure::verdict && !kernel.test->usual_formulae.empty())) {
-    const std::string named = d.has_formulae ? text_of(d.formulae) : std::string(kernel.test->usual_formulae);
+  } else if (d.has_formulae || (kernel.exposes != Exposure::verdict && !kernel.predicate->usual_formulae.empty())) {
+    const std::string named = d.has_formulae ? text_of(d.formulae) : std::string(kernel.predicate->usual_formulae);
     const Kernel& own = builtin("formulae", named, precision);
     kernel.formulae = own.formulae;
     kernel.strictness = own.strictness;
@@ -121,10 +122,10 @@ void claim(const Description& d, Kernel& kernel) {
   }
   if (kernel.exposes != Exposure::verdict && !has_comparisons(kernel)) {
     refuse(
-        kernel.test->usual_formulae.empty()
+        kernel.predicate->usual_formulae.empty()
             ? fmt::format("it exposes comparisons of {}: give `formulae` or `conforms_to` a built-in kernel of it that "
                           "has comparisons",
-                          kernel.test->id)
+                          kernel.predicate->id)
             : fmt::format("it exposes comparisons, but formulae '{}' have none", kernel.formulae));
   }
 }
@@ -158,7 +159,7 @@ void add_declared(const Description& d, std::uint32_t index, const HostedPlugin&
   described.exposes = one_of<Exposure>(d.exposes, exposure_names.size(), "exposure");
   described.touching = one_of<TouchingPolicy>(d.touching, touching_names.size(), "touching convention");
   described.limits = limits_of(d);
-  described.motion = motion_of(d, *described.test);
+  described.motion = motion_of(d, *described.predicate);
   described.may_decline = may_decline(d);
   described.summary = d.summary[0] != 0 ? fmt::format("{}: {}", text_of(d.name), text_of(d.summary)) : text_of(d.name);
   if (d.name[0] == 0) refuse("it has no name");
@@ -168,15 +169,16 @@ void add_declared(const Description& d, std::uint32_t index, const HostedPlugin&
   if (!is_first && (described.exposes != kernel.exposes || described.touching != kernel.touching ||
                     described.limits != kernel.limits || described.motion != kernel.motion ||
                     described.may_decline != kernel.may_decline || described.measure_count != kernel.measure_count ||
-                    described.test != kernel.test || described.entry != kernel.entry ||
+                    described.predicate != kernel.predicate || described.entry != kernel.entry ||
                     described.formulae != kernel.formulae || described.strictness != kernel.strictness ||
                     described.arithmetic != kernel.arithmetic || described.is_reference != kernel.is_reference)) {
     refuse("its kernels in binary32 and in binary64 say different things of themselves; make two plug-ins of them");
   }
-  const SupervisedKernel supervised{{hosted, index, d.abi, {described.test, described.entry, described.measure_count}},
-                                    described.exposes,
-                                    described.strictness,
-                                    described.measure_count};
+  const SupervisedKernel supervised{
+      {hosted, index, d.abi, {described.predicate, described.entry, described.measure_count}},
+      described.exposes,
+      described.strictness,
+      described.measure_count};
   if (d.precision == 32 ? kernel.binary32 != nullptr : kernel.binary64 != nullptr) {
     refuse(fmt::format("it has two kernels of precision {}", d.precision));
   }

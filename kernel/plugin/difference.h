@@ -15,7 +15,7 @@ struct Difference {
 // Query i of `b` is query first + i of `a`. Only what `b` has is compared; a NaN equals any other, since what its bits
 // are is no part of an answer.
 template <class Real>
-std::optional<Difference> first_difference(const TestDescription& test, const Outputs<Real>& a, std::size_t first,
+std::optional<Difference> first_difference(const Predicate& predicate, const Outputs<Real>& a, std::size_t first,
                                            const Outputs<Real>& b);
 
 // "contact", or "7, which is no verdict".

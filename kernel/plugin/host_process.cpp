@@ -66,13 +66,13 @@ Stop out_of_bounds(const Fault& fault, const Subject& subject) {
 }  // namespace
 
 Shape Subject::shape() const {
-  if (test == nullptr) return {};
-  return {test->entries[entry].columns.size(), test->comparisons.size(), test->measures.size()};
+  if (predicate == nullptr) return {};
+  return {predicate->entries[entry].columns.size(), predicate->comparisons.size(), predicate->measures.size()};
 }
 
 std::string Subject::array_name(std::size_t array) const {
   const Shape shape = this->shape();
-  if (array < shape.verdict()) return std::string(test->entries[entry].columns[array].name);
+  if (array < shape.verdict()) return std::string(predicate->entries[entry].columns[array].name);
   if (array == shape.verdict()) return "verdict";
   if (array == shape.bits()) return "comparisons";
   if (array < shape.rhs()) return fmt::format("lhs[{}]", array - shape.lhs());
@@ -189,9 +189,9 @@ std::optional<Stop> HostProcess::call_program(const Request& request, Reply& rep
 }
 
 void HostProcess::write_headers() {
-  if (!hosted_.is_program() || subject_.test == nullptr) return;
+  if (!hosted_.is_program() || subject_.predicate == nullptr) return;
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {
-    const std::string bytes = program_header(*subject_.test, subject_.entry, precision, subject_.measures);
+    const std::string bytes = program_header(*subject_.predicate, subject_.entry, precision, subject_.measures);
     ProgramHeader& header = control_->headers[index_of(precision)];
     header.measures = static_cast<std::uint32_t>(subject_.measures);
     if (bytes.size() > sizeof header.bytes) throw HarnessFault("the header of a batch for a program is too long");

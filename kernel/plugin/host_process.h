@@ -11,7 +11,7 @@
 
 #include "kernel/finding.h"
 #include "kernel/plugin/shared_memory.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert::plugin {
 
@@ -29,14 +29,14 @@ struct HostedPlugin {
   bool is_program() const { return !command.empty(); }
 };
 
-// The test that a process is asked for, and one of its entries. Without a test the plug-in is only loaded.
+// The predicate that a process is asked for, and one of its entries. Without a predicate the plug-in is only loaded.
 struct Subject {
-  const TestDescription* test = nullptr;
+  const Predicate* predicate = nullptr;
   std::size_t entry = 0;
   std::size_t measures = 0;  // of a program: those that each of its replies gives
 
   Shape shape() const;
-  // The name that plugin.h or the test gives an array: "ax", "verdict", "lhs[3]".
+  // The name that plugin.h or the predicate gives an array: "ax", "verdict", "lhs[3]".
   std::string array_name(std::size_t array) const;
 };
 

@@ -8,7 +8,7 @@
 namespace axiscert::plugin::interface_1 {
 
 inline constexpr std::uint32_t number = 1;
-// Version 1 has one test, sphere-triangle, in one entry.
+// Version 1 has one predicate, sphere-triangle, in one entry.
 inline constexpr std::size_t column_count = 13, comparison_count = 16;
 
 struct Batch {

@@ -13,7 +13,7 @@
 #include "kernel/kernel.h"
 #include "kernel/plugin/caller.h"
 #include "kernel/sphere_triangle/description.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 #include "kernel/testing/random.h"
 
 namespace axiscert {
@@ -52,7 +52,7 @@ void expect_published(const Kernel& kernel) {
 TEST(Interface, AVersion1PluginAnswersAsItDidBefore) {
   const Kernel& kernel = find_kernel("plugin:" + layout_path("published_1"));
   EXPECT_TRUE(kernel.findings.empty());
-  EXPECT_EQ(kernel.test, &sphere_triangle_test());
+  EXPECT_EQ(kernel.predicate, &sphere_triangle_predicate());
   EXPECT_EQ(kernel.source, "");
   expect_published<float>(kernel);
   expect_published<double>(kernel);
@@ -121,10 +121,10 @@ TEST(Interface, WhatCannotBeTrueIsOneLineThatSaysWhatWouldBe) {
   for (const auto& [name, says] :
        {std::pair{"no_size", "it has the size 0; sizeof(axiscert_kernel) was expected, at least 40"},
         std::pair{"no_limits_size", "its `limits` has the size 0; sizeof(axiscert_limits) was expected, at least 16"},
-        std::pair{"unknown_test", "unknown test 'sphere-cube'; tests: sphere-triangle"},
-        std::pair{"unknown_entry", "test 'sphere-triangle': unknown entry 'edges'; entries: vertices"},
-        std::pair{"wrong_columns", "it reads 12 columns; test 'sphere-triangle' in entry 'vertices' has 13"},
-        std::pair{"unknown_measure", "it gives 1 measures; test 'sphere-triangle' has 0"},
+        std::pair{"unknown_predicate", "unknown predicate 'sphere-cube'; predicates: sphere-triangle"},
+        std::pair{"unknown_entry", "predicate 'sphere-triangle': unknown entry 'edges'; entries: vertices"},
+        std::pair{"wrong_columns", "it reads 12 columns; predicate 'sphere-triangle' in entry 'vertices' has 13"},
+        std::pair{"unknown_measure", "it gives 1 measures; predicate 'sphere-triangle' has 0"},
         std::pair{"strange_decline",
                   "its may_decline is 2; known: 0, it decides every query; 1, it may answer undecided"},
         std::pair{"two_promises", "its kernels in binary32 and in binary64 say different things of themselves"}}) {
@@ -149,38 +149,38 @@ TEST(Interface, ABitBeyondTheLastComparisonIsFound) {
 }
 
 // A test that is not in the list, of the shape that the plug-in `wide` expects.
-const TestDescription& wide_test() {
+const Predicate& wide_predicate() {
   static std::deque<std::string> names;
   const auto numbered = [](const char* word, std::size_t i) -> std::string_view {
     return names.emplace_back(fmt::format("{}{}", word, i));
   };
-  static const TestDescription test = [&] {
-    TestDescription wide{.id = "wide",
-                         .asks = "nothing",
-                         .touching = "never",
-                         .wrong_answers = {},
-                         .entries = {{"numbers", "any", {}}},
-                         .comparisons = {},
-                         .clauses = {{"all", (std::uint64_t{1} << 33) - 1}},
-                         .measures = {{"first", "one", "in ulps"}, {"second", "one", "in ulps"}}};
+  static const Predicate predicate = [&] {
+    Predicate wide{.id = "wide",
+                   .asks = "nothing",
+                   .touching = "never",
+                   .wrong_answers = {},
+                   .entries = {{"numbers", "any", {}}},
+                   .comparisons = {},
+                   .clauses = {{"all", (std::uint64_t{1} << 33) - 1}},
+                   .measures = {{"first", "one", "in ulps"}, {"second", "one", "in ulps"}}};
     for (std::size_t k = 0; k < 40; ++k) {
       wide.entries[0].columns.push_back({numbered("x", k), Role::coordinate, "all"});
     }
     for (std::size_t k = 0; k < 33; ++k) wide.comparisons.push_back({numbered("comparison", k), 0});
     return checked(wide);
   }();
-  return test;
+  return predicate;
 }
 
-TEST(Interface, AKernelOfATestThatIsNotThereIsRefused) {
+TEST(Interface, AKernelOfAPredicateThatIsNotThereIsRefused) {
   const Kernel& kernel = find_kernel("plugin:" + layout_path("wide"));
   ASSERT_EQ(kernel.findings.size(), 1u);
-  EXPECT_THAT(kernel.findings[0].detail, HasSubstr("unknown test 'wide'"));
+  EXPECT_THAT(kernel.findings[0].detail, HasSubstr("unknown predicate 'wide'"));
 }
 
 TEST(Interface, FortyColumnsThirtyThreeComparisonsAndTwoMeasures) {
   constexpr std::size_t count = 9;
-  const plugin::Subject subject{&wide_test()};
+  const plugin::Subject subject{&wide_predicate()};
   plugin::HostProcess host({layout_path("wide"), {}}, subject);
   const plugin::Shape& shape = host.shape();
   const plugin::Placement placement;
@@ -218,9 +218,9 @@ TEST(Interface, FortyColumnsThirtyThreeComparisonsAndTwoMeasures) {
   EXPECT_EQ(subject.array_name(shape.measure() + 1), "measure[1]");
 }
 
-TEST(Interface, ACallerTakesTheColumnsOfItsTestAndNoOthers) {
-  plugin::Caller<double> caller({.hosted = {layout_path("wide"), {}}, .index = 0, .abi = 2, .subject = {&wide_test()}},
-                                1);
+TEST(Interface, ACallerTakesTheColumnsOfItsPredicateAndNoOthers) {
+  plugin::Caller<double> caller(
+      {.hosted = {layout_path("wide"), {}}, .index = 0, .abi = 2, .subject = {&wide_predicate()}}, 1);
   plugin::Outputs<double> outputs;
   QueryBatch<double> queries(3, 40);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -101,7 +101,7 @@ Kernel load_plugin(std::string id, const std::string& path) {
     unusable.id = std::move(id);
     unusable.file = path;
     unusable.summary = "not loaded";
-    unusable.test = &test_named("");
+    unusable.predicate = &predicate_named("");
     unusable.is_reference = false;
     unusable.exposes = Exposure::verdict;
     unusable.findings.push_back({refused.kind, 0, refused.detail});

@@ -47,9 +47,9 @@ struct ShippedPlugins {
     std::string name, package;
     std::string command;  // which installs it; empty: it is a Debian package
   };
-  const TestDescription* test = nullptr;  // that they answer
-  // "peer/": libraries that answer the same question; "fault/": kernels with a fault. Of any test but the first the id
-  // of the test comes before: "moving-sphere/peer/".
+  const Predicate* predicate = nullptr;  // that they answer
+  // "peer/": libraries that answer the same question; "fault/": kernels with a fault. Of any predicate but the first
+  // the id of the predicate comes before: "moving-sphere/peer/".
   std::string prefix;
   std::vector<std::string> names;  // that were built, in the order of the alphabet; then programs that are installed
   std::vector<Absent> absent;      // for want of a package

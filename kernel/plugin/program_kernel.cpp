@@ -44,8 +44,8 @@ Description described(const Manifest& manifest, Precision precision) {
   d.exposes = static_cast<std::uint32_t>(manifest.exposes);
   d.touching = static_cast<std::uint32_t>(manifest.touching);
   d.size = d.least_size = sizeof(axiscert_kernel);
-  const TestDescription& test = test_named(manifest.test);
-  d.column_count = test.entries[find_entry(test, manifest.entry)].columns.size();
+  const Predicate& predicate = predicate_named(manifest.predicate);
+  d.column_count = predicate.entries[find_entry(predicate, manifest.entry)].columns.size();
   d.measure_count = manifest.measures;
   d.start = static_cast<std::uint32_t>(manifest.motion.start);
   d.still = static_cast<std::uint32_t>(manifest.motion.still);
@@ -64,7 +64,7 @@ Description described(const Manifest& manifest, Precision precision) {
     summary = summary.empty() ? of : fmt::format("{} ({})", summary, of);
   }
   put(d.summary, summary, d.is_truncated);
-  put(d.test, manifest.test, d.is_truncated);
+  put(d.predicate, manifest.predicate, d.is_truncated);
   put(d.entry, manifest.entry, d.is_truncated);
   put(d.conforms_to, manifest.conforms_to, d.is_truncated);
   put(d.formulae, manifest.formulae, d.is_truncated);
@@ -216,8 +216,9 @@ Kernel load_program(std::string id, const std::string& path) {
   } catch (const Error& unknown) {
     throw Error(fmt::format("{}: {}", path, unknown.what()));
   }
-  const auto out = std::make_shared<TryOut>(
-      std::move(id), hosted, Subject{kernel.test, kernel.entry, kernel.measure_count}, manifest.precisions.front());
+  const auto out =
+      std::make_shared<TryOut>(std::move(id), hosted, Subject{kernel.predicate, kernel.entry, kernel.measure_count},
+                               manifest.precisions.front());
   try_first<float>(out, kernel.binary32);
   try_first<double>(out, kernel.binary64);
   return kernel;

@@ -215,12 +215,13 @@ TEST_F(Program, WhatFailsAtOnceIsRefusedInOneLine) {
               HasSubstr("is not installed; a file beside the manifest is ./program"));
   EXPECT_THAT(refusal([&] { find_kernel("program:/nosuch.json"); }), HasSubstr("there is no such file"));
   EXPECT_THAT(refusal([&] { find_kernel(wrote("other.json", "{}")); }), HasSubstr("not a manifest"));
-  EXPECT_THAT(refusal([&] { kernel("right", R"(,"test":"sphere-cube")"); }), HasSubstr("unknown test 'sphere-cube'"));
+  EXPECT_THAT(refusal([&] { kernel("right", R"(,"predicate":"sphere-cube")"); }),
+              HasSubstr("unknown predicate 'sphere-cube'"));
 }
 
-TEST_F(Program, ComparisonsOfAnotherTestNameABuiltInKernelOfIt) {
+TEST_F(Program, ComparisonsOfAnotherPredicateNameABuiltInKernelOfIt) {
   EXPECT_THAT(
-      refusal([&] { kernel("right", R"(,"test":"box-box","exposes":"comparisons")"); }),
+      refusal([&] { kernel("right", R"(,"predicate":"box-box","exposes":"comparisons")"); }),
       testing::EndsWith(": it exposes comparisons of box-box: give `formulae` or `conforms_to` a built-in kernel "
                         "of it that has comparisons"));
 }

@@ -1,8 +1,8 @@
 // The memory that axiscert shares with the process that hosts a plug-in or a program, and the short messages between
 // them.
 //
-// The file holds a control block and an area for each array of plugin.h that the test and entry have. The host maps
-// each area between pages that cannot be touched, the input ones read-only; axiscert maps the file as it is.
+// The file holds a control block and an area for each array of plugin.h that the predicate and entry have. The host
+// maps each area between pages that cannot be touched, the input ones read-only; axiscert maps the file as it is.
 #pragma once
 
 #include <cstddef>
@@ -73,7 +73,7 @@ struct Description {
   std::size_t size, least_size, limits_size, least_limits_size;  // bytes, as declared and as needed
   std::size_t column_count, measure_count;
   double limits[5];  // in the order of axiscert_limits
-  char name[128], summary[256], test[64], entry[64], conforms_to[64], formulae[64];
+  char name[128], summary[256], predicate[64], entry[64], conforms_to[64], formulae[64];
   char source[512];  // the end of a longer one
   bool has_run, has_limits, has_conforms_to, has_formulae, is_truncated;
 };

@@ -24,9 +24,9 @@ std::string engines_command(const std::filesystem::path& folder) {
   return fmt::format("npm ci --ignore-scripts --prefix {}", std::filesystem::weakly_canonical(folder).string());
 }
 
-// Plug-ins of a test, in `folder`; where ids name the test, in a folder of its name there.
+// Plug-ins of a predicate, in `folder`; where ids name the predicate, in a folder of its name there.
 struct Kind {
-  const TestDescription* test;
+  const Predicate* predicate;
   std::string prefix;
   std::string_view folder;
   std::string inside;  // of `folder`: "", or "moving-sphere/"
@@ -34,10 +34,10 @@ struct Kind {
 
 std::vector<Kind> kinds() {
   std::vector<Kind> all;
-  for (const TestDescription* test : tests()) {
-    const std::string inside = id_prefix(*test);
-    all.push_back({test, inside + "peer/", peers_folder, inside});
-    all.push_back({test, inside + "fault/", faults_folder, inside});
+  for (const Predicate* predicate : predicates()) {
+    const std::string inside = id_prefix(*predicate);
+    all.push_back({predicate, inside + "peer/", peers_folder, inside});
+    all.push_back({predicate, inside + "fault/", faults_folder, inside});
   }
   return all;
 }
@@ -47,11 +47,10 @@ struct ShippedProgram {
   std::string manifest, missing;
 };
 
-// Those that answer a test, in PEERS/npm/TEST, by the names that they declare. The packages are in PEERS/npm.
-std::map<std::string, ShippedProgram> shipped_programs(const std::filesystem::path& peers,
-                                                       const TestDescription& test) {
+// Those that answer a predicate, in PEERS/npm/TEST, by the names that they declare. The packages are in PEERS/npm.
+std::map<std::string, ShippedProgram> shipped_programs(const std::filesystem::path& peers, const Predicate& predicate) {
   std::map<std::string, ShippedProgram> found;
-  const std::filesystem::path folder = peers / programs_folder, inside = folder / test.id;
+  const std::filesystem::path folder = peers / programs_folder, inside = folder / predicate.id;
   std::error_code none;
   for (std::filesystem::directory_iterator at(inside, none), end; !none && at != end; at.increment(none)) {
     if (at->path().extension() != ".json") continue;
@@ -76,7 +75,7 @@ struct LocatedPlugins {
 LocatedPlugins read_kind(const Kind& kind) {
   LocatedPlugins all;
   ShippedPlugins& found = all.found;
-  found.test = kind.test;
+  found.predicate = kind.predicate;
   found.prefix = kind.prefix;
   const auto folder = shipped_folder(kind.folder);
   if (!folder) return all;
@@ -96,7 +95,7 @@ LocatedPlugins read_kind(const Kind& kind) {
     found.absent.push_back({line.substr(kind.inside.size(), tab - kind.inside.size()), line.substr(tab + 1), ""});
   }
   if (kind.folder != peers_folder) return all;
-  for (const auto& [name, program] : shipped_programs(*folder, *kind.test)) {
+  for (const auto& [name, program] : shipped_programs(*folder, *kind.predicate)) {
     if (!program.missing.empty()) {
       found.absent.push_back(
           {name, program.missing, engines_command(std::filesystem::path(*folder) / programs_folder)});

@@ -16,7 +16,7 @@ from pathlib import Path
 INCLUDE = Path(__file__).resolve().parents[1] / "include"
 NAMES = [*"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"]
 NAMES += ("i0 i1 j0 k0 ii jj kk aa bb cc pp rr n1 n2 nx ny nz px py pz vx vy vz ab bc ca x0 x1 y0 y1 z0 z1 in out to at of lhs rhs "
-          "ok id run test name size count column columns batch answers answer verdict query queries kernel index real "
+          "ok id run predicate name size count column columns batch answers answer verdict query queries kernel index real "
           "precision entry source summary limits exposes touching measure comparisons bits abi result tmp dot cross side "
           "length radius center triangle sphere plugin line text one_query batch_function kernel_name").split()
 ARGUMENTS = "const float axiscert_a[3], const float axiscert_b[3], const float axiscert_c[3], const float axiscert_p[3], float axiscert_r"

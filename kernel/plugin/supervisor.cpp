@@ -171,7 +171,7 @@ bool Supervisor<Real>::repeats(const Chunk& chunk, const Outputs<Real>& outputs)
     tell(chunk, FindingKind::inconsistent, i, "it wrote no verdict");
     return false;
   }
-  const auto difference = first_difference(*kernel_.callee.subject.test, outputs, 0, again);
+  const auto difference = first_difference(*kernel_.callee.subject.predicate, outputs, 0, again);
   if (!difference) return true;
   tell(chunk, FindingKind::nondeterministic, difference->query, difference->detail + " for the same batch");
   return false;
@@ -200,7 +200,7 @@ void Supervisor<Real>::rearrange(const Chunk& chunk, const Outputs<Real>& output
       return;
     }
     if (result.stray) tell(piece, *result.stray);
-    if (const auto difference = first_difference(*kernel_.callee.subject.test, outputs, first, found)) {
+    if (const auto difference = first_difference(*kernel_.callee.subject.predicate, outputs, first, found)) {
       tell(piece, FindingKind::batch_dependent, difference->query,
            fmt::format("{}: as query {} of {}{}{}", difference->detail, difference->query + 1, size, where,
                        verdict_alone && chunk.explained ? ", asked for the verdict alone" : ""));
@@ -222,13 +222,13 @@ void Supervisor<Real>::look_for_changed_environment(const Chunk& chunk, std::uin
   tell(chunk, FindingKind::environment, which, "left changed: " + changed_modes_text(changed));
 }
 
-// Whether a comparison's bit is one that its computed sides allow; equal sides allow both where the test does not say
-// how its kernels compare them.
+// Whether a comparison's bit is one that its computed sides allow; equal sides allow both where the predicate does not
+// say how its kernels compare them.
 template <class Real>
 bool could_follow(const SupervisedKernel& kernel, std::size_t comparison, Real lhs, Real rhs, bool bit) {
-  const TestDescription& test = *kernel.callee.subject.test;
-  if (!test.has_strictness) return lhs == rhs || (lhs > rhs) == bit;
-  if (test.comparisons[comparison].ties_at_touching) return (lhs > rhs) == bit;
+  const Predicate& predicate = *kernel.callee.subject.predicate;
+  if (!predicate.has_strictness) return lhs == rhs || (lhs > rhs) == bit;
+  if (predicate.comparisons[comparison].ties_at_touching) return (lhs > rhs) == bit;
   switch (kernel.strictness) {
     case Strictness::strict:
       return (lhs > rhs) == bit;
@@ -246,23 +246,23 @@ void Supervisor<Real>::look_for_contradictions(const Chunk& chunk, const Outputs
     if (!is_verdict(outputs.verdicts[i])) return "verdict " + verdict_text(outputs.verdicts[i]);
     const auto verdict = static_cast<Verdict>(outputs.verdicts[i]);
     if (outputs.bits.empty()) return {};
-    const TestDescription& test = *kernel_.callee.subject.test;
-    const std::size_t count = test.comparisons.size();
+    const Predicate& predicate = *kernel_.callee.subject.predicate;
+    const std::size_t count = predicate.comparisons.size();
     const ComparisonBits bits = outputs.bits[i];
-    if (const ComparisonBits beyond = bits & ~all_comparisons(test); beyond != 0) {
+    if (const ComparisonBits beyond = bits & ~all_comparisons(predicate); beyond != 0) {
       return fmt::format("its comparison bit {} is 1; there are comparisons 0 to {}", std::countr_zero(beyond),
                          count - 1);
     }
     if (verdict != Verdict::contact && verdict != Verdict::separated) return {};
-    if (const Verdict meant = verdict_of(test, bits); meant != verdict) {
+    if (const Verdict meant = verdict_of(predicate, bits); meant != verdict) {
       return fmt::format("verdict {}, but its comparisons say {}", name(verdict), name(meant));
     }
     for (std::size_t k = 0; k < count && !outputs.lhs[k].empty(); ++k) {
       const Real lhs = outputs.lhs[k][i], rhs = outputs.rhs[k][i];
       const bool bit = has_bit(bits, k);
       if (could_follow(kernel_, k, lhs, rhs, bit)) continue;
-      return fmt::format("comparison {} is {}, but its sides are {:a} and {:a}", test.comparisons[k].name, int{bit},
-                         lhs, rhs);
+      return fmt::format("comparison {} is {}, but its sides are {:a} and {:a}", predicate.comparisons[k].name,
+                         int{bit}, lhs, rhs);
     }
     return {};
   };

@@ -31,9 +31,9 @@ std::string with_places(std::string_view line, const std::function<std::string(s
 
 }  // namespace
 
-std::vector<std::string> places_of(const TestEntry& entry) {
+std::vector<std::string> places_of(const PredicateEntry& entry) {
   std::vector<std::string> places;
-  for (const TestColumn& column : entry.columns) places.emplace_back(column.name);
+  for (const PredicateColumn& column : entry.columns) places.emplace_back(column.name);
   for (const ColumnGroup& group : groups_of(entry)) {
     if (group.size > 1) places.emplace_back(group.name);
   }
@@ -49,7 +49,7 @@ std::string unknown_place(std::string_view line, const std::vector<std::string>&
   return unknown;
 }
 
-std::string filled_code(const std::vector<std::string>& lines, const TestEntry& entry,
+std::string filled_code(const std::vector<std::string>& lines, const PredicateEntry& entry,
                         const std::vector<std::string>& numbers) {
   const auto text = [&](std::string_view place) {
     for (std::size_t k = 0; k < entry.columns.size(); ++k) {

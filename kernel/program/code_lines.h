@@ -6,13 +6,13 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert::plugin {
 
 // The places that code for queries of this entry may have: "ax" for a column, and "a" for the columns of a group, with
 // commas between them.
-std::vector<std::string> places_of(const TestEntry& entry);
+std::vector<std::string> places_of(const PredicateEntry& entry);
 
 // The first place of a line, without its braces, that is not among `known`; empty where there is none. A place is small
 // letters alone between braces, as {ax}: braces of the language itself have anything else, or a space, beside them.
@@ -20,7 +20,7 @@ std::string unknown_place(std::string_view line, const std::vector<std::string>&
 
 // The lines, one below the other, with the numbers in their places; `numbers` has one text for each column of the
 // entry. A place that the entry does not have stays as it is.
-std::string filled_code(const std::vector<std::string>& lines, const TestEntry& entry,
+std::string filled_code(const std::vector<std::string>& lines, const PredicateEntry& entry,
                         const std::vector<std::string>& numbers);
 
 }  // namespace axiscert::plugin

@@ -17,10 +17,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::vector<std::string_view> members = {"format",     "name",        "command",     "test",     "entry",
-                                               "precisions", "exposes",     "measures",    "touching", "limits",
-                                               "motion",     "may_decline", "conforms_to", "formulae", "summary",
-                                               "source",     "package",     "version",     "code",     "files"};
+const std::vector<std::string_view> members = {"format",     "name",        "command",     "predicate", "entry",
+                                               "precisions", "exposes",     "measures",    "touching",  "limits",
+                                               "motion",     "may_decline", "conforms_to", "formulae",  "summary",
+                                               "source",     "package",     "version",     "code",      "files"};
 const std::vector<std::string_view> motion_members = {"start", "still", "sides"};
 const std::vector<std::string_view> limit_members = {"least_coordinate", "greatest_coordinate", "least_area",
                                                      "least_radius", "greatest_radius"};
@@ -69,7 +69,7 @@ class ManifestReader {
     manifest.limits = limits();
     manifest.motion = motion();
     manifest.may_decline = yes_or_no("may_decline");
-    manifest.test = text_of("test");
+    manifest.predicate = text_of("predicate");
     manifest.entry = text_of("entry");
     manifest.conforms_to = text_of("conforms_to");
     manifest.formulae = text_of("formulae");
@@ -120,10 +120,10 @@ class ManifestReader {
 
   // The entry whose queries the program takes; null where there is none of that name, which is refused when it is
   // loaded.
-  static const TestEntry* entry_of(const Manifest& manifest) {
-    for (const TestDescription* test : tests()) {
-      if (written_name(*test) != manifest.test && test->id != manifest.test) continue;
-      for (const TestEntry& entry : test->entries) {
+  static const PredicateEntry* entry_of(const Manifest& manifest) {
+    for (const Predicate* predicate : predicates()) {
+      if (written_name(*predicate) != manifest.predicate && predicate->id != manifest.predicate) continue;
+      for (const PredicateEntry& entry : predicate->entries) {
         if (manifest.entry.empty() || entry.name == manifest.entry) return &entry;
       }
     }
@@ -132,7 +132,7 @@ class ManifestReader {
 
   std::vector<std::string> code(const Manifest& manifest) const {
     const std::vector<std::string> lines = words("code");
-    const TestEntry* const entry = entry_of(manifest);
+    const PredicateEntry* const entry = entry_of(manifest);
     const std::vector<std::string> known = entry ? places_of(*entry) : std::vector<std::string>{};
     for (const std::string& line : lines) {
       if (line != printable_line(line)) fail(fmt::format("\"code\": '{}' is more than a line", printable_line(line)));

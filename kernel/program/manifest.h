@@ -16,9 +16,9 @@ struct Manifest {
   std::string name;
   std::vector<std::string> command;  // the program and its arguments; run in the manifest's folder
   std::vector<Precision> precisions;
-  std::string test, entry;               // empty: the first
+  std::string predicate, entry;          // empty: the first
   Exposure exposes = Exposure::verdict;  // verdicts, or also comparison bits
-  std::size_t measures = 0;              // so many of the test's measures follow each reply
+  std::size_t measures = 0;              // so many of the predicate's measures follow each reply
   TouchingPolicy touching = TouchingPolicy::contact;
   Limits limits = {};
   MotionPolicy motion = {};

@@ -33,12 +33,12 @@ TEST(ManifestFile, NeedsFourMembersAndTheOthersHaveDefaults) {
 
 TEST(ManifestFile, DeclaresWhatAPluginDeclares) {
   const Manifest manifest = read_manifest(
-      "{" + least + R"(,"touching":"either","exposes":"comparisons","limits":{"least_radius":0.5},"test":"t"})",
+      "{" + least + R"(,"touching":"either","exposes":"comparisons","limits":{"least_radius":0.5},"predicate":"t"})",
       "m.json");
   EXPECT_EQ(manifest.touching, TouchingPolicy::either);
   EXPECT_EQ(manifest.exposes, Exposure::comparisons);
   EXPECT_EQ(manifest.limits.least_radius, 0.5);
-  EXPECT_EQ(manifest.test, "t");
+  EXPECT_EQ(manifest.predicate, "t");
   EXPECT_EQ(manifest.measures, 0u);
   EXPECT_FALSE(manifest.may_decline);
   EXPECT_TRUE(read_manifest("{" + least + R"(,"may_decline":true})", "m.json").may_decline);
@@ -58,12 +58,12 @@ TEST(ManifestFile, SaysHowItsEngineIsAskedByHand) {
       "{" + least + R"(,"code":["import { v } from 'x';","ask({a}, {cz}, {r}, ${}, {x: 1}, {R});"]})", "m.json");
   std::vector<std::string> numbers;
   for (int k = 1; k <= 13; ++k) numbers.push_back(std::to_string(k));
-  EXPECT_EQ(filled_code(manifest.code, sphere_triangle_test().entries[0], numbers),
+  EXPECT_EQ(filled_code(manifest.code, sphere_triangle_predicate().entries[0], numbers),
             "import { v } from 'x';\nask(1, 2, 3, 9, 13, ${}, {x: 1}, {R});\n");
 }
 
-TEST(ManifestFile, HasPlacesForTheColumnsOfItsTest) {
-  const std::string moving = R"(,"test":"moving-sphere","code":["{d} {dx}"])", still = R"(,"code":["{dx}"])";
+TEST(ManifestFile, HasPlacesForTheColumnsOfItsPredicate) {
+  const std::string moving = R"(,"predicate":"moving-sphere","code":["{d} {dx}"])", still = R"(,"code":["{dx}"])";
   EXPECT_EQ(manifest_refusal("{" + least + moving + "}"), "it was accepted");
   EXPECT_THAT(manifest_refusal("{" + least + still + "}"), testing::HasSubstr("unknown place {dx}; known: {ax}, {ay}"));
 }

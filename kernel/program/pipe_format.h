@@ -4,9 +4,10 @@
 //   query stream   header, then `count` query records
 //   reply stream   the same header unchanged, then `count` reply records
 //
-// All numbers are little-endian. A query record is the numbers of one query in the order of the test's columns: for
-// sphere-triangle the thirteen ax ay az bx by bz cx cy cz px py pz r. The plan of a stream of version 1 names no test,
-// which means sphere-triangle; that of version 2 names the test and its entry, and its replies are wider.
+// All numbers are little-endian. A query record is the numbers of one query in the order of the predicate's columns:
+// for sphere-triangle the thirteen ax ay az bx by bz cx cy cz px py pz r. The plan of a stream of version 1 names no
+// predicate, which means sphere-triangle; that of version 2 names the predicate and its entry, and its replies are
+// wider.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@
 #include <cstdint>
 
 #include "kernel/names.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert::pipe {
 
@@ -64,8 +65,8 @@ constexpr std::uint32_t code_of(Precision precision) { return precision == Preci
 constexpr std::uint32_t record_size_of(Precision precision, std::size_t columns) {
   return static_cast<std::uint32_t>(columns) * code_of(precision) / 8;
 }
-inline std::uint32_t version_of(const TestDescription& test) {
-  return written_name(test).empty() ? first_version : general_version;
+inline std::uint32_t version_of(const Predicate& predicate) {
+  return written_name(predicate).empty() ? first_version : general_version;
 }
 
 }  // namespace axiscert::pipe

@@ -8,12 +8,12 @@
 
 namespace axiscert {
 
-std::string pipe::stream_header(std::string plan, const TestDescription& test, std::size_t columns, Precision precision,
+std::string pipe::stream_header(std::string plan, const Predicate& predicate, std::size_t columns, Precision precision,
                                 std::uint64_t count) {
   const std::size_t whole = sizeof(Head) + plan.size();
   plan.append((header_multiple - whole % header_multiple) % header_multiple, ' ');
   const Head head{magic,
-                  version_of(test),
+                  version_of(predicate),
                   code_of(precision),
                   count,
                   static_cast<std::uint32_t>(sizeof(Head) + plan.size()),
@@ -24,14 +24,14 @@ std::string pipe::stream_header(std::string plan, const TestDescription& test, s
   return bytes + plan;
 }
 
-std::string plugin::program_header(const TestDescription& test, std::size_t entry, Precision precision,
+std::string plugin::program_header(const Predicate& predicate, std::size_t entry, Precision precision,
                                    std::size_t measures) {
-  const TestEntry& given = test.entries[entry];
+  const PredicateEntry& given = predicate.entries[entry];
   const std::string more = measures == 0 ? "" : fmt::format(R"(,"measures":{})", measures);
-  std::string plan = fmt::format(R"({{"precision":"{}","test":"{}","entry":"{}","columns":{}{}}})"
+  std::string plan = fmt::format(R"({{"precision":"{}","predicate":"{}","entry":"{}","columns":{}{}}})"
                                  "\n",
-                                 name(precision), test.id, given.name, given.columns.size(), more);
-  return pipe::stream_header(std::move(plan), test, given.columns.size(), precision, 0);
+                                 name(precision), predicate.id, given.name, given.columns.size(), more);
+  return pipe::stream_header(std::move(plan), predicate, given.columns.size(), precision, 0);
 }
 
 }  // namespace axiscert

@@ -66,7 +66,7 @@ struct SeenCalls {
 Kernel watching(SeenCalls& seen) {
   Kernel kernel;
   kernel.id = "watching";
-  kernel.test = &sphere_triangle_test();
+  kernel.predicate = &sphere_triangle_predicate();
   kernel.formulae = "published";
   kernel.has_simd = true;
   kernel.binary32 = [&seen](std::string_view target) {

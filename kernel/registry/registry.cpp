@@ -1,4 +1,4 @@
-// The registry: the kernels of all tests in the order of the tests, and those that an id composes.
+// The registry: the kernels of all predicates in the order of the predicates, and those that an id composes.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,12 +17,12 @@
 #include "kernel/sphere_triangle/forms/simd.h"
 #include "kernel/mutants/mutant.h"
 #include "kernel/sphere_triangle/reference/scalar_kernel.h"
-#include "kernel/test_list.h"
+#include "kernel/predicate_list.h"
 
 namespace axiscert {
 
 #define AXISCERT_DECLARE(name) std::vector<Kernel> name##_kernels();
-AXISCERT_TESTS(AXISCERT_DECLARE)
+AXISCERT_PREDICATES(AXISCERT_DECLARE)
 #undef AXISCERT_DECLARE
 
 namespace {
@@ -34,7 +34,7 @@ const std::vector<Kernel>& registry() {
       kernels.insert(kernels.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     };
 #define AXISCERT_APPEND(name) append(name##_kernels());
-    AXISCERT_TESTS(AXISCERT_APPEND)
+    AXISCERT_PREDICATES(AXISCERT_APPEND)
 #undef AXISCERT_APPEND
     return kernels;
   }();
@@ -66,11 +66,11 @@ const Kernel& kept(std::string_view id, const Make& make) {
 
 // The kernel "RUNG+ARITHMETIC".
 Kernel composed(std::string_view id, const Kernel& rung, const ArithmeticInfo& arithmetic) {
-  if (!rung.test->claims_arithmetic) return moving_sphere::twenty_in(id, rung, arithmetic);
+  if (!rung.predicate->claims_arithmetic) return moving_sphere::twenty_in(id, rung, arithmetic);
   Kernel kernel;
   kernel.id = id;
   kernel.summary = fmt::format("{}; {}", rung.summary, arithmetic.summary);
-  kernel.test = rung.test;
+  kernel.predicate = rung.predicate;
   kernel.formulae = rung.formulae;
   kernel.strictness = rung.strictness;
   kernel.arithmetic = arithmetic.arithmetic;
@@ -130,7 +130,7 @@ std::string with_dashes(std::string name) {
 }  // namespace
 
 bool has_comparisons(const Kernel& kernel) {
-  const auto& methods = kernel.test->methods;
+  const auto& methods = kernel.predicate->methods;
   return !kernel.formulae.empty() && std::find(methods.begin(), methods.end(), kernel.formulae) == methods.end();
 }
 

@@ -149,7 +149,7 @@ Behaviour heard_of(const Kernel& kernel) {
 template <class Body>
 void for_each_row(Body&& body) {
   for (const Kernel& kernel : kernels()) {
-    if (kernel.test != &sphere_triangle_test()) continue;
+    if (kernel.predicate != &sphere_triangle_predicate()) continue;
     for (const BehaviourRow& row : behaviours()) {
       if (row.kernel == kernel.id) body(kernel, row.behaviour);
     }
@@ -165,7 +165,7 @@ TYPED_TEST(BehaviourTest, RowsAreThoseOfTheRegistryInItsOrder) {
   std::vector<std::string> rows, ids;
   for (const BehaviourRow& row : behaviours()) rows.push_back(row.kernel);
   for (const Kernel& kernel : kernels()) {
-    if (kernel.test != &sphere_triangle_test()) continue;
+    if (kernel.predicate != &sphere_triangle_predicate()) continue;
     ids.push_back(kernel.id);
     EXPECT_EQ(std::count(rows.begin(), rows.end(), kernel.id), 1)
         << "kernel '" << kernel.id << "' of kernel/sphere_triangle/kernels.cpp: " << behaviours_place

@@ -7,14 +7,14 @@
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/names.h"
 #include "kernel/sphere_triangle/query.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 
 namespace axiscert {
 namespace {
 
 // "ax", "ay" and "az" form the group "a", a vertex; "r" is a group of its own.
-TestEntry vertices() {
-  TestEntry entry{"vertices", "every number finite, the radius not negative; -0 is 0", {}};
+PredicateEntry vertices() {
+  PredicateEntry entry{"vertices", "every number finite, the radius not negative; -0 is 0", {}};
   for (const std::string_view name : coordinate_names) {
     entry.columns.push_back({name, name == "r" ? Role::length : Role::coordinate, name.substr(0, 1)});
   }
@@ -36,8 +36,8 @@ const EnumArray<Formulae, std::string>& spelt_formulae() {
   return all;
 }
 
-TestDescription described() {
-  TestDescription test{
+Predicate described() {
+  Predicate predicate{
       .id = "sphere-triangle",
       .asks = "does a closed solid sphere have a point in common with a closed triangle",
       .touching = "the distance from the centre to the triangle is exactly the radius",
@@ -54,20 +54,20 @@ TestDescription described() {
       .is_implied = true,
   };
   for (const Formulae formulae : enumerators<Formulae>) {
-    if (!has_comparisons(formulae)) test.methods.push_back(name(formulae));
+    if (!has_comparisons(formulae)) predicate.methods.push_back(name(formulae));
   }
   for (const ComparisonInfo& comparison : comparisons) {
-    test.comparisons.push_back({comparison.name, index_of(comparison.axis), comparison.is_radius});
+    predicate.comparisons.push_back({comparison.name, index_of(comparison.axis), comparison.is_radius});
   }
-  for (std::size_t i = 0; i < axis_count; ++i) test.clauses.push_back({axis_names[i], axis_comparisons[i]});
-  return checked(std::move(test));
+  for (std::size_t i = 0; i < axis_count; ++i) predicate.clauses.push_back({axis_names[i], axis_comparisons[i]});
+  return checked(std::move(predicate));
 }
 
 }  // namespace
 
-const TestDescription& sphere_triangle_test() {
-  static const TestDescription test = described();
-  return test;
+const Predicate& sphere_triangle_predicate() {
+  static const Predicate predicate = described();
+  return predicate;
 }
 
 std::string_view name(Formulae formulae) {
@@ -75,7 +75,7 @@ std::string_view name(Formulae formulae) {
 }
 
 Formulae formulae_of(const Kernel& kernel) {
-  if (kernel.test != &sphere_triangle_test()) return Formulae::none;
+  if (kernel.predicate != &sphere_triangle_predicate()) return Formulae::none;
   const auto& known = spelt_formulae();
   const auto found = std::find(known.begin(), known.end(), kernel.formulae);
   return static_cast<Formulae>(found - known.begin());

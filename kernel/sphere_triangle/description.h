@@ -1,10 +1,10 @@
-// The description of the test sphere against triangle.
+// The description of the predicate sphere against triangle.
 #pragma once
 
 namespace axiscert {
 
-struct TestDescription;  // kernel/test.h
+struct Predicate;  // kernel/predicate.h
 
-const TestDescription& sphere_triangle_test();
+const Predicate& sphere_triangle_predicate();
 
 }  // namespace axiscert

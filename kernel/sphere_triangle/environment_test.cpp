@@ -119,7 +119,7 @@ void expect_modes_kept(const Kernel& kernel, std::string_view target) {
 
 TEST(Environment, NoKernelLeavesAModeBehind) {
   for (const Kernel& kernel : kernels()) {
-    if (kernel.test != &sphere_triangle_test()) continue;
+    if (kernel.predicate != &sphere_triangle_predicate()) continue;
     for (const std::string& target : kernel.has_simd ? available_targets() : std::vector{std::string(scalar_target)}) {
       expect_modes_kept<float>(kernel, target);
       expect_modes_kept<double>(kernel, target);

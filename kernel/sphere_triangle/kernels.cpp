@@ -18,7 +18,7 @@ template <Formulae formulae, Strictness strictness = strict>
 Kernel scalar(std::string id, std::string summary) {
   return {.id = std::move(id),
           .summary = std::move(summary),
-          .test = &sphere_triangle_test(),
+          .predicate = &sphere_triangle_predicate(),
           .formulae = std::string(name(formulae)),
           .strictness = strictness,
           .exposes = has_comparisons(formulae) ? Exposure::sides : Exposure::verdict,
@@ -81,7 +81,7 @@ template <certified::Question question>
 Kernel certified_kernel(std::string id, std::string summary, ProvedProperty proved, std::string_view proof) {
   return {.id = std::move(id),
           .summary = std::move(summary),
-          .test = &sphere_triangle_test(),
+          .predicate = &sphere_triangle_predicate(),
           .exposes = Exposure::verdict,
           .binary32 = [](std::string_view target) { return certified_implementation<float>(target, question); },
           .binary64 = [](std::string_view target) { return certified_implementation<double>(target, question); },
@@ -97,7 +97,7 @@ template <FilterForm form>
 Kernel filter(std::string id, std::string summary) {
   return {.id = std::move(id),
           .summary = std::move(summary),
-          .test = &sphere_triangle_test(),
+          .predicate = &sphere_triangle_predicate(),
           .exposes = Exposure::verdict,
           .binary32 = [](std::string_view target) { return filter_implementation<float>(form, target); },
           .binary64 = [](std::string_view target) { return filter_implementation<double>(form, target); },

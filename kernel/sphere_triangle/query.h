@@ -1,4 +1,4 @@
-// One query of the test sphere against triangle: its numbers with names.
+// One query of the predicate sphere against triangle: its numbers with names.
 #pragma once
 
 #include <array>

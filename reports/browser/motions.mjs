@@ -1,4 +1,4 @@
-// Witnesses of a test of motions: their picture, what was given beside what is exact, and code to paste.
+// Witnesses of a predicate of motions: their picture, what was given beside what is exact, and code to paste.
 import assert from 'node:assert/strict';
 import {execFileSync, spawnSync} from 'node:child_process';
 import fs from 'node:fs';
@@ -117,7 +117,7 @@ test('gives code with D and times that compiles, and lines that are the witness'
   await close();
 });
 
-test('chooses witnesses by time, and names comparisons of the test', async () => {
+test('chooses witnesses by time, and names comparisons of the predicate', async () => {
   const {page, close} = await opened(motions);
   await page.locator('#witnesses-controls label', {hasText: /^Time/}).locator('select').selectOption({label: 'late'});
   const late = record_of(motions).witnesses.filter((one) => one.measures?.time === 'late').length;

@@ -25,7 +25,7 @@ function browser_driver() {
   const npm = spawnSync('npm', ['ci', '--ignore-scripts', '--no-audit', '--no-fund'], {cwd: packages, encoding: 'utf8', timeout: 120000});
   if (npm.status !== 0) {
     throw new Error(`playwright-core ${wanted} could not be installed into ${packages} (npm ci: ${npm.error?.message ?? npm.stderr.trim()}); ` +
-                    'the report is NOT tested in a browser. Give npm a registry that it can reach, and run this test again.');
+                    'the report is NOT tested in a browser. Give npm a registry that it can reach, and run this predicate again.');
   }
   return require('playwright-core');
 }

@@ -28,7 +28,7 @@ class CertificatePage {
     InstrumentReport report;
     report.name = "certificate";
     const std::string no_answers = no_answers_sentence(predicate_);
-    report.title = fmt::format("Certificate of {}, {}{}{}", predicate_.kernel.id, predicate_.kernel.test,
+    report.title = fmt::format("Certificate of {}, {}{}{}", predicate_.kernel.id, predicate_.kernel.predicate,
                                no_answers.empty() ? "" : ": ", no_answers);
     report.command = command;
     report.notes_heading = "In short";

@@ -119,7 +119,7 @@ bool shows_flip(const WitnessRecord& witness, const Cell& cell) {
   });
 }
 
-// Whether a witness of a test of motions shows what a cell of first contacts counts.
+// Whether a witness of a predicate of motions shows what a cell of first contacts counts.
 bool shows_contact(const WitnessRecord& witness, const Cell& cell) {
   if (!witness.measures || !*witness.measures) return false;
   const MeasuresRecord& measures = **witness.measures;

@@ -14,8 +14,8 @@
 
 namespace axiscert {
 
-// The places of the first contacts that a kernel of a test of motions reports: "time" and "feature", counted among the
-// contacts that it found, and "missed", for the contacts that it did not.
+// The places of the first contacts that a kernel of a predicate of motions reports: "time" and "feature", counted among
+// the contacts that it found, and "missed", for the contacts that it did not.
 inline constexpr std::string_view places_of_contacts[] = {"time", "missed", "feature"};
 bool is_place_of_contacts(std::string_view place);
 

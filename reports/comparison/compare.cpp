@@ -375,17 +375,17 @@ std::size_t RunComparison::count(Change change) const {
       std::count_if(cells.begin(), cells.end(), [&](const ComparedCell& cell) { return cell.change == change; }));
 }
 
-void require_same_test(const Record& before, const Record& after, const std::string& before_name,
-                       const std::string& after_name) {
-  const std::string &old_test = before.plan.test, &new_test = after.plan.test;
-  if (old_test == new_test) return;
-  throw Error(fmt::format("{} is of the test {}, and {} of {}; only runs of one test can be compared", before_name,
-                          old_test, after_name, new_test));
+void require_same_predicate(const Record& before, const Record& after, const std::string& before_name,
+                            const std::string& after_name) {
+  const std::string &old_predicate = before.plan.predicate, &new_predicate = after.plan.predicate;
+  if (old_predicate == new_predicate) return;
+  throw Error(fmt::format("{} is of the predicate {}, and {} of {}; only runs of one predicate can be compared",
+                          before_name, old_predicate, after_name, new_predicate));
 }
 
 RunComparison compare_records(const Record& before, const Record& after, std::vector<ReplayedQuery> replayed,
                               const std::vector<std::string>& allowed) {
-  require_same_test(before, after, "OLD", "NEW");
+  require_same_predicate(before, after, "OLD", "NEW");
   return Comparer(before, after).run(std::move(replayed), allowed);
 }
 

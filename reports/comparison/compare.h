@@ -105,12 +105,12 @@ struct RunComparison {
 // is scaled down with them. A remaining fraction is rounded towards the other cell's rate, which never causes an alarm.
 std::pair<Proportion, Proportion> independent(const Cell& x, const Cell& y);
 
-// Throws Error where two records are of different tests; `before_name` and `after_name` are those that it shows.
-void require_same_test(const Record& before, const Record& after, const std::string& before_name,
-                       const std::string& after_name);
+// Throws Error where two records are of different predicates; `before_name` and `after_name` are those that it shows.
+void require_same_predicate(const Record& before, const Record& after, const std::string& before_name,
+                            const std::string& after_name);
 
-// Compares two records of one test that read_run accepted; `replayed` holds OLD's witnesses and may be empty, `allowed`
-// what is allowed not to be compared. Throws Error as require_same_test and allow do.
+// Compares two records of one predicate that read_run accepted; `replayed` holds OLD's witnesses and may be empty,
+// `allowed` what is allowed not to be compared. Throws Error as require_same_predicate and allow do.
 RunComparison compare_records(const Record& before, const Record& after, std::vector<ReplayedQuery> replayed,
                               const std::vector<std::string>& allowed = {});
 

@@ -40,12 +40,13 @@ TEST(Compare, ARunWithItselfDoesNotDiffer) {
   EXPECT_EQ(answer(compare_records(record, other_seed(), {})), "no change");
 }
 
-TEST(Compare, RunsOfTwoTestsAreRefused) {
+TEST(Compare, RunsOfTwoPredicatesAreRefused) {
   Json other = stored_record();
-  other["plan"]["test"] = "point-box";
-  EXPECT_THAT([&] { compare_records(stored_record(), other, {}); },
-              testing::ThrowsMessage<Error>(
-                  "OLD is of the test sphere-triangle, and NEW of point-box; only runs of one test can be compared"));
+  other["plan"]["predicate"] = "point-box";
+  EXPECT_THAT(
+      [&] { compare_records(stored_record(), other, {}); },
+      testing::ThrowsMessage<Error>(
+          "OLD is of the predicate sphere-triangle, and NEW of point-box; only runs of one predicate can be compared"));
 }
 
 TEST(Compare, OnTheSameQueriesOneIsADifference) {

@@ -1,4 +1,4 @@
-// The first contacts of two runs of a test of motions against each other.
+// The first contacts of two runs of a predicate of motions against each other.
 #include "reports/comparison/compare.h"
 #include "reports/comparison/show.h"
 #include "reports/testing/edited_record.h"
@@ -88,7 +88,7 @@ TEST(CompareContacts, MeasuresThatOnlyOneRunGivesAreSaid) {
   EXPECT_THAT(markdown_of(with, without, lost), HasSubstr("tangent: first contacts"));
 }
 
-TEST(CompareContacts, AnotherTestHasNone) {
+TEST(CompareContacts, AnotherPredicateHasNone) {
   for (const Cell& cell : cells_of(edited(stored_record()))) EXPECT_FALSE(cell.is_of_contacts()) << cell.name();
 }
 

@@ -8,7 +8,7 @@
 namespace axiscert {
 namespace {
 
-// The names of a kernel's measures, by precision; none in a record of a test or of a version without them.
+// The names of a kernel's measures, by precision; none in a record of a predicate or of a version without them.
 std::map<Precision, std::vector<Name>> measures_by_precision(const Record& record, const std::string& id) {
   std::map<Precision, std::vector<Name>> all;
   for (const KernelRecord& kernel : record.kernels) {

@@ -66,7 +66,7 @@ TEST(ReplayMotions, AKernelOfAnotherEntryIsNotAskedAndPromisesItNoMore) {
   const Record record = record_of_motions("moving-sphere/rounded", {"moving-sphere/approach"});
   for (const ReplayedQuery& r : replay_witnesses(as_of(record, "moving-sphere/ends-rounded"), scalar_target)) {
     EXPECT_EQ(r.outcome, ReplayOutcome::not_promised);
-    EXPECT_EQ(r.note, "it takes the entry endpoints of the test moving-sphere here");
+    EXPECT_EQ(r.note, "it takes the entry endpoints of the predicate moving-sphere here");
   }
 }
 

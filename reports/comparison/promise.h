@@ -15,7 +15,7 @@ namespace axiscert {
 struct Promise {
   TouchingPolicy touching = TouchingPolicy::contact;
   Limits limits = {};
-  std::optional<MotionPolicy> motion = {};  // of a test of motions
+  std::optional<MotionPolicy> motion = {};  // of a predicate of motions
   bool may_decline = false;
   bool operator==(const Promise&) const = default;
 };
@@ -40,7 +40,7 @@ struct PromiseChange {
 PromiseChange change_of(const Promise& before, const Promise& now);
 
 // The promise in words that a file can hold: "touching=contact", "radius>=1e+30", "start=reported", "may_decline". What
-// it does not limit is not named, but for `touching` and the policies of a test of motions.
+// it does not limit is not named, but for `touching` and the policies of a predicate of motions.
 std::vector<std::string> words_of_promise(const Promise& promise);
 // The same, read. Each word may stand once. Throws Error that names the word and says what would be right.
 Promise promise_of_words(std::span<const std::string> words);

@@ -114,7 +114,7 @@ struct ReplayKernel {
                         stored.numbers);
     };
     const Examination found = std::visit([&](const auto& q) { return examiner->examine(q); }, stored.numbers);
-    ReplayedAnswer all{wrongs_of(flips_of(*kernel->test, found.judgement), measures_of(*kernel->test, found),
+    ReplayedAnswer all{wrongs_of(flips_of(*kernel->predicate, found.judgement), measures_of(*kernel->predicate, found),
                                  found.answer.verdict, kernel->may_decline)};
     all.was_promised = is_within_promise(then, found.truth.touching);
     all.is_promised = is_within_promise(now, found.truth.touching);
@@ -133,16 +133,16 @@ Promise promise_in_record(const Record& record, const WitnessRecord& witness) {
 // Why a kernel does not take a query that it took; empty where it does.
 std::string refusal(const Kernel& kernel, const StoredQuery& stored) {
   if (!kernel.has(stored.precision)) return fmt::format("it does not exist in {} here", name(stored.precision));
-  if (kernel.test == stored.test && kernel.entry == stored.entry) return "";
-  return fmt::format("it takes the entry {} of the test {} here", kernel.test->entries[kernel.entry].name,
-                     kernel.test->id);
+  if (kernel.predicate == stored.predicate && kernel.entry == stored.entry) return "";
+  return fmt::format("it takes the entry {} of the predicate {} here", kernel.predicate->entries[kernel.entry].name,
+                     kernel.predicate->id);
 }
 
 }  // namespace
 
 std::vector<ReplayedQuery> replay_witnesses(const Record& record, std::string_view target,
                                             const TrustedPlugins& trusted) {
-  const TestDescription& test = test_of(record.plan);
+  const Predicate& predicate = predicate_of(record.plan);
   std::map<std::string, ReplayKernel> kernels;
   std::vector<ReplayedQuery> all;
   for (const WitnessRecord& witness : record.witnesses) {
@@ -154,7 +154,7 @@ std::vector<ReplayedQuery> replay_witnesses(const Record& record, std::string_vi
       continue;
     }
     Json line = json_of(witness);
-    line["test"] = test.id;
+    line["predicate"] = predicate.id;
     const StoredQuery stored = query_of_json(line.dump(), Place{"witness " + replayed.id, 1});
     const ReplayKernel& asked = kernels.try_emplace(replayed.kernel, replayed.kernel, target, trusted).first->second;
     if (asked.kernel == nullptr) {

@@ -104,7 +104,7 @@ TEST(CompareSeeds, APluginThatARecordNamesIsLoadedForWhoNamesItAlone) {
 
 TEST(CompareSeedsLong, AHundredPairsOfSeedsGiveAtMostFiveAlarms) {
   Sample sample{{}, 512, {Precision::binary32, Precision::binary64}};
-  for (const Family* family : families_of(sphere_triangle_test())) sample.families.emplace_back(family->name);
+  for (const Family* family : families_of(sphere_triangle_predicate())) sample.families.emplace_back(family->name);
   EXPECT_LE(alarms(sample, 100 / TRIAL_DIVISOR), 5);
 }
 

@@ -12,7 +12,7 @@
 namespace axiscert {
 namespace {
 
-// A record is checked when it is read; one that is made in a test may be off.
+// A record is checked when it is read; one that is made in a predicate may be off.
 std::uint64_t without(std::uint64_t all, std::uint64_t part) { return all - std::min(all, part); }
 
 // 1 - 0.05^(1/n): the rate of failures that n right answers exclude, with 95 % confidence.

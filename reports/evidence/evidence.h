@@ -19,7 +19,7 @@ struct Tally;
 // 0.95^59 < 0.05. Fewer in a family are no evidence about it.
 inline constexpr std::uint64_t least_looked_at = 59;
 // Contacts, and separations, over all families: fewer than 10 % of either are answered wrongly, 0.9^29 < 0.05. Limits
-// that leave one kind alone are no evidence about a test.
+// that leave one kind alone are no evidence about a predicate.
 inline constexpr std::uint64_t least_of_each_kind = 29;
 // The share of a family's promised contacts, and of its promised separations, that a kernel which may decline has to
 // decide, unless --require decided=SHARE names another.

@@ -75,10 +75,10 @@ Json witness_card(const WitnessRecord& witness, const PlanRecord& plan) {
   Json card = json_of(witness);
   Json& decimals = card["decimal"] = Json::object();
   for (const auto& [group, numbers] : witness.numbers) decimals[group] = decimals_of(numbers, witness.precision);
-  const TestDescription& test = test_of(plan);
-  const TestEntry& entry = *entry_of(test, witness);
-  if (const std::string_view written = written_name(test); !written.empty()) card["test"] = written;
-  if (&entry != &test.entries.front()) card["entry"] = entry.name;
+  const Predicate& predicate = predicate_of(plan);
+  const PredicateEntry& entry = *entry_of(predicate, witness);
+  if (const std::string_view written = written_name(predicate); !written.empty()) card["predicate"] = written;
+  if (&entry != &predicate.entries.front()) card["entry"] = entry.name;
   card["command"] = replay_command(witness, plan);
   return card;
 }
@@ -186,9 +186,9 @@ Json page_data(const Run& run) {
     if (level->advice != nullptr) data["advised_level"] = {{"level", level->name()}, {"advice", level->advice}};
   }
   Json& clauses = data["comparisons"] = Json::object();  // the axis, or other clause, of each
-  const TestDescription& test = test_of(record.plan);
-  for (const TestComparison& comparison : test.comparisons)
-    clauses[std::string(comparison.name)] = test.clauses[comparison.clause].name;
+  const Predicate& predicate = predicate_of(record.plan);
+  for (const PredicateComparison& comparison : predicate.comparisons)
+    clauses[std::string(comparison.name)] = predicate.clauses[comparison.clause].name;
   return data;
 }
 

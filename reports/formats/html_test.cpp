@@ -149,20 +149,20 @@ TEST(Html, WitnessHasDecimalsAndItsReplay) {
 }
 
 // The page draws and names by the test: the axis of each comparison, the first contact, the time that was reported.
-TEST(Html, AMotionHasItsTestAndItsFirstContact) {
+TEST(Html, AMotionHasItsPredicateAndItsFirstContact) {
   const TestFolder folder(motions(contacts(9, 0.25, 0)));
   ASSERT_EQ(folder.rendering_error(), "");
   const Json data = page_data(folder.read("report.html")), card = data["witnesses"]["cards"][0];
   EXPECT_EQ(data["comparisons"]["start.vertex_a.side_b"], "start.vertex_a");
   EXPECT_EQ(data["comparisons"].size(), 61u);
-  EXPECT_EQ(card["test"], "moving-sphere");
+  EXPECT_EQ(card["predicate"], "moving-sphere");
   EXPECT_EQ(card["first_contact"]["time"], "0x1p-2");
   EXPECT_EQ(card["measures"]["time"], "late");
   EXPECT_EQ(card["decimal"]["d"], Json::array({"2", "0", "0"}));
   const TestFolder first(stored_record());
   render_reports(first.path());
   const Json other = page_data(first.read("report.html"));
-  EXPECT_FALSE(other["witnesses"]["cards"][0].contains("test"));
+  EXPECT_FALSE(other["witnesses"]["cards"][0].contains("predicate"));
   EXPECT_EQ(other["comparisons"]["edge_ab.side_c"], "edge_ab");
 }
 

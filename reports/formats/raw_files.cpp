@@ -25,7 +25,7 @@ Json raw_files(const std::filesystem::path& folder) {
                {"ratchet.json", "the ratchet that the run was compared with, and the outcome"},
                {"proofs.json", "bounds and their checkers"},
                {"search.json", "the worst that a search found"},
-               {"ladder.json", "each form of the test"},
+               {"ladder.json", "each form of the predicate"},
                {"precision.json", "wrong verdicts against bits"},
                {"league.json", "libraries and kernels"},
                {"mutation.json", "mutants"},

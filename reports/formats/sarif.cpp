@@ -24,7 +24,7 @@
 namespace axiscert {
 namespace {
 
-// The kinds of cells by what they count: verdicts, a comparison, or the times of a test of motions.
+// The kinds of cells by what they count: verdicts, a comparison, or the times of a predicate of motions.
 enum class CountOf { verdict, comparison, time };
 
 struct Rule {

@@ -9,7 +9,7 @@
 
 #include "fuzz/text/number_text.h"
 #include "kernel/names.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 #include "reports/run_folder/record_names.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
@@ -63,7 +63,7 @@ std::set<const WitnessRecord*> firsts_of_causes(const Record& record) {
 }  // namespace
 
 bool is_ordinary(const WitnessRecord& witness, const PlanRecord& plan) {
-  const TestEntry& entry = *entry_of(test_of(plan), witness);
+  const PredicateEntry& entry = *entry_of(predicate_of(plan), witness);
   for (const ColumnGroup& group : groups_of(entry)) {
     const Role role = entry.columns[group.first].role;
     for (const std::string& number : witness.numbers.at(group.name).numbers) {

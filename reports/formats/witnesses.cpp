@@ -8,13 +8,13 @@ namespace axiscert {
 namespace {
 
 std::string render_witnesses(const Run& run) {
-  const TestDescription& test = test_of(run.record.plan);
+  const Predicate& predicate = predicate_of(run.record.plan);
   std::string text;
   for (const WitnessRecord& witness : run.record.witnesses) {
     Json query = {{"id", json_of(witness.id)}, {"precision", name(witness.precision)}};
-    const TestEntry& entry = *entry_of(test, witness);
-    if (const std::string_view written = written_name(test); !written.empty()) query["test"] = written;
-    if (&entry != &test.entries.front()) query["entry"] = entry.name;
+    const PredicateEntry& entry = *entry_of(predicate, witness);
+    if (const std::string_view written = written_name(predicate); !written.empty()) query["predicate"] = written;
+    if (&entry != &predicate.entries.front()) query["entry"] = entry.name;
     for (const ColumnGroup& group : groups_of(entry))
       member_at(query, group.name) = json_of(witness.numbers.at(group.name));
     text += query.dump() + "\n";

@@ -1,4 +1,4 @@
-// A ratchet of a run of a test of motions: late times and tunnels that are accepted, and no more of them.
+// A ratchet of a run of a predicate of motions: late times and tunnels that are accepted, and no more of them.
 #include "reports/gates/ratchet_text.h"
 #include "reports/testing/edited_record.h"
 #include "reports/testing/motion_run.h"
@@ -68,7 +68,7 @@ TEST(RatchetOfContacts, ATunnelThatIsDeeperFails) {
               HasSubstr("missed.deepest_tunnel: 0.125, accepted is 0"));
 }
 
-TEST(RatchetOfContacts, APlaceOrFigureThatTheTestDoesNotHaveIsRefused) {
+TEST(RatchetOfContacts, APlaceOrFigureThatThePredicateDoesNotHaveIsRefused) {
   const std::string motions = "axiscert-ratchet/3 p moving-sphere\n",
                     lines =
                         "kernel: k\npromise: binary32 queries=9 touching=contact\n"

@@ -48,7 +48,7 @@ TEST(MotionLevels, AContactWithoutATimeMeetsNeither) {
   }
 }
 
-TEST(MotionLevels, AKernelOrATestWithoutTimesIsNotChecked) {
+TEST(MotionLevels, AKernelOrAPredicateWithoutTimesIsNotChecked) {
   Json silent = motions(contacts(0, 0, 1));
   silent["kernels"][0]["measures"] = Json::array();
   for (const char* level : {"never-late", "no-tunnel", "no-tunnel=0.5"}) {

@@ -92,7 +92,7 @@ class Holder {
     for (RankedFailure& ranked : failures_) outcome_.failures.push_back(std::move(ranked.failure));
     outcome_.file = ratchet_.name;
     outcome_.plan = ratchet_.plan;
-    outcome_.accepted = ratchet_file(ratchet_.plan, test_of(record_.plan), promises_, accepted_, digests_);
+    outcome_.accepted = ratchet_file(ratchet_.plan, predicate_of(record_.plan), promises_, accepted_, digests_);
     return std::move(outcome_);
   }
 
@@ -307,9 +307,10 @@ const HeldPromise* find_promise(const std::vector<HeldPromise>& all, const std::
 }
 
 void require_plan(const Ratchet& ratchet, const PlanRecord& plan) {
-  if (const std::string_view test = test_of(plan).id; test != ratchet.test) {
-    throw Error(fmt::format("{}: of the test {}, and this run is of {}; figures of two tests are not comparable",
-                            ratchet.name, ratchet.test, test));
+  if (const std::string_view predicate = predicate_of(plan).id; predicate != ratchet.predicate) {
+    throw Error(
+        fmt::format("{}: of the predicate {}, and this run is of {}; figures of two predicates are not comparable",
+                    ratchet.name, ratchet.predicate, predicate));
   }
   const std::string given = plan_fingerprint(plan);
   if (given == ratchet.plan) return;
@@ -339,7 +340,7 @@ std::string ratchet_text(const Record& record) {
   for (const auto& [id, identity] : identities) {
     if (Digests files = digests_of(record, id); !files.empty()) digests[identity] = std::move(files);
   }
-  return ratchet_file(plan, test_of(record.plan), promises, entries, digests);
+  return ratchet_file(plan, predicate_of(record.plan), promises, entries, digests);
 }
 
 }  // namespace axiscert

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "fuzz/record/record.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 #include "reports/comparison/promise.h"
 #include "reports/run_folder/identity.h"
 #include "reports/run_folder/ratchet_outcome.h"
@@ -37,13 +37,13 @@ const HeldPromise* find_promise(const std::vector<HeldPromise>& all, const std::
 
 struct Ratchet {
   std::string name, plan;
-  std::string test;  // its id
+  std::string predicate;  // its id
   std::vector<HeldPromise> promises;
   std::map<std::string, RatchetEntry> entries;  // by fingerprint
   std::map<std::string, Digests> digests;       // of the kernels' files, by the kernel as the keys have it
 };
 
-// Throws Error where the plan of a record is of another test than the ratchet, is not the ratchet's, or cannot be
+// Throws Error where the plan of a record is of another predicate than the ratchet, is not the ratchet's, or cannot be
 // repeated.
 void require_plan(const Ratchet& ratchet, const PlanRecord& plan);
 

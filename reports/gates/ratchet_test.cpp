@@ -107,14 +107,15 @@ TEST(Ratchet, AnotherPlanIsRefused) {
   }
 }
 
-TEST(Ratchet, AnotherTestIsRefusedBeforeItsFiguresAreCompared) {
+TEST(Ratchet, AnotherPredicateIsRefusedBeforeItsFiguresAreCompared) {
   std::string text = reviewed();
   text.insert(text.find('\n'), " point-box");
   const Ratchet ratchet = parse_ratchet(text, "r.txt");
-  EXPECT_EQ(ratchet.test, "point-box");
-  EXPECT_THAT([&] { hold_against(ratchet, stored_record(), today); },
-              testing::ThrowsMessage<Error>("r.txt: of the test point-box, and this run is of sphere-triangle; figures "
-                                            "of two tests are not comparable"));
+  EXPECT_EQ(ratchet.predicate, "point-box");
+  EXPECT_THAT(
+      [&] { hold_against(ratchet, stored_record(), today); },
+      testing::ThrowsMessage<Error>("r.txt: of the predicate point-box, and this run is of sphere-triangle; figures "
+                                    "of two predicates are not comparable"));
   text.insert(text.find('\n'), " more");
   EXPECT_THAT(error_of(text), HasSubstr("r.txt:1: begins with"));
 }

@@ -182,13 +182,13 @@ class Lines {
     }
   }
 
-  // A test that is not known here is refused where the plan is compared.
+  // A predicate that is not known here is refused where the plan is compared.
   void check_place(const std::string& place, const Line& line) const {
     std::vector<std::string_view> known = {"verdict", "finding"};
     try {
-      const TestDescription& test = find_test(ratchet_.test);
-      if (!test.measures.empty()) known.insert(known.end(), places_of_contacts, std::end(places_of_contacts));
-      for (const TestComparison& comparison : test.comparisons) known.push_back(comparison.name);
+      const Predicate& predicate = find_predicate(ratchet_.predicate);
+      if (!predicate.measures.empty()) known.insert(known.end(), places_of_contacts, std::end(places_of_contacts));
+      for (const PredicateComparison& comparison : predicate.comparisons) known.push_back(comparison.name);
     } catch (const Error&) {
       return;
     }
@@ -241,12 +241,12 @@ Ratchet parse_ratchet(std::string_view text, const std::string& name) {
       }
       if (words[0] != ratchet_schema || words.size() < 2 || words.size() > 3) {
         line.fail(
-            fmt::format("begins with '{}', but a ratchet begins with '{} PLAN [TEST]'; a run writes one as "
+            fmt::format("begins with '{}', but a ratchet begins with '{} PLAN [PREDICATE]'; a run writes one as "
                         "ratchet.txt",
                         words[0].substr(0, 80), ratchet_schema));
       }
       ratchet.plan = words[1];
-      ratchet.test = words.size() == 3 ? words[2] : std::string(test_named("").id);
+      ratchet.predicate = words.size() == 3 ? words[2] : std::string(predicate_named("").id);
     } else {
       lines.add(words, line);
     }
@@ -276,9 +276,9 @@ Ratchet read_ratchet(const std::string& path) {
   return parse_ratchet(text.view(), as_utf8(path));
 }
 
-std::string ratchet_file(const std::string& plan, const TestDescription& test, const std::vector<HeldPromise>& promises,
+std::string ratchet_file(const std::string& plan, const Predicate& predicate, const std::vector<HeldPromise>& promises,
                          const std::vector<RatchetEntry>& entries, const std::map<std::string, Digests>& digests) {
-  const std::string_view named = written_name(test);
+  const std::string_view named = written_name(predicate);
   std::string text = fmt::format(
       "{} {}{}\n# promise: on what each kernel is held to be right; accept: until when, by whom, why; docs/ci.md\n",
       ratchet_schema, plan, named.empty() ? "" : " " + word(std::string(named)));

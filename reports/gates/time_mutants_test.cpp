@@ -62,7 +62,7 @@ EnumArray<TimeFault, TimesSeen> seen_of_all() {
   std::vector<const Kernel*> asked;
   for (const TimeFault fault : enumerators<TimeFault>) asked.push_back(&kernels.emplace_back(time_mutant(fault)));
   MutationPlan plan;
-  plan.families = families_of(moving_sphere_test(), MovingSphere::entry);
+  plan.families = families_of(moving_sphere_predicate(), MovingSphere::entry);
   plan.seed = time_mutants_seed;
   EnumArray<TimeFault, TimesSeen> seen{};
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {

@@ -1,4 +1,4 @@
-// What `axiscert families`, `tests` and `kernels` list.
+// What `axiscert families`, `predicates` and `kernels` list.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 #include "fuzz/record/kernel_record.h"
 #include "kernel/kernel.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 #include "reports/instrument/data.h"
 
 namespace axiscert {
 
 struct ListedFamily {
-  Name name, test;
+  Name name, predicate;
   std::string purpose;
   std::uint64_t version = 0;
   bool exact_arithmetic = false;
@@ -25,7 +25,8 @@ struct ListedFamily {
   static constexpr auto fields(auto&& visit) {
     using Of = ListedFamily;
     return visit(
-        field(&Of::name, {"name", "What --family takes."}), field(&Of::test, {"test", "The test of its queries."}),
+        field(&Of::name, {"name", "What --family takes."}),
+        field(&Of::predicate, {"predicate", "The predicate of its queries."}),
         field(&Of::purpose, {"purpose", "What kind of queries it makes, and why."}),
         field(&Of::version, {"version", "Raised when its queries change; part of their addresses."}),
         field(&Of::exact_arithmetic,
@@ -41,7 +42,7 @@ struct FamiliesData : DataHead<FamiliesData> {
                                     about = "`axiscert families --format json`. It depends on the version alone.";
   static constexpr auto fields(auto&& visit) {
     using Of = FamiliesData;
-    return visit(base<Of, DataHead<Of>>(), field(&Of::families, {"families", "Every family of the test."}));
+    return visit(base<Of, DataHead<Of>>(), field(&Of::families, {"families", "Every family of the predicate."}));
   }
 };
 
@@ -106,7 +107,7 @@ struct ListedWrongAnswer {
   }
 };
 
-struct ListedTest {
+struct ListedPredicate {
   Name id, asks, rule, touching;
   std::vector<ListedEntry> entries;
   std::vector<ListedComparison> comparisons;
@@ -117,13 +118,13 @@ struct ListedTest {
 
   static constexpr std::string_view about = "One question and its answers.";
   static constexpr auto fields(auto&& visit) {
-    using Of = ListedTest;
-    return visit(field(&Of::id, {"id", "What --test takes."}), field(&Of::asks, {"asks", "The question."}),
+    using Of = ListedPredicate;
+    return visit(field(&Of::id, {"id", "What --predicate takes."}), field(&Of::asks, {"asks", "The question."}),
                  field(&Of::rule, {"rule", "How the comparisons make the verdict."}),
                  field(&Of::touching, {"touching", "The verdict where the two touch without overlapping."}),
                  field(&Of::entries, {"entries", "The forms in which a query is given."}),
                  field(&Of::comparisons, {"comparisons", "The comparisons, in the order of their bits."}),
-                 field(&Of::clauses, {"clauses", "The clauses; in a test by separating axes, the axes."}),
+                 field(&Of::clauses, {"clauses", "The clauses; in a predicate by separating axes, the axes."}),
                  field(&Of::measures, {"measures", "What a kernel may give beside a verdict."}),
                  field(&Of::kernels, {"kernels", "The ids of its built-in kernels."}),
                  field(&Of::families, {"families", "The names of its families."}),
@@ -131,14 +132,14 @@ struct ListedTest {
   }
 };
 
-struct TestsData : DataHead<TestsData> {
-  std::vector<ListedTest> tests;
+struct PredicatesData : DataHead<PredicatesData> {
+  std::vector<ListedPredicate> predicates;
 
-  static constexpr std::string_view format = "axiscert-tests/1", title = "The tests",
-                                    about = "`axiscert tests --format json`. It depends on the version alone.";
+  static constexpr std::string_view format = "axiscert-tests/1", title = "The predicates",
+                                    about = "`axiscert predicates --format json`. It depends on the version alone.";
   static constexpr auto fields(auto&& visit) {
-    using Of = TestsData;
-    return visit(base<Of, DataHead<Of>>(), field(&Of::tests, {"tests", "Every test."}));
+    using Of = PredicatesData;
+    return visit(base<Of, DataHead<Of>>(), field(&Of::predicates, {"predicates", "Every predicate."}));
   }
 };
 
@@ -159,7 +160,7 @@ struct ListedArithmetic {
 struct ListedKernel {
   Name id;
   std::string summary;
-  Name test, entry;
+  Name predicate, entry;
   std::string formulae;
   std::vector<Precision> precisions;
   std::vector<Name> targets;
@@ -177,7 +178,7 @@ struct ListedKernel {
     return visit(
         field(&Of::id, {"id", "What --kernel takes."}),
         field(&Of::summary, {"summary", "What it computes, in a line."}),
-        field(&Of::test, {"test", "The test whose question it answers."}),
+        field(&Of::predicate, {"predicate", "The predicate whose question it answers."}),
         field(&Of::entry, {"entry", "The form in which it takes the numbers."}),
         field(&Of::formulae, {"formulae", "The formulae that it claims; none where its verdict alone is judged."}),
         field(&Of::precisions, {"precisions", "The precisions in which it exists."}),
@@ -187,10 +188,12 @@ struct ListedKernel {
         field(&Of::source, {"source", "FILE:LINE of a plug-in that says where it is written; null otherwise."}),
         field(&Of::findings, {"findings", "What was wrong with loading it."}),
         field(&Of::arithmetics, {"arithmetics", "The same kernel in other arithmetics."}),
-        field(&Of::measures,
-              {.name = "measures", .about = "Of a test with measures, those that it gives.", .may_be_absent = true}),
-        field(&Of::motion,
-              {.name = "motion", .about = "Of a test of motions, what it does not promise.", .may_be_absent = true}));
+        field(
+            &Of::measures,
+            {.name = "measures", .about = "Of a predicate with measures, those that it gives.", .may_be_absent = true}),
+        field(&Of::motion, {.name = "motion",
+                            .about = "Of a predicate of motions, what it does not promise.",
+                            .may_be_absent = true}));
   }
 };
 
@@ -203,10 +206,11 @@ struct KernelsData : DataHead<KernelsData> {
                                         "instruction sets of the machine.";
   static constexpr auto fields(auto&& visit) {
     using Of = KernelsData;
-    return visit(base<Of, DataHead<Of>>(),
-                 field(&Of::kernels, {"kernels",
-                                      "Every built-in kernel of the test, then the plug-ins that come along; or those "
-                                      "of --kernel."}));
+    return visit(
+        base<Of, DataHead<Of>>(),
+        field(&Of::kernels, {"kernels",
+                             "Every built-in kernel of the predicate, then the plug-ins that come along; or those "
+                             "of --kernel."}));
   }
 };
 

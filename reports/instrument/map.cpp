@@ -17,7 +17,7 @@ SideData side_data(const PlaneSide& side) {
 }
 
 std::string picture_file(const std::string& map, const MapPlan& plan, const MapSubject& subject) {
-  return fmt::format("{}-{}.png", map, name(subject, *plan.kernel->test));
+  return fmt::format("{}-{}.png", map, name(subject, *plan.kernel->predicate));
 }
 
 // "Nothing was looked at in verdict: no pixel is decided. ": what stands before anything else; empty where every
@@ -71,7 +71,7 @@ MapData map_data(const std::string& map_name, const MapPlan& plan, const std::ve
               query_line(plan.witness),
               {}};
   for (const MapPicture& picture : pictures) {
-    map.pictures.push_back({picture.subject.level, name(picture.subject, *plan.kernel->test),
+    map.pictures.push_back({picture.subject.level, name(picture.subject, *plan.kernel->predicate),
                             picture_file(map_name, plan, picture.subject), picture.decided(), picture.counts});
   }
   return map;

@@ -19,11 +19,11 @@ struct ExactAnswersLine {
   bool touching = false;
   std::optional<std::string> reason;
   std::optional<std::optional<std::string>> squared_distance;
-  NamedValues<Json> details;  // of the test, by name
+  NamedValues<Json> details;  // of the predicate, by name
   std::optional<BitText> comparisons, axes, ties;
 
   static constexpr std::string_view about =
-      "By exact arithmetic. Besides these what the test's oracles tell: a time, a penetration, features, deciding "
+      "By exact arithmetic. Besides these what the predicate's oracles tell: a time, a penetration, features, deciding "
       "axes.";
   static constexpr auto fields(auto&& visit) {
     using Of = ExactAnswersLine;
@@ -31,9 +31,10 @@ struct ExactAnswersLine {
         field(&Of::verdict, {"verdict", "The answer."}),
         field(&Of::touching, {"touching", "Whether the two touch and no more."}),
         field(&Of::reason, {.name = "reason", .about = "Why the query is invalid.", .may_be_absent = true}),
-        field(&Of::squared_distance, {.name = "squared_distance",
-                                      .about = "A fraction, of a test that compares one; null where it was not formed.",
-                                      .may_be_absent = true}),
+        field(&Of::squared_distance,
+              {.name = "squared_distance",
+               .about = "A fraction, of a predicate that compares one; null where it was not formed.",
+               .may_be_absent = true}),
         rest(&Of::details),
         field(&Of::comparisons,
               {"comparisons", "The bits of the kernel's formulae over the reals; null of a kernel that claims none."}),
@@ -54,11 +55,11 @@ struct ComputedAnswersLine {
         field(&Of::verdict, {"verdict", "The answer."}),
         field(&Of::comparisons,
               {"comparisons",
-               "Comparison bits, a digit each in the order of `axiscert tests`; null where there are none."}),
+               "Comparison bits, a digit each in the order of `axiscert predicates`; null where there are none."}),
         field(&Of::axes, {"axes", "The clauses that hold, a digit each; null where nothing is known of them."}),
         field(&Of::measures,
               {.name = "measures",
-               .about = "Of a test with measures: what was given beside a contact and how wrong it is; null where "
+               .about = "Of a predicate with measures: what was given beside a contact and how wrong it is; null where "
                         "nothing was given.",
                .may_be_absent = true}));
   }
@@ -82,7 +83,7 @@ struct CheckLine : DataHead<CheckLine> {
   bool within_limits = true;
   std::vector<FindingRow> findings;
   std::vector<FlipRecord> flips;
-  std::optional<Name> test;
+  std::optional<Name> predicate;
   std::optional<std::optional<NamedValues<ComparisonErrorLine>>> errors;
 
   static constexpr std::string_view format = "axiscert-check/1", title = "A query judged",
@@ -102,7 +103,8 @@ struct CheckLine : DataHead<CheckLine> {
         field(&Of::within_limits, {"within_limits", "Whether the kernel promises anything for such a query."}),
         field(&Of::findings, {"findings", "What was seen besides a wrong answer."}),
         field(&Of::flips, {"flips", "Where the answers differ."}),
-        field(&Of::test, {.name = "test", .about = "The test of both, where files name it.", .may_be_absent = true}),
+        field(&Of::predicate,
+              {.name = "predicate", .about = "The predicate of both, where files name it.", .may_be_absent = true}),
         field(&Of::errors, {.name = "errors",
                             .about = "With --errors: of each comparison's sides; null where the kernel shows none.",
                             .may_be_absent = true}));

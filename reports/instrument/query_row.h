@@ -19,24 +19,24 @@ struct ExactRow {
   std::optional<double> depth;
   std::optional<Name> input_class;
   std::optional<BitText> comparisons;
-  NamedValues<Json> details;  // of the test, by name
+  NamedValues<Json> details;  // of the predicate, by name
 
   static constexpr std::string_view about =
-      "The exact answer, with what the test's oracles know of a valid query besides, as `axiscert check` has it.";
+      "The exact answer, with what the predicate's oracles know of a valid query besides, as `axiscert check` has it.";
   static constexpr auto fields(auto&& visit) {
     using Of = ExactRow;
     return visit(
         field(&Of::verdict, {"verdict", "The geometric truth; invalid: the numbers are no query."}),
         field(&Of::touching, {"touching", "Whether the two touch, exactly; then the verdict is contact."}),
-        field(&Of::depth,
-              {"depth",
-               "How far the query is from touching, whatever the kernel says; null where it is invalid, and in a test "
-               "without a depth.",
-               "of the scene"}),
+        field(&Of::depth, {"depth",
+                           "How far the query is from touching, whatever the kernel says; null where it is invalid, "
+                           "and in a predicate "
+                           "without a depth.",
+                           "of the scene"}),
         field(&Of::input_class,
               {.name = "class",
                .about = "The class of the input, the first whose definition it meets. Absent where it is invalid, and "
-                        "in a test without classes.",
+                        "in a predicate without classes.",
                .may_be_absent = true}),
         field(&Of::comparisons,
               {"comparisons",
@@ -73,7 +73,7 @@ struct QueryRow : DataHead<QueryRow> {
   static constexpr std::string_view format = "axiscert-row/1", title = "A query and one kernel's answer to it",
                                     about =
                                         "The numbers of the query have the names of the groups of columns of its "
-                                        "test.";
+                                        "predicate.";
   static constexpr auto fields(auto&& visit) {
     using Of = QueryRow;
     return visit(

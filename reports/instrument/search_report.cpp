@@ -23,7 +23,7 @@ class SearchReport {
     report.name = "search";
     report.title = title();
     report.command = command;
-    report.notes = search_method_of(test()).notes();
+    report.notes = search_method_of(predicate()).notes();
     if (plan_.first_queries != 0) {
       report.notes.push_back(
           fmt::format("It began from a run of {} queries of each of {} families, and reports nothing less severe than "
@@ -41,7 +41,7 @@ class SearchReport {
   }
 
  private:
-  const TestDescription& test() const { return *plan_.kernel->test; }
+  const Predicate& predicate() const { return *plan_.kernel->predicate; }
   bool may_decline() const { return plan_.kernel->may_decline; }
 
   // Its first words say how much was looked at: of nothing, there is no worst.
@@ -130,7 +130,7 @@ class SearchReport {
                           {}};
     for (const std::size_t which : comparisons_asked()) {
       const auto proved = proved_error(*plan_.kernel, plan_.precision, which);
-      table.rows.push_back({std::string(test().comparisons[which].name), error_cell({Goal::error, which}),
+      table.rows.push_back({std::string(predicate().comparisons[which].name), error_cell({Goal::error, which}),
                             proved ? shown(*proved) : "open", error_cell({Goal::relative_error, which}),
                             range_cell({Goal::overflow, which}), range_cell({Goal::underflow, which})});
     }
@@ -143,7 +143,7 @@ class SearchReport {
     InstrumentTable table{"Verdicts", {"what", "worst", "unit", "broken links"}, {}};
     for (const Goal goal : verdict_goals()) {
       const Find* found = find({goal});
-      table.rows.push_back({name(Aim{goal}, test()), error_cell({goal}), unit(goal),
+      table.rows.push_back({name(Aim{goal}, predicate()), error_cell({goal}), unit(goal),
                             found ? fmt::format("{}", fmt::join(names(found->links), " ")) : ""});
     }
     return table;
@@ -165,7 +165,7 @@ class SearchReport {
 
   ComparisonFindData comparison_data(std::size_t which) const {
     const Find *error = find({Goal::error, which}), *relative = find({Goal::relative_error, which});
-    return {std::string(test().comparisons[which].name),
+    return {std::string(predicate().comparisons[which].name),
             made_of(error, value_of),
             proved_error(*plan_.kernel, plan_.precision, which),
             made_of(error, witness_of),
@@ -203,7 +203,7 @@ class SearchReport {
     data.may_decline = may_decline();
     data.looked_at = all_;
     for (std::size_t i = 0; i < result_.aims.size(); ++i)
-      data.looked_at_by_goal.put(name(result_.aims[i], test())) = result_.looked_at[i];
+      data.looked_at_by_goal.put(name(result_.aims[i], predicate())) = result_.looked_at[i];
     for (const std::size_t which : comparisons_asked()) data.comparisons.push_back(comparison_data(which));
     data.verdict = verdict_data();
     data.begun_from = {plan_.first_queries, names_of(plan_.first_sources), result_.begun};

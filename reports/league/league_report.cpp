@@ -244,7 +244,7 @@ class LeagueReport {
   }
 
   Tally sum(std::size_t k, Precision precision) const {
-    Tally all = empty_tally(*league_.kernels[k]->test);
+    Tally all = empty_tally(*league_.kernels[k]->predicate);
     for_each_cell(k, precision, [&](const Source&, const Tally& tally) { all.merge(tally); });
     return all;
   }

@@ -15,7 +15,7 @@ namespace {
 
 // Half of the queries are contacts, one more where their number is odd.
 Tally tally_of(std::uint64_t trials, std::uint64_t missed, std::uint64_t invented) {
-  Tally tally = empty_tally(sphere_triangle_test());
+  Tally tally = empty_tally(sphere_triangle_predicate());
   tally.trials = trials;
   tally.truth.separated = trials / 2;
   tally.truth.contact = trials - tally.truth.separated;

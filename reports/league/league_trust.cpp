@@ -86,7 +86,7 @@ Trust trust_in(const Kernel& kernel, const Tally& tally) {
 
 Tally tally_of_group(const League& league, const CampaignResult& result, std::size_t k, Precision precision,
                      std::optional<TrustGroup> group) {
-  Tally all = empty_tally(*league.kernels[k]->test);
+  Tally all = empty_tally(*league.kernels[k]->predicate);
   for (const CellResult& cell : result.cells) {
     if (cell.precision != precision) continue;
     if (!group || group_of(league.questions.sources[cell.source]) == group) all.merge(cell.tallies[k]);

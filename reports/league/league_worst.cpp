@@ -87,7 +87,7 @@ std::string worst_sentence(const WorstQuery& worst, std::uint64_t seed) {
 }
 
 InstrumentScene worst_scene(const WorstQuery& worst, std::uint64_t seed) {
-  const TestEntry& entry = worst.source->test().entries[worst.source->entry()];
+  const PredicateEntry& entry = worst.source->predicate().entries[worst.source->entry()];
   const std::string address = worst.address(seed);
   InstrumentScene scene;
   scene.title = fmt::format("{}, {}", worst.kernel->id, name(worst.precision));

@@ -59,7 +59,7 @@ function show_reproduction(data) {
 }
 
 // The commands whose files this folder could hold and does not, with what each would add to the page; those that serve the
-// run's test, about its first kernel.
+// run's predicate, about its first kernel.
 function parts_not_run(data) {
   const {proofs, search, maps, ladder, precision, league, mutation} = data.attached;
   const entry = data.kernels.find((each) => each.all !== null), worst = data.witnesses.cards[0];
@@ -69,7 +69,7 @@ function parts_not_run(data) {
     [proofs, 'prove', 'bounds that a checker accepted'],
     [search, `search${about}`, 'the worst errors there are'],
     [maps, `map ${around}`, 'pictures of where it is wrong around a witness'],
-    [ladder, 'ladder', 'accuracy against speed of each form of the test'],
+    [ladder, 'ladder', 'accuracy against speed of each form of the predicate'],
     [precision, 'precision', 'wrong verdicts against the bits of precision'],
     [league, 'league', 'libraries and other kernels on the same queries'],
     [mutation, 'mutate', 'which planted faults would be caught'],

@@ -20,7 +20,7 @@ function origin(witness) {
   return one_line(`${witness.id}: ${witness.kernel}, ${witness.precision}, family ${witness.family}, address ${witness.address}`);
 }
 
-// The time of contact as it has to be, where the witness shows that it is not; nothing for a test without times.
+// The time of contact as it has to be, where the witness shows that it is not; nothing for a predicate without times.
 function time_lines(witness, name, numbers) {
   const best = witness.first_contact?.time;
   const said = witness.measures?.time;
@@ -35,7 +35,7 @@ function time_lines(witness, name, numbers) {
 
 function cpp_test(witness) {
   const type = c_type(witness);
-  const {groups_of, suite, time, touching: touches} = page_test_of(witness), groups = groups_of(witness);
+  const {groups_of, suite, time, touching: touches} = page_predicate_of(witness), groups = groups_of(witness);
   const line = (group) => {
     const value = witness[group];
     return Array.isArray(value) ? `  const ${type} ${variable(group)}[${value.length}] = ${c_point(value, witness.precision)};`
@@ -56,7 +56,7 @@ function cpp_test(witness) {
 }
 
 function c_array(witness) {
-  const groups = page_test_of(witness).groups_of(witness);
+  const groups = page_predicate_of(witness).groups_of(witness);
   const values = groups.map((group) => [witness[group]].flat());
   const count_of_numbers = values.flat().length;
   const needs_math = values.flat().some((value) => /nan|inf/.test(value));
@@ -70,10 +70,10 @@ function c_array(witness) {
 
 // A line of a query file, as witnesses.jsonl has it.
 function json_line(witness) {
-  const {id, precision, test, entry} = witness;
+  const {id, precision, predicate, entry} = witness;
   const numbers = {};
   // A group whose name has dots is nested; what is named by digits is an element of an array.
-  for (const group of page_test_of(witness).groups_of(witness)) {
+  for (const group of page_predicate_of(witness).groups_of(witness)) {
     const names = group.split('.');
     let at = numbers;
     names.forEach((name, i) => {
@@ -81,7 +81,7 @@ function json_line(witness) {
       else at = at[name] ??= /^[0-9]+$/.test(names[i + 1]) ? [] : {};
     });
   }
-  return JSON.stringify({id, precision, ...(test ? {test} : {}), ...(entry ? {entry} : {}), ...numbers});
+  return JSON.stringify({id, precision, ...(predicate ? {predicate} : {}), ...(entry ? {entry} : {}), ...numbers});
 }
 
 const snippet_kinds = [['C++ test', cpp_test], ['C array', c_array], ['JSON line', json_line]];

@@ -29,7 +29,7 @@ Json queries_of(const PlanRecord& plan, const std::string& family, Precision pre
 std::string plan_fingerprint(const PlanRecord& plan) {
   if (plan.units_done) return "";
   Json all = {{"tolerance", json_of(plan.tolerance)}, {"families", Json::object()}};
-  if (const std::string_view name = written_name(test_of(plan)); !name.empty()) all["test"] = name;
+  if (const std::string_view name = written_name(predicate_of(plan)); !name.empty()) all["predicate"] = name;
   for (const std::string& family : plan.families) {
     for (const Precision precision : plan.precisions)
       all["families"][family][std::string(name(precision))] = queries_of(plan, family, precision);

@@ -26,7 +26,7 @@ Names names_of(const std::vector<One>& all) {
   return names;
 }
 
-Names group_names(const TestEntry& entry) { return names_of(groups_of(entry)); }
+Names group_names(const PredicateEntry& entry) { return names_of(groups_of(entry)); }
 
 bool is_of(const GroupNumbers& numbers, const ColumnGroup& group) { return numbers.numbers.size() == group.size; }
 bool is_of(const std::optional<GroupNumbers>& numbers, const ColumnGroup& group) {
@@ -34,15 +34,15 @@ bool is_of(const std::optional<GroupNumbers>& numbers, const ColumnGroup& group)
 }
 
 template <class Numbers>
-const TestEntry* entry_of_numbers(const TestDescription& test, const NamedValues<Numbers>& numbers) {
+const PredicateEntry* entry_of_numbers(const Predicate& predicate, const NamedValues<Numbers>& numbers) {
   const auto fits = [&](const ColumnGroup& group) {
     const Numbers* found = numbers.find(group.name);
     return found != nullptr && is_of(*found, group);
   };
   // One entry's groups may be among another's: that with most is meant.
-  const TestEntry* found = nullptr;
+  const PredicateEntry* found = nullptr;
   std::size_t most = 0;
-  for (const TestEntry& entry : test.entries) {
+  for (const PredicateEntry& entry : predicate.entries) {
     const std::vector<ColumnGroup> groups = groups_of(entry);
     if (groups.size() <= most || !std::all_of(groups.begin(), groups.end(), fits)) continue;
     found = &entry;
@@ -55,9 +55,9 @@ class NameCheck {
  public:
   explicit NameCheck(const Record& record)
       : record_(record),
-        test_(test_of(record.plan)),
-        clauses_(names_of(test_.clauses)),
-        comparisons_(names_of(test_.comparisons)) {}
+        predicate_(predicate_of(record.plan)),
+        clauses_(names_of(predicate_.clauses)),
+        comparisons_(names_of(predicate_.comparisons)) {}
 
   Fault check() const {
     if (Fault fault = unknown("tolerance", "comparison", record_.plan.tolerance, comparisons_)) return fault;
@@ -86,8 +86,8 @@ class NameCheck {
     if (Fault fault = check_numbers(where, witness)) return fault;
     const auto check_bits = [&](const std::optional<BitText>& bits, const char* member) -> Fault {
       if (!bits || bits->size() == comparisons_.size()) return std::nullopt;
-      return fmt::format("{}: {} is {}, but the test {} has {} comparisons", where, member, json_of(*bits).dump(),
-                         test_.id, comparisons_.size());
+      return fmt::format("{}: {} is {}, but the predicate {} has {} comparisons", where, member, json_of(*bits).dump(),
+                         predicate_.id, comparisons_.size());
     };
     if (Fault fault = check_bits(witness.exact_comparisons, "exact_comparisons")) return fault;
     if (Fault fault = check_bits(witness.computed_comparisons, "computed_comparisons")) return fault;
@@ -98,8 +98,8 @@ class NameCheck {
   Fault unknown(const std::string& where, const char* kind, const NamedValues<Value>& given, const Names& names) const {
     for (const auto& [name, ignored] : given) {
       if (has(names, name)) continue;
-      return fmt::format("{}: the test {} has no {} {}; it has: {}", where, test_.id, kind, json_of(name).dump(),
-                         fmt::join(names, ", "));
+      return fmt::format("{}: the predicate {} has no {} {}; it has: {}", where, predicate_.id, kind,
+                         json_of(name).dump(), fmt::join(names, ", "));
     }
     return std::nullopt;
   }
@@ -110,29 +110,30 @@ class NameCheck {
     if (!given) return std::nullopt;
     if (Fault fault = unknown(where, kind, *given, names)) return fault;
     for (const std::string_view name : names) {
-      if (!given->contains(name)) return fmt::format("{}: without {} {} of the test {}", where, kind, name, test_.id);
+      if (!given->contains(name))
+        return fmt::format("{}: without {} {} of the predicate {}", where, kind, name, predicate_.id);
     }
     return std::nullopt;
   }
 
-  // The numbers of a query: those of one entry of the test, in its groups.
+  // The numbers of a query: those of one entry of the predicate, in its groups.
   Fault check_numbers(const std::string& where, const auto& query) const {
-    const TestEntry* entry = entry_of(test_, query);
+    const PredicateEntry* entry = entry_of(predicate_, query);
     if (entry == nullptr) {
-      return fmt::format("{}: without the numbers of a query of {}: {}", where, test_.id,
-                         fmt::join(group_names(test_.entries.front()), ", "));
+      return fmt::format("{}: without the numbers of a query of {}: {}", where, predicate_.id,
+                         fmt::join(group_names(predicate_.entries.front()), ", "));
     }
     const Names groups = group_names(*entry);
     for (const auto& [name, ignored] : query.numbers) {
       if (has(groups, name)) continue;
-      return fmt::format("{}: {} is not a member, nor a name of numbers of the test {}, which are: {}", where,
-                         json_of(name).dump(), test_.id, fmt::join(groups, ", "));
+      return fmt::format("{}: {} is not a member, nor a name of numbers of the predicate {}, which are: {}", where,
+                         json_of(name).dump(), predicate_.id, fmt::join(groups, ", "));
     }
     return std::nullopt;
   }
 
   const Record& record_;
-  const TestDescription& test_;
+  const Predicate& predicate_;
   Names clauses_, comparisons_;
 };
 
@@ -140,11 +141,11 @@ class NameCheck {
 
 std::optional<std::string> fault_of_names(const Record& record) { return NameCheck(record).check(); }
 
-const TestEntry* entry_of(const TestDescription& test, const WitnessRecord& query) {
-  return entry_of_numbers(test, query.numbers);
+const PredicateEntry* entry_of(const Predicate& predicate, const WitnessRecord& query) {
+  return entry_of_numbers(predicate, query.numbers);
 }
-const TestEntry* entry_of(const TestDescription& test, const FindingRecord& query) {
-  return entry_of_numbers(test, query.numbers);
+const PredicateEntry* entry_of(const Predicate& predicate, const FindingRecord& query) {
+  return entry_of_numbers(predicate, query.numbers);
 }
 
 }  // namespace axiscert

@@ -57,7 +57,7 @@ constexpr const char* advice = "run it again, or restore the file as it was writ
 class RecordCheck {
  public:
   RecordCheck(const Record& record, const std::string& name)
-      : record_(record), plan_(record.plan), name_(name), test_(test_of(record.plan)) {}
+      : record_(record), plan_(record.plan), name_(name), predicate_(predicate_of(record.plan)) {}
 
   void check() const {
     check_plan();
@@ -83,7 +83,7 @@ class RecordCheck {
     for (const WitnessRecord& witness : record_.witnesses) {
       const std::string where = fmt::format("witness {}", shown_name(witness.id));
       require(ids.insert(witness.id).second, where, "appears twice");
-      for (const ColumnGroup& group : groups_of(*entry_of(test_, witness)))
+      for (const ColumnGroup& group : groups_of(*entry_of(predicate_, witness)))
         check_numbers(witness.precision, witness.numbers.at(group.name), fmt::format("{}, {}", where, group.name));
       require(places.contains({witness.kernel, witness.precision, witness.family}), where,
               "its kernel, precision and family are not in the record");
@@ -132,7 +132,7 @@ class RecordCheck {
       };
       goes_together("precision", finding.precision.has_value());
       goes_together("address", finding.address.has_value());
-      const std::vector<ColumnGroup> groups = groups_of(*entry_of(test_, finding));
+      const std::vector<ColumnGroup> groups = groups_of(*entry_of(predicate_, finding));
       for (const ColumnGroup& group : groups) goes_together(group.name, finding.numbers.at(group.name).has_value());
       if (!finding.family) {
         explained.insert(finding.kernel);
@@ -238,7 +238,7 @@ class RecordCheck {
   const Record& record_;
   const PlanRecord& plan_;
   const std::string& name_;
-  const TestDescription& test_;
+  const Predicate& predicate_;
 };
 
 // Names first: the other conditions go by them.
@@ -246,8 +246,8 @@ void check_names(const Record& record, const std::string& name) {
   std::optional<std::string> fault;
   try {
     fault = fault_of_names(record);
-  } catch (const Error& unknown_test) {
-    throw Error(fmt::format("{}: /plan/test: {}", name, unknown_test.what()));
+  } catch (const Error& unknown_predicate) {
+    throw Error(fmt::format("{}: /plan/predicate: {}", name, unknown_predicate.what()));
   }
   if (fault) throw Error(fmt::format("{}: {}; {}", name, *fault, advice));
 }
@@ -263,7 +263,7 @@ Record read_record(const Json& json, const std::string& name) {
 
 RunInfo read_run_info(const Json& info, const std::string& name) { return read_file<RunInfo>(info, name, advice); }
 
-const TestDescription& test_of(const PlanRecord& plan) { return find_test(plan.test); }
+const Predicate& predicate_of(const PlanRecord& plan) { return find_predicate(plan.predicate); }
 
 Json read_json(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);

@@ -9,7 +9,7 @@
 #include "fuzz/record/record.h"
 #include "fuzz/record/run_info.h"
 #include "fuzz/text/json.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 #include "reports/run_folder/ratchet_outcome.h"
 
 namespace axiscert {
@@ -24,8 +24,8 @@ struct Run {
   std::filesystem::path folder;           // may hold what other commands wrote next to these files
 };
 
-// The test that a record's plan is about. Throws Error where there is no such test.
-const TestDescription& test_of(const PlanRecord& plan);
+// The predicate that a record's plan is about. Throws Error where there is no such predicate.
+const Predicate& predicate_of(const PlanRecord& plan);
 
 // Whether a kernel of a record states limits of its promise: by numbers, or of motions.
 bool has_limits(const KernelRecord& kernel);

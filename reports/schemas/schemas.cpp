@@ -69,7 +69,7 @@ std::span<const SchemaEntry> schemas() {
       SchemaEntry{"run", schema_of<RunFile>},
       SchemaEntry{"search", schema_of<SearchData>},
       SchemaEntry{"shrink", schema_of<ShrinkLine>},
-      SchemaEntry{"tests", schema_of<TestsData>},
+      SchemaEntry{"predicates", schema_of<PredicatesData>},
   };
   return all;
 }

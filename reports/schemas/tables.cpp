@@ -160,13 +160,13 @@ DataTable search_rows(const Json& data) {
 
 // A property a line, with the first of the queries that show it.
 DataTable diagnosis_rows(const Json& data) {
-  DataTable table{columns_in("kernel test precision seed name value sentence queries witnesses witness.answered "
+  DataTable table{columns_in("kernel predicate precision seed name value sentence queries witnesses witness.answered "
                              "witness.truth witness.shows looked_at.asked looked_at.decided looked_at.undecided "
                              "looked_at.invalid looked_at.unanswered looked_at.outside_limits"),
                   {}};
   for (const Json& property : data["properties"]) {
     Json row = property;
-    for (const char* member : {"kernel", "test", "precision", "seed"}) row[member] = data[member];
+    for (const char* member : {"kernel", "predicate", "precision", "seed"}) row[member] = data[member];
     const Json& witnesses = property["witnesses"];
     row["witnesses"] = witnesses.size();
     if (!witnesses.empty()) row["witness"] = witnesses[0];
@@ -197,7 +197,9 @@ DataTable families_rows(const Json& data) { return listed_rows(data["families"],
 
 DataTable proofs_rows(const Json& data) { return listed_rows(data["bounds"], with_columns_of<ProvedBoundData>({})); }
 
-DataTable tests_rows(const Json& data) { return listed_rows(data["tests"], with_columns_of<ListedTest>({})); }
+DataTable predicates_rows(const Json& data) {
+  return listed_rows(data["predicates"], with_columns_of<ListedPredicate>({}));
+}
 
 struct NamedTable {
   std::string_view name;  // axiscert-NAME/1 is the schema
@@ -214,7 +216,7 @@ constexpr std::array named_tables = {
     NamedTable{"maps", maps_rows},
     NamedTable{"mutation-by-verdict", mutation_by_verdict_rows},
     NamedTable{"families", families_rows},
-    NamedTable{"tests", tests_rows},
+    NamedTable{"predicates", predicates_rows},
     NamedTable{"proofs", proofs_rows},
 };
 
@@ -227,7 +229,7 @@ constexpr std::array listed_tables = {
                 "id precision fault where what caught.family caught.queries caught.address caught.kind caught.depth "
                 "caught_by_formulae_alone.family caught_by_formulae_alone.queries equivalent"},
     ListedTable{"mutation-of-certified", "steps", "step precision mutants shown equivalent by_the_recording_alone"},
-    ListedTable{"kernels", "kernels", "id summary test entry formulae precisions targets exposes source"},
+    ListedTable{"kernels", "kernels", "id summary predicate entry formulae precisions targets exposes source"},
 };
 
 }  // namespace

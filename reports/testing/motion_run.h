@@ -35,7 +35,7 @@ inline Json contacts(std::uint64_t late, double late_tunnel, double missed_tunne
 inline Json motions(const Json& on_tangent) {
   Json record = stored_record();
   for (Json* kernels : {&record["kernels"], &record["plan"]["kernels"]}) kernels->erase(0);
-  record["plan"]["test"] = "moving-sphere";
+  record["plan"]["predicate"] = "moving-sphere";
   record["plan"]["tolerance"] = Json::object();
   Json& kernel = record["kernels"][0];
   kernel["measures"] = {"time"};

@@ -50,7 +50,7 @@ TEST(MotionWords, AKernelWithoutTimesHasARowWhereItMisses) {
   EXPECT_TRUE(motion_cells(family_of(std::nullopt, 0)).empty());
   EXPECT_THAT(motion_cells(family_of(std::nullopt, 0.75)),
               ElementsAre("1,200", "-", "-", "-", "-", "-", "-", "-", "-", "-", "0.25", "-", "0", "0.75"));
-  EXPECT_TRUE(motion_cells(FamilyRecord()).empty()) << "a test without measures";
+  EXPECT_TRUE(motion_cells(FamilyRecord()).empty()) << "a predicate without measures";
 }
 
 }  // namespace

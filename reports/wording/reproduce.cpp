@@ -9,7 +9,7 @@
 #include <optional>
 #include <set>
 
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 #include "kernel/base/utf8.h"
 #include "reports/wording/finding.h"
 #include "reports/wording/summary.h"
@@ -65,7 +65,7 @@ std::string tolerance_options(const PlanRecord& plan) {
   std::map<std::string, std::size_t> uses;
   for (const auto& [comparison, tolerance] : plan.tolerance) ++uses[tolerance];
   std::string common, options;
-  if (!uses.empty() && plan.tolerance.size() == test_of(plan).comparisons.size()) {
+  if (!uses.empty() && plan.tolerance.size() == predicate_of(plan).comparisons.size()) {
     common = std::max_element(uses.begin(), uses.end(), [](const auto& x, const auto& y) {
                return x.second < y.second;
              })->first;
@@ -224,7 +224,7 @@ std::vector<std::string> not_checked(const Record& record) {
   std::vector<std::string> open = {"Proofs: a run observes; it proves nothing about a kernel."};
   if (plan.tolerance.empty()) {
     open.push_back("Tolerance: none was given (--tolerance), so no comparison's error failed or passed.");
-  } else if (const std::size_t all = test_of(plan).comparisons.size(); plan.tolerance.size() < all) {
+  } else if (const std::size_t all = predicate_of(plan).comparisons.size(); plan.tolerance.size() < all) {
     open.push_back(fmt::format("Tolerance: given for {} of the {} comparisons.", plan.tolerance.size(), all));
   }
   if (plan.replies) {

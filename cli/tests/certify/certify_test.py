@@ -73,10 +73,10 @@ class Certify(CertifyCase):
             search = predicate["search"]["precisions"][precision]
             self.assertGreater(search["evaluations"], 0)
             self.assertIn("missed_contact", search["finds"])
-        self.assertEqual(predicate["kernel"]["test"], "box-box")
+        self.assertEqual(predicate["kernel"]["predicate"], "box-box")
         self.assertTrue(predicate["witnesses"])
         for witness in predicate["witnesses"]:  # what the page draws
-            self.assertEqual(witness["query"]["test"], "box-box")
+            self.assertEqual(witness["query"]["predicate"], "box-box")
             self.assertLessEqual({"a.m", "a.s", "b.m", "b.s"}, set(witness["query"]))
 
     def test_a_run_that_is_out_of_time_has_no_certificate_until_it_is_resumed(self):

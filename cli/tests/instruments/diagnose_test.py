@@ -53,7 +53,7 @@ class Diagnose(Case):
 
     def test_another_test(self):
         data, values = self.diagnosed("box-triangle/textbook-minmax")
-        self.assertEqual(data["test"], "box-triangle")
+        self.assertEqual(data["predicate"], "box-triangle")
         self.assertEqual(values["sides"], "both")
         self.assertEqual(values["operation_order"], "not_asked")
         self.assertEqual(values["repeated"], "same")

@@ -60,7 +60,7 @@ class MutateMotions(MutateCase):
     TWENTY = "moving-sphere/twenty-nonstrict"
 
     def test_faults_of_the_twenty_axes_are_caught_by_families_of_motions(self):
-        found = self.mutate("--test", "moving-sphere", "--mutant", "drop", "--mutant", "index-left:37", "--trials", 500,
+        found = self.mutate("--predicate", "moving-sphere", "--mutant", "drop", "--mutant", "index-left:37", "--trials", 500,
                             "--precision", "binary32", "--no-controls")
         self.assertEqual(found["kernel"], self.TWENTY)
         self.assertEqual({name.split("/")[0] for name in found["families"]}, {"moving-sphere"})
@@ -76,7 +76,7 @@ class MutateMotions(MutateCase):
         self.assertIn("implementation", checked["flips"][0]["links"])
 
     def test_by_its_verdict_alone_a_fault_of_logic_is_refused_and_the_kernel_itself_is_not(self):
-        found = self.mutate("--test", "moving-sphere", "--verdict-only", "--mutant", "drop:start.edge_ab", "--mutant",
+        found = self.mutate("--predicate", "moving-sphere", "--verdict-only", "--mutant", "drop:start.edge_ab", "--mutant",
                             "clamp:r:0.5", "--mutant", "plus-relative:r:1e-20", "--family", "moving-sphere/lattice",
                             "--trials", 2000, "--precision", "binary32")
         refused = {m["id"].split("~")[1]: m["refused"] is not None for m in found["mutants"]}
@@ -85,9 +85,9 @@ class MutateMotions(MutateCase):
 
     def test_bad_input(self):
         self.refused("mutate", "--kernel", "moving-sphere/twenty", says=["moving-sphere/twenty", self.TWENTY])
-        self.refused("mutate", "--kernel", "nonstrict", "--test", "moving-sphere", says=["nonstrict", "--test is moving-sphere"])
+        self.refused("mutate", "--kernel", "nonstrict", "--predicate", "moving-sphere", says=["nonstrict", "--predicate is moving-sphere"])
         self.refused("mutate", "--family", "moving-sphere/lattice", says=["nonstrict", "moving-sphere/lattice"])
-        self.refused("mutate", "--test", "nosuch", says=["nosuch", "moving-sphere"])
+        self.refused("mutate", "--predicate", "nosuch", says=["nosuch", "moving-sphere"])
 
 
 class Mutate(MutateCase):

@@ -9,7 +9,7 @@ import unittest
 
 from command import SCHEMAS, VALIDATE, Case, axiscert
 
-PLAN = ["--test", "moving-sphere", "--family", "moving-sphere/general", "--family", "moving-sphere/approach", "--kernel",
+PLAN = ["--predicate", "moving-sphere", "--family", "moving-sphere/general", "--family", "moving-sphere/approach", "--kernel",
         "moving-sphere/gated", "--precision", "binary32", "--trials", "100"]
 
 

@@ -6,7 +6,7 @@ import unittest
 from command import MODELS, Case, axiscert, fewer
 
 # A kernel in lanes, a kernel of times, one beside arithmetic of its own; contacts, points and a mesh.
-MOTIONS = ["--test", "moving-sphere", "--kernel", "moving-sphere/twenty", "--kernel", "moving-sphere/rounded", "--kernel",
+MOTIONS = ["--predicate", "moving-sphere", "--kernel", "moving-sphere/twenty", "--kernel", "moving-sphere/rounded", "--kernel",
            "moving-sphere/gated", "--kernel", "moving-sphere/twenty+fma", "--family", "moving-sphere/general", "--family",
            "moving-sphere/graze", "--family", "moving-sphere/point", "--family", "moving-sphere/split", "--mesh",
            MODELS / "OBJ/spider.obj", "--trials", fewer(60)]

@@ -27,7 +27,7 @@ class Motions(Case):
         self.assertGreaterEqual(len(self.ENTRIES), 15)
         for entry in self.ENTRIES:
             with self.subTest(entry["id"]):
-                self.assertEqual(entry["test"], "moving-sphere")
+                self.assertEqual(entry["predicate"], "moving-sphere")
                 self.assertTrue(entry["provenance"]["where"] and entry["note"])
                 kind = entry["provenance"]["kind"]
                 self.assertEqual(entry["provenance"].get("about"), "sweep" if kind == "report" else None)

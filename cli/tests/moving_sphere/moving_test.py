@@ -7,19 +7,19 @@ import unittest
 from command import Case, axiscert
 
 # Passes over the face at height 1, with radius 1: it touches.
-GRAZE = ('{"id":"graze","test":"moving-sphere","precision":"binary32","a":[0,0,0],"b":[4,0,0],"c":[0,4,0],'
+GRAZE = ('{"id":"graze","predicate":"moving-sphere","precision":"binary32","a":[0,0,0],"b":[4,0,0],"c":[0,4,0],'
          '"p":[1,1,1],"d":[1,0,0],"r":1}\n')
 # Along a triangle that is a segment, at height 2 with radius 1: strict sides invent a contact.
-PHANTOM = ('{"id":"line","test":"moving-sphere","precision":"binary32","a":[0,0,0],"b":[4,0,0],"c":[8,0,0],'
+PHANTOM = ('{"id":"line","predicate":"moving-sphere","precision":"binary32","a":[0,0,0],"b":[4,0,0],"c":[8,0,0],'
            '"p":[1,0,2],"d":[1,0,0],"r":1}\n')
 
 
 class MovingSphere(Case):
     def test_a_run_judges_every_kernel_and_family_of_the_test(self):
-        record = self.run_ok("--test", "moving-sphere", "--trials", "16", "--kernel", "moving-sphere/twenty",
+        record = self.run_ok("--predicate", "moving-sphere", "--trials", "16", "--kernel", "moving-sphere/twenty",
                              "--kernel", "moving-sphere/twenty-nonstrict", "--kernel", "moving-sphere/rounded")
-        self.assertEqual(record["plan"]["test"], "moving-sphere")
-        listed = json.loads(axiscert("families", "--test", "moving-sphere", "--format", "json").stdout)["families"]
+        self.assertEqual(record["plan"]["predicate"], "moving-sphere")
+        listed = json.loads(axiscert("families", "--predicate", "moving-sphere", "--format", "json").stdout)["families"]
         by_displacement = {family["name"] for family in listed if not family["name"].startswith("moving-sphere/ends_")}
         for entry in record["kernels"]:
             self.assertEqual(set(entry["families"]), by_displacement, entry["id"])
@@ -32,7 +32,7 @@ class MovingSphere(Case):
         done = axiscert("check", "-", "--format", "jsonl", stdin=GRAZE)
         self.assertEqual(done.returncode, 0, done.stderr)
         found = json.loads(done.stdout)
-        self.assertEqual((found["test"], found["kernel"]), ("moving-sphere", "moving-sphere/twenty"))
+        self.assertEqual((found["predicate"], found["kernel"]), ("moving-sphere", "moving-sphere/twenty"))
         self.assertEqual(found["exact"]["verdict"], "contact")
         self.assertTrue(found["exact"]["touching"])
         self.assertEqual(len(found["exact"]["comparisons"]), 61)
@@ -66,7 +66,7 @@ class MovingSphere(Case):
             "check", "-", "--kernel", "moving-sphere/rounded", stdin=falls).stdout)
 
     def test_a_run_says_how_late_its_kernels_are(self):
-        record = self.run_ok("--test", "moving-sphere", "--trials", "200", "--kernel", "moving-sphere/rounded",
+        record = self.run_ok("--predicate", "moving-sphere", "--trials", "200", "--kernel", "moving-sphere/rounded",
                              "--kernel", "moving-sphere/twenty", "--family", "moving-sphere/approach",
                              "--require", "never-late", "--require", "no-tunnel", code=1)
         for entry in record["kernels"]:
@@ -87,12 +87,12 @@ class MovingSphere(Case):
 
     def test_a_query_of_one_test_is_not_judged_by_a_kernel_of_another(self):
         self.refused("check", "-", "--kernel", "published", stdin=GRAZE,
-                     says=["query 'graze' is of the test moving-sphere", "kernel published of sphere-triangle"])
+                     says=["query 'graze' is of the predicate moving-sphere", "kernel published of sphere-triangle"])
 
     def test_what_does_not_serve_the_test_says_so_in_one_line(self):
         kernel = ("--kernel", "moving-sphere/twenty")
         for command in (("ladder", *kernel), ("precision", *kernel), ("condition", *kernel)):
-            done = self.refused(*command, says=["does not serve the test moving-sphere yet; it serves sphere-triangle"])
+            done = self.refused(*command, says=["does not serve the predicate moving-sphere yet; it serves sphere-triangle"])
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
 
     def test_check_measures_the_sides_that_a_kernel_shows(self):
@@ -103,7 +103,7 @@ class MovingSphere(Case):
     def test_a_mesh_is_swept_and_an_address_gives_its_query_again(self):
         mesh = self.folder / "floor.obj"
         mesh.write_text("v 0 0 0\nv 4 0 0\nv 0 4 0\nv 4 4 1\nf 1 2 3\nf 2 4 3\n")
-        record = self.run_ok("--test", "moving-sphere", "--mesh", mesh, "--trials", "60", "--precision", "binary32",
+        record = self.run_ok("--predicate", "moving-sphere", "--mesh", mesh, "--trials", "60", "--precision", "binary32",
                              "--kernel", "moving-sphere/twenty", "--kernel", "moving-sphere/rounded")
         family = record["kernels"][0]["families"]["mesh/floor.obj"]
         self.assertEqual((family["trials"], family["base_triangles"]), (60, 2))
@@ -114,7 +114,7 @@ class MovingSphere(Case):
         done = axiscert("check", "-", "--format", "jsonl", stdin=line.stdout)
         self.assertEqual(done.returncode, 0, done.stderr)
         found = json.loads(done.stdout)
-        self.assertEqual((found["test"], found["id"]), ("moving-sphere", address))
+        self.assertEqual((found["predicate"], found["id"]), ("moving-sphere", address))
         self.refused("query", address, says=["--mesh FILE"])
 
     def test_images_judge_a_kernel_without_an_oracle(self):
@@ -143,7 +143,7 @@ class MovingSphere(Case):
         self.assertEqual([picture["name"] for picture in found["pictures"]], ["verdict", "start.plane.radius"])
         self.assertEqual(found["pictures"][0]["counts"]["missed_separation"], 64)
         self.refused("map", "-", "--along", "e.x", stdin=PHANTOM, says=["'e.x'", "a.x", "r"])
-        self.refused("map", "-", "--kernel", "published", stdin=PHANTOM, says=["is of the test moving-sphere"])
+        self.refused("map", "-", "--kernel", "published", stdin=PHANTOM, says=["is of the predicate moving-sphere"])
 
     def test_critical_radii_are_measured_from_the_least_distance(self):
         done = axiscert("critical-radius", "--kernel", "moving-sphere/twenty-nonstrict", "--family",
@@ -152,7 +152,7 @@ class MovingSphere(Case):
         (total,) = json.loads(done.stdout)["totals"]
         self.assertEqual(total["measured"], 40)
         self.refused("critical-radius", "--kernel", "moving-sphere/twenty", "--family", "general",
-                     says=["is of the test moving-sphere", "sphere-triangle"])
+                     says=["is of the predicate moving-sphere", "sphere-triangle"])
 
     def test_bad_numbers_are_told_with_their_field(self):
         self.refused("check", "-", stdin=GRAZE.replace('"d":[1,0,0]', '"d":[1,0]'), says=["field 'd'", "three numbers"])

@@ -9,10 +9,10 @@ from command import Case, axiscert, schema_of
 
 ROUNDED = ("--kernel", "moving-sphere/rounded")
 # A sphere that falls on the face from height 3.
-FALLS = ('{"id":"falls","test":"moving-sphere","precision":"binary32","a":[0,0,0],"b":[4,0,0],"c":[0,4,0],'
+FALLS = ('{"id":"falls","predicate":"moving-sphere","precision":"binary32","a":[0,0,0],"b":[4,0,0],"c":[0,4,0],'
          '"p":[1,1,3],"d":[0,0,-4],"r":1}\n')
 # Along a triangle that is a segment, at height 2.25 with radius 1: strict sides invent a contact.
-PHANTOM = ('{"id":"line","test":"moving-sphere","precision":"binary32","a":[-5,7,0],"b":[5,7,0],"c":[15,7,0],'
+PHANTOM = ('{"id":"line","predicate":"moving-sphere","precision":"binary32","a":[-5,7,0],"b":[5,7,0],"c":[15,7,0],'
            '"p":[1,3,0],"d":[1.5,0,0],"r":"3.3"}\n')
 
 
@@ -27,7 +27,7 @@ class ShrinkMotion(Case):
         first = axiscert("shrink", "-", "--evaluations", 400, "--format", "jsonl", stdin=PHANTOM)
         self.assertEqual(first.returncode, 0, first.stderr)
         found = json.loads(first.stdout)
-        self.assertEqual((found["test"], found["kernel"]), ("moving-sphere", "moving-sphere/twenty"))
+        self.assertEqual((found["predicate"], found["kernel"]), ("moving-sphere", "moving-sphere/twenty"))
         self.assertEqual(found["kept"], {"level": "verdict", "name": "verdict", "kind": "false_contact",
                                          "links": ["specification"], "class": "collinear",
                                          "classes": ["collinear", "parallel"]})
@@ -41,7 +41,7 @@ class ShrinkMotion(Case):
         self.assertIn("input of class collinear", text)
 
     def test_a_run_makes_its_witnesses_smaller(self):
-        record = self.run_ok("--test", "moving-sphere", *ROUNDED, "--family", "moving-sphere/approach", "--trials", 60,
+        record = self.run_ok("--predicate", "moving-sphere", *ROUNDED, "--family", "moving-sphere/approach", "--trials", 60,
                              "--precision", "binary32", "--shrink", 60)
         wrong = {w["id"]: w for w in record["witnesses"] if w["flips"]}
         self.assertTrue(wrong)
@@ -55,19 +55,19 @@ class ShrinkMotion(Case):
     def test_what_it_cannot_keep_is_said(self):
         self.refused("shrink", "-", stdin=FALLS, says=["'falls'", "moving-sphere/twenty is not wrong"])
         self.refused("shrink", "-", "--what", "asymmetry", stdin=FALLS,
-                     says=["--what asymmetry does not serve the test moving-sphere"])
+                     says=["--what asymmetry does not serve the predicate moving-sphere"])
         self.refused("shrink", "-", "--what", "start.plane.radius:error", "--kernel", "moving-sphere/segment", stdin=FALLS,
                      says=["moving-sphere/segment has no measurable error there: it shows no sides"])
         self.refused("shrink", "-", "--what", "start.plain", stdin=FALLS, says=["did you mean 'start.plane'"])
         self.refused("shrink", "-", "--kernel", "published", stdin=FALLS,
-                     says=["query 'falls' is of the test moving-sphere", "kernel published of sphere-triangle"])
+                     says=["query 'falls' is of the predicate moving-sphere", "kernel published of sphere-triangle"])
         self.refused("shrink", "-", stdin=FALLS.replace('"r":1', '"r":-1'),
                      says=["'falls'", "not a valid query", "the radius not negative"])
 
 
 class MotionCorpus(Case):
     def test_a_run_replays_it_and_its_kernels_are_wrong_there(self):
-        record = self.run_ok("--test", "moving-sphere", "--corpus", *ROUNDED, "--kernel", "moving-sphere/segment",
+        record = self.run_ok("--predicate", "moving-sphere", "--corpus", *ROUNDED, "--kernel", "moving-sphere/segment",
                              "--kernel", "moving-sphere/twenty-nonstrict", "--precision", "binary32")
         self.assertEqual(record["plan"]["families"], ["corpus"])
         wrong = {k["id"]: sum(k["families"]["corpus"]["verdict"][f] for f in ("false_separation", "false_contact"))
@@ -76,7 +76,7 @@ class MotionCorpus(Case):
         self.assertGreaterEqual(wrong["moving-sphere/segment"], 1)
         address = next(w["address"] for w in record["witnesses"])
         again = axiscert("query", address)
-        self.assertEqual(json.loads(again.stdout)["test"], "moving-sphere", again.stderr)
+        self.assertEqual(json.loads(again.stdout)["predicate"], "moving-sphere", again.stderr)
 
 
 class SearchMotion(Case):
@@ -101,9 +101,9 @@ class SearchMotion(Case):
         self.assertEqual(more.stdout, at_once.stdout)
 
     def test_what_it_cannot_look_for_is_said(self):
-        self.refused("search", *ROUNDED, "--comparison", "plane.radius", says=["--comparison does not serve the test"])
+        self.refused("search", *ROUNDED, "--comparison", "plane.radius", says=["--comparison does not serve the predicate"])
         self.refused("search", *ROUNDED, "--family", "general", says=["moving-sphere/rounded", "'general'"])
-        self.refused("search", "--test", "moving-sphere", "--kernel", "published", says=["published", "moving-sphere"])
+        self.refused("search", "--predicate", "moving-sphere", "--kernel", "published", says=["published", "moving-sphere"])
 
 
 if __name__ == "__main__":

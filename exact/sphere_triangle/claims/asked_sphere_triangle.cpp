@@ -43,7 +43,7 @@ const ExactSides* AskedSphereTriangle<Real>::sides(Formulae formulae) {
   if (formulae != Formulae::published && kind_of(formulae) == FormulaeKind::rung) {
     if (const auto wrong = contradiction(found, *sides(Formulae::published))) {
       throw OracleDisagreement(fmt::format("formulae {}: {}", name(formulae), *wrong), Numbers<Real>(query_),
-                               sphere_triangle_test());
+                               sphere_triangle_predicate());
     }
   }
   return &found;

@@ -22,7 +22,7 @@ Examination judged(const Query<float>& q, const char* kernel = "published") {
 std::vector<std::string> told(const Judgement& judgement) {
   std::vector<std::string> lines;
   for (const Flip& flip : judgement.flips()) {
-    std::string line(name(sphere_triangle_test(), flip));
+    std::string line(name(sphere_triangle_predicate(), flip));
     line += " " + std::string(flip_kind_names[flip.kind]);
     line += flip.decisive ? " decisive" : " masked";
     for (const Link link : flip.links) line += " " + std::string(link_names[link]);
@@ -104,7 +104,7 @@ TEST(HandWorked, BitsThatAreNotTheReferencesAreAnImplementationFault) {
   const Reference chain = *AskedSphereTriangle(q, Opinion::second).chain(find_kernel("published"));
   EXPECT_EQ(chain.exact, chain.rounded->reference);
   const auto wrong = static_cast<ComparisonBits>(*chain.rounded->reference.bits | comparisons_of(Axis::plane));
-  const Judgement judgement = judge(sphere_triangle_test(), truth, chain, outcome_of(wrong));
+  const Judgement judgement = judge(sphere_triangle_predicate(), truth, chain, outcome_of(wrong));
   EXPECT_EQ(told(judgement),
             (Lines{"verdict false_separation decisive implementation", "plane false_separation decisive implementation",
                    "plane.radius false_separation decisive implementation"}));
@@ -116,7 +116,7 @@ TEST(HandWorked, LinksThatCancelLeaveTheVerdictRight) {
   const ExactTruth truth = exact_truth(q, true);
   const auto separated = static_cast<ComparisonBits>(truth.sides->strict | comparisons_of(Axis::vertex_a));
   const Judgement judgement =
-      judge(sphere_triangle_test(), truth,
+      judge(sphere_triangle_predicate(), truth,
             Reference{outcome_of(truth.sides->strict), RoundedDecisions{outcome_of(separated), outcome_of(separated)}},
             outcome_of(separated));
   EXPECT_FALSE(judgement.verdict_flip);
@@ -134,7 +134,7 @@ TEST(HandWorked, AFlipTheOtherWayIsMasked) {
   const ComparisonBits kernel = (exact & ~one_bit<ComparisonBits>(Comparison::edge_ab_radius)) |
                                 one_bit<ComparisonBits>(Comparison::vertex_c_side_a);
   const Judgement judgement =
-      judge(sphere_triangle_test(), truth,
+      judge(sphere_triangle_predicate(), truth,
             Reference{outcome_of(exact), RoundedDecisions{outcome_of(kernel), outcome_of(kernel)}}, outcome_of(kernel));
   EXPECT_EQ(told(judgement),
             (Lines{"verdict false_contact decisive rounding", "edge_ab missed_separation decisive rounding",
@@ -152,13 +152,13 @@ TEST(Judge, InvalidTruthHasNoFlips) {
 TEST(Judge, AKernelWithoutAReferenceIsUnattributed) {
   const Query<float> q{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 2};
   const Judgement judgement =
-      judge(sphere_triangle_test(), exact_truth(q, true), std::nullopt, {Verdict::separated, std::nullopt});
+      judge(sphere_triangle_predicate(), exact_truth(q, true), std::nullopt, {Verdict::separated, std::nullopt});
   EXPECT_EQ(told(judgement), Lines{"verdict false_separation decisive unattributed"});
 }
 
 TEST(Judge, AnUndecidedKernelDoesNotFlip) {
   const Query<float> q{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 2};
-  EXPECT_TRUE(judge(sphere_triangle_test(), exact_truth(q, true), std::nullopt, {Verdict::undecided, std::nullopt})
+  EXPECT_TRUE(judge(sphere_triangle_predicate(), exact_truth(q, true), std::nullopt, {Verdict::undecided, std::nullopt})
                   .flips()
                   .empty());
 }

@@ -1,4 +1,4 @@
-// sphere-triangle by the interface of all tests.
+// sphere-triangle by the interface of all predicates.
 #include "exact/trait/oracles.h"
 
 #include "exact/sphere_triangle/claims/asked_sphere_triangle.h"
@@ -63,7 +63,7 @@ class FilteredSphereTriangles final : public BatchOracle<Real> {
 
 class SphereTriangleOracles final : public Oracles {
  public:
-  const TestDescription& test() const override { return sphere_triangle_test(); }
+  const Predicate& predicate() const override { return sphere_triangle_predicate(); }
   bool is_valid(const Numbers<float>& q) const override { return axiscert::is_valid(query_from(q)); }
   bool is_valid(const Numbers<double>& q) const override { return axiscert::is_valid(query_from(q)); }
   std::vector<std::string_view> formulae() const override {

@@ -19,10 +19,11 @@ Judgement judged(const Query<float>& q, TouchingPolicy touching, const Answer& a
   Kernel kernel = find_kernel("published");
   kernel.is_reference = is_reference;
   const ExactTruth truth = exact_truth(q, true);
-  return judge(sphere_triangle_test(), truth, AskedSphereTriangle(q, Opinion::second).chain(kernel), answer, touching);
+  return judge(sphere_triangle_predicate(), truth, AskedSphereTriangle(q, Opinion::second).chain(kernel), answer,
+               touching);
 }
 Judgement judged_by_verdict(const Query<float>& q, TouchingPolicy touching, Verdict verdict) {
-  return judge(sphere_triangle_test(), exact_truth(q, true), std::nullopt, {verdict, std::nullopt}, touching);
+  return judge(sphere_triangle_predicate(), exact_truth(q, true), std::nullopt, {verdict, std::nullopt}, touching);
 }
 
 ComparisonBits exact_bits(const Query<float>& q) { return exact_truth(q, true).sides->strict; }
@@ -102,15 +103,17 @@ TEST(Touching, AMethodFollowsTheConventionToo) {
   kernel.is_reference = false;
   const ExactTruth truth = exact_truth(touching, true);
   const auto chain = AskedSphereTriangle(touching, Opinion::second).chain(kernel);
-  EXPECT_EQ(judge(sphere_triangle_test(), truth, chain, {Verdict::separated, std::nullopt}, TouchingPolicy::separated)
-                .verdict_links,
-            LinkSet{});
-  EXPECT_EQ(judge(sphere_triangle_test(), truth, chain, {Verdict::contact, std::nullopt}, TouchingPolicy::separated)
-                .verdict_links,
-            LinkSet{Link::unattributed});
+  EXPECT_EQ(
+      judge(sphere_triangle_predicate(), truth, chain, {Verdict::separated, std::nullopt}, TouchingPolicy::separated)
+          .verdict_links,
+      LinkSet{});
+  EXPECT_EQ(
+      judge(sphere_triangle_predicate(), truth, chain, {Verdict::contact, std::nullopt}, TouchingPolicy::separated)
+          .verdict_links,
+      LinkSet{Link::unattributed});
   for (const Verdict verdict : {Verdict::contact, Verdict::separated}) {
     EXPECT_EQ(
-        judge(sphere_triangle_test(), truth, chain, {verdict, std::nullopt}, TouchingPolicy::either).verdict_links,
+        judge(sphere_triangle_predicate(), truth, chain, {verdict, std::nullopt}, TouchingPolicy::either).verdict_links,
         LinkSet{});
   }
 }

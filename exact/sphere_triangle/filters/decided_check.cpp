@@ -18,7 +18,7 @@ void require_same(const DecidedSigns& decided, const ExactTruth& truth, const Qu
                   "exact arithmetic {:016b} ties {:016b}, {}{}",
                   name(decided.step), decided.signs.strict, decided.signs.ties, exact.strict, exact.ties,
                   name(truth.verdict), truth.touching ? ", touching" : ""),
-      Numbers<Real>(q), sphere_triangle_test());
+      Numbers<Real>(q), sphere_triangle_predicate());
 }
 template void require_same(const DecidedSigns&, const ExactTruth&, const Query<float>&);
 template void require_same(const DecidedSigns&, const ExactTruth&, const Query<double>&);

@@ -61,7 +61,7 @@ ExactTruth exact_truth(const Query<Real>& q, bool with_second_opinion) {
     const SecondOpinion mpfr = second_opinion(q);
     throw OracleDisagreement(
         fmt::format("{}; MPFR's own verdict is {}", *wrong, name(separated_if(mpfr.distance_order > 0))),
-        Numbers<Real>(q), sphere_triangle_test());
+        Numbers<Real>(q), sphere_triangle_predicate());
   }
   return {{separated_if(geometric_order > 0), geometric_order == 0}, std::move(sides)};
 }

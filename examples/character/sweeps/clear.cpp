@@ -32,7 +32,7 @@ MovingQuery<T> as_numbers(const MovingQuery<float>& q) {
   return MovingSphere::problem<T>([&](std::size_t k) { return T(double(numbers[k])); });
 }
 
-bool separates(ComparisonBits holds) { return verdict_of(moving_sphere_test(), holds) == Verdict::separated; }
+bool separates(ComparisonBits holds) { return verdict_of(moving_sphere_predicate(), holds) == Verdict::separated; }
 
 }  // namespace
 

@@ -45,7 +45,7 @@ void write_sweeps(Out& out, const World& world, const Journey& journey) {
       const std::uint32_t t = journey.triangles[i];
       const StoredQuery query{fmt::format("{}-{}-{}", purpose_names[static_cast<std::size_t>(motion.purpose)], m, t),
                               Precision::binary32, Numbers<float>(world.query(motion.from, motion.by, t)),
-                              &moving_sphere_test()};
+                              &moving_sphere_predicate()};
       out.write(query_line(query) + "\n");
     }
   }
@@ -57,7 +57,7 @@ void write_sweeps(Out& out, const World& world, const Journey& journey) {
 int run_sweeps(const Options& options) {
   require_uncontracted(resolve_target("auto"));
   std::string not_checked;
-  const std::vector<const Kernel*> kernels = kernels_of(options, moving_sphere_test(), sweep_kernels, not_checked);
+  const std::vector<const Kernel*> kernels = kernels_of(options, moving_sphere_predicate(), sweep_kernels, not_checked);
   Mesh mesh = load_mesh(options.mesh, read_bytes(options.mesh).size());
   const JourneyOptions how = journey_options(options, mesh);
   const std::string words = mesh_words(options, mesh);

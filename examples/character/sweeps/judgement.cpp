@@ -70,7 +70,7 @@ class SweepJudge {
 
   // Whether a wrong answer is beyond what the kernel promises.
   bool counts_against_it(const Numbers<float>& q) const {
-    const Oracles& oracles = oracles_of(moving_sphere_test());
+    const Oracles& oracles = oracles_of(moving_sphere_predicate());
     if (!oracles.is_promised(kernel_->motion, q)) return false;
     return kernel_->touching == TouchingPolicy::contact || !oracles.truth(q).touching;
   }

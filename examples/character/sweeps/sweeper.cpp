@@ -92,7 +92,7 @@ class Asked32 {
 
   const Reply<float>& answers(const World& world, const Steps& from, const Steps& by,
                               std::span<const std::uint32_t> triangles) {
-    QueryBatch<float> batch(triangles.size(), moving_sphere_test().entries[0].columns.size());
+    QueryBatch<float> batch(triangles.size(), moving_sphere_predicate().entries[0].columns.size());
     for (const std::uint32_t t : triangles) batch.push_back(world.query(from, by, t));
     if (triangles.empty()) reply_ = {};
     else ask(implementation_, batch.columns(), reply_);

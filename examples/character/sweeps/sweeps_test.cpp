@@ -46,11 +46,11 @@ SweepCounts counts_of(const Ground& ground, Sweeper& sweeper, const JourneyOptio
 
 TEST(Clear, IsTheVerdictOfTheOraclesOnEveryFamily) {
   std::size_t open = 0, asked = 0;
-  for (const Family* family : families_of(moving_sphere_test(), MovingSphere::entry)) {
+  for (const Family* family : families_of(moving_sphere_predicate(), MovingSphere::entry)) {
     for (std::uint64_t i = 0; i < 60; ++i) {
       const Numbers<float> numbers = family->make<float>(7, i);
       const auto q = MovingSphere::problem<float>([&](std::size_t k) { return numbers[k]; });
-      const bool clear = oracles_of(moving_sphere_test()).truth(numbers).verdict == Verdict::separated;
+      const bool clear = oracles_of(moving_sphere_predicate()).truth(numbers).verdict == Verdict::separated;
       ASSERT_EQ(is_clear(q), clear) << family->name << " " << i;
       ASSERT_EQ(is_clear_by_rationals(q), clear) << family->name << " " << i;
       const Clearance quick = clearance_by_enclosures(q);
@@ -107,7 +107,7 @@ TEST(SweptJourney, NeverTouchesAnythingOnTheWholeOfItsWay) {
       // Also those that the broad phase left out: every fifth of the mesh.
       for (auto t = static_cast<std::uint32_t>(m % 5); t < spider_ground().size(); t += 5) {
         const Numbers<float> q = world.query(motion.from, motion.made, t);
-        const Truth truth = oracles_of(moving_sphere_test()).truth(q);
+        const Truth truth = oracles_of(moving_sphere_predicate()).truth(q);
         ASSERT_EQ(truth.verdict, Verdict::separated) << m << ", triangle " << t;
       }
     }
@@ -158,7 +158,7 @@ TEST(SweptJourney, IsTheSameEverywhere) {
 Kernel kernel_by(const std::function<std::optional<float>(const MovingQuery<float>&)>& time) {
   Kernel kernel;
   kernel.id = "moving-sphere/planted";
-  kernel.test = &moving_sphere_test();
+  kernel.predicate = &moving_sphere_predicate();
   kernel.measure_count = 1;
   kernel.binary32 = [time](std::string_view) {
     const auto at = [time](const QueryColumns<float>& batch, std::size_t i) {

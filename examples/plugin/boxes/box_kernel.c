@@ -86,7 +86,7 @@ const axiscert_kernel *axiscert_plugin(uint32_t index) {
   kernel.name = "box-kernel";
   kernel.column_count = 30;
   kernel.run = run;
-  kernel.test = "box-box";
+  kernel.predicate = "box-box";
   kernel.entry = "matrix";
   kernel.source = AXISCERT_SOURCE;
   kernel.exposes = AXISCERT_COMPARISONS;

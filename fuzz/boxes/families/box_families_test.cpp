@@ -32,7 +32,7 @@ struct Counts {
 // The truths of the first queries. The oracles throw where two of them disagree.
 template <class Real>
 Counts counted(const Family& family, std::uint64_t queries, bool with_depths = false) {
-  const Oracles& oracles = oracles_of(box_box_test(), family.entry);
+  const Oracles& oracles = oracles_of(box_box_predicate(), family.entry);
   Counts found;
   for (std::uint64_t position = 0; position < queries; ++position) {
     const Numbers<Real> q = family.make<Real>(1, position);
@@ -47,7 +47,7 @@ Counts counted(const Family& family, std::uint64_t queries, bool with_depths = f
 
 template <class Real>
 void expect_agreement(std::uint64_t queries) {
-  for (const Family* family : families_of(box_box_test())) {
+  for (const Family* family : families_of(box_box_predicate())) {
     Counts found;
     ASSERT_NO_THROW(found = counted<Real>(*family, queries)) << family->name << ", seed 1";
     EXPECT_EQ(found.invalid, 0u) << family->name;

@@ -154,7 +154,7 @@ Numbers<RealOf<Pair>> numbers_by(Stream& random, std::uint64_t position) {
 template <class Made, std::uint32_t version = 1>
 constexpr Family matrix_family(std::string_view name, const Situation& situation, std::string_view purpose,
                                bool exact_arithmetic = false) {
-  return {.test = box_box_test,
+  return {.predicate = box_box_predicate,
           .name = name,
           .purpose = purpose,
           .version = version,
@@ -167,7 +167,7 @@ constexpr Family matrix_family(std::string_view name, const Situation& situation
 template <class Made, std::uint32_t version = 1>
 constexpr Family turned_family(std::string_view name, const Situation& situation, std::string_view purpose,
                                bool exact_arithmetic = false) {
-  return {.test = box_box_test,
+  return {.predicate = box_box_predicate,
           .name = name,
           .purpose = purpose,
           .version = version,

@@ -44,7 +44,7 @@ Implementation<Real> planted_implementation(AxisFault fault, std::size_t axis) {
                               MatrixBoxes::problem<Real>([&](std::size_t k) { return batch.column[k][i]; }));
   };
   return {[=](const QueryColumns<Real>& batch, Verdict* out) {
-            for (std::size_t i = 0; i < batch.size; ++i) out[i] = verdict_of(box_box_test(), bits_at(batch, i));
+            for (std::size_t i = 0; i < batch.size; ++i) out[i] = verdict_of(box_box_predicate(), bits_at(batch, i));
           },
           [=](const QueryColumns<Real>& batch, Answers<Real>& out) {
             for (std::size_t i = 0; i < batch.size; ++i) out.bits[i] = bits_at(batch, i);
@@ -78,7 +78,7 @@ std::vector<Tally> tallies_of(const std::deque<Kernel>& kernels, std::uint64_t q
   plan.running.target = resolve_target("auto");
   plan.running.threads = 2;
   const std::atomic<bool> never = false;
-  std::vector<Tally> all(plan.answerers.kernels.size(), empty_tally(box_box_test()));
+  std::vector<Tally> all(plan.answerers.kernels.size(), empty_tally(box_box_predicate()));
   for (const CellResult& cell : run_campaign(plan, never, [](const Progress&) {}).cells) {
     for (std::size_t k = 0; k < all.size(); ++k) all[k].merge(cell.tallies[k]);
   }

@@ -13,7 +13,7 @@ namespace box_box_situation {
 
 inline constexpr Situation everyday = {
     "everyday", "boxes of everyday sizes at any angle, and crates in metres as a solver leaves them",
-    "Do not build on it as it stands: take another test, as box-box/cofactor, and ask both about your own boxes "
+    "Do not build on it as it stands: take another predicate, as box-box/cofactor, and ask both about your own boxes "
     "(`axiscert run --queries`).",
     box_libraries};
 inline constexpr Situation small_integers = {"small_integers",
@@ -26,7 +26,7 @@ inline constexpr Situation parallel = {
     by_epsilon};
 inline constexpr Situation crossed = {
     "crossed", "long edges that cross at a small angle",
-    "The epsilon is too large or too small for these lengths: take a test whose bound grows with the boxes.",
+    "The epsilon is too large or too small for these lengths: take a predicate whose bound grows with the boxes.",
     by_epsilon};
 inline constexpr Situation flat = {"flat", "boxes without thickness, or thin by a factor of 1,000 or a million",
                                    "Give every box a thickness that is visible in its scene.", box_libraries};
@@ -37,7 +37,7 @@ inline constexpr Situation units = {"units", "boxes in other units of length", m
                                     "docs/error_model.md#units-of-length"};
 inline constexpr Situation no_rotation = {
     "no_rotation", "axes that are no rotation: any numbers, or columns at right angles that are not of length 1",
-    "Make the axes of length 1 and at right angles before the test is asked.", "docs/boxes.md#the-question"};
+    "Make the axes of length 1 and at right angles before the predicate is asked.", "docs/boxes.md#the-question"};
 inline constexpr Situation touching = {
     "touching", "boxes that touch, or miss by ulps",
     "Roundings, where the depth is small: let the boxes grow by more than that depth of the scene.",
@@ -50,11 +50,12 @@ inline constexpr Situations all = {in_order, of_own_queries("the queries of file
 
 namespace box_triangle_situation {
 
-inline constexpr Situation everyday = {
-    "everyday", "boxes and triangles of everyday sizes, and cells of a grid as a voxelizer asks",
-    "Do not build on it as it stands: take another test, as box-triangle/thirteen, and ask both about your own mesh "
-    "(`axiscert run --mesh`).",
-    box_and_triangle};
+inline constexpr Situation everyday = {"everyday",
+                                       "boxes and triangles of everyday sizes, and cells of a grid as a voxelizer asks",
+                                       "Do not build on it as it stands: take another predicate, as "
+                                       "box-triangle/thirteen, and ask both about your own mesh "
+                                       "(`axiscert run --mesh`).",
+                                       box_and_triangle};
 inline constexpr Situation small_integers = {"small_integers",
                                              "boxes and triangles in small integers: nothing is rounded",
                                              shrink_small_integers, box_and_triangle};

@@ -21,8 +21,8 @@ TYPED_TEST_SUITE(TriangleFamiliesLong, TrianglePrecisions);
 
 template <class Real>
 void expect_triangle_agreement(std::uint64_t queries) {
-  for (const Family* family : families_of(box_triangle_test())) {
-    const Oracles& oracles = oracles_of(box_triangle_test(), family->entry);
+  for (const Family* family : families_of(box_triangle_predicate())) {
+    const Oracles& oracles = oracles_of(box_triangle_predicate(), family->entry);
     std::uint64_t contacts = 0, touching = 0;
     for (std::uint64_t position = 0; position < queries; ++position) {
       Truth truth{};

@@ -223,7 +223,7 @@ struct Voxel {
 template <class Made, class Entry>
 constexpr Family triangle_family(std::string_view name, const Situation& situation, std::string_view purpose,
                                  bool exact_arithmetic = false, int version = 1) {
-  return {.test = box_triangle_test,
+  return {.predicate = box_triangle_predicate,
           .name = name,
           .purpose = purpose,
           .version = version,

@@ -12,7 +12,7 @@
 namespace axiscert {
 
 // Whether wrong verdicts of a kernel are counted by class: where it has no reference, its links are `unattributed`, or
-// the specification's alone. Tests without InputClasses have none.
+// the specification's alone. Predicates without InputClasses have none.
 bool has_input_classes(const Kernel& kernel);
 
 // A nearest kernel is looked for on this many of the first queries of a source (fuzz/confirm/nearest_kernel.h).

@@ -103,10 +103,10 @@ TEST(ClassTally, MergesInAnyOrderAndSurvivesARoundTrip) {
   for (std::uint64_t unit = 0; unit < 3; ++unit) {
     parts.push_back(run_unit(plan, *plan.questions.sources[0], Precision::binary32, unit, 900).tallies[0]);
   }
-  Tally forward = parts[0], backward = decode_tally(encode(parts[2]), sphere_triangle_test());
+  Tally forward = parts[0], backward = decode_tally(encode(parts[2]), sphere_triangle_predicate());
   forward.merge(parts[1]);
   forward.merge(parts[2]);
-  backward.merge(decode_tally(encode(parts[1]), sphere_triangle_test()));
+  backward.merge(decode_tally(encode(parts[1]), sphere_triangle_predicate()));
   backward.merge(parts[0]);
   EXPECT_EQ(encode(forward), encode(backward));
   EXPECT_GT(forward.classes.first_wrong.size(), 10u);

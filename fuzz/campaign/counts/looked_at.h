@@ -99,7 +99,7 @@ class AnswerCounter {
  public:
   // `are_valid`: the queries are known to be; else the oracles are asked where a fault would be counted.
   explicit AnswerCounter(const Kernel& kernel, bool are_valid = false)
-      : kernel_(kernel), are_valid_(are_valid), shape_(shape_of(kernel.test->entries[kernel.entry])) {}
+      : kernel_(kernel), are_valid_(are_valid), shape_(shape_of(kernel.predicate->entries[kernel.entry])) {}
 
   // `place` orders the faults.
   void add(LookedAt& into, const Numbers<Real>& q, Verdict said, std::uint64_t place) const {
@@ -115,7 +115,7 @@ class AnswerCounter {
     into.add(said);
     if (is_decided || (said == Verdict::undecided && kernel_.may_decline)) return;
     if (into.first_fault && into.first_fault->place <= place) return;
-    into.first_fault = {place, said, query_line({"", precision_of<Real>, q, kernel_.test, kernel_.entry})};
+    into.first_fault = {place, said, query_line({"", precision_of<Real>, q, kernel_.predicate, kernel_.entry})};
   }
 
  private:

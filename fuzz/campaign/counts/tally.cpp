@@ -78,10 +78,10 @@ void FindingTally::merge(const FindingTally& other) {
 
 void Tally::merge(const Tally& other) { merge_fields(*this, other); }
 
-Tally empty_tally(const TestDescription& test) {
+Tally empty_tally(const Predicate& predicate) {
   Tally tally;
-  for (const TestClause& clause : test.clauses) tally.axes.put(clause.name);
-  for (const TestComparison& comparison : test.comparisons) tally.comparisons.put(comparison.name);
+  for (const PredicateClause& clause : predicate.clauses) tally.axes.put(clause.name);
+  for (const PredicateComparison& comparison : predicate.comparisons) tally.comparisons.put(comparison.name);
   return tally;
 }
 
@@ -200,23 +200,23 @@ bool count_side_error(ComparisonTally& comparison, std::uint64_t position, const
 }
 
 template <class Real>
-void count_errors(Tally& tally, std::uint64_t position, const TestDescription& test, const ExactSides& exact,
+void count_errors(Tally& tally, std::uint64_t position, const Predicate& predicate, const ExactSides& exact,
                   const Answers<Real>& computed, std::size_t index, const Tolerances& tolerances) {
   ClauseBits failing = 0;
-  for (std::size_t i = 0; i < test.comparisons.size(); ++i) {
+  for (std::size_t i = 0; i < predicate.comparisons.size(); ++i) {
     const Real lhs = computed.lhs[i][index], rhs = computed.rhs[i][index];
     const ExactComparison sides = exact.comparison(i);
     if (!tolerances[i] && side_error_at_most(lhs, rhs, sides) < least_of_interest(tally.comparisons[i])) continue;
     const SideError error(lhs, rhs, sides);
     if (count_side_error(tally.comparisons[i], position, error, tolerances[i])) {
-      failing |= one_bit<ClauseBits>(test.comparisons[i].clause);
+      failing |= one_bit<ClauseBits>(predicate.comparisons[i].clause);
     }
   }
   for_each_bit(failing, [&](std::size_t i) { ++*tally.axes[i].tolerance_failures; });
 }
-template void count_errors(Tally&, std::uint64_t, const TestDescription&, const ExactSides&, const Answers<float>&,
+template void count_errors(Tally&, std::uint64_t, const Predicate&, const ExactSides&, const Answers<float>&,
                            std::size_t, const Tolerances&);
-template void count_errors(Tally&, std::uint64_t, const TestDescription&, const ExactSides&, const Answers<double>&,
+template void count_errors(Tally&, std::uint64_t, const Predicate&, const ExactSides&, const Answers<double>&,
                            std::size_t, const Tolerances&);
 
 }  // namespace axiscert

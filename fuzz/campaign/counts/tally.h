@@ -187,7 +187,8 @@ struct JsonForm<FirstQuery> {
   static Json schema() { return {{"type", {"integer", "null"}}, {"minimum", 1}}; }
 };
 
-// A member may be empty where the kernel declares no limits, the test has no depth, or engines ask no such queries.
+// A member may be empty where the kernel declares no limits, the predicate has no depth, or engines ask no such
+// queries.
 struct VerdictTally {
   std::uint64_t false_separation = 0, false_contact = 0, undecided = 0;
   std::uint64_t undecided_contact = 0, undecided_touching = 0;  // of undecided; touching is part of contact
@@ -251,9 +252,9 @@ struct VerdictTally {
         field(&VerdictTally::outside_limits,
               {"outside_limits", "Valid queries outside the kernel's limits; null where it declares none."}),
         field(&VerdictTally::depths,
-              {"depths", "Wrong verdicts by decade of depth; null where the test has no depth."}),
+              {"depths", "Wrong verdicts by decade of depth; null where the predicate has no depth."}),
         field(&VerdictTally::engine,
-              {"engine_like", "What is left on engine-like queries; null where the test has none."}),
+              {"engine_like", "What is left on engine-like queries; null where the predicate has none."}),
         journalled(&VerdictTally::deepest_by_link));
   }
 };
@@ -293,7 +294,7 @@ struct Tally {
   CriticalRadiusTally critical_radius;
   EnumArray<FindingKind, FindingTally> findings;
   ClassTally classes;  // of a kernel with has_input_classes()
-  MotionTally motion;  // of a test with measures
+  MotionTally motion;  // of a predicate with measures
 
   void merge(const Tally& other);
   static constexpr auto fields(auto&& visit) {
@@ -303,8 +304,8 @@ struct Tally {
   }
 };
 
-// Nothing counted, for every clause and comparison of a test.
-Tally empty_tally(const TestDescription& test);
+// Nothing counted, for every clause and comparison of a predicate.
+Tally empty_tally(const Predicate& predicate);
 
 // The leaders that other units of the same cell have found: a query that is certainly no greater is not evaluated.
 struct StandingLeaders {
@@ -359,7 +360,7 @@ bool count_side_error(ComparisonTally& comparison, std::uint64_t position, const
 
 // Counts the errors of the sides of query `index` of a batch, whose answers are `computed`, against its exact sides.
 template <class Real>
-void count_errors(Tally& tally, std::uint64_t position, const TestDescription& test, const ExactSides& exact,
+void count_errors(Tally& tally, std::uint64_t position, const Predicate& predicate, const ExactSides& exact,
                   const Answers<Real>& computed, std::size_t index, const Tolerances& tolerances);
 
 }  // namespace axiscert

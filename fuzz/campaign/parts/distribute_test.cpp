@@ -124,9 +124,9 @@ void expect_told(const Fault& fault, const std::function<void(const Fault&)>& ch
 TEST(Distribute, AFaultOfAnotherRankIsToldHere) {
   Query<float> q{};
   q.r = 0x1.8p-140f;
-  expect_told<OracleDisagreement>({"two of them", Numbers<float>(q), sphere_triangle_test()},
+  expect_told<OracleDisagreement>({"two of them", Numbers<float>(q), sphere_triangle_predicate()},
                                   [&](const OracleDisagreement& told) {
-                                    EXPECT_EQ(told.test, &sphere_triangle_test());
+                                    EXPECT_EQ(told.predicate, &sphere_triangle_predicate());
                                     EXPECT_EQ(told.precision, Precision::binary32);
                                     EXPECT_THAT(told.query, testing::ElementsAreArray(coordinates(widened(q))));
                                   });

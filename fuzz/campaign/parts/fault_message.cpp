@@ -16,7 +16,7 @@ Cbor fault_json(const std::exception_ptr& fault) {
   try {
     std::rethrow_exception(fault);
   } catch (const OracleDisagreement& d) {
-    return {"disagreement", d.what(), d.precision, d.query, d.test->id, d.entry};
+    return {"disagreement", d.what(), d.precision, d.query, d.predicate->id, d.entry};
   } catch (const HarnessFault& f) {
     return {"harness", f.what()};
   } catch (const Error& e) {
@@ -38,7 +38,7 @@ void rethrow_fault(std::string_view message, int rank) {
   const Cbor json = Cbor::from_cbor(message);
   const auto kind = json.at(0).get<std::string>(), what = json.at(1).get<std::string>();
   if (kind == "disagreement") {
-    OracleDisagreement disagreement("", Numbers<float>(), find_test(json.at(4).get<std::string>()));
+    OracleDisagreement disagreement("", Numbers<float>(), find_predicate(json.at(4).get<std::string>()));
     json.at(5).get_to(disagreement.entry);
     disagreement.precision = json.at(2).get<Precision>();
     json.at(3).get_to(disagreement.query);

@@ -22,7 +22,7 @@ std::optional<Entry> finished_in(std::string_view content) {
 }
 
 GatheredStretches::GatheredStretches(const Questions& questions, std::size_t kernels, const Stretches& stretches)
-    : test_(&questions.test()), stretches_(stretches), is_done_(stretches.count()) {
+    : predicate_(&questions.predicate()), stretches_(stretches), is_done_(stretches.count()) {
   result_.cells = cells_of(questions, kernels);
 }
 
@@ -41,7 +41,8 @@ void GatheredStretches::add(const Entry& entry) {
   const Stretch stretch = stretches_.at(entry.stretch);
   CellResult& cell = result_.cells[stretch.cell];
   if (entry.tallies.size() != cell.tallies.size()) throw Error("a stretch with the tallies of other kernels");
-  for (std::size_t k = 0; k < cell.tallies.size(); ++k) cell.tallies[k].merge(decode_tally(entry.tallies[k], *test_));
+  for (std::size_t k = 0; k < cell.tallies.size(); ++k)
+    cell.tallies[k].merge(decode_tally(entry.tallies[k], *predicate_));
   const Costs costs = decode_costs(entry.costs);
   cell.steps.merge(costs.steps);
   cell.core_seconds += costs.core_seconds;

@@ -29,7 +29,7 @@ class GatheredStretches {
   CampaignResult take() &&;  // `complete` if nothing is missing
 
  private:
-  const TestDescription* test_;
+  const Predicate* predicate_;
   const Stretches& stretches_;
   CampaignResult result_;
   std::vector<bool> is_done_;

@@ -154,7 +154,7 @@ Entry decode_entry(std::string_view bytes) {
 Entry run_stretch(const Plan& plan, const Stretches& stretches, std::uint64_t number) {
   const Stretch stretch = stretches.at(number);
   const Source& source = *plan.questions.sources[stretch.source];
-  std::vector<Tally> tallies(plan.answerers.kernels.size(), empty_tally(source.test()));
+  std::vector<Tally> tallies(plan.answerers.kernels.size(), empty_tally(source.predicate()));
   Costs costs;
   std::vector<StandingLeaders> standing;
   for (std::uint64_t done = 0; done < stretch.queries; done += unit_size) {

@@ -86,7 +86,7 @@ TEST(Stretch, IsItsUnitsMerged) {
   ASSERT_EQ(stretches.count(), 1u);
   const Entry entry = run_stretch(plan, stretches, 0);
   for (std::size_t k = 0; k < plan.answerers.kernels.size(); ++k) {
-    Tally merged = empty_tally(sphere_triangle_test());
+    Tally merged = empty_tally(sphere_triangle_predicate());
     for (std::uint64_t unit = 3; unit-- > 0;) {
       merged.merge(run_unit(plan, *plan.questions.sources[0], Precision::binary32, unit, unit == 2 ? 100 : unit_size)
                        .tallies[k]);
@@ -98,13 +98,13 @@ TEST(Stretch, IsItsUnitsMerged) {
   EXPECT_EQ(again.costs, entry.costs);
 }
 
-TEST(Stretch, OfAnotherTestHasTheCountsOfItsComparisons) {
+TEST(Stretch, OfAnotherPredicateHasTheCountsOfItsComparisons) {
   Plan plan = small_plan({"moving-sphere/twenty", "moving-sphere/rounded"}, {"moving-sphere/approach"}, 200);
   plan.questions.precisions = {Precision::binary32};
   const Entry entry = run_stretch(plan, Stretches(plan.questions, 1), 0);
   const UnitResult unit = run_unit(plan, *plan.questions.sources[0], Precision::binary32, 0, 200);
   for (std::size_t k = 0; k < plan.answerers.kernels.size(); ++k) {
-    const Tally tally = decode_tally(entry.tallies[k], plan.questions.test());
+    const Tally tally = decode_tally(entry.tallies[k], plan.questions.predicate());
     EXPECT_EQ(tally.comparisons.size(), 61u) << plan.answerers.kernels[k]->id;
     EXPECT_EQ(encode(tally), encode(unit.tallies[k])) << plan.answerers.kernels[k]->id;
     EXPECT_EQ(tally.trials, 200u) << plan.answerers.kernels[k]->id;
@@ -120,7 +120,7 @@ void wrong_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
   }
 }
 
-TEST(Stretch, OfAnotherTestHasAsManyTalliesAsThatHasClauses) {
+TEST(Stretch, OfAnotherPredicateHasAsManyTalliesAsThatHasClauses) {
   for (const auto& [kernel, family] : {std::pair("moving-sphere/twenty", "moving-sphere/lattice"),
                                        std::pair("box-box/projected", "box-box/lattice")}) {
     Plan plan = small_plan({kernel}, {family}, 40);

@@ -29,7 +29,9 @@ Of decoded(std::string_view bytes, Of into) {
 
 std::string encode(const Tally& tally) { return encoded(tally); }
 std::string encode(const Costs& costs) { return encoded(costs); }
-Tally decode_tally(std::string_view bytes, const TestDescription& test) { return decoded(bytes, empty_tally(test)); }
+Tally decode_tally(std::string_view bytes, const Predicate& predicate) {
+  return decoded(bytes, empty_tally(predicate));
+}
 Costs decode_costs(std::string_view bytes) { return decoded(bytes, Costs()); }
 
 }  // namespace axiscert

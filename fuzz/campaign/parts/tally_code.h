@@ -23,8 +23,8 @@ struct Costs {
 
 std::string encode(const Tally& tally);
 std::string encode(const Costs& costs);
-// Both throw Error for bytes that encode() does not produce; a tally is of a test.
-Tally decode_tally(std::string_view bytes, const TestDescription& test);
+// Both throw Error for bytes that encode() does not produce; a tally is of a predicate.
+Tally decode_tally(std::string_view bytes, const Predicate& predicate);
 Costs decode_costs(std::string_view bytes);
 
 }  // namespace axiscert

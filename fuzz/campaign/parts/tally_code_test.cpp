@@ -42,7 +42,7 @@ const std::vector<Tally>& tallies() {
 TEST(TallyCode, BytesGiveTheTallyAgain) {
   for (const Tally& tally : tallies()) {
     const std::string bytes = encode(tally);
-    EXPECT_EQ(encode(decode_tally(bytes, sphere_triangle_test())), bytes);
+    EXPECT_EQ(encode(decode_tally(bytes, sphere_triangle_predicate())), bytes);
   }
 }
 
@@ -77,7 +77,7 @@ TEST(TallyCode, EveryTreeOfMergesGivesTheSameBytes) {
     std::vector<Tally> parts = tallies();
     while (parts.size() > 1) {
       std::swap(parts[random() % parts.size()], parts.back());
-      Tally last = random() % 2 == 0 ? parts.back() : decode_tally(encode(parts.back()), sphere_triangle_test());
+      Tally last = random() % 2 == 0 ? parts.back() : decode_tally(encode(parts.back()), sphere_triangle_predicate());
       parts.pop_back();
       parts[random() % parts.size()].merge(last);
     }
@@ -88,9 +88,9 @@ TEST(TallyCode, EveryTreeOfMergesGivesTheSameBytes) {
 
 TEST(TallyCode, OtherBytesAreRefused) {
   const std::string bytes = encode(tallies()[0]);
-  EXPECT_THROW(decode_tally(bytes.substr(0, bytes.size() / 2), sphere_triangle_test()), Error);
-  EXPECT_THROW(decode_tally("", sphere_triangle_test()), Error);
-  EXPECT_THROW(decode_tally(encode(Costs{}), sphere_triangle_test()), Error);
+  EXPECT_THROW(decode_tally(bytes.substr(0, bytes.size() / 2), sphere_triangle_predicate()), Error);
+  EXPECT_THROW(decode_tally("", sphere_triangle_predicate()), Error);
+  EXPECT_THROW(decode_tally(encode(Costs{}), sphere_triangle_predicate()), Error);
   EXPECT_THROW(decode_costs(bytes), Error);
 }
 

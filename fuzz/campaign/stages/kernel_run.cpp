@@ -33,7 +33,7 @@ template <class Real>
 typename KernelRun<Real>::JudgedAnswer KernelRun<Real>::judge(std::size_t i, CloseLook<Real>& look) {
   const Answer said = answer(i);
   JudgedAnswer found{true, look.chain(kernel_)};
-  found.judgement = axiscert::judge(*kernel_.test, look.truth(), found.chain, said, kernel_.touching);
+  found.judgement = axiscert::judge(*kernel_.predicate, look.truth(), found.chain, said, kernel_.touching);
   if (!look.is_promised_by(kernel_)) {
     count_outside(tally_, look.truth(), said, found.judgement, look.depth());
     found.is_counted = false;
@@ -43,7 +43,7 @@ typename KernelRun<Real>::JudgedAnswer KernelRun<Real>::judge(std::size_t i, Clo
   if (kernel_.limits.any() && std::isfinite(look.depth().engine_threshold())) ++tally_.verdict.engine->queries;
   count(tally_, position(i), look.truth(), found.chain ? found.chain->ties : ComparisonBits{0}, said, found.judgement,
         look.depth(), standing_);
-  if (!kernel_.test->measures.empty()) {
+  if (!kernel_.predicate->measures.empty()) {
     const std::vector<double> measures =
         replies_ ? replies_->measures(source_, precision_of<Real>, position(i)) : reply_.measures(i);
     look.count_motion(kernel_, position(i), said.verdict, measures, tally_.motion);

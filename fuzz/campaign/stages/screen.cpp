@@ -25,7 +25,7 @@ class NoScreen final : public Screen<Real> {
     if (!found.is_counted || !found.chain || !run.shows_sides() || !run.is_answered(i)) return;
     const ExactSides* sides = asked_->sides(run.kernel());
     if (sides == nullptr) return;
-    count_errors(run.tally(), run.position(i), *run.kernel().test, *sides, run.reply().answers, i,
+    count_errors(run.tally(), run.position(i), *run.kernel().predicate, *sides, run.reply().answers, i,
                  of_.judging.tolerances);
   }
 
@@ -39,7 +39,7 @@ class NoScreen final : public Screen<Real> {
 
 template <class Real>
 std::unique_ptr<Screen<Real>> screen_of(const ScreenedRuns<Real>& of) {
-  if (const Screens* screens = capabilities_of(*of.runs.front().kernel().test).screens) return screens->screen(of);
+  if (const Screens* screens = capabilities_of(*of.runs.front().kernel().predicate).screens) return screens->screen(of);
   return std::make_unique<NoScreen<Real>>(of);
 }
 template std::unique_ptr<Screen<float>> screen_of(const ScreenedRuns<float>&);

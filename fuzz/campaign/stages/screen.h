@@ -1,5 +1,6 @@
-// Screens stand between the kernels' answers to a batch and the oracles. A test with filters has a screen that judges
-// nearly every answer itself (fuzz/sphere_triangle/screen.h); for all others the oracles are asked about every query.
+// Screens stand between the kernels' answers to a batch and the oracles. A predicate with filters has a screen that
+// judges nearly every answer itself (fuzz/sphere_triangle/screen.h); for all others the oracles are asked about every
+// query.
 #pragma once
 
 #include <memory>
@@ -45,7 +46,7 @@ struct ScreenedRuns {
   std::uint64_t& second_opinions;
 };
 
-// A capability of a test: its screens.
+// A capability of a predicate: its screens.
 class Screens {
  public:
   virtual std::unique_ptr<Screen<float>> screen(const ScreenedRuns<float>& of) const = 0;
@@ -55,7 +56,7 @@ class Screens {
   ~Screens() = default;
 };
 
-// That of the kernels' test.
+// That of the kernels' predicate.
 template <class Real>
 std::unique_ptr<Screen<Real>> screen_of(const ScreenedRuns<Real>& of);
 

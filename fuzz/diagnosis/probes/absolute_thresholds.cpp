@@ -10,14 +10,14 @@
 namespace axiscert::diagnosis {
 namespace {
 
-// Clear queries of every family in other units. To exclude the range, every built-in form of the test has to give the
-// same significands in both.
+// Clear queries of every family in other units. To exclude the range, every built-in form of the predicate has to give
+// the same significands in both.
 template <class Real>
 class UnitsByForms {
  public:
   explicit UnitsByForms(Subject<Real>& subject) : subject_(subject) {
     for (const Kernel& kernel : kernels()) {
-      if (kernel.test != subject.kernel().test || kernel.entry != subject.kernel().entry) continue;
+      if (kernel.predicate != subject.kernel().predicate || kernel.entry != subject.kernel().entry) continue;
       if (!kernel.has(precision_of<Real>)) continue;
       Implementation<Real> form = kernel.on<Real>(scalar_target);
       if (kernel.exposes == Exposure::sides && form.explain) forms_.push_back(std::move(form));
@@ -26,7 +26,7 @@ class UnitsByForms {
   bool has_forms() const { return !forms_.empty(); }
 
   ProbeFinding found() {
-    for (const Family* family : families_of(subject_.test())) {
+    for (const Family* family : families_of(subject_.predicate())) {
       if (family->entry == subject_.kernel().entry && image_group(family->name) == nullptr) add(*family);
     }
     if (images_ + not_decided_ == 0)
@@ -126,11 +126,13 @@ class UnitsByForms {
 
 template <class Real>
 ProbeFinding absolute_thresholds(Subject<Real>& subject) {
-  if (const auto by_images = scenes_of<Real>(subject.test()).threshold_by_images) return by_images(subject);
-  if (!oracles_of(subject.kernel()).has_depth()) return unasked("This test has no depth, by which queries are clear.");
+  if (const auto by_images = scenes_of<Real>(subject.predicate()).threshold_by_images) return by_images(subject);
+  if (!oracles_of(subject.kernel()).has_depth())
+    return unasked("This predicate has no depth, by which queries are clear.");
   UnitsByForms<Real> units(subject);
   if (!units.has_forms()) {
-    return unasked("No built-in kernel of this test shows its sides in this entry, by which the range is excluded.");
+    return unasked(
+        "No built-in kernel of this predicate shows its sides in this entry, by which the range is excluded.");
   }
   return units.found();
 }

@@ -53,9 +53,9 @@ std::string flat_sentence(Degenerate value) {
 
 template <class Real>
 ProbeFinding degenerate_triangles(Subject<Real>& subject) {
-  if (!vertex_columns(subject.kernel())) return unasked("This test has no triangle.");
+  if (!vertex_columns(subject.kernel())) return unasked("This predicate has no triangle.");
   if (const auto why = why_not_sound(subject)) return undecided(*why);
-  const FlatScenes<Real> flat = scenes_of<Real>(subject.test()).flat(subject, flat_of_each);
+  const FlatScenes<Real> flat = scenes_of<Real>(subject.predicate()).flat(subject, flat_of_each);
   const std::vector<FlatQuery<Real>>& scenes = flat.queries;
   Queries<Real> queries;
   for (const auto& scene : scenes) queries.push_back(scene.query);

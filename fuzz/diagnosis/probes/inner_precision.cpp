@@ -119,10 +119,11 @@ ProbeFinding concluded(Subject<Real>& subject, const TurningScenes<Real>& scenes
     // A float kernel shows the same where a computation in double stops early; its roundings show in their order.
     const std::string order = sizeof(Real) == 4 ? operation_order(subject).value : std::string();
     if (order == not_asked) {
-      return undecided(fmt::format("Its answer turns too early in {} and too late in {} of {} scenes; in this test no "
-                                   "order of operations is asked, by which these would be roundings.",
-                                   counts.early, counts.late, counts.answered),
-                       measured);
+      return undecided(
+          fmt::format("Its answer turns too early in {} and too late in {} of {} scenes; in this predicate no "
+                      "order of operations is asked, by which these would be roundings.",
+                      counts.early, counts.late, counts.answered),
+          measured);
     }
     if (order == not_known) {
       return undecided(fmt::format("Its answer turns too early in {} and too late in {} of {} scenes, but no order of "
@@ -149,7 +150,7 @@ ProbeFinding inner_precision(Subject<Real>& subject) {
   const Kernel& kernel = subject.kernel();
   if (!oracles_of(kernel).critical_length())
     return unasked("Queries of this entry have no radius at which the answer turns, by which digits are seen.");
-  const TurningScenes<Real> scenes = scenes_of<Real>(*kernel.test).turning(subject, turning_scenes);
+  const TurningScenes<Real> scenes = scenes_of<Real>(*kernel.predicate).turning(subject, turning_scenes);
   if (scenes.why_none) return undecided(*scenes.why_none);
   const std::size_t radius = scenes.radius;
   const auto radii = turning_radii(subject, scenes.queries, radius);

@@ -25,8 +25,8 @@ Queries<Real> telling_queries(Subject<Real>& subject) {
   Queries<Real> queries = sharp_queries<Real>(kernel, subject.seed(), sharp_count);
   const Queries<Real> general = queries_of_general<Real>(kernel, subject.seed(), general_count);
   queries.insert(queries.end(), general.begin(), general.end());
-  if (!scenes_of<Real>(subject.test()).near_tie) return queries;  // the sharp ones are of the families already
-  for (const Family* family : families_of(subject.test())) {
+  if (!scenes_of<Real>(subject.predicate()).near_tie) return queries;  // the sharp ones are of the families already
+  for (const Family* family : families_of(subject.predicate())) {
     if (image_group(family->name) != nullptr || family->cost > 1) continue;
     for (std::uint64_t i = 0; i < family_count; ++i) queries.push_back(family->make<Real>(subject.seed(), i));
   }
@@ -51,7 +51,7 @@ std::vector<FormCount> forms_on(Subject<Real>& subject, Queries<Real>& queries, 
   std::vector<FormCount> forms;
   for (const Kernel& form : kernels()) {
     const Kernel& kernel = subject.kernel();
-    if (form.test != kernel.test || form.entry != kernel.entry || !form.has(precision_of<Real>)) continue;
+    if (form.predicate != kernel.predicate || form.entry != kernel.entry || !form.has(precision_of<Real>)) continue;
     forms.push_back({form.id, subject.ask(form.on<Real>(scalar_target), queries)});
   }
   std::size_t kept = 0;
@@ -89,7 +89,7 @@ ProbeFinding nearest_form(Subject<Real>& subject) {
   std::vector<Verdict> said = subject.ask(queries);
   const std::vector<FormCount> forms = forms_on(subject, queries, said);
   if (forms.empty()) return unasked("No built-in kernel takes the numbers in this entry.");
-  if (forms.size() == 1) return unasked("The built-in kernels of this test and entry agree on every query asked.");
+  if (forms.size() == 1) return unasked("The built-in kernels of this predicate and entry agree on every query asked.");
   if (queries.empty()) return undecided("It decides no query on which the built-in kernels differ.");
   const FormCount &best = forms[0], &second = forms[1];
   const auto share = [&](const FormCount& form) {

@@ -29,7 +29,7 @@ struct Exchange {
 constexpr std::array<Exchange, 3> exchanges = {{{"x+y", {1, 0, 2}, 2}, {"y+z", {0, 2, 1}, 0}, {"x+z", {2, 1, 0}, 1}}};
 
 template <class Real>
-Numbers<Real> exchanged(const Numbers<Real>& query, const TestEntry& entry, const Exchange& how) {
+Numbers<Real> exchanged(const Numbers<Real>& query, const PredicateEntry& entry, const Exchange& how) {
   Numbers<Real> turned = exact_images::with_axes(query, entry, how.axes, one_bit<std::uint8_t>(how.third));
   for (Real& x : turned) x = x + Real(0);  // not -0
   return turned;
@@ -39,7 +39,7 @@ template <class Real>
 class OrderProbe {
  public:
   explicit OrderProbe(Subject<Real>& subject)
-      : subject_(subject), near_tie_(scenes_of<Real>(subject.test()).near_tie) {}
+      : subject_(subject), near_tie_(scenes_of<Real>(subject.predicate()).near_tie) {}
 
   // The pairs of a query and its image with different verdicts; both have to be decided.
   template <class Image>
@@ -147,10 +147,10 @@ class OrderProbe {
 
 template <class Real>
 ProbeFinding operation_order(Subject<Real>& subject) {
-  if (!scenes_of<Real>(subject.test()).near_tie) {
+  if (!scenes_of<Real>(subject.predicate()).near_tie) {
     std::vector<std::string_view> with_near_ties;
-    for (const TestDescription* test : tests()) {
-      if (scenes_of<Real>(*test).near_tie) with_near_ties.push_back(test->id);
+    for (const Predicate* predicate : predicates()) {
+      if (scenes_of<Real>(*predicate).near_tie) with_near_ties.push_back(predicate->id);
     }
     return unasked(fmt::format("Near ties in a plane, by which the order shows, are made of {} alone.",
                                fmt::join(with_near_ties, " and ")));

@@ -6,8 +6,8 @@
 
 namespace axiscert::diagnosis {
 
-// Probes whose scenes are the test's own, or made of its families and columns (scenes/scenes.h); operation_order is of
-// tests with near ties alone, overlap_at_start of motions.
+// Probes whose scenes are the predicate's own, or made of its families and columns (scenes/scenes.h); operation_order
+// is of predicates with near ties alone, overlap_at_start of motions.
 template <class Real>
 ProbeFinding at_touching(Subject<Real>& subject);
 template <class Real>

@@ -57,10 +57,11 @@ class WindowScan {
 template <class Real>
 ProbeFinding range_window(Subject<Real>& subject) {
   WindowScan<Real> scan(subject);
-  if (scan.size() == 0) return unasked("This test has no queries here that are known to be far from every boundary.");
+  if (scan.size() == 0)
+    return unasked("This predicate has no queries here that are known to be far from every boundary.");
   if (!scan.tells())
     return undecided("At scale 1 it does not give both answers to queries that are far from touching.");
-  const ExponentWindow scanned = scenes_of<Real>(subject.test()).scanned(precision_of<Real>);
+  const ExponentWindow scanned = scenes_of<Real>(subject.predicate()).scanned(precision_of<Real>);
   std::optional<DiagnosisWitness> above, below;
   const int high = scan.last(scanned.high, above), low = scan.last(scanned.low, below);
   const Json measured = {{"low", low}, {"high", high}, {"scanned_low", scanned.low}, {"scanned_high", scanned.high}};

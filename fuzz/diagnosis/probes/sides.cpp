@@ -27,8 +27,8 @@ bool separates(Subject<Real>& subject) {
 template <class Real>
 ProbeFinding sides_hit(Subject<Real>& subject) {
   const Kernel& kernel = subject.kernel();
-  if (!vertex_columns(kernel)) return unasked("This test has no triangle that could be hit from one side.");
-  const SidedScenes<Real> scenes = scenes_of<Real>(*kernel.test).sided(subject, sided_count);
+  if (!vertex_columns(kernel)) return unasked("This predicate has no triangle that could be hit from one side.");
+  const SidedScenes<Real> scenes = scenes_of<Real>(*kernel.predicate).sided(subject, sided_count);
   Queries<Real> hits;
   for (const auto& scene : scenes.queries) hits.push_back(scene.query);
   if (scenes.apart.empty() && !separates(subject))

@@ -41,7 +41,7 @@ OverlappingStarts<Real> overlapping_starts(Subject<Real>& subject) {
 
 template <class Real>
 ProbeFinding overlap_at_start(Subject<Real>& subject) {
-  if (!is_of_motions(subject.test())) return unasked("Nothing moves in this test.");
+  if (!is_of_motions(subject.predicate())) return unasked("Nothing moves in this predicate.");
   const OverlappingStarts<Real> starts = overlapping_starts(subject);
   const std::array<const Queries<Real>*, 3> groups = {&starts.approaching, &starts.leaving, &starts.still};
   constexpr std::array<std::string_view, 3> names = {"approaching", "leaving", "still"};

@@ -27,7 +27,7 @@ class SubnormalProbe {
  public:
   explicit SubnormalProbe(Subject<Real>& subject)
       : subject_(subject),
-        queries_(scenes_of<Real>(subject.test()).small(subject.kernel())),
+        queries_(scenes_of<Real>(subject.predicate()).small(subject.kernel())),
         said_(subject.ask(queries_)) {}
 
   ProbeFinding found() {
@@ -114,7 +114,7 @@ class SubnormalProbe {
   std::vector<FormAgreement> agreements() {
     std::vector<FormAgreement> all;
     for (const Kernel& form : kernels()) {
-      if (form.test != subject_.kernel().test || form.entry != subject_.kernel().entry) continue;
+      if (form.predicate != subject_.kernel().predicate || form.entry != subject_.kernel().entry) continue;
       if (!form.has(precision_of<Real>) || form.exposes != Exposure::sides) continue;
       const Kernel flushed_form = called(form, "flushed");
       const auto kept = subject_.ask(form.on<Real>(scalar_target), queries_),
@@ -148,7 +148,7 @@ class SubnormalProbe {
 template <class Real>
 ProbeFinding subnormal_numbers(Subject<Real>& subject) {
   if (clear_queries<Real>(subject.kernel(), 1).empty())
-    return unasked("This test has no queries here that are known to be far from every boundary.");
+    return unasked("This predicate has no queries here that are known to be far from every boundary.");
   return SubnormalProbe<Real>(subject).found();
 }
 template ProbeFinding subnormal_numbers(Subject<float>&);

@@ -27,7 +27,7 @@ ProbeFinding at_touching(Subject<Real>& subject) {
   const Kernel& kernel = subject.kernel();
   if (!has_lengths(kernel))
     return unasked("No length of this entry could grow, by which touching is told from a slack.");
-  const TouchingScenes<Real> scenes = scenes_of<Real>(*kernel.test).touching(subject, touching_count);
+  const TouchingScenes<Real> scenes = scenes_of<Real>(*kernel.predicate).touching(subject, touching_count);
   const Queries<Real>& touching = scenes.queries;
   if (touching.empty())
     return unasked("No family of this entry touches without a rounding where the kernel promises an answer.");

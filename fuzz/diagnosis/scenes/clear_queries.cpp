@@ -24,12 +24,13 @@ Queries<Real> clear_in_units(const Kernel& kernel, std::size_t count, int first,
 
 }  // namespace
 
-bool is_of_motions(const TestDescription& test) {
-  return std::ranges::any_of(test.measures, [](const TestMeasure& measure) { return measure.name == "time"; });
+bool is_of_motions(const Predicate& predicate) {
+  return std::ranges::any_of(predicate.measures,
+                             [](const PredicateMeasure& measure) { return measure.name == "time"; });
 }
 
 const Family* family_named_general(const Kernel& kernel) {
-  for (const Family* family : families_of(*kernel.test)) {
+  for (const Family* family : families_of(*kernel.predicate)) {
     const std::string_view last = family->name.substr(family->name.rfind('/') + 1);
     if (family->entry == kernel.entry && (last.starts_with("general") || last.ends_with("_general"))) return family;
   }
@@ -38,7 +39,7 @@ const Family* family_named_general(const Kernel& kernel) {
 
 template <class Real>
 std::vector<ClearQuery<Real>> clear_queries(const Kernel& kernel, std::size_t count) {
-  return scenes_of<Real>(*kernel.test).clear(kernel, count);
+  return scenes_of<Real>(*kernel.predicate).clear(kernel, count);
 }
 
 template <class Real>
@@ -59,8 +60,8 @@ std::vector<ClearQuery<Real>> clear_by_depth(const Kernel& kernel, std::size_t c
 
 template <class Real>
 Numbers<Real> in_unit(const Kernel& kernel, const Numbers<Real>& numbers, int exponent) {
-  const std::vector<TestColumn>& columns = kernel.test->entries[kernel.entry].columns;
-  const bool displacements = is_of_motions(*kernel.test);
+  const std::vector<PredicateColumn>& columns = kernel.predicate->entries[kernel.entry].columns;
+  const bool displacements = is_of_motions(*kernel.predicate);
   Numbers<Real> scaled = numbers;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const Role role = columns[k].role;

@@ -6,21 +6,21 @@
 
 namespace axiscert::diagnosis {
 
-const DiagnosisScenes& diagnosis_scenes(const TestDescription& test) {
+const DiagnosisScenes& diagnosis_scenes(const Predicate& predicate) {
   static const DiagnosisScenes by_trait;
-  const DiagnosisScenes* own = capabilities_of(test).diagnosis_scenes;
+  const DiagnosisScenes* own = capabilities_of(predicate).diagnosis_scenes;
   return own ? *own : by_trait;
 }
 
 template <class Real>
 Queries<Real> sharp_queries(const Kernel& kernel, std::uint64_t seed, std::size_t count) {
   Queries<Real> queries;
-  if (const auto near_tie = scenes_of<Real>(*kernel.test).near_tie) {
+  if (const auto near_tie = scenes_of<Real>(*kernel.predicate).near_tie) {
     for (std::uint64_t i = 0; i < count; ++i) queries.push_back(near_tie(seed, "sharp", i, no_axis));
     return queries;
   }
   std::vector<const Family*> families;
-  for (const Family* family : families_of(*kernel.test)) {
+  for (const Family* family : families_of(*kernel.predicate)) {
     if (family->entry == kernel.entry && image_group(family->name) == nullptr) families.push_back(family);
   }
   for (std::uint64_t i = 0; i < count && !families.empty(); ++i) {

@@ -1,5 +1,6 @@
-// What a diagnosis asks kernels of a test about: scenes of each kind, and the words that describe them. They are made
-// of the test's families and columns, but for those that the test makes itself (Capabilities::diagnosis_scenes).
+// What a diagnosis asks kernels of a predicate about: scenes of each kind, and the words that describe them. They are
+// made of the predicate's families and columns, but for those that the predicate makes itself
+// (Capabilities::diagnosis_scenes).
 #pragma once
 
 #include <string_view>
@@ -78,7 +79,7 @@ struct TurningScenes {
   std::optional<std::string> why_none = {};     // a sentence, where the kernel's answers say nothing of such scenes
 };
 
-// Those of a test's families and columns (scenes_by_trait.cpp; clear_queries.cpp).
+// Those of a predicate's families and columns (scenes_by_trait.cpp; clear_queries.cpp).
 template <class Real>
 std::vector<ClearQuery<Real>> clear_by_depth(const Kernel& kernel, std::size_t count);
 template <class Real>
@@ -95,10 +96,10 @@ ExponentWindow scanned_of_families(Precision precision);
 
 inline constexpr std::size_t no_axis = 3;
 
-// Each member makes scenes of a kernel's entry of the test, the same for a seed on every machine.
+// Each member makes scenes of a kernel's entry of the predicate, the same for a seed on every machine.
 template <class Real>
 struct Scenes {
-  // Far from every boundary, at most `count`; none where the test has no such thing.
+  // Far from every boundary, at most `count`; none where the predicate has no such thing.
   std::vector<ClearQuery<Real>> (*clear)(const Kernel& kernel, std::size_t count) = clear_by_depth<Real>;
   // At most `count`; separated with half the lengths and in contact with half as much again.
   TouchingScenes<Real> (*touching)(Subject<Real>& subject, std::size_t count) = touching_by_trait<Real>;
@@ -106,7 +107,7 @@ struct Scenes {
   SidedScenes<Real> (*sided)(Subject<Real>& subject, std::size_t count) = sided_by_trait<Real>;
   // Of each kind at most `of_each`, as many contacts as separations.
   FlatScenes<Real> (*flat)(Subject<Real>& subject, std::size_t of_each) = flat_by_trait<Real>;
-  // Of tests with a critical distance: at most `count`.
+  // Of predicates with a critical distance: at most `count`.
   TurningScenes<Real> (*turning)(Subject<Real>& subject, std::size_t count) = turning_by_trait<Real>;
   // Those that tell of subnormal numbers: intermediate results are, and where that does not tell, lengths too.
   Queries<Real> (*small)(const Kernel& kernel) = small_of_any_degree<Real>;
@@ -133,16 +134,16 @@ struct DiagnosisScenes {
   Scenes<double> binary64 = {};
   SceneWords words = {};
 };
-// That of the test, or all by trait.
-const DiagnosisScenes& diagnosis_scenes(const TestDescription& test);
+// That of the predicate, or all by trait.
+const DiagnosisScenes& diagnosis_scenes(const Predicate& predicate);
 template <class Real>
-const Scenes<Real>& scenes_of(const TestDescription& test) {
-  if constexpr (sizeof(Real) == 4) return diagnosis_scenes(test).binary32;
-  else return diagnosis_scenes(test).binary64;
+const Scenes<Real>& scenes_of(const Predicate& predicate) {
+  if constexpr (sizeof(Real) == 4) return diagnosis_scenes(predicate).binary32;
+  else return diagnosis_scenes(predicate).binary64;
 }
 
-// Queries of the kernel's test and entry: near ties, or of every family in turn where none are made; and of the family
-// "general".
+// Queries of the kernel's predicate and entry: near ties, or of every family in turn where none are made; and of the
+// family "general".
 template <class Real>
 Queries<Real> sharp_queries(const Kernel& kernel, std::uint64_t seed, std::size_t count);
 template <class Real>

@@ -16,7 +16,9 @@ constexpr std::size_t least_touching = 16;
 // Coordinates of vertices of flat triangles are multiples of this, so that the middle of two is a number.
 constexpr double vertex_grid = 0x1p-6;
 
-const std::vector<TestColumn>& columns_of(const Kernel& kernel) { return kernel.test->entries[kernel.entry].columns; }
+const std::vector<PredicateColumn>& columns_of(const Kernel& kernel) {
+  return kernel.predicate->entries[kernel.entry].columns;
+}
 
 Vec3<double> triple(const auto& query, std::size_t first) {
   return {static_cast<double>(query[first]), static_cast<double>(query[first + 1]),
@@ -76,7 +78,7 @@ Numbers<Real> flattened(const Kernel& kernel, Numbers<Real> query, Flat flat, st
 }  // namespace
 
 std::optional<std::size_t> first_column(const Kernel& kernel, std::string_view group) {
-  for (const ColumnGroup& found : groups_of(kernel.test->entries[kernel.entry])) {
+  for (const ColumnGroup& found : groups_of(kernel.predicate->entries[kernel.entry])) {
     if (found.name == group) return found.first;
   }
   return std::nullopt;
@@ -89,7 +91,8 @@ std::optional<std::array<std::size_t, 3>> vertex_columns(const Kernel& kernel) {
 }
 
 bool has_lengths(const Kernel& kernel) {
-  return std::ranges::any_of(columns_of(kernel), [](const TestColumn& column) { return column.role == Role::length; });
+  return std::ranges::any_of(columns_of(kernel),
+                             [](const PredicateColumn& column) { return column.role == Role::length; });
 }
 
 template <class Real>
@@ -102,7 +105,7 @@ Numbers<Real> without_motion(const Kernel& kernel, Numbers<Real> query) {
 
 template <class Real>
 bool is_plump(const Kernel& kernel, const Numbers<Real>& query) {
-  const std::vector<TestColumn>& columns = columns_of(kernel);
+  const std::vector<PredicateColumn>& columns = columns_of(kernel);
   for (std::size_t k = 0; k < columns.size(); ++k) {
     if (columns[k].role == Role::length && !(query[k] > 0)) return false;
   }
@@ -113,7 +116,7 @@ bool is_plump(const Kernel& kernel, const Numbers<Real>& query) {
 
 template <class Real>
 Numbers<Real> with_lengths_times(const Kernel& kernel, Numbers<Real> query, Real factor) {
-  const std::vector<TestColumn>& columns = columns_of(kernel);
+  const std::vector<PredicateColumn>& columns = columns_of(kernel);
   for (std::size_t k = 0; k < columns.size(); ++k) {
     if (columns[k].role == Role::length) query[k] *= factor;
   }
@@ -126,7 +129,7 @@ TouchingScenes<Real> touching_by_trait(Subject<Real>& subject, std::size_t count
   const Kernel& kernel = subject.kernel();
   const Oracles& oracles = oracles_of(kernel);
   Queries<Real> found;
-  for (const Family* family : families_of(subject.test())) {
+  for (const Family* family : families_of(subject.predicate())) {
     if (family->entry != kernel.entry || !family->exact_arithmetic || image_group(family->name)) continue;
     for (std::uint64_t position = 0; position < touching_positions && found.size() < count; ++position) {
       const Numbers<Real> query = family->make<Real>(subject.seed(), position);
@@ -140,7 +143,7 @@ TouchingScenes<Real> touching_by_trait(Subject<Real>& subject, std::size_t count
       if (is_promised(kernel, larger)) found.push_back(query);
     }
   }
-  const SceneWords& words = diagnosis_scenes(subject.test()).words;
+  const SceneWords& words = diagnosis_scenes(subject.predicate()).words;
   return {.queries = found,
           .part = std::vector<std::size_t>(found.size(), 0),
           .parts = {"all"},
@@ -157,7 +160,7 @@ TouchingScenes<Real> touching_by_trait(Subject<Real>& subject, std::size_t count
 // the other side and is clear of the triangle at first.
 template <class Real>
 SidedScenes<Real> sided_by_trait(Subject<Real>& subject, std::size_t count) {
-  const SceneWords& words = diagnosis_scenes(subject.test()).words;
+  const SceneWords& words = diagnosis_scenes(subject.predicate()).words;
   SidedScenes<Real> scenes = {.queries = {},
                               .apart = {},
                               .what = words.sided,
@@ -223,11 +226,11 @@ TurningScenes<Real> turning_by_trait(Subject<Real>& subject, std::size_t count) 
   const Kernel& kernel = subject.kernel();
   const CriticalLength distance = *oracles_of(kernel).critical_length();
   const Oracles& oracles = oracles_of(kernel);
-  const SceneWords& words = diagnosis_scenes(subject.test()).words;
+  const SceneWords& words = diagnosis_scenes(subject.predicate()).words;
   TurningScenes<Real> scenes{{}, distance.column, {}, {}, words.first, words.second, why_not_sound(subject)};
   if (scenes.why_none) return scenes;
   const auto vertices = vertex_columns(kernel);
-  const std::vector<TestColumn>& columns = kernel.test->entries[kernel.entry].columns;
+  const std::vector<PredicateColumn>& columns = kernel.predicate->entries[kernel.entry].columns;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const bool is_of_first = vertices ? k < 9 : columns[k].name.starts_with("a.");
     const bool is_place = columns[k].role == Role::coordinate || (vertices && columns[k].role == Role::direction);

@@ -1,5 +1,5 @@
-// What the columns of any test say of its queries: of these, and of its families, the scenes are made that it does not
-// make itself. Every truth is the oracles'.
+// What the columns of any predicate say of its queries: of these, and of its families, the scenes are made that it does
+// not make itself. Every truth is the oracles'.
 #pragma once
 
 #include <array>

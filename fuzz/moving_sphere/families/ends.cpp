@@ -31,7 +31,7 @@ void fill_ends(const StreamName& stream, std::uint64_t first, const MutableColum
 template <const Family& motions, End end = End::as_it_is>
 constexpr Family ends_family(std::string_view name, const Situation& situation, std::string_view purpose,
                              bool exact_arithmetic = false) {
-  return {.test = moving_sphere_test,
+  return {.predicate = moving_sphere_predicate,
           .name = name,
           .purpose = purpose,
           .version = 1,

@@ -13,7 +13,7 @@
 namespace axiscert::moving_sphere {
 namespace {
 
-const TestEntry& columns() { return moving_sphere_test().entries[0]; }
+const PredicateEntry& columns() { return moving_sphere_predicate().entries[0]; }
 
 // In turn: past a vertex, an edge and the face, the centre at X + n at s / k of its way, along the surface or against
 // it; and small integers, zero areas among them. All are integers below 2^digits / 8, so that a translation by as much
@@ -127,14 +127,14 @@ constexpr ImageKind every_image(std::size_t) {
 ImageKind mirror_or_axes(std::size_t image) { return image < 8 ? ImageKind::mirror : ImageKind::axes; }
 
 constexpr std::array<ImageGroup, 7> groups = {{
-    {moving_sphere_test, "moving-sphere/orders", 6,
+    {moving_sphere_predicate, "moving-sphere/orders", 6,
      [](std::size_t image) -> Order { return symmetries()[48 * image].vertices; }, every_image<ImageKind::order>},
-    {moving_sphere_test, "moving-sphere/axes", 48, as_in_base, mirror_or_axes},
-    {moving_sphere_test, "moving-sphere/inverted", 2, as_in_base, every_image<ImageKind::mirror>},
-    {moving_sphere_test, "moving-sphere/translated", 4, as_in_base, every_image<ImageKind::translation>},
-    {moving_sphere_test, "moving-sphere/reversed", 2, as_in_base, every_image<ImageKind::reversal>},
-    {moving_sphere_test, "moving-sphere/split", 7, as_in_base, every_image<ImageKind::split>, nullptr, nullptr, 2},
-    {moving_sphere_test, "moving-sphere/halved", 4, as_in_base, every_image<ImageKind::halving>},
+    {moving_sphere_predicate, "moving-sphere/axes", 48, as_in_base, mirror_or_axes},
+    {moving_sphere_predicate, "moving-sphere/inverted", 2, as_in_base, every_image<ImageKind::mirror>},
+    {moving_sphere_predicate, "moving-sphere/translated", 4, as_in_base, every_image<ImageKind::translation>},
+    {moving_sphere_predicate, "moving-sphere/reversed", 2, as_in_base, every_image<ImageKind::reversal>},
+    {moving_sphere_predicate, "moving-sphere/split", 7, as_in_base, every_image<ImageKind::split>, nullptr, nullptr, 2},
+    {moving_sphere_predicate, "moving-sphere/halved", 4, as_in_base, every_image<ImageKind::halving>},
 }};
 
 template <class Real, std::size_t group, Numbers<Real> (*make_image)(const Numbers<Real>&, std::size_t, Stream&)>
@@ -146,7 +146,7 @@ void fill(const StreamName& name, std::uint64_t first, const MutableColumns<Real
 
 template <std::size_t group, auto image_binary32, auto image_binary64>
 constexpr Family family_of_images(std::string_view purpose) {
-  return {.test = moving_sphere_test,
+  return {.predicate = moving_sphere_predicate,
           .name = groups[group].family,
           .purpose = purpose,
           .version = 1,

@@ -29,7 +29,7 @@ using MovingReals = testing::Types<float, double>;
 TYPED_TEST_SUITE(MovingFamilies, MovingReals);
 // A test each family: each takes minutes.
 class MovingFamiliesLong : public testing::TestWithParam<const Family*> {};
-INSTANTIATE_TEST_SUITE_P(Each, MovingFamiliesLong, testing::ValuesIn(families_of(find_test("moving-sphere"))),
+INSTANTIATE_TEST_SUITE_P(Each, MovingFamiliesLong, testing::ValuesIn(families_of(find_predicate("moving-sphere"))),
                          [](const auto& family) {
                            return std::string(family.param->name.substr(family.param->name.find('/') + 1));
                          });
@@ -69,7 +69,7 @@ struct MovingCounts {
 template <class Real>
 MovingCounts counted(std::string_view name, std::uint64_t queries) {
   const Family& family = find_family(name);
-  const Oracles& oracles = oracles_of(moving_sphere_test(), family.entry);
+  const Oracles& oracles = oracles_of(moving_sphere_predicate(), family.entry);
   MovingCounts found;
   // In a family of images, each image of one base after the other.
   const ImageGroup* group = image_group(name);
@@ -98,7 +98,7 @@ void expect_agreement(const Family& family, std::uint64_t queries) {
 }
 
 TYPED_TEST(MovingFamilies, AreAgreedUponByTheOracles) {
-  for (const Family* family : families_of(moving_sphere_test())) expect_agreement<TypeParam>(*family, 200);
+  for (const Family* family : families_of(moving_sphere_predicate())) expect_agreement<TypeParam>(*family, 200);
 }
 // AXISCERT_QUERIES=1000000 in the environment asks as many of each family, which takes five minutes a family. Divided
 // twice in slow builds: sanitized, exact numbers on the heap take most of an hour for a twentieth of a million.
@@ -213,7 +213,7 @@ TYPED_TEST(MovingFamilies, OfNoMotionAreTheStaticQuery) {
 }
 
 TYPED_TEST(MovingFamilies, RoundNothingWhereTheySaySo) {
-  for (const Family* family : families_of(moving_sphere_test())) {
+  for (const Family* family : families_of(moving_sphere_predicate())) {
     if (!family->exact_arithmetic) continue;
     for (std::uint64_t position = 0; position < 2000; ++position) {
       const Numbers<TypeParam> numbers = family->make<TypeParam>(1, position);
@@ -232,9 +232,9 @@ TYPED_TEST(MovingFamilies, RoundNothingWhereTheySaySo) {
 // integers up to 3 the axes of vertices at the end are hard to find.
 TYPED_TEST(MovingFamilies, OfOneAxisAreSeparatedByItAlone) {
   const Family& family = find_family("moving-sphere/one_axis");
-  const TestDescription& test = moving_sphere_test();
-  const Oracles& oracles = oracles_of(test);
-  const std::size_t axes = test.clauses.size();
+  const Predicate& predicate = moving_sphere_predicate();
+  const Oracles& oracles = oracles_of(predicate);
+  const std::size_t axes = predicate.clauses.size();
   std::vector<int> alone(axes);
   for (std::uint64_t position = 0; position < 80 * axes; ++position) {
     const Numbers<TypeParam> q = family.make<TypeParam>(1, position);
@@ -247,10 +247,10 @@ TYPED_TEST(MovingFamilies, OfOneAxisAreSeparatedByItAlone) {
     const auto bits = bits_of<moving_sphere::TwentyNonstrict, TypeParam>(
         MovingSphere::problem<TypeParam>([&](std::size_t k) { return q[k]; }),
         [](std::size_t, TypeParam, TypeParam) {});
-    alone[position % axes] += clauses_of(test, bits) == one_bit<ClauseBits>(position % axes);
+    alone[position % axes] += clauses_of(predicate, bits) == one_bit<ClauseBits>(position % axes);
   }
   for (std::size_t axis = 0; axis < axes; ++axis) {
-    EXPECT_GE(alone[axis], sizeof(TypeParam) == 4 ? 5 : 50) << test.clauses[axis].name << ", of 60";
+    EXPECT_GE(alone[axis], sizeof(TypeParam) == 4 ? 5 : 50) << predicate.clauses[axis].name << ", of 60";
   }
 }
 
@@ -281,7 +281,7 @@ TEST(MovingSphereKernels, TheRoundedFormMissesContactsOfZeroArea) {
   const Implementation<double> twenty = find_kernel("moving-sphere/twenty-nonstrict").on<double>(scalar_target);
   const Numbers<double> inside_a_segment =
       MovingQuery<double>{{0, 0, 0}, {4, 0, 0}, {2, 0, 0}, {2, 0, 0}, {0, 1, 0}, 1};
-  EXPECT_EQ(oracles_of(moving_sphere_test()).truth(inside_a_segment).verdict, Verdict::contact);
+  EXPECT_EQ(oracles_of(moving_sphere_predicate()).truth(inside_a_segment).verdict, Verdict::contact);
   EXPECT_EQ(ask(twenty, inside_a_segment).verdicts[0], Verdict::contact);
   EXPECT_EQ(ask(rounded, inside_a_segment).verdicts[0], Verdict::separated);
   const Numbers<double> ahead = MovingQuery<double>{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 3}, {0, 0, -3}, 1};
@@ -294,7 +294,8 @@ std::pair<int, int> missed_and_invented(const char* kernel, const char* family, 
   int missed = 0, invented = 0;
   for (std::uint64_t position = 0; position < queries; ++position) {
     const Numbers<double> q = find_family(family).make<double>(1, position);
-    const Verdict truth = oracles_of(moving_sphere_test()).truth(q).verdict, said = ask(implementation, q).verdicts[0];
+    const Verdict truth = oracles_of(moving_sphere_predicate()).truth(q).verdict,
+                  said = ask(implementation, q).verdicts[0];
     missed += said == Verdict::separated && truth == Verdict::contact;
     invented += said == Verdict::contact && truth == Verdict::separated;
   }

@@ -18,7 +18,7 @@ namespace {
 
 std::vector<const ImageGroup*> groups_of_moving_sphere() {
   std::vector<const ImageGroup*> groups = image_groups();
-  std::erase_if(groups, [](const ImageGroup* group) { return &group->test() != &moving_sphere_test(); });
+  std::erase_if(groups, [](const ImageGroup* group) { return &group->predicate() != &moving_sphere_predicate(); });
   return groups;
 }
 
@@ -34,7 +34,7 @@ struct ImageTruth {
 };
 template <class Real>
 ImageTruth truth_of_image(const Family& family, std::uint64_t first, std::size_t parts) {
-  const Oracles& oracles = oracles_of(moving_sphere_test());
+  const Oracles& oracles = oracles_of(moving_sphere_predicate());
   ImageTruth found{};
   for (std::size_t part = 0; part < parts; ++part) {
     const Numbers<Real> q = family.make<Real>(1, first + part);
@@ -74,7 +74,7 @@ TYPED_TEST(MovingImages, HaveTheExactAnswersOfTheBase) {
 }
 
 TYPED_TEST(MovingImages, GoingOnTwiceAsFarHalvesTheTimeExactly) {
-  const Oracles& oracles = oracles_of(moving_sphere_test());
+  const Oracles& oracles = oracles_of(moving_sphere_predicate());
   const Family& family = find_family("moving-sphere/halved");
   std::size_t contacts = 0;
   for (std::uint64_t base = 0; base < 24; ++base) {

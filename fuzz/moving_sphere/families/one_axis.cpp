@@ -10,7 +10,7 @@ namespace {
 template <class Real>
 ClauseBits separating_axes(const MovingQuery<Real>& q) {
   const auto ignore = [](std::size_t, Real, Real) {};
-  return clauses_of(moving_sphere_test(), bits_of<TwentyNonstrict, Real>(q, ignore));
+  return clauses_of(moving_sphere_predicate(), bits_of<TwentyNonstrict, Real>(q, ignore));
 }
 
 // The greatest radius, in halves, at which an axis separates, or 0. A smaller sphere is separated too.
@@ -33,7 +33,7 @@ template <class Real>
 Numbers<Real> one_axis(Stream& random, std::uint64_t position) {
   constexpr int most_draws = 1024;
   constexpr std::int64_t bound = sizeof(Real) == 4 ? 3 : 90, most_halves = 8 * bound;
-  const std::uint64_t axes = moving_sphere_test().clauses.size();
+  const std::uint64_t axes = moving_sphere_predicate().clauses.size();
   const auto wanted = one_bit<ClauseBits>(position % axes);
   MovingQuery<Real> taken{};
   for (int draw = 0; draw < most_draws; ++draw) {

@@ -139,7 +139,7 @@ MovingQuery<Real> small_integers(Stream& random, std::int64_t m) {
 template <auto one32, auto one64>
 constexpr Family moving_family(std::string_view name, const Situation& situation, std::string_view purpose,
                                bool exact_arithmetic = false) {
-  return {.test = moving_sphere_test,
+  return {.predicate = moving_sphere_predicate,
           .name = name,
           .purpose = purpose,
           .version = 1,

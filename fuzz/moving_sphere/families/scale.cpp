@@ -62,7 +62,7 @@ void fill_units(const StreamName& name, std::uint64_t first, const MutableColumn
 
 }  // namespace
 
-extern const ImageGroup moving_sphere_units_group = {moving_sphere_test,
+extern const ImageGroup moving_sphere_units_group = {moving_sphere_predicate,
                                                      "moving-sphere/units",
                                                      unit_images::count,
                                                      [](std::size_t) {
@@ -75,7 +75,7 @@ extern const ImageGroup moving_sphere_units_group = {moving_sphere_test,
                                                      units_range_in};
 
 extern const Family moving_sphere_units_family = {
-    .test = moving_sphere_test,
+    .predicate = moving_sphere_predicate,
     .name = "moving-sphere/units",
     .purpose =
         "small integers, and times seven powers of two, 2^-20 to 2^16 or 2^-170 to 2^161: every operation is exact",

@@ -21,11 +21,11 @@ inline constexpr Situation small_integers = {
     sweeps_over_reals};
 inline constexpr Situation parallel = {
     "parallel", "motions parallel to the face or to an edge",
-    "Ask the static test at the end of such a motion as well, or keep the sphere a skin away from the surface.",
+    "Ask the static predicate at the end of such a motion as well, or keep the sphere a skin away from the surface.",
     sweeps_over_reals};
 inline constexpr Situation no_motion = {
     "no_motion", "no motion, or one that hardly changes the place",
-    "Ask the static test, sphere-triangle, where the motion is shorter than an ulp of the place.", sweeps};
+    "Ask the static predicate, sphere-triangle, where the motion is shorter than an ulp of the place.", sweeps};
 inline constexpr Situation point = {"point", "spheres of radius 0 or nearly 0",
                                     "Cast a ray for these, or give every sphere a radius.", sweeps};
 inline constexpr Situation far = {"far", "motions of many radii, or that begin far away",
@@ -38,7 +38,7 @@ inline constexpr Situation zero_area = {"zero_area", "triangles without area",
 inline constexpr Situation touching = {
     "touching", "motions that touch, at the start, on the way or at the end, or miss by ulps",
     "Roundings, where the depth is small: keep a skin between sphere and mesh, larger than the safe margin. Where it "
-    "is not small, contacts at the start or at the end are left out: ask the static test there.",
+    "is not small, contacts at the start or at the end are left out: ask the static predicate there.",
     sweeps};
 inline constexpr const Situation* in_order[] = {&everyday, &small_integers, &parallel,  &no_motion, &point,
                                                 &far,      &units,          &zero_area, &touching};

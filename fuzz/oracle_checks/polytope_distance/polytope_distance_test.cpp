@@ -88,8 +88,8 @@ using PolytopeReals = testing::Types<float, double>;
 TYPED_TEST_SUITE(PolytopeDistanceLong, PolytopeReals);
 
 TYPED_TEST(PolytopeDistanceLong, IsTheOraclesOnTenThousandQueriesOfEachFamily) {
-  for (const Family* family : families_of(moving_sphere_test())) {
-    const Oracles& oracles = oracles_of(moving_sphere_test(), family->entry);
+  for (const Family* family : families_of(moving_sphere_predicate())) {
+    const Oracles& oracles = oracles_of(moving_sphere_predicate(), family->entry);
     const ImageGroup* group = image_group(family->name);
     const std::uint64_t stride = group ? group->size + 1 : 1;  // an image of each base, and another one of the next
     for (std::uint64_t i = 0; i < 10000 / TRIAL_DIVISOR; ++i) {

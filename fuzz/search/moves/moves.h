@@ -9,8 +9,8 @@ namespace axiscert {
 
 // Brings a query to where wrong verdicts are looked for: every number finite and at most 2^8 in magnitude, so that
 // formulae of degree 6 keep to the normal numbers, lengths not negative, and the greatest number at least 1/2 unless
-// all are zero. The axes of a box that are not a rotation but for roundings are made one, since no test of boxes is
-// right for others.
+// all are zero. The axes of a box that are not a rotation but for roundings are made one, since no predicate of boxes
+// is right for others.
 template <class Real>
 void settle(const QueryShape& shape, Numbers<Real>& q);
 

@@ -21,13 +21,13 @@ using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(Moves, Reals);
 
 Dice dice(std::uint64_t position) {
-  Stream stream(moves_seed, name_hash("moves_test"), 1, Precision::binary32, position);
+  Stream stream(moves_seed, name_hash("moves_predicate"), 1, Precision::binary32, position);
   return Dice(stream);
 }
 
 template <class Real>
 void move(Dice& random, Query<Real>& q, const Query<Real>& other) {
-  static const QueryShape shape = shape_of(sphere_triangle_test().entries.front());
+  static const QueryShape shape = shape_of(sphere_triangle_predicate().entries.front());
   Numbers<Real> v = q;
   move(random, shape, v, Numbers<Real>(other));
   q = query_from(v);
@@ -62,7 +62,7 @@ TYPED_TEST(Moves, WhatIsWithinOneIsSoExactly) {
 TYPED_TEST(Moves, WhateverTheyMakeSettlesInTheBox) {
   using Real = TypeParam;
   Dice random = dice(1);
-  for (const Family* family : families_of(sphere_triangle_test())) {
+  for (const Family* family : families_of(sphere_triangle_predicate())) {
     Query<Real> q = family->make<Real>(moves_seed, 0);
     const Query<Real> other = family->make<Real>(moves_seed, 1);
     for (int i = 0; i < 2000; ++i) {

@@ -59,7 +59,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(bits)
-extern const Family bits_family = {sphere_triangle_test,
+extern const Family bits_family = {sphere_triangle_predicate,
                                    "bits",
                                    "uniform finite bit patterns, the radius without its sign",
                                    2,

@@ -43,7 +43,7 @@ Query<Real> collinear(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family collinear_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "collinear",
     "three distinct vertices exactly on a line; radii below, at and above the distance",
     2,

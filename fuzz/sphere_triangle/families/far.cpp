@@ -39,7 +39,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(far)
 extern const Family far_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "far",
     "triangles of size one at 10^2 to 10^6 from the origin, half of the radii near the distance",
     2,

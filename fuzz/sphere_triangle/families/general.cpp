@@ -35,7 +35,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(general)
 extern const Family general_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "general",
     "uniform coordinates in [-1, 1), radius in [0, 2): finds nothing, and shows that it does",
     2,

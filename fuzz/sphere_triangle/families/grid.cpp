@@ -29,7 +29,7 @@ Query<Real> grid(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family grid_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "grid",
     "small integers, the centre exactly on the face, a vertex or an edge in turn; r 0, -0, 1 and small integers",
     2,

@@ -102,12 +102,12 @@ int power_of(Precision precision, std::uint64_t, std::size_t image) {
   return precision == Precision::binary32 ? powers<float>[image] : powers<double>[image];
 }
 constexpr std::array<ImageGroup, 5> groups = {{
-    {sphere_triangle_test, "orders", 6, [](std::size_t image) -> Order { return symmetries()[48 * image].vertices; },
-     always<ImageKind::order>},
-    {sphere_triangle_test, "axes", 48, same_order, kind_on_axes},
-    {sphere_triangle_test, "inverted", 2, same_order, always<ImageKind::mirror>},
-    {sphere_triangle_test, "scaled", 8, same_order, always<ImageKind::scale>, power_of},
-    {sphere_triangle_test, "translated", 4, same_order, always<ImageKind::translation>},
+    {sphere_triangle_predicate, "orders", 6,
+     [](std::size_t image) -> Order { return symmetries()[48 * image].vertices; }, always<ImageKind::order>},
+    {sphere_triangle_predicate, "axes", 48, same_order, kind_on_axes},
+    {sphere_triangle_predicate, "inverted", 2, same_order, always<ImageKind::mirror>},
+    {sphere_triangle_predicate, "scaled", 8, same_order, always<ImageKind::scale>, power_of},
+    {sphere_triangle_predicate, "translated", 4, same_order, always<ImageKind::translation>},
 }};
 
 // The images from `first` on.
@@ -120,13 +120,9 @@ void fill(const StreamName& name, std::uint64_t first, const MutableColumns<Real
 
 template <std::size_t group, auto image_binary32, auto image_binary64>
 constexpr Family family_of_images(std::string_view purpose) {
-  return {sphere_triangle_test,
-          groups[group].family,
-          purpose,
-          1,
-          false,
-          fill<float, group, image_binary32>,
-          fill<double, group, image_binary64>};
+  return {
+      sphere_triangle_predicate,          groups[group].family, purpose, 1, false, fill<float, group, image_binary32>,
+      fill<double, group, image_binary64>};
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(lattice)
-extern const Family lattice_family = {sphere_triangle_test,
+extern const Family lattice_family = {sphere_triangle_predicate,
                                       "lattice",
                                       "small integers, radii in halves: every operation of the formulae is exact",
                                       2,

@@ -39,7 +39,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(needle)
 extern const Family needle_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "needle",
     "two vertices near each other, at 2^-1 to 2^-30 of the distance to the third (2^-60 in binary64)",
     2,

@@ -82,7 +82,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(nonfinite)
 extern const Family nonfinite_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "nonfinite",
     "NaN, infinities, negative numbers and zeros of both signs in each of the thirteen places in turn",
     2,

@@ -47,7 +47,7 @@ Query<Real> on(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family on_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "on",
     "centre exactly on the face, a vertex or an edge in turn; r of 0, -0, the least, tiny and small",
     2,

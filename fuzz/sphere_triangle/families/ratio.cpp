@@ -49,7 +49,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(ratio)
-extern const Family ratio_family = {sphere_triangle_test,
+extern const Family ratio_family = {sphere_triangle_predicate,
                                     "ratio",
                                     "r / edge and |A - P| / edge over 2^-40 to 2^40, independently, in turn; r = 0 too",
                                     2,

@@ -39,7 +39,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(repeated)
 extern const Family repeated_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "repeated",
     "two equal vertices (A = B, B = C, C = A) or three, in turn; otherwise arbitrary",
     2,

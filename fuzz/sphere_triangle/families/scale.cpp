@@ -61,7 +61,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(scale)
 extern const Family scale_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "scale",
     "clear queries (r at most half the distance, or at least twice) times every power of two in turn",
     2,

@@ -83,7 +83,7 @@ void fill_scene_edges(const StreamName& name, std::uint64_t first, const Mutable
 
 }  // namespace
 
-extern const Family scene_edge_family = {sphere_triangle_test,
+extern const Family scene_edge_family = {sphere_triangle_predicate,
                                          "scene-edge",
                                          "metres: the same sphere at an edge or corner of two triangles: a floor's "
                                          "seam, a step, a wall of 100 m, a small prop",

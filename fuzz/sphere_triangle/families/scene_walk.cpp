@@ -22,7 +22,7 @@ Query<Real> scene_walk(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family scene_walk_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "scene-walk",
     "metres: a character's sphere within 1 cm of resting on a floor or ramp, its triangles 1 cm to 100 m",
     1,

@@ -107,7 +107,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(seam)
 extern const Family seam_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "seam",
     "centre on the boundary of each side comparison in turn, -4 to +4 ulp, half of the radii at the distance",
     2,

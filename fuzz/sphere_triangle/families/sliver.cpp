@@ -50,7 +50,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(sliver)
 extern const Family sliver_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "sliver",
     "one vertex near the segment of the other two, at 2^-1 to 2^-40 of its length (2^-80 in binary64)",
     2,

@@ -109,7 +109,7 @@ void fill_spans(const StreamName& name, std::uint64_t first, const MutableColumn
 }  // namespace
 
 extern const ImageGroup spans_group = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "spans",
     group_size,
     [](std::size_t) {
@@ -122,7 +122,7 @@ extern const ImageGroup spans_group = {
     spans_range_in};
 
 extern const Family spans_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "spans",
     "integers below 2^10 or 2^24, times seven powers of two in the range of degree 6, and moved four times, exactly",
     1,

@@ -43,7 +43,7 @@ Query<Real> specked_tie(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family speck_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "speck",
     "exact ties times powers of two, with specks for zeros: a rounding of them down to the least numbers there are",
     1,

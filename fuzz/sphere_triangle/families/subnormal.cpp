@@ -27,7 +27,7 @@ Query<Real> subnormal(Stream& random, std::uint64_t position) {
 }  // namespace
 
 extern const Family subnormal_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "subnormal",
     "all subnormal, or within 2^12 of the least normal number; a quarter of the radii at the distance",
     2,

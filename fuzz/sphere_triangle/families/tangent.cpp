@@ -74,7 +74,7 @@ HWY_AFTER_NAMESPACE();
 namespace axiscert {
 AXISCERT_DISPATCH_FILL(tangent)
 extern const Family tangent_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "tangent",
     "radius on the boundary of each radius comparison in turn, -4 to +4 ulp, where that axis decides",
     2,

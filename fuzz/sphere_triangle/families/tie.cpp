@@ -95,7 +95,7 @@ template Query<float> touching_integers(Stream&, std::uint64_t);
 template Query<double> touching_integers(Stream&, std::uint64_t);
 
 extern const Family tie_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "tie",
     "integers that touch exactly, on each of the seven features in turn; small ones and large ones",
     2,

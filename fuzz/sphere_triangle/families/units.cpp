@@ -47,7 +47,7 @@ PowerRange units_range_in(Precision precision) {
 
 }  // namespace
 
-extern const ImageGroup units_group = {sphere_triangle_test,
+extern const ImageGroup units_group = {sphere_triangle_predicate,
                                        "units",
                                        unit_images::count,
                                        [](std::size_t) {
@@ -60,7 +60,7 @@ extern const ImageGroup units_group = {sphere_triangle_test,
                                        units_range_in};
 
 extern const Family units_family = {
-    sphere_triangle_test,
+    sphere_triangle_predicate,
     "units",
     "small integers, and times seven powers of two, 2^-20 to 2^17 or 2^-170 to 2^161: every operation is exact",
     1,

@@ -1,4 +1,4 @@
-// Steps from one form of the test to the next: the effect of each rewriting, and the most costly ones.
+// Steps from one form of the predicate to the next: the effect of each rewriting, and the most costly ones.
 #pragma once
 
 #include <string_view>

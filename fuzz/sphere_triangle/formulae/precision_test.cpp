@@ -28,7 +28,7 @@ constexpr std::array<Strictness, 3> strictnesses = {Strictness::strict, Strictne
 // Families in which most operations leave the range get the greater number of queries.
 template <class Real, class Check>
 void for_each_family(std::uint64_t few, std::uint64_t many, Check&& check) {
-  for (const Family* family : families_of(sphere_triangle_test())) {
+  for (const Family* family : families_of(sphere_triangle_predicate())) {
     const bool at_the_ends = family->name == "bits" || family->name == "subnormal" || family->name == "scale";
     for_each_query<Real>(family->name, at_the_ends ? many : few, check);
   }

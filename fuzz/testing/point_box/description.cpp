@@ -3,9 +3,9 @@
 namespace axiscert {
 namespace {
 
-TestDescription point_box_described() {
+Predicate point_box_described() {
   constexpr Role place = Role::coordinate;
-  TestDescription test{
+  Predicate predicate{
       .id = "point-box",
       .asks = "does a point lie in a closed box along the axes",
       .touching = "the point is on the box's surface",
@@ -26,14 +26,14 @@ TestDescription point_box_described() {
       .clauses = {{"x_below", 1}, {"x_above", 2}, {"y_below", 4}, {"y_above", 8}, {"z_below", 16}, {"z_above", 32}},
       .measures = {},
   };
-  return checked(std::move(test));
+  return checked(std::move(predicate));
 }
 
 }  // namespace
 
-const TestDescription& point_box_test() {
-  static const TestDescription test = point_box_described();
-  return test;
+const Predicate& point_box_predicate() {
+  static const Predicate predicate = point_box_described();
+  return predicate;
 }
 
 }  // namespace axiscert

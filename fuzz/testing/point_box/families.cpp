@@ -32,7 +32,7 @@ Numbers<Real> on_the_surface(Stream& random, std::uint64_t position) {
 
 template <auto one32, auto one64>
 constexpr Family family(std::string_view name, std::string_view purpose) {
-  return {.test = point_box_test,
+  return {.predicate = point_box_predicate,
           .name = name,
           .purpose = purpose,
           .version = 1,

@@ -7,10 +7,10 @@
 
 namespace axiscert {
 
-const TestDescription& point_box_test();
+const Predicate& point_box_predicate();
 
 struct PointBox {
-  static const TestDescription& description() { return point_box_test(); }
+  static const Predicate& description() { return point_box_predicate(); }
 
   // The box is from corner `low` to corner `high`.
   template <class T>

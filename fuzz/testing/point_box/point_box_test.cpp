@@ -27,7 +27,8 @@ constexpr std::uint64_t queries_of_each = 3000;
 Plan toy_plan(std::vector<const Kernel*> kernels) {
   Plan plan;
   plan.answerers.kernels = std::move(kernels);
-  for (const Family* family : families_of(point_box_test())) plan.questions.sources.push_back(family_source(*family));
+  for (const Family* family : families_of(point_box_predicate()))
+    plan.questions.sources.push_back(family_source(*family));
   plan.questions.precisions = {Precision::binary32, Precision::binary64};
   plan.questions.trials = [](const Source&, Precision) { return queries_of_each; };
   plan.running.target = resolve_target("auto");
@@ -65,23 +66,23 @@ Wrong wrong_in(const Json& entry) {
   return sum;
 }
 
-TEST(PointBox, IsListedAfterTheTestsOfTheProgram) {
-  EXPECT_EQ(tests().front(), &sphere_triangle_test());
-  EXPECT_EQ(tests().back(), &point_box_test());
-  EXPECT_EQ(sphere_triangle_test().id, "sphere-triangle");
-  EXPECT_EQ(&find_test("point-box"), &point_box_test());
+TEST(PointBox, IsListedAfterThePredicatesOfTheProgram) {
+  EXPECT_EQ(predicates().front(), &sphere_triangle_predicate());
+  EXPECT_EQ(predicates().back(), &point_box_predicate());
+  EXPECT_EQ(sphere_triangle_predicate().id, "sphere-triangle");
+  EXPECT_EQ(&find_predicate("point-box"), &point_box_predicate());
   EXPECT_EQ(kernels().front().id, "published");
   EXPECT_EQ(&kernels().back(), &find_kernel("point-box/fault"));
-  EXPECT_EQ(find_kernel("point-box/strict").test, &point_box_test());
-  EXPECT_EQ(families_of(point_box_test()).size(), 2u);
-  EXPECT_EQ(families().back(), families_of(point_box_test()).back());
-  EXPECT_EQ(&oracles_of(point_box_test()).test(), &point_box_test());
-  EXPECT_EQ(&oracles_of(sphere_triangle_test()).test(), &sphere_triangle_test());
-  EXPECT_THAT(oracles_of(point_box_test()).formulae(), ElementsAre("faces"));
+  EXPECT_EQ(find_kernel("point-box/strict").predicate, &point_box_predicate());
+  EXPECT_EQ(families_of(point_box_predicate()).size(), 2u);
+  EXPECT_EQ(families().back(), families_of(point_box_predicate()).back());
+  EXPECT_EQ(&oracles_of(point_box_predicate()).predicate(), &point_box_predicate());
+  EXPECT_EQ(&oracles_of(sphere_triangle_predicate()).predicate(), &sphere_triangle_predicate());
+  EXPECT_THAT(oracles_of(point_box_predicate()).formulae(), ElementsAre("faces"));
 }
 
 TEST(PointBox, DepthIsTheDistanceFromTheSurfaceInScenes) {
-  const Oracles& oracles = oracles_of(point_box_test());
+  const Oracles& oracles = oracles_of(point_box_predicate());
   const auto at = [&](double z) { return Numbers<double>{1, 1, z, 0, 0, 0, 2, 2, 4}; };
   EXPECT_EQ(oracles.truth(at(4)).touching, true);
   EXPECT_EQ(oracles.depth(at(4)), 0);
@@ -94,7 +95,7 @@ TEST(PointBox, DepthIsTheDistanceFromTheSurfaceInScenes) {
 
 TEST(PointBox, ACampaignFindsThePlantedFaultAndNoOther) {
   const Json record = toy_record(toy_plan({&find_kernel("point-box/strict"), &find_kernel("point-box/fault")}));
-  EXPECT_EQ(record["plan"]["test"], "point-box");
+  EXPECT_EQ(record["plan"]["predicate"], "point-box");
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {
     const Json& right = entry_of(record, "point-box/strict", precision);
     const Wrong none = wrong_in(right);
@@ -193,7 +194,7 @@ TEST(PointBox, APipedProgramIsJudgedAsTheKernelThatItComputes) {
   plan.questions.sources = plan.answerers.replies->sources();
   const Json judged = toy_record(plan);
 
-  for (const Family* family : families_of(point_box_test())) {
+  for (const Family* family : families_of(point_box_predicate())) {
     const auto result = [&](const Json& record) {
       return entry_of(record, "point-box/fault", Precision::binary32)["families"][std::string(family->name)];
     };
@@ -209,12 +210,12 @@ TEST(PointBox, APipedProgramIsJudgedAsTheKernelThatItComputes) {
 
 TEST(PointBox, ALineOfAQueryReadsBackTheSame) {
   const Family& family = find_family("point-box/surface");
-  const StoredQuery query{"q", Precision::binary64, family.make<double>(1, 7), &point_box_test()};
+  const StoredQuery query{"q", Precision::binary64, family.make<double>(1, 7), &point_box_predicate()};
   const std::string line = query_line(query);
-  EXPECT_THAT(line, HasSubstr(R"("test":"point-box")"));
-  const std::vector<StoredQuery> read = parse_queries(line, "f", Precision::binary32, tests());
+  EXPECT_THAT(line, HasSubstr(R"("predicate":"point-box")"));
+  const std::vector<StoredQuery> read = parse_queries(line, "f", Precision::binary32, predicates());
   ASSERT_EQ(read.size(), 1u);
-  EXPECT_EQ(read[0].test, &point_box_test());
+  EXPECT_EQ(read[0].predicate, &point_box_predicate());
   EXPECT_EQ(query_line(read[0]), line);
 }
 

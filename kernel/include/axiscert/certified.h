@@ -1,4 +1,4 @@
-/* Does a sphere touch a triangle: the exact answer, at about the price of the float test.
+/* Does a sphere touch a triangle: the exact answer, at about the price of the float predicate.
  *
  *     float triangle[9] = {ax, ay, az, bx, by, bz, cx, cy, cz}, sphere[4] = {px, py, pz, r};
  *     if (axiscert_pair_f32(triangle, sphere, AXISCERT_CLOSED_SPHERE) == AXISCERT_CONTACT) ...

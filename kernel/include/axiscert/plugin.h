@@ -28,7 +28,7 @@ extern "C" {
  * reads nothing beyond it. */
 #define AXISCERT_PLUGIN_ABI 2u
 
-/* Upper limits for every test. */
+/* Upper limits for every predicate. */
 #define AXISCERT_MOST_COLUMNS 64
 #define AXISCERT_MOST_COMPARISONS 64
 #define AXISCERT_MOST_MEASURES 64
@@ -58,8 +58,8 @@ enum axiscert_touching {
   AXISCERT_TOUCHING_IS_EITHER = 2 /* it makes no promise: neither answer is counted as wrong */
 };
 
-/* What a kernel of a test of motions promises, where engines differ. Queries beyond it are counted apart and fail no
- * requirement. Zero is the whole promise. */
+/* What a kernel of a predicate of motions promises, where engines differ. Queries beyond it are counted apart and fail
+ * no requirement. Zero is the whole promise. */
 enum axiscert_start {                                    /* of two that have a point in common before the motion */
                       AXISCERT_START_IS_REPORTED = 0,    /* contact, at time 0 */
                       AXISCERT_START_IF_APPROACHING = 1, /* contact, where the distance between them falls at first */
@@ -81,7 +81,7 @@ typedef struct axiscert_batch {
   size_t size; /* bytes of this struct */
   size_t count;
   size_t column_count; /* the columns of the kernel's entry */
-  /* The columns in the order of `axiscert tests`; in sphere-triangle ax ay az bx by bz cx cy cz px py pz r. */
+  /* The columns in the order of `axiscert predicates`; in sphere-triangle ax ay az bx by bz cx cy cz px py pz r. */
   const void* const* column;
 } axiscert_batch;
 
@@ -90,7 +90,7 @@ typedef struct axiscert_answers {
   size_t size;
   uint8_t* verdict; /* an axiscert_verdict each; never null */
   /* For kernels that expose AXISCERT_COMPARISONS or more. Bit i is 1 where comparison i holds; bits beyond the last
-   * comparison are 0. `axiscert tests` lists the comparisons; those of sphere-triangle are
+   * comparison are 0. `axiscert predicates` lists the comparisons; those of sphere-triangle are
    *   0 plane.radius
    *   1 vertex_a.radius   2 vertex_a.side_b   3 vertex_a.side_c
    *   4 vertex_b.radius   5 vertex_b.side_a   6 vertex_b.side_c
@@ -101,7 +101,7 @@ typedef struct axiscert_answers {
   uint64_t* comparisons;
   /* For kernels that expose AXISCERT_SIDES: `comparison_count` arrays each, with both sides of each `lhs > rhs` as
    * computed, in the kernel's precision. */
-  size_t comparison_count; /* the comparisons of the test */
+  size_t comparison_count; /* the comparisons of the predicate */
   void* const* lhs;
   void* const* rhs;
   /* Numbers beside the verdict, such as a time of impact, in the kernel's precision: as many arrays as the kernel's own
@@ -136,13 +136,13 @@ typedef struct axiscert_kernel {
   /* Answers the batch. Called from one thread; the floating-point environment is the default one, and is to be so on
    * return. Its answer to a query depends on that query alone. */
   void (*run)(const axiscert_batch* batch, const axiscert_answers* answers);
-  const char* test;     /* the question that it answers (`axiscert tests`); null: "sphere-triangle" */
-  const char* entry;    /* the form in which it takes the numbers; null: the test's first */
-  const char* summary;  /* one line; null: none */
-  const char* source;   /* AXISCERT_SOURCE, "FILE:LINE", its place in its author's sources; null: unknown */
-  uint32_t exposes;     /* an axiscert_exposure */
-  uint32_t touching;    /* an axiscert_touching */
-  size_t measure_count; /* it gives so many of the test's measures, from the first on */
+  const char* predicate; /* the question that it answers (`axiscert predicates`); null: "sphere-triangle" */
+  const char* entry;     /* the form in which it takes the numbers; null: the predicate's first */
+  const char* summary;   /* one line; null: none */
+  const char* source;    /* AXISCERT_SOURCE, "FILE:LINE", its place in its author's sources; null: unknown */
+  uint32_t exposes;      /* an axiscert_exposure */
+  uint32_t touching;     /* an axiscert_touching */
+  size_t measure_count;  /* it gives so many of the predicate's measures, from the first on */
   /* The id of a built-in kernel (`axiscert kernels`) that it equals bit for bit: any difference is then an
    * `implementation` fault. Null: none. */
   const char* conforms_to;
@@ -151,7 +151,7 @@ typedef struct axiscert_kernel {
    * kernel of sphere-triangle that exposes comparisons, and else none, so that only its verdict is judged. */
   const char* formulae;
   const axiscert_limits* limits; /* null: none */
-  uint32_t start;                /* an axiscert_start, of a test of motions, as the next two */
+  uint32_t start;                /* an axiscert_start, of a predicate of motions, as the next two */
   uint32_t still;                /* an axiscert_still */
   uint32_t sides;                /* an axiscert_sides */
   /* 0: it answers separated or contact to every valid query within its limits. 1: it may answer AXISCERT_UNDECIDED. */

@@ -91,7 +91,7 @@ template <class Peer>
 const axiscert_kernel* boxes_kernel(std::uint32_t index, const Description& says) {
   return kernel_by_index<typename Peer::Real>(index, [&]<class Input>(Input) {
     axiscert_kernel made = verdict_kernel<Input>(says, boxes_columns, run_boxes<Peer, Input>);
-    made.test = "box-box";
+    made.predicate = "box-box";
     made.entry = "matrix";
     made.may_decline = 1;
     return made;

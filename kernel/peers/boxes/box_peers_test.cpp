@@ -110,7 +110,7 @@ TEST_P(BoxPeer, SaysWhatItIs) {
   const Reply reply = in_peer("box-box/" + GetParam(), [](AxiscertPlugin* plugin) {
     std::string lines;
     for (std::uint32_t i = 0; const axiscert_kernel* k = plugin(i); ++i) {
-      lines += fmt::format("{} {} {} {} columns {}\n", k->test, k->entry, k->name, k->precision, k->column_count);
+      lines += fmt::format("{} {} {} {} columns {}\n", k->predicate, k->entry, k->name, k->precision, k->column_count);
     }
     return lines;
   });

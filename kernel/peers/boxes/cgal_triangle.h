@@ -39,7 +39,7 @@ template <class Kernel>
 const axiscert_kernel* cells_kernel(std::uint32_t index, const Description& says) {
   return kernel_by_index<double>(index, [&]<class Input>(Input) {
     axiscert_kernel made = verdict_kernel<Input>(says, cell_columns, run_cells<Kernel, Input>);
-    made.test = "box-triangle";
+    made.predicate = "box-triangle";
     made.entry = "minmax";
     return made;
   });

@@ -24,8 +24,8 @@ struct Sweep {
   Real r;
 };
 
-// What a library says of the first contact; what it does not say is NaN. The members stand in the order of the test's
-// measures, of which a peer gives the first `measure_count`.
+// What a library says of the first contact; what it does not say is NaN. The members stand in the order of the
+// predicate's measures, of which a peer gives the first `measure_count`.
 template <class Real>
 struct FirstContact {
   static constexpr Real unsaid = std::numeric_limits<Real>::quiet_NaN();
@@ -91,7 +91,7 @@ template <class Peer>
 const axiscert_kernel* sweep_kernel(std::uint32_t index, const Description& says) {
   return kernel_by_index<typename Peer::Real>(index, [&]<class Input>(Input) {
     axiscert_kernel made = verdict_kernel<Input>(says, sweep_columns, run_sweeps<Peer, Input>);
-    made.test = "moving-sphere";
+    made.predicate = "moving-sphere";
     made.measure_count = Peer::measure_count;
     made.start = start_promise<Peer>();
     made.still = AXISCERT_STILL_IS_REPORTED;

@@ -69,8 +69,8 @@ TEST_P(SweepPeer, SaysWhatItIs) {
   const Reply reply = in_peer(fmt::format("moving-sphere/{}", peer.name), [](AxiscertPlugin* plugin) {
     std::string lines;
     for (std::uint32_t i = 0; const axiscert_kernel* k = plugin(i); ++i) {
-      lines += fmt::format("{} {} {} columns {} measures {} touching {} start {}\n", k->test, k->name, k->precision,
-                           k->column_count, k->measure_count, k->touching, k->start);
+      lines += fmt::format("{} {} {} columns {} measures {} touching {} start {}\n", k->predicate, k->name,
+                           k->precision, k->column_count, k->measure_count, k->touching, k->start);
     }
     return lines;
   });

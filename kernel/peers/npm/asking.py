@@ -9,7 +9,7 @@ from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
 VERDICTS = ("contact", "separated", "undecided", "invalid")
-# Each question: a test, or TEST/ENTRY where the test has several; the members of its query lines, and how many numbers these have.
+# Each question: a predicate, or TEST/ENTRY where the predicate has several; the members of its query lines, and how many numbers these have.
 MEMBERS = {"sphere-triangle": ("a", "b", "c", "p", "r"), "moving-sphere": ("a", "b", "c", "p", "d", "r"), "box-box": ("a", "b"),
            "box-triangle": ("box", "a", "b", "c")}
 COLUMNS = {"sphere-triangle": 13, "moving-sphere": 16, "box-box/matrix": 30, "box-box/quaternion": 20, "box-triangle/centre": 15,
@@ -29,7 +29,7 @@ def installed():
 
 
 def main():
-    """Runs the calling script's tests where the engines are installed; otherwise says so and exits with 77."""
+    """Runs the calling script's predicates where the engines are installed; otherwise says so and exits with 77."""
     if not installed():
         print("NOT CHECKED: the engines of kernel/peers/npm are not installed, or in other versions than package.json has; "
               "`./dev engines` brings them", file=sys.stderr)
@@ -38,23 +38,23 @@ def main():
 
 
 def manifests():
-    """Every manifest by its path, in order; a test's are in a folder of its id."""
+    """Every manifest by its path, in order; a predicate's are in a folder of its id."""
     return {file: json.loads(file.read_text()) for file in sorted(FOLDER.glob("*-*/*.json"))}
 
 
 def faults():
-    """Every known fault, test by test in the order of the files."""
-    return [json.loads(line) for test in MEMBERS for line in (FOLDER / test / "faults.jsonl").read_text().splitlines()]
+    """Every known fault, predicate by predicate in the order of the files."""
+    return [json.loads(line) for predicate in MEMBERS for line in (FOLDER / predicate / "faults.jsonl").read_text().splitlines()]
 
 
 def question_of(manifest):
     """The question that a program answers, as COLUMNS names it."""
-    return f"{manifest['test']}/{manifest['entry']}" if "entry" in manifest else manifest["test"]
+    return f"{manifest['predicate']}/{manifest['entry']}" if "entry" in manifest else manifest["predicate"]
 
 
 def query_of(line):
     """A known fault as a line of a query file."""
-    return {member: line[member] for member in ("id", "test", "entry", "precision", *MEMBERS[line.get("test", "sphere-triangle")]) if member in line}
+    return {member: line[member] for member in ("id", "predicate", "entry", "precision", *MEMBERS[line.get("predicate", "sphere-triangle")]) if member in line}
 
 
 def flat(given):
@@ -65,18 +65,18 @@ def flat(given):
 
 
 def numbers_of(line):
-    """The numbers of a query line, in the order of the test's columns; exact, as each has to be given as a hex float."""
-    return flat([line[member] for member in MEMBERS[line.get("test", "sphere-triangle")]])
+    """The numbers of a query line, in the order of the predicate's columns; exact, as each has to be given as a hex float."""
+    return flat([line[member] for member in MEMBERS[line.get("predicate", "sphere-triangle")]])
 
 
 def stream(queries, precision="binary32", question="sphere-triangle", measures=0):
     """The bytes of a query stream that asks for so many measures beside each verdict."""
     bits = {"binary32": 32, "binary64": 64}[precision]
-    test, _, entry = question.partition("/")
+    predicate, _, entry = question.partition("/")
     columns = COLUMNS.get(question, 13)
-    plan = json.dumps({"test": test, **({"entry": entry} if entry else {}), "columns": columns,
+    plan = json.dumps({"predicate": predicate, **({"entry": entry} if entry else {}), "columns": columns,
                        **({"measures": measures} if measures else {})}).encode().ljust(128)
-    version = 1 if test == "sphere-triangle" else 2
+    version = 1 if predicate == "sphere-triangle" else 2
     head = struct.pack("<8sIIQII", b"AXISCERT", version, bits, len(queries), 64 + len(plan), columns * bits // 8)
     record = struct.Struct(f"<{columns}{'f' if bits == 32 else 'd'}")
     return head + hashlib.sha256(plan).digest() + plan + b"".join(record.pack(*query) for query in queries)

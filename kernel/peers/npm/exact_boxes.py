@@ -88,9 +88,9 @@ def box_of(v, entry):
 
 
 def bodies(numbers, question):
-    test, entry = question.split("/")
+    predicate, entry = question.split("/")
     first, rest = box_of([Fraction(x) for x in numbers], entry)
-    return (first, box_of(rest, entry)[0] if test == "box-box" else Triangle(rest[0:3], rest[3:6], rest[6:9]))
+    return (first, box_of(rest, entry)[0] if predicate == "box-box" else Triangle(rest[0:3], rest[3:6], rest[6:9]))
 
 
 def between_segments(p, q):

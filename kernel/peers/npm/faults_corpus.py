@@ -3,8 +3,8 @@
 
     faults_corpus.py AXISCERT > fuzz/corpus/engines.jsonl
 
-The corpus has no two queries that are equal up to a symmetry of the test. Faults on such queries are one entry, named after the first, whose
-note has them all. Those with moving spheres are in the file of that test.
+The corpus has no two queries that are equal up to a symmetry of the predicate. Faults on such queries are one entry, named after the first, whose
+note has them all. Those with moving spheres are in the file of that predicate.
 """
 import json
 import re
@@ -42,7 +42,7 @@ def entries(axiscert):
                 shutil.copy(file, folder)
         made = {}
         for line in asking.faults():
-            if line.get("test") == "moving-sphere":
+            if line.get("predicate") == "moving-sphere":
                 continue
             query = json.dumps(asking.query_of(line))
             done = subprocess.run([axiscert, "corpus", "add", "-", "--folder", folder, "--name", line["id"], "--provenance",

@@ -26,9 +26,9 @@ if sys.argv[1:2] == ["--axiscert"]:
     AXISCERT = sys.argv[2]
     del sys.argv[1:3]
 FAULTS = asking.faults()
-STILL = [line for line in FAULTS if "test" not in line]
-MOVING = [line for line in FAULTS if line.get("test") == "moving-sphere"]
-BOXES = [line for line in FAULTS if line.get("test", "").startswith("box-")]
+STILL = [line for line in FAULTS if "predicate" not in line]
+MOVING = [line for line in FAULTS if line.get("predicate") == "moving-sphere"]
+BOXES = [line for line in FAULTS if line.get("predicate", "").startswith("box-")]
 
 
 def manifest(line):
@@ -145,7 +145,7 @@ class Checks(unittest.TestCase):
                 done = subprocess.run(command, capture_output=True, text=True, timeout=4 * asking.SECONDS)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 made = json.loads(done.stdout)
-                members = asking.MEMBERS[line.get("test", "sphere-triangle")]
+                members = asking.MEMBERS[line.get("predicate", "sphere-triangle")]
                 self.assertEqual({member: made[member] for member in members}, {member: line[member] for member in members})
 
     def test_each_known_fault_is_in_the_corpus(self):
@@ -162,7 +162,7 @@ class Answers(unittest.TestCase):
         queries = [self.LEGS + place for place in ([1, 1, .5, 1], [1, 1, 3, 1], [-2, -1, 0, 3], [6, 5, 0, 1], [2, -2, 1, 3], [2, -2, 2, 2])]
         right = [exact.verdict(query)[0] for query in queries]
         for file, of in asking.manifests().items():
-            if of["test"] != "sphere-triangle":
+            if of["predicate"] != "sphere-triangle":
                 continue
             for precision in of["precisions"]:
                 with self.subTest(file.name, precision=precision):
@@ -176,7 +176,7 @@ class Answers(unittest.TestCase):
                    ([1, 1, 3], [0, 0, 4], 1, "separated"), ([1, 1, 3], [0, 0, -1.5], 1, "separated"), ([6, 5, 1], [1, 1, -1], 1, "separated")]
         queries = [self.LEGS + p + d + [r] for p, d, r, _ in motions]
         for file, of in asking.manifests().items():
-            if of["test"] != "moving-sphere":
+            if of["predicate"] != "moving-sphere":
                 continue
             with self.subTest(file.name):
                 answers = asking.ask_measures(of["command"], file.parent, queries, of["measures"])
@@ -198,10 +198,10 @@ class Answers(unittest.TestCase):
 
     def plain_boxes(self, question):
         """Queries of ordinary size, far from touching, in the order of the question's columns."""
-        test, entry = question.split("/")
+        predicate, entry = question.split("/")
         axes = lambda turn: [float(round(x * 2**20)) / 2**20 for column in exact_boxes.rotation(*map(Fraction, turn)) for x in column]
         how = {"matrix": axes, "quaternion": list, "centre": lambda _: []}
-        if test == "box-box":
+        if predicate == "box-box":
             for turn in (self.UPRIGHT, self.TURNED):
                 for m, half in (([1.5, 0, 0], [1.0, 1, 1]), ([3.5, 0, 0], [1.0, 1, 1]), ([1.25, 1.25, -0.5], [0.5, 1, 2]), ([-2, 2, 3], [0.5, 1, 0.75])):
                     yield [0.0, 0, 0, 1, 1, 1] + how[entry](self.UPRIGHT) + m + half + how[entry](turn)
@@ -214,7 +214,7 @@ class Answers(unittest.TestCase):
 
     def test_plain_boxes_have_the_right_answers(self):
         for file, of in asking.manifests().items():
-            if not of["test"].startswith("box-") or file.name == "three-mesh-bvh-oriented-box-made.json":  # this one is never right
+            if not of["predicate"].startswith("box-") or file.name == "three-mesh-bvh-oriented-box-made.json":  # this one is never right
                 continue
             question = asking.question_of(of)
             queries = list(self.plain_boxes(question))

@@ -155,7 +155,7 @@ class NoStream(unittest.TestCase):
                            (with_field(24, 2**21), "header's size"), (with_field(28, 51), "has 52 bytes, not 51"),
                            (good + b"AXIS", "not a query stream"),
                            (asking.stream([], question="moving-sphere").replace(b"moving-sphere", b"parking-cones"), "'parking-cones'"),
-                           (asking.stream([], question="moving-sphere").replace(b'{"test"', b'["test"'), "JSON"),
+                           (asking.stream([], question="moving-sphere").replace(b'{"predicate"', b'["predicate"'), "JSON"),
                            (asking.stream([], question="moving-sphere", measures=9), "9 measures; moving-sphere has 8"),
                            (asking.stream([], question="moving-sphere", measures="x"), "x measures")):
             with self.subTest(says):
@@ -181,9 +181,9 @@ class Manifests(unittest.TestCase):
                 self.assertIn(of["touching"], ("contact", "separated", "either"))
                 self.assertIs(of.get("may_decline"), True)  # what an engine throws, the frame declines
                 self.assertLessEqual(set(of["precisions"]), {"binary32", "binary64"})
-                self.assertEqual(of["test"], file.parent.name)
+                self.assertEqual(of["predicate"], file.parent.name)
                 self.assertIn(asking.question_of(of), asking.COLUMNS)
-                self.assertEqual(of.get("measures", 0), 8 if of["test"] == "moving-sphere" else 0)
+                self.assertEqual(of.get("measures", 0), 8 if of["predicate"] == "moving-sphere" else 0)
 
     def test_each_names_the_files_that_its_answers_depend_on(self):
         for file, of in self.MANIFESTS.items():

@@ -9,7 +9,7 @@ namespace axiscert::plugin {
 namespace {
 
 // The least sizes in bytes: a kernel down to `run`, limits with their first member.
-constexpr std::size_t least_kernel = offsetof(axiscert_kernel, test);
+constexpr std::size_t least_kernel = offsetof(axiscert_kernel, predicate);
 constexpr std::size_t least_limits = offsetof(axiscert_limits, greatest_coordinate);
 
 template <class T>
@@ -105,7 +105,7 @@ void describe(const OfferedKernel& kernel, Description& out) {
   out.has_formulae = says.formulae != nullptr;
   const bool fits[] = {copy_text(out.name, says.name),
                        copy_text(out.summary, says.summary),
-                       copy_text(out.test, says.test),
+                       copy_text(out.predicate, says.predicate),
                        copy_text(out.entry, says.entry),
                        copy_text(out.conforms_to, says.conforms_to),
                        copy_text(out.formulae, says.formulae)};

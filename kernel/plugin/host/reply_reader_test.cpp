@@ -17,7 +17,8 @@ std::vector<std::byte> bytes_of(std::string_view text) {
 }
 
 const std::vector<std::byte>& batch_header() {
-  static const std::vector<std::byte> header = bytes_of(program_header(sphere_triangle_test(), 0, Precision::binary32));
+  static const std::vector<std::byte> header =
+      bytes_of(program_header(sphere_triangle_predicate(), 0, Precision::binary32));
   return header;
 }
 
@@ -54,8 +55,8 @@ TEST(ReplyReader, LeavesWhatComesAfterTheLastReply) {
 
 // Two replies of the moving sphere, each followed by a time in binary32.
 TEST(ReplyReader, TakesTheMeasuresAfterEachReply) {
-  const TestDescription& test = find_test("moving-sphere");
-  const auto header = bytes_of(program_header(test, 0, Precision::binary32, 1));
+  const Predicate& predicate = find_predicate("moving-sphere");
+  const auto header = bytes_of(program_header(predicate, 0, Precision::binary32, 1));
   std::string replies(40, '\0');
   const float times[] = {0.25f, 0.75f};
   for (std::size_t i = 0; i < 2; ++i) {

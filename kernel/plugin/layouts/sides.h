@@ -1,5 +1,5 @@
-/* Sides that a test can tell apart: the left side of comparison k is number k % 13 of the query, the right side is k.
- * The including file defines `real`, and in the words of its version batch_column(k), bits_of_type(bits) and
+/* Sides that a predicate can tell apart: the left side of comparison k is number k % 13 of the query, the right side is
+ * k. The including file defines `real`, and in the words of its version batch_column(k), bits_of_type(bits) and
  * `has_sides`, which is true where sides are asked for. */
 static void show_sides(size_t count, const axiscert_batch* batch, const axiscert_answers* answers) {
   static const unsigned axes[7] = {0x0001, 0x000e, 0x0070, 0x0380, 0x0c00, 0x3000, 0xc000};

@@ -1,4 +1,4 @@
-/* A kernel of a test that is not in axiscert's list, with 40 columns, 33 comparisons and 2 measures: comparison k is
+/* A kernel of a predicate that is not in axiscert's list, with 40 columns, 33 comparisons and 2 measures: comparison k is
  * column k > column k + 7, measure m is column m + 1 minus column 0. */
 #include "kernel/include/axiscert/plugin.h"
 
@@ -30,7 +30,7 @@ const axiscert_kernel* axiscert_plugin(uint32_t index) {
                                          .name = "wide",
                                          .column_count = 40,
                                          .run = run,
-                                         .test = "wide",
+                                         .predicate = "wide",
                                          .exposes = AXISCERT_SIDES,
                                          .measure_count = 2};
   return index == 0 ? &kernel : NULL;

@@ -1,4 +1,4 @@
-/* Names an entry that its test does not have. */
+/* Names an entry that its predicate does not have. */
 #include "kernel/plugin/misbehaving/right.h"
 
-MISBEHAVING("unknown_entry", answer_rightly, .test = "sphere-triangle", .entry = "edges")
+MISBEHAVING("unknown_entry", answer_rightly, .predicate = "sphere-triangle", .entry = "edges")

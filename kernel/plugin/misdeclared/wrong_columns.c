@@ -1,4 +1,4 @@
-/* Declares a column fewer than its test has. */
+/* Declares a column fewer than its predicate has. */
 #define COLUMN_COUNT 12
 #include "kernel/plugin/misbehaving/right.h"
 

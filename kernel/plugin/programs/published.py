@@ -1,4 +1,4 @@
-"""The test `published` in binary64, without its comparisons, as a program for the pipe (docs/pipe.md) in Python:
+"""The predicate `published` in binary64, without its comparisons, as a program for the pipe (docs/pipe.md) in Python:
 Python's numbers are binary64, and nothing is fused. With the argument `once` it answers one stream and ends.
 """
 import struct

@@ -1,6 +1,6 @@
 /* Kernels for the tests of what a gate may say: each keeps or breaks a promise in a way of its own. CMakeLists.txt
  * makes a plug-in promises/NAME.so of each, with KIND defined as its name. Right answers are those of the published
- * test in binary64, so that a right kernel in binary32 is wrong on next to no query that is not a tie. */
+ * predicate in binary64, so that a right kernel in binary32 is wrong on next to no query that is not a tie. */
 #include <string.h>
 
 #include "kernel/include/axiscert/plugin.h"

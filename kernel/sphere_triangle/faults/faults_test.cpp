@@ -10,7 +10,7 @@
 
 #include "kernel/kernel.h"
 #include "kernel/include/axiscert/plugin.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 #include "kernel/testing/random.h"
 #include "kernel/sphere_triangle/description.h"
 
@@ -180,7 +180,7 @@ void expect_wrong_where_its_file_says(const Fault& fault) {
     if (told.verdicts[i] != right.verdicts[i]) ++(told.verdicts[i] == Verdict::separated ? missed : invented);
     if (kernel.exposes == AXISCERT_VERDICT_ONLY) continue;
     differing |= told.bits[i] ^ right.bits[i];
-    ASSERT_EQ(told.verdicts[i], verdict_of(sphere_triangle_test(), told.bits[i])) << "lattice query " << i;
+    ASSERT_EQ(told.verdicts[i], verdict_of(sphere_triangle_predicate(), told.bits[i])) << "lattice query " << i;
   }
   EXPECT_EQ(missed > 0, fault.misses_contacts) << missed << " contacts missed";
   EXPECT_EQ(invented > 0, fault.invents_contacts) << invented << " contacts invented";

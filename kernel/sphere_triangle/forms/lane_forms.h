@@ -1,5 +1,5 @@
-// A kernel of any test over Highway's vectors: one query per lane, dispatched at run time, its answers those of the
-// scalar form bit for bit on each instruction set.
+// A kernel of any predicate over Highway's vectors: one query per lane, dispatched at run time, its answers those of
+// the scalar form bit for bit on each instruction set.
 #pragma once
 
 #include "kernel/sphere_triangle/forms/simd.h"

@@ -54,7 +54,7 @@ void expect_same_answers(const QueryBatch<Real>& batch, const Kernel& kernel, co
 template <class Body>
 void for_each_own_form(Body&& body) {
   for (const Kernel& kernel : kernels()) {
-    if (kernel.test != &sphere_triangle_test()) continue;
+    if (kernel.predicate != &sphere_triangle_predicate()) continue;
     if (!kernel.is_reference || kernel.exposes != Exposure::sides) continue;
     if (!kernel.has_simd) body(kernel, std::string(scalar_target));
     else

@@ -5,7 +5,7 @@
 
 namespace axiscert::methods {
 
-// Tests the vertex, edge and face regions in turn by signs of dot products; interpolation weights need divisions.
+// Predicates the vertex, edge and face regions in turn by signs of dot products; interpolation weights need divisions.
 //
 // Touching is contact. Where A = B the region of that edge is entered with weight 0/0: the squared distance is then
 // NaN, no comparison holds, and the answer is contact. Over the reals it is right for every other triangle.

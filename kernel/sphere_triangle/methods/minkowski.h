@@ -1,4 +1,4 @@
-// Tests whether the centre is in the triangle inflated by the radius: three spheres, three cylinders, one prism.
+// Predicates whether the centre is in the triangle inflated by the radius: three spheres, three cylinders, one prism.
 #pragma once
 
 #include "kernel/sphere_triangle/formulae.h"

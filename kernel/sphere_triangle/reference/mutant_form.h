@@ -11,7 +11,7 @@ namespace axiscert::mutants {
 
 template <Formulae claimed>
 struct TriangleForm {
-  static const TestDescription& test() { return sphere_triangle_test(); }
+  static const Predicate& predicate() { return sphere_triangle_predicate(); }
   static std::string_view formulae() { return name(claimed); }
   static constexpr std::size_t columns = coordinate_count;
   static constexpr ComparisonBits nonstrict = [] {

@@ -60,17 +60,17 @@ TallyMaterial tally_of_stretch(const std::vector<const Kernel*>& kernels, const 
     tally.sha256.emplace_back(sha256_hex(std::as_bytes(std::span(entry.tallies[k]))));
     JsonObject& counts = tally.counts.emplace_back();
     if (kernel.has(precision))
-      counts.json = sparse_counts(counts_json(kernel, decode_tally(entry.tallies[k], *kernel.test)));
+      counts.json = sparse_counts(counts_json(kernel, decode_tally(entry.tallies[k], *kernel.predicate)));
   }
   return tally;
 }
 
-Json no_counts(const KernelRecord& entry, const TestDescription& test) {
+Json no_counts(const KernelRecord& entry, const Predicate& predicate) {
   Kernel kernel;  // of which nothing is asked but what it promises and shows
-  kernel.test = &test;
+  kernel.predicate = &predicate;
   if (has_limits(entry)) kernel.limits.least_radius = 1;
   if (entry.measures) kernel.measure_count = entry.measures->size();
-  Json none = counts_json(kernel, empty_tally(test));
+  Json none = counts_json(kernel, empty_tally(predicate));
   none["critical_radius"]["largest_ulps"] = 0.0;
   if (none.contains("classes")) {
     for (const InputClass which : enumerators<InputClass>)

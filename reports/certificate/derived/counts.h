@@ -7,7 +7,7 @@
 
 #include "fuzz/campaign/parts/stretch.h"
 #include "fuzz/record/record.h"
-#include "kernel/test.h"
+#include "kernel/predicate.h"
 #include "reports/certificate/statement/certificate_data.h"
 
 namespace axiscert {
@@ -41,7 +41,7 @@ TallyMaterial tally_of_stretch(const std::vector<const Kernel*>& kernels, const 
                                const Entry& entry);
 
 // All counts that a kernel's entry of a record has in a family, each zero.
-Json no_counts(const KernelRecord& entry, const TestDescription& test);
+Json no_counts(const KernelRecord& entry, const Predicate& predicate);
 
 // The whole counts again, from `none`, what no_counts gave. Throws NotValid, which begins with `where`, for a member
 // that is not there, a number that is none, or a count above `most`.

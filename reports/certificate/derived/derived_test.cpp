@@ -35,7 +35,7 @@ CertifiedRecord certified(const std::vector<std::string>& ids, const std::vector
   for (const std::string& family : families) plan.questions.sources.push_back(family_source(find_family(family)));
   plan.questions.precisions = {Precision::binary32, Precision::binary64};
   plan.questions.trials = [&](const Source&, Precision) {
-    return &plan.questions.test() == &sphere_triangle_test() ? trials : 64;
+    return &plan.questions.predicate() == &sphere_triangle_predicate() ? trials : 64;
   };
   plan.running.target = resolve_target("auto");
   const Stretches stretches(plan.questions, Stretches::default_units_each(plan.questions));
@@ -50,8 +50,8 @@ CertifiedRecord certified(const std::vector<std::string>& ids, const std::vector
   made.record = record_of(plan, std::move(gathered).take(), {});
   p.digest = std::string(64, '0');
   p.kernel.id = ids.front();
-  p.kernel.test = plan.questions.test().id;
-  p.kernel.entry = plan.questions.test().entries[0].name;
+  p.kernel.predicate = plan.questions.predicate().id;
+  p.kernel.entry = plan.questions.predicate().entries[0].name;
   p.asked.effort = "smoke";
   p.materials.axiscert = {axiscert_version, source_digests().sources};
   p.materials.proofs = source_digests().proofs;
@@ -146,7 +146,7 @@ TEST(Derived, EachContradictionIsNamed) {
        [](Json& p) {
          for (Json& l : p["levels"]) l["state"] = "met";
        }},
-      {"its kernel and its plan are of different tests", [](Json& p) { p["kernel"]["test"] = "box-box"; }},
+      {"its kernel and its plan are of different predicates", [](Json& p) { p["kernel"]["predicate"] = "box-box"; }},
       {"its plan was not done to its end",
        [](Json& p) { p["materials"]["plan"]["plan"]["units_done"] = Json::object(); }},
       {"its plan does not say how many queries",

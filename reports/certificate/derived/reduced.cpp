@@ -31,7 +31,7 @@ class Reducer {
         kernel_(predicate.kernel),
         materials_(predicate.materials),
         plan_(plan_again()),
-        test_(test_of(plan_)),
+        predicate_(predicate_of(plan_)),
         stretches_(cells(), materials_.plan.units_per_stretch.value) {}
 
   const Stretches& stretches() const { return stretches_; }
@@ -64,7 +64,7 @@ class Reducer {
     json["axiscert"] = json_of(materials_.axiscert.version);
     auto plan = form_again<PlanRecord>(json, name_ + ": its plan");
     if (plan.units_done) refuse("its plan was not done to its end");
-    if (plan.test != kernel_.test) refuse("its kernel and its plan are of different tests");
+    if (plan.predicate != kernel_.predicate) refuse("its kernel and its plan are of different predicates");
     for (const std::string& family : plan.families) {
       const auto* const by_precision = plan.trials.find(family);
       for (const Precision precision : plan.precisions) {
@@ -146,7 +146,8 @@ class Reducer {
     std::map<std::pair<std::size_t, Precision>, Place> places;
     for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
       for (std::size_t i = 0; i < kernels.size(); ++i) {
-        if (kernels[i].id == plan_.kernels[k]) places[{k, kernels[i].precision}] = {i, no_counts(kernels[i], test_)};
+        if (kernels[i].id == plan_.kernels[k])
+          places[{k, kernels[i].precision}] = {i, no_counts(kernels[i], predicate_)};
       }
     }
     std::vector<ByFamily> totals(kernels.size());
@@ -296,7 +297,7 @@ class Reducer {
   const KernelStatement& kernel_;
   const MaterialsStatement& materials_;
   const PlanRecord plan_;
-  const TestDescription& test_;
+  const Predicate& predicate_;
   const Stretches stretches_;
 };
 

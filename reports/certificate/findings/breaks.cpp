@@ -78,11 +78,11 @@ std::optional<Cause> deepest_cause(const Record& record, const KernelRecord& ker
                   (missed ? verdict.deepest_false_separation : verdict.deepest_false_contact).best());
 }
 
-// The query alone, by the groups of its test's columns in whichever entry it is.
-Json query_of(const WitnessRecord& witness, const TestDescription& test) {
+// The query alone, by the groups of its predicate's columns in whichever entry it is.
+Json query_of(const WitnessRecord& witness, const Predicate& predicate) {
   Json query = Json::object();
-  if (const std::string_view name = written_name(test); !name.empty()) query["test"] = name;
-  for (const TestEntry& entry : test.entries) {
+  if (const std::string_view name = written_name(predicate); !name.empty()) query["predicate"] = name;
+  for (const PredicateEntry& entry : predicate.entries) {
     for (const ColumnGroup& group : groups_of(entry)) {
       if (const GroupNumbers* numbers = witness.numbers.find(group.name))
         query[std::string(group.name)] = json_of(*numbers);
@@ -169,7 +169,7 @@ std::vector<CertificateWitness> worst_of_certificate(const Record& record, const
       if (worst.size() == most) return worst;
       const bool is_there = std::ranges::any_of(worst, [&](const auto& w) { return w.address == witness->address; });
       if (is_there || (another_family && !families.insert(witness->family).second)) continue;
-      const Json query = query_of(*witness, test_of(record.plan));
+      const Json query = query_of(*witness, predicate_of(record.plan));
       const std::string_view truth = witness->touching ? "touching" : name(witness->truth);
       const std::string depth =
           witness->depth ? fmt::format(", {} of the scene deep", amount(*witness->depth, 3)) : std::string();

@@ -11,7 +11,8 @@
 namespace axiscert {
 
 // The worst of a record about a kernel: a finding, else the cause of its missed contacts that goes deepest, else that
-// of its phantom contacts; of a kernel of another test that shows its verdict alone the situation that breaks first.
+// of its phantom contacts; of a kernel of another predicate that shows its verdict alone the situation that breaks
+// first.
 std::optional<BreakStatement> what_breaks_first(const Record& record, const std::string& kernel);
 
 // The situations in which it is wrong.

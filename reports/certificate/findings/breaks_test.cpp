@@ -77,17 +77,17 @@ TEST(WitnessesOfACertificate, AreTheKernelsOwnEachOnceAndOfAsManyFamiliesAsThere
   EXPECT_THAT(worst[1].address, testing::StartsWith("1:mesh-"));
   EXPECT_EQ(worst[2].address, "1:tangent:1:binary32:0:17");
   EXPECT_THAT(worst[0].sentence, HasSubstr("The truth is contact, the kernel says separated, 0.25 of the scene deep."));
-  EXPECT_FALSE(worst[0].query.json.contains("test"));
+  EXPECT_FALSE(worst[0].query.json.contains("predicate"));
   EXPECT_EQ(worst[0].query.json["r"], "0x1.8p-1");
 }
 
-TEST(WitnessesOfACertificate, OfAnotherTestNameItAndHaveAllItsNumbers) {
+TEST(WitnessesOfACertificate, OfAnotherPredicateNameItAndHaveAllItsNumbers) {
   Json record = stored_record();
-  record["plan"]["test"] = "moving-sphere";
+  record["plan"]["predicate"] = "moving-sphere";
   for (Json& witness : record["witnesses"]) witness["d"] = {"0x1p+0", "0x0p+0", "0x0p+0"};
   const auto worst = worst_of_certificate(edited(record), "published");
   ASSERT_FALSE(worst.empty());
-  EXPECT_EQ(worst[0].query.json.value("test", std::string()), "moving-sphere");
+  EXPECT_EQ(worst[0].query.json.value("predicate", std::string()), "moving-sphere");
   EXPECT_EQ(worst[0].query.json.value("d", Json()), record["witnesses"][0]["d"]);
 }
 

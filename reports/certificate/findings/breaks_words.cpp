@@ -24,10 +24,10 @@ constexpr Peculiarity peculiarities[] = {
     {"touching", "neither", "what only touches is a contact or not, as it falls"},
     {"sides", "front_only", "one-sided: only from the front"},
     {"sides", "back_only", "one-sided: only from behind"},
-    {"overlap_at_start", "moving", "misses an overlap where nothing moves: ask the static test there"},
+    {"overlap_at_start", "moving", "misses an overlap where nothing moves: ask the static predicate there"},
     {"overlap_at_start", "approaching",
-     "misses an overlap before the motion unless it approaches: ask the static test first"},
-    {"overlap_at_start", "ignored", "misses every overlap before the motion: ask the static test first"},
+     "misses an overlap before the motion unless it approaches: ask the static predicate first"},
+    {"overlap_at_start", "ignored", "misses every overlap before the motion: ask the static predicate first"},
     {"degenerate_triangles", "skipped", "triangles without area are never hit"},
     {"degenerate_triangles", "always_hit", "triangles without area are always hit"},
     {"degenerate_triangles", "refused", "triangles without area are refused"},
@@ -48,7 +48,7 @@ std::string said_of(const PropertyStatement& property, const KernelStatement& ke
   const std::string& value = property.value;
   if (property.name == "nearest_form" && value != not_known && value != not_asked && kernel.id != value)
     return fmt::format("{}answers as {} does, see {}", has_others ? "otherwise " : "", value,
-                       capabilities_of(find_test(kernel.test)).section_of_forms);
+                       capabilities_of(find_predicate(kernel.predicate)).section_of_forms);
   for (const Peculiarity& known : peculiarities) {
     if (property.name == known.property && value == known.value) return std::string(known.says);
   }
@@ -99,8 +99,8 @@ InstrumentTable situations_table(const CertificatePredicate& predicate) {
                         {"queries", "precision", "missed", "deepest", "phantom", "deepest ",
                          "families, the deepest first", "what to do", "see"},
                         {}};
-  // A family of the kernel's test without the test's name, which is in the heading.
-  const std::string prefix = predicate.kernel.test + "/";
+  // A family of the kernel's predicate without the predicate's name, which is in the heading.
+  const std::string prefix = predicate.kernel.predicate + "/";
   for (const SituationStatement& s : predicate.situations) {
     std::vector<std::string> families(s.families.begin(), s.families.end());
     for (std::string& family : families) {

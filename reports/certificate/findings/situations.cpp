@@ -10,19 +10,19 @@
 namespace axiscert {
 namespace {
 
-const Situation* situation_of(const TestDescription& test, std::string_view name) {
-  for (const Family* family : families_of(test)) {
+const Situation* situation_of(const Predicate& predicate, std::string_view name) {
+  for (const Family* family : families_of(predicate)) {
     if (family->name == name) return family->situation;
   }
-  return name == corpus_name ? &of_corpus : &capabilities_of(test).situations->own;
+  return name == corpus_name ? &of_corpus : &capabilities_of(predicate).situations->own;
 }
 
 }  // namespace
 
 std::vector<WrongVerdicts> wrong_situations(const Record& record, const std::string& kernel) {
   std::vector<WrongVerdicts> found;
-  const TestDescription& test = test_of(record.plan);
-  const Situations* situations = capabilities_of(test).situations;
+  const Predicate& predicate = predicate_of(record.plan);
+  const Situations* situations = capabilities_of(predicate).situations;
   if (situations == nullptr) return found;
   std::vector<const Situation*> in_order(situations->of_families.begin(), situations->of_families.end());
   in_order.insert(in_order.end(), {&of_corpus, &situations->own});
@@ -33,7 +33,7 @@ std::vector<WrongVerdicts> wrong_situations(const Record& record, const std::str
       std::vector<std::pair<double, std::string>> families;  // by their deepest
       for (const auto& [family, result] : entry.families) {
         const VerdictTally& verdict = result.verdict;
-        if (situation_of(test, family) != situation) continue;
+        if (situation_of(predicate, family) != situation) continue;
         if (verdict.false_separation + verdict.false_contact == 0) continue;
         const double missed = verdict.deepest_false_separation.best(), phantom = verdict.deepest_false_contact.best();
         wrong.missed += verdict.false_separation;

@@ -49,32 +49,32 @@ bool is_there(std::string_view section) {
 }
 
 // Those of families first.
-std::vector<const Situation*> situations_of(const TestDescription& test) {
-  const Situations* situations = capabilities_of(test).situations;
+std::vector<const Situation*> situations_of(const Predicate& predicate) {
+  const Situations* situations = capabilities_of(predicate).situations;
   if (situations == nullptr) return {};
   return {situations->of_families.begin(), situations->of_families.end()};
 }
 
-TEST(Situations, HaveEveryFamilyOfOtherTests) {
-  for (const TestDescription* test : tests()) {
-    const std::vector<const Situation*> situations = situations_of(*test);
-    EXPECT_EQ(situations.empty(), test == &sphere_triangle_test()) << test->id;
+TEST(Situations, HaveEveryFamilyOfOtherPredicates) {
+  for (const Predicate* predicate : predicates()) {
+    const std::vector<const Situation*> situations = situations_of(*predicate);
+    EXPECT_EQ(situations.empty(), predicate == &sphere_triangle_predicate()) << predicate->id;
     std::set<const Situation*> named;
-    for (const Family* family : families_of(*test)) {
+    for (const Family* family : families_of(*predicate)) {
       EXPECT_EQ(std::ranges::count(situations, family->situation), situations.empty() ? 0 : 1) << family->name;
       if (family->situation != nullptr) named.insert(family->situation);
     }
-    EXPECT_EQ(named.size(), situations.size()) << test->id;
+    EXPECT_EQ(named.size(), situations.size()) << predicate->id;
   }
 }
 
 TEST(Situations, AndCausesPointToSectionsThatAreThere) {
   EXPECT_FALSE(is_there("docs/moving.md#nowhere"));
-  for (const TestDescription* test : tests()) {
-    for (const Situation* situation : situations_of(*test))
+  for (const Predicate* predicate : predicates()) {
+    for (const Situation* situation : situations_of(*predicate))
       EXPECT_TRUE(is_there(situation->section)) << situation->section;
-    const Situations* const all = capabilities_of(*test).situations;
-    EXPECT_TRUE(all == nullptr || is_there(all->own.section)) << test->id;
+    const Situations* const all = capabilities_of(*predicate).situations;
+    EXPECT_TRUE(all == nullptr || is_there(all->own.section)) << predicate->id;
   }
   EXPECT_TRUE(is_there(of_corpus.section));
   for (const std::string_view section : advised_sections()) EXPECT_TRUE(is_there(section)) << section;
@@ -88,7 +88,7 @@ struct Wrong {
 // The record of a kernel of moving-sphere, wrong on these families.
 Record record_of(const std::map<std::string, Wrong>& families) {
   Record record;
-  record.plan.test = "moving-sphere";
+  record.plan.predicate = "moving-sphere";
   KernelRecord& kernel = record.kernels.emplace_back();
   kernel.id = "k";
   for (const auto& [family, wrong] : families) {
@@ -131,7 +131,7 @@ TEST(Situations, AreSaidWithTheirFamiliesTheDepthAndWhatToDo) {
   const Record record = record_of({{"lattice", {3, 0, 0.25, 0}}, {"general", {0, 2, 0, 1e-8}}});
   CertificatePredicate predicate;
   predicate.kernel.id = "k";
-  predicate.kernel.test = "moving-sphere";
+  predicate.kernel.predicate = "moving-sphere";
   predicate.breaks_first = what_breaks_first(record, "k");
   predicate.situations = where_it_is_wrong(record, "k");
   EXPECT_EQ(predicate.breaks_first->cause, "small_integers");
@@ -168,7 +168,7 @@ TEST(Peculiarities, AreThoseThatAUserHasToKnow) {
   const auto property = [](const char* name, const char* value) { return PropertyStatement{name, value, "s", 1}; };
   CertificatePredicate predicate;
   predicate.kernel.id = "peer/x";
-  predicate.kernel.test = "moving-sphere";
+  predicate.kernel.predicate = "moving-sphere";
   std::vector<PropertyStatement>& properties = predicate.diagnosis.precisions.emplace_back().properties;
   properties = {property("sides", "front_only"), property("repeated", "same"),
                 property("absolute_threshold", "present")};

@@ -77,7 +77,7 @@ constexpr std::string_view name(KernelKind kind) {
 struct KernelStatement {
   SaidText id;
   KernelKind kind = KernelKind::built_in;
-  SaidText test, entry, summary;
+  SaidText predicate, entry, summary;
   Several<Exposure, 0, 8> exposes;
   TouchingPolicy touching = TouchingPolicy::contact;
   std::optional<SaidText> limits;
@@ -86,8 +86,8 @@ struct KernelStatement {
 
   static constexpr auto fields(auto&& visit) {
     using Of = KernelStatement;
-    return visit(field(&Of::id, {"id", {}}), field(&Of::kind, {"kind", {}}), field(&Of::test, {"test", {}}),
-                 field(&Of::entry, {"entry", "The form in which it takes the numbers of the test."}),
+    return visit(field(&Of::id, {"id", {}}), field(&Of::kind, {"kind", {}}), field(&Of::predicate, {"predicate", {}}),
+                 field(&Of::entry, {"entry", "The form in which it takes the numbers of the predicate."}),
                  field(&Of::summary, {"summary", {}}), field(&Of::exposes, {"exposes", {}}),
                  field(&Of::touching, {"touching", {}}),
                  field(&Of::limits, {"limits", "Where it promises to be right; null: everywhere."}),

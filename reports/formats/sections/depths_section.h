@@ -7,7 +7,7 @@
 
 namespace axiscert {
 
-// Empty where nothing is wrong, and for a test without depths.
+// Empty where nothing is wrong, and for a predicate without depths.
 std::string depths_section(const Record& record);
 
 }  // namespace axiscert

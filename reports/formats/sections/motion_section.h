@@ -7,7 +7,7 @@
 
 namespace axiscert {
 
-// Empty for a test without measures, and where there is nothing to say.
+// Empty for a predicate without measures, and where there is nothing to say.
 std::string motion_section(const Record& record);
 
 }  // namespace axiscert

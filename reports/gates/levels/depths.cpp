@@ -35,9 +35,9 @@ LevelFindings judge_depths(const Subject& subject, const AllowedDepths& allowed)
 
 LevelFindings judge_to_depth(const Subject& subject, const AllowedDepths& allowed) {
   LevelFindings found = judge_depths(subject, allowed);
-  const TestDescription& test = test_of(subject.record().plan);
-  if (!oracles_of(test).has_depth())
-    found.not_checked = fmt::format("the test {} states no depth of a wrong verdict", test.id);
+  const Predicate& predicate = predicate_of(subject.record().plan);
+  if (!oracles_of(predicate).has_depth())
+    found.not_checked = fmt::format("the predicate {} states no depth of a wrong verdict", predicate.id);
   return found;
 }
 

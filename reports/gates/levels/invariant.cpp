@@ -23,11 +23,11 @@ constexpr EnumArray<ImageKind, std::string_view> kind_words = {  // "the same qu
     "in two parts",
     "going on twice, four or eight times as far, after a contact"};
 
-// The families of the run's test that make such images, for a run that has none: those to add, or that were asked too
-// few queries.
+// The families of the run's predicate that make such images, for a run that has none: those to add, or that were asked
+// too few queries.
 std::string families_with(ImageKind kind, const Subject& subject) {
   std::vector<std::string> options, asked;
-  for (const Family* family : families_of(test_of(subject.record().plan))) {
+  for (const Family* family : families_of(predicate_of(subject.record().plan))) {
     const ImageGroup* group = image_group(family->name);
     if (group == nullptr || (kind == ImageKind::scale && group->range == nullptr)) continue;
     bool makes = false;
@@ -38,7 +38,7 @@ std::string families_with(ImageKind kind, const Subject& subject) {
   }
   if (options.empty() && !asked.empty())
     return fmt::format("too few queries of {} were asked to have one", fmt::join(asked, ", "));
-  return options.empty() ? "no family of this test makes one" : fmt::format("add {}", fmt::join(options, " "));
+  return options.empty() ? "no family of this predicate makes one" : fmt::format("add {}", fmt::join(options, " "));
 }
 
 ImageKind kind_of(const AskedLevel& asked) {

@@ -73,11 +73,11 @@ Units units_that_ran(const Subject& subject) {
 // The families that a run without one could have had.
 std::string families_to_add(const Subject& subject) {
   std::vector<std::string> options;
-  for (const Family* family : families_of(test_of(subject.record().plan))) {
+  for (const Family* family : families_of(predicate_of(subject.record().plan))) {
     if (family->exact_arithmetic && image_group(family->name) == nullptr)
       options.push_back(fmt::format("--family {}", family->name));
   }
-  return options.empty() ? "this test has none" : "add " + fmt::format("{}", fmt::join(options, " "));
+  return options.empty() ? "this predicate has none" : "add " + fmt::format("{}", fmt::join(options, " "));
 }
 
 void find_logic_failures(const Subject& subject, const std::string& family, const FamilyRecord& result,

@@ -1,4 +1,4 @@
-// The levels of a test of motions: never-late and no-tunnel.
+// The levels of a predicate of motions: never-late and no-tunnel.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -30,10 +30,10 @@ double tunnel_argument(const AskedLevel& asked) {
   return tunnel;
 }
 
-// Why times cannot be judged: the test has none, or the kernel gives none, or there was no hit.
+// Why times cannot be judged: the predicate has none, or the kernel gives none, or there was no hit.
 std::string times_unseen(const Subject& subject) {
-  const TestDescription& test = test_of(subject.record().plan);
-  if (test.measures.empty()) return fmt::format("the test {} has no time of contact", test.id);
+  const Predicate& predicate = predicate_of(subject.record().plan);
+  if (predicate.measures.empty()) return fmt::format("the predicate {} has no time of contact", predicate.id);
   const auto& measures = subject.kernel().measures;
   if (!measures || measures->empty()) return "the kernel gives no time of contact";
   for (const auto& [family, result] : subject.families()) {

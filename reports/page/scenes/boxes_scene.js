@@ -65,4 +65,4 @@ function boxes_figure(query) {
   return scene === null ? null : scene_box(new BoxesView(scene), 'Drawn in binary64; the truth next to it is exact.');
 }
 
-page_tests['box-box'] = {groups_of: boxes_groups_of, figure: boxes_figure, suite: 'BoxBox', touching: 'They touch.'};
+page_predicates['box-box'] = {groups_of: boxes_groups_of, figure: boxes_figure, suite: 'BoxBox', touching: 'They touch.'};

@@ -199,7 +199,7 @@ function moving_sphere_figure(witness) {
     : scene_box(new MovingSphereView(scene), motion_legend(scene), motion_words(scene, witness.measures));
 }
 
-page_tests['moving-sphere'] = {
+page_predicates['moving-sphere'] = {
   groups_of: motion_groups_of, figure: moving_sphere_figure, suite: 'MovingSphere', touching: 'The least distance is exactly r.',
   parts: ['vertex_a', 'vertex_b', 'vertex_c', 'edge_ab', 'edge_bc', 'edge_ca', 'face'], time: 'time_of_contact',
   commands: ['search', 'map', 'mutate'],

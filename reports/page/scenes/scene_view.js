@@ -1,4 +1,4 @@
-// A picture in three dimensions that pointer or arrow keys turn: what the pictures of all tests share. It is only for the
+// A picture in three dimensions that pointer or arrow keys turn: what the pictures of all predicates share. It is only for the
 // eye: binary64, after scaling; the exact facts about the query are stated next to it.
 
 // The double that equals a C hex-float; NaN for text that is not a finite number. The power of two is applied in

@@ -52,8 +52,8 @@ function sphere_triangle_figure(query) {
   return scene === null ? null : scene_box(new SphereTriangleView(scene), feature_words(scene));
 }
 
-page_tests['sphere-triangle'] = {
+page_predicates['sphere-triangle'] = {
   groups_of: () => ['a', 'b', 'c', 'p', 'r'], figure: sphere_triangle_figure, suite: 'SphereTriangle', touching: 'The distance is exactly r.',
   commands: ['prove', 'search', 'map', 'ladder', 'precision', 'league', 'mutate'], league: ['published', 'certified'],
 };
-page_tests[''] = page_tests['sphere-triangle'];  // which is implied
+page_predicates[''] = page_predicates['sphere-triangle'];  // which is implied

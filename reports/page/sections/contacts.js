@@ -1,4 +1,4 @@
-// The first contact on the card of a witness of a test of motions: what the kernel gave, what is exact, how it is judged.
+// The first contact on the card of a witness of a predicate of motions: what the kernel gave, what is exact, how it is judged.
 
 const time_chips = {late: ['late', 'bad'], early: ['early', 'note'], best: ['best time', 'good'], none: ['no time', 'bad'],
                     invalid: ['time outside [0, 1]', 'bad']};
@@ -52,7 +52,7 @@ function contact_rows(witness) {
   const is_phantom = witness.truth === 'separated' && witness.computed === 'contact';
   const said = is_missed ? [chip('missed contact', 'bad'), ` tunnel ${error_amount(measures?.tunnel ?? 0)}`]
     : is_phantom ? [chip('phantom contact', 'warn')] : time_judged(measures ?? {});
-  const part = says('feature') ? page_test_of(witness).parts?.[parse_hex(given.feature)] : undefined;
+  const part = says('feature') ? page_predicate_of(witness).parts?.[parse_hex(given.feature)] : undefined;
   const right = measures?.feature_is_right;
   const rows = [['time', says('time') ? number_cell(given.time, precision) : [is_missed ? 'no contact' : 'not given'],
                  has_contact ? number_cell(exact.time, precision) : no_exact, said]];
@@ -64,7 +64,7 @@ function contact_rows(witness) {
   return rows;
 }
 
-// Empty for a test without times.
+// Empty for a predicate without times.
 function contact_table(witness) {
   if (witness.measures === undefined && witness.first_contact === undefined) return '';
   if (!witness.measures && !witness.first_contact) {

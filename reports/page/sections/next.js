@@ -41,7 +41,7 @@ function mend_step(data, entry) {
 function compare_step(data, entry) {
   const id = entry?.id ?? data.plan.kernels[0];
   const word = ['A word that is not clear: ', el('code', '', 'axiscert explain WORD'), '.'];
-  const beside = page_test_named(data.plan)?.league;
+  const beside = page_predicate_named(data.plan)?.league;
   if (beside === undefined) return el('li', '', ...word);
   return el('li', '', 'Compare it with what else there is, production libraries among it: ',
             el('code', '', `axiscert league ${[...new Set([id, ...beside])].map((each) => `--kernel ${each}`).join(' ')}`),

@@ -1,4 +1,4 @@
-// Where errors come from: broken links by family; the cost of each form of the test; flips against precision.
+// Where errors come from: broken links by family; the cost of each form of the predicate; flips against precision.
 
 function origins_table(entry) {
   const rows = Object.entries(entry.families).map(([family, result]) => ({family, result}));

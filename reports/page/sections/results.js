@@ -80,7 +80,7 @@ function radius_table(data, entries) {
   ], rows, (row) => (row.total ? 'total' : ''));
 }
 
-// The first contacts that kernels of a test of motions report; nothing for any other test.
+// The first contacts that kernels of a predicate of motions report; nothing for any other predicate.
 function motion_table(data, rows) {
   const told = rows.filter((row) => row.result.motion && (row.result.motion.time || row.result.motion.missed.deepest_tunnel > 0));
   if (told.length === 0) return el('div');

@@ -5,7 +5,7 @@ const kind_words = {
 };
 
 function inputs_table(witness) {
-  const groups = page_test_of(witness).groups_of(witness);
+  const groups = page_predicate_of(witness).groups_of(witness);
   const body = el('tbody', '', ...groups.map((group) => {
     const [hex, decimal] = [[witness[group]].flat(), [witness.decimal[group]].flat()];
     const tr = el('tr', '', el('th', '', hex.length === 1 ? group : group.toUpperCase()));

@@ -96,7 +96,7 @@ AllowedShares allowed(std::string_view family) {
 
 template <class Real>
 void expect_the_exact_answers(std::uint64_t count) {
-  for (const Family* family : families_of(sphere_triangle_test())) {
+  for (const Family* family : families_of(sphere_triangle_predicate())) {
     const Silent silent = compare_with_exact<Real>(*family, count);
     const AllowedShares most = allowed<Real>(family->name);
     const auto places = [count](std::uint64_t thousandths) { return count * thousandths / 1000 + count / 10000; };
@@ -126,7 +126,7 @@ TYPED_TEST(NearestRoots, OfZeroAreSeenWhereTheNumbersShowThem) {
 
 // The distance relative to which critical radii are measured, compared with CGAL's.
 TYPED_TEST(NearestRoots, AreTheRoundedDistanceOfTheOracle) {
-  for (const Family* family : families_of(sphere_triangle_test())) {
+  for (const Family* family : families_of(sphere_triangle_predicate())) {
     for_each_query<TypeParam>(family->name, 300, [](const Query<TypeParam>& q, std::uint64_t) {
       if (!is_valid(q)) return;
       const auto squared = squared_distance(q);

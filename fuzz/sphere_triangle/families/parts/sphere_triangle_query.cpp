@@ -9,10 +9,10 @@
 namespace axiscert {
 
 SphereTriangleQuery sphere_triangle_query(const StoredQuery& stored) {
-  const TestDescription& served = sphere_triangle_test();
-  if (stored.test != &served) {
-    throw Error(fmt::format("{}: a query of the test {}; only queries of {} are served here", shown(stored.id),
-                            stored.test->id, served.id));
+  const Predicate& served = sphere_triangle_predicate();
+  if (stored.predicate != &served) {
+    throw Error(fmt::format("{}: a query of the predicate {}; only queries of {} are served here", shown(stored.id),
+                            stored.predicate->id, served.id));
   }
   return std::visit([](const auto& numbers) -> SphereTriangleQuery { return query_from(numbers); }, stored.numbers);
 }

@@ -1,4 +1,4 @@
-// A stored query as one of sphere-triangle, for code that serves this test alone.
+// A stored query as one of sphere-triangle, for code that serves this predicate alone.
 #pragma once
 
 #include <variant>
@@ -10,7 +10,7 @@ namespace axiscert {
 
 using SphereTriangleQuery = std::variant<Query<float>, Query<double>>;
 
-// Throws Error that names the query and its test where it is of another one.
+// Throws Error that names the query and its predicate where it is of another one.
 SphereTriangleQuery sphere_triangle_query(const StoredQuery& stored);
 
 // The same where the caller knows the precision. Precondition: it is that of the query.

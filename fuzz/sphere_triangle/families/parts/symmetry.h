@@ -1,4 +1,4 @@
-// The symmetries of the test: transformations that leave every exact answer unchanged, except for the names of
+// The symmetries of the predicate: transformations that leave every exact answer unchanged, except for the names of
 // vertices.
 #pragma once
 

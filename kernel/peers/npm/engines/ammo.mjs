@@ -3,7 +3,7 @@
 //   mesh-beside  a second triangle is in the mesh
 //   hull         btConvexHullShape of the three vertices, its margin 0
 //   hull-margin  the same with its margin of 0.04, as it is made
-//   sweep        of the test moving-sphere: convexSweepTest against the mesh. It takes where the centre ends, rounded
+//   sweep        of the predicate moving-sphere: convexSweepTest against the mesh. It takes where the centre ends, rounded
 //                here.
 import {createRequire} from 'node:module';
 

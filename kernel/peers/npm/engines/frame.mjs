@@ -4,8 +4,8 @@
 //
 //   await serve(async () => ({'sphere-triangle': (q) => verdict}));
 //
-// `make` loads the engine and returns a function for each test that it answers, by its name in tests.mjs. That function takes
-// the numbers of one query, in the order of the test's columns, and returns a verdict; or, where the engine says more of
+// `make` loads the engine and returns a function for each predicate that it answers, by its name in tests.mjs. That function takes
+// the numbers of one query, in the order of the predicate's columns, and returns a verdict; or, where the engine says more of
 // a contact, what `hit` makes of it, for streams that ask for measures. Queries that are none (a number that is not
 // finite, a negative length, a quaternion 0) are answered `invalid` and not handed on.
 //
@@ -20,7 +20,7 @@ export const verdictOf = (contact) => (contact ? CONTACT : SEPARATED);
 // The verdict of an engine that gives a distance.
 export const verdictWithin = (distance, reach) => (Number.isNaN(distance) ? INVALID : verdictOf(distance <= reach));
 // The answer of an engine that hits: what it says of the first contact, in the order of the measures of moving-sphere
-// (`axiscert tests`). `time` is a fraction of the displacement; `normal` and `point` have three numbers each. A hit whose
+// (`axiscert predicates`). `time` is a fraction of the displacement; `normal` and `point` have three numbers each. A hit whose
 // time is NaN is no answer.
 const UNSAID = [NaN, NaN, NaN];
 export function hit(time, normal = UNSAID, point = UNSAID) {
@@ -96,16 +96,16 @@ function readHeader(answers) {
   let id = 'sphere-triangle', entry = '', measures = 0;
   if (version === 2) {
     try {
-      ({test: id, entry = '', measures = 0} = JSON.parse(plan.toString('utf8')));
+      ({predicate: id, entry = '', measures = 0} = JSON.parse(plan.toString('utf8')));
     } catch {
-      fail('the plan of a stream of version 2 is to be JSON with a member "test"');
+      fail('the plan of a stream of version 2 is to be JSON with a member "predicate"');
     }
   }
-  if (`${id}/${entry}` in tests) id = `${id}/${entry}`;
+  if (`${id}/${entry}` in predicates) id = `${id}/${entry}`;
   const ids = Object.keys(answers);
   if (!ids.includes(id)) fail(`the stream asks '${id}'; this program answers ${ids.join(', ')}`);
-  const columns = tests[id].columns;
-  if (!(measures >= 0 && measures <= tests[id].measures)) {
+  const columns = predicates[id].columns;
+  if (!(measures >= 0 && measures <= predicates[id].measures)) {
     fail(`the stream asks for ${measures} measures; ${id} has ${tests[id].measures}`);
   }
   if (recordSize !== columns * precision / 8) {
@@ -115,9 +115,9 @@ function readHeader(answers) {
           replySize: version === 1 ? 4 : 16 + measures * precision / 8};
 }
 
-function isQuery(test, q) {
+function isQuery(predicate, q) {
   for (let k = 0; k < q.length; ++k) if (!Number.isFinite(q[k])) return false;
-  return test.lengths.every((k) => q[k] >= 0) && !test.isNone?.(q);
+  return predicate.lengths.every((k) => q[k] >= 0) && !predicate.isNone?.(q);
 }
 
 // Traps are RuntimeErrors; emscripten's abort() throws one too, or a text.
@@ -140,7 +140,7 @@ export async function serve(make) {
       for (let i = 0; i < count; ++i) {
         const q = numbers.subarray(i * columns, (i + 1) * columns);
         let verdict = INVALID, said = [];
-        if (isQuery(tests[id], q)) {
+        if (isQuery(predicates[id], q)) {
           try {
             const answer = answers[id](q);
             ({verdict, measures: said} = typeof answer === 'object' ? answer : {verdict: answer, measures: []});

@@ -2,7 +2,7 @@
 //   mesh         HP_Shape_CreateMesh
 //   mesh-beside  a second triangle is in the mesh
 //   hull         HP_Shape_CreateConvexHull of the three vertices
-//   sweep        of the test moving-sphere: HP_World_ShapeCastWithCollector against the mesh. It takes where the centre
+//   sweep        of the predicate moving-sphere: HP_World_ShapeCastWithCollector against the mesh. It takes where the centre
 //                ends, rounded here.
 import {hit, SEPARATED, serve, UNDECIDED, verdictOf} from './frame.mjs';
 import {loadedHavok, nobody, noTurn, origin} from './loaded/havok.mjs';

@@ -3,7 +3,7 @@
 //   mesh-one-sided   as by default
 //   mesh-beside      back faces collide; a second triangle is in the mesh
 //   hull             a convex hull of the three vertices, with the default convex radius
-//   sweep            of the test moving-sphere: TransformedShape.CastShape with the mesh, back faces too
+//   sweep            of the predicate moving-sphere: TransformedShape.CastShape with the mesh, back faces too
 //   sweep-one-sided  the same, back faces ignored, as by default
 import {hit, SEPARATED, serve, UNDECIDED, verdictOf} from './frame.mjs';
 import {loadedJolt} from './loaded/jolt.mjs';

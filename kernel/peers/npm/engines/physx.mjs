@@ -3,7 +3,7 @@
 //   mesh-uncleaned  overlap; cooked with eDISABLE_CLEAN_MESH
 //   mesh-beside     overlap; as by default, a second triangle is in the mesh
 //   point-distance  pointDistance from the centre, a squared distance, against r r
-//   sweep           of the test moving-sphere: sweep with eMESH_BOTH_SIDES. It takes a direction of length 1 and a
+//   sweep           of the predicate moving-sphere: sweep with eMESH_BOTH_SIDES. It takes a direction of length 1 and a
 //                   distance, both rounded here, and has none for a displacement of length 0, which is undecided. The
 //                   time is its distance over ours.
 import {hit, SEPARATED, serve, UNDECIDED, verdictOf, verdictWithin} from './frame.mjs';

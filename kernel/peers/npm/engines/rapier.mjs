@@ -3,7 +3,7 @@
 //   contact         Ball.contactShape with prediction 0
 //   trimesh         Ball.intersectsShape, a TriMesh
 //   trimesh-beside  the same, a second triangle is in the mesh
-//   sweep           of the test moving-sphere: Ball.castShape with a Triangle, its velocity d, from time 0 to 1
+//   sweep           of the predicate moving-sphere: Ball.castShape with a Triangle, its velocity d, from time 0 to 1
 import RAPIER from '@dimforge/rapier3d-compat';
 
 import {CONTACT, hit, SEPARATED, serve, UNDECIDED, verdictOf} from './frame.mjs';

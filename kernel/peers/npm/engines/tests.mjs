@@ -1,10 +1,10 @@
-// The tests that an engine can be asked here, by their ids (`axiscert tests`), and where a test has several entries by
+// The tests that an engine can be asked here, by their ids (`axiscert predicates`), and where a predicate has several entries by
 // TEST/ENTRY: how many columns a query has, which of them are lengths, which are not negative, and how many measures
 // there are beside the verdict. `isNone` says of finite numbers whether they are no query for another reason; a box
 // whose axes are no basis is left to those who are asked.
 const isZero = (q, from, to) => q.subarray(from, to).every((x) => x === 0);
 
-export const tests = {
+export const predicates = {
   'sphere-triangle': {columns: 13, lengths: [12], measures: 0},  // ax ay az bx by bz cx cy cz px py pz r
   'moving-sphere': {columns: 16, lengths: [15], measures: 8},    // the same, with dx dy dz before r: the centre goes from p to p + d
   // Each box: the centre, three half extents, then three axes or w x y z.

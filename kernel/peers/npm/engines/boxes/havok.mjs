@@ -1,6 +1,6 @@
 // Havok: HP_World_ShapeProximityWithCollector of a box against a static body, distance 0.
 //   box   a box
-//   mesh  of the test box-triangle: HP_Shape_CreateMesh
+//   mesh  of the predicate box-triangle: HP_Shape_CreateMesh
 import {serve, UNDECIDED, verdictOf} from '../frame.mjs';
 import {loadedHavok, noTurn, origin} from '../loaded/havok.mjs';
 import {form} from '../triangle.mjs';

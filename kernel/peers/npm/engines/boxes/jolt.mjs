@@ -2,7 +2,7 @@
 //   oriented-box  OrientedBox.OverlapsOrientedBox, its epsilon of 1e-6 as by default; takes matrices
 //   box           TransformedShape.CollideShape of two BoxShapes, convex radius 0.05 as by default: it rounds their edges
 //   box-sharp     the same with convex radius 0
-//   mesh          of the test box-triangle: CollideShape of a BoxShape of convex radius 0 with a MeshShape of one
+//   mesh          of the predicate box-triangle: CollideShape of a BoxShape of convex radius 0 with a MeshShape of one
 //                 triangle, back faces collide
 import {serve, UNDECIDED, verdictOf} from '../frame.mjs';
 import {loadedJolt} from '../loaded/jolt.mjs';

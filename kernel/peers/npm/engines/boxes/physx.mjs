@@ -1,6 +1,6 @@
 // PhysX: PxGeometryQuery.overlap.
 //   box   two boxes
-//   mesh  of the test box-triangle: a box and a triangle mesh, cooked as by default, which cleans it
+//   mesh  of the predicate box-triangle: a box and a triangle mesh, cooked as by default, which cleans it
 import {serve, UNDECIDED, verdictOf} from '../frame.mjs';
 import {loadedPhysX} from '../loaded/physx.mjs';
 import {form} from '../triangle.mjs';

@@ -1,8 +1,8 @@
 // Rapier, that is parry: a Cuboid with a Cuboid, a Triangle or a TriMesh.
 //   cuboid          intersectsShape
 //   cuboid-contact  contactShape with prediction 0, a contact whose distance is at most 0
-//   triangle        of the test box-triangle: Cuboid.intersectsShape(Triangle)
-//   trimesh         of the test box-triangle: the same, a TriMesh
+//   triangle        of the predicate box-triangle: Cuboid.intersectsShape(Triangle)
+//   trimesh         of the predicate box-triangle: the same, a TriMesh
 import RAPIER from '@dimforge/rapier3d-compat';
 
 import {serve, verdictOf} from '../frame.mjs';

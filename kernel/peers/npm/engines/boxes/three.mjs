@@ -1,6 +1,6 @@
 // three.js, in double.
 //   obb   OBB.intersectsOBB, its epsilon as by default
-//   box3  of the test box-triangle: Box3.intersectsTriangle
+//   box3  of the predicate box-triangle: Box3.intersectsTriangle
 import {Box3, Matrix3, Triangle, Vector3} from 'three';
 import {OBB} from 'three/examples/jsm/math/OBB.js';
 

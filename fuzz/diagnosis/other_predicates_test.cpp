@@ -1,4 +1,4 @@
-// Probes on kernels of tests other than sphere-triangle: of each value one that is so, and one that is not.
+// Probes on kernels of predicates other than sphere-triangle: of each value one that is so, and one that is not.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <set>
 
 #include "fuzz/diagnosis/diagnosis.h"
-#include "fuzz/diagnosis/made_of_any_test_testing.h"
+#include "fuzz/diagnosis/made_of_any_predicate_testing.h"
 #include "fuzz/diagnosis/probes/probes.h"
 
 namespace axiscert {
@@ -116,7 +116,7 @@ std::vector<Row> rows() {
   };
 }
 
-TEST(DiagnosisOfOtherTestsLong, FindsWhatIsSo) {
+TEST(DiagnosisOfOtherPredicatesLong, FindsWhatIsSo) {
   for (const Row& row : rows()) {
     const diagnosis::ProbeFinding found = found_of(row.kernel, row.precision, row.property);
     EXPECT_EQ(found.value, row.value) << fmt::format("{} in {}: {}: {} {}", row.kernel.id, name(row.precision),
@@ -125,7 +125,7 @@ TEST(DiagnosisOfOtherTestsLong, FindsWhatIsSo) {
   }
 }
 
-TEST(DiagnosisOfOtherTestsLong, FindsItWithOtherSeeds) {
+TEST(DiagnosisOfOtherPredicatesLong, FindsItWithOtherSeeds) {
   for (const std::uint64_t seed : {2, 3}) {
     for (const Row& row : rows()) {
       // A kernel that is so may be not known with another seed, but nothing else.
@@ -137,7 +137,7 @@ TEST(DiagnosisOfOtherTestsLong, FindsItWithOtherSeeds) {
   }
 }
 
-TEST(DiagnosisOfOtherTests, HasAKernelForEachValueThatTheyCanHave) {
+TEST(DiagnosisOfOtherPredicates, HasAKernelForEachValueThatTheyCanHave) {
   std::map<std::string, std::set<std::string>> by_property;
   for (const Row& row : rows()) by_property[row.property].insert(row.value);
   for (const PropertyKind& kind : property_kinds()) {
@@ -149,7 +149,7 @@ TEST(DiagnosisOfOtherTests, HasAKernelForEachValueThatTheyCanHave) {
 }
 
 // The probes that need nothing of the scene are asked of every test, and those that are not say why in a sentence.
-TEST(DiagnosisOfOtherTests, AsksWhatNeedsNothingOfTheScene) {
+TEST(DiagnosisOfOtherPredicates, AsksWhatNeedsNothingOfTheScene) {
   for (const char* id : {"moving-sphere/twenty", "box-triangle/thirteen"}) {
     DiagnosisOptions options;
     const Diagnosis diagnosis = diagnose(find_kernel(id), options);

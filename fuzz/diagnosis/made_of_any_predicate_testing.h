@@ -43,7 +43,7 @@ Kernel answered_by(const Kernel& base, const std::string& suffix, Answer answer)
 // Every length, as radii and half extents are, taken as at least 0.01.
 inline Kernel clamped(const Kernel& base) {
   return answered_by(base, "clamped", []<class Real>(const Kernel& of, const auto& right, Numbers<Real> query) {
-    const std::vector<TestColumn>& columns = of.test->entries[of.entry].columns;
+    const std::vector<PredicateColumn>& columns = of.predicate->entries[of.entry].columns;
     for (std::size_t k = 0; k < columns.size(); ++k) {
       if (columns[k].role == Role::length && query[k] < Real(0.01)) query[k] = Real(0.01);
     }

@@ -1,4 +1,4 @@
-// The description of a test as data. Code that handles answers goes by it and is written once for all tests.
+// The description of a predicate as data. Code that handles answers goes by it and is written once for all predicates.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ inline constexpr std::size_t enum_count<Role> = 4;
 inline constexpr EnumArray<Role, std::string_view> role_names = {"coordinate", "direction", "length", "time"};
 constexpr std::string_view name(Role role) { return role_names[role]; }
 
-struct TestColumn {
+struct PredicateColumn {
   std::string_view name;
   Role role;
   // Columns of one group belong together, as the three of a vertex do. Its name is where a line of JSON has it: with
@@ -28,10 +28,10 @@ struct TestColumn {
 };
 
 // A form in which the numbers of a query can be given.
-struct TestEntry {
+struct PredicateEntry {
   std::string_view name;
   std::string_view validity;  // the condition for a query; other numbers are `invalid`
-  std::vector<TestColumn> columns;
+  std::vector<PredicateColumn> columns;
   // Queries of a file that share so many numbers, the first ones, are not independent of each other; 0: all numbers.
   std::size_t shared_columns = 0;
   bool has_free_numbers = true;  // each can be changed alone, as search, shrink and map do
@@ -42,22 +42,22 @@ struct ColumnGroup {
   std::string_view name;
   std::size_t first, size;
 };
-std::vector<ColumnGroup> groups_of(const TestEntry& entry);
+std::vector<ColumnGroup> groups_of(const PredicateEntry& entry);
 
-struct TestComparison {
+struct PredicateComparison {
   std::string_view name;
   std::size_t clause;
   bool ties_at_touching = true;  // its sides are equal where it decides that the two touch
 };
 
-// A clause is a conjunction of comparisons; in a test by separating axes, an axis.
-struct TestClause {
+// A clause is a conjunction of comparisons; in a predicate by separating axes, an axis.
+struct PredicateClause {
   std::string_view name;
   ComparisonBits comparisons;  // the clause holds where all of these do; bit i is comparison i
 };
 
 // A number beside the verdict, for example a time of impact.
-struct TestMeasure {
+struct PredicateMeasure {
   std::string_view name, unit;
   std::string_view error;  // how its error is counted
 };
@@ -79,15 +79,15 @@ inline constexpr VerdictRule any_clause_separates = {"separated where any clause
 // Limits that a word of 64 bits and the plug-in interface set; the third is most_columns (kernel/query.h).
 inline constexpr std::size_t most_comparisons = 64, most_measures = 64;
 
-struct TestDescription {
+struct Predicate {
   std::string_view id;
   std::string_view asks;      // one line
   std::string_view touching;  // the case in which the two touch
   std::vector<WrongAnswer> wrong_answers;
-  std::vector<TestEntry> entries;  // a kernel that names none takes the first
-  std::vector<TestComparison> comparisons;
-  std::vector<TestClause> clauses;
-  std::vector<TestMeasure> measures;
+  std::vector<PredicateEntry> entries;  // a kernel that names none takes the first
+  std::vector<PredicateComparison> comparisons;
+  std::vector<PredicateClause> clauses;
+  std::vector<PredicateMeasure> measures;
   VerdictRule rule = any_clause_separates;
   std::string_view certified = {};  // its kernel that is proved to be right on every query; empty: it has none
   // The built-in kernel whose formulae a plug-in or a program with comparisons has that names none; empty: it has to
@@ -100,31 +100,31 @@ struct TestDescription {
   bool claims_arithmetic = false;
   std::vector<std::string_view> methods = {};  // formulae that have only a verdict, without comparisons
   double greatest_depth = 1;                   // of a wrong verdict (docs/error_model.md#depth), rounded up
-  bool is_implied = false;                     // files, plans, programs and ids that name no test are about this one
+  bool is_implied = false;  // files, plans, programs and ids that name no predicate are about this one
 };
 
 // Returns the description unchanged. Throws HarnessFault if it has no entry, too many of anything, the same name twice,
 // a group whose columns are not neighbours, or a comparison that its clause does not contain.
-TestDescription checked(TestDescription test);
+Predicate checked(Predicate predicate);
 
 // The bits of all comparisons.
-ComparisonBits all_comparisons(const TestDescription& test);
+ComparisonBits all_comparisons(const Predicate& predicate);
 // Bit i is clause i.
-ClauseBits clauses_of(const TestDescription& test, ComparisonBits comparisons);
-Verdict verdict_of(const TestDescription& test, ComparisonBits comparisons);
+ClauseBits clauses_of(const Predicate& predicate, ComparisonBits comparisons);
+Verdict verdict_of(const Predicate& predicate, ComparisonBits comparisons);
 
 // The index of an entry; an empty name means the first. Throws Error naming those that exist, the most alike first.
-std::size_t find_entry(const TestDescription& test, std::string_view name);
+std::size_t find_entry(const Predicate& predicate, std::string_view name);
 
-// The tests that exist; defined in kernel/registry/tests.cpp. find_test throws Error as find_entry does.
-std::span<const TestDescription* const> tests();
-const TestDescription& find_test(std::string_view id, std::span<const TestDescription* const> known = tests());
+// The tests that exist; defined in kernel/registry/predicates.cpp. find_predicate throws Error as find_entry does.
+std::span<const Predicate* const> predicates();
+const Predicate& find_predicate(std::string_view id, std::span<const Predicate* const> known = predicates());
 
-// What a file, plan or program says of a test: its id, and nothing of the implied one. test_named reads that back; it
-// throws Error as find_test does.
-std::string_view written_name(const TestDescription& test);
-const TestDescription& test_named(std::string_view written, std::span<const TestDescription* const> known = tests());
-// "TEST/", with which ids and folders of a test begin; empty where its name is left out.
-std::string id_prefix(const TestDescription& test);
+// What a file, plan or program says of a predicate: its id, and nothing of the implied one. predicate_named reads that
+// back; it throws Error as find_predicate does.
+std::string_view written_name(const Predicate& predicate);
+const Predicate& predicate_named(std::string_view written, std::span<const Predicate* const> known = predicates());
+// "TEST/", with which ids and folders of a predicate begin; empty where its name is left out.
+std::string id_prefix(const Predicate& predicate);
 
 }  // namespace axiscert
