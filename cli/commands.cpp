@@ -7,11 +7,11 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "cli/values.h"
-#include "exact/judge/truth.h"
+#include "cli/usage.h"
+#include "exact/judge/judge.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/supervisor.h"
-#include "reports/schemas/schemas.h"
+#include "reports/formats/schemas.h"
 
 namespace axiscert {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "kernel/base/alike.h"
+#include "kernel/base/text.h"
 
 namespace axiscert {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "cli/values.h"
+#include "cli/usage.h"
 
 namespace axiscert {
 namespace {

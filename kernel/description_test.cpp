@@ -6,10 +6,9 @@
 #include <deque>
 #include <string>
 
-#include "kernel/base/alike.h"
+#include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/sphere_triangle/query.h"
-#include "kernel/sphere_triangle/description.h"
 #include "kernel/sphere_triangle/names.h"
 #include "kernel/predicate.h"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "kernel/base/enum_array.h"
+#include "kernel/base/enums.h"
 
 // X(name, type, kind)
 //   rung     sixteen comparisons whose signs are those of the published ones on every query, where they are defined

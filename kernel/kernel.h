@@ -1,7 +1,7 @@
 // A kernel as the harness sees it: functions over a batch, per precision and instruction set, and what they claim to
 // compute.
 #pragma once
-
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -9,14 +9,46 @@
 #include <vector>
 
 #include "kernel/arithmetic/arithmetic_list.h"
-#include "kernel/finding.h"
-#include "kernel/motion_policy.h"
+#include "kernel/base/enums.h"
 #include "kernel/names.h"
 #include "kernel/outcome.h"
-#include "kernel/query.h"
 #include "kernel/predicate.h"
+#include "kernel/query.h"
 
 namespace axiscert {
+// The promises of a kernel of a predicate of motions, where engines differ. A query beyond a promise is not judged.
+
+// Queries in which the two have a point in common before the motion.
+enum class StartPolicy : std::uint8_t {
+  reported,     // contact, at time 0
+  approaching,  // contact, where the distance between them falls at first; else no promise
+  ignored,      // no promise
+};
+template <>
+inline constexpr std::size_t enum_count<StartPolicy> = 3;
+inline constexpr EnumArray<StartPolicy, std::string_view> start_policy_names = {"reported", "approaching", "ignored"};
+constexpr std::string_view name(StartPolicy which) { return start_policy_names[which]; }
+
+// Queries with a displacement of zero.
+enum class StillPolicy : std::uint8_t { reported, ignored };
+template <>
+inline constexpr std::size_t enum_count<StillPolicy> = 2;
+inline constexpr EnumArray<StillPolicy, std::string_view> still_policy_names = {"reported", "ignored"};
+constexpr std::string_view name(StillPolicy which) { return still_policy_names[which]; }
+
+// Triangles that the motion meets from behind: D.(AB x AC) >= 0, so also those without area.
+enum class SidesPolicy : std::uint8_t { both, front };
+template <>
+inline constexpr std::size_t enum_count<SidesPolicy> = 2;
+inline constexpr EnumArray<SidesPolicy, std::string_view> sides_policy_names = {"both", "front"};
+constexpr std::string_view name(SidesPolicy which) { return sides_policy_names[which]; }
+
+struct MotionPolicy {
+  StartPolicy start = StartPolicy::reported;
+  StillPolicy still = StillPolicy::reported;
+  SidesPolicy sides = SidesPolicy::both;
+  bool operator==(const MotionPolicy&) const = default;
+};
 
 // The full answer of a kernel to a batch: the comparison bits, for each comparison a column of each computed side, and
 // a column of each measure that it gives.

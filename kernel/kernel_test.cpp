@@ -15,7 +15,7 @@
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/registry/self_check.h"
 #include "kernel/testing/random.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

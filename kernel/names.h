@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "kernel/base/bits.h"
-#include "kernel/base/enum_array.h"
+#include "kernel/base/enums.h"
 
 namespace axiscert {
 

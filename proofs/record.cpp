@@ -2,9 +2,9 @@
 #include <stdexcept>
 
 #include "proofs/program.h"
-#include "kernel/arithmetic/fused.h"
+#include "kernel/arithmetic/number.h"
 #include "kernel/sphere_triangle/reference/evaluate.h"
-#include "kernel/sphere_triangle/rungs/reduced.h"
+#include "kernel/sphere_triangle/formulae/reduced.h"
 
 namespace axiscert::proofs {
 namespace {

@@ -10,9 +10,9 @@
 #include "cli/commands.h"
 #include "cli/options/address_query.h"
 #include "cli/options/predicate_options.h"
-#include "fuzz/queries/address.h"
+#include "fuzz/queries/source.h"
 #include "fuzz/files/query_file.h"
-#include "fuzz/confirm/finding_record.h"
+#include "fuzz/confirm/record.h"
 
 namespace axiscert {
 namespace {

@@ -7,14 +7,14 @@
 
 #include "cli/commands.h"
 #include "cli/progress_line.h"
-#include "cli/values.h"
-#include "cli/running/terminal.h"
+#include "cli/usage.h"
+#include "cli/running/run_output.h"
 #include "kernel/base/error.h"
-#include "kernel/base/utf8.h"
+#include "kernel/base/text.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/load.h"
 #include "reports/comparison/compare.h"
-#include "reports/comparison/show.h"
+#include "reports/comparison/comparison_report.h"
 #include "reports/run_folder/identity.h"
 #include "reports/run_folder/run_folder.h"
 

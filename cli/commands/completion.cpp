@@ -4,7 +4,7 @@
 
 #include "cli/commands.h"
 #include "cli/glossary.h"
-#include "cli/values.h"
+#include "cli/usage.h"
 #include "fuzz/queries/family.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/load.h"

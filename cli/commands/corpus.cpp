@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "cli/commands.h"
-#include "fuzz/queries/address.h"
+#include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

@@ -5,9 +5,9 @@
 #include "cli/options/instrument_options.h"
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"
-#include "cli/values.h"
-#include "fuzz/confirm/finding_record.h"
-#include "fuzz/queries/address.h"
+#include "cli/usage.h"
+#include "fuzz/confirm/record.h"
+#include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
 #include "reports/instrument/diagnosis_report.h"
 

@@ -6,10 +6,10 @@
 
 #include "cli/commands.h"
 #include "cli/glossary.h"
-#include "cli/values.h"
+#include "cli/usage.h"
 #include "fuzz/record/record.h"
 #include "kernel/base/error.h"
-#include "reports/schemas/schemas.h"
+#include "reports/formats/schemas.h"
 
 namespace axiscert {
 namespace {

@@ -5,16 +5,40 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 
 #include "cli/commands.h"
-#include "cli/options/run_options.h"
+#include "cli/options/address_query.h"
 #include "cli/options/predicate_options.h"
+#include "cli/options/run_options.h"
 #include "cli/progress_line.h"
-#include "fuzz/queries/address.h"
-#include "fuzz/pipe/query_stream.h"
+#include "fuzz/pipe/streams.h"
+#include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
+void add_query(CLI::App& app, Action& action) {
+  struct Options {
+    std::string address;
+    AddressFiles files;
+  };
+  auto* command = app.add_subcommand("query", "Generate the query of an address again, as a line of a query file");
+  auto options = std::make_shared<Options>();
+  command->add_option("ADDRESS", options->address, "SEED:NAME:VERSION:PRECISION:UNIT:INDEX")->required();
+  add_address_files(*command, options->files);
+  command->callback([&action, options] {
+    action = [options] {
+      std::error_code ignored;
+      if (std::filesystem::is_regular_file(options->address, ignored)) {
+        throw Error(fmt::format("ADDRESS '{}' is a file; `axiscert check {}` reads the queries of one",
+                                options->address, options->address));
+      }
+      fmt::print("{}\n", query_line(query_at(parse_address(options->address), options->files)));
+      return static_cast<int>(exit_done);
+    };
+  });
+}
+
 namespace {
 
 struct GenerateOptions : SourceOptions {

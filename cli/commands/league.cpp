@@ -8,14 +8,13 @@
 #include "cli/options/predicate_options.h"
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"
-#include "fuzz/queries/address.h"
+#include "fuzz/queries/source.h"
 #include "fuzz/sphere_triangle/formulae/kernel_speed.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
-#include "fuzz/confirm/finding_record.h"
+#include "fuzz/confirm/record.h"
 #include "kernel/registry/self_check.h"
-#include "reports/league/league_report.h"
-#include "reports/league/league_trust.h"
+#include "reports/instrument/league_report.h"
 
 namespace axiscert {
 namespace {

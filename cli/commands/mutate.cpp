@@ -9,18 +9,17 @@
 #include "cli/options/run_options.h"
 #include "cli/options/predicate_options.h"
 #include "cli/progress_line.h"
-#include "cli/values.h"
+#include "cli/usage.h"
 #include "cli/running/run_output.h"
 #include "exact/trait/oracles.h"
-#include "fuzz/queries/address.h"
-#include "fuzz/queries/entry_families.h"
-#include "proofs/certified/score.h"
+#include "fuzz/queries/source.h"
+#include "fuzz/queries/family.h"
+#include "proofs/certified/mutants.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
 #include "reports/gates/gate.h"
-#include "reports/instrument/mutation/black_box_report.h"
-#include "reports/instrument/mutation/mutation_data.h"
-#include "reports/instrument/mutation/mutation_report.h"
+#include "reports/instrument/black_box_report.h"
+#include "reports/instrument/mutation_report.h"
 
 namespace axiscert {
 namespace {
@@ -174,7 +173,7 @@ int mutate_certified(const MutateOptions& options) {
       "depends on their order exchanged, and each of two conditions dropped. Shown: an answer of the step differs on "
       "one "
       "of the queries, many of which are an ulp to both sides of a change of an answer. Equivalent: "
-      "proofs/certified/equivalent.cpp argues that no query shows it. Every fault, shown or not, changes the "
+      "proofs/certified/mutants.cpp argues that no query shows it. Every fault, shown or not, changes the "
       "recording, "
       "which the test proofs.Current compares with the committed one."};
   InstrumentTable table{.caption = "Score", .columns = {}, .rows = {}};

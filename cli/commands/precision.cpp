@@ -1,16 +1,88 @@
 // axiscert precision: the formulae at every number of bits, with and without a limit on exponents.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "cli/options/instrument_options.h"
+#include "cli/options/predicate_options.h"
 #include "cli/progress_line.h"
-#include "exact/sphere_triangle/unbounded/at_precision.h"
-#include "fuzz/queries/address.h"
+#include "cli/usage.h"
+#include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "fuzz/queries/capabilities.h"
+#include "fuzz/queries/family.h"
+#include "fuzz/queries/image_groups.h"
+#include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
+#include "kernel/formulae_list.h"
+#include "kernel/registry/self_check.h"
+#include "reports/instrument/precision/condition_report.h"
+#include "reports/instrument/precision/critical_radius_report.h"
+#include "reports/instrument/precision/ladder_report.h"
 #include "reports/instrument/precision/precision_report.h"
 
 namespace axiscert {
+namespace {
+
+struct LadderOptions : InstrumentOptions {
+  bool no_speed = false;
+};
+
+// Every rung with `>`, in the order of formulae_list.h, but published, which is ladder-9 bit for bit.
+std::vector<std::string> default_kernels() {
+  std::vector<const Kernel*> rungs;
+  for (const Kernel& kernel : kernels()) {
+    const Formulae formulae = formulae_of(kernel);
+    const bool has_own_steps = kernel.takes_arithmetic && formulae != Formulae::none && formulae != Formulae::published;
+    if (has_own_steps && kernel.strictness == Strictness::strict) rungs.push_back(&kernel);
+  }
+  std::stable_sort(rungs.begin(), rungs.end(),
+                   [](const Kernel* a, const Kernel* b) { return formulae_of(*a) < formulae_of(*b); });
+  std::vector<std::string> ids;
+  for (const Kernel* rung : rungs) ids.push_back(rung->id);
+  return ids;
+}
+const std::vector<std::string> ladder_families = {"general", "tangent", "seam", "sliver", "far", "scale"};
+
+void require_comparisons(const Kernel& kernel) {
+  if (kernel.exposes != Exposure::verdict) return;
+  std::vector<std::string_view> able;
+  for (const Kernel& other : kernels()) {
+    if (other.predicate == kernel.predicate && other.exposes != Exposure::verdict) able.push_back(other.id);
+  }
+  throw Error(
+      fmt::format("--kernel {}: it shows only its verdict, but ladder measures comparisons; kernels that show "
+                  "them: {}, and RUNG+ARITHMETIC",
+                  kernel.id, fmt::join(able, ", ")));
+}
+
+int ladder(const LadderOptions& options) {
+  LadderPlan plan;
+  plan.precision = parse_precision(options.precision);
+  plan.kernels = instrument_kernels(options, default_kernels(), Measures::formulae);
+  for (const Kernel* kernel : plan.kernels) require_comparisons(*kernel);
+  plan.sources = instrument_sources(options, ladder_families);
+  plan.trials = options.trials;
+  plan.seed = options.seed;
+  plan.speed = !options.no_speed;
+  plan.threads = options.threads;
+  require_uncontracted(scalar_target);
+  const std::string command = instrument_command("ladder", options) + (options.no_speed ? " --no-speed" : "");
+  const auto entries = with_progress("ladder", [&](const ShowProgress& show) { return measure_ladder(plan, show); });
+  return print_and_write_instrument(ladder_report(plan, entries, command), options);
+}
+
+}  // namespace
+
+void add_ladder(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("ladder", "Measure what each step of the derivation costs: errors, range, time");
+  auto options = std::make_shared<LadderOptions>();
+  add_instrument_options(*command, *options, std::uint64_t{1} << 14);
+  command->add_flag("--no-speed", options->no_speed,
+                    "measure no times: the rest of the output is the same in every run");
+  command->callback([&action, options] { action = [options] { return ladder(*options); }; });
+}
+
 namespace {
 
 struct PrecisionOptions : InstrumentOptions {
@@ -57,6 +129,112 @@ void add_precision(CLI::App& app, Action& action) {
   add_instrument_options(*command, *options, std::uint64_t{1} << 11);
   command->add_option("--bits", options->bits, "bits of precision, repeatable (default: 26 values from 8 to 256)")
       ->allow_extra_args(false);
+  command->callback([&action, options] { action = [options] { return measure(*options); }; });
+}
+
+namespace {
+
+struct ConditionOptions : InstrumentOptions {
+  std::uint64_t flips = 256, sample = 64;
+};
+
+int measure(const ConditionOptions& options) {
+  ConditionPlan plan{
+      instrument_kernels(options, {"published", "reduced", "ladder-0"}, Measures::formulae),
+      instrument_sources(options, {"general", "tangent", "seam", "sliver", "collinear", "far", "ratio", "scale"}),
+      parse_precision(options.precision),
+      options.trials,
+      options.seed,
+      options.flips,
+      options.sample,
+      options.threads};
+  for (const Kernel* kernel : plan.kernels) {
+    if (kernel->exposes == Exposure::verdict || !has_comparisons(*kernel)) {
+      throw Error(
+          fmt::format("--kernel {}: it shows a verdict alone, but conditions belong to comparisons; "
+                      "'axiscert kernels' says which expose them",
+                      kernel->id));
+    }
+  }
+  const std::string command =
+      instrument_command("condition", options) + fmt::format(" --flips {} --sample {}", options.flips, options.sample);
+  const auto result =
+      with_progress("condition", [&](const ShowProgress& show) { return measure_condition(plan, show); });
+  return print_and_write_instrument(condition_report(plan, result, command), options);
+}
+
+}  // namespace
+
+void add_condition(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "condition", "Distinguish flips caused by the query's condition from those caused by the formula");
+  auto options = std::make_shared<ConditionOptions>();
+  add_instrument_options(*command, *options, std::uint64_t{1} << 14);
+  const CLI::Validator count = whole_number(0, std::uint64_t{1} << 32);
+  command->add_option("--flips", options->flips, "flips evaluated per kernel, family and comparison")
+      ->check(count)
+      ->capture_default_str();
+  command->add_option("--sample", options->sample, "queries per family that are evaluated where nothing flipped")
+      ->check(count)
+      ->capture_default_str();
+  command->callback([&action, options] { action = [options] { return measure(*options); }; });
+}
+
+namespace {
+
+// Those that the predicate names; else all kernels and families of the entry but images, which are the same radius
+// again.
+CriticalRadiusDefaults defaults_of(const Predicate& predicate, std::size_t entry) {
+  if (const CriticalRadiusDefaults* chosen = capabilities_of(predicate).critical_radius_defaults) return *chosen;
+  CriticalRadiusDefaults all;
+  for (const Kernel& kernel : kernels()) {
+    if (kernel.predicate == &predicate && kernel.entry == entry) all.kernels.push_back(kernel.id);
+  }
+  for (const Family* family : families_of(predicate, entry)) {
+    if (image_group(family->name) == nullptr) all.families.emplace_back(family->name);
+  }
+  return all;
+}
+
+// The predicate and the entry of the kernels or the families that are given; the first where neither are.
+std::pair<const Predicate*, std::size_t> asked_of(const InstrumentOptions& options) {
+  std::vector<const Kernel*> kernels;
+  for (const std::string& id : options.kernels) kernels.push_back(&find_kernel(id));
+  if (kernels.empty() && !options.families.empty()) {
+    const Family& first = find_family(options.families.front());
+    return {&first.predicate(), first.entry};
+  }
+  return {&predicate_of_kernels("", kernels), kernels.empty() ? 0 : kernels.front()->entry};
+}
+
+int measure(const InstrumentOptions& options) {
+  const std::vector<const Predicate*> served = predicates_with(has_critical_length);
+  const auto [predicate, entry] = asked_of(options);
+  require_capability(has_critical_length, options.command, *predicate, entry);
+  const CriticalRadiusDefaults defaults = defaults_of(*predicate, entry);
+  const CriticalRadiusPlan plan{instrument_kernels(options, defaults.kernels, Measures::verdicts, served),
+                                instrument_sources(options, defaults.families, served),
+                                parse_precision(options.precision),
+                                options.trials,
+                                options.seed,
+                                options.threads};
+  require_one_predicate(plan.kernels, plan.sources);
+  const auto result =
+      with_progress("critical-radius", [&](const ShowProgress& show) { return measure_critical_radii(plan, show); });
+  const int done = print_and_write_instrument(
+      critical_radius_report(plan, result, instrument_command("critical-radius", options)), options);
+  return unmeasured_kernels(plan, result).empty() ? done : exit_requirement_failed;
+}
+
+}  // namespace
+
+void add_critical_radius(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "critical-radius",
+      "Find the smallest radius, or half extent of a box, for which each kernel says contact, and its "
+      "error");
+  auto options = std::make_shared<InstrumentOptions>();
+  add_instrument_options(*command, *options, std::uint64_t{1} << 12);
   command->callback([&action, options] { action = [options] { return measure(*options); }; });
 }
 

@@ -9,10 +9,10 @@
 
 #include "cli/commands.h"
 #include "cli/options/instrument_options.h"
-#include "proofs/attained.h"
+#include "proofs/bounds.h"
 #include "proofs/checkers.h"
 #include "proofs/emit/emit.h"
-#include "fuzz/queries/address.h"
+#include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"

@@ -1,9 +1,21 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
 #include "cli/commands.h"
+#include "cli/options/plan_file.h"
+#include "cli/options/reply_plan.h"
+#include "cli/options/run_options.h"
+#include "cli/progress_line.h"
 #include "cli/running/judged_run.h"
 #include "cli/running/planned_run.h"
+#include "cli/usage.h"
+#include "fuzz/text/file_bytes.h"
+#include "kernel/base/error.h"
+#include "reports/formats/format.h"
+#include "reports/run_folder/run_folder.h"
 
 namespace axiscert {
-
 void add_run(CLI::App& app, Action& action) {
   auto* command =
       app.add_subcommand("run", "Run kernels over families, meshes and query files, judge them and write a report");
@@ -15,6 +27,178 @@ void add_run(CLI::App& app, Action& action) {
     action = [options, planned] {
       if (!planned->plan.empty()) return run_planned(*planned, *options);
       return put_result(judge_run(plan_of(*options), *options, options->target), *options);
+    };
+  });
+}
+
+namespace {
+
+struct PlanOptions : RunOptions {
+  std::optional<std::uint64_t> units_each;
+  std::string file = "plan.json";
+};
+
+int plan(const PlanOptions& options) {
+  const PlanFile file = plan_file_of(options, options.units_each);
+  const std::filesystem::path path(options.file);
+  write_files(path.parent_path(), {{path.filename().string(), file.text()}});
+  fmt::print("{}: {} queries in {} units; {} stretches of {}; digest {}\n", options.file,
+             file.json["queries"].get<std::uint64_t>(), file.json["units"].get<std::uint64_t>(),
+             file.json["stretches"].get<std::uint64_t>(), file.units_each, file.digest);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "plan", "Write a plan file, for `run --plan` in parts, on many machines, and again after an interruption");
+  auto options = std::make_shared<PlanOptions>();
+  add_plan_options(*command, *options);
+  add_require_options(*command, options->required);
+  command
+      ->add_option("--units-per-stretch", options->units_each,
+                   "units handed out, journalled and repeated together (default: 1 in small plans, 16 in others, more "
+                   "where the journal would have more than 2^22 entries)")
+      ->check(whole_number(1, std::uint64_t{1} << 40));
+  command->add_option("--out", options->file, "the file")->capture_default_str();
+  command->callback([&action, options] { action = [options] { return plan(*options); }; });
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MergeOptions {
+  std::vector<std::string> folders;
+  std::string out = "out", plan;
+};
+
+// Most parts of a list of units that a message names.
+constexpr std::size_t most_parts = 20;
+
+std::string in(const std::string& folder, const char* file) { return (fs::path(folder) / file).string(); }
+
+// Requires every folder's copy of the plan to be this plan.
+void require_same_plan(const PlanFile& file, const std::string& folder) {
+  const PlanFile other = read_plan_file(in(folder, plan_copy));
+  if (other.digest == file.digest) return;
+  std::string differs = difference(other.json["plan"], file.json["plan"]);
+  if (differs.empty()) differs = difference(other.json, file.json);
+  throw Error(fmt::format("{}: part of another plan than {}: there {}", folder, file.path, differs));
+}
+
+void require_shard(const std::string& folder) {
+  std::error_code ignored;
+  if (fs::exists(in(folder, plan_copy), ignored)) return;
+  throw Error(fmt::format("{}: {}; give folders that `axiscert run --plan --shard --out` wrote", folder,
+                          !fs::exists(folder, ignored) ? "does not exist"
+                          : fs::is_directory(folder, ignored)
+                              ? fmt::format("no part of a plan: it has no {}", plan_copy)
+                              : "not a folder"));
+}
+
+int merge(const MergeOptions& options) {
+  for (const std::string& folder : options.folders) require_shard(folder);
+  const PlanFile file = read_plan_file(options.plan.empty() ? in(options.folders.front(), plan_copy) : options.plan);
+  for (const std::string& folder : options.folders) require_same_plan(file, folder);
+  Plan plan = plan_of(file);
+  plan.running.target = resolve_target("auto");
+  const Stretches stretches(plan.questions, file.units_each);
+  const OutputFolder folder(options.out);
+  const auto started = std::chrono::system_clock::now();
+
+  std::optional<ProgressLine> reading(std::in_place, "merge: the journals are read");
+  GatheredStretches gathered(plan.questions, plan.answerers.kernels.size(), stretches);
+  std::vector<std::uint32_t> from(stretches.count());  // for each stretch, the folder it is from
+  std::uint64_t bytes = 0;
+  for (std::uint32_t i = 0; i < options.folders.size(); ++i) {
+    const std::string journal = in(options.folders[i], journal_file);
+    const JournalEnd end = read_journal(journal, file.digest, [&](std::string_view content) {
+      const auto entry = finished_in(content);
+      if (entry && entry->stretch < stretches.count() && gathered.has(entry->stretch)) {
+        throw Error(fmt::format("{}: {}: already in {}: give each part once", journal, stretches.text(entry->stretch),
+                                in(options.folders[from[entry->stretch]], journal_file)));
+      }
+      gathered.replay(content);
+      if (entry) from[entry->stretch] = i;
+    });
+    bytes += end.whole;
+    if (end.torn != 0) {
+      reading->clear();
+      fmt::print(stderr, "axiscert: {}: its last entry was cut off while it was being written: {} bytes dropped\n",
+                 journal, end.torn);
+    }
+  }
+  reading.reset();
+  if (const auto missing = gathered.missing(); !missing.empty()) {
+    throw Error(
+        fmt::format("{} of the plan's {} units are missing: {}; run their shards with --resume, or name their "
+                    "folders too",
+                    stretches.units() - gathered.units(), stretches.units(), stretches.text(missing, most_parts)));
+  }
+  OutputOptions output;
+  output.out = options.out;
+  output.required = file.options.required;
+  const RunScale scale{file.digest, stretches.count(), stretches.units_each(), gathered.lost_units(), bytes, {}};
+  return put_result({folder, std::nullopt, run_files(plan, std::move(gathered).take(), output, "auto", started, scale)},
+                    output);
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("merge", "Join the shards of a plan into the record of the whole plan");
+  auto options = std::make_shared<MergeOptions>();
+  command->add_option("FOLDER", options->folders, "folders that `run --plan --shard --out` wrote, in any order")
+      ->required();
+  command->add_option("--plan", options->plan, "present path of the plan (default: the first folder's copy of it)");
+  command->add_option("--out", options->out, "folder for record, reports and witnesses")->capture_default_str();
+  add_progress(*command);
+  command->callback([&action, options] { action = [options] { return merge(*options); }; });
+}
+
+namespace {
+
+struct JudgeOptions : OutputOptions, ReplyOptions {};
+
+int judge_replies(const JudgeOptions& options) {
+  std::optional<ProgressLine> reading(std::in_place, "judge: the replies are read", options.quiet);
+  ReplyPlan replies = reply_plan(options);
+  reading.reset();
+  replies.plan.running.threads = threads_of(options.threads);
+  check_required(options.required, replies.plan);
+  return put_result(judge_run(replies.plan, options, replies.plan.running.target), options);
+}
+
+}  // namespace
+
+void add_judge(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "judge", "Judge a program's replies to the queries of `generate --binary` and write a report as `run` does");
+  auto options = std::make_shared<JudgeOptions>();
+  command->add_option("FILE", options->replies, "reply files, one for each precision; - for standard input")
+      ->capture_default_str();
+  add_reply_options(*command, *options);
+  add_output_options(*command, *options);
+  command->callback([&action, options] { action = [options] { return judge_replies(*options); }; });
+}
+
+void add_report(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("report", "Render the reports of a run folder again from its record.json");
+  auto folder = std::make_shared<std::string>(), format = std::make_shared<std::string>("text");
+  command->add_option("DIR", *folder, "the folder that `run --out` wrote")->required();
+  add_format(*command, *format, {"csv"});
+  add_progress(*command);
+  command->callback([&action, folder, format] {
+    action = [folder, format] {
+      {
+        ProgressLine progress("report");
+        render_reports(*folder);
+      }
+      if (*format == "csv") fmt::print("{}", read_bytes(*folder + "/" + record_csv_file));
+      else fmt::print("{}/report.html\n", *folder);
+      return exit_done;
     };
   });
 }

@@ -9,7 +9,7 @@
 #include "cli/options/search_plan.h"
 #include "cli/options/predicate_options.h"
 #include "cli/progress_line.h"
-#include "cli/values.h"
+#include "cli/usage.h"
 #include "cli/running/run_output.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"

@@ -8,12 +8,12 @@
 #include "cli/options/predicate_options.h"
 #include "cli/commands.h"
 #include "cli/progress_line.h"
-#include "cli/values.h"
+#include "cli/usage.h"
 #include "cli/running/shrunk.h"
 #include "fuzz/text/file_bytes.h"
-#include "kernel/base/alike.h"
+#include "kernel/base/text.h"
 #include "kernel/base/error.h"
-#include "fuzz/confirm/finding_record.h"
+#include "fuzz/confirm/record.h"
 #include "fuzz/shrink/pair.h"
 
 namespace axiscert {

@@ -5,7 +5,6 @@
 
 #include <string>
 
-#include "fuzz/queries/address.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/files/query_file.h"
 

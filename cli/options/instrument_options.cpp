@@ -8,11 +8,11 @@
 #include "cli/options/run_options.h"
 #include "cli/options/predicate_options.h"
 #include "cli/progress_line.h"
-#include "cli/values.h"
-#include "fuzz/queries/address.h"
+#include "cli/usage.h"
+#include "fuzz/queries/source.h"
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
-#include "fuzz/confirm/finding_record.h"
+#include "fuzz/confirm/record.h"
 
 namespace axiscert {
 namespace {

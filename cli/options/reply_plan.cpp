@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "cli/values.h"
+#include "cli/usage.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"

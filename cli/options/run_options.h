@@ -1,6 +1,5 @@
 // The options of `axiscert run`, those that it shares with `generate` and `judge`, and the plan that they lead to.
 #pragma once
-
 #include <CLI/CLI.hpp>
 
 #include <cstdint>
@@ -10,10 +9,9 @@
 #include <vector>
 
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/confirm/plan.h"
+#include "fuzz/confirm/record.h"
 
 namespace axiscert {
-
 // The queries.
 struct SourceOptions {
   std::string predicate;  // its id; empty: that of the kernels
@@ -69,5 +67,21 @@ void print_left_out(const std::vector<SourcePtr>& sources, const std::vector<Pre
 int threads_of(int given);
 // Makes the plan: looks up every name and reads every file. Throws Error.
 Plan plan_of(const RunOptions& options);
+
+// Presets of `axiscert run`: plans with a name. A new one is a line in preset.cpp.
+
+std::vector<std::string> preset_names();
+// Sets the options that were not given to the preset's values for a run of this predicate, which may have no corpus.
+// The name is one of preset_names().
+void apply_preset(const std::string& name, const Predicate& predicate, RunOptions& options);
+
+// The options that say what a run has to meet.
+
+// Adds --require and --allow-unchecked.
+void add_require_options(CLI::App& command, RunRequirements& required);
+
+// Throws Error where a level does not exist, is not written as it has to be, or may be left unchecked and is not
+// required; and where a kernel that others are measured against is not among the plan's.
+void check_required(const RunRequirements& required, const Plan& plan);
 
 }  // namespace axiscert

@@ -6,11 +6,11 @@
 
 #include "cli/options/run_options.h"
 #include "cli/options/predicate_options.h"
-#include "fuzz/confirm/finding_record.h"
-#include "fuzz/queries/address.h"
-#include "fuzz/queries/entry_families.h"
+#include "fuzz/confirm/record.h"
+#include "fuzz/queries/source.h"
+#include "fuzz/queries/family.h"
 #include "fuzz/search/method.h"
-#include "kernel/base/alike.h"
+#include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
 

@@ -1,4 +1,4 @@
-#include "cli/running/certify_stages.h"
+#include "cli/running/certify.h"
 
 #include <fmt/format.h>
 
@@ -12,12 +12,12 @@
 #include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/mutation/black_box.h"
 #include "fuzz/text/file_bytes.h"
-#include "reports/certificate/findings/margin.h"
+#include "reports/certificate/margin.h"
 #include "reports/certificate/statement/statement.h"
 #include "reports/gates/gate.h"
-#include "reports/instrument/mutation/black_box_report.h"
-#include "reports/instrument/mutation/mutation_report.h"
-#include "reports/run_folder/parsed_json.h"
+#include "reports/instrument/black_box_report.h"
+#include "reports/instrument/mutation_report.h"
+#include "reports/run_folder/run_folder.h"
 
 namespace axiscert {
 namespace {

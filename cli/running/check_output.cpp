@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "fuzz/confirm/motion_record.h"
-#include "fuzz/files/details.h"
+#include "fuzz/confirm/witness.h"
+#include "fuzz/files/query_object.h"
 #include "fuzz/text/number_text.h"
 
 namespace axiscert {

@@ -6,7 +6,7 @@
 #include "exact/trait/examine.h"
 #include "fuzz/search/confirm.h"
 #include "fuzz/confirm/record.h"
-#include "reports/instrument/query_lines.h"
+#include "reports/instrument/query_data.h"
 
 namespace axiscert {
 

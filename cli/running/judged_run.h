@@ -1,15 +1,24 @@
 // Carries out, judges and reports a plan: what `run` and `judge` do once they know their plan.
 #pragma once
-
 #include <chrono>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/options/run_options.h"
 #include "cli/running/run_output.h"
+#include "fuzz/record/run_info.h"
+#include "kernel/kernel.h"
 #include "reports/gates/ratchet.h"
 
 namespace axiscert {
+// Where kernels are written, for the reports that point at a line of somebody's repository.
+
+// run.json's "sources": by kernel id, the file and line that --source gives, or that a plug-in says of itself; a kernel
+// of which neither is known is left out. `given`: the values of --source, [KERNEL=]FILE:LINE, the last one for a kernel
+// counts. A path inside the present folder is made relative to it. Throws Error for a value that has no line, names a
+// file that is not there, or has no kernel that it could be about.
+SourcePlaces source_places(const std::vector<const Kernel*>& kernels, const std::vector<std::string>& given);
 
 // The contents of record.json and run.json.
 struct RunFiles {

@@ -7,18 +7,34 @@
 #include <sstream>
 
 #include "cli/commands.h"
-#include "cli/options/source_place.h"
-#include "cli/values.h"
-#include "cli/running/judged_run.h"
 #include "cli/progress_line.h"
-#include "cli/running/recheck.h"
+#include "cli/running/judged_run.h"
 #include "cli/running/run_output.h"
-#include "fuzz/text/file_bytes.h"
+#include "cli/usage.h"
 #include "fuzz/campaign/parts/distribute.h"
+#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
 
 namespace axiscert {
+void run_stretches(const Plan& plan, const Stretches& stretches, const std::vector<std::uint64_t>& numbers,
+                   const std::atomic<bool>& interrupted, const ShowProgress& show,
+                   const std::function<void(const Entry&)>& done) {
+  Crew crew(plan.running.threads, [&](Task task) { return encode(run_stretch(plan, stretches, task)); });
+  Distributor distributor(crew, nullptr);
+  ProgressCount count(show, numbers.size());
+  auto next = numbers.begin();
+  distributor.run({[&]() -> std::optional<Task> {
+                     return next == numbers.end() || interrupted ? std::nullopt : std::optional<Task>(*next++);
+                   },
+                   [&] { return static_cast<std::uint64_t>(numbers.end() - next); },
+                   [&](const TaskResult& result) {
+                     const Entry entry = decode_entry(result.bytes);
+                     done(entry);
+                     count.finish_unit(stretches.at(entry.stretch).queries);
+                   }});
+}
+
 namespace {
 
 namespace fs = std::filesystem;

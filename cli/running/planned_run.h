@@ -1,12 +1,26 @@
 // Runs a plan file: by one process or by the ranks of an MPI job, whole or a shard of it, with a journal of what is
 // finished.
 #pragma once
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include "cli/options/plan_file.h"
+#include "fuzz/campaign/parts/distribute.h"
 #include "fuzz/campaign/parts/gathered.h"
 #include "fuzz/campaign/parts/journal.h"
+#include "fuzz/campaign/parts/stretch.h"
+#include "fuzz/campaign/progress.h"
 
 namespace axiscert {
+// Stretches of a plan, run by the threads of this process.
+
+// Runs these stretches on the plan's threads and hands each to `done`, in any order, from this thread; begins no other
+// once `interrupted`. Throws what judging throws.
+void run_stretches(const Plan& plan, const Stretches& stretches, const std::vector<std::uint64_t>& numbers,
+                   const std::atomic<bool>& interrupted, const ShowProgress& show,
+                   const std::function<void(const Entry&)>& done);
 
 struct PlannedOptions {
   std::string plan;               // file; empty: not a planned run
@@ -33,5 +47,26 @@ using Selection = std::function<bool(std::uint64_t)>;
 void add_planned_options(CLI::App& command, PlannedOptions& options);
 // Uses from `run` the folder, threads, target and --exact-only. Returns an ExitCode.
 int run_planned(const PlannedOptions& options, const RunOptions& run);
+
+// `run --recheck`: repeats a sample of the stretches that are finished by the journal, on another target or by another
+// build.
+
+// A task of a planned run's crew: a stretch, and whether it is repeated on the other target.
+constexpr Task task_of(std::uint64_t stretch, bool is_again) { return stretch * 2 + (is_again ? 1 : 0); }
+constexpr std::uint64_t stretch_of(Task task) { return task / 2; }
+constexpr bool is_again(Task task) { return task % 2 != 0; }
+
+// The instruction set of the repetition.
+std::string recheck_target(const PlannedOptions& options, const std::string& first);
+
+struct RecheckedRun {
+  const std::vector<const Kernel*>& kernels;
+  const RunningOptions& on;
+  const Stretches& stretches;
+  std::string journal;
+  const OutputOptions& output;
+};
+// Prints what was compared; throws HarnessFault where something differs.
+void recheck(const PlannedOptions& options, const PlanFile& file, const RecheckedRun& run, Distributor& distributor);
 
 }  // namespace axiscert

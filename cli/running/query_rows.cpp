@@ -3,12 +3,10 @@
 #include <algorithm>
 
 #include "cli/running/check_output.h"
-#include "fuzz/confirm/motion_record.h"
+#include "fuzz/confirm/witness.h"
 #include "fuzz/confirm/record.h"
-#include "fuzz/files/details.h"
+#include "fuzz/files/query_object.h"
 #include "fuzz/queries/capabilities.h"
-#include "fuzz/queries/input_classes.h"
-#include "fuzz/queries/nearest_features.h"
 #include "fuzz/text/number_text.h"
 
 namespace axiscert {

@@ -9,8 +9,8 @@
 
 #include "cli/options/address_query.h"
 #include "exact/trait/examine.h"
-#include "reports/instrument/query_row.h"
-#include "reports/instrument/csv.h"
+#include "reports/instrument/query_data.h"
+#include "reports/instrument/data.h"
 
 namespace axiscert {
 

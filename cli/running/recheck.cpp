@@ -1,4 +1,4 @@
-#include "cli/running/recheck.h"
+#include "cli/running/planned_run.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"
-#include "fuzz/campaign/parts/recheck.h"
+#include "fuzz/campaign/parts/gathered.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

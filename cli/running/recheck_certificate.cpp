@@ -1,5 +1,3 @@
-#include "cli/running/recheck_certificate.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,28 +6,60 @@
 #include <set>
 #include <span>
 
-#include "cli/options/certified_plan.h"
+#include "cli/options/plan_file.h"
 #include "cli/progress_line.h"
+#include "cli/running/planned_run.h"
 #include "cli/running/run_output.h"
-#include "cli/running/stated_entries.h"
-#include "cli/running/stretch_crew.h"
-#include "fuzz/fields/merge.h"
+#include "cli/running/verify.h"
 #include "fuzz/campaign/parts/gathered.h"
-#include "fuzz/campaign/parts/recheck.h"
-#include "fuzz/confirm/finding_record.h"
+#include "fuzz/campaign/parts/stretch.h"
 #include "fuzz/confirm/record.h"
+#include "fuzz/fields/merge.h"
 #include "fuzz/queries/image_groups.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sha256.h"
 #include "kernel/base/version.h"
 #include "kernel/registry/self_check.h"
-#include "reports/certificate/derived/counts.h"
-#include "reports/certificate/derived/derived.h"
+#include "reports/certificate/derived.h"
+#include "reports/certificate/materials.h"
 #include "reports/certificate/statement/canonical.h"
 #include "reports/certificate/statement/statement.h"
 
 namespace axiscert {
+std::vector<std::string> declared_differences(const KernelMaterial& stated, const std::vector<FileInfo>& plugins,
+                                              const Kernel& kernel, Precision precision) {
+  std::vector<std::string> differences;
+  const Json entry = without_fractions(json_of(kernel_record(plugins, kernel, precision)));
+  for (const auto& [member, here] : entry.items()) {
+    const bool is_elsewhere =
+        member == "id" || member == "precision" || member == "families" || member == "critical_radius";
+    const Json* found = stated.declared.find(member);
+    const Json said = found ? *found : Json();
+    if (is_elsewhere || canonical_json(said) == canonical_json(here)) continue;
+    differences.push_back(fmt::format("{} in {} is stated with another {}: here {}, in it {}", kernel.id,
+                                      name(precision), member, here.dump(), axiscert::shown(said.dump())));
+  }
+  return differences;
+}
+
+std::vector<std::string> triangle_differences(const CertificatePredicate& predicate, const Questions& questions) {
+  std::vector<std::string> differences;
+  const CampaignResult all = planned(questions);
+  for (const CellResult& cell : all.cells) {
+    const Source& source = *questions.sources[cell.source];
+    const std::uint64_t triangles = source.base_triangles(cell.precision, cell.queries);
+    for (const KernelMaterial& entry : predicate.materials.kernels) {
+      const FamilyMaterial* family = entry.families.find(source.name());
+      if (entry.precision != cell.precision || family == nullptr || family->base_triangles == triangles) continue;
+      const std::string& id = entry.id == portable_id ? predicate.kernel.id : entry.id;
+      differences.push_back(fmt::format("{} in {} on {} is stated with another base_triangles: here {}",
+                                        axiscert::shown(id), name(cell.precision), source.name(), triangles));
+    }
+  }
+  return differences;
+}
+
 namespace {
 
 // The claim of the replies, as the certificate has it: reply_plan holds it to what they are.

@@ -6,23 +6,34 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include "cli/commands.h"
-#include "cli/running/terminal.h"
 #include "fuzz/files/query_file.h"
 #include "kernel/base/error.h"
-#include "reports/evidence/evidence.h"
-#include "reports/wording/aligned_table.h"
-#include "reports/wording/depths.h"
+#include "reports/instrument/instrument.h"
 #include "reports/wording/classes.h"
-#include "reports/wording/finding.h"
-#include "reports/wording/motion.h"
+#include "reports/wording/depths.h"
+#include "reports/wording/evidence.h"
 #include "reports/wording/reproduce.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
+bool output_has_colour() {
+  const char *no_colour = std::getenv("NO_COLOR"), *terminal = std::getenv("TERM");
+  if (no_colour != nullptr && *no_colour != '\0') return false;
+  return isatty(STDOUT_FILENO) != 0 && terminal != nullptr && std::string_view(terminal) != "dumb";
+}
+
+std::string coloured(const std::string& text, TextColour colour) {
+  if (text.empty() || !output_has_colour()) return text;
+  const int code = colour == TextColour::red ? 31 : colour == TextColour::yellow ? 33 : 32;
+  const bool has_end = text.back() == '\n';
+  return fmt::format("\x1b[{}m{}\x1b[0m{}", code, text.substr(0, text.size() - has_end), has_end ? "\n" : "");
+}
 
 OutputFolder::OutputFolder(const std::string& path) : path_(path) {
   std::error_code problem;

@@ -1,18 +1,25 @@
 // The output of `axiscert run`: the run folder, the summary.
 #pragma once
-
 #include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
 
-#include "exact/judge/truth.h"
+#include "exact/judge/judge.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/record/record.h"
 
 namespace axiscert {
+// Output that depends on whether a person sees it: colour.
+
+enum class TextColour { red, yellow, green };
+
+// Whether standard output is a terminal that shows colours, and NO_COLOR is not set to any value.
+bool output_has_colour();
+// The text in that colour where output_has_colour(), otherwise unchanged. A line end stays outside the colour.
+std::string coloured(const std::string& text, TextColour colour);
 
 // The folder of a run. It is created, and checked to be writable, before anything runs; a file appears in it whole or
 // not at all.

@@ -8,7 +8,7 @@
 #include "fuzz/record/record.h"
 #include "fuzz/shrink/pair.h"
 #include "fuzz/shrink/shrink.h"
-#include "reports/instrument/query_lines.h"
+#include "reports/instrument/query_data.h"
 
 namespace axiscert {
 

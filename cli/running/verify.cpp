@@ -7,21 +7,17 @@
 #include <filesystem>
 
 #include "cli/commands.h"
-#include "cli/options/certified_plan.h"
-#include "cli/running/recheck_certificate.h"
-#include "cli/running/stated_entries.h"
-#include "fuzz/queries/address.h"
+#include "cli/options/plan_file.h"
+#include "fuzz/queries/source.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/base/version.h"
 #include "kernel/plugin/load.h"
-#include "reports/certificate/certificate.h"
-#include "reports/certificate/derived/derived.h"
-#include "reports/certificate/derived/reduced.h"
-#include "reports/certificate/findings/asked_words.h"
-#include "reports/certificate/statement/canonical.h"
 #include "reports/certificate/statement/statement.h"
-#include "reports/gates/levels/level.h"
+#include "reports/certificate/derived.h"
+#include "reports/certificate/page.h"
+#include "reports/certificate/statement/canonical.h"
+#include "reports/gates/level.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {

@@ -10,7 +10,7 @@
 #include "cli/running/run_output.h"
 #include "fuzz/campaign/supervised_testing.h"
 #include "kernel/base/temporary_folder.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

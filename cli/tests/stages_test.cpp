@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cli/options/search_plan.h"
-#include "cli/running/certify_stages.h"
+#include "cli/running/certify.h"
 #include "kernel/base/error.h"
 #include "kernel/base/temporary_folder.h"
 

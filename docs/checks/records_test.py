@@ -5,7 +5,7 @@
     docs/proofs.md    bounds and thresholds: proofs/coq/formulae/Thresholds.v, kernel/sphere_triangle/certified_filter/thresholds.h; theorems named
                       beside the steps of the certified predicate: proofs/theorems.txt
                       how many faults ./dev prove --planted has: proofs/faults.py
-    docs/bounds.md    bounds: proofs/bounds.cpp, which Gappa proves; errors attained: proofs/attained.h, and these those of docs/search.md
+    docs/bounds.md    bounds: proofs/bounds.cpp, which Gappa proves; errors attained: proofs/bounds.h, and these those of docs/search.md
     CITATION.cff, CHANGELOG.md, docs/ci.md, docs/pipe.md    the version: CMakeLists.txt
     docs/moving.md    what strict sides and headings get wrong: exact/moving_sphere/twenty_axes_test.cpp
 """
@@ -63,7 +63,7 @@ def thresholds_rows():
 
 def bounds_rows():
     """The rows of docs/bounds.md: bounds of the scaled domain in u / 16, plain and fused, and what a search attained."""
-    source, attained = text_of("proofs/bounds.cpp"), text_of("proofs/attained.h")
+    source, attained = text_of("proofs/bounds.cpp"), text_of("proofs/bounds.h")
     rows = []
     for name in ("vertex radius", "vertex side", "plane radius", "published edge radius", "published edge side", "reduced edge radius", "reduced edge side"):
         form, kind = (name.split(" ", 1) if name.startswith(("published", "reduced")) else ("published", name))
@@ -108,7 +108,7 @@ class Records(unittest.TestCase):
         found = dict(re.findall(r"^  ([\w.]+) +([\d.,]+) ", text_of("docs/search.md"), re.M))
         for name, kind in (("plane.radius", "plane_radius"), ("vertex_a.radius", "vertex_radius"), ("vertex_a.side_b", "vertex_side"),
                            ("edge_ab.radius", "edge_radius"), ("edge_ab.side_c", "edge_side")):
-            (greatest,) = re.findall(rf'\{{"published", Kind::{kind}, ([\d.]+),', text_of("proofs/attained.h"))
+            (greatest,) = re.findall(rf'\{{"published", Kind::{kind}, ([\d.]+),', text_of("proofs/bounds.h"))
             self.assertEqual(f"{float(greatest):.4g}", found[name].replace(",", ""), name)
 
     def test_configurations_that_strict_sides_or_headings_get_wrong(self):

@@ -9,9 +9,9 @@
 #include <random>
 #include <string>
 
-#include "exact/boxes/box_measures.h"
+#include "exact/boxes/measures.h"
 #include "exact/boxes/clipping.h"
-#include "exact/trait/exact_number.h"
+#include "exact/trait/trait.h"
 #include "kernel/boxes/thirteen.h"
 
 namespace axiscert::boxes {

@@ -1,12 +1,43 @@
 // A second way to the truth about two boxes: the edges of each, clipped by the other. It shares nothing with the
 // nearest points or with the fifteen axes but the query's numbers.
 #pragma once
+#include <CGAL/Mpzf.h>
 
-#include "exact/trait/dyadic_number.h"
+#include <utility>
+
 #include "kernel/boxes/thirteen.h"
 
-namespace axiscert::boxes {
+namespace axiscert {
+// A number of finitely many binary digits by CGAL, as a number type of the formulae (kernel/formulae_kernel.h): what
+// finite floats become by +, - and *. exact/numbers/binary_number.h is another one for the same purpose, in which the
+// formulae are evaluated: what is computed in one of them checks what is computed in the other.
 
+struct DyadicNumber {
+  CGAL::Mpzf value;
+
+  DyadicNumber() = default;
+  explicit DyadicNumber(double x) : value(x) {}  // finite
+  explicit DyadicNumber(CGAL::Mpzf x) : value(std::move(x)) {}
+
+  friend DyadicNumber operator+(const DyadicNumber& a, const DyadicNumber& b) {
+    return DyadicNumber(a.value + b.value);
+  }
+  friend DyadicNumber operator-(const DyadicNumber& a, const DyadicNumber& b) {
+    return DyadicNumber(a.value - b.value);
+  }
+  friend DyadicNumber operator*(const DyadicNumber& a, const DyadicNumber& b) {
+    return DyadicNumber(a.value * b.value);
+  }
+  friend DyadicNumber magnitude(const DyadicNumber& a) {
+    return DyadicNumber(a.value.sign() == CGAL::NEGATIVE ? -a.value : a.value);
+  }
+  friend bool operator>(const DyadicNumber& a, const DyadicNumber& b) { return a.value > b.value; }
+  friend bool operator>=(const DyadicNumber& a, const DyadicNumber& b) { return !(a.value < b.value); }
+};
+
+}  // namespace axiscert
+
+namespace axiscert::boxes {
 struct Common {
   bool meets;           // the boxes have a point in common
   bool interiors_meet;  // and no small translation parts them

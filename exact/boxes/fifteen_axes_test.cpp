@@ -2,7 +2,7 @@
 // boxes' own vectors and whole projections, they are right; and what each shorter form gets wrong, at which rate. The
 // long tests hold the rows of docs/boxes.md.
 #include "exact/boxes/boxes_testing.h"
-#include "kernel/boxes/epsilon.h"
+#include "kernel/boxes/textbook.h"
 #include "kernel/boxes/projected.h"
 #include "kernel/boxes/turned.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "exact/boxes/boxes_testing.h"
-#include "kernel/boxes/epsilon.h"
+#include "kernel/boxes/textbook.h"
 #include "kernel/boxes/projected.h"
 #include "kernel/boxes/turned.h"
 

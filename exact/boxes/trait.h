@@ -7,12 +7,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "exact/boxes/box_measures.h"
-#include "exact/boxes/clipped_truth.h"
-#include "exact/boxes/why_invalid.h"
+#include "exact/boxes/measures.h"
+#include "exact/boxes/truth.h"
 #include "exact/trait/oracles.h"
 #include "exact/trait/trait.h"
-#include "kernel/boxes/epsilon.h"
+#include "kernel/boxes/textbook.h"
 #include "kernel/boxes/projected.h"
 #include "kernel/boxes/slips.h"
 

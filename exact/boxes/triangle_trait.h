@@ -6,9 +6,8 @@
 
 #include <array>
 
-#include "exact/boxes/clipped_truth.h"
-#include "exact/boxes/exact_triangle.h"
-#include "exact/boxes/why_invalid.h"
+#include "exact/boxes/truth.h"
+#include "exact/boxes/measures.h"
 #include "exact/trait/oracles.h"
 #include "exact/trait/trait.h"
 #include "kernel/boxes/akenine_moller.h"

@@ -1,18 +1,40 @@
 // The judge: compares a kernel's answer to one query with the truth and attributes each difference to a link of the
 // chain.
 #pragma once
-
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "exact/judge/truth.h"
-#include "kernel/base/bits.h"
-#include "kernel/base/enum_set.h"
+#include "kernel/base/enums.h"
+#include "kernel/base/error.h"
 #include "kernel/outcome.h"
 #include "kernel/predicate.h"
+#include "kernel/query.h"
 
 namespace axiscert {
+// The truth about one query, as far as the judge needs it, and the error that ends a run when two oracles differ.
+
+struct Truth {
+  Verdict verdict;  // separated, contact (touching included) or invalid
+  bool touching;    // distance exactly r
+};
+
+// Two oracles differ, or one contradicts the theorem. Carries the query so that it can be saved (a float widens
+// exactly): the numbers of this entry of `of`.
+struct OracleDisagreement : HarnessFault {
+  template <class Real>
+  OracleDisagreement(const std::string& what, const Numbers<Real>& q, const Predicate& of, std::size_t of_entry = 0)
+      : HarnessFault("the oracles disagree: " + what),
+        predicate(&of),
+        entry(of_entry),
+        precision(precision_of<Real>),
+        query(q.begin(), q.end()) {}
+  const Predicate* predicate;
+  std::size_t entry;
+  Precision precision;
+  std::vector<double> query;
+};
 
 // The links of the chain G -> E -> R-infinity -> R -> K, and `unattributed` for a kernel without a reference.
 enum class Link : std::uint8_t { specification, rounding, range, implementation, unattributed };

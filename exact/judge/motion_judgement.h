@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
-#include "exact/numbers/decimal6.h"
-#include "kernel/base/enum_array.h"
+#include "exact/numbers/rational.h"
+#include "kernel/base/enums.h"
 
 namespace axiscert {
 

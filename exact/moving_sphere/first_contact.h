@@ -1,9 +1,9 @@
 // The first time at which a moving sphere touches a triangle, exactly, and what it touches then.
 #pragma once
-
 #include <optional>
 
-#include "exact/moving_sphere/pieces.h"
+#include "exact/judge/motion_judgement.h"
+#include "exact/moving_sphere/motion_distance.h"
 
 namespace axiscert::moving_sphere {
 
@@ -52,5 +52,27 @@ bool is_promised(const MotionPolicy& policy, const GivenMotion& q);
 // The greatest number of the precision that is not greater than t, for t in [0, 1]: the best time that is not late.
 template <class Real>
 Real rounded_down(const RootTime& t);
+
+}  // namespace axiscert::moving_sphere
+
+namespace axiscert::moving_sphere {
+// Sizes of what a kernel's measures are wrong by. They are rounded to be shown; what is decided is decided elsewhere.
+
+// Not above sqrt(q), and relatively less than 2^-250 below it; q >= 0.
+Rational root_below(const Rational& q);
+
+// |t - s|, and t >= 0 itself, relatively to 2^-250: nothing cancels.
+Rational apart(const RootTime& t, const Rational& s);
+inline Rational approximate(const RootTime& t) { return apart(t, 0); }
+
+// The tunnel of a motion whose least squared distance is given, at most r^2.
+Tunnel tunnel_of(const Rational& r, const Rational& least_squared);
+
+// The angle between two vectors in radians, rounded to the nearest binary64 from its sine; pi where one is zero.
+double angle_between(const portable::Vec3<Rational>& a, const portable::Vec3<Rational>& b);
+
+// The square of the scene's extent: the greatest of r and the distances of the prism's corners, A to C' = C - D, from
+// P.
+Rational squared_scene(const GivenMotion& q);
 
 }  // namespace axiscert::moving_sphere

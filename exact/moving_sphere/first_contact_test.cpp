@@ -6,9 +6,8 @@
 
 #include <cmath>
 
-#include "exact/moving_sphere/least_distance.h"
+#include "exact/moving_sphere/motion_distance.h"
 #include "exact/moving_sphere/moving_sphere_testing.h"
-#include "exact/moving_sphere/swept_distance.h"
 
 namespace axiscert::moving_sphere {
 namespace {

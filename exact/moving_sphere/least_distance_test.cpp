@@ -1,5 +1,5 @@
 // The least distance of a motion: by hand, and by two ways that share nothing.
-#include "exact/moving_sphere/least_distance.h"
+#include "exact/moving_sphere/motion_distance.h"
 
 #include <gtest/gtest.h>
 

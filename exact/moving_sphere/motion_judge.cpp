@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/moving_sphere/sizes.h"
+#include "exact/moving_sphere/first_contact.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "kernel/moving_sphere/names.h"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "exact/moving_sphere/sizes.h"
+#include "exact/moving_sphere/first_contact.h"
 
 namespace axiscert::moving_sphere {
 namespace {

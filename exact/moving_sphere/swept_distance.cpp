@@ -1,4 +1,4 @@
-#include "exact/moving_sphere/swept_distance.h"
+#include "exact/moving_sphere/motion_distance.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Mpzf.h>

@@ -8,10 +8,8 @@
 #include <cmath>
 
 #include "exact/moving_sphere/first_contact.h"
-#include "exact/moving_sphere/least_distance.h"
+#include "exact/moving_sphere/motion_distance.h"
 #include "exact/moving_sphere/motion_judge.h"
-#include "exact/moving_sphere/sizes.h"
-#include "exact/moving_sphere/swept_distance.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/measures/input_class.h"
 #include "exact/trait/oracles.h"

@@ -11,7 +11,7 @@ namespace axiscert {
 
 // Sign and magnitude: the words, least significant first, times 2^(64 exponent). Neither the first word nor the last is
 // 0, so a number has one form; 0 has no words. It shares nothing with CGAL's type of the same purpose
-// (exact/trait/dyadic_number.h), so that each checks the other.
+// (exact/boxes/clipping.h), so that each checks the other.
 class BinaryNumber {
   static_assert(GMP_NUMB_BITS == 64);
 

@@ -1,8 +1,8 @@
 // A floating-point number of any precision up to 256 bits, chosen at run time for the duration of a scope.
 #pragma once
-
 #include <mpfr.h>
 
+#include <cfenv>
 #include <limits>
 #include <optional>
 
@@ -10,7 +10,6 @@
 #include "kernel/names.h"
 
 namespace axiscert {
-
 // The rounding of the operations in a scope: to `precision` bits, with the exponent range of a format or an unbounded
 // one.
 struct FloatingFormat {
@@ -83,5 +82,26 @@ class Floating {
 Floating fused(const Floating& a, const Floating& b, const Floating& c);
 Floating square_root(const Floating& a);
 Floating magnitude(const Floating& a);
+
+// Whether an evaluation stays in its format's range.
+
+struct BitsInRange {
+  ComparisonBits bits;
+  // No operation that the bits depend on overflowed, underflowed or was invalid: every result was rounded in the normal
+  // range or exact, so that the same operations with an unbounded exponent have the same bits.
+  bool stayed;
+};
+
+// The processor's flags tell. `evaluate` has to read its operands from memory that others can reach, which keeps its
+// operations between the two barriers.
+template <class Evaluate>
+BitsInRange bits_in_range(Evaluate&& evaluate) {
+  constexpr int events = FE_OVERFLOW | FE_UNDERFLOW | FE_DIVBYZERO | FE_INVALID;
+  std::feclearexcept(events);
+  asm volatile("" ::: "memory");
+  ComparisonBits bits = evaluate();
+  asm volatile("" : "+r"(bits)::"memory");
+  return {bits, std::fetestexcept(events) == 0};
+}
 
 }  // namespace axiscert

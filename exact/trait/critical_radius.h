@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "exact/numbers/decimal6.h"
 #include "exact/numbers/rational.h"
 #include "kernel/kernel.h"
 

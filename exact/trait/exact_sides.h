@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "exact/numbers/binary_fraction.h"
-#include "kernel/base/bits.h"
+#include "kernel/base/enums.h"
 #include "kernel/names.h"
 
 namespace axiscert {

@@ -9,10 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "exact/judge/depth_of.h"
+#include "exact/judge/depth.h"
 #include "exact/judge/judge.h"
 #include "exact/judge/motion_judgement.h"
-#include "exact/numbers/exact_depth.h"
 #include "exact/numbers/rational.h"
 #include "exact/trait/batch_oracle.h"
 #include "exact/trait/exact_sides.h"

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "exact/numbers/floating.h"
-#include "exact/numbers/range_events.h"
 #include "exact/trait/oracles.h"
 #include "exact/trait/trait.h"
 #include "kernel/base/error.h"

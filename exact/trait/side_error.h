@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "exact/numbers/decimal6.h"
+#include "exact/numbers/rational.h"
 #include "exact/trait/exact_sides.h"
 
 namespace axiscert {

@@ -2,19 +2,44 @@
 // predicate's own type of kernel/ (kernel/formulae_kernel.h) and adds geometry; exact/trait/oracles_of.h makes oracles
 // of it.
 #pragma once
-
 #include <concepts>
 #include <optional>
 #include <string>
 
-#include "exact/judge/truth.h"
+#include "exact/judge/judge.h"
 #include "exact/numbers/rational.h"
-#include "exact/trait/exact_number.h"
-#include "kernel/motion_policy.h"
 #include "kernel/formulae_kernel.h"
+#include "kernel/kernel.h"
 #include "kernel/predicate.h"
 
 namespace axiscert {
+// A rational as a number type of the formulae (kernel/formulae_kernel.h). Every result is a number of this type, and
+// not an expression of GMP's that refers to its operands.
+
+struct ExactNumber {
+  Rational value;
+
+  ExactNumber() = default;
+  explicit ExactNumber(double x) : value(x) {}  // finite
+  explicit ExactNumber(Rational x) : value(std::move(x)) {}
+
+  const Rational& rational() const { return value; }
+
+  friend ExactNumber operator+(const ExactNumber& a, const ExactNumber& b) { return of(a.value + b.value); }
+  friend ExactNumber operator-(const ExactNumber& a, const ExactNumber& b) { return of(a.value - b.value); }
+  friend ExactNumber operator*(const ExactNumber& a, const ExactNumber& b) { return of(a.value * b.value); }
+  // For formulae that divide in a stated place; b is not 0.
+  friend ExactNumber operator/(const ExactNumber& a, const ExactNumber& b) { return of(a.value / b.value); }
+  friend ExactNumber magnitude(const ExactNumber& a) { return of(abs(a.value)); }
+  friend bool operator>(const ExactNumber& a, const ExactNumber& b) { return a.value > b.value; }
+  friend bool operator>=(const ExactNumber& a, const ExactNumber& b) { return a.value >= b.value; }
+
+ private:
+  template <class Expression>
+  static ExactNumber of(const Expression& x) {
+    return ExactNumber(Rational(x));
+  }
+};
 
 // `numbers` are doubles, to which floats widen exactly, in the order of the columns of the trait's entry; all but
 // is_valid() are asked about valid queries alone.

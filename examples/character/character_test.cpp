@@ -10,7 +10,7 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "kernel/base/sha256.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::character {
 namespace {

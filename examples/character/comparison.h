@@ -1,11 +1,11 @@
 // A kernel's answers on a walk that it did not steer, compared with the certified answers.
 #pragma once
+#include <span>
 
 #include "examples/character/walk.h"
 #include "kernel/kernel.h"
 
 namespace axiscert::character {
-
 // Counts of the walk itself, by moment.
 struct WalkCounts {
   std::uint64_t spheres = 0, triangles = 0, contacts = 0;
@@ -51,5 +51,9 @@ struct Comparison {
 // Compares the kernel with the walk. CGAL's exact distance confirms each wrong answer; throws HarnessFault where it
 // does not.
 Comparison compared(const Ground& ground, const Walk& walk, const Kernel& kernel);
+
+// The walk and the comparisons as text.
+
+std::string table(const Ground& ground, const Walk& walk, std::span<const Comparison> comparisons);
 
 }  // namespace axiscert::character

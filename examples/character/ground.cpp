@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "exact/sphere_triangle/oracles/area.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
 
 namespace axiscert::character {
 namespace {

@@ -11,12 +11,11 @@
 #include "examples/character/picture.h"
 #include "examples/character/sweeps/command.h"
 #include "examples/character/sweeps/journey.h"
-#include "examples/character/table.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::character {
 namespace {

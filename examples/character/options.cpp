@@ -6,11 +6,11 @@
 #include <cerrno>
 #include <cstring>
 
-#include "fuzz/confirm/finding_record.h"
+#include "fuzz/confirm/record.h"
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::character {
 namespace {

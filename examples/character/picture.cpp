@@ -8,8 +8,6 @@
 #include <set>
 #include <tuple>
 
-#include "examples/character/projection.h"
-
 namespace axiscert::character {
 namespace {
 

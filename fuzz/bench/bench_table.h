@@ -11,7 +11,7 @@
 
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/source.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

@@ -8,7 +8,7 @@
 #include "exact/sphere_triangle/measures/nearest_root.h"
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
 #include "fuzz/queries/family.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

@@ -8,7 +8,6 @@
 #include "fuzz/queries/random.h"
 #include "fuzz/queries/source.h"
 #include "kernel/sphere_triangle/query.h"
-#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {

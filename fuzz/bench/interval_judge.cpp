@@ -1,7 +1,7 @@
 // The only source of the benchmark that computes in another rounding direction; it is built with -frounding-math.
 #include <CGAL/Interval_nt.h>
 
-#include "exact/sphere_triangle/oracles/formula_oracle.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/bench/naive_judges.h"
 
 namespace axiscert {

@@ -7,7 +7,6 @@
 
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/query.h"
-#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {

@@ -5,7 +5,7 @@
 #include "fuzz/campaign/parts/journal.h"
 #include "fuzz/campaign/parts/stretch_testing.h"
 #include "kernel/base/temporary_folder.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

@@ -13,12 +13,26 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "exact/sphere_triangle/oracles/formula_oracle.h"
+#include "exact/sphere_triangle/oracles/cgal_distance.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/bench/bench_table.h"
-#include "fuzz/campaign/build_info.h"
 #include "fuzz/bench/naive_judges.h"
-#include "fuzz/campaign/thread_seconds.h"
-#include "fuzz/campaign/unit.h"
+#include "fuzz/campaign/campaign.h"
+#include "fuzz/campaign/machine.h"
+
+namespace axiscert {
+template <class Real>
+std::uint64_t separated_by_distance(const std::vector<Query<Real>>& queries) {
+  std::uint64_t separated = 0;
+  for (const Query<Real>& q : queries) {
+    if (is_valid(q)) separated += cgal_squared_distance(q) > cgal_squared_radius(q);
+  }
+  return separated;
+}
+template std::uint64_t separated_by_distance<float>(const std::vector<Query<float>>&);
+template std::uint64_t separated_by_distance<double>(const std::vector<Query<double>>&);
+
+}  // namespace axiscert
 
 namespace axiscert {
 namespace {

@@ -1,10 +1,99 @@
-#include "fuzz/queries/capabilities.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 #include "fuzz/boxes/families/situations.h"
-#include "fuzz/boxes/mesh_voxel.h"
-#include "fuzz/diagnosis/scenes/scenes.h"
+#include "fuzz/diagnosis/scenes.h"
+#include "fuzz/meshes/mesh.h"
+#include "fuzz/queries/capabilities.h"
+#include "fuzz/sphere_triangle/mesh_queries.h"
+#include "kernel/boxes/box_triangle.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
+// The cells of a grid about the triangles of a mesh.
+
+// Queries of a box and a triangle by two corners (entry `minmax`): at each position the triangle that
+// fill_mesh_queries() has there, and the cell of a grid in which a point of it is, or one beside that; `cells` names
+// the stream of the cells. Their sides are powers of two, a quarter to eight times the triangle's longest side along an
+// axis. Every number is finite.
+template <class Real>
+void fill_mesh_voxels(const Mesh& mesh, const StreamName& placed, const StreamName& cells, std::uint64_t first,
+                      const MutableColumns<Real>& out);
+
+extern const MeshQueries box_triangle_mesh;
+
+// The triangles of a mesh against the cells of a grid, as a voxelizer asks. Floors, sums, products and powers of two
+// alone.
+
+namespace mesh_voxel {
+namespace {
+
+// 2^k: from a quarter of the triangle's longest side along an axis to eight times it; 1 where the triangle is a point.
+double cell_of(Stream& random, const std::array<Vec3<double>, 3>& corner) {
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3<double> side = corner[(k + 1) % 3] - corner[k];
+    for (const double x : {side.x, side.y, side.z}) longest = std::max(longest, std::fabs(x));
+  }
+  const auto finer = static_cast<int>(random.integer(-2, 3));
+  const int exponent = longest > 0 && std::isfinite(longest) ? std::ilogb(longest) : 0;
+  return std::ldexp(1.0, std::clamp(exponent + finer, -100, 100));
+}
+
+// The number of the cell in which x is, or of one beside it.
+double number_of(Stream& random, double x, double cell) {
+  return std::floor(x / cell) + static_cast<double>(random.integer(-1, 1));
+}
+
+template <class Real>
+Numbers<Real> query_of(Stream& random, const std::array<Vec3<Real>, 3>& corner) {
+  std::array<Vec3<double>, 3> v;
+  for (std::size_t k = 0; k < 3; ++k) {
+    v[k] = {static_cast<double>(corner[k].x), static_cast<double>(corner[k].y), static_cast<double>(corner[k].z)};
+  }
+  const double cell = cell_of(random, v), s = random.unit<double>(), t = random.unit<double>();
+  const bool is_beyond = s + t > 1;
+  const Vec3<double> at = v[0] + (v[1] - v[0]) * (is_beyond ? 1 - s : s) + (v[2] - v[0]) * (is_beyond ? 1 - t : t);
+  const double x = number_of(random, at.x, cell), y = number_of(random, at.y, cell), z = number_of(random, at.z, cell);
+  const auto finite = [](double number) {
+    constexpr auto most = static_cast<double>(std::numeric_limits<Real>::max());
+    return static_cast<Real>(std::clamp(number, -most, most));
+  };
+  const auto corner_at = [&](double by) {
+    return Vec3<Real>{finite((x + by) * cell), finite((y + by) * cell), finite((z + by) * cell)};
+  };
+  return boxes::numbers_of(boxes::CornersAndTriangle<Real>{corner_at(0), corner_at(1), corner});
+}
+
+}  // namespace
+}  // namespace mesh_voxel
+
+template <class Real>
+void fill_mesh_voxels(const Mesh& mesh, const StreamName& placed, const StreamName& cells, std::uint64_t first,
+                      const MutableColumns<Real>& out) {
+  constexpr std::size_t block = 512;
+  QueryBatch<Real> places(std::min(block, out.size), coordinate_count);
+  for (std::size_t begin = 0; begin < out.size; begin += block) {
+    places.resize(std::min(block, out.size - begin));
+    fill_mesh_queries(mesh, placed, first + begin, places.mutable_columns());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      Stream random(cells, first + begin + i);
+      const Query<Real> q = places[i];
+      out.set(begin + i, mesh_voxel::query_of<Real>(random, {q.a, q.b, q.c}));
+    }
+  }
+}
+template void fill_mesh_voxels<float>(const Mesh&, const StreamName&, const StreamName&, std::uint64_t,
+                                      const MutableColumns<float>&);
+template void fill_mesh_voxels<double>(const Mesh&, const StreamName&, const StreamName&, std::uint64_t,
+                                       const MutableColumns<double>&);
+
+extern const MeshQueries box_triangle_mesh = {"a real mesh's triangles against the cells of a grid", 1,
+                                              boxes::MinmaxEntry::entry, fill_mesh_voxels<float>,
+                                              fill_mesh_voxels<double>};
+
 namespace {
 
 constexpr diagnosis::DiagnosisScenes box_scenes = {.words = {.length = "half extents",

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <mutex>
 
-#include "fuzz/campaign/unit.h"
 #include "fuzz/fields/merge.h"
 
 namespace axiscert {

@@ -5,10 +5,9 @@
 #include <gtest/gtest.h>
 #include <immintrin.h>
 
-#include "fuzz/campaign/unit.h"
 #include "kernel/sphere_triangle/reference/contracted.h"
 #include "kernel/sphere_triangle/reference/scalar_kernel.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

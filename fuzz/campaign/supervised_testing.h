@@ -5,7 +5,6 @@
 
 #include "kernel/ask.h"
 #include "kernel/sphere_triangle/query.h"
-#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 

@@ -1,9 +1,9 @@
-#include "fuzz/campaign/unit.h"
+#include "fuzz/campaign/campaign.h"
 
 #include <algorithm>
 
-#include "fuzz/campaign/stages/screen.h"
-#include "fuzz/campaign/thread_seconds.h"
+#include "fuzz/campaign/stages.h"
+#include "fuzz/campaign/machine.h"
 #include "kernel/base/stopwatch.h"
 
 namespace axiscert {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "exact/trait/oracles.h"
-#include "kernel/base/alike.h"
+#include "kernel/base/text.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -23,7 +23,7 @@ constexpr EnumArray<Effort, EffortSize> effort_sizes = {EffortSize{two_to(8), tw
 // A query of a predicate without filters costs a hundred times as much; a kernel in another process some ten
 // microseconds.
 constexpr std::uint64_t divisor_without_filters = 64, divisor_if_slow = 8, least_asked = 16;
-// Fewer than 59 right answers are no evidence about a family (reports/evidence/evidence.h). Four times as many cost
+// Fewer than 59 right answers are no evidence about a family (reports/wording/evidence.h). Four times as many cost
 // next to nothing with filters, and are enough for a family of which a third is queries, as `nonfinite`.
 constexpr std::uint64_t least_trials = two_to(6), least_trials_with_filters = two_to(8);
 

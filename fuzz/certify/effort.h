@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "fuzz/queries/source.h"
-#include "kernel/base/enum_array.h"
+#include "kernel/base/enums.h"
 
 namespace axiscert {
 

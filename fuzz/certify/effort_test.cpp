@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "exact/trait/oracles.h"
-#include "fuzz/queries/entry_families.h"
+#include "fuzz/queries/family.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

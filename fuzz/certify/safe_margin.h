@@ -1,21 +1,49 @@
 // The safe margin of a kernel: by how much r has to grow so that it misses none of the contacts that it was seen to
 // miss, and how many phantom contacts that makes.
 #pragma once
-
 #include <atomic>
+#include <compare>
 #include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "exact/numbers/decimal6.h"
+#include "exact/numbers/rational.h"
+#include "exact/trait/oracles.h"
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/campaign/counts/looked_at.h"
-#include "fuzz/certify/margin_scene.h"
 #include "fuzz/files/query_file.h"
+#include "fuzz/record/looked_at.h"
+#include "kernel/predicate.h"
+#include "kernel/query.h"
 
 namespace axiscert {
+// The scenes that margins of r are told apart by: their size, and whether the triangle is one to measure a kernel by.
+
+// The queries of one margin: 10^decade <= size < 10^(decade + 1), where the size is the greatest of r and the
+// coordinates of all points as seen from the sphere's centre. A size of 0 has the least decade.
+struct MarginScene {
+  bool is_degenerate = false;  // Oracles::is_degenerate: a kernel may miss there by its formulae alone
+  int decade = 0;
+  auto operator<=>(const MarginScene&) const = default;
+};
+
+// The columns of a predicate's first entry, as a scene is measured by them.
+class SceneMeasure {
+ public:
+  explicit SceneMeasure(const Predicate& predicate);
+
+  template <class Real>
+  double size(const Numbers<Real>& query) const;
+  // Precondition: every number is finite.
+  template <class Real>
+  MarginScene of(const Numbers<Real>& query) const;
+
+ private:
+  const Oracles& oracles_;
+  const std::vector<PredicateColumn>& columns_;
+  std::vector<std::optional<std::size_t>> centre_;  // the column of the centre from which a column's number is seen
+};
 
 struct SafeMarginPlan {
   const Questions* asked;  // of a run: its sources and seed; their predicate has a sphere's radius

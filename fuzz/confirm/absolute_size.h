@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/queries/address.h"
+#include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "fuzz/campaign/counts/tally.h"
-#include "fuzz/queries/address.h"
+#include "fuzz/record/tally.h"
+#include "fuzz/queries/source.h"
 
 namespace axiscert {
 
@@ -26,7 +26,7 @@ struct TalliedSource {
 };
 
 // `sources`: in one precision. The kernel of kernels() with the greatest share `both` / `either`, the first of those
-// with the same share. Empty if the given kernel has no classes (fuzz/campaign/counts/class_tally.h), is never wrong
+// with the same share. Empty if the given kernel has no classes (fuzz/record/wrong_verdicts.h), is never wrong
 // here, or no other one is wrong where it is. A touching query is right as contact for the built-in kernels, and by its
 // own convention for the given one.
 std::optional<NearestKernel> nearest_kernel(const Kernel& kernel, const std::vector<TalliedSource>& sources,

@@ -1,6 +1,5 @@
 // The record: the deterministic result of a run, and run.json, which holds everything that varies between runs.
 #pragma once
-
 #include <map>
 #include <optional>
 #include <string>
@@ -8,11 +7,22 @@
 
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/confirm/asymmetry.h"
-#include "fuzz/confirm/plan.h"
+#include "fuzz/record/plan_record.h"
 #include "fuzz/record/record.h"
 #include "fuzz/record/run_info.h"
 
 namespace axiscert {
+// The plan of a run as its record states it.
+
+// The requirements of a run, as they were given: levels, and those of them that may be left unchecked.
+struct RunRequirements {
+  std::vector<std::string> levels = {}, allow_unchecked = {};
+};
+
+// Only the cells' units and queries of the result are used.
+PlanRecord plan_record(const Plan& plan, const CampaignResult& result, const RunRequirements& required);
+// The same of a plan that is done whole.
+PlanRecord plan_record(const Plan& plan, const RunRequirements& required = {});
 
 // Contains no clock, host, thread count, target or compiler.
 // Makes the witnesses' queries again and examines each by all oracles.
@@ -44,5 +54,16 @@ template <class Real>
 NamedValues<GroupNumbers> groups_of_numbers(const PredicateEntry& entry, const Numbers<Real>& numbers);
 // Flips in the form in which `check` and the witnesses list them.
 std::vector<FlipRecord> flips_of(const Predicate& predicate, const Judgement& judgement);
+
+// Findings, faults of somebody else's kernel other than wrong answers, as the record has them.
+
+// Throws Error with the findings of loading it, if a kernel exists in no precision.
+void require_loaded(const Kernel& kernel);
+
+// Appends the findings of loading the kernel, which belong to no precision, family or query.
+void put_loading_findings(std::vector<FindingRecord>& findings, const Kernel& kernel);
+// Appends the findings on one source, one entry a kind, with the first query that showed it.
+void put_findings(std::vector<FindingRecord>& findings, const Kernel& kernel, const SeededSource& of,
+                  const Tally& tally);
 
 }  // namespace axiscert

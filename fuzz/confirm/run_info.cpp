@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "fuzz/campaign/build_info.h"
+#include "fuzz/campaign/machine.h"
 #include "fuzz/confirm/record.h"
 #include "kernel/base/version.h"
 

@@ -1,17 +1,45 @@
 // Witnesses: the queries that a run keeps, made again from their positions and examined by all oracles.
 #pragma once
-
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "exact/trait/examine.h"
 #include "exact/sphere_triangle/measures/input_class.h"
+#include "exact/trait/examine.h"
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/confirm/record.h"
+#include "fuzz/record/witness_record.h"
 
 namespace axiscert {
+// The two sides of a witness's comparisons: exact, computed, and their difference.
+
+class WitnessSides {
+ public:
+  // For each comparison: the exact lhs, rhs and margin to 17 significant digits, the computed sides as hex-floats, the
+  // error of each side in ulps of the exact one and that of their difference in u (rounded up). Includes every
+  // comparison of an axis with a flip and those in `largest_errors`; all if a verdict is wrong without a flip. Empty
+  // for a kernel that claims no formulae with comparisons, and for a query without a truth.
+  virtual std::optional<NamedValues<SidesRecord>> of(const Numbers<float>& q, const Kernel& kernel,
+                                                     const Examination& found, ComparisonBits largest_errors) const = 0;
+  virtual std::optional<NamedValues<SidesRecord>> of(const Numbers<double>& q, const Kernel& kernel,
+                                                     const Examination& found, ComparisonBits largest_errors) const = 0;
+
+ protected:
+  ~WitnessSides() = default;
+};
+
+// The first contact, as a witness has it.
+
+// The measures that a kernel gave beside a contact, by name, numbers as a query has them, and how they are wrong, where
+// that contact is right; of a missed contact its tunnel. Empty where there is neither.
+std::optional<MeasuresRecord> measures_of(const Predicate& predicate, const Examination& found);
+
+// The exact first contact of a query whose verdict is `truth`: the details of the oracles of its entry and, where there
+// is contact, its point and normal as numbers of binary64. Empty of a query that is invalid.
+template <class Real>
+std::optional<FirstContactRecord> first_contact_of(const Oracles& oracles, const Truth& truth,
+                                                   const Numbers<Real>& numbers);
 
 class WitnessWriter {
  public:

@@ -1,8 +1,7 @@
 #include "fuzz/diagnosis/diagnosis.h"
 
-#include "fuzz/diagnosis/probes/probes.h"
-#include "fuzz/diagnosis/probes/values.h"
-#include "fuzz/queries/address.h"
+#include "fuzz/diagnosis/probes.h"
+#include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

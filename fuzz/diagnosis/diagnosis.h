@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/campaign/counts/looked_at.h"
+#include "fuzz/record/looked_at.h"
 #include "fuzz/campaign/progress.h"
 #include "fuzz/text/json.h"
 #include "kernel/kernel.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "exact/trait/oracles.h"
-#include "fuzz/campaign/counts/looked_at.h"
+#include "fuzz/record/looked_at.h"
 #include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/files/query_file.h"
 

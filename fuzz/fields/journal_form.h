@@ -14,11 +14,10 @@
 #include <type_traits>
 #include <vector>
 
-#include "exact/numbers/decimal6.h"
+#include "exact/numbers/rational.h"
 #include "fuzz/fields/field.h"
-#include "fuzz/fields/named.h"
-#include "fuzz/text/whole_number.h"
-#include "kernel/base/enum_array.h"
+#include "fuzz/text/json.h"
+#include "kernel/base/enums.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

@@ -16,12 +16,11 @@
 #include <type_traits>
 #include <vector>
 
-#include "exact/numbers/decimal6.h"
+#include "exact/numbers/rational.h"
 #include "fuzz/fields/field.h"
-#include "fuzz/fields/named.h"
 #include "fuzz/text/json.h"
 #include "fuzz/text/number_text.h"
-#include "kernel/base/enum_array.h"
+#include "kernel/base/enums.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "fuzz/fields/field.h"
-#include "fuzz/fields/named.h"
-#include "kernel/base/enum_array.h"
+#include "kernel/base/enums.h"
 
 namespace axiscert {
 

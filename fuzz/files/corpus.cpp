@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "exact/trait/oracles.h"
-#include "fuzz/files/details.h"
+#include "fuzz/files/query_object.h"
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"
 #include "fuzz/files/query_line.h"

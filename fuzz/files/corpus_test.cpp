@@ -8,17 +8,15 @@
 #include <cctype>
 #include <fstream>
 
-#include "exact/moving_sphere/least_distance.h"
-#include "exact/moving_sphere/swept_distance.h"
-#include "exact/sphere_triangle/oracles/feature_walk.h"
-#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "exact/moving_sphere/motion_distance.h"
 #include "exact/sphere_triangle/oracles/second_oracle.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/files/query_testing.h"
 #include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
-#include "fuzz/sphere_triangle/families/parts/symmetry.h"
+#include "fuzz/sphere_triangle/families/parts/images.h"
 #include "kernel/base/temporary_folder.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fuzz/files/query_line.h"
-#include "kernel/base/enum_array.h"
+#include "kernel/base/enums.h"
 
 namespace axiscert {
 

@@ -7,10 +7,9 @@
 
 #include "fuzz/files/line_members.h"
 #include "fuzz/files/nested_members.h"
-#include "fuzz/files/nested_text.h"
-#include "fuzz/queries/address.h"
+#include "fuzz/queries/source.h"
 #include "fuzz/text/number_text.h"
-#include "kernel/base/alike.h"
+#include "kernel/base/text.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

@@ -1,16 +1,16 @@
 // A line of a query file where JSON has the query as an object, or as a part of one.
 #pragma once
-
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "exact/trait/oracles.h"
 #include "fuzz/fields/json_form.h"
 #include "fuzz/files/query_file.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
-
 struct QueryLine : std::string {
   using std::string::string;
   QueryLine(std::string text) : std::string(std::move(text)) {}
@@ -48,5 +48,11 @@ struct StoredLine {
 inline StoredLine stored_line(const StoredQuery& stored) {
   return read_as<StoredLine>(Json::parse(query_line(stored)));
 }
+
+// The details that a predicate's oracles know of a query beside its verdict (exact/trait/oracles.h), as query lines
+// have them.
+
+// A number as query lines have it, a name, an array of names; null where the query has none.
+Json detail_json(const Detail& detail);
 
 }  // namespace axiscert

@@ -1,5 +1,5 @@
 // The canonical form: the same for all images of a query, and different for other queries.
-#include "fuzz/sphere_triangle/families/parts/symmetry.h"
+#include "fuzz/sphere_triangle/families/parts/images.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "fuzz/files/corpus.h"
 #include "fuzz/files/query_testing.h"
 #include "fuzz/queries/random.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

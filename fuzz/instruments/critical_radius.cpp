@@ -6,9 +6,9 @@
 #include "exact/trait/critical_radius.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/fields/merge.h"
-#include "fuzz/queries/address.h"
+#include "fuzz/queries/source.h"
 #include "fuzz/files/query_file.h"
-#include "fuzz/judging/for_each_judged.h"
+#include "fuzz/instruments/for_each_judged.h"
 
 namespace axiscert {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "exact/numbers/decimal6.h"
+#include "exact/numbers/rational.h"
 
 namespace axiscert {
 

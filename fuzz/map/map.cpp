@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "exact/trait/oracles.h"
-#include "fuzz/search/moves/moves.h"
-#include "fuzz/search/proved.h"
+#include "fuzz/search/moves.h"
+#include "fuzz/search/confirm.h"
 #include "kernel/ask.h"
 
 namespace axiscert {

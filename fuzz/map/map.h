@@ -93,7 +93,7 @@ struct MapPicture {
 // slowly, and has no uncertain band.
 //
 // The uncertain band of a comparison is the region where a bound does not determine its sign: the proved bound for the
-// kernel's own sides if there is one and it covers the query (fuzz/search/proved.h), otherwise that of the quickest
+// kernel's own sides if there is one and it covers the query (fuzz/search/confirm.h), otherwise that of the quickest
 // filter (docs/error_model.md). For an axis and for a verdict, it is the region where the certain comparisons do not
 // settle it.
 std::vector<MapPicture> draw_map(const MapPlan& plan, const ShowProgress& report = {});

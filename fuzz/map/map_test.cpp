@@ -14,7 +14,7 @@
 #include "fuzz/files/query_testing.h"
 #include "kernel/ask.h"
 #include "kernel/moving_sphere/moving_sphere.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

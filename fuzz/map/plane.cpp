@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "fuzz/search/moves/moves.h"
+#include "fuzz/search/moves.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

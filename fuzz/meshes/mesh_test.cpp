@@ -18,7 +18,7 @@
 #include "fuzz/queries/source.h"
 #include "fuzz/sphere_triangle/mesh_queries.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

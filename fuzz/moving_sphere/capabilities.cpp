@@ -1,6 +1,6 @@
 #include "fuzz/queries/capabilities.h"
 
-#include "fuzz/diagnosis/scenes/scenes.h"
+#include "fuzz/diagnosis/scenes.h"
 #include "fuzz/moving_sphere/families/situations.h"
 #include "fuzz/moving_sphere/mesh_motion.h"
 #include "fuzz/queries/image_groups.h"

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "exact/moving_sphere/first_contact.h"
-#include "exact/moving_sphere/sizes.h"
 #include "kernel/moving_sphere/names.h"
 
 namespace axiscert::moving_sphere {

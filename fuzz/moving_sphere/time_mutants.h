@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "kernel/base/enum_array.h"
+#include "kernel/base/enums.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <deque>
 
-#include "fuzz/campaign/unit.h"
+#include "fuzz/campaign/campaign.h"
 #include "fuzz/confirm/record.h"
-#include "fuzz/judging/for_each_judged.h"
+#include "fuzz/instruments/for_each_judged.h"
 #include "fuzz/queries/capabilities.h"
 
 namespace axiscert {

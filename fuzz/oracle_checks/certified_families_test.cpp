@@ -5,12 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "fuzz/campaign/unit.h"
+#include "fuzz/campaign/campaign.h"
 #include "kernel/base/environment.h"
 #include "kernel/include/axiscert/certified.hpp"
 #include "kernel/registry/called.h"
 #include "kernel/sphere_triangle/certified/kernels.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

@@ -6,7 +6,7 @@
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
-#include "fuzz/families/family_testing.h"
+#include "fuzz/queries/family_testing.h"
 #include "kernel/sphere_triangle/reference/contracted.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 

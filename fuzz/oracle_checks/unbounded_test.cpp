@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/sphere_triangle/unbounded/at_precision.h"
-#include "fuzz/families/family_testing.h"
+#include "fuzz/queries/family_testing.h"
 #include "fuzz/queries/random.h"
 
 namespace axiscert {

@@ -14,7 +14,7 @@
 #include "kernel/base/error.h"
 #include "kernel/kernel.h"
 #include "kernel/testing/random.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

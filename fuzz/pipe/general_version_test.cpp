@@ -9,12 +9,11 @@
 #include <fstream>
 #include <sstream>
 
-#include "fuzz/pipe/query_stream.h"
-#include "fuzz/pipe/replies.h"
+#include "fuzz/pipe/streams.h"
 #include "kernel/base/sha256.h"
 #include "kernel/base/error.h"
 #include "kernel/base/temporary_folder.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

@@ -10,10 +10,10 @@
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/sha256.h"
-#include "fuzz/text/whole_number.h"
+#include "fuzz/text/json.h"
 #include "kernel/base/error.h"
 #include "kernel/base/version.h"
-#include "kernel/program/stream_header.h"
+#include "kernel/plugin/pipe_format.h"
 
 namespace axiscert {
 namespace {

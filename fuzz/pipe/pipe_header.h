@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/program/pipe_format.h"
+#include "kernel/plugin/pipe_format.h"
 #include "fuzz/queries/source.h"
 
 namespace axiscert {

@@ -1,24 +1,50 @@
 // A family: a named generator of related queries. A new one is a file in the room of its predicate in fuzz/families and
 // a line in that room's families.cpp.
 #pragma once
-
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "fuzz/queries/situation.h"
-#include "fuzz/queries/stream_name.h"
-#include "kernel/query.h"
+#include "fuzz/queries/random.h"
 #include "kernel/predicate.h"
+#include "kernel/query.h"
 
 namespace axiscert {
+// A situation: what the family of a query says of a wrong answer, where nothing but the verdict is seen.
+
+struct Situation {
+  std::string_view name;     // stable, for files: "parallel"
+  std::string_view meaning;  // of its queries: "motions parallel to the face or to an edge"
+  std::string_view advice;   // to whoever has to use the kernel, a sentence
+  std::string_view section;  // of the documents
+};
+
+// Those of a predicate, every family of which names one.
+struct Situations {
+  std::span<const Situation* const> of_families;  // the most everyday ones first
+  Situation own;                                  // of the queries of meshes and files
+};
+
+constexpr Situation of_own_queries(std::string_view meaning, std::string_view section) {
+  return {"own", meaning, "`axiscert check` a witness.", section};
+}
+inline constexpr Situation of_corpus = {"known", "queries of the corpus, which were hard once or are faults of engines",
+                                        "`axiscert corpus list` says what each is about.", "docs/corpus.md#the-corpus"};
+
+// Advice of more than one predicate.
+inline constexpr std::string_view mend_units =
+    "Bring the scene to a unit in which the kernel is right: `range_window` and "
+    "`absolute_threshold` of the diagnosis say which.";
+inline constexpr std::string_view shrink_small_integers =
+    "A case is wrong or left out, or an epsilon is larger than the gap: `axiscert shrink` a "
+    "witness.";
 
 // Makes the queries from position `first` on, as many as the columns have. The query at a position depends on nothing
 // else: not on the start of the batch, the instruction set or the compiler. `position` counts the queries of the family
 // and determines everything that is done "in turn"; the rest comes from the stream. A family that makes one query at a
-// time is wrapped by fill_one_by_one (fuzz/queries/one_by_one.h).
+// time is wrapped by fill_one_by_one (fuzz/queries/family.h).
 template <class Real>
 using Fill = void (*)(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out);
 
@@ -70,5 +96,21 @@ std::span<const Family* const> families();
 std::vector<const Family*> families_of(const Predicate& predicate);
 // Throws Error that lists the families that exist.
 const Family& find_family(std::string_view name);
+
+// The families of a predicate whose numbers are given in one of its entries.
+
+// In the order of families_of(predicate).
+std::vector<const Family*> families_of(const Predicate& predicate, std::size_t entry);
+
+// A family that makes its queries one at a time, each from a stream of its own.
+
+// A Fill<Real> by one(random, position), which returns a predicate's query or its Numbers<Real>.
+template <auto one, class Real>
+void fill_one_by_one(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out) {
+  for (std::size_t i = 0; i < out.size; ++i) {
+    Stream random(name, first + i);
+    out.set(i, one(random, first + i));
+  }
+}
 
 }  // namespace axiscert

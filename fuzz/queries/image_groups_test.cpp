@@ -8,9 +8,9 @@
 #include "exact/numbers/rational.h"
 #include "exact/sphere_triangle/oracles/second_oracle.h"
 #include "fuzz/confirm/asymmetry.h"
-#include "fuzz/sphere_triangle/families/parts/symmetry.h"
-#include "fuzz/families/family_testing.h"
-#include "kernel/sphere_triangle/description.h"
+#include "fuzz/sphere_triangle/families/parts/images.h"
+#include "fuzz/queries/family_testing.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/campaign/counts/tally.h"
+#include "fuzz/record/tally.h"
 #include "fuzz/fields/json_form.h"
 #include "fuzz/queries/image_groups.h"
 

@@ -9,7 +9,6 @@
 #include "fuzz/record/family_record.h"
 #include "fuzz/record/plan_record.h"
 #include "kernel/kernel.h"
-#include "kernel/motion_policy.h"
 
 namespace axiscert {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/trait/steps.h"
+#include "exact/trait/batch_oracle.h"
 #include "fuzz/fields/json_form.h"
 #include "kernel/names.h"
 

@@ -11,7 +11,7 @@
 #include "exact/judge/motion_judgement.h"
 #include "exact/sphere_triangle/measures/input_class.h"
 #include "fuzz/fields/json_form.h"
-#include "kernel/finding.h"
+#include "kernel/outcome.h"
 #include "kernel/names.h"
 
 namespace axiscert {

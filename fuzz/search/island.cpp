@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fuzz/search/moves/moves.h"
+#include "fuzz/search/moves.h"
 
 namespace axiscert {
 namespace {

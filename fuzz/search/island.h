@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "fuzz/search/guide.h"
+#include "fuzz/search/method.h"
 
 namespace axiscert {
 

@@ -11,12 +11,10 @@
 #include <mutex>
 
 #include "fuzz/queries/image_groups.h"
-#include "fuzz/search/beginning.h"
+#include "fuzz/search/pools.h"
 #include "fuzz/search/confirm.h"
 #include "fuzz/search/island.h"
 #include "fuzz/search/method.h"
-#include "fuzz/search/pool.h"
-#include "fuzz/search/state.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

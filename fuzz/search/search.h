@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "exact/numbers/decimal6.h"
+#include "exact/numbers/rational.h"
 #include "exact/judge/judge.h"
-#include "fuzz/campaign/counts/looked_at.h"
-#include "fuzz/search/goal.h"
+#include "fuzz/record/looked_at.h"
+#include "fuzz/search/method.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "fuzz/queries/address.h"
+#include "fuzz/queries/source.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/image_groups.h"
 #include "kernel/base/error.h"

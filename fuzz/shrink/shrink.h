@@ -3,9 +3,8 @@
 
 #include <functional>
 
-#include "fuzz/shrink/keep.h"
-#include "fuzz/shrink/query_size.h"
 #include "fuzz/shrink/symptom.h"
+#include "fuzz/shrink/query_properties.h"
 
 namespace axiscert {
 
@@ -23,7 +22,7 @@ struct ShrinkResult {
 template <class Real>
 using SeverityOn = std::function<std::optional<Severity>(const Numbers<Real>&)>;
 
-// Whether a smaller query keeps the class of the given one, and its depth within depth_factor (fuzz/shrink/keep.h).
+// Whether a smaller query keeps the class of the given one, and its depth within depth_factor (fuzz/shrink/symptom.h).
 enum class KeepingRule : std::uint8_t { symptom_and_class, symptom };
 
 // Told the number of evaluations so far after each.

@@ -12,14 +12,13 @@
 #include "exact/sphere_triangle/measures/input_class.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/supervised_testing.h"
-#include "fuzz/queries/address.h"
+#include "fuzz/queries/source.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
-#include "fuzz/queries/source.h"
 #include "fuzz/shrink/pair.h"
 #include "fuzz/shrink/shrink_moves.h"
-#include "fuzz/sphere_triangle/image_map.h"
-#include "kernel/sphere_triangle/description.h"
+#include "fuzz/sphere_triangle/images.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

@@ -2,14 +2,12 @@
 
 #include "fuzz/instruments/critical_radius.h"
 #include "fuzz/queries/image_groups.h"
-#include "fuzz/sphere_triangle/aim_values.h"
-#include "fuzz/sphere_triangle/canonical_form.h"
+#include "fuzz/sphere_triangle/search.h"
+#include "fuzz/sphere_triangle/images.h"
 #include "fuzz/sphere_triangle/confirm.h"
 #include "fuzz/sphere_triangle/diagnosis_scenes.h"
-#include "fuzz/sphere_triangle/image_map.h"
 #include "fuzz/sphere_triangle/mesh_queries.h"
 #include "fuzz/sphere_triangle/screen.h"
-#include "fuzz/sphere_triangle/search.h"
 
 namespace axiscert {
 

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "fuzz/confirm/absolute_size.h"
-#include "fuzz/confirm/witness_sides.h"
-#include "fuzz/queries/input_classes.h"
-#include "fuzz/queries/nearest_features.h"
+#include "fuzz/confirm/witness.h"
+#include "fuzz/queries/capabilities.h"
 
 namespace axiscert {
 

@@ -6,7 +6,7 @@
 
 #include <cfenv>
 
-#include "exact/sphere_triangle/filters/decided_check.h"
+#include "exact/sphere_triangle/filters/cascade.h"
 
 namespace axiscert {
 namespace {

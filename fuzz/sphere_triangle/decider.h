@@ -1,13 +1,34 @@
 // How the queries of a batch are decided: by filters, each of whose answers is certain, and by exact arithmetic where
 // they are silent, on a sample of the rest, and on the close calls that they report.
 #pragma once
+#include <vector>
 
+#include "exact/sphere_triangle/filters/cascade.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/sphere_triangle/decided_batch.h"
+#include "fuzz/campaign/stages.h"
 
 namespace axiscert {
+// A batch of which the filters have decided what they can.
+
+// How an error watch looks at a query.
+enum class Screening : std::uint8_t {
+  skipped,        // not looked at: no truth, or counted elsewhere
+  screened,       // by the watch
+  cross_checked,  // counted elsewhere, exactly; what the filter says of it is kept for the cross-check
+};
+
+// For each query how it is judged: by signs that a filter decided, or by exact arithmetic.
+template <class Real>
+struct DecidedBatch : MadeBatch<Real> {
+  const std::vector<DecidedSigns>& signs;
+  const std::vector<Screening>& screening;  // of the error watches
+
+  // A filter decided query `i`, whether or not exact arithmetic judges it again.
+  bool is_filtered(std::size_t i) const { return signs[i].step != Step::exact; }
+  bool is_exact(std::size_t i) const { return screening[i] != Screening::screened; }
+};
 
 template <class Real>
 class Decider {

@@ -1,7 +1,7 @@
 // The scenes that a diagnosis asks kernels of sphere-triangle about.
 #pragma once
 
-#include "fuzz/diagnosis/scenes/scenes.h"
+#include "fuzz/diagnosis/scenes.h"
 
 namespace axiscert::diagnosis {
 

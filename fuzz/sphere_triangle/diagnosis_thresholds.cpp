@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "fuzz/confirm/asymmetry.h"
-#include "fuzz/diagnosis/probes/probes.h"
+#include "fuzz/diagnosis/probes.h"
 #include "fuzz/sphere_triangle/families/parts/lattice_bounds.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"

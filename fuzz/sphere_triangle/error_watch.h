@@ -8,8 +8,8 @@
 #include "exact/sphere_triangle/filters/cascade.h"
 #include "exact/sphere_triangle/filters/wide_margins.h"
 #include "exact/trait/side_error.h"
-#include "fuzz/campaign/counts/tally.h"
-#include "fuzz/sphere_triangle/decided_batch.h"
+#include "fuzz/record/tally.h"
+#include "fuzz/sphere_triangle/decider.h"
 #include "kernel/formulae_list.h"
 
 namespace axiscert {

@@ -3,13 +3,53 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "exact/trait/side_error.h"
 #include "kernel/formulae_list.h"
-#include "kernel/sphere_triangle/shown_sides.h"
+#include "kernel/sphere_triangle/reference/scalar.h"
 
 namespace axiscert {
+void CleanCount::add_ties(ComparisonBits ties) {
+  for_each_bit(ties, [&](std::size_t i) { ++ties_[i]; });
+}
+
+void CleanCount::add_to(Tally& tally) const {
+  for (std::size_t axes = 0; axes < by_axes_.size(); ++axes) {
+    tally.trials += by_axes_[axes];
+    (axes != 0 ? tally.truth.separated : tally.truth.contact) += by_axes_[axes];
+    if (std::has_single_bit(axes)) tally.axes[first_bit(axes)].sole_separator += by_axes_[axes];
+  }
+  tally.trials += separated_ + contact_;
+  tally.truth.separated += separated_;
+  tally.truth.contact += contact_;
+  tally.truth.touching += touching_;
+  for (std::size_t i = 0; i < comparison_count; ++i) tally.comparisons[i].ties += ties_[i];
+}
+
+RepeatedJudgement* RepeatedJudgements::find(const JudgementPattern& pattern) {
+  if (table_.empty()) table_.resize(size);
+  std::uint64_t word = pattern.signs.strict;
+  for (const ComparisonBits bits : {ComparisonBits{pattern.signs.ties}, pattern.range_free, pattern.reference})
+    word = word << 16 | bits;
+  // The golden ratio's multiples are spread evenly in the upper bits; what else a pattern has is nearly always the
+  // same.
+  const std::uint64_t first = (word * 0x9e3779b97f4a7c15u) >> 48;
+  for (std::size_t i = 0; i < probes; ++i) {
+    RepeatedJudgement& entry = table_[(first + i) % size];
+    if (!entry.is_known || entry.pattern == pattern) return &entry;
+  }
+  return nullptr;
+}
+
+void RepeatedJudgements::add_to(Tally& tally) const {
+  for (const RepeatedJudgement& of : table_) {
+    if (of.repetitions == 0) continue;
+    const Truth truth{of.truth, of.is_touching};
+    count_numbers(tally, truth, of.pattern.signs.ties, of.answer, of.judgement, of.repetitions);
+  }
+}
 
 namespace {
 

@@ -1,14 +1,81 @@
 // One kernel's answers to the batches of one unit, judged by the signs that the filters found.
 #pragma once
+#include <array>
 
-#include "exact/sphere_triangle/claims/asked_sphere_triangle.h"
+#include "exact/sphere_triangle/asked_sphere_triangle.h"
+#include "exact/sphere_triangle/filters/signs.h"
 #include "exact/sphere_triangle/unbounded/reference_batch.h"
-#include "fuzz/campaign/stages/kernel_run.h"
-#include "fuzz/sphere_triangle/clean_count.h"
+#include "fuzz/campaign/stages.h"
+#include "fuzz/record/tally.h"
 #include "fuzz/sphere_triangle/error_watch.h"
-#include "fuzz/sphere_triangle/repeated_judgements.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
+// Queries on which a kernel's verdict, axes and comparisons are all as in exact arithmetic, and its verdict right.
+
+class CleanCount {
+ public:
+  // `axes` are the separating ones.
+  void add(AxisBits axes, ComparisonBits ties, bool touching) {
+    ++by_axes_[axes];
+    touching_ += touching;
+    if (ties != 0) add_ties(ties);
+  }
+  // The same for a kernel that claims no formulae.
+  void add_verdict(Verdict verdict, bool touching) {
+    ++(verdict == Verdict::separated ? separated_ : contact_);
+    touching_ += touching;
+  }
+  void add_to(Tally& tally) const;
+
+ private:
+  void add_ties(ComparisonBits ties);
+  std::array<std::uint64_t, std::size_t{1} << axis_count> by_axes_{};
+  std::array<std::uint64_t, comparison_count> ties_{};
+  std::uint64_t separated_ = 0, contact_ = 0, touching_ = 0;
+};
+
+// Judgements that repeat. Where queries leave the range nearly all have flips, but all that judging looks at is a few
+// words of bits, and a family has few different ones: each is judged once, and then counted.
+
+// All that the judgement of a query depends on, for one kernel whose answer has the bits of its reference or none: so
+// queries with one pattern have one judgement.
+struct JudgementPattern {
+  Signs signs;
+  ComparisonBits range_free, reference;
+  Verdict answered;
+  bool has_bits, radius_is_zero;
+  bool operator==(const JudgementPattern&) const = default;
+};
+
+// A judgement, and how many queries had it after the first. Only the first is a witness: the later ones have the same
+// flips at later positions.
+struct RepeatedJudgement {
+  JudgementPattern pattern{};
+  Verdict truth{};
+  bool is_touching = false;
+  Answer answer{};
+  Judgement judgement{};
+  bool is_known = false;
+  std::uint64_t repetitions = 0;
+
+  std::optional<Flip> verdict_flip() const {
+    if (!judgement.verdict_flip) return std::nullopt;
+    return Flip{Level::verdict, 0, *judgement.verdict_flip, true, judgement.verdict_links};
+  }
+};
+
+// A table of a fixed size: a pattern that finds no place is judged each time.
+class RepeatedJudgements {
+ public:
+  // The entry of the pattern, or a free one for it; null where there is neither.
+  RepeatedJudgement* find(const JudgementPattern& pattern);
+  void add_to(Tally& tally) const;
+
+ private:
+  static constexpr std::size_t size = 2048, probes = 4;
+  std::vector<RepeatedJudgement> table_;  // empty until first asked
+};
 
 // The arguments of the constructor have to outlive the object, which does not move.
 template <class Real>

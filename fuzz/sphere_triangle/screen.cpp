@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "exact/sphere_triangle/measures/engine_like.h"
-#include "exact/sphere_triangle/oracles/formula_oracle.h"
-#include "fuzz/campaign/counts/margins.h"
+#include "exact/sphere_triangle/measures/input_class.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "fuzz/record/margins.h"
 
 namespace axiscert {
 

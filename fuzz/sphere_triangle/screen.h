@@ -6,8 +6,8 @@
 #include <deque>
 #include <optional>
 
-#include "exact/sphere_triangle/claims/asked_sphere_triangle.h"
-#include "fuzz/campaign/stages/screen.h"
+#include "exact/sphere_triangle/asked_sphere_triangle.h"
+#include "fuzz/campaign/stages.h"
 #include "fuzz/sphere_triangle/decider.h"
 #include "fuzz/sphere_triangle/kernel_screen.h"
 

@@ -1,7 +1,7 @@
 // The estimates that guide a search of sphere-triangle: for every query of a batch, how much of the aim it shows.
 #pragma once
 
-#include "fuzz/search/guide.h"
+#include "fuzz/search/method.h"
 #include "kernel/ask.h"
 #include "kernel/sphere_triangle/query.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "fuzz/search/moves/dice.h"
+#include "fuzz/search/moves.h"
 
 namespace axiscert::fuzzing {
 

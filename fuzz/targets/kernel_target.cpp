@@ -5,10 +5,10 @@
 #include <map>
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/sphere_triangle/claims/asked_sphere_triangle.h"
+#include "exact/sphere_triangle/asked_sphere_triangle.h"
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/measures/depth.h"
-#include "exact/sphere_triangle/filters/decided_check.h"
+#include "exact/sphere_triangle/filters/cascade.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/filters/grid_signs.h"
 #include "exact/sphere_triangle/filters/wide_margins.h"
@@ -19,7 +19,7 @@
 #include "kernel/ask.h"
 #include "kernel/include/axiscert/certified.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
-#include "kernel/program/manifest.h"
+#include "kernel/plugin/manifest.h"
 
 namespace {
 

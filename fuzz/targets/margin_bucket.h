@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "exact/sphere_triangle/oracles/formula_oracle.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
 
 namespace axiscert::fuzzing {
 

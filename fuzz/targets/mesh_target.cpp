@@ -11,14 +11,12 @@
 
 #include "fuzz/queries/family.h"
 #include "fuzz/meshes/mesh.h"
-#include "fuzz/meshes/mesh_import.h"
 #include "fuzz/sphere_triangle/mesh_queries.h"
 #include "kernel/sphere_triangle/query.h"
 #include "fuzz/queries/random.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/targets/target.h"
 #include "kernel/base/temporary_folder.h"
-#include "kernel/sphere_triangle/description.h"
 
 namespace {
 

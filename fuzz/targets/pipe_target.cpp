@@ -10,11 +10,11 @@
 #include <sstream>
 
 #include "fuzz/text/file_bytes.h"
-#include "fuzz/pipe/replies.h"
+#include "fuzz/pipe/streams.h"
 #include "kernel/base/sha256.h"
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace {
 

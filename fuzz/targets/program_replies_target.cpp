@@ -12,8 +12,8 @@
 
 #include "fuzz/targets/target.h"
 #include "kernel/plugin/host/reply_reader.h"
-#include "kernel/program/stream_header.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/plugin/pipe_format.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace {
 

@@ -1,13 +1,29 @@
 // Changes of the kernel target's inputs that respect the structure of floating-point numbers. Random bytes are nearly
 // always far from any boundary, and a flipped bit of an exponent leaves the boundary that was found.
 #pragma once
-
+#include <cstdint>
+#include <span>
 #include <string_view>
+#include <variant>
+#include <vector>
 
-#include "fuzz/search/moves/dice.h"
-#include "fuzz/targets/fuzzed_query.h"
+#include "fuzz/search/moves.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::fuzzing {
+// The meaning of a fuzzer's bytes for the kernel target: a kernel, and a query in one of the two precisions.
+
+// Byte 0: bit 0 is the precision, 0 for binary32, 1 for binary64. Byte 1: the kernel, modulo the number of kernels.
+// Then the thirteen numbers in the order of every column, as in memory (little-endian): 54 or 106 bytes in all.
+struct FuzzedQuery {
+  std::uint8_t kernel = 0;
+  std::variant<Query<float>, Query<double>> query;
+};
+inline constexpr std::size_t greatest_size = 2 + coordinate_count * sizeof(double);
+
+// Any bytes are accepted: missing ones are zero, and surplus ones are ignored.
+FuzzedQuery fuzzed_query(std::span<const std::uint8_t> bytes);
+std::vector<std::uint8_t> bytes_of(const FuzzedQuery& fuzzed);
 
 enum class QueryMove : std::uint8_t {
   ulps,       // moves a number to one of its neighbours: 1 to 2^digits ulps away, near ones more often

@@ -32,7 +32,7 @@ def texts_of(query):
 
 
 def kernel_seed(query, kernel):
-    """The bytes of an input of the kernel target, as described in fuzz/targets/fuzzed_query.h."""
+    """The bytes of an input of the kernel target, as described in fuzz/targets/query_moves.h."""
     is_wide = query["precision"] == "binary64"
     return struct.pack("<BB13" + ("d" if is_wide else "f"), is_wide, kernel, *map(number, texts_of(query)))
 

@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "kernel/base/error.h"
-#include "kernel/base/utf8.h"
+#include "kernel/base/text.h"
 
 namespace axiscert {
 namespace {

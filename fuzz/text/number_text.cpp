@@ -9,7 +9,7 @@
 
 #include "exact/numbers/rational.h"
 #include "kernel/base/error.h"
-#include "kernel/base/plain_line.h"
+#include "kernel/base/text.h"
 #include "kernel/names.h"
 
 namespace axiscert {

@@ -4,9 +4,8 @@
 #include <cstdint>
 
 #include "kernel/arithmetic/error_free.h"
-#include "kernel/arithmetic/fused.h"
+#include "kernel/arithmetic/number.h"
 #include "kernel/arithmetic/machine.h"
-#include "kernel/arithmetic/reordered.h"
 #include "kernel/base/environment.h"
 
 // X(name, type, summary)

@@ -2,7 +2,7 @@
 // sum and dot product", 2005).
 #pragma once
 
-#include "kernel/arithmetic/fused.h"
+#include "kernel/arithmetic/number.h"
 
 namespace axiscert::arithmetic {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/base/enum_set.h"
+#include "kernel/base/enums.h"
 
 namespace axiscert {
 enum class Season : std::uint8_t { spring, summer, autumn, winter };

@@ -4,7 +4,7 @@
 #include <cfenv>
 #include <cstdint>
 
-#include "kernel/base/enum_array.h"
+#include "kernel/base/enums.h"
 
 #if defined(__SSE2__)
 #include <xmmintrin.h>

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "kernel/base/plain_line.h"
+#include "kernel/base/text.h"
 
 namespace axiscert {
 

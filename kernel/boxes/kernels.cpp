@@ -1,5 +1,4 @@
-#include "kernel/boxes/early.h"
-#include "kernel/boxes/epsilon.h"
+#include "kernel/boxes/textbook.h"
 #include "kernel/boxes/projected.h"
 #include "kernel/boxes/simd.h"
 #include "kernel/boxes/slips.h"

@@ -2,7 +2,7 @@
 // Sides, bits and verdicts are those of the scalar forms, bit for bit, on each instruction set.
 #pragma once
 
-#include "kernel/sphere_triangle/forms/lane_forms.h"
+#include "kernel/sphere_triangle/forms/simd.h"
 
 namespace axiscert::boxes {
 

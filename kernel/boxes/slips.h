@@ -2,7 +2,7 @@
 // its own formulae, so that what is wrong is called its specification.
 #pragma once
 
-#include "kernel/boxes/epsilon.h"
+#include "kernel/boxes/textbook.h"
 
 namespace axiscert::boxes {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "kernel/moving_sphere/moving_sphere.h"
-#include "kernel/sphere_triangle/methods/closest_point.h"
+#include "kernel/sphere_triangle/formulae/methods.h"
 
 namespace axiscert::moving_sphere {
 

@@ -1,4 +1,4 @@
-#include "kernel/moving_sphere/arithmetic.h"
+#include "kernel/moving_sphere/kernels.h"
 
 #include <fmt/format.h>
 

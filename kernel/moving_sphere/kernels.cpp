@@ -4,7 +4,7 @@
 #include "kernel/moving_sphere/physx4.h"
 #include "kernel/moving_sphere/physx5.h"
 #include "kernel/moving_sphere/segment.h"
-#include "kernel/moving_sphere/simd.h"
+#include "kernel/moving_sphere/kernels.h"
 #include "kernel/moving_sphere/timed.h"
 #include "kernel/moving_sphere/twenty.h"
 #include "kernel/moving_sphere/walk.h"

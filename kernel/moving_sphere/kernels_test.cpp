@@ -9,7 +9,7 @@
 #include "kernel/moving_sphere/moving_sphere.h"
 #include "kernel/moving_sphere/names.h"
 #include "kernel/sphere_triangle/forms/simd.h"
-#include "kernel/sphere_triangle/methods/closest_point.h"
+#include "kernel/sphere_triangle/formulae/methods.h"
 #include "kernel/testing/random.h"
 
 namespace axiscert::moving_sphere {

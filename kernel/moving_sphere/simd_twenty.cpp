@@ -1,6 +1,6 @@
 // The twenty axes on every instruction set.
 #include "kernel/kernel.h"
-#include "kernel/moving_sphere/simd.h"
+#include "kernel/moving_sphere/kernels.h"
 #include "kernel/formulae_kernel.h"
 
 #define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: `--target` must reach each of them

@@ -1,17 +1,80 @@
 // Kernels with one fault each, made from the formulae. A harness that certifies kernels has to detect them.
 #pragma once
-
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "kernel/base/enums.h"
 #include "kernel/kernel.h"
 #include "kernel/mutants/number.h"
-#include "kernel/mutants/value_fault.h"
 
 namespace axiscert::mutants {
+// Faults of a value, of a magnitude E: the epsilons, clamps, thresholds and early answers of kernels in use.
+
+// X(name, what is done to a value x)
+#define AXISCERT_VALUE_FAULTS(X)                       \
+  X(plus, "x + E for x")                               \
+  X(minus, "x - E for x")                              \
+  X(clamp, "E for an x below E")                       \
+  X(zero, "0 for an |x| below E")                      \
+  X(early_contact, "the answer contact where |x| < E") \
+  X(early_separated, "the answer separated where |x| < E")
+
+// X(name, id in the name of a mutant, what it is, what the relative E of a bound is a fraction of)
+#define AXISCERT_QUANTITIES(X)                                           \
+  X(radius, "r", "the radius", "|A|")                                    \
+  X(squared_radius, "rr", "r^2", "|A|^2")                                \
+  X(squared_edge, "ab", "|AB|^2", "|A|^2")                               \
+  X(squared_normal, "v", "|V|^2", "|AB|^2 |AC|^2")                       \
+  X(side, "", "the left side of a comparison", "both sides' magnitudes") \
+  X(verdict, "verdict", "the left side of every comparison; early: the largest coordinate of the scene", "both sides")
+
+enum class ValueFault : std::uint8_t {
+#define AXISCERT_NAME(name, what) name,
+  AXISCERT_VALUE_FAULTS(AXISCERT_NAME)
+#undef AXISCERT_NAME
+      none
+};
+enum class Quantity : std::uint8_t {
+#define AXISCERT_NAME(name, id, what, relative_to) name,
+  AXISCERT_QUANTITIES(AXISCERT_NAME)
+#undef AXISCERT_NAME
+};
+
+// The magnitudes of the mutants that are made unless others are asked for.
+inline constexpr std::array<double, 7> default_magnitudes = {1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12, 1e-20};
+
+constexpr bool answers_early(ValueFault fault) {
+  return fault == ValueFault::early_contact || fault == ValueFault::early_separated;
+}
+
+// Whether the fault adds E to the value: a relative E is then a fraction of the value itself, except for a side.
+constexpr bool adds(ValueFault fault) { return fault == ValueFault::plus || fault == ValueFault::minus; }
+
+// The value in place of x. An early answer leaves it as it is.
+template <class Real>
+Real faulty(ValueFault fault, Real x, Real e) {
+  switch (fault) {
+    case ValueFault::plus:
+      return x + e;
+    case ValueFault::minus:
+      return x - e;
+    case ValueFault::clamp:
+      return x < e ? e : x;
+    case ValueFault::zero:
+      return std::fabs(x) < e ? Real{0} : x;
+    case ValueFault::early_contact:
+    case ValueFault::early_separated:
+    case ValueFault::none:
+      break;
+  }
+  return x;
+}
 
 // Faults other than those of single operations. X(name, description for the reader)
 #define AXISCERT_COMPARISON_FAULTS(X)               \
@@ -88,5 +151,13 @@ void mutant_bits(const Mutant& mutant, const QueryColumns<Real>& batch, Comparis
 Kernel kernel_of(const Mutant& mutant);
 // The same answers from a kernel that shows its verdict alone and claims nothing.
 Kernel black_box_of(const Mutant& mutant);
+
+// The mutants with a fault of a value, by name.
+
+// The names of the faults, "clamp" and "clamp-relative" and so on.
+std::vector<std::string> value_fault_names();
+// The mutant of an id as "nonstrict~clamp:r:0.01", which is made when it is first asked for and kept; null where the id
+// is none of these.
+const Mutant* find_value_mutant(std::string_view id);
 
 }  // namespace axiscert::mutants

@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <map>
 
-#include "kernel/base/alike.h"
+#include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/mutants/forms.h"
 #include "kernel/mutants/mutant.h"
-#include "kernel/mutants/value_list.h"
 
 namespace axiscert::mutants {
 namespace {

@@ -1,4 +1,4 @@
-#include "kernel/mutants/value_list.h"
+#include "kernel/mutants/mutant.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // One call to a plug-in: its inputs placed between the guard pages, its outputs read back and their surroundings
 // checked.
 #pragma once
-
+#include <optional>
 #include <span>
 #include <string>
 
@@ -9,7 +9,6 @@
 #include "kernel/plugin/host_process.h"
 
 namespace axiscert::plugin {
-
 // The outputs of a call as they were written: a verdict is any byte, and any bit may be set.
 template <class Real>
 struct Outputs {
@@ -60,5 +59,22 @@ class Caller {
   double first_seconds_;
   std::optional<HostProcess> process_;
 };
+
+// The first difference between two sets of outputs, in words.
+
+struct Difference {
+  std::size_t query;   // of `b`
+  std::string detail;  // "verdict contact, then separated"
+};
+
+// Query i of `b` is query first + i of `a`. Only what `b` has is compared; a NaN equals any other, since what its bits
+// are is no part of an answer.
+template <class Real>
+std::optional<Difference> first_difference(const Predicate& predicate, const Outputs<Real>& a, std::size_t first,
+                                           const Outputs<Real>& b);
+
+// "contact", or "7, which is no verdict".
+std::string verdict_text(std::uint8_t verdict);
+inline bool is_verdict(std::uint8_t byte) { return byte <= static_cast<std::uint8_t>(Verdict::invalid); }
 
 }  // namespace axiscert::plugin

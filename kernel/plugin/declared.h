@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "kernel/finding.h"
+#include "kernel/outcome.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/host_process.h"
 

@@ -17,9 +17,8 @@
 #include <filesystem>
 
 #include "kernel/base/error.h"
-#include "kernel/base/plain_line.h"
-#include "kernel/base/utf8.h"
-#include "kernel/program/stream_header.h"
+#include "kernel/base/text.h"
+#include "kernel/plugin/pipe_format.h"
 
 extern char** environ;
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/finding.h"
+#include "kernel/outcome.h"
 #include "kernel/plugin/shared_memory.h"
 #include "kernel/predicate.h"
 

@@ -12,7 +12,7 @@
 #include "kernel/base/error.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/caller.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 #include "kernel/predicate.h"
 #include "kernel/testing/random.h"
 

@@ -7,9 +7,8 @@
 #include <cctype>
 #include <filesystem>
 
-#include "kernel/base/alike.h"
+#include "kernel/base/text.h"
 #include "kernel/base/error.h"
-#include "kernel/base/utf8.h"
 #include "kernel/plugin/declared.h"
 #include "kernel/plugin/supervisor.h"
 

@@ -10,14 +10,12 @@
 #include <mutex>
 #include <sstream>
 
-#include "kernel/base/alike.h"
+#include "kernel/base/text.h"
 #include "kernel/base/error.h"
-#include "kernel/base/plain_line.h"
-#include "kernel/base/utf8.h"
 #include "kernel/include/axiscert/plugin.h"
 #include "kernel/plugin/declared.h"
 #include "kernel/plugin/load.h"
-#include "kernel/program/manifest.h"
+#include "kernel/plugin/manifest.h"
 #include "kernel/plugin/supervisor.h"
 
 namespace axiscert::plugin {

@@ -6,11 +6,11 @@
 #include <fstream>
 #include <map>
 
-#include "kernel/base/alike.h"
+#include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/host_process.h"
 #include "kernel/plugin/load.h"
-#include "kernel/program/manifest.h"
+#include "kernel/plugin/manifest.h"
 
 namespace axiscert::plugin {
 namespace {

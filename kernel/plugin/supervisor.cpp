@@ -6,7 +6,7 @@
 #include <bit>
 #include <memory>
 
-#include "kernel/plugin/difference.h"
+#include "kernel/plugin/caller.h"
 
 namespace axiscert::plugin {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <mutex>
 
-#include "kernel/base/enum_set.h"
+#include "kernel/base/enums.h"
 #include "kernel/plugin/caller.h"
 
 namespace axiscert::plugin {

@@ -9,7 +9,7 @@
 #include "kernel/base/error.h"
 #include "kernel/testing/queries.h"
 #include "kernel/testing/random.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

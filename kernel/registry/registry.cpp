@@ -9,10 +9,10 @@
 #include <mutex>
 
 #include "kernel/registry/called.h"
-#include "kernel/base/alike.h"
+#include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/formulae_list.h"
-#include "kernel/moving_sphere/arithmetic.h"
+#include "kernel/moving_sphere/kernels.h"
 #include "kernel/plugin/load.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 #include "kernel/mutants/mutant.h"

@@ -7,7 +7,6 @@
 #include "kernel/sphere_triangle/query.h"
 #include "kernel/testing/queries.h"
 #include "kernel/testing/table.h"
-#include "kernel/sphere_triangle/description.h"
 
 namespace axiscert {
 namespace {

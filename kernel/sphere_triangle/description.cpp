@@ -1,4 +1,4 @@
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 #include <algorithm>
 #include <string>
@@ -6,7 +6,6 @@
 #include "kernel/formulae_list.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/names.h"
-#include "kernel/sphere_triangle/query.h"
 #include "kernel/predicate.h"
 
 namespace axiscert {

@@ -11,7 +11,7 @@
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/testing/queries.h"
 #include "kernel/testing/random.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

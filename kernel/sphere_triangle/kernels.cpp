@@ -2,9 +2,8 @@
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/certified/kernels.h"
 #include "kernel/sphere_triangle/certified_filter/kernels.h"
-#include "kernel/sphere_triangle/description.h"
-#include "kernel/sphere_triangle/forms/eigen.h"
-#include "kernel/sphere_triangle/forms/packed.h"
+#include "kernel/sphere_triangle/query.h"
+#include "kernel/sphere_triangle/forms/pair_forms.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 #include "kernel/sphere_triangle/reference/scalar_kernel.h"
 

@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-#include "kernel/sphere_triangle/methods/closest_point.h"
-#include "kernel/sphere_triangle/methods/segments.h"
+#include "kernel/sphere_triangle/formulae/methods.h"
 #include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/testing/queries.h"
 

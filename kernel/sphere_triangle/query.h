@@ -1,16 +1,15 @@
 // One query of the predicate sphere against triangle: its numbers with names.
 #pragma once
-
 #include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "kernel/base/geometry.h"
+#include "kernel/outcome.h"
 #include "kernel/query.h"
 #include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
-
 using portable::Vec3;
 
 inline constexpr std::size_t coordinate_count = 13;
@@ -61,5 +60,21 @@ bool is_valid(const Query<Real>& q) {
   }
   return q.r >= 0;
 }
+
+// The sides that sphere-triangle's formulae compare, and the decision that follows from their bits.
+
+// The two sides of every comparison `lhs > rhs`.
+template <class T>
+struct Sides {
+  EnumArray<Comparison, T> lhs, rhs;
+};
+
+inline Outcome outcome_of(ComparisonBits bits) { return {verdict_of(axes_of(bits)), bits}; }
+
+// The description of the predicate sphere against triangle.
+
+struct Predicate;  // kernel/predicate.h
+
+const Predicate& sphere_triangle_predicate();
 
 }  // namespace axiscert

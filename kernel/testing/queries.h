@@ -7,7 +7,7 @@
 
 #include "kernel/ask.h"
 #include "kernel/sphere_triangle/query.h"
-#include "kernel/sphere_triangle/shown_sides.h"
+#include "kernel/sphere_triangle/reference/scalar.h"
 
 namespace axiscert::testing_support {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/base/enum_array.h"
+#include "kernel/base/enums.h"
 
 namespace axiscert::testing_support {
 

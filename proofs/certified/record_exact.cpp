@@ -2,7 +2,6 @@
 #include <stdexcept>
 
 #include "proofs/certified/graph.h"
-#include "proofs/certified/recorder.h"
 #include "kernel/sphere_triangle/certified/numbers/exact_margins.h"
 
 namespace axiscert::proofs::certified {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <random>
 
-#include "proofs/certified/recorded_answers.h"
+#include "proofs/certified/evaluate.h"
 #include "proofs/certified/turns.h"
 
 namespace axiscert::proofs::certified {

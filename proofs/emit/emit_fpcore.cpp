@@ -6,8 +6,7 @@
 #include <algorithm>
 
 #include "proofs/emit/emit.h"
-#include "proofs/emit/infix.h"
-#include "proofs/ranges.h"
+#include "proofs/bounds.h"
 
 namespace axiscert::proofs {
 namespace {

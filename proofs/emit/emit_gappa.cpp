@@ -19,7 +19,6 @@
 
 #include "proofs/bounds.h"
 #include "proofs/emit/emit.h"
-#include "proofs/emit/infix.h"
 
 namespace axiscert::proofs {
 namespace {

@@ -5,7 +5,6 @@
 #include <cctype>
 
 #include "proofs/emit/emit.h"
-#include "proofs/emit/infix.h"
 
 namespace axiscert::proofs {
 namespace {

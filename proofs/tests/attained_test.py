@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""attained_test.py WRITTEN: each figure of proofs/attained.h is attained by a query of proofs/attained.jsonl.
+"""attained_test.py WRITTEN: each figure of proofs/bounds.h is attained by a query of proofs/attained.jsonl.
 
 A query's error is |(l^ - r^) - (l - r)| in u = 2^-24: the recorded program of its comparison (fpcore/ in the folder WRITTEN), each operation
 rounded to binary32, compared with the exact value, in fractions. The query is in the scaled domain: every exact coordinate of

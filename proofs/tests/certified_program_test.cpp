@@ -7,8 +7,7 @@
 #include <map>
 #include <set>
 
-#include "proofs/certified/equivalent.h"
-#include "proofs/certified/score.h"
+#include "proofs/certified/mutants.h"
 #include "proofs/certified/step_queries.h"
 #include "proofs/emit/emit.h"
 #include "proofs/tests/certified_steps.h"

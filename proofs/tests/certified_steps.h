@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "proofs/certified/recorded_answers.h"
+#include "proofs/certified/evaluate.h"
 
 namespace axiscert::proofs {
 

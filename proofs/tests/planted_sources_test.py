@@ -66,7 +66,7 @@ class PlantedSources(Planted):
         self.formula("kernel/sphere_triangle/formulae.h", "A * e1 - AB * d1", "A * e1 + AB * d1", "RecordedIsSat7.v")
 
     def test_a_wrong_coefficient_in_the_reduced_form(self):
-        self.formula("kernel/sphere_triangle/rungs/reduced.h", "emit(edge_ab_radius, dot(N1, N1), rr * dot(AB, AB))",
+        self.formula("kernel/sphere_triangle/formulae/reduced.h", "emit(edge_ab_radius, dot(N1, N1), rr * dot(AB, AB))",
                      "emit(edge_ab_radius, dot(N1, N1), rr * dot(AB, BC))", "RecordedIsSat7.v")
 
     def test_a_swapped_comparison(self):
@@ -87,7 +87,7 @@ class PlantedSources(Planted):
 
     def test_a_range_too_narrow(self):
         row = '{Domain::scaled, "V",  true,  "-4",'
-        made = self.written("proofs/ranges.cpp", row, row.replace("-4", "-3"), "proofs/ranges.cpp") / "ranges"
+        made = self.written("proofs/bounds.cpp", row, row.replace("-4", "-3"), "proofs/bounds.cpp") / "ranges"
         shutil.copy(PROOFS / "coq" / "formulae" / "Ranges.v", made)
         for name, accepted in (("Ranges.v", True), ("RangesClaimed.v", False)):
             done = subprocess.run(["coqc", "-Q", ".", "Axiscert", name], cwd=made, capture_output=True, text=True)

@@ -12,10 +12,10 @@
 #include <cstdio>
 #include <vector>
 
-#include "proofs/forward_error.h"
+#include "proofs/program.h"
 #include "proofs/tests/small_float.h"
 #include "kernel/sphere_triangle/reference/evaluate.h"
-#include "kernel/sphere_triangle/rungs/reduced.h"
+#include "kernel/sphere_triangle/formulae/reduced.h"
 
 namespace axiscert::proofs {
 namespace {

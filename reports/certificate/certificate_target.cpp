@@ -3,8 +3,8 @@
 // read unchanged.
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
-#include "reports/certificate/certificate.h"
-#include "reports/certificate/derived/derived.h"
+#include "reports/certificate/statement/statement.h"
+#include "reports/certificate/derived.h"
 #include "reports/certificate/page.h"
 #include "reports/certificate/statement/canonical.h"
 

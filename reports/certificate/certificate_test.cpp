@@ -1,10 +1,9 @@
 // Certificates that are read and refused: each way to break one has its message.
-#include "reports/certificate/certificate.h"
+#include "reports/certificate/statement/statement.h"
 
 #include "kernel/base/temporary_folder.h"
 #include "reports/certificate/page.h"
 #include "reports/certificate/statement/canonical.h"
-#include "reports/certificate/statement/statement.h"
 #include "reports/testing/test_run.h"
 
 namespace axiscert {

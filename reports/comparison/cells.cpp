@@ -6,9 +6,8 @@
 #include <iterator>
 #include <utility>
 
-#include "kernel/finding.h"
+#include "kernel/outcome.h"
 #include "reports/run_folder/identity.h"
-#include "reports/run_folder/plan_queries.h"
 
 namespace axiscert {
 namespace {

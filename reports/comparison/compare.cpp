@@ -8,11 +8,9 @@
 #include <set>
 
 #include "kernel/base/error.h"
-#include "reports/comparison/given_measures.h"
 #include "reports/comparison/pairing.h"
-#include "reports/evidence/evidence.h"
-#include "reports/run_folder/plan_queries.h"
-#include "reports/wording/finding.h"
+#include "reports/wording/evidence.h"
+#include "reports/run_folder/identity.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fuzz/fields/json_form.h"
-#include "kernel/base/enum_array.h"
+#include "kernel/base/enums.h"
 
 namespace axiscert {
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "reports/comparison/compare.h"
-#include "reports/comparison/show.h"
+#include "reports/comparison/comparison_report.h"
 #include "reports/testing/edited_record.h"
 
 namespace axiscert {

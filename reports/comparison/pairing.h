@@ -1,6 +1,5 @@
 // The kernels of two records, paired by what both know them by.
 #pragma once
-
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,7 +8,6 @@
 #include "reports/run_folder/identity.h"
 
 namespace axiscert {
-
 class KernelPairs {
  public:
   // The records have to outlive this.
@@ -34,5 +32,12 @@ class KernelPairs {
 std::vector<const KernelRecord*> precision_entries(const Record& record, const std::string& id);
 // That of one precision; null where there is none.
 const KernelRecord* precision_entry(const Record& record, const std::string& id, Precision precision);
+
+// Measures that a kernel gives in one of two runs alone.
+
+// Adds an entry for each precision that both runs judged: one that fails where OLD gave more, so that something is not
+// checked any more, and another where NEW gives more. `kernel` is in both records.
+void note_given_by_one(const Record& before, const Record& after, const ComparedKernel& kernel,
+                       std::vector<NotCompared>& absent);
 
 }  // namespace axiscert

@@ -3,10 +3,9 @@
 #include "reports/comparison/promise.h"
 
 #include "reports/comparison/compare.h"
-#include "reports/comparison/show.h"
+#include "reports/comparison/comparison_report.h"
 #include "reports/testing/edited_record.h"
-#include "reports/testing/limited_run.h"
-#include "reports/testing/motion_run.h"
+#include "reports/testing/test_run.h"
 
 namespace axiscert {
 namespace {

@@ -8,10 +8,9 @@
 #include <memory>
 
 #include "exact/trait/examine.h"
-#include "fuzz/confirm/motion_record.h"
+#include "fuzz/confirm/witness.h"
 #include "fuzz/files/query_line.h"
 #include "kernel/base/error.h"
-#include "fuzz/confirm/finding_record.h"
 #include "fuzz/confirm/record.h"
 #include "kernel/plugin/load.h"
 #include "reports/comparison/promise.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fuzz/record/record.h"
-#include "kernel/base/enum_array.h"
+#include "kernel/base/enums.h"
 
 namespace axiscert {
 

@@ -4,7 +4,7 @@
 #include "kernel/kernel.h"
 #include "reports/comparison/compare.h"
 #include "fuzz/confirm/record.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

@@ -1,9 +1,9 @@
 // The contents of junit.xml and report.sarif.
-#include "reports/testing/motion_run.h"
+#include "reports/testing/test_run.h"
 
 #include <map>
 
-#include "reports/gates/ratchet_text.h"
+#include "reports/gates/ratchet.h"
 #include "reports/gates/requirement.h"
 
 namespace axiscert {

@@ -1,12 +1,12 @@
 // The contents of report.html; no name in a record may become markup.
-#include "reports/testing/motion_run.h"
+#include "reports/testing/test_run.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <random>
 
-#include "reports/page/embedded.h"
+#include "reports/page/page_template.h"
 #include "reports/gates/requirement.h"
 
 namespace axiscert {

@@ -4,20 +4,14 @@
 
 #include <algorithm>
 
-#include "reports/wording/finding.h"
+#include "reports/wording/summary.h"
 #include "reports/formats/format.h"
-#include "reports/formats/sections/classes_section.h"
-#include "reports/formats/sections/depths_section.h"
-#include "reports/formats/sections/motion_section.h"
-#include "reports/formats/sections/requirements_section.h"
-#include "reports/formats/sections/signs_section.h"
+#include "reports/formats/markdown_sections.h"
 #include "reports/wording/markdown_text.h"
 #include "reports/wording/reproduce.h"
-#include "reports/evidence/evidence.h"
+#include "reports/wording/evidence.h"
 #include "reports/gates/requirement.h"
-#include "reports/gates/unjudged.h"
 #include "reports/run_folder/run_folder.h"
-#include "reports/wording/summary.h"
 
 namespace axiscert {
 namespace {

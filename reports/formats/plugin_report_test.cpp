@@ -2,12 +2,11 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/supervised_testing.h"
 #include "fuzz/confirm/record.h"
-#include "reports/evidence/evidence.h"
+#include "reports/wording/evidence.h"
 #include "reports/wording/depths.h"
-#include "reports/wording/finding.h"
+#include "reports/wording/summary.h"
 #include "reports/wording/reproduce.h"
 #include "reports/gates/requirement.h"
-#include "reports/wording/summary.h"
 #include "reports/testing/test_run.h"
 
 namespace axiscert {

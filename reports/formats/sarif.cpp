@@ -13,13 +13,11 @@
 
 #include "reports/comparison/cells.h"
 #include "reports/wording/depths.h"
-#include "reports/wording/finding.h"
+#include "reports/wording/summary.h"
 #include "reports/formats/format.h"
 #include "reports/wording/reproduce.h"
-#include "reports/evidence/evidence.h"
+#include "reports/wording/evidence.h"
 #include "reports/gates/requirement.h"
-#include "reports/gates/unjudged.h"
-#include "reports/wording/summary.h"
 
 namespace axiscert {
 namespace {

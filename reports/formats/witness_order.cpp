@@ -10,7 +10,7 @@
 #include "fuzz/text/number_text.h"
 #include "kernel/names.h"
 #include "kernel/predicate.h"
-#include "reports/run_folder/record_names.h"
+#include "reports/run_folder/record_checks.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
 

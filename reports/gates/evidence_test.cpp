@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "reports/gates/requirement.h"
-#include "reports/gates/unjudged.h"
 #include "reports/testing/edited_record.h"
 
 namespace axiscert {

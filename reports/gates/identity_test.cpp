@@ -4,10 +4,10 @@
 #include "reports/run_folder/identity.h"
 
 #include "reports/comparison/compare.h"
-#include "reports/comparison/show.h"
+#include "reports/comparison/comparison_report.h"
 #include "reports/testing/edited_record.h"
-#include "reports/gates/ratchet_text.h"
-#include "reports/gates/unjudged.h"
+#include "reports/gates/ratchet.h"
+#include "reports/gates/requirement.h"
 
 namespace axiscert {
 namespace {

@@ -1,7 +1,7 @@
 // Verdicts that change with an exact image: what `logic` and `invariant=KIND` refuse, and how they say it.
 #include "reports/gates/requirement.h"
 #include "reports/testing/edited_record.h"
-#include "reports/wording/invariance.h"
+#include "reports/gates/invariant_level.h"
 
 namespace axiscert {
 namespace {

@@ -1,7 +1,7 @@
 // A ratchet holds what each kernel promises: who promises less is worse, and who promises other things is not compared.
-#include "reports/gates/ratchet_text.h"
+#include "reports/gates/ratchet.h"
 #include "reports/testing/edited_record.h"
-#include "reports/testing/limited_run.h"
+#include "reports/testing/test_run.h"
 
 namespace axiscert {
 namespace {

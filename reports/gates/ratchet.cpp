@@ -9,10 +9,8 @@
 
 #include "kernel/base/error.h"
 #include "reports/comparison/cells.h"
-#include "reports/evidence/evidence.h"
-#include "reports/gates/ratchet_text.h"
+#include "reports/wording/evidence.h"
 #include "reports/run_folder/identity.h"
-#include "reports/run_folder/plan_queries.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
 

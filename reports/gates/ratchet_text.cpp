@@ -1,4 +1,4 @@
-#include "reports/gates/ratchet_text.h"
+#include "reports/gates/ratchet.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,7 +15,7 @@
 #include <sstream>
 
 #include "kernel/base/error.h"
-#include "kernel/base/utf8.h"
+#include "kernel/base/text.h"
 #include "reports/comparison/cells.h"
 
 namespace axiscert {

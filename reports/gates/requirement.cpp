@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "kernel/base/alike.h"
 #include "kernel/base/error.h"
+#include "kernel/base/text.h"
+#include "reports/gates/gate.h"
 #include "reports/run_folder/run_folder.h"
-#include "reports/wording/finding.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -377,6 +377,15 @@ std::vector<Failure> failures_of(const std::vector<LevelOutcome>& outcomes) {
 
 std::vector<Failure> unmet(const Record& record, const std::string& level) {
   return failures_of(outcomes_at(record, level));
+}
+
+Gate gate_at(const std::string& level) {
+  return [level](const Record& record) {
+    std::vector<GateFailure> failures;
+    for (const Failure& failure : unmet(record, level))
+      failures.push_back({failure.kernel, failure.precision, failure.family, failure.what});
+    return failures;
+  };
 }
 
 }  // namespace axiscert

@@ -1,17 +1,15 @@
 // The requirements of a record, and what came of them: a level is met, not met, or not checked, for each kernel and
 // precision. The levels themselves are in levels/.
 #pragma once
-
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "fuzz/record/record.h"
 #include "fuzz/record/run_info.h"
-#include "reports/gates/levels/level.h"
+#include "reports/gates/level.h"
 
 namespace axiscert {
-
 enum class LevelState { met, not_met, not_checked };
 template <>
 inline constexpr std::size_t enum_count<LevelState> = 3;
@@ -131,5 +129,12 @@ std::vector<Failure> failures_of(const std::vector<LevelOutcome>& outcomes);
 
 // The failures of a record at a level; empty where no kernel fails it, which does not mean that it was checked.
 std::vector<Failure> unmet(const Record& record, const std::string& level);
+
+// The part of a plan that a run did not judge. A run in which there is anything of it never exits with 0, whatever was
+// required of it.
+
+// Sentences, one for each kernel of the plan that could not be loaded, that has a family without a valid query in any
+// of its precisions, or that has valid queries outside its limits only. Empty where the whole plan was judged.
+std::vector<std::string> unjudged(const Record& record);
 
 }  // namespace axiscert

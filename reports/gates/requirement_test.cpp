@@ -1,4 +1,6 @@
 // Records that each level of --require accepts and refuses.
+#include <set>
+
 #include "reports/gates/requirement.h"
 #include "reports/testing/edited_record.h"
 
@@ -118,4 +120,211 @@ TEST(Requirement, DepthAllowsWrongVerdictsUpToItEitherWay) {
 }
 
 }  // namespace
+
+// A level is met, not met, or not checked; what is not checked does not pass. Each record is the stored one with a
+// plant.
+
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+// `published` alone, or `<script>`, which shows verdicts alone, without its wrong verdicts on `lattice`.
+Json of_reference() {
+  Json record = stored_record();
+  record["kernels"].erase(1);
+  record["plan"]["kernels"] = {"published"};
+  return record;
+}
+Json of_verdicts() {
+  Json record = stored_record();
+  record["kernels"].erase(0);
+  record["plan"]["kernels"] = {"<script>"};
+  Json& verdict = record["kernels"][0]["families"]["lattice"]["verdict"];
+  for (const char* member : {"false_separation", "false_contact", "touching_flips", "invalid"}) verdict[member] = 0;
+  return record;
+}
+Json& families_in(Json& record) { return record["kernels"][0]["families"]; }
+
+LevelOutcome outcome(const Json& record, const std::string& level) {
+  const std::vector<LevelOutcome> outcomes = outcomes_at(record, level);
+  EXPECT_EQ(outcomes.size(), 1u);
+  return outcomes.front();
+}
+void expect_unchecked(const Json& record, const std::string& level, const std::string& reason) {
+  const LevelOutcome found = outcome(record, level);
+  EXPECT_EQ(name(found.state), "NOT CHECKED") << level;
+  EXPECT_THAT(found.reason, HasSubstr(reason)) << level;
+  EXPECT_FALSE(found.passes());
+  EXPECT_TRUE(found.covers.empty()) << "nothing is claimed";
+}
+
+TEST(LevelOutcome, MetSaysWhatItCoversAndWhatNot) {
+  Json record = of_reference();
+  for (Json& family : families_in(record)) {
+    for (Json& count : family["verdict"]["links"]) count = 0;
+  }
+  const LevelOutcome reference = outcome(record, "logic");
+  EXPECT_EQ(reference.state, LevelState::met);
+  EXPECT_THAT(reference.covers, AllOf(HasSubstr("4,495 queries"), HasSubstr("its reference computes them")));
+  EXPECT_THAT(reference.leaves_out, HasSubstr("rounding and range"));
+
+  const LevelOutcome verdicts = outcome(of_verdicts(), "logic");
+  EXPECT_EQ(verdicts.state, LevelState::met);
+  EXPECT_THAT(verdicts.covers, HasSubstr("of lattice that do not touch"));
+  EXPECT_THAT(verdicts.leaves_out, HasSubstr("7 wrong verdicts of this run have no known cause"));
+  EXPECT_EQ(verdicts.unseen, std::vector<std::string>{"tangent"});
+}
+
+TEST(LevelOutcome, RangeOfVerdictsAloneIsNotChecked) {
+  Json record = of_verdicts();
+  expect_unchecked(record, "range", "shows verdicts alone: a wrong verdict (7 of them) cannot be told to be of range");
+  families_in(record)["tangent"]["verdict"]["false_separation"] = 0;
+  EXPECT_EQ(outcome(record, "range").state, LevelState::met) << "no verdict is wrong, so none is by range";
+}
+
+TEST(LevelOutcome, RangeOfFormulaeInAnOrderOfTheirOwnIsNotChecked) {
+  Json record = of_reference();
+  record["kernels"][0]["reference"] = false;
+  for (Json& family : families_in(record)) {
+    for (Json& count : family["verdict"]["links"]) count = 0;
+  }
+  expect_unchecked(record, "range", "evaluates its formulae in its own way: a wrong verdict (60 of them)");
+}
+
+TEST(LevelOutcome, LogicWithoutExactArithmeticIsNotChecked) {
+  for (Json record : {of_verdicts(), of_reference()}) {
+    record["kernels"][0]["reference"] = record["kernels"][0]["reference"].is_null() ? Json() : Json(false);
+    for (Json& family : families_in(record)) {
+      for (Json& count : family["verdict"]["links"]) count = 0;
+    }
+    families_in(record)["lattice"]["exact_arithmetic"] = false;
+    expect_unchecked(record, "logic", "add --family lattice");
+    expect_unchecked(record, "range", "add --family lattice");
+  }
+  Json touching = of_verdicts();
+  Json& lattice = families_in(touching)["lattice"];
+  lattice["truth"]["touching"] = lattice["trials"];
+  expect_unchecked(touching, "logic", "no query of a family of exact arithmetic was decided");
+}
+
+TEST(LevelOutcome, WithoutADecidedQueryNothingIsChecked) {
+  const std::vector<std::string> levels = {"logic", "range", "exact", "conservative", "conservative=1", "depth=1"};
+  Json undecided = of_verdicts(), none = undecided;
+  for (Json& family : families_in(undecided)) {
+    for (const char* member : {"false_separation", "false_contact"}) family["verdict"][member] = 0;
+    family["verdict"]["undecided"] = family["trials"];
+    family["verdict"]["undecided_contact"] = family["truth"]["contact"];
+  }
+  none["kernels"][0]["families"] = Json::object();
+  for (const std::string& level : levels) {
+    expect_unchecked(undecided, level, "called no valid query within its limits separated or contact");
+    expect_unchecked(none, level, "no query of it was run in binary32");
+  }
+}
+
+TEST(LevelOutcome, AFamilyOfThePlanWithoutQueriesIsNotChecked) {
+  Json record = of_verdicts();
+  record["plan"]["trials"]["queries/empty.jsonl"] = {{"binary32", 0}, {"binary64", 0}};
+  EXPECT_THAT(outcome(record, "logic").reason, HasSubstr("no query was run of queries/empty.jsonl"));
+  record["plan"]["trials"]["queries/empty.jsonl"]["binary64"] = 1;
+  EXPECT_EQ(outcome(record, "logic").state, LevelState::met) << "a file has the queries that it has";
+  record["plan"]["trials"]["general"] = {{"binary32", 0}, {"binary64", 100}};
+  EXPECT_THAT(outcome(record, "logic").reason, HasSubstr("no query was run of general")) << "a run out of time";
+}
+
+TEST(LevelOutcome, AFailureIsNotHiddenByWhatIsNotChecked) {
+  Json record = of_verdicts();
+  families_in(record)["tangent"]["verdict"]["unanswered"] = 1;
+  EXPECT_EQ(outcome(record, "range").state, LevelState::not_met);
+}
+
+TEST(LevelOutcome, MayBeLeftUncheckedByName) {
+  Json record = of_verdicts();
+  record["plan"]["require"] = {"logic", "range"};
+  EXPECT_FALSE(pass(outcomes_of(record)));
+  record["plan"]["allow_unchecked"] = {"range"};
+  const auto outcomes = outcomes_of(record);
+  EXPECT_TRUE(pass(outcomes));
+  EXPECT_EQ(state_text(worst_of(outcomes, edited(record).kernels[0])), "NOT CHECKED, which is allowed");
+  EXPECT_EQ(outcomes[1].state, LevelState::not_checked) << "it is not called met";
+  record["plan"]["allow_unchecked"] = {"exact"};
+  EXPECT_THROW(outcomes_of(record), Error) << "exact is not required";
+  record["plan"]["allow_unchecked"] = {"logic"};
+  EXPECT_FALSE(pass(outcomes_of(record)));
+}
+
+TEST(LevelOutcome, AKernelThatCouldNotBeLoadedMeetsNothingWhateverIsAllowed) {
+  Json record = stored_record();
+  record["kernels"] = Json::array();
+  record["plan"]["kernels"] = {"plugin:gone.so"};
+  record["plan"]["allow_unchecked"] = {"logic"};
+  record["findings"] = Json::array({load_fault_of("plugin:gone.so", "no such file")});
+  const auto outcomes = outcomes_of(record);
+  ASSERT_EQ(outcomes.size(), 1u);
+  EXPECT_EQ(outcomes[0].state, LevelState::not_met);
+  EXPECT_FALSE(pass(outcomes));
+}
+
+// `published` as the kernel under test, and a copy of it as the yardstick.
+Json with_yardstick(std::uint64_t missed) {
+  Json record = of_reference();
+  record["kernels"].push_back(record["kernels"][0]);
+  record["kernels"][1]["id"] = "yardstick";
+  record["plan"]["kernels"] = {"published", "yardstick"};
+  record["plan"]["require"] = "no-worse-than=yardstick";
+  families_in(record)["tangent"]["verdict"]["false_separation"] = missed;
+  return record;
+}
+
+TEST(NoWorseThan, ComparesCountsUpToChance) {
+  for (const std::uint64_t missed : {0, 39, 40, 41, 50}) {
+    const auto outcomes = outcomes_of(with_yardstick(missed));
+    ASSERT_EQ(outcomes.size(), 1u) << "the yardstick has to meet nothing";
+    EXPECT_EQ(outcomes[0].state, LevelState::met) << missed;
+    EXPECT_THAT(outcomes[0].covers, HasSubstr("Holm's correction over 6 counts"));
+  }
+  const auto outcomes = outcomes_of(with_yardstick(120));
+  ASSERT_EQ(outcomes[0].failures.size(), 1u);
+  EXPECT_THAT(outcomes[0].failures[0].text(),
+              AllOf(HasSubstr("published binary32 on tangent: missed contacts, 120 of 995, more than yardstick with 40 "
+                              "of 995 (p = "),
+                    HasSubstr("witness w2")));
+}
+
+TEST(NoWorseThan, WithoutTheOtherKernelOnAFamilyIsNotChecked) {
+  Json record = with_yardstick(40);
+  record["kernels"][1]["families"].erase("lattice");
+  EXPECT_THAT(outcomes_of(record)[0].reason, HasSubstr("yardstick was not run on lattice in binary32"));
+  record["kernels"][1]["precision"] = "binary64";
+  EXPECT_EQ(outcomes_of(record)[0].state, LevelState::not_checked);
+}
+
+TEST(NoWorseThan, AYardstickAloneIsNotChecked) {
+  Json record = of_reference();
+  record["plan"]["require"] = "no-worse-than=published";
+  const auto outcomes = outcomes_of(record);
+  ASSERT_EQ(outcomes.size(), 1u);
+  EXPECT_EQ(outcomes[0].state, LevelState::not_checked);
+  EXPECT_FALSE(pass(outcomes));
+}
+
+TEST(GateLevels, HaveNamesAndSentencesOfTheirOwn) {
+  std::set<std::string> sentences;
+  for (const GateLevel* level : gate_levels()) {
+    const std::string usage = level->usage, name(level->name());
+    std::string argument;
+    for (const auto& [kind, example] :
+         {std::pair("=KERNEL", "=published"), {"=KIND", "=scale"}, {"=D", "=0.5"}, {"=SHARE", "=0.5"}}) {
+      if (usage.find(kind) != usage.npos) argument = example;
+    }
+    const AskedLevel asked = parse_level(name + argument);
+    EXPECT_EQ(asked.name, name);
+    EXPECT_TRUE(sentences.insert(sentence_of(asked)).second) << usage;
+    EXPECT_NE(*level->meaning, '\0') << usage;
+  }
+}
+
+}  // namespace
+
 }  // namespace axiscert

@@ -1,12 +1,11 @@
-#include "reports/gates/unjudged.h"
+#include "reports/gates/requirement.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "reports/evidence/evidence.h"
-#include "reports/wording/finding.h"
+#include "reports/wording/evidence.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {

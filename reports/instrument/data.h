@@ -1,16 +1,15 @@
 // The head of the JSON that instruments and lists print for other programs. docs/data.md describes it.
 #pragma once
-
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "fuzz/fields/json_form.h"
 #include "kernel/base/version.h"
-#include "kernel/finding.h"
+#include "kernel/outcome.h"
 
 namespace axiscert {
-
 // {"schema": axiscert-NAME/VERSION, "axiscert": the version, "revision": its commit}: the first base of the struct
 // `File`, which says its `format`.
 template <class File>
@@ -52,5 +51,25 @@ inline std::vector<FindingRow> finding_rows(const std::vector<Finding>& findings
   for (const Finding& finding : findings) rows.push_back({finding.kind, finding.detail});
   return rows;
 }
+
+// Lines of CSV (RFC 4180), whose columns follow from the fields of what is written.
+
+// Names of columns in their order: a member of a row, or with dots the path to one.
+using DataColumns = std::vector<std::string>;
+
+// Adds the columns of a JSON Schema that are not there yet. A cell is a number or text, or a list of these; members of
+// a member are cells of their own. Maps, lists of others and queries are left out.
+void add_columns(DataColumns& columns, const Json& schema, const std::string& path);
+// `first`, and the cells of a row that is a T.
+template <class T>
+DataColumns with_columns_of(DataColumns first) {
+  add_columns(first, json_schema_of<T>(), "");
+  return first;
+}
+
+// The line of names.
+std::string csv_head(const DataColumns& columns);
+// A row: null, or a member that it lacks, is an empty cell, an array its elements with spaces between them.
+std::string csv_line(const DataColumns& columns, const Json& row);
 
 }  // namespace axiscert

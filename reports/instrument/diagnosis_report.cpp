@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "reports/instrument/figures.h"
-#include "reports/instrument/looked_at.h"
 
 namespace axiscert {
 namespace {

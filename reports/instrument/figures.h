@@ -1,5 +1,7 @@
 // The format of figures that several instruments show.
 #pragma once
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <optional>
@@ -7,12 +9,12 @@
 #include <vector>
 
 #include "fuzz/fields/json_form.h"
-#include "fuzz/queries/address.h"
 #include "fuzz/instruments/extreme.h"
+#include "fuzz/queries/source.h"
+#include "fuzz/record/looked_at.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
-
 // Errors of the smallest radius that a kernel calls a contact.
 struct RadiusSummary {
   std::uint64_t sampled = 0;
@@ -50,5 +52,40 @@ struct QueryOrigin {
     return text(address_of(source, seed, precision, position));
   }
 };
+
+// How much an instrument looked at, in words.
+
+// "44 declined, 2 called invalid, 7 without an answer, 2,655 outside its limits, 3 not valid": those that show
+// nothing; empty where there are none. A decline that the kernel does not declare is called so.
+inline std::string not_decided_text(const LookedAt& looked_at, bool may_decline) {
+  std::vector<std::string> parts =
+      no_verdict_words({looked_at.undecided, looked_at.invalid, looked_at.unanswered},
+                       may_decline ? "declined" : "declined, which it does not declare that it may");
+  const auto add = [&](std::uint64_t count, const char* what) {
+    if (count != 0) parts.push_back(fmt::format("{} {}", thousands(count), what));
+  };
+  add(looked_at.outside_limits, "outside its limits");
+  add(looked_at.no_query, "not valid");
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+// "1,234 of 1,300 decided, 66 declined".
+inline std::string looked_at_text(const LookedAt& looked_at, bool may_decline) {
+  std::string text = fmt::format("{} of {} decided", thousands(looked_at.decided), thousands(looked_at.asked()));
+  if (const std::string others = not_decided_text(looked_at, may_decline); !others.empty()) text += ", " + others;
+  return text;
+}
+
+// The sentence about answers that no kernel may give to a query within its limits; empty where there are none.
+inline std::string faults_text(const LookedAt& looked_at, bool may_decline) {
+  const std::uint64_t faults = looked_at.faults(may_decline);
+  if (faults == 0) return "";
+  std::string text = fmt::format("Fault: no verdict on {} valid {} within its limits.", thousands(faults),
+                                 faults == 1 ? "query" : "queries");
+  if (looked_at.first_fault) {
+    text += fmt::format(" The first, {}: {}", name(looked_at.first_fault->said), looked_at.first_fault->query);
+  }
+  return text;
+}
 
 }  // namespace axiscert

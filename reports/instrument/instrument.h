@@ -1,15 +1,20 @@
 // The report of a measuring subcommand (`ladder`, `precision`, ...): tables, plots and notes, for the terminal and for
 // a page, and the same figures as JSON.
 #pragma once
-
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "reports/wording/aligned_table.h"
 #include "fuzz/text/json.h"
 
 namespace axiscert {
+// Tables for a terminal.
+
+// Whether a cell is one number, perhaps with a sign: such cells are right-aligned.
+bool is_number(const std::string& cell);
+// Aligned columns, two spaces before each; every row has a cell for each column. A control character, which a terminal
+// would obey, is shown as '?'.
+std::string aligned_table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows);
 
 // A sphere and a triangle, drawn on a page beside a sentence and text to paste.
 struct InstrumentScene {

@@ -1,6 +1,6 @@
 // The text and the page of an instrument's report.
 #include "reports/instrument/instrument.h"
-#include "reports/instrument/looked_at.h"
+#include "reports/instrument/figures.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include "kernel/base/error.h"
 #include "reports/instrument/instrument.h"
-#include "reports/run_folder/parsed_json.h"
+#include "reports/run_folder/run_folder.h"
 
 namespace axiscert {
 namespace {

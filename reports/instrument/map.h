@@ -8,7 +8,7 @@
 #include "fuzz/files/query_object.h"
 #include "fuzz/map/map.h"
 #include "reports/instrument/data.h"
-#include "reports/page/png.h"
+#include "reports/page/encoding.h"
 
 namespace axiscert {
 

@@ -5,10 +5,8 @@
 #include <fmt/ranges.h>
 
 #include "fuzz/search/method.h"
-#include "fuzz/search/proved.h"
+#include "fuzz/search/confirm.h"
 #include "reports/instrument/figures.h"
-#include "reports/instrument/looked_at.h"
-#include "reports/instrument/search_data.h"
 
 namespace axiscert {
 namespace {

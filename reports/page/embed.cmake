@@ -1,6 +1,6 @@
 # cmake -DOUTPUT=FILE.cpp -DFILES=a;b -P embed.cmake: each file's text as axiscert::embedded::NAME, where NAME is the file
 # name with an underscore for each dot.
-set(code "#include \"reports/page/embedded.h\"\n\nnamespace axiscert::embedded {\n\n")
+set(code "#include \"reports/page/page_template.h\"\n\nnamespace axiscert::embedded {\n\n")
 foreach(file ${FILES})
   get_filename_component(name ${file} NAME)
   string(MAKE_C_IDENTIFIER ${name} symbol)

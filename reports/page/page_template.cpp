@@ -5,8 +5,6 @@
 
 #include <stdexcept>
 
-#include "reports/page/embedded.h"
-
 namespace axiscert {
 
 // The characters that are replaced occur only in strings.

@@ -1,6 +1,5 @@
 // Fills a page's template from built-in files.
 #pragma once
-
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,8 +7,21 @@
 
 #include "fuzz/text/json.h"
 
-namespace axiscert {
+namespace axiscert::embedded {
+// The text files built into the library, named by file; embed.cmake writes their definitions.
 
+extern const std::string_view report_html, report_css;
+extern const std::string_view chart_min_js;  // Chart.js itself, MIT licence
+extern const std::string_view instrument_html, instrument_js, chart_js;
+extern const std::string_view table_js, answer_js, next_js, classes_js, heat_js, bounds_js, origins_js, maps_js,
+    margins_js, snippets_js, contacts_js, witnesses_js, results_js, appendix_js, report_js;
+// The pictures of witnesses: what they share, the list of them, and one for each predicate.
+extern const std::string_view scene_view_js, pictures_js, sphere_triangle_scene_js, moving_sphere_scene_js,
+    boxes_scene_js;
+
+}  // namespace axiscert::embedded
+
+namespace axiscert {
 // JSON that remains JSON inside a script element, whatever its strings contain.
 std::string inert_json(const Json& data);
 // Text as the content of an HTML element.

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "kernel/base/error.h"
-#include "reports/page/packed.h"
+#include "reports/page/encoding.h"
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert {

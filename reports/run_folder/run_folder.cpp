@@ -15,12 +15,21 @@
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/names.h"
-#include "reports/run_folder/parsed_json.h"
-#include "reports/run_folder/plan_queries.h"
-#include "reports/run_folder/record_classes.h"
-#include "reports/run_folder/record_names.h"
+#include "reports/run_folder/identity.h"
+#include "reports/run_folder/record_checks.h"
 
 namespace axiscert {
+Json parsed_json(std::string_view text) {
+  // Stops in the middle of the text; what was read up to there is not deeper either.
+  return Json::parse(text, [](int depth, Json::parse_event_t, const Json&) {
+    if (depth <= greatest_json_depth) return true;
+    throw Json::other_error::create(
+        500,
+        fmt::format("deeper than {} levels, which is deeper than anything that axiscert writes", greatest_json_depth),
+        nullptr);
+  });
+}
+
 namespace {
 
 // Errors name the file, say what would be right, and end with `advice`: what to do about a damaged file.

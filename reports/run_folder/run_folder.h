@@ -1,18 +1,102 @@
 // A run's folder, read and checked: the only input of a report.
 #pragma once
-
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "fuzz/fields/json_form.h"
 #include "fuzz/record/record.h"
 #include "fuzz/record/run_info.h"
 #include "fuzz/text/json.h"
 #include "kernel/predicate.h"
-#include "reports/run_folder/ratchet_outcome.h"
 
 namespace axiscert {
+// Reads JSON text from a file into a value that is safe to write, compare and search recursively.
+
+// The files that axiscert writes are some ten levels deep. nlohmann's functions on a value recurse once for each level,
+// so that a file of brackets would exhaust the stack.
+inline constexpr int greatest_json_depth = 100;
+
+// Throws Json::exception where the text is not JSON, or is deeper than that.
+Json parsed_json(std::string_view text);
+
+// The struct of ratchet.json: what `axiscert run --ratchet` held a run to, and where it falls short.
+
+// Until when, by whom and why errors are accepted.
+struct Waiver {
+  std::string expiry, owner, reason;
+
+  bool operator==(const Waiver&) const = default;
+  static constexpr auto fields(auto&& visit) {
+    return visit(field(&Waiver::expiry, {"expiry", "The last day, YYYY-MM-DD in UTC, or never."}),
+                 field(&Waiver::owner, {"owner", "The person or group responsible."}),
+                 field(&Waiver::reason, {"reason", "The reason."}));
+  }
+};
+
+struct WaivedCells {
+  Waiver waiver;
+  std::vector<std::string> fingerprints;
+
+  static constexpr auto fields(auto&& visit) {
+    return visit(inlined(&WaivedCells::waiver),
+                 field(&WaivedCells::fingerprints, {"fingerprints", "Those of the cells.", "cells"}));
+  }
+};
+
+struct RatchetFailure {
+  std::string fingerprint, kernel, precision, family, cell, text;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = RatchetFailure;
+    return visit(
+        field(&Of::fingerprint,
+              {"fingerprint", "Of the cell, or of all cells of the kernel and precision; the same in every run."}),
+        field(&Of::kernel, {"kernel", "Its id in the record; as the ratchet has it where the run did not judge it."}),
+        field(&Of::precision, {"precision", "Empty, like the family, for a finding made in loading."}),
+        field(&Of::family,
+              {"family",
+               "* where the failure is about the kernel's promise in the precision, or about several cells: they have "
+               "expired, or were not checked."}),
+        field(&Of::cell, {"cell", "verdict.false_separation, edge_ab.radius.tolerance_failures ...; or *."}),
+        field(&Of::text, {"text", "The failure in one line, and where in the ratchet it is accepted."}));
+  }
+};
+
+struct RatchetOutcome {
+  FormatName<RatchetOutcome> schema;
+  std::string file, plan;
+  std::vector<RatchetFailure> failures;
+  std::vector<std::string> better, changed;
+  std::vector<WaivedCells> held;
+  std::string accepted;
+
+  static constexpr std::string_view format = "axiscert-held/2",
+                                    title = "What a run was held to, and where it falls short";
+  static constexpr std::string_view about =
+      "ratchet.json, which `axiscert run --ratchet` writes and the reports read. A run without --ratchet leaves none.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = RatchetOutcome;
+    return visit(
+        field(&Of::schema, {"schema", "The format of this file."}),
+        field(&Of::file, {"file", "The reviewed file, as given to --ratchet."}),
+        field(&Of::plan, {"plan", "The plan's fingerprint: that of the record beside it."}),
+        field(&Of::failures,
+              {"failures",
+               "Every kernel that promises less, and everything that is worse than accepted, has expired, or was not "
+               "compared or not checked, the worst first; empty where the ratchet is met."}),
+        field(&Of::better, {"better", "What is better than accepted over the same promised queries, a line each."}),
+        field(&Of::changed, {"changed", "Kernels whose files have other digests than those in the ratchet."}),
+        field(&Of::held, {"held", "The cells with errors that are accepted, by waiver."}),
+        field(
+            &Of::accepted,
+            {"accepted",
+             "The file that would accept the run, with EXPIRY, OWNER and REASON left to fill in where it is worse."}));
+  }
+};
 
 // The file that a gate writes into the folder, for the reports.
 inline constexpr const char* ratchet_outcome_file = "ratchet.json";

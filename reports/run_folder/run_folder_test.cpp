@@ -2,7 +2,6 @@
 #include <functional>
 
 #include "reports/run_folder/run_folder.h"
-#include "reports/testing/motion_run.h"
 #include "reports/testing/test_run.h"
 
 namespace axiscert {

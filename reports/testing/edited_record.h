@@ -3,10 +3,9 @@
 
 #include <algorithm>
 
-#include "reports/comparison/show.h"
-#include "reports/gates/ratchet_text.h"
+#include "reports/comparison/comparison_report.h"
+#include "reports/gates/ratchet.h"
 #include "reports/gates/requirement.h"
-#include "reports/gates/unjudged.h"
 #include "reports/testing/test_run.h"
 
 namespace axiscert {

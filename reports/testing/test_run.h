@@ -1,6 +1,5 @@
 // For tests: the stored record, and run folders that are removed afterwards.
 #pragma once
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <openssl/evp.h>
@@ -11,14 +10,12 @@
 #include <sstream>
 #include <string>
 
-#include "kernel/base/error.h"
 #include "fuzz/text/json.h"
+#include "kernel/base/error.h"
 #include "kernel/base/temporary_folder.h"
 #include "reports/formats/format.h"
-#include "reports/formats/render.h"
 
 namespace axiscert {
-
 inline std::string text_of(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   EXPECT_TRUE(in) << path;
@@ -97,6 +94,100 @@ inline std::size_t occurrences(const std::string& text, const std::string& piece
   std::size_t n = 0;
   for (std::size_t at = text.find(piece); at != text.npos; at = text.find(piece, at + piece.size())) ++n;
   return n;
+}
+
+// For tests: the stored run whose `published` promises something else.
+
+// `published` promises nothing below this radius, and so many valid queries of each family are outside, of which three
+// in five are contacts.
+inline Json with_least_radius(double radius, std::uint64_t outside) {
+  Json record = stored_record();
+  Json& kernel = record["kernels"][0];
+  kernel["limits"] = {{"least_coordinate", nullptr},
+                      {"greatest_coordinate", nullptr},
+                      {"least_area", nullptr},
+                      {"least_radius", radius},
+                      {"greatest_radius", nullptr}};
+  for (Json& family : kernel["families"]) {
+    family["verdict"]["outside_limits"] = {{"trials", outside}, {"false_separation", 0},      {"false_contact", 0},
+                                           {"unanswered", 0},   {"contact", outside * 3 / 5}, {"touching", 0},
+                                           {"deepest", 0.0}};
+  }
+  return record;
+}
+
+// `published` without any wrong answer.
+inline Json without_errors(Json record) {
+  for (Json& family : record["kernels"][0]["families"]) {
+    Json& verdict = family["verdict"];
+    for (const char* member : {"false_separation", "false_contact", "undecided", "invalid", "unanswered"})
+      verdict[member] = 0;
+    for (const char* member : {"deepest", "deepest_false_separation", "deepest_false_contact"}) verdict[member] = 0.0;
+    for (Json& comparison : family["comparisons"]) {
+      for (const char* member : {"false_separation", "missed_separation", "tolerance_failures"}) {
+        if (!comparison[member].is_null()) comparison[member] = 0;
+      }
+    }
+  }
+  return record;
+}
+
+// For tests: the stored run as one of moving-sphere.
+
+// A family's first contacts, on 900 that are right: so many times are late, with these deepest tunnels.
+inline Json contacts(std::uint64_t late, double late_tunnel, double missed_tunnel) {
+  const auto tunnels = [](double deepest) {
+    return Json{{"through", deepest == 1 ? 3 : 0}, {"deepest_tunnel", deepest}};
+  };
+  const Json none = {{"largest_ulps", 0}, {"largest_in_u", 0}, {"by_power", Json::object()}};
+  Json errors = none;
+  errors["largest_in_u"] = late == 0 ? 0.0 : 2.5;
+  return {{"hits", 900},
+          {"missed", tunnels(missed_tunnel)},
+          {"time",
+           {{"none", 0},
+            {"invalid", 0},
+            {"early", 100},
+            {"best", 800 - late},
+            {"late", late},
+            {"late_errors", errors},
+            {"late_tunnels", tunnels(late_tunnel)},
+            {"early_errors", none},
+            {"largest_gap", 0.0}}},
+          {"feature", nullptr},
+          {"normal", nullptr},
+          {"point", nullptr}};
+}
+
+// `<script>` as a kernel of moving-sphere with these contacts on `tangent`, and all times the best on `lattice`; with a
+// witness, `late`, of a late time.
+inline Json motions(const Json& on_tangent) {
+  Json record = stored_record();
+  for (Json* kernels : {&record["kernels"], &record["plan"]["kernels"]}) kernels->erase(0);
+  record["plan"]["predicate"] = "moving-sphere";
+  record["plan"]["tolerance"] = Json::object();
+  Json& kernel = record["kernels"][0];
+  kernel["measures"] = {"time"};
+  kernel["families"]["lattice"]["motion"] = contacts(0, 0, 0);
+  kernel["families"]["lattice"]["verdict"]["invalid"] = 0;
+  kernel["families"]["tangent"]["motion"] = on_tangent;
+  Json witness = record["witnesses"].back();
+  witness["id"] = "late";
+  witness["family"] = "tangent";
+  witness["kernel"] = kernel["id"];
+  witness["precision"] = kernel["precision"];
+  witness["d"] = {"0x1p+1", "0x0p+0", "0x0p+0"};
+  witness["truth"] = witness["computed"] = "contact";
+  witness.erase("class");
+  witness["depth"] = nullptr;
+  witness["flips"] = Json::array();
+  witness["shows"] = {"latest time: 2.5 ulps"};
+  witness["measures"] = {{"given", {{"time", "0x1p-1"}}}, {"tunnel", 0.25}, {"time", "late"}, {"ulps", 2.5}};
+  witness["first_contact"] = {
+      {"time", "0x1p-2"},          {"features", {"vertex_a"}},        {"start", "clear"},          {"after_time", 0.0},
+      {"point", {1.0, 0.0, -0.1}}, {"point_from_a", {0.0, 0.0, 0.0}}, {"normal", {-1.0, 0.0, 0.0}}};
+  record["witnesses"] = Json::array({witness});
+  return record;
 }
 
 }  // namespace axiscert

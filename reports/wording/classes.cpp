@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "fuzz/campaign/counts/class_tally.h"
+#include "fuzz/record/wrong_verdicts.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {

@@ -1,7 +1,6 @@
 // How deep wrong verdicts are, to which side a kernel errs, and what is left of that on engine-like queries, as the
 // formats show them.
 #pragma once
-
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -9,7 +8,6 @@
 #include "fuzz/record/family_record.h"
 
 namespace axiscert {
-
 // The columns of a table of depths, shares of the scene, each from its name to the next one's: "zero", "< 1e-8",
 // "1e-8", ..., "0.1"; and the counts of decades in them.
 const std::vector<std::string>& depth_columns();
@@ -23,5 +21,15 @@ std::string engine_text(const FamilyRecord& family);
 // "4 phantom contacts for each missed one; critical radius early on 3, late on 1 of 512, signed median -0.5 ulps";
 // empty where nothing is wrong and no radius was measured.
 std::string bias_text(const FamilyRecord& family);
+
+// The first contacts that kernels report, as rows of a table: how late, how early, and how deep that lets the sphere
+// in.
+
+const std::vector<std::string>& motion_columns();
+// A cell for each column, of the results of a family or of all; "-" where the kernel does not give what it is about.
+// Empty in a predicate without measures, and where the kernel gives no time and misses nothing by more than touching.
+std::vector<std::string> motion_cells(const FamilyRecord& family);
+// The meaning of the columns.
+extern const char* const motion_note;
 
 }  // namespace axiscert

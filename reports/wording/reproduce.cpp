@@ -10,8 +10,7 @@
 #include <set>
 
 #include "kernel/predicate.h"
-#include "kernel/base/utf8.h"
-#include "reports/wording/finding.h"
+#include "kernel/base/text.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -48,7 +47,7 @@ std::string source_option(const std::string& family) {
   return " --family " + shell_word(family);
 }
 
-bool is_file(const std::string& family) { return family.starts_with("mesh/") || family.starts_with("queries/"); }
+bool is_of_a_file(const std::string& family) { return family.starts_with("mesh/") || family.starts_with("queries/"); }
 
 // The common number of queries of all generated families, if there is one: the value of --trials.
 std::optional<std::uint64_t> common_trials(const PlanRecord& plan) {
@@ -151,7 +150,7 @@ std::string pipe_command(const PlanRecord& plan) {
 std::string replay(const std::string& address, const std::string& family, const std::string& kernel,
                    Precision precision, const PlanRecord& plan) {
   const std::string query = fmt::format("axiscert query {}{} > witness.jsonl && ", quoted(address),
-                                        is_file(family) ? source_option(family) : "");
+                                        is_of_a_file(family) ? source_option(family) : "");
   if (!plan.replies) return fmt::format("{}axiscert check witness.jsonl --kernel {}", query, shell_word(kernel));
   return fmt::format("{}axiscert generate --queries witness.jsonl --precision {} --binary | PROGRAM | {} --out witness",
                      query, name(precision), judge_command(plan));

@@ -1,6 +1,5 @@
 // Statements about a record that several formats make in the same way.
 #pragma once
-
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,7 +9,6 @@
 #include "fuzz/record/record.h"
 
 namespace axiscert {
-
 // A cause of wrong verdicts: its meaning in one sentence, what to do about it, and a section of the documents.
 struct CauseWords {
   std::string_view meaning, advice, section;
@@ -51,5 +49,25 @@ std::string limits_text(const KernelRecord& kernel);
 // The deepest witness of each kernel, precision, family and kind of wrong verdict, then the second of each, up to
 // `limit`, so that one family of deep faults does not hide the others. Deepest first; those without a depth come last.
 std::vector<const WitnessRecord*> worst_witnesses(const Record& record, std::size_t limit);
+
+// Findings of a record, faults of a kernel other than wrong answers, as people read them.
+
+// "plugin:x.so binary32: out_of_bounds on family general, 3 times, first at ADDRESS: DETAIL"; for a finding made in
+// loading, "plugin:x.so: load: DETAIL".
+std::string finding_text(const FindingRecord& finding);
+// The findings of a record, grouped by kind, kernel and precision: the first of each group, then the other families on
+// which it occurred. In the record's order.
+struct FindingGroup {
+  const FindingRecord* first;
+  std::vector<const FindingRecord*> others;
+
+  // "also on family tangent (4 times), scale (once)"; empty where there are no others.
+  std::string others_text() const;
+};
+std::vector<FindingGroup> finding_groups(const Record& record);
+// Whether the finding is about this kernel of a record; one made in loading is about every entry of its kernel.
+bool is_about(const FindingRecord& finding, const KernelRecord& kernel);
+// The kernels of the plan that exist in no precision, because they could not be loaded.
+std::vector<std::string> not_judged(const Record& record);
 
 }  // namespace axiscert

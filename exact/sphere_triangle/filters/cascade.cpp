@@ -1,11 +1,14 @@
 #include "exact/sphere_triangle/filters/cascade.h"
 
+#include <fmt/format.h>
+
 #include "exact/sphere_triangle/filters/grid_signs.h"
-#include "kernel/base/stopwatch.h"
 #include "exact/sphere_triangle/filters/wide_margins.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "kernel/base/stopwatch.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
-
 template <class Real>
 template <class SignsOf>
 void Cascade<Real>::try_left(const QueryBatch<Real>& batch, Step step, SignsOf&& signs_of) {
@@ -44,5 +47,21 @@ const std::vector<DecidedSigns>& Cascade<Real>::decide(const QueryBatch<Real>& b
 }
 template class Cascade<float>;
 template class Cascade<double>;
+
+template <class Real>
+void require_same(const DecidedSigns& decided, const ExactTruth& truth, const Query<Real>& q) {
+  const Signs exact = signs_of(*truth.sides);
+  if (decided.signs == exact && verdict_of(exact) == truth.verdict && is_touching(exact, q.r == 0) == truth.touching) {
+    return;
+  }
+  throw OracleDisagreement(
+      fmt::format("the step `{}` of the filter has the signs {:016b} ties {:016b} (bit 0 is the first comparison); "
+                  "exact arithmetic {:016b} ties {:016b}, {}{}",
+                  name(decided.step), decided.signs.strict, decided.signs.ties, exact.strict, exact.ties,
+                  name(truth.verdict), truth.touching ? ", touching" : ""),
+      Numbers<Real>(q), sphere_triangle_predicate());
+}
+template void require_same(const DecidedSigns&, const ExactTruth&, const Query<float>&);
+template void require_same(const DecidedSigns&, const ExactTruth&, const Query<double>&);
 
 }  // namespace axiscert

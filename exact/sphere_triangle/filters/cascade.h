@@ -1,11 +1,10 @@
 // The steps that decide the signs of a query, cheapest first; each step either is certain or passes the query on.
 #pragma once
-
 #include "exact/sphere_triangle/filters/lane_filter.h"
-#include "exact/trait/steps.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/trait/batch_oracle.h"
 
 namespace axiscert {
-
 struct DecidedSigns {
   Signs signs;  // not set if the step is `exact`
   Step step = Step::exact;
@@ -34,5 +33,15 @@ class Cascade {
   std::vector<DecidedSigns> decided_;
   EnumArray<Step, double> nanoseconds_{};
 };
+
+// The sample that detects faults of the filters: their decisions compared with exact arithmetic.
+
+// One in this many of the queries that integers of any size decide is decided by CGAL as well: these queries are few,
+// and the hardest.
+inline constexpr std::uint64_t integer_check_stride = 64;
+
+// `truth` is that of a valid query. Throws OracleDisagreement if the signs, or the conclusions drawn from them, differ.
+template <class Real>
+void require_same(const DecidedSigns& decided, const ExactTruth& truth, const Query<Real>& q);
 
 }  // namespace axiscert

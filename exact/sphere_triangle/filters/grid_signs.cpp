@@ -7,7 +7,7 @@
 //               no sign changes where e > 0. Where e = 0, A = B and N1 = 0: 0 and 0, a tie, in both pairs.
 // edge.side     0 > N1.V. The published lhs is -e (N1.V): the same where e > 0; where e = 0, N1 = 0, and both tie.
 //
-// kernel/sphere_triangle/rungs/reduced.h implements the last two. Each comparison is homogeneous, so that a power of
+// kernel/sphere_triangle/formulae/reduced.h implements the last two. Each comparison is homogeneous, so that a power of
 // two common to all differences and the radius changes no sign.
 #include "exact/sphere_triangle/filters/grid_signs.h"
 

@@ -10,7 +10,7 @@
 #include <map>
 #include <random>
 
-#include "exact/sphere_triangle/oracles/formula_oracle.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
 
 namespace axiscert {
 namespace {

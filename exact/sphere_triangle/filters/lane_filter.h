@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "exact/sphere_triangle/filters/signs.h"
-#include "exact/trait/steps.h"
+#include "exact/trait/batch_oracle.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

@@ -1,7 +1,7 @@
 // The exact sides of one comparison of a vertex axis, of degree 2, without the other fifteen.
 #pragma once
 
-#include "exact/sphere_triangle/oracles/formula_oracle.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
 
 namespace axiscert {
 

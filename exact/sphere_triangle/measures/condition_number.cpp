@@ -1,7 +1,7 @@
 #include "exact/sphere_triangle/measures/condition_number.h"
 
 #include "exact/numbers/binary_fraction.h"
-#include "exact/numbers/decimal6.h"
+#include "exact/numbers/rational.h"
 #include "exact/numbers/surd.h"
 
 #include <mpfr.h>

@@ -1,7 +1,7 @@
 // The condition of a comparison on one query: whether the question or the formula is to blame for a wrong answer.
 #pragma once
 
-#include "exact/numbers/decimal6.h"
+#include "exact/numbers/rational.h"
 #include "kernel/formulae_list.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/query.h"

@@ -1,16 +1,20 @@
 // The critical radius of a sphere beside a triangle, and its error. `query.r` is not read.
 #pragma once
-
 #include <optional>
 #include <vector>
 
 #include "exact/numbers/rational.h"
-#include "exact/sphere_triangle/measures/limits.h"
 #include "exact/trait/critical_radius.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
+// The limits within which a kernel promises to be right, decided exactly.
+
+// Whether a valid query lies within limits, which must be finite and not negative. A query exactly on a limit is
+// within.
+template <class Real>
+bool is_within(const Limits& limits, const Query<Real>& q);
 
 // Those of exact/trait/critical_radius.h, of a query with its members.
 template <class Real>

@@ -1,10 +1,21 @@
 // The relative distance of a query from the boundary between contact and separation; a number without a unit.
 #pragma once
+#include <optional>
 
-#include "exact/numbers/exact_depth.h"
+#include "exact/judge/depth.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
+// The distance and the depth of a query by integers, rounded once, without CGAL and without rationals.
+
+// The result of depth() for a valid query; empty if the exact depth is a midpoint of two doubles or too near to one.
+template <class Real>
+std::optional<double> depth_on_grid(const Query<Real>& q);
+
+// The distance from P to the triangle, rounded to nearest: infinite beyond the precision. Empty if it is a midpoint of
+// two floats or too near to one. For a valid query, whatever its r.
+template <class Real>
+std::optional<Real> distance_on_grid(const Query<Real>& q);
 
 // |d - r| / max(|A-P|, |B-P|, |C-P|, r): Euclidean lengths of exact values, with d the exact distance, whose square is
 // `squared_distance`; rounded once, to the nearest binary64. 0 if the divisor is 0.

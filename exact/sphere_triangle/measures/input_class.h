@@ -1,16 +1,14 @@
 // The class of a query's input: why a kernel without formulae may be wrong on it, where no link of the chain says so.
 #pragma once
-
 #include <cstdint>
 #include <string_view>
 
 #include "exact/numbers/input_scale.h"
 #include "exact/numbers/rational.h"
-#include "kernel/base/enum_set.h"
+#include "kernel/base/enums.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
-
 // A query may meet several of these definitions, which docs/error_model.md states too. Its class is the first that it
 // meets. All are decided exactly: on the numbers as given, in the maximum norm unless something else is said.
 //
@@ -62,5 +60,17 @@ bool is_degenerate(const Query<Real>& q) {
   }
   return false;
 }
+
+// Queries such as an engine asks.
+
+// An engine-like query of sphere-triangle: every number is zero or normal, no |coordinate| is above 2^20, and the
+// radius is from 2^-20 to 2^20: from a micrometre to a thousand kilometres where the unit is a metre. A wrong verdict
+// on one is counted where its depth is above 16 u; below, it is the rounding of the query's own numbers that decides.
+template <class Real>
+bool is_engine_like(const Query<Real>& q);
+template <class Real>
+std::uint64_t engine_like_queries(const QueryColumns<Real>& columns);
+template <class Real>
+inline constexpr double engine_depth = sizeof(Real) == 4 ? 0x1p-20 : 0x1p-49;  // 16 u
 
 }  // namespace axiscert

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "exact/sphere_triangle/measures/engine_like.h"
-#include "exact/sphere_triangle/measures/grid_distance.h"
+#include "exact/sphere_triangle/measures/input_class.h"
+#include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 
 namespace axiscert {

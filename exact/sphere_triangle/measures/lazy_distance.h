@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "exact/judge/depth_of.h"
+#include "exact/judge/depth.h"
 #include "exact/numbers/rational.h"
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/measures/depth.h"

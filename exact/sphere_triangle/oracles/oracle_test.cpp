@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "exact/sphere_triangle/oracles/feature_walk.h"
+#include "exact/sphere_triangle/oracles/second_oracle.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 

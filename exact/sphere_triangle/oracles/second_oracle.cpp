@@ -1,6 +1,5 @@
 #include "exact/sphere_triangle/oracles/second_oracle.h"
 
-#include "exact/sphere_triangle/oracles/feature_walk.h"
 #include "exact/numbers/mpfr_number.h"
 #include "kernel/base/error.h"
 

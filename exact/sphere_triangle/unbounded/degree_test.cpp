@@ -6,7 +6,7 @@
 #include <random>
 
 #include "exact/numbers/floating.h"
-#include "exact/sphere_triangle/oracles/formula_oracle.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/reference/formulae_types.h"
 

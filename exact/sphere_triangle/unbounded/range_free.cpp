@@ -1,5 +1,5 @@
 // R-infinity of the published and the reduced formulae on every instruction set.
-#include "exact/sphere_triangle/unbounded/range_free.h"
+#include "exact/sphere_triangle/unbounded/reference_batch.h"
 
 #include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/sphere_triangle/forms/simd.h"
@@ -17,7 +17,7 @@ static_assert(static_cast<int>(Strictness::strict) == 0 && static_cast<int>(Stri
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "kernel/sphere_triangle/rungs/reduced.h"
+#include "kernel/sphere_triangle/formulae/reduced.h"
 #include "kernel/sphere_triangle/forms/simd-inl.h"
 #include "exact/sphere_triangle/unbounded/range_free-inl.h"
 

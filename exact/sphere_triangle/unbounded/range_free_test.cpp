@@ -1,5 +1,5 @@
 // R-infinity by SIMD compared with MPFR, for any exponents, on every instruction set.
-#include "exact/sphere_triangle/unbounded/range_free.h"
+#include "exact/sphere_triangle/unbounded/reference_batch.h"
 
 #include <gtest/gtest.h>
 

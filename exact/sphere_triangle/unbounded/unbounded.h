@@ -1,13 +1,11 @@
 // R-infinity: a kernel's precision, operation order and rounding with an unbounded exponent. Any difference between it
 // and the kernel's reference is due to range.
 #pragma once
-
 #include "exact/judge/judge.h"
 #include "kernel/formulae_list.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 
 namespace axiscert {
-
 // The decisions of the scalar reference (R), and of the same rounding steps without over- or underflow (R-infinity),
 // for a valid query. The latter is unbounded() if the reference raised the overflow or underflow flag; if it raised
 // neither, every result was in the normal range or exact, so that the two evaluations are the same. In an arithmetic in
@@ -21,5 +19,25 @@ template <class Real>
 Outcome unbounded(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q);
 template <class Real>
 Outcome unbounded_by_mpfr(Formulae formulae, Arithmetic arithmetic, Strictness strictness, const Query<Real>& q);
+
+// The formulae at any precision: every operation is rounded once, to nearest even, to a number of bits chosen at run
+// time. Inputs are not rounded, so that any difference from the exact formulae comes from the operations alone.
+
+inline constexpr int least_bits = 2, greatest_bits = 256;
+
+// `exponents`: those of binary32 or binary64 with gradual underflow; empty: unbounded. At 24 bits with the exponents of
+// binary32, or 53 with those of binary64, this equals the plain scalar reference.
+template <class Real>
+Outcome at_precision(Formulae formulae, Strictness strictness, const Query<Real>& q, int bits,
+                     std::optional<Precision> exponents);
+
+// Results for both exponent ranges. If no operation over- or underflows, the second evaluation would repeat the first
+// bit for bit and is omitted.
+struct BothRanges {
+  Outcome unlimited, limited;
+};
+template <class Real>
+BothRanges at_precision_in_both_ranges(Formulae formulae, Strictness strictness, const Query<Real>& q, int bits,
+                                       Precision exponents);
 
 }  // namespace axiscert

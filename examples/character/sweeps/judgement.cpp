@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "examples/character/sweeps/clear.h"
+#include "examples/character/sweeps/sweeper.h"
 #include "exact/moving_sphere/first_contact.h"
-#include "exact/moving_sphere/least_distance.h"
-#include "exact/moving_sphere/sizes.h"
+#include "exact/moving_sphere/motion_distance.h"
 #include "exact/trait/oracles.h"
 #include "kernel/base/error.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "examples/character/sweeps/journey.h"
-#include "exact/numbers/decimal6.h"
+#include "exact/numbers/rational.h"
 
 namespace axiscert::character {
 

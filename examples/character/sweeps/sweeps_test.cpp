@@ -4,10 +4,10 @@
 
 #include <functional>
 
-#include "examples/character/sweeps/clear.h"
+#include "examples/character/sweeps/sweeper.h"
 #include "examples/character/sweeps/judgement.h"
 #include "exact/trait/oracles.h"
-#include "fuzz/queries/entry_families.h"
+#include "fuzz/queries/family.h"
 #include "kernel/ask.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sha256.h"

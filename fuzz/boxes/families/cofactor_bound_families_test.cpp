@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/boxes/box_measures.h"
+#include "exact/boxes/measures.h"
 #include "exact/boxes/boxes_testing.h"
 #include "exact/boxes/cofactor_bound.h"
 #include "fuzz/boxes/families/parts.h"

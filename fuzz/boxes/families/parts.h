@@ -8,11 +8,10 @@
 #include <array>
 #include <cmath>
 
-#include "exact/boxes/box_measures.h"
+#include "exact/boxes/measures.h"
 #include "fuzz/boxes/families/situations.h"
 #include "fuzz/queries/steps.h"
 #include "fuzz/queries/family.h"
-#include "fuzz/queries/one_by_one.h"
 #include "fuzz/queries/random.h"
 #include "kernel/boxes/turned.h"
 

@@ -7,7 +7,7 @@
 
 #include "exact/boxes/boxes_testing.h"
 #include "fuzz/boxes/families/parts.h"
-#include "kernel/boxes/epsilon.h"
+#include "kernel/boxes/textbook.h"
 #include "kernel/boxes/projected.h"
 
 namespace axiscert::boxes {

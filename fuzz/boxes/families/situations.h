@@ -1,7 +1,7 @@
 // The situations of the families of two boxes, and of a box and a triangle, the most everyday ones first.
 #pragma once
 
-#include "fuzz/queries/situation.h"
+#include "fuzz/queries/family.h"
 
 namespace axiscert::boxes {
 

@@ -2,7 +2,7 @@
 // as a mesh meets the cells of a grid.
 #include <algorithm>
 
-#include "exact/boxes/exact_triangle.h"
+#include "exact/boxes/measures.h"
 #include "fuzz/boxes/families/parts.h"
 
 namespace axiscert::boxes {

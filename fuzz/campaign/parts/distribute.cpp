@@ -1,13 +1,120 @@
 #include "fuzz/campaign/parts/distribute.h"
 
+#include <fmt/format.h>
+#include <mpfr.h>
+#include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
-#include "fuzz/campaign/parts/fault_message.h"
+#include "exact/judge/judge.h"
+#include "kernel/base/error.h"
 
 namespace axiscert {
+namespace {
+
+// Frees the numbers that MPFR keeps for a thread, which it does not do by itself where the thread ends.
+struct ThreadsMpfr {
+  ~ThreadsMpfr() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
+};
+
+}  // namespace
+
+Crew::Crew(int threads, Run run) : run_(std::move(run)) {
+  for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
+}
+
+Crew::~Crew() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_over_ = true;
+  }
+  has_task_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+void Crew::give(Task task) {
+  {
+    const std::lock_guard lock(mutex_);
+    tasks_.push_back(task);
+  }
+  has_task_.notify_one();
+}
+
+std::vector<TaskResult> Crew::take(std::chrono::milliseconds patience) {
+  std::unique_lock lock(mutex_);
+  has_result_.wait_for(lock, patience, [this] { return failure_ || !results_.empty(); });
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+  return std::exchange(results_, {});
+}
+
+void Crew::work() {
+  const ThreadsMpfr mpfr;
+  std::unique_lock lock(mutex_);
+  while (true) {
+    has_task_.wait(lock, [this] { return is_over_ || !tasks_.empty(); });
+    if (is_over_) return;
+    const Task task = tasks_.front();
+    tasks_.pop_front();
+    lock.unlock();
+    TaskResult result{task, {}};
+    std::exception_ptr failure;
+    try {
+      result.bytes = run_(task);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    lock.lock();
+    if (failure) failure_ = failure;
+    else results_.push_back(std::move(result));
+    has_result_.notify_one();
+  }
+}
+
+namespace {
+
+using Cbor = nlohmann::json;
+
+Cbor fault_json(const std::exception_ptr& fault) {
+  try {
+    std::rethrow_exception(fault);
+  } catch (const OracleDisagreement& d) {
+    return {"disagreement", d.what(), d.precision, d.query, d.predicate->id, d.entry};
+  } catch (const HarnessFault& f) {
+    return {"harness", f.what()};
+  } catch (const Error& e) {
+    return {"input", e.what()};
+  } catch (const std::exception& e) {
+    return {"other", e.what()};
+  }
+}
+
+}  // namespace
+
+std::string fault_message(const std::exception_ptr& fault) {
+  std::string bytes;
+  Cbor::to_cbor(fault_json(fault), bytes);
+  return bytes;
+}
+
+void rethrow_fault(std::string_view message, int rank) {
+  const Cbor json = Cbor::from_cbor(message);
+  const auto kind = json.at(0).get<std::string>(), what = json.at(1).get<std::string>();
+  if (kind == "disagreement") {
+    OracleDisagreement disagreement("", Numbers<float>(), find_predicate(json.at(4).get<std::string>()));
+    json.at(5).get_to(disagreement.entry);
+    disagreement.precision = json.at(2).get<Precision>();
+    json.at(3).get_to(disagreement.query);
+    static_cast<HarnessFault&>(disagreement) = HarnessFault(what);
+    throw disagreement;
+  }
+  if (kind == "harness") throw HarnessFault(what);
+  if (kind == "input") throw Error(what);
+  throw std::runtime_error(fmt::format("rank {}: {}", rank, what));
+}
+
 namespace {
 
 // The time that a process with other ranks sleeps between checks for messages, and a process without others between

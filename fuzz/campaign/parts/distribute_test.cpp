@@ -9,7 +9,7 @@
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

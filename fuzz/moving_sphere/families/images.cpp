@@ -5,9 +5,7 @@
 #include <limits>
 
 #include "fuzz/moving_sphere/families/parts.h"
-#include "fuzz/sphere_triangle/families/parts/image_fill.h"
-#include "fuzz/sphere_triangle/families/parts/symmetry.h"
-#include "fuzz/queries/exact_images.h"
+#include "fuzz/sphere_triangle/families/parts/images.h"
 #include "fuzz/queries/image_groups.h"
 
 namespace axiscert::moving_sphere {

@@ -7,8 +7,7 @@
 #include <cstdlib>
 
 #include "exact/moving_sphere/first_contact.h"
-#include "exact/moving_sphere/least_distance.h"
-#include "exact/moving_sphere/swept_distance.h"
+#include "exact/moving_sphere/motion_distance.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/queries/family.h"

@@ -2,11 +2,10 @@
 // units of length, on which nothing is rounded.
 #include <limits>
 
-#include "exact/moving_sphere/least_distance.h"
+#include "exact/moving_sphere/motion_distance.h"
 #include "fuzz/moving_sphere/families/parts.h"
-#include "fuzz/sphere_triangle/families/parts/image_fill.h"
+#include "fuzz/sphere_triangle/families/parts/images.h"
 #include "fuzz/sphere_triangle/families/parts/lattice_bounds.h"
-#include "fuzz/sphere_triangle/families/parts/unit_images.h"
 
 namespace axiscert::moving_sphere {
 namespace {

@@ -1,7 +1,7 @@
 // The situations of the moving sphere's families, the most everyday ones first.
 #pragma once
 
-#include "fuzz/queries/situation.h"
+#include "fuzz/queries/family.h"
 
 namespace axiscert::moving_sphere {
 

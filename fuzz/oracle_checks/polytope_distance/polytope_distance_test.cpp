@@ -8,7 +8,7 @@
 
 #include <array>
 
-#include "exact/moving_sphere/given_motion.h"
+#include "exact/moving_sphere/motion_distance.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"

@@ -1,6 +1,6 @@
 // Uniform finite bit patterns: all exponents are equally likely, so a query has thirteen different magnitudes.
 #include "fuzz/sphere_triangle/families/parts/lanes.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/sphere_triangle/families/bits.cpp"

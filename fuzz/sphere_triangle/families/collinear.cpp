@@ -3,9 +3,9 @@
 // The published formulae with strict sides answer most of these wrongly at some radius even in exact arithmetic, always
 // with a phantom contact; random floats are never collinear.
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 #include "fuzz/sphere_triangle/families/parts/shapes.h"
-#include "fuzz/queries/one_by_one.h"
+#include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 
 namespace axiscert {

@@ -1,6 +1,6 @@
 // Queries far from the origin, where the grid of the floats is coarse compared with the triangle.
 #include "fuzz/sphere_triangle/families/parts/lanes.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/sphere_triangle/families/far.cpp"

@@ -2,7 +2,7 @@
 // instruction set.
 #include <cstring>
 
-#include "fuzz/families/family_testing.h"
+#include "fuzz/queries/family_testing.h"
 #include "fuzz/queries/lane_testing.h"
 #include "fuzz/queries/source.h"
 

@@ -1,6 +1,6 @@
 // Triangles and centres anywhere in a cube, any radius up to the cube's size: the queries of a uniform fuzzer.
 #include "fuzz/sphere_triangle/families/parts/lanes.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/sphere_triangle/families/general.cpp"

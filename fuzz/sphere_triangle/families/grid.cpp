@@ -2,8 +2,8 @@
 // determinants that `on` leaves to rounding are exactly zero here. Iterations that wait for a sign can then run for
 // ever.
 #include "fuzz/sphere_triangle/families/parts/shapes.h"
-#include "kernel/sphere_triangle/description.h"
-#include "fuzz/queries/one_by_one.h"
+#include "kernel/sphere_triangle/query.h"
+#include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 
 namespace axiscert {

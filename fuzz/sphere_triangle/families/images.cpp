@@ -1,17 +1,16 @@
 // A query near tangency, and its images: in six vertex orders, in 48 permutations and reflections of the axes, with all
 // signs changed, times powers of two, and translated. Every image is exact, so that no exact answer differs.
 #include "fuzz/queries/image_groups.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "fuzz/sphere_triangle/families/parts/image_fill.h"
+#include "fuzz/sphere_triangle/families/parts/images.h"
 #include "fuzz/sphere_triangle/families/parts/shapes.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
-#include "fuzz/sphere_triangle/families/parts/symmetry.h"
 
 namespace axiscert {
 namespace {

@@ -1,7 +1,7 @@
 // Small integers on which the published formulae never round, so that any wrong answer is due to the formulae
 // themselves.
 #include "fuzz/sphere_triangle/families/parts/lanes.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 #include "fuzz/sphere_triangle/families/parts/lattice_bounds.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,6 +1,6 @@
 // One number out of thirteen that is not finite, has the wrong sign, or is a zero of either sign.
 #include "fuzz/sphere_triangle/families/parts/lanes.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/sphere_triangle/families/nonfinite.cpp"

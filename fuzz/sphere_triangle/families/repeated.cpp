@@ -1,6 +1,6 @@
 // Triangles with equal vertices: each pair in turn, then all three.
 #include "fuzz/sphere_triangle/families/parts/lanes.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/sphere_triangle/families/repeated.cpp"

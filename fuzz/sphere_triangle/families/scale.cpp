@@ -1,6 +1,6 @@
 // Clear queries at every power of two of the precision: faults are due to range, not rounding.
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 #include "fuzz/sphere_triangle/families/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE

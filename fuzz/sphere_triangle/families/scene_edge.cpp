@@ -2,7 +2,7 @@
 // next, and where an engine that loses both lets a character fall or stops it at nothing. The two are asked one after
 // the other, at an even position and the next.
 #include "fuzz/sphere_triangle/families/parts/scene.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 #include "fuzz/queries/family.h"
 
 namespace axiscert {

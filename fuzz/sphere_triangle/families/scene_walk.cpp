@@ -1,7 +1,7 @@
 // A character's sphere on a floor or a ramp, in metres: the queries that a controller asks at every frame of a game.
 #include "fuzz/sphere_triangle/families/parts/scene.h"
-#include "kernel/sphere_triangle/description.h"
-#include "fuzz/queries/one_by_one.h"
+#include "kernel/sphere_triangle/query.h"
+#include "fuzz/queries/family.h"
 
 namespace axiscert {
 namespace {

@@ -5,7 +5,7 @@
 // Hence half of the radii are chosen there.
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
 #include "fuzz/queries/steps.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 #include "fuzz/sphere_triangle/families/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE

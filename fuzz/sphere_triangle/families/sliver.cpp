@@ -1,7 +1,7 @@
 // Triangles with one vertex almost on the segment of the other two, down to heights far below the rounding of their
 // coordinates.
 #include "fuzz/sphere_triangle/families/parts/lanes.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fuzz/sphere_triangle/families/sliver.cpp"

@@ -2,9 +2,8 @@
 // least number there is. The part that decides such a query, if any part does, lies hundreds of bits below all others,
 // where products underflow: arithmetic that is exact except for underflow answers as if the specks were absent.
 #include "fuzz/sphere_triangle/families/parts/shapes.h"
-#include "kernel/sphere_triangle/description.h"
-#include "fuzz/sphere_triangle/families/parts/ties.h"
-#include "fuzz/queries/one_by_one.h"
+#include "kernel/sphere_triangle/query.h"
+#include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 #include "kernel/base/powers_of_two.h"
 

@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "fuzz/sphere_triangle/families/parts/shapes.h"
-#include "kernel/sphere_triangle/description.h"
-#include "fuzz/queries/one_by_one.h"
+#include "kernel/sphere_triangle/query.h"
+#include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 
 namespace axiscert {

@@ -1,7 +1,7 @@
 // Radii solved onto each of the seven radius boundaries, with the centre in the region where that axis decides.
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
 #include "fuzz/queries/steps.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 #include "fuzz/sphere_triangle/families/parts/lanes.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,8 +1,7 @@
 // Integers that touch exactly: the distance equals r, on each of the seven features in turn.
 #include "fuzz/sphere_triangle/families/parts/shapes.h"
-#include "kernel/sphere_triangle/description.h"
-#include "fuzz/sphere_triangle/families/parts/ties.h"
-#include "fuzz/queries/one_by_one.h"
+#include "kernel/sphere_triangle/query.h"
+#include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 
 namespace axiscert {

@@ -2,11 +2,10 @@
 // and never leave the range. A kernel that is right on the integers and wrong on an image has a length in it.
 #include <algorithm>
 
-#include "fuzz/sphere_triangle/families/parts/image_fill.h"
-#include "kernel/sphere_triangle/description.h"
+#include "fuzz/sphere_triangle/families/parts/images.h"
+#include "kernel/sphere_triangle/query.h"
 #include "fuzz/sphere_triangle/families/parts/lattice_bounds.h"
 #include "fuzz/sphere_triangle/families/parts/shapes.h"
-#include "fuzz/sphere_triangle/families/parts/unit_images.h"
 #include "fuzz/queries/family.h"
 
 namespace axiscert {

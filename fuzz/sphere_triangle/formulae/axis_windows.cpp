@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "exact/sphere_triangle/oracles/formula_oracle.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/unbounded/unbounded.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"

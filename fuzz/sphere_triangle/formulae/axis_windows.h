@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "fuzz/instruments/exponent_window.h"
+#include "fuzz/queries/image_groups.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/query.h"
 

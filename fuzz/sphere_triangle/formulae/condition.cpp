@@ -12,7 +12,7 @@
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/fields/merge.h"
 #include "fuzz/sphere_triangle/formulae/valid_queries.h"
-#include "fuzz/judging/for_each_judged.h"
+#include "fuzz/instruments/for_each_judged.h"
 
 namespace axiscert {
 namespace {

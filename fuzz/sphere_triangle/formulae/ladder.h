@@ -1,15 +1,74 @@
 // The cost of each step of the article's derivation: accuracy, range and speed of its forms on the same queries.
 #pragma once
+#include <bit>
+#include <map>
+#include <optional>
+#include <string_view>
 
+#include "exact/trait/side_error.h"
 #include "fuzz/campaign/progress.h"
 #include "fuzz/fields/field.h"
-#include "fuzz/sphere_triangle/formulae/error_spread.h"
+#include "fuzz/queries/source.h"
 #include "fuzz/sphere_triangle/formulae/axis_windows.h"
 #include "fuzz/sphere_triangle/formulae/kernel_speed.h"
-#include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
+// The errors of comparisons over many queries: their maximum, exact, and their quantiles.
+
+// Errors of Kind::finite, in u. The result of merging does not depend on the order.
+//
+// A quantile is a lower order statistic of the estimates upper(), which lie within 2^-39 of the errors: those are
+// counted in buckets [x, x (1 + 2^-10)] at most, and the result is the middle of the bucket that contains the
+// statistic, within 2^-11 of it. So the memory does not grow with the number of queries.
+class ErrorSpread {
+ public:
+  void add(const SideError& error) {
+    double estimate = error.upper();
+    if (estimate > 0 && estimate >= worst_.value()) {
+      const Decimal6 exact = error.rounded_up();
+      worst_ = std::max(worst_, exact);
+      if (!std::isfinite(estimate)) estimate = exact.value();
+    } else if (!std::isfinite(estimate)) {
+      estimate = error.rounded_up().value();
+    }
+    ++buckets_[std::bit_cast<std::uint64_t>(estimate) >> dropped_bits];
+    ++count_;
+  }
+  void merge(const ErrorSpread& other) {
+    for (const auto& [bucket, count] : other.buckets_) buckets_[bucket] += count;
+    count_ += other.count_;
+    worst_ = std::max(worst_, other.worst_);
+  }
+
+  std::uint64_t count() const { return count_; }
+  Decimal6 worst() const { return worst_; }  // rounded up
+  // The lower order statistic at `percent`; empty without errors; infinite beyond binary64's range.
+  std::optional<double> quantile(unsigned percent) const {
+    if (count_ == 0) return std::nullopt;
+    // (count - 1) percent / 100, rounded down, without leaving 64 bits.
+    const std::uint64_t last = count_ - 1, rank = last / 100 * percent + last % 100 * percent / 100;
+    std::uint64_t below = 0;
+    for (const auto& [bucket, count] : buckets_) {
+      below += count;
+      if (below > rank) return middle(bucket);
+    }
+    return std::nullopt;
+  }
+  bool operator==(const ErrorSpread&) const = default;
+
+ private:
+  static constexpr unsigned dropped_bits = 52 - 10;  // dropped from a non-negative binary64 number
+  static double middle(std::uint64_t bucket) {
+    const double least = std::bit_cast<double>(bucket << dropped_bits);
+    if (least == 0 || !std::isfinite(least)) return least;
+    return std::bit_cast<double>((bucket << dropped_bits) | (std::uint64_t{1} << (dropped_bits - 1)));
+  }
+
+  std::map<std::uint64_t, std::uint64_t> buckets_;
+  std::uint64_t count_ = 0;
+  Decimal6 worst_;
+};
 
 struct LadderPlan {
   std::vector<const Kernel*> kernels;  // each exposes its comparisons and exists in the precision
@@ -74,5 +133,42 @@ struct LadderEntry {
 // One entry per kernel, in the plan's order. Everything but `speed` depends on the plan alone, not on its threads.
 // Throws OracleDisagreement.
 std::vector<LadderEntry> measure_ladder(const LadderPlan& plan, const ShowProgress& report = {});
+
+// Steps from one form of the predicate to the next: the effect of each rewriting, and the most costly ones.
+
+// Kinds of axes that are rewritten in the same way.
+enum class AxisKind : std::uint8_t { plane, vertex, edge };
+template <>
+inline constexpr std::size_t enum_count<AxisKind> = 3;
+inline constexpr std::size_t axis_kind_count = enum_count<AxisKind>;
+inline constexpr EnumArray<AxisKind, std::string_view> axis_kind_names = {"plane", "vertex", "edge"};
+// The axes of a kind, and their comparisons.
+AxisBits axes_of_kind(AxisKind kind);
+ComparisonBits comparisons_of_kind(AxisKind kind);
+
+// The interval in which all of the axes are sound.
+std::optional<ExponentWindow> common_window(const AxisWindows& windows, AxisBits axes);
+
+// Positions among the entries.
+struct LadderStep {
+  std::size_t from, to;
+};
+// Each kernel with the one from which it was made, if both are among the entries: rung k from rung k - 1, a rung past
+// the last (the reduced forms) from ladder-9 or otherwise published, a rung in another arithmetic from the rung.
+std::vector<LadderStep> ladder_steps(const std::vector<LadderEntry>& entries);
+
+// The step that worsens a figure most, among the steps that worsen it at all.
+struct CostliestSteps {
+  std::optional<std::size_t> sign_errors;           // the greatest increase
+  std::optional<std::size_t> rounding_sign_errors;  // the same, without sign errors by range
+  std::optional<std::size_t> worst_error;           // the greatest factor
+  std::optional<std::size_t> range;                 // the most octaves lost
+};
+CostliestSteps costliest_steps(const std::vector<LadderEntry>& entries, const std::vector<LadderStep>& steps,
+                               AxisKind kind);
+
+// The positions of the entries for which no other entry is both faster and wrong less often; the fastest first. All
+// entries must have `speed`.
+std::vector<std::size_t> accuracy_speed_front(const std::vector<LadderEntry>& entries);
 
 }  // namespace axiscert

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "exact/sphere_triangle/unbounded/unbounded.h"
-#include "fuzz/sphere_triangle/formulae/ladder_steps.h"
 #include "kernel/sphere_triangle/reference/scalar_kernel.h"
 
 namespace axiscert {

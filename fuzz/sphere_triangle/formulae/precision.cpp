@@ -4,11 +4,11 @@
 
 #include <limits>
 
-#include "exact/sphere_triangle/unbounded/at_precision.h"
+#include "exact/sphere_triangle/unbounded/unbounded.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/fields/merge.h"
 #include "fuzz/sphere_triangle/formulae/valid_queries.h"
-#include "fuzz/judging/for_each_judged.h"
+#include "fuzz/instruments/for_each_judged.h"
 
 namespace axiscert {
 namespace {

@@ -8,13 +8,12 @@
 #include <bit>
 #include <limits>
 
-#include "exact/sphere_triangle/oracles/formula_oracle.h"
-#include "exact/sphere_triangle/unbounded/at_precision.h"
-#include "exact/sphere_triangle/unbounded/degree.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/unbounded/unbounded.h"
-#include "fuzz/families/family_testing.h"
+#include "exact/sphere_triangle/unbounded/degree.h"
+#include "fuzz/queries/family_testing.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

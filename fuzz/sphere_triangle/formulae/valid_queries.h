@@ -1,8 +1,8 @@
 // The valid queries of a batch of sphere-triangle, with the exact sides of every set of formulae.
 #pragma once
 
-#include "exact/sphere_triangle/claims/asked_sphere_triangle.h"
-#include "fuzz/judging/judged_batch.h"
+#include "exact/sphere_triangle/asked_sphere_triangle.h"
+#include "fuzz/instruments/for_each_judged.h"
 
 namespace axiscert {
 

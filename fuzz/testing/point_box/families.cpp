@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "fuzz/queries/one_by_one.h"
+#include "fuzz/queries/family.h"
 #include "fuzz/testing/point_box/point_box.h"
 
 namespace axiscert {

@@ -11,9 +11,9 @@
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/files/query_file.h"
-#include "fuzz/pipe/query_stream.h"
+#include "fuzz/pipe/streams.h"
 #include "kernel/ask.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

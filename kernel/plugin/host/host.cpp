@@ -21,7 +21,7 @@
 #include "kernel/plugin/host/floating_state.h"
 #include "kernel/plugin/host/offered.h"
 #include "kernel/plugin/host/program.h"
-#include "kernel/program/pipe_format.h"
+#include "kernel/plugin/pipe_format.h"
 
 namespace axiscert::plugin {
 namespace {

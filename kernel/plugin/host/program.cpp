@@ -13,8 +13,8 @@
 #include <csignal>
 #include <cstring>
 
-#include "kernel/plugin/host/process_tree.h"
-#include "kernel/program/pipe_format.h"
+#include "kernel/plugin/host/child_process.h"
+#include "kernel/plugin/pipe_format.h"
 #include "kernel/plugin/shared_memory.h"
 
 namespace axiscert::plugin {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "kernel/finding.h"
-#include "kernel/plugin/host/error_output.h"
+#include "kernel/outcome.h"
+#include "kernel/plugin/host/child_process.h"
 #include "kernel/plugin/host/reply_reader.h"
 
 namespace axiscert::plugin {

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "kernel/program/pipe_format.h"
+#include "kernel/plugin/pipe_format.h"
 
 namespace axiscert::plugin {
 namespace {

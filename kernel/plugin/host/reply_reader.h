@@ -1,5 +1,5 @@
 // Reads what a program writes in answer to one batch: the batch's header, unchanged, and a reply for each query
-// (kernel/program/pipe_format.h). The bytes come as a pipe gives them, in parts of any length.
+// (kernel/plugin/pipe_format.h). The bytes come as a pipe gives them, in parts of any length.
 #pragma once
 
 #include <cstddef>

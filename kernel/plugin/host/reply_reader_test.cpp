@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "kernel/plugin/host/reply_reader.h"
-#include "kernel/program/stream_header.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/plugin/pipe_format.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::plugin {
 namespace {

@@ -1,4 +1,4 @@
-#include "kernel/sphere_triangle/certified/exact_only.h"
+#include "kernel/sphere_triangle/certified/steps.h"
 
 #include <cmath>
 

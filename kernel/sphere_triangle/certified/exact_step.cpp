@@ -6,9 +6,8 @@
 
 #include "kernel/sphere_triangle/certified/numbers/ball.h"
 #include "kernel/sphere_triangle/certified/numbers/balanced_digits.h"
-#include "kernel/sphere_triangle/certified/numbers/dyadic.h"
-#include "kernel/sphere_triangle/certified/numbers/exact_margins.h"
 #include "kernel/sphere_triangle/certified/numbers/integer.h"
+#include "kernel/sphere_triangle/certified/numbers/exact_margins.h"
 
 namespace axiscert::certified {
 namespace {
@@ -43,7 +42,7 @@ bool needs_normal(KnownResults known) noexcept {
   return (~fails & (plane_and_edges ^ (sides & edges))) & plane_and_edges;
 }
 
-// The reduced test (kernel/sphere_triangle/rungs/reduced.h) with non-strict sides, which decides every triangle. For
+// The reduced test (kernel/sphere_triangle/formulae/reduced.h) with non-strict sides, which decides every triangle. For
 // the open sphere the radii are non-strict too, on axes that have a normal: the distance is at least r > 0 iff some
 // such axis has the whole triangle at distance r or farther (exact/sphere_triangle/filters/signs.h, is_touching).
 template <class Numbers>

@@ -1,6 +1,6 @@
 #include "kernel/sphere_triangle/certified/kernels.h"
 
-#include "kernel/sphere_triangle/certified/answers.h"
+#include "kernel/sphere_triangle/certified/steps.h"
 #include "kernel/sphere_triangle/certified/default_modes.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 #include "kernel/sphere_triangle/query.h"

@@ -5,10 +5,8 @@
 #include <cstring>
 
 #include "kernel/include/axiscert/certified.h"
-#include "kernel/sphere_triangle/certified/answers.h"
+#include "kernel/sphere_triangle/certified/steps.h"
 #include "kernel/sphere_triangle/certified/default_modes.h"
-#include "kernel/sphere_triangle/certified/exact_only.h"
-#include "kernel/sphere_triangle/certified/self_check.h"
 
 namespace axiscert::certified {
 namespace {

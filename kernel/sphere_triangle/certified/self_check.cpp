@@ -1,4 +1,4 @@
-#include "kernel/sphere_triangle/certified/self_check.h"
+#include "kernel/sphere_triangle/certified/steps.h"
 
 #include <iterator>
 #include <limits>

@@ -1,17 +1,32 @@
 // Common parts of the steps of the certified predicate: the question, a block of queries and the answers to it, and the
 // forms of the steps for each instruction set.
 #pragma once
-
 #include <array>
+#include <cfloat>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string_view>
 
-#include "kernel/base/bits.h"
-#include "kernel/sphere_triangle/certified/required_flags.h"
+#include "kernel/base/enums.h"
+#include "kernel/sphere_triangle/names.h"
+
+// Refuses the compiler's flags under which the steps are not what was proved of them, where the compiler tells. Neither
+// g++ nor clang tells whether it contracts a b + c (-ffp-contract=off), nor clang the parts of -ffast-math but
+// -ffinite-math-only; self_check.h looks at these.
+
+// g++ has 0 for __GCC_IEC_559 under each part of -ffast-math that changes a value: -fassociative-math,
+// -freciprocal-math, -ffinite-math-only, -fno-signed-zeros.
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0) || \
+    (defined(__GCC_IEC_559) && __GCC_IEC_559 == 0)
+#error "libaxiscert is right in IEEE 754 arithmetic: compile it without -ffast-math, -Ofast and the parts of these"
+#endif
+// x87 has more bits and a wider range than double: what loses a bit where it is stored seems not to.
+#if FLT_EVAL_METHOD != 0
+#error "libaxiscert is right where each operation is rounded to its type: compile it for SSE2 (-mfpmath=sse)"
+#endif
 
 namespace axiscert::certified {
-
 // The contact asked for: distance <= r; distance < r; or distance not shown to be greater than r (kernel
 // `conservative`).
 enum class Question : std::uint8_t { closed_sphere, open_sphere, conservative };
@@ -110,5 +125,36 @@ struct Forms {
 
 // The forms for the instruction set that Highway has chosen: the best one, unless another has been set.
 Forms chosen_forms();
+
+// The answers to a block as a verdict for each query.
+
+template <std::size_t most>
+void write_verdicts(const Answer<most>& answer, std::size_t size, std::uint8_t* out) noexcept {
+  // Spreads eight bits over eight bytes of 0 or 1.
+  const auto spread = [](std::uint64_t bits) {
+    const std::uint64_t each = ((bits & 0xff) * 0x0101010101010101ull) & 0x8040201008040201ull;
+    return ((each + 0x7f7f7f7f7f7f7f7full) >> 7) & 0x0101010101010101ull;
+  };
+  static_assert(static_cast<int>(Verdict::contact) == 0 && static_cast<int>(Verdict::separated) == 1 &&
+                static_cast<int>(Verdict::invalid) == 3);
+  for (std::size_t i = 0; i < size; i += 8) {
+    const std::uint64_t separated = spread(~answer.contact[i / 64] >> (i % 64));
+    const std::uint64_t invalid = spread(answer.invalid[i / 64] >> (i % 64));
+    const std::uint64_t verdicts = separated | (invalid << 1);  // an invalid query is not a contact: 1 and 2
+    std::memcpy(out + i, &verdicts, size - i < 8 ? size - i : 8);
+  }
+}
+
+// The shortest way to an answer: every query straight to the exact step.
+
+// Forms without vectors, for the closed and the open sphere; `conservative` counts as the closed one. The caller has to
+// set the modes of kernel/sphere_triangle/certified/default_modes.h.
+const Forms& exact_only_forms() noexcept;
+
+// What the library asks itself at its first call.
+
+// Whether the forms give the stored answers to the stored queries, as pairs and as a block. Integers alone answer
+// Question::conservative as the closed sphere. The caller has to set the modes of default_modes.h.
+bool answer_as_stored(const Forms& forms, bool are_integers) noexcept;
 
 }  // namespace axiscert::certified

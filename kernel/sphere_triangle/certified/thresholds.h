@@ -12,7 +12,7 @@
 //   S = A.A + B.B + C.C + r^2,   e1 = |AB|^2, e2 = |BC|^2, e3 = |CA|^2,   E = e1 + e2 + e3,   e1 <= 2/3 E (and so on),
 //   N1 = A x AB and so on,   V = AB x AC,   |V| <= w = |AB| |CA| <= E / 2,   d = A.V.
 // The margins are those of the reduced form, whose signs are the published ones on every query
-// (kernel/sphere_triangle/rungs/reduced.h).
+// (kernel/sphere_triangle/formulae/reduced.h).
 //
 // The coarse step: one threshold for the margins of each degree, from the query's magnitude S and the triangle's E.
 //   x.x           two leaves, a product, two sums                 5 u x.x

@@ -13,7 +13,7 @@
 #define AXISCERT_KERNEL_FILTER_FILTER_H
 
 #include "kernel/sphere_triangle/certified_filter/thresholds.h"
-#include "kernel/sphere_triangle/rungs/reduced.h"
+#include "kernel/sphere_triangle/formulae/reduced.h"
 
 AXISCERT_BEFORE_NAMESPACE();
 namespace axiscert {

@@ -2,7 +2,7 @@
 #include "kernel/sphere_triangle/certified_filter/kernels.h"
 
 #include "kernel/sphere_triangle/reference/evaluate.h"
-#include "kernel/sphere_triangle/certified_filter/scalar.h"
+#include "kernel/sphere_triangle/certified_filter/kernels.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 
 #ifndef AXISCERT_KERNEL_FILTER_FORMS

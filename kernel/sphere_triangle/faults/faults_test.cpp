@@ -12,7 +12,7 @@
 #include "kernel/include/axiscert/plugin.h"
 #include "kernel/predicate.h"
 #include "kernel/testing/random.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

@@ -1,4 +1,4 @@
-#include "kernel/sphere_triangle/forms/eigen.h"
+#include "kernel/sphere_triangle/forms/pair_forms.h"
 
 #include <Eigen/Geometry>
 

@@ -1,4 +1,4 @@
-#include "kernel/sphere_triangle/forms/packed.h"
+#include "kernel/sphere_triangle/forms/pair_forms.h"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>

@@ -1,7 +1,6 @@
 // Kernels over Highway vectors: one query per lane, dispatched at run time. Sides and bits are those of the scalar
 // reference, bit for bit, on each instruction set.
 #pragma once
-
 #include <functional>
 #include <map>
 #include <string>
@@ -10,10 +9,9 @@
 
 #include "kernel/formulae_list.h"
 #include "kernel/kernel.h"
-#include "kernel/sphere_triangle/decision.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
-
 // Highway's names of the instruction sets that were compiled and that this machine supports, best first.
 const std::vector<std::string>& simd_targets();
 
@@ -60,5 +58,44 @@ class SimdForms {
 bool has_simd_form(Formulae formulae);
 // That form; null for formulae without one, or where the machine has no instruction set for it.
 const SimdForms* simd_forms(Formulae formulae);
+
+// A kernel of any predicate over Highway's vectors: one query per lane, dispatched at run time, its answers those of
+// the scalar form bit for bit on each instruction set.
+
+// One kernel on every instruction set; `target` is one of simd_targets().
+class LaneForms {
+ public:
+  LaneForms(Implementation<float> (*binary32)(), Implementation<double> (*binary64)())
+      : table_([&] {
+          return Forms{binary32(), binary64()};
+        }) {}
+  template <class Real>
+  Implementation<Real> on(std::string_view target) const {
+    if constexpr (sizeof(Real) == 4) return table_.on(target).binary32;
+    else return table_.on(target).binary64;
+  }
+
+ private:
+  struct Forms {
+    Implementation<float> binary32;
+    Implementation<double> binary64;
+  };
+  SimdTable<Forms> table_;
+};
+
+// The kernel, and in these forms on every target that is not scalar, with the scalar form's measures.
+inline Kernel with_lane_forms(Kernel kernel, const LaneForms& (*forms)()) {
+  if (simd_targets().empty()) return kernel;
+  kernel.has_simd = true;
+  const auto in_lanes = [=]<class Real>(const Implementation<Real>& scalar, std::string_view target) {
+    if (target == scalar_target) return scalar;
+    Implementation<Real> there = forms().on<Real>(target);
+    there.measure = scalar.measure;
+    return there;
+  };
+  kernel.binary32 = [=, scalar = kernel.binary32](std::string_view target) { return in_lanes(scalar(target), target); };
+  kernel.binary64 = [=, scalar = kernel.binary64](std::string_view target) { return in_lanes(scalar(target), target); };
+  return kernel;
+}
 
 }  // namespace axiscert

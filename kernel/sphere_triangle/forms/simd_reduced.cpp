@@ -11,7 +11,7 @@
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "kernel/sphere_triangle/rungs/reduced.h"
+#include "kernel/sphere_triangle/formulae/reduced.h"
 #include "kernel/sphere_triangle/forms/simd-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -10,7 +10,7 @@
 #include "kernel/sphere_triangle/reference/scalar_kernel.h"
 #include "kernel/testing/random.h"
 #include "kernel/testing/sources.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

@@ -1,7 +1,6 @@
 // Evaluation of one query by a set of formulae over any number type: the sides, the bits that they decide, the verdict.
 #pragma once
 
-#include "kernel/sphere_triangle/decision.h"
 #include "kernel/sphere_triangle/query.h"
 #include "kernel/sphere_triangle/formulae.h"
 

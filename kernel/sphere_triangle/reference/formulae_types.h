@@ -2,12 +2,10 @@
 #pragma once
 
 #include "kernel/sphere_triangle/formulae.h"
-#include "kernel/sphere_triangle/methods/closest_point.h"
-#include "kernel/sphere_triangle/methods/minkowski.h"
-#include "kernel/sphere_triangle/methods/segments.h"
-#include "kernel/sphere_triangle/rungs/ladder.h"
-#include "kernel/sphere_triangle/rungs/reduced.h"
-#include "kernel/sphere_triangle/rungs/slips.h"
+#include "kernel/sphere_triangle/formulae/methods.h"
+#include "kernel/sphere_triangle/formulae/ladder.h"
+#include "kernel/sphere_triangle/formulae/reduced.h"
+#include "kernel/sphere_triangle/formulae/slips.h"
 #include "kernel/formulae_list.h"
 
 namespace axiscert {

@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "kernel/sphere_triangle/description.h"
 #include "kernel/sphere_triangle/query.h"
 #include "kernel/sphere_triangle/reference/formulae_types.h"
 

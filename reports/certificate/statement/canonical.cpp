@@ -8,7 +8,7 @@
 
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
-#include "kernel/base/plain_line.h"
+#include "kernel/base/text.h"
 
 namespace axiscert {
 namespace {

@@ -1,7 +1,7 @@
 // certificate.json: the Statement that is the payload of what `axiscert certify` writes and `axiscert verify` reads.
 #pragma once
 
-#include "kernel/finding.h"
+#include "kernel/outcome.h"
 #include "reports/certificate/statement/certificate_parts.h"
 
 namespace axiscert {

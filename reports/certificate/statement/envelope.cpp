@@ -13,7 +13,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/sha256.h"
 #include "reports/certificate/statement/canonical.h"
-#include "reports/page/packed.h"
+#include "reports/page/encoding.h"
 
 namespace axiscert {
 namespace {

@@ -56,7 +56,8 @@ Envelope read_envelope(const Json& json, const std::string& name);
 // Throws NotValid where no signature is of this key, and where one is, and the payload is not what was signed.
 void require_signature(const Envelope& envelope, const SigningKey& key, const std::string& name);
 
-// The bytes of base64 as base64() writes it (reports/page/packed.h). Throws Error, without a name, for any other text.
+// The bytes of base64 as base64() writes it (reports/page/encoding.h). Throws Error, without a name, for any other
+// text.
 std::string bytes_of_base64(std::string_view text);
 
 }  // namespace axiscert

@@ -1,6 +1,6 @@
 // Envelopes: what is signed, by whom, and every way in which one does not hold.
 #include "reports/certificate/statement/envelope.h"
-#include "reports/page/packed.h"
+#include "reports/page/encoding.h"
 
 #include "kernel/base/temporary_folder.h"
 #include "reports/certificate/statement/canonical.h"

@@ -10,7 +10,6 @@
 #include "fuzz/fields/merge.h"
 #include "kernel/sphere_triangle/names.h"
 #include "reports/instrument/figures.h"
-#include "reports/instrument/precision/condition_data.h"
 
 namespace axiscert {
 namespace {

@@ -5,8 +5,6 @@
 
 #include "fuzz/fields/merge.h"
 #include "reports/instrument/figures.h"
-#include "reports/instrument/looked_at.h"
-#include "reports/instrument/precision/critical_radius_data.h"
 
 namespace axiscert {
 namespace {

@@ -1,10 +1,184 @@
 // The report of `axiscert ladder`.
 #pragma once
-
+#include "fuzz/fields/field.h"
 #include "fuzz/sphere_triangle/formulae/ladder.h"
+#include "reports/instrument/data.h"
+#include "reports/instrument/figures.h"
 #include "reports/instrument/instrument.h"
 
 namespace axiscert {
+// ladder.json: what `axiscert ladder` writes.
+
+// A quantile of errors.
+struct ErrorQuantile {
+  double value;
+};
+template <>
+struct JsonForm<ErrorQuantile> {
+  static Json write(ErrorQuantile at) { return std::isfinite(at.value) ? Json(at.value) : Json("beyond binary64"); }
+  static Json schema() { return {{"type", {"number", "string"}}, {"minimum", 0}}; }
+};
+
+using WindowData = std::optional<std::array<int, 2>>;
+
+struct FiguresData {
+  ComparisonAccuracy counts;
+  std::optional<std::optional<ErrorQuantile>> median_u, p99_u;
+  std::optional<std::optional<Decimal6>> worst_u;
+  std::optional<std::uint64_t> errors, range_events, error_without_scale;
+  std::optional<WindowData> window;
+
+  static constexpr std::string_view about = "Of some comparisons; errors are absent where the kernel shows no sides.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = FiguresData;
+    const auto may_be_absent = [](auto member, std::string_view name, std::string_view said) {
+      return field(member, {.name = name, .about = said, .may_be_absent = true});
+    };
+    return visit(
+        inlined(&Of::counts),
+        may_be_absent(&Of::median_u, "median_u", "The median error of lhs - rhs, in u of |lhs| + |rhs|; null: none."),
+        may_be_absent(&Of::p99_u, "p99_u", "The 99 % quantile of that."),
+        may_be_absent(&Of::worst_u, "worst_u", "The greatest."),
+        may_be_absent(&Of::errors, "errors", "How many errors were measured."),
+        may_be_absent(&Of::range_events, "range_events", "How many sides left the range of normal numbers."),
+        may_be_absent(&Of::error_without_scale, "error_without_scale",
+                      "How many errors have no scale: both exact sides are zero."),
+        may_be_absent(&Of::window, "window",
+                      "Of an axis or a kind, over all families: the exponents from which to which a scene can be "
+                      "scaled by a power of two, and nothing over- or underflows; null: none."));
+  }
+};
+
+struct KindData {
+  FiguresData figures, radius;
+  std::optional<FiguresData> side;
+
+  static constexpr std::string_view about = "The same, and by side.";
+  static constexpr auto fields(auto&& visit) {
+    return visit(inlined(&KindData::figures), field(&KindData::radius, {"radius", "Its radius comparisons."}),
+                 field(&KindData::side, {.name = "side", .about = "Its side comparisons.", .may_be_absent = true}));
+  }
+};
+
+struct LadderVerdictData {
+  std::uint64_t false_separation = 0, false_contact = 0, touching_flips = 0;
+  double flips_per_million = 0;
+
+  static constexpr std::string_view about = "Verdicts against the geometry.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = LadderVerdictData;
+    return visit(field(&Of::false_separation, {"false_separation", "Missed contacts."}),
+                 field(&Of::false_contact, {"false_contact", "Phantom contacts."}),
+                 field(&Of::touching_flips, {"touching_flips", "Wrong answers to spheres that touch."}),
+                 field(&Of::flips_per_million, {"flips_per_million", "Wrong verdicts for a million queries."}));
+  }
+};
+
+struct LadderResultData {
+  std::uint64_t queries = 0;
+  LadderVerdictData verdict;
+  RadiusSummary critical_radius;
+  NamedValues<FiguresData> axes;
+  NamedValues<KindData> kinds;
+  NamedValues<FiguresData> comparisons;
+
+  static constexpr std::string_view about = "Of one family.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = LadderResultData;
+    return visit(field(&Of::queries, {"queries", "Valid queries."}),
+                 field(&Of::verdict, {"verdict", LadderVerdictData::about}),
+                 field(&Of::critical_radius, {"critical_radius", RadiusSummary::about}),
+                 field(&Of::axes, {"axes", "By axis: all its comparisons together."}),
+                 field(&Of::kinds, {"kinds", "By kind of axis: plane, vertex, edge."}),
+                 field(&Of::comparisons, {"comparisons", "By comparison."}));
+  }
+};
+
+struct LadderKernelData {
+  Name id;
+  std::string summary;
+  bool shows_sides = false;
+  LadderResultData all;
+  NamedValues<LadderResultData> families;
+
+  static constexpr std::string_view about = "One kernel, over all families.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = LadderKernelData;
+    return visit(field(&Of::id, {"id", "The kernel."}), field(&Of::summary, {"summary", "What it computes."}),
+                 field(&Of::shows_sides, {"shows_sides", "Whether errors could be measured."}), inlined(&Of::all),
+                 field(&Of::families, {"families", "The same by family."}));
+  }
+};
+
+struct LadderStepData {
+  Name from, to;
+
+  static constexpr auto fields(auto&& visit) {
+    return visit(field(&LadderStepData::from, {"from", "A rung."}),
+                 field(&LadderStepData::to, {"to", "The one made from it."}));
+  }
+};
+
+struct CostliestData {
+  std::optional<Name> sign_errors, rounding_sign_errors, worst_error, range;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = CostliestData;
+    return visit(field(&Of::sign_errors, {"sign_errors", "The rung whose step adds most sign errors."}),
+                 field(&Of::rounding_sign_errors, {"rounding_sign_errors", "Those that are not of range."}),
+                 field(&Of::worst_error, {"worst_error", "Most to the worst error."}),
+                 field(&Of::range, {"range", "Takes most of the range."}));
+  }
+};
+
+struct LadderSpeedData {
+  Name unit = std::string("ns a query, median");
+  std::uint64_t queries = speed_queries, repetitions = speed_repetitions;
+  NamedValues<NamedValues<double>> kernels;
+  std::vector<Name> front;
+
+  static constexpr std::string_view about = "Times; absent with --no-speed.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = LadderSpeedData;
+    return visit(field(&Of::unit, {"unit", "The unit of times."}),
+                 field(&Of::queries, {"queries", "Distinct queries that were timed."}),
+                 field(&Of::repetitions, {"repetitions", "Repetitions."}),
+                 field(&Of::kernels,
+                       {"kernels",
+                        "Times by kernel and instruction set, `scalar` among them; scalar_least is the least of the "
+                        "repetitions."}),
+                 field(&Of::front, {"front", "The kernels that none beats in both time and accuracy."}));
+  }
+};
+
+struct LadderData : CommandData<LadderData> {
+  static constexpr std::string_view format = "axiscert-ladder/1", title = "What each step of the derivation costs";
+  Precision precision = Precision::binary32;
+  WholeNumber seed;
+  std::uint64_t trials = 0;
+  std::vector<Name> families;
+  std::array<int, 2> scanned_exponents{};
+  std::vector<LadderKernelData> kernels;
+  std::vector<LadderStepData> steps;
+  NamedValues<CostliestData> costliest_steps;
+  std::optional<LadderSpeedData> speed;
+
+  static constexpr std::string_view about =
+      "ladder.json, which `axiscert ladder` writes. Without `speed` it depends on the command alone.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = LadderData;
+    return visit(
+        base<Of, CommandData<Of>>(), field(&Of::precision, {"precision", "The precision of the queries."}),
+        field(&Of::seed, {"seed", "The seed of every family."}),
+        field(&Of::trials, {"trials", "Queries of each family."}),
+        field(&Of::families, {"families", "The families asked."}),
+        field(&Of::scanned_exponents, {"scanned_exponents", "The exponents between which windows were looked for."}),
+        field(&Of::kernels, {"kernels", "The rungs, in the order of the derivation."}),
+        field(&Of::steps, {"steps", "The steps between them."}),
+        field(&Of::costliest_steps, {"costliest_steps", "By kind of axis."}),
+        field(&Of::speed, {.name = "speed", .about = LadderSpeedData::about, .may_be_absent = true}));
+  }
+};
 
 // Tables, plots, notes and the figures as JSON. `command` produces the report again.
 InstrumentReport ladder_report(const LadderPlan& plan, const std::vector<LadderEntry>& entries,

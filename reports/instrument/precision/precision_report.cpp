@@ -8,7 +8,6 @@
 
 #include "exact/sphere_triangle/unbounded/degree.h"
 #include "kernel/formulae_list.h"
-#include "reports/instrument/precision/precision_data.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {

@@ -1,7 +1,7 @@
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
 
-#include "exact/sphere_triangle/oracles/feature_walk.h"
-#include "exact/sphere_triangle/oracles/formula_oracle.h"
+#include "exact/sphere_triangle/oracles/second_oracle.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/measures/nearest_root.h"
 
 namespace axiscert {

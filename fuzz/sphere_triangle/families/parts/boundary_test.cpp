@@ -8,8 +8,8 @@
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/measures/nearest_root.h"
-#include "fuzz/families/family_testing.h"
-#include "kernel/sphere_triangle/description.h"
+#include "fuzz/queries/family_testing.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

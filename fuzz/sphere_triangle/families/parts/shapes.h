@@ -1,7 +1,6 @@
 // Building blocks shared by several families: vertices, integers, feet on features, radii. Plain arithmetic in Real in
 // a fixed order, so that the values are the same everywhere; for the same reason no expression reads the stream twice.
 #pragma once
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +10,6 @@
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::shapes {
-
 // A, B, C. Edge i runs from vertex i to vertex i + 1; vertex i + 2 lies opposite.
 template <class Real>
 using Vertices = std::array<Vec3<Real>, 3>;
@@ -78,3 +76,12 @@ template <class Real>
 void solve_aimed_radii(const MutableColumns<Real>& queries, const Wishes<Real>& wishes);
 
 }  // namespace axiscert::shapes
+
+namespace axiscert {
+// The queries of family `tie`, for families that are built from them.
+
+// Integers that touch exactly, on the feature of axis `position` modulo axis_count; below 2^24 (2^53).
+template <class Real>
+Query<Real> touching_integers(Stream& random, std::uint64_t position);
+
+}  // namespace axiscert

@@ -4,7 +4,7 @@
 
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/description.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

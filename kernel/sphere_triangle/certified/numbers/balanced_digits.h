@@ -6,9 +6,8 @@
 #include <bit>
 #include <cstdint>
 
-#include "kernel/sphere_triangle/certified/numbers/dyadic.h"
-#include "kernel/sphere_triangle/certified/numbers/exact_margins.h"
 #include "kernel/sphere_triangle/certified/numbers/integer.h"
+#include "kernel/sphere_triangle/certified/numbers/exact_margins.h"
 
 namespace axiscert::certified {
 

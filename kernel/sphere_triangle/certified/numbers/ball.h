@@ -6,7 +6,6 @@
 #include <bit>
 #include <cstdint>
 
-#include "kernel/sphere_triangle/certified/numbers/dyadic.h"
 #include "kernel/sphere_triangle/certified/numbers/integer.h"
 
 namespace axiscert::certified {

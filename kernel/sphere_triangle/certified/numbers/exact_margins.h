@@ -1,4 +1,4 @@
-// The margins of the reduced test (kernel/sphere_triangle/rungs/reduced.h) over several number types: integers of a
+// The margins of the reduced test (kernel/sphere_triangle/formulae/reduced.h) over several number types: integers of a
 // fixed number of words, nonzero digits and balls.
 #pragma once
 

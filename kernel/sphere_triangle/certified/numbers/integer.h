@@ -1,12 +1,11 @@
 // Integers of a fixed number of 64-bit words, two's complement, on the stack. The oracle has its own type
 // (exact/numbers/wide_integer.h): a fault in a shared type would be in both.
 #pragma once
-
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
 namespace axiscert::certified {
-
 __extension__ using UInt128 = unsigned __int128;
 __extension__ using Int128 = __int128;
 
@@ -124,5 +123,24 @@ Result shifted(std::uint64_t significand, unsigned shift, bool negative) noexcep
   if (by != 0 && at + 1 < words) x.word[at + 1] = significand >> (64 - by);
   return negative ? Result{} - x : x;
 }
+
+// A double split into significand and exponent.
+
+// A finite double as significand 2^exponent; the last `zeros` bits of the significand are zero.
+struct Dyadic {
+  std::uint64_t significand;
+  int exponent, zeros;
+  bool negative;
+
+  explicit Dyadic(double x) noexcept {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const int stored = static_cast<int>((bits >> 52) & 0x7ff), is_normal = stored != 0;
+    significand = (bits & ((std::uint64_t{1} << 52) - 1)) | (static_cast<std::uint64_t>(is_normal) << 52);
+    exponent = stored - is_normal - 1074;
+    zeros = std::countr_zero(significand | (std::uint64_t{1} << 63));
+    negative = (bits >> 63) != 0;
+  }
+  int top() const noexcept { return exponent + static_cast<int>(std::bit_width(significand)); }
+};
 
 }  // namespace axiscert::certified

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "kernel/include/axiscert/certified.hpp"
-#include "kernel/sphere_triangle/certified/answers.h"
+#include "kernel/sphere_triangle/certified/steps.h"
 #include "kernel/sphere_triangle/certified/default_modes.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 

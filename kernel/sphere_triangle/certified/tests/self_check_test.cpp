@@ -1,12 +1,11 @@
 // The check that the library makes of itself passes on every instruction set, and refuses a library whose answers are
 // not right, or whose floating-point modes are not the default ones.
-#include "kernel/sphere_triangle/certified/self_check.h"
+#include "kernel/sphere_triangle/certified/steps.h"
 
 #include <gtest/gtest.h>
 
 #include "kernel/base/environment.h"
 #include "kernel/include/axiscert/certified.hpp"
-#include "kernel/sphere_triangle/certified/exact_only.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 
 namespace axiscert::certified {

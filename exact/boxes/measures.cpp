@@ -1,0 +1,280 @@
+#include "exact/boxes/measures.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "exact/numbers/binary_fraction.h"
+#include "exact/trait/trait.h"
+
+namespace axiscert::boxes {
+namespace {
+
+Point rational(const Vec3<ExactNumber>& v) { return {v.x.value, v.y.value, v.z.value}; }
+
+ExactPair rational(const BoxPair<ExactNumber>& q) {
+  const auto box = [](const OrientedBox<ExactNumber>& of) {
+    return ExactBox{rational(of.centre),
+                    {{of.half[0].value, of.half[1].value, of.half[2].value}},
+                    {{rational(of.axis[0]), rational(of.axis[1]), rational(of.axis[2])}}};
+  };
+  return {box(q.a), box(q.b)};
+}
+
+ExactBox turned(const TurnedBox<double>& box) {
+  const TurnedAxes<Rational> turned = turned_axes<Rational>(box.q);
+  ExactBox found{each<Rational>(box.centre), each<Rational>(box.half), {}};
+  for (std::size_t k = 0; k < 3; ++k) found.axis[k] = turned.axis[k] / turned.square;
+  return found;
+}
+
+Rational magnitude(const Rational& x) { return abs(x); }
+
+// Half the extent of a box in direction d, times |d|.
+template <class T>
+T extent_along(const OrientedBox<T>& box, const Vec3<T>& d) {
+  T sum{};
+  for (std::size_t k = 0; k < 3; ++k) sum = sum + box.half[k] * magnitude(T(dot(d, box.axis[k])));
+  return sum;
+}
+
+// Rationals of one kind times the least factor that makes all of them integers.
+struct Integers {
+  mpz_class factor = 1;
+
+  void include(const Point& p) {
+    for (const Rational* x : {&p.x, &p.y, &p.z}) factor = lcm(factor, x->get_den());
+  }
+  void include(const std::array<Rational, 3>& numbers) {
+    for (const Rational& x : numbers) factor = lcm(factor, x.get_den());
+  }
+  BinaryNumber of(const Rational& x) const {
+    return BinaryNumber(mpz_class(x.get_num() * (factor / x.get_den())).get_mpz_t());
+  }
+  Vec3<BinaryNumber> of(const Point& p) const { return {of(p.x), of(p.y), of(p.z)}; }
+};
+
+// On an axis that is not 0: what is left of both extents beside the distance of the centres, times the axis' length.
+struct AxisRest {
+  std::size_t index;
+  Rational rest, squared_length;
+  Rational squared() const { return rest * rest / squared_length; }
+};
+std::vector<AxisRest> rests(const ExactPair& q) {
+  const Point between = q.b.centre - q.a.centre;
+  std::vector<AxisRest> found;
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const Point along = direction(q, i);
+    const Rational squared_length = dot(along, along);
+    if (squared_length == 0) continue;
+    const Rational rest = extent_along(q.a, along) + extent_along(q.b, along) - abs(Rational(dot(along, between)));
+    found.push_back({i, rest, squared_length});
+  }
+  return found;
+}
+
+}  // namespace
+
+ExactPair exact_pair(const BoxPair<double>& q) {
+  const Numbers<double> numbers = numbers_of(q);
+  return rational(MatrixBoxes::problem<ExactNumber>([&](std::size_t k) { return ExactNumber(numbers[k]); }));
+}
+
+ExactPair exact_pair(const TurnedPair<double>& q) { return {turned(q.a), turned(q.b)}; }
+
+std::vector<std::string_view> deciding_axes(const ExactPair& q) {
+  std::vector<std::string_view> separating, least;
+  std::optional<Rational> depth;
+  for (const AxisRest& axis : rests(q)) {
+    if (axis.rest < 0) separating.push_back(axis_names[axis.index]);
+    const Rational squared = axis.squared();
+    if (depth && squared > *depth) continue;
+    if (!depth || squared < *depth) least.clear();
+    depth = squared;
+    least.push_back(axis_names[axis.index]);
+  }
+  return separating.empty() ? least : separating;
+}
+
+Rational squared_penetration(const ExactPair& q) {
+  std::optional<Rational> least;
+  for (const AxisRest& axis : rests(q)) {
+    Rational squared = axis.squared();
+    if (!least || squared < *least) least = std::move(squared);
+  }
+  return *least;  // the axes of a box are independent, so its facets have normals
+}
+
+Rational squared_gap(const ExactPair& q) {
+  Rational greatest = 0;
+  for (const AxisRest& axis : rests(q)) {
+    if (axis.rest < 0) greatest = std::max(greatest, axis.squared());
+  }
+  return greatest;
+}
+
+// In integers: families ask this for each query that touches, and quotients of rationals would take ten times as long.
+Rational critical_factor(const ExactPair& q, const Point& u) {
+  Integers axes, halves, way;
+  for (const ExactBox* box : {&q.a, &q.b}) {
+    for (const Point& axis : box->axis) axes.include(axis);
+    halves.include(box->half);
+  }
+  way.include(u);
+  const auto box_of = [&](const ExactBox& box) {
+    return OrientedBox<BinaryNumber>{{},
+                                     {{halves.of(box.half[0]), halves.of(box.half[1]), halves.of(box.half[2])}},
+                                     {{axes.of(box.axis[0]), axes.of(box.axis[1]), axes.of(box.axis[2])}}};
+  };
+  const BoxPair<BinaryNumber> boxes{box_of(q.a), box_of(q.b)};
+  const Vec3<BinaryNumber> along_way = way.of(u);
+  std::optional<BinaryFraction> least;
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const Vec3<BinaryNumber> along = direction(boxes, i);
+    BinaryNumber slope = magnitude(dot(along, along_way));
+    if (slope.sign() == 0) continue;
+    BinaryFraction factor(extent_along(boxes.a, along) + extent_along(boxes.b, along), std::move(slope));
+    if (!least || order(factor, *least) < 0) least = std::move(factor);
+  }
+  // There is one: the normals of a box span the space, so one is not at right angles to u.
+  return rational(*least) * way.factor / (axes.factor * halves.factor);
+}
+
+std::optional<Rational> critical_extent(const ExactPair& q) {
+  ExactPair without = q;
+  without.a.half[0] = 0;
+  const Point between = q.b.centre - q.a.centre;
+  Rational least = 0;
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const Point along = direction(q, i);
+    const Rational beyond =
+        abs(Rational(dot(along, between))) - extent_along(without.a, along) - extent_along(without.b, along);
+    const Rational slope = abs(Rational(dot(along, q.a.axis[0])));
+    if (slope == 0 && beyond > 0) return std::nullopt;
+    if (slope != 0) least = std::max(least, Rational(beyond / slope));
+  }
+  return least;
+}
+
+Rational orthonormality_defect(const ExactBox& box) {
+  Rational greatest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k <= i; ++k) {
+      greatest = std::max(greatest, Rational(abs(Rational(dot(box.axis[i], box.axis[k]) - (i == k ? 1 : 0)))));
+    }
+  }
+  return greatest;
+}
+
+Rational squared_distance(const ExactPair& q) { return squared_distance(corners_of(q.a), corners_of(q.b)); }
+
+Rational squared_scene(const ExactPair& q) {
+  const Point between = q.b.centre - q.a.centre;
+  Rational scene = dot(between, between);
+  for (const ExactBox* box : {&q.a, &q.b}) {
+    for (const Point& corner : corners_of(*box)) {
+      const Point from = corner - box->centre;
+      scene = std::max(scene, Rational(dot(from, from)));
+    }
+  }
+  return scene;
+}
+
+double depth_of(const ExactPair& q) {
+  const Rational scene = squared_scene(q), distance = squared_distance(q);
+  if (scene == 0) return 0;
+  return nearest_sqrt<double>(Rational((distance > 0 ? distance : squared_penetration(q)) / scene));
+}
+
+namespace {
+
+Point point_of(const Vec3<ExactNumber>& v) { return {v.x.value, v.y.value, v.z.value}; }
+
+template <class Entry, class Problem>
+ExactBoxAndTriangle exactly(const Problem& q) {
+  const Numbers<double> numbers = numbers_of(q);
+  const BoxAndTriangle<ExactNumber> exact =
+      oriented(Entry::template problem<ExactNumber>([&](std::size_t k) { return ExactNumber(numbers[k]); }));
+  const OrientedBox<ExactNumber>& box = exact.box;
+  return {{point_of(box.centre),
+           {{box.half[0].value, box.half[1].value, box.half[2].value}},
+           {{point_of(box.axis[0]), point_of(box.axis[1]), point_of(box.axis[2])}}},
+          {{point_of(exact.corner[0]), point_of(exact.corner[1]), point_of(exact.corner[2])}}};
+}
+
+// On an axis that is not 0: what is left of the box's half extent beside the triangle's distance from its centre, times
+// the axis' length.
+struct TriangleAxisRest {
+  std::size_t index;
+  Rational rest, squared_length;
+  Rational squared() const { return rest * rest / squared_length; }
+};
+std::vector<TriangleAxisRest> rests(const ExactBoxAndTriangle& q) {
+  std::vector<TriangleAxisRest> found;
+  for (std::size_t i = 0; i < thirteen_count; ++i) {
+    const Point along = direction(q, i);
+    const Rational squared_length = dot(along, along);
+    if (squared_length == 0) continue;
+    Rational extent;
+    for (std::size_t k = 0; k < 3; ++k) extent += q.box.half[k] * abs(Rational(dot(along, q.box.axis[k])));
+    std::array<Rational, 3> at;
+    for (std::size_t k = 0; k < 3; ++k) at[k] = dot(along, q.corner[k] - q.box.centre);
+    const auto [least, greatest] = std::minmax_element(at.begin(), at.end());
+    const Rational beyond = std::max(*least, Rational(-*greatest));
+    found.push_back({i, extent - beyond, squared_length});
+  }
+  return found;
+}
+
+Rational squared_scene(const ExactBoxAndTriangle& q) {
+  Rational scene = 0;
+  const auto reach = [&](const Point& p) {
+    const Point from = p - q.box.centre;
+    scene = std::max(scene, Rational(dot(from, from)));
+  };
+  for (const Point& corner : corners_of(q.box)) reach(corner);
+  for (const Point& corner : q.corner) reach(corner);
+  return scene;
+}
+
+}  // namespace
+
+ExactBoxAndTriangle exact_box_and_triangle(const CentredAndTriangle<double>& q) { return exactly<CentreEntry>(q); }
+ExactBoxAndTriangle exact_box_and_triangle(const CornersAndTriangle<double>& q) { return exactly<MinmaxEntry>(q); }
+ExactBoxAndTriangle exact_box_and_triangle(const BoxAndTriangle<double>& q) { return exactly<OrientedEntry>(q); }
+
+Hull hull_of(const std::array<Point, 3>& corners) { return {corners.begin(), corners.end()}; }
+
+Rational squared_penetration(const ExactBoxAndTriangle& q) {
+  std::optional<Rational> least;
+  for (const TriangleAxisRest& axis : rests(q)) {
+    Rational squared = axis.squared();
+    if (!least || squared < *least) least = std::move(squared);
+  }
+  return *least;  // the box's axes are independent, so its facets have normals
+}
+
+std::vector<std::string_view> deciding_axes(const ExactBoxAndTriangle& q) {
+  std::vector<std::string_view> separating, least;
+  std::optional<Rational> depth;
+  for (const TriangleAxisRest& axis : rests(q)) {
+    if (axis.rest < 0) separating.push_back(thirteen_names[axis.index]);
+    const Rational squared = axis.squared();
+    if (depth && squared > *depth) continue;
+    if (!depth || squared < *depth) least.clear();
+    depth = squared;
+    least.push_back(thirteen_names[axis.index]);
+  }
+  return separating.empty() ? least : separating;
+}
+
+Rational squared_distance(const ExactBoxAndTriangle& q) {
+  return squared_distance(corners_of(q.box), hull_of(q.corner));
+}
+
+double depth_of(const ExactBoxAndTriangle& q) {
+  const Rational scene = squared_scene(q), distance = squared_distance(q);
+  if (scene == 0) return 0;
+  return nearest_sqrt<double>(Rational((distance > 0 ? distance : squared_penetration(q)) / scene));
+}
+
+}  // namespace axiscert::boxes

@@ -1,0 +1,72 @@
+// Boxes over the rationals, made of a query's numbers without rounding.
+#pragma once
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "exact/boxes/nearest.h"
+#include "exact/boxes/scaled.h"
+#include "kernel/boxes/thirteen.h"
+
+namespace axiscert::boxes {
+using ExactBox = OrientedBox<Rational>;
+using ExactPair = BoxPair<Rational>;
+
+// Precondition: the numbers are finite, and no quaternion is 0.
+ExactPair exact_pair(const BoxPair<double>& q);
+ExactPair exact_pair(const TurnedPair<double>& q);
+
+// A box and a triangle over the rationals, and how deep they are in contact.
+
+using ExactBoxAndTriangle = BoxAndTriangle<Rational>;
+
+// Precondition: the numbers are finite. The centre and half extents of two corners are exact.
+ExactBoxAndTriangle exact_box_and_triangle(const CentredAndTriangle<double>& q);
+ExactBoxAndTriangle exact_box_and_triangle(const CornersAndTriangle<double>& q);
+ExactBoxAndTriangle exact_box_and_triangle(const BoxAndTriangle<double>& q);
+
+Hull hull_of(const std::array<Point, 3>& corners);
+
+// As of two boxes (exact/boxes/measures.h); the penetration is the least over the thirteen axes that are not 0.
+Rational squared_penetration(const ExactBoxAndTriangle& q);
+std::vector<std::string_view> deciding_axes(const ExactBoxAndTriangle& q);
+Rational squared_distance(const ExactBoxAndTriangle& q);
+double depth_of(const ExactBoxAndTriangle& q);
+
+// How deep two boxes are in contact, or how far apart: squares of lengths, exactly.
+
+// The square of the penetration of boxes in contact: the least translation of one that parts them, or makes them touch.
+// It is the least of (radius - |T.L|) / |L| over the fifteen axes that are not 0, which are normals of all facets of
+// A - B.
+Rational squared_penetration(const ExactPair& q);
+
+// The square of the greatest gap between the projections of boxes apart on one of the fifteen axes, as a length: at
+// most their distance.
+Rational squared_gap(const ExactPair& q);
+
+// The axes that decide: of boxes in contact those on which the penetration is least, else those that separate.
+std::vector<std::string_view> deciding_axes(const ExactPair& q);
+
+// The greatest f for which boxes are in contact with B's centre at A's + f u, u not 0: rational.
+Rational critical_factor(const ExactPair& q, const Point& u);
+
+// The least half extent of A's first axis for which the boxes are in contact, all else as it is; q.a.half[0] is not
+// read. It is rational: the greatest of (|T.L| - the other five terms) / |a0.L| over the fifteen axes that a0 is not at
+// right angles to, and not below 0. Empty where an axis at right angles to a0 separates: then no extent along it is
+// enough.
+std::optional<Rational> critical_extent(const ExactPair& q);
+
+// The square of their distance; 0 in contact.
+Rational squared_distance(const ExactPair& q);
+
+// The greatest entry of B'B - I in magnitude, B the matrix of the box's axes: 0 of a rotation alone.
+Rational orthonormality_defect(const ExactBox& box);
+
+// The square of the scene's extent: the greatest of |T|, from centre to centre, and of the distances of the corners
+// from the centre of their own box.
+Rational squared_scene(const ExactPair& q);
+
+// Penetration or distance relative to the scene, rounded once; 0 for two points in the same place.
+double depth_of(const ExactPair& q);
+
+}  // namespace axiscert::boxes

@@ -1,0 +1,86 @@
+#include "exact/sphere_triangle/asked_sphere_triangle.h"
+
+#include <fmt/format.h>
+
+#include "exact/sphere_triangle/measures/depth.h"
+#include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "kernel/sphere_triangle/query.h"
+#include "kernel/sphere_triangle/reference/scalar.h"
+
+namespace axiscert {
+namespace {
+
+// Wherever a rung defines both sides of a comparison, the sign has to be the published one.
+std::optional<std::string> contradiction(const ExactSides& rung, const ExactSides& published) {
+  const auto defined = static_cast<ComparisonBits>(~rung.undefined);
+  const bool same_ties = (rung.ties & defined) == (published.ties & defined);
+  if (rung.strict == published.strict && same_ties) return std::nullopt;
+  return fmt::format(
+      "exact signs {:016b} ties {:016b} undefined {:016b}, published {:016b} ties {:016b} (bit 0 is the "
+      "first comparison)",
+      rung.strict, rung.ties, rung.undefined, published.strict, published.ties);
+}
+
+}  // namespace
+
+template <class Real>
+const ExactTruth& AskedSphereTriangle<Real>::exact() {
+  if (truth_) return *truth_;
+  truth_ = exact_truth(query_, opinion_ != Opinion::first);
+  check_truth(*truth_);
+  if (truth_->touching) distance_.set_touching();
+  return *truth_;
+}
+
+template <class Real>
+const ExactSides* AskedSphereTriangle<Real>::sides(Formulae formulae) {
+  if (!has_comparisons(formulae)) return nullptr;
+  if (truth_ && formulae == Formulae::published) return &*truth_->sides;
+  for (const auto& [known, sides] : sides_) {
+    if (known == formulae) return &sides;
+  }
+  const ExactSides& found = sides_.emplace_front(formulae, exact_sides(formulae, query_)).second;
+  if (formulae != Formulae::published && kind_of(formulae) == FormulaeKind::rung) {
+    if (const auto wrong = contradiction(found, *sides(Formulae::published))) {
+      throw OracleDisagreement(fmt::format("formulae {}: {}", name(formulae), *wrong), Numbers<Real>(query_),
+                               sphere_triangle_predicate());
+    }
+  }
+  return &found;
+}
+
+template <class Real>
+std::optional<Reference> AskedSphereTriangle<Real>::chain(const Kernel& kernel) {
+  const Formulae formulae = formulae_of(kernel);
+  if (formulae == Formulae::none) return std::nullopt;
+  const ExactSides* own = sides(formulae);
+  Reference chain{own ? outcome_of(own->holding(nonstrict_comparisons(kernel.strictness)))
+                      : Outcome{exact_verdict(formulae, query_), {}},
+                  std::nullopt, own ? own->ties : ComparisonBits{0}};
+  if (kernel.is_reference) {
+    const auto ask = [&](auto&& of) { return of(formulae, kernel.arithmetic, kernel.strictness, query_); };
+    if (opinion_ == Opinion::exact_only) {
+      chain.rounded = RoundedDecisions{ask([](auto... claim) { return unbounded_by_mpfr(claim...); }),
+                                       ask([](auto... claim) { return reference(claim...); })};
+    } else {
+      chain.rounded = ask([](auto... claim) { return rounded(claim...); });
+    }
+  }
+  return chain;
+}
+
+template <class Real>
+std::optional<ExactSigns> AskedSphereTriangle<Real>::published_signs() {
+  const ExactSides& sides = *exact().sides;
+  return ExactSigns{sides.strict, sides.ties};
+}
+
+template <class Real>
+std::optional<ExactDepth> AskedSphereTriangle<Real>::exact_depth() {
+  return axiscert::exact_depth(query_, distance_.squared());
+}
+
+template class AskedSphereTriangle<float>;
+template class AskedSphereTriangle<double>;
+
+}  // namespace axiscert

@@ -1,0 +1,100 @@
+#include "fuzz/campaign/stages.h"
+
+#include <cmath>
+
+#include "fuzz/queries/capabilities.h"
+
+namespace axiscert {
+template <class Real>
+KernelRun<Real>::KernelRun(const Kernel& kernel, const std::string& target, const StoredReplies* replies,
+                           const Source& source, const StandingLeaders& standing, Tally& tally)
+    : kernel_(kernel),
+      source_(source),
+      replies_(replies),
+      standing_(standing),
+      tally_(tally),
+      implementation_(kernel.on<Real>(target)) {}
+
+template <class Real>
+void KernelRun<Real>::ask_about(const MadeBatch<Real>& batch) {
+  position_ = batch.position;
+  if (replies_) return;
+  ask(implementation_, batch.queries.columns(), reply_);
+  for (const Finding& finding : reply_.findings) {
+    count_finding(tally_, finding.kind, position_ + finding.index, finding.detail);
+  }
+}
+
+template <class Real>
+Answer KernelRun<Real>::answer(std::size_t i) const {
+  return replies_ ? replies_->at(source_, precision_of<Real>, position_ + i) : reply_.outcome(i);
+}
+
+template <class Real>
+typename KernelRun<Real>::JudgedAnswer KernelRun<Real>::judge(std::size_t i, CloseLook<Real>& look) {
+  const Answer said = answer(i);
+  JudgedAnswer found{true, look.chain(kernel_)};
+  found.judgement = axiscert::judge(*kernel_.predicate, look.truth(), found.chain, said, kernel_.touching);
+  if (!look.is_promised_by(kernel_)) {
+    count_outside(tally_, look.truth(), said, found.judgement, look.depth());
+    found.is_counted = false;
+    return found;
+  }
+  // Those of a kernel without limits are counted in bulk.
+  if (kernel_.limits.any() && std::isfinite(look.depth().engine_threshold())) ++tally_.verdict.engine->queries;
+  count(tally_, position(i), look.truth(), found.chain ? found.chain->ties : ComparisonBits{0}, said, found.judgement,
+        look.depth(), standing_);
+  if (!kernel_.predicate->measures.empty()) {
+    const std::vector<double> measures =
+        replies_ ? replies_->measures(source_, precision_of<Real>, position(i)) : reply_.measures(i);
+    look.count_motion(kernel_, position(i), said.verdict, measures, tally_.motion);
+  }
+  return found;
+}
+
+template class KernelRun<float>;
+template class KernelRun<double>;
+
+namespace {
+
+// No filter: the oracles judge every answer.
+template <class Real>
+class NoScreen final : public Screen<Real> {
+ public:
+  explicit NoScreen(const ScreenedRuns<Real>& of) : of_(of) {}
+
+  void decide(const MadeBatch<Real>& batch) override {
+    queries_ = &batch.queries;
+    of_.steps.queries[Step::exact] += batch.size();
+  }
+  AskedQuery& about(std::size_t i) override {
+    asked_ = of_.oracles.about((*queries_)[i], of_.judging.exact_only ? Opinion::exact_only : Opinion::first);
+    for (const KernelRun<Real>& run : of_.runs) asked_->expect(run.kernel());
+    return *asked_;
+  }
+  void look_at_answer(std::size_t k, std::size_t i, const typename KernelRun<Real>::JudgedAnswer& found) override {
+    KernelRun<Real>& run = of_.runs[k];
+    if (!found.is_counted || !found.chain || !run.shows_sides() || !run.is_answered(i)) return;
+    const ExactSides* sides = asked_->sides(run.kernel());
+    if (sides == nullptr) return;
+    count_errors(run.tally(), run.position(i), *run.kernel().predicate, *sides, run.reply().answers, i,
+                 of_.judging.tolerances);
+  }
+
+ private:
+  const ScreenedRuns<Real> of_;
+  const QueryBatch<Real>* queries_ = nullptr;
+  std::unique_ptr<AskedQuery> asked_;
+};
+
+}  // namespace
+
+template <class Real>
+std::unique_ptr<Screen<Real>> screen_of(const ScreenedRuns<Real>& of) {
+  if (const Screens* screens = capabilities_of(*of.runs.front().kernel().predicate).screens) return screens->screen(of);
+  return std::make_unique<NoScreen<Real>>(of);
+}
+template std::unique_ptr<Screen<float>> screen_of(const ScreenedRuns<float>&);
+template std::unique_ptr<Screen<double>> screen_of(const ScreenedRuns<double>&);
+
+}  // namespace axiscert

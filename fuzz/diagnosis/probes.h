@@ -1,0 +1,99 @@
+// The values of the properties: an enum for each, with its names as files have them.
+#pragma once
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "fuzz/diagnosis/subject.h"
+#include "kernel/base/enums.h"
+
+namespace axiscert::diagnosis {
+
+// The answer at a distance of exactly r, where no rounding is to blame.
+enum class AtTouching : std::uint8_t { closed, open, neither };
+// Triangles of which the centre lies on the one side or the other: front is the side of (B - A) x (C - A).
+enum class Sides : std::uint8_t { both, front_only, back_only };
+// An overlap before the motion: always a contact; not where nothing moves; only where the distance falls at first;
+// never.
+enum class Starts : std::uint8_t { reported, moving, approaching, ignored };
+// Triangles of area 0: right on all; always separated; always contact; `invalid`; wrong on some.
+enum class Degenerate : std::uint8_t { handled, skipped, always_hit, refused, wrong_on_some };
+// Something is compared with a number that has a length in it.
+enum class Threshold : std::uint8_t { none_found, present };
+// The powers of two times which the answers are those at scale 1: all that the precision has, or fewer.
+enum class Window : std::uint8_t { whole, limited };
+// Subnormal numbers are numbers, or zero.
+enum class Subnormals : std::uint8_t { kept, flushed };
+// The sums of three products: x and y first; another pair first; fused multiply-add.
+enum class Order : std::uint8_t { left_to_right, other_order, contracted };
+// The precision of the computation against that of the query.
+enum class Inner : std::uint8_t { narrower, own, wider };
+// The same batch asked again.
+enum class RepeatedBatch : std::uint8_t { same, differs };
+// The same query in another place.
+enum class Place : std::uint8_t { independent, depends };
+
+}  // namespace axiscert::diagnosis
+
+namespace axiscert {
+
+#define AXISCERT_VALUES(Enum, count, names, ...)                            \
+  template <>                                                               \
+  inline constexpr std::size_t enum_count<diagnosis::Enum> = count;         \
+  namespace diagnosis {                                                     \
+  inline constexpr EnumArray<Enum, std::string_view> names = {__VA_ARGS__}; \
+  constexpr std::string_view name(Enum value) { return names[value]; }      \
+  }
+AXISCERT_VALUES(AtTouching, 3, at_touching_names, "closed", "open", "neither")
+AXISCERT_VALUES(Sides, 3, sides_names, "both", "front_only", "back_only")
+AXISCERT_VALUES(Starts, 4, starts_names, "reported", "moving", "approaching", "ignored")
+AXISCERT_VALUES(Degenerate, 5, degenerate_names, "handled", "skipped", "always_hit", "refused", "wrong_on_some")
+AXISCERT_VALUES(Threshold, 2, threshold_names, "none_found", "present")
+AXISCERT_VALUES(Window, 2, window_names, "whole", "limited")
+AXISCERT_VALUES(Subnormals, 2, subnormals_names, "kept", "flushed")
+AXISCERT_VALUES(Order, 3, order_names, "left_to_right", "other_order", "contracted")
+AXISCERT_VALUES(Inner, 3, inner_names, "narrower", "own", "wider")
+AXISCERT_VALUES(RepeatedBatch, 2, repeated_names, "same", "differs")
+AXISCERT_VALUES(Place, 2, place_names, "independent", "depends")
+#undef AXISCERT_VALUES
+
+}  // namespace axiscert
+
+namespace axiscert::diagnosis {
+// The probes, one for each property. Each asks the kernel, and gives a value only where the answers decide it.
+
+// Probes whose scenes are the predicate's own, or made of its families and columns (scenes/scenes.h); operation_order
+// is of predicates with near ties alone, overlap_at_start of motions.
+template <class Real>
+ProbeFinding at_touching(Subject<Real>& subject);
+template <class Real>
+ProbeFinding sides_hit(Subject<Real>& subject);
+template <class Real>
+ProbeFinding overlap_at_start(Subject<Real>& subject);
+template <class Real>
+ProbeFinding degenerate_triangles(Subject<Real>& subject);
+template <class Real>
+ProbeFinding subnormal_numbers(Subject<Real>& subject);
+template <class Real>
+ProbeFinding operation_order(Subject<Real>& subject);
+template <class Real>
+ProbeFinding inner_precision(Subject<Real>& subject);
+
+// Probes that need nothing of the scene.
+template <class Real>
+ProbeFinding absolute_thresholds(Subject<Real>& subject);
+template <class Real>
+ProbeFinding range_window(Subject<Real>& subject);
+template <class Real>
+ProbeFinding repeated(Subject<Real>& subject);
+template <class Real>
+ProbeFinding nearest_form(Subject<Real>& subject);
+// Probes of a kernel that gives the same batch the same answers.
+template <class Real>
+ProbeFinding position_in_batch(Subject<Real>& subject);
+template <class Real>
+ProbeFinding batch_length(Subject<Real>& subject);
+template <class Real>
+ProbeFinding neighbours(Subject<Real>& subject);
+
+}  // namespace axiscert::diagnosis

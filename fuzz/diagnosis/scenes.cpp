@@ -1,0 +1,168 @@
+#include "fuzz/diagnosis/scenes.h"
+
+#include <cmath>
+#include <limits>
+
+#include "fuzz/queries/capabilities.h"
+#include "fuzz/queries/image_groups.h"
+
+namespace axiscert::diagnosis {
+namespace {
+
+// Positions that are looked at for each query that is wanted.
+constexpr std::uint64_t most_positions = 64;
+constexpr std::size_t small_scenes = 32;
+
+// Clear queries in every unit between two, or in every third where there are many.
+template <class Real>
+Queries<Real> clear_in_units(const Kernel& kernel, std::size_t count, int first, int last) {
+  constexpr int step = sizeof(Real) == 4 ? 1 : 3;
+  Queries<Real> queries;
+  const auto clear = clear_queries<Real>(kernel, count);
+  for (int exponent = first; exponent <= last; exponent += step) {
+    for (const auto& query : clear) queries.push_back(in_unit(kernel, query.numbers, exponent));
+  }
+  return queries;
+}
+
+}  // namespace
+
+bool is_of_motions(const Predicate& predicate) {
+  return std::ranges::any_of(predicate.measures,
+                             [](const PredicateMeasure& measure) { return measure.name == "time"; });
+}
+
+const Family* family_named_general(const Kernel& kernel) {
+  for (const Family* family : families_of(*kernel.predicate)) {
+    const std::string_view last = family->name.substr(family->name.rfind('/') + 1);
+    if (family->entry == kernel.entry && (last.starts_with("general") || last.ends_with("_general"))) return family;
+  }
+  return nullptr;
+}
+
+template <class Real>
+std::vector<ClearQuery<Real>> clear_queries(const Kernel& kernel, std::size_t count) {
+  return scenes_of<Real>(*kernel.predicate).clear(kernel, count);
+}
+
+template <class Real>
+std::vector<ClearQuery<Real>> clear_by_depth(const Kernel& kernel, std::size_t count) {
+  std::vector<ClearQuery<Real>> found;
+  const Oracles& oracles = oracles_of(kernel);
+  const Family* family = family_named_general(kernel);
+  if (!family || !oracles.has_depth()) return found;
+  for (std::uint64_t position = 0; found.size() < count && position < count * most_positions; ++position) {
+    const Numbers<Real> numbers = family->make<Real>(1, position);
+    const Truth truth = oracles.truth(numbers);
+    if (truth.verdict == Verdict::invalid || !is_promised(kernel, numbers)) continue;
+    const std::optional<double> depth = oracles.depth(numbers);
+    if (depth && *depth > clear_depth) found.push_back({numbers, truth.verdict});
+  }
+  return found;
+}
+
+template <class Real>
+Numbers<Real> in_unit(const Kernel& kernel, const Numbers<Real>& numbers, int exponent) {
+  const std::vector<PredicateColumn>& columns = kernel.predicate->entries[kernel.entry].columns;
+  const bool displacements = is_of_motions(*kernel.predicate);
+  Numbers<Real> scaled = numbers;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const Role role = columns[k].role;
+    if (role == Role::time || (role == Role::direction && !displacements)) continue;
+    scaled[k] = std::ldexp(numbers[k], exponent);
+  }
+  return scaled;
+}
+
+template <class Real>
+Queries<Real> small_of_high_degree(const Kernel& kernel) {
+  using Limits = std::numeric_limits<Real>;
+  return clear_in_units<Real>(kernel, small_scenes, Limits::min_exponent + Limits::digits + 2, 0);
+}
+
+template <class Real>
+Queries<Real> small_of_any_degree(const Kernel& kernel) {
+  constexpr int subnormal = std::numeric_limits<Real>::min_exponent - 3;
+  Queries<Real> queries = small_of_high_degree<Real>(kernel);
+  // Where all lengths are zero every answer is contact, so only separated scenes tell, which may be one in six.
+  const Queries<Real> lengths = clear_in_units<Real>(kernel, 8 * small_scenes, subnormal, subnormal);
+  queries.insert(queries.end(), lengths.begin(), lengths.end());
+  return queries;
+}
+
+// Families have numbers up to 16, and last bits below those of 1.
+ExponentWindow scanned_of_families(Precision precision) {
+  const ExponentWindow all = scanned_exponents(precision);
+  return {all.low + 30, all.high - 5};
+}
+
+template <class Real>
+std::optional<std::string> why_not_sound(Subject<Real>& subject) {
+  const auto clear = clear_queries<Real>(subject.kernel(), 128);
+  if (clear.empty()) return std::nullopt;
+  Queries<Real> queries;
+  for (const auto& query : clear) queries.push_back(query.numbers);
+  const std::vector<Verdict> said = subject.ask(queries);
+  std::size_t right = 0, contacts = 0, separated = 0;
+  for (std::size_t i = 0; i < said.size(); ++i) {
+    right += said[i] == clear[i].truth;
+    contacts += said[i] == Verdict::contact;
+    separated += said[i] == Verdict::separated;
+  }
+  if (3 * right >= 2 * said.size() && contacts != 0 && separated != 0) return std::nullopt;
+  return fmt::format(
+      "It is right on {} of {} queries that are far from every boundary, and says contact on {}: its "
+      "answers say nothing about finer things.",
+      right, said.size(), contacts);
+}
+
+#define AXISCERT_INSTANCES(Real)                                                           \
+  template std::vector<ClearQuery<Real>> clear_queries<Real>(const Kernel&, std::size_t);  \
+  template std::vector<ClearQuery<Real>> clear_by_depth<Real>(const Kernel&, std::size_t); \
+  template Queries<Real> small_of_high_degree<Real>(const Kernel&);                        \
+  template Queries<Real> small_of_any_degree<Real>(const Kernel&);                         \
+  template Numbers<Real> in_unit(const Kernel&, const Numbers<Real>&, int);                \
+  template std::optional<std::string> why_not_sound(Subject<Real>&);
+AXISCERT_INSTANCES(float)
+AXISCERT_INSTANCES(double)
+#undef AXISCERT_INSTANCES
+
+const DiagnosisScenes& diagnosis_scenes(const Predicate& predicate) {
+  static const DiagnosisScenes by_trait;
+  const DiagnosisScenes* own = capabilities_of(predicate).diagnosis_scenes;
+  return own ? *own : by_trait;
+}
+
+template <class Real>
+Queries<Real> sharp_queries(const Kernel& kernel, std::uint64_t seed, std::size_t count) {
+  Queries<Real> queries;
+  if (const auto near_tie = scenes_of<Real>(*kernel.predicate).near_tie) {
+    for (std::uint64_t i = 0; i < count; ++i) queries.push_back(near_tie(seed, "sharp", i, no_axis));
+    return queries;
+  }
+  std::vector<const Family*> families;
+  for (const Family* family : families_of(*kernel.predicate)) {
+    if (family->entry == kernel.entry && image_group(family->name) == nullptr) families.push_back(family);
+  }
+  for (std::uint64_t i = 0; i < count && !families.empty(); ++i) {
+    queries.push_back(families[i % families.size()]->make<Real>(seed, i / families.size()));
+  }
+  return queries;
+}
+
+template <class Real>
+Queries<Real> queries_of_general(const Kernel& kernel, std::uint64_t seed, std::size_t count) {
+  Queries<Real> queries;
+  const Family* family = family_named_general(kernel);
+  for (std::uint64_t i = 0; i < count && family; ++i) queries.push_back(family->make<Real>(seed, i));
+  return queries;
+}
+
+#define AXISCERT_INSTANCES(Real)                                                         \
+  template Queries<Real> sharp_queries<Real>(const Kernel&, std::uint64_t, std::size_t); \
+  template Queries<Real> queries_of_general<Real>(const Kernel&, std::uint64_t, std::size_t);
+AXISCERT_INSTANCES(float)
+AXISCERT_INSTANCES(double)
+#undef AXISCERT_INSTANCES
+
+}  // namespace axiscert::diagnosis

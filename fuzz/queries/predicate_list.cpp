@@ -1,0 +1,68 @@
+// The families of all predicates, in the order of the predicates.
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "fuzz/queries/capabilities.h"
+#include "fuzz/queries/family.h"
+#include "kernel/base/error.h"
+#include "kernel/base/text.h"
+#include "kernel/predicate_list.h"
+
+namespace axiscert {
+#define AXISCERT_DECLARE(name) std::span<const Family* const> name##_families();
+AXISCERT_PREDICATES(AXISCERT_DECLARE)
+#undef AXISCERT_DECLARE
+
+std::span<const Family* const> families() {
+  static const std::vector<const Family*> all = [] {
+    std::vector<const Family*> families;
+    const auto append = [&](std::span<const Family* const> more) {
+      families.insert(families.end(), more.begin(), more.end());
+    };
+#define AXISCERT_APPEND(name) append(name##_families());
+    AXISCERT_PREDICATES(AXISCERT_APPEND)
+#undef AXISCERT_APPEND
+    return families;
+  }();
+  return all;
+}
+
+std::vector<const Family*> families_of(const Predicate& predicate) {
+  std::vector<const Family*> all;
+  for (const Family* family : families()) {
+    if (&family->predicate() == &predicate) all.push_back(family);
+  }
+  return all;
+}
+
+std::vector<const Family*> families_of(const Predicate& predicate, std::size_t entry) {
+  std::vector<const Family*> all = families_of(predicate);
+  std::erase_if(all, [&](const Family* family) { return family->entry != entry; });
+  return all;
+}
+
+const Family& find_family(std::string_view name) {
+  std::vector<std::string_view> known;
+  for (const Family* family : families()) {
+    if (family->name == name) return *family;
+    known.push_back(family->name);
+  }
+  throw Error(unknown_name("family", "families", name, known));
+}
+
+#define AXISCERT_DECLARE(name)         \
+  const Predicate& name##_predicate(); \
+  const Capabilities& name##_capabilities();
+AXISCERT_PREDICATES(AXISCERT_DECLARE)
+#undef AXISCERT_DECLARE
+
+const Capabilities& capabilities_of(const Predicate& predicate) {
+#define AXISCERT_FIND(name) \
+  if (&predicate == &name##_predicate()) return name##_capabilities();
+  AXISCERT_PREDICATES(AXISCERT_FIND)
+#undef AXISCERT_FIND
+  throw HarnessFault(fmt::format("the predicate '{}' is not on the list of kernel/predicate_list.h", predicate.id));
+}
+
+}  // namespace axiscert

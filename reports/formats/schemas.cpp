@@ -1,0 +1,322 @@
+#include "reports/formats/schemas.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "fuzz/files/corpus.h"
+#include "fuzz/record/record.h"
+#include "kernel/base/error.h"
+#include "kernel/base/text.h"
+#include "kernel/sphere_triangle/names.h"
+#include "reports/certificate/statement/certificate_data.h"
+#include "reports/comparison/comparison_report.h"
+#include "reports/gates/requirement.h"
+#include "reports/instrument/data.h"
+#include "reports/instrument/diagnosis_report.h"
+#include "reports/instrument/league_report.h"
+#include "reports/instrument/lists.h"
+#include "reports/instrument/map.h"
+#include "reports/instrument/mutation_report.h"
+#include "reports/instrument/precision/condition_report.h"
+#include "reports/instrument/precision/critical_radius_report.h"
+#include "reports/instrument/precision/ladder_report.h"
+#include "reports/instrument/precision/precision_report.h"
+#include "reports/instrument/proofs_data.h"
+#include "reports/instrument/query_data.h"
+#include "reports/instrument/search_report.h"
+#include "reports/run_folder/run_folder.h"
+
+namespace axiscert {
+namespace {
+
+template <class File>
+Json file_schema(const Json& schema) {
+  Json whole = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", File::title}};
+  whole.update(schema);
+  return whole;
+}
+template <class File>
+Json schema_of() {
+  return file_schema<File>(json_schema_of<File>());
+}
+
+}  // namespace
+
+std::span<const SchemaEntry> schemas() {
+  static constexpr std::array all = {
+      SchemaEntry{"certificate", schema_of<CertificateStatement>},
+      SchemaEntry{"check", schema_of<CheckLine>},
+      SchemaEntry{"comparison", schema_of<ComparisonData>},
+      SchemaEntry{"condition", schema_of<ConditionData>},
+      SchemaEntry{"corpus", schema_of<CorpusLine>},
+      SchemaEntry{"critical-radius", schema_of<CriticalRadiusData>},
+      SchemaEntry{"diagnosis", [] { return file_schema<DiagnosisData>(diagnosis_data_schema()); }},
+      SchemaEntry{"families", schema_of<FamiliesData>},
+      SchemaEntry{"kernels", schema_of<KernelsData>},
+      SchemaEntry{"ladder", schema_of<LadderData>},
+      SchemaEntry{"league", schema_of<LeagueData>},
+      SchemaEntry{"maps", schema_of<MapsData>},
+      SchemaEntry{"mutation", schema_of<MutationData>},
+      SchemaEntry{"mutation-by-verdict", schema_of<MutationByVerdictData>},
+      SchemaEntry{"mutation-of-certified", schema_of<MutationOfCertifiedData>},
+      SchemaEntry{"precision", schema_of<PrecisionData>},
+      SchemaEntry{"proofs", schema_of<ProofsData>},
+      SchemaEntry{"ratchet", schema_of<RatchetOutcome>},
+      SchemaEntry{"record", schema_of<Record>},
+      SchemaEntry{"row", schema_of<QueryRow>},
+      SchemaEntry{"run", schema_of<RunFile>},
+      SchemaEntry{"search", schema_of<SearchData>},
+      SchemaEntry{"shrink", schema_of<ShrinkLine>},
+      SchemaEntry{"predicates", schema_of<PredicatesData>},
+  };
+  return all;
+}
+
+Json schema_named(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const SchemaEntry& entry : schemas()) {
+    if (entry.name == name) return entry.schema();
+    names.push_back(entry.name);
+  }
+  throw Error(fmt::format("--schema {}: unknown{} schemas: {}", name, did_you_mean(name, names),
+                          fmt::join(most_alike_first(name, names), ", ")));
+}
+
+// The rows of each command's JSON as a table of one observation a line. Columns follow from the fields where a row of
+// JSON is a line. Every column is described in docs/data.md, which cli.Data compares with what is printed.
+
+namespace {
+
+struct DataTable {
+  DataColumns columns;
+  std::vector<Json> rows;
+};
+
+std::string csv_text(const DataTable& table) {
+  std::string text = csv_head(table.columns);
+  for (const Json& row : table.rows) text += csv_line(table.columns, row);
+  return text;
+}
+
+// The words of a text.
+DataColumns columns_in(std::string_view text) {
+  std::istringstream words{std::string(text)};
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+// The elements of an array as they are.
+DataTable listed_rows(const Json& rows, DataColumns columns) {
+  return {std::move(columns), std::vector<Json>(rows.begin(), rows.end())};
+}
+
+// A row with `first` before what it has.
+Json extended(Json first, const Json& row) {
+  first.update(row);
+  return first;
+}
+
+DataTable ladder_rows(const Json& data) {
+  DataTable table{
+      columns_in("kernel family level name queries false_separation missed_separation false_contact touching_flips "
+                 "by_range median_u p99_u worst_u errors range_events error_without_scale window.low window.high "
+                 "critical_radius.median_ulps critical_radius.largest_ulps critical_radius.unbounded scalar_ns"),
+      {}};
+  for (const Json& kernel : data["kernels"]) {
+    const auto add = [&](const Json& family, const Json& result) {
+      const Json head = {{"kernel", kernel["id"]}, {"family", family}};
+      const auto add_place = [&](const char* level, const std::string& name, const Json& figures) {
+        Json row =
+            extended(extended(head, {{"level", level}, {"name", name}, {"queries", result["queries"]}}), figures);
+        if (const Json window = figures.value("window", Json()); window.is_array())
+          row["window"] = {{"low", window[0]}, {"high", window[1]}};
+        table.rows.push_back(std::move(row));
+      };
+      Json verdict = extended(result["verdict"], {{"critical_radius", result["critical_radius"]}});
+      if (family.is_null() && data.contains("speed"))
+        verdict["scalar_ns"] = data["speed"]["kernels"][kernel["id"].get<std::string>()]["scalar"];
+      add_place("verdict", "verdict", verdict);
+      for (const auto& [name, figures] : result["axes"].items()) add_place("axis", name, figures);
+      for (const auto& [name, figures] : result["kinds"].items()) {
+        add_place("kind", name, figures);
+        for (const char* side : {"radius", "side"}) {
+          if (figures.contains(side)) add_place("kind", name + "." + side, figures[side]);
+        }
+      }
+      for (const auto& [name, figures] : result["comparisons"].items()) add_place("comparison", name, figures);
+    };
+    add(nullptr, kernel);
+    for (const auto& [family, result] : kernel["families"].items()) add(family, result);
+  }
+  return table;
+}
+
+DataTable precision_rows(const Json& data) {
+  DataTable table{columns_in("kernel family bits exponents queries false_separation false_contact rounding range"), {}};
+  for (const ComparisonInfo& comparison : comparisons) table.columns.emplace_back(comparison.name);
+  const auto add = [&](const Json& family, const Json& result) {
+    for (const auto& [kernel, figures] : result["kernels"].items()) {
+      const Json head = {{"kernel", kernel}, {"family", family}, {"queries", result["queries"]}};
+      table.rows.push_back(extended(head, figures["exact"]));
+      for (const Json& step : figures["precisions"]) {
+        for (const char* exponents : {"unlimited", "limited"}) {
+          Json row =
+              extended(extended(head, {{"bits", step["bits"]}, {"exponents", exponents}}), step[exponents]["verdict"]);
+          row.update(step[exponents]["comparisons"]);
+          row.update({{"rounding", step["rounding"]}, {"range", step["range"]}});
+          table.rows.push_back(std::move(row));
+        }
+      }
+    }
+  };
+  add(nullptr, data["all"]);
+  for (const auto& [family, result] : data["families"].items()) add(family, result);
+  return table;
+}
+
+DataTable condition_rows(const Json& data) {
+  DataTable table{
+      with_columns_of<WrongVerdictsData>(with_columns_of<ConditionCountsData>(columns_in("kernel family comparison"))),
+      {}};
+  for (const Json& row : data["rows"]) {
+    const Json head = {{"kernel", row["kernel"]}, {"family", row["family"]}};
+    table.rows.push_back(extended(extended(head, row["total"]), row["wrong_verdicts"]));
+    for (const auto& [name, counts] : row["comparisons"].items())
+      table.rows.push_back(extended(extended(head, {{"comparison", name}}), counts));
+  }
+  return table;
+}
+
+DataTable critical_radius_rows(const Json& data) {
+  DataTable table = listed_rows(data["totals"], with_columns_of<CriticalRadiusRow>({}));
+  table.rows.insert(table.rows.end(), data["rows"].begin(), data["rows"].end());
+  return table;
+}
+
+DataTable league_rows(const Json& data) {
+  DataTable table{with_columns_of<LeagueFamilyData>(
+                      columns_in("kernel precision family touching has_planted_fault ns may_decline")),
+                  {}};
+  for (const Json& kernel : data["kernels"]) {
+    for (const auto& [family, figures] : kernel["families"].items()) {
+      Json row = {{"kernel", kernel["id"]}, {"family", family}};
+      for (const char* member : {"precision", "touching", "has_planted_fault", "ns", "may_decline"})
+        row[member] = kernel[member];
+      table.rows.push_back(extended(std::move(row), figures));
+    }
+  }
+  return table;
+}
+
+DataTable search_rows(const Json& data) {
+  DataTable table{
+      columns_in("kernel precision level name attained_u proved_u relative_u overflow.exponent underflow.exponent "
+                 "depth ulps links asked decided undecided invalid unanswered outside_limits"),
+      {}};
+  const Json head = {{"kernel", data["kernel"]}, {"precision", data["precision"]}};
+  for (const Json& comparison : data["comparisons"]) {
+    const Json& of_errors = data["looked_at_by_goal"]["error " + comparison["name"].get<std::string>()];
+    table.rows.push_back(extended(extended(extended(head, {{"level", "comparison"}}), of_errors), comparison));
+  }
+  for (const auto& [name, found] : data["verdict"].items()) {
+    const Json row = extended(extended(head, {{"level", "verdict"}, {"name", name}}), data["looked_at_by_goal"][name]);
+    table.rows.push_back(found.is_null() ? row : extended(row, found));
+  }
+  return table;
+}
+
+// A property a line, with the first of the queries that show it.
+DataTable diagnosis_rows(const Json& data) {
+  DataTable table{columns_in("kernel predicate precision seed name value sentence queries witnesses witness.answered "
+                             "witness.truth witness.shows looked_at.asked looked_at.decided looked_at.undecided "
+                             "looked_at.invalid looked_at.unanswered looked_at.outside_limits"),
+                  {}};
+  for (const Json& property : data["properties"]) {
+    Json row = property;
+    for (const char* member : {"kernel", "predicate", "precision", "seed"}) row[member] = data[member];
+    const Json& witnesses = property["witnesses"];
+    row["witnesses"] = witnesses.size();
+    if (!witnesses.empty()) row["witness"] = witnesses[0];
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+DataTable maps_rows(const Json& data) {
+  DataTable table{columns_in("map kernel precision kind along.numbers across.numbers level name file decided"), {}};
+  for (const Json& entry : data["legend"]) table.columns.push_back(entry["class"]);
+  for (const Json& map : data["maps"]) {
+    for (const Json& picture : map["pictures"]) {
+      Json row = {{"map", map["name"]}};
+      for (const char* member : {"kernel", "precision", "kind", "along", "across"}) row[member] = map[member];
+      for (const char* member : {"level", "name", "file", "decided"}) row[member] = picture[member];
+      table.rows.push_back(extended(std::move(row), picture["counts"]));
+    }
+  }
+  return table;
+}
+
+DataTable mutation_by_verdict_rows(const Json& data) {
+  return listed_rows(data["mutants"], with_columns_of<JudgedMutantData>({}));
+}
+
+DataTable families_rows(const Json& data) { return listed_rows(data["families"], with_columns_of<ListedFamily>({})); }
+
+DataTable proofs_rows(const Json& data) { return listed_rows(data["bounds"], with_columns_of<ProvedBoundData>({})); }
+
+DataTable predicates_rows(const Json& data) {
+  return listed_rows(data["predicates"], with_columns_of<ListedPredicate>({}));
+}
+
+struct NamedTable {
+  std::string_view name;  // axiscert-NAME/1 is the schema
+  DataTable (*table)(const Json&);
+};
+constexpr std::array named_tables = {
+    NamedTable{"ladder", ladder_rows},
+    NamedTable{"precision", precision_rows},
+    NamedTable{"condition", condition_rows},
+    NamedTable{"critical-radius", critical_radius_rows},
+    NamedTable{"league", league_rows},
+    NamedTable{"search", search_rows},
+    NamedTable{"diagnosis", diagnosis_rows},
+    NamedTable{"maps", maps_rows},
+    NamedTable{"mutation-by-verdict", mutation_by_verdict_rows},
+    NamedTable{"families", families_rows},
+    NamedTable{"predicates", predicates_rows},
+    NamedTable{"proofs", proofs_rows},
+};
+
+// Those whose rows are the elements of a member as they are.
+struct ListedTable {
+  std::string_view name, rows, columns;
+};
+constexpr std::array listed_tables = {
+    ListedTable{"mutation", "mutants",
+                "id precision fault where what caught.family caught.queries caught.address caught.kind caught.depth "
+                "caught_by_formulae_alone.family caught_by_formulae_alone.queries equivalent"},
+    ListedTable{"mutation-of-certified", "steps", "step precision mutants shown equivalent by_the_recording_alone"},
+    ListedTable{"kernels", "kernels", "id summary predicate entry formulae precisions targets exposes source"},
+};
+
+}  // namespace
+
+std::string csv_of(const Json& data) {
+  const std::string schema = data.at("schema");
+  for (const NamedTable& named : named_tables) {
+    if (schema.starts_with(fmt::format("axiscert-{}/", named.name))) return csv_text(named.table(data));
+  }
+  for (const ListedTable& listed : listed_tables) {
+    if (schema.starts_with(fmt::format("axiscert-{}/", listed.name)))
+      return csv_text(listed_rows(data[std::string(listed.rows)], columns_in(listed.columns)));
+  }
+  throw std::logic_error(schema + " has no table");
+}
+
+}  // namespace axiscert

@@ -1,0 +1,105 @@
+// The levels of wrong verdicts whatever their cause: exact, conservative and depth.
+#include <fmt/format.h>
+
+#include "exact/trait/oracles.h"
+#include "reports/gates/level.h"
+#include "reports/run_folder/run_folder.h"
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+namespace {
+
+LevelFindings judge_depths(const Subject& subject, const AllowedDepths& allowed) {
+  LevelFindings found;
+  for (const auto& [family, result] : subject.families()) {
+    const VerdictTally& verdict = result.verdict;
+    const auto check = [&, family = family](FlipKind kind, std::uint64_t count, double deepest, const std::string& what,
+                                            double most) {
+      if (deepest <= most) return;
+      const std::string how_deep =
+          most == no_wrong ? "" : fmt::format(", the deepest by {:.4g} of the scene: {} is allowed", deepest, most);
+      subject.add(found.failures, family, count, what + how_deep,
+                  [kind](const FlipRecord& flip) { return flip.kind == kind; });
+    };
+    check(FlipKind::false_separation, verdict.false_separation, verdict.deepest_false_separation.best(),
+          "missed contacts", allowed.missed);
+    check(FlipKind::false_contact, verdict.false_contact, verdict.deepest_false_contact.best(), "phantom contacts",
+          allowed.phantom);
+    found.families[family] = subject.whole_look(result);
+  }
+  found.covers =
+      fmt::format("{} queries of {}, each judged exactly", thousands(subject.decided()), subject.list_of_families());
+  found.leaves_out = "queries that these families do not make";
+  return found;
+}
+
+LevelFindings judge_to_depth(const Subject& subject, const AllowedDepths& allowed) {
+  LevelFindings found = judge_depths(subject, allowed);
+  const Predicate& predicate = predicate_of(subject.record().plan);
+  if (!oracles_of(predicate).has_depth())
+    found.not_checked = fmt::format("the predicate {} states no depth of a wrong verdict", predicate.id);
+  return found;
+}
+
+void check_conservative(const AskedLevel& asked) {
+  if (asked.has_argument) depth_argument(asked);
+}
+AllowedDepths conservative_depths(const AskedLevel& asked) {
+  return {no_wrong, asked.has_argument ? depth_argument(asked) : any_depth};
+}
+
+AllowedDepths either_way(const AskedLevel& asked) {
+  const double most = depth_argument(asked);
+  return {most, most};
+}
+
+std::string conservative_sentence(const AskedLevel& asked) {
+  return "no missed contact" + (asked.has_argument ? fmt::format(", and no phantom contact deeper than {} of the scene",
+                                                                 depth_argument(asked))
+                                                   : "");
+}
+
+}  // namespace
+
+extern const GateLevel exact_level = {.usage = "exact",
+                                      .meaning = "no wrong verdict",
+                                      .check = accept_no_argument,
+                                      .sentence = [](const AskedLevel&) { return std::string("no wrong verdict"); },
+                                      .judge =
+                                          [](const AskedLevel&, const Subject& subject) {
+                                            return judge_depths(subject, {no_wrong, no_wrong});
+                                          },
+                                      .allowed =
+                                          [](const AskedLevel&) {
+                                            return AllowedDepths{no_wrong, no_wrong};
+                                          },
+                                      .breaking = "are wrong",
+                                      .badge = Badge{1, "#2e7d32"}};
+
+extern const GateLevel conservative_level = {.usage = "conservative[=D]",
+                                             .meaning = "no missed contact, no phantom contact deeper than D",
+                                             .check = check_conservative,
+                                             .sentence = conservative_sentence,
+                                             .judge =
+                                                 [](const AskedLevel& asked, const Subject& subject) {
+                                                   const AllowedDepths allowed = conservative_depths(asked);
+                                                   return asked.has_argument ? judge_to_depth(subject, allowed)
+                                                                             : judge_depths(subject, allowed);
+                                                 },
+                                             .allowed = conservative_depths,
+                                             .in_certificates = no_or_visible_depth,
+                                             .badge = Badge{2, "#2e7d32"}};
+
+extern const GateLevel depth_level = {
+    .usage = "depth=D",
+    .meaning = "no wrong verdict deeper than D of the scene, either way",
+    .check = [](const AskedLevel& asked) { depth_argument(asked); },
+    .sentence =
+        [](const AskedLevel& asked) {
+          return fmt::format("no wrong verdict deeper than {} of the scene, either way", depth_argument(asked));
+        },
+    .judge = [](const AskedLevel& asked, const Subject& subject) { return judge_to_depth(subject, either_way(asked)); },
+    .allowed = either_way,
+    .in_certificates = visible_depths};
+
+}  // namespace axiscert

@@ -1,0 +1,137 @@
+// The levels of a predicate of motions: never-late and no-tunnel.
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "kernel/base/error.h"
+#include "reports/gates/level.h"
+#include "reports/run_folder/run_folder.h"
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+namespace {
+
+constexpr double whole_radius = 1;
+
+double tunnel_argument(const AskedLevel& asked) {
+  if (!asked.has_argument) return whole_radius;
+  double tunnel = 0;
+  const char* const end = asked.argument.data() + asked.argument.size();
+  const auto [stop, problem] = std::from_chars(asked.argument.data(), end, tunnel);
+  // The record has six digits of the deepest tunnel, rounded down.
+  const bool has_more_digits =
+      problem == std::errc() && tunnel > 0 && fmt::format("{:.6g}", tunnel) != fmt::format("{}", tunnel);
+  if (problem != std::errc() || stop != end || !(tunnel > 0 && tunnel <= 1) || has_more_digits) {
+    throw Error(
+        fmt::format("requirement '{}': F is a share of the radius, above 0 and at most 1, of at most six digits, "
+                    "as in {}=0.5",
+                    asked.text, asked.name));
+  }
+  return tunnel;
+}
+
+// Why times cannot be judged: the predicate has none, or the kernel gives none, or there was no hit.
+std::string times_unseen(const Subject& subject) {
+  const Predicate& predicate = predicate_of(subject.record().plan);
+  if (predicate.measures.empty()) return fmt::format("the predicate {} has no time of contact", predicate.id);
+  const auto& measures = subject.kernel().measures;
+  if (!measures || measures->empty()) return "the kernel gives no time of contact";
+  for (const auto& [family, result] : subject.families()) {
+    if (result.motion->hits != 0) return "";
+  }
+  return "no query has a contact that it found";
+}
+
+// Hits of which nothing is known, since they have no time in [0, 1], and families without any hit.
+void add_untimed(const Subject& subject, LevelFindings& found) {
+  for (const auto& [family, result] : subject.families()) {
+    const TimeTally& time = *result.motion->time;
+    if (result.motion->hits == 0) found.unseen.push_back(family);
+    subject.add_shown(found.failures, family, time.none, "contacts without a time", "a contact without a time");
+    subject.add_shown(found.failures, family, time.invalid, "contacts with a time outside [0, 1]",
+                      "a time outside [0, 1]");
+  }
+}
+
+// Contacts that were found; with `missed` those that were not are looked at too.
+void look_at_contacts(const Subject& subject, bool missed, LevelFindings& found) {
+  for (const auto& [family, result] : subject.families()) {
+    const std::uint64_t looked_at = result.motion->hits + (missed ? result.verdict.false_separation : 0);
+    found.families[family] = {result.truth.contact, looked_at};
+  }
+}
+
+std::string hits_covered(const Subject& subject) {
+  std::uint64_t hits = 0;
+  for (const auto& [family, result] : subject.families()) hits += result.motion->hits;
+  return fmt::format("{} contacts of {}, the time of each compared with the exact one", thousands(hits),
+                     subject.list_of_families());
+}
+
+LevelFindings judge_never_late(const AskedLevel&, const Subject& subject) {
+  LevelFindings found;
+  found.not_checked = times_unseen(subject);
+  if (!found.not_checked.empty()) return found;
+  add_untimed(subject, found);
+  look_at_contacts(subject, false, found);
+  for (const auto& [family, result] : subject.families()) {
+    const TimeTally& time = *result.motion->time;
+    subject.add_shown(found.failures, family, time.late,
+                      fmt::format("times after the first contact, the latest by {} u of the displacement",
+                                  error_amount(time.late_errors.largest_in_u.best())),
+                      "latest time");
+  }
+  found.covers = hits_covered(subject);
+  found.leaves_out = "missed contacts, which no-tunnel and conservative ask about";
+  return found;
+}
+
+LevelFindings judge_no_tunnel(const AskedLevel& asked, const Subject& subject) {
+  const double most = tunnel_argument(asked);
+  LevelFindings found;
+  found.not_checked = times_unseen(subject);
+  if (!found.not_checked.empty()) return found;
+  add_untimed(subject, found);
+  look_at_contacts(subject, true, found);
+  for (const auto& [family, result] : subject.families()) {
+    const auto check = [&, family = family](const TunnelTally& tunnels, const char* many, const char* one,
+                                            const char* shown) {
+      const double deepest = tunnels.deepest.best().value();
+      if (deepest < most) return;
+      // The record counts those that go through; of the others it has the deepest.
+      if (most == whole_radius) {
+        subject.add_shown(found.failures, family, tunnels.through,
+                          fmt::format("{} with which the centre comes to the triangle", many), shown);
+        return;
+      }
+      subject.add_shown(
+          found.failures, family, 1,
+          fmt::format("{} goes in by {:.6g} of the radius, and less than {} is allowed", one, deepest, most), shown);
+    };
+    check(result.motion->missed, "missed contacts", "the deepest missed contact", "deepest tunnel of a missed contact");
+    check(result.motion->time->late_tunnels, "late times", "the deepest late time", "deepest tunnel of a late time");
+  }
+  found.covers = hits_covered(subject) + ", and every missed contact";
+  found.leaves_out = "queries that these families do not make";
+  return found;
+}
+
+std::string no_tunnel_sentence(const AskedLevel& asked) {
+  const double most = tunnel_argument(asked);
+  if (most == whole_radius) return "no missed contact and no late time with which the centre comes to the triangle";
+  return fmt::format("no missed contact and no late time with which the sphere goes in by {} of its radius or more",
+                     most);
+}
+
+}  // namespace
+
+extern const GateLevel never_late_level = {
+    "never-late", "no time after the first contact", accept_no_argument,
+    [](const AskedLevel&) { return std::string("no time of contact after the exact first contact"); },
+    judge_never_late};
+
+extern const GateLevel no_tunnel_level = {
+    "no-tunnel[=F]", "no missed contact and no late time that tunnels by F of the radius (default 1) or more",
+    [](const AskedLevel& asked) { tunnel_argument(asked); }, no_tunnel_sentence, judge_no_tunnel};
+
+}  // namespace axiscert

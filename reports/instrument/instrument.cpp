@@ -1,0 +1,199 @@
+#include "reports/instrument/instrument.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "reports/page/page_template.h"
+
+namespace axiscert {
+namespace {
+
+std::string printable(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  }
+  return text;
+}
+
+}  // namespace
+
+bool is_number(const std::string& cell) {
+  return cell.find_first_of("0123456789") <= 1 && cell.find_first_not_of("0123456789.,+-e") == cell.npos;
+}
+
+std::string aligned_table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const std::string& column : columns) widths.push_back(column.size());
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  const auto add = [&](const std::vector<std::string>& cells, bool is_head) {
+    std::string line;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const bool right = is_head ? !rows.empty() && is_number(rows.front()[i]) : is_number(cells[i]);
+      line += right ? fmt::format("  {:>{}}", printable(cells[i]), widths[i])
+                    : fmt::format("  {:<{}}", printable(cells[i]), widths[i]);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  };
+  add(columns, true);
+  for (const auto& row : rows) add(row, false);
+  return text;
+}
+
+// An instrument's tables for the terminal, and the code of their scenes.
+
+namespace {
+
+std::string scene_text(const InstrumentScene& scene) {
+  std::string text = fmt::format("{}: {}{}\n", scene.title, scene.sentence,
+                                 scene.needs.empty() ? "" : fmt::format(" With {}:", scene.needs));
+  for (std::size_t begin = 0; begin < scene.code.size();) {
+    const std::size_t end = scene.code.find('\n', begin);
+    text += fmt::format("    {}\n", std::string_view(scene.code).substr(begin, end - begin));
+    begin = end == scene.code.npos ? end : end + 1;
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string instrument_text(const InstrumentReport& report) {
+  std::string text = report.title + "\n\n";
+  for (const InstrumentTable& table : report.tables) {
+    text += fmt::format("{}\n{}\n", table.caption, aligned_table(table.columns, table.rows));
+  }
+  for (const InstrumentTable& table : report.tables) {
+    for (const InstrumentScene& scene : table.scenes) {
+      if (!scene.code.empty()) text += scene_text(scene);
+    }
+  }
+  return text + fmt::format("{}\n", fmt::join(report.notes, "\n"));
+}
+
+// An instrument's page: tables and scenes as HTML, plots drawn by Chart.js from the figures beneath them.
+
+namespace {
+
+// With places where a line may end: before the section of a document, and after a folder.
+std::string wrapped_html(const std::string& text) {
+  std::string html;
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    if (text[i] != '#' && text[i - 1] != '/') continue;
+    html += html_text(text.substr(begin, i - begin)) + "<wbr>";
+    begin = i;
+  }
+  return html + html_text(text.substr(begin));
+}
+
+std::string cells(const std::vector<std::string>& row, const char* tag) {
+  std::string html;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const char* element = i == 0 ? "th" : tag;
+    // Sentences, names of sections and paths are wrapped: a table of advice, or of kernels by their files, has to fit
+    // on the page.
+    const bool is_long = row[i].size() > 24 && row[i].find_first_of(" #/") != std::string::npos;
+    const char* const look = is_long ? " class=\"words\"" : i != 0 && is_number(row[i]) ? " class=\"n\"" : "";
+    html += fmt::format("<{0}{1}>{2}</{0}>", element, look, is_long ? wrapped_html(row[i]) : html_text(row[i]));
+  }
+  return html;
+}
+
+// Text to paste; the script adds a button that copies it.
+std::string paste_html(const std::string& label, const std::string& text) {
+  if (text.empty()) return "";
+  return fmt::format("<div><p class=\"label\">{}</p>\n<div class=\"command\"><pre><code>{}</code></pre></div></div>\n",
+                     html_text(label), html_text(text));
+}
+
+// The script puts the picture in its place.
+std::string scene_html(const InstrumentScene& scene) {
+  const std::string label = scene.needs.empty() ? "Code to paste" : fmt::format("Code to paste, with {}", scene.needs);
+  return fmt::format(
+      "<article class=\"worst\"><h3>{}</h3>\n<p>{}</p>\n"
+      "<div class=\"columns\"><div class=\"picture\"></div><div class=\"stack\">{}{}</div></div></article>\n",
+      html_text(scene.title), html_text(scene.sentence), paste_html(label, scene.code),
+      paste_html("Judge it here", scene.command));
+}
+
+std::string table_html(const InstrumentTable& table) {
+  std::string html = fmt::format(
+      "<section><h2>{}</h2>\n<div class=\"scroll\" tabindex=\"0\"><table><thead><tr>{}</tr></thead>"
+      "<tbody>\n",
+      html_text(table.caption), cells(table.columns, "th"));
+  for (const auto& row : table.rows) html += fmt::format("<tr>{}</tr>\n", cells(row, "td"));
+  html += "</tbody></table></div>\n";
+  for (const InstrumentScene& scene : table.scenes) html += scene_html(scene);
+  return html + "</section>\n";
+}
+
+// The figures of a plot, for a reader who does not see the plot.
+std::string figures_html(const InstrumentPlot& plot) {
+  std::string html = fmt::format(
+      "<details><summary>The figures</summary><table><thead><tr><th>series</th><th>{}</th>"
+      "<th>{}</th></tr></thead><tbody>",
+      html_text(plot.x_label), html_text(plot.y_label));
+  for (const InstrumentSeries& series : plot.series) {
+    for (std::size_t i = 0; i < series.points.size(); ++i) {
+      const std::string& label = i < series.labels.size() ? series.labels[i] : series.name;
+      html += fmt::format("<tr><th>{}</th><td class=\"n\">{:.6g}</td><td class=\"n\">{:.6g}</td></tr>\n",
+                          html_text(label), series.points[i].first, series.points[i].second);
+    }
+  }
+  return html + "</tbody></table></details>";
+}
+
+std::string plot_html(const InstrumentPlot& plot) {
+  return fmt::format(
+      "<section><h2>{0}</h2>\n<div class=\"plot\"><canvas role=\"img\" aria-label=\"{0}\"></canvas></div>\n{1}"
+      "</section>\n",
+      html_text(plot.caption), figures_html(plot));
+}
+
+Json plot_data(const InstrumentPlot& plot) {
+  Json data = {{"kind", plot.kind == InstrumentPlot::Kind::line ? "line" : "scatter"},
+               {"x", {{"label", plot.x_label}, {"log", plot.x_log}, {"names", plot.x_names}}},
+               {"y", {{"label", plot.y_label}, {"log", plot.y_log}}},
+               {"series", Json::array()}};
+  for (const InstrumentSeries& series : plot.series) {
+    data["series"].push_back({{"name", series.name}, {"points", series.points}, {"labels", series.labels}});
+  }
+  return data;
+}
+
+}  // namespace
+
+std::string instrument_page(const InstrumentReport& report) {
+  std::string notes, body;
+  for (const std::string& note : report.notes) notes += fmt::format("<p class=\"lead\">{}</p>\n", html_text(note));
+  Json plots = Json::array();
+  for (const InstrumentPlot& plot : report.plots) {
+    body += plot_html(plot);
+    plots.push_back(plot_data(plot));
+  }
+  Json scenes = Json::array();
+  for (const InstrumentTable& table : report.tables) {
+    body += table_html(table);
+    for (const InstrumentScene& scene : table.scenes) scenes.push_back(scene.query);
+  }
+  const std::pair<std::string_view, std::string> places[] = {
+      {"<!--TITLE-->", html_text(report.title)},
+      {"/*CSS*/", std::string(embedded::report_css)},
+      {"<!--HEADING-->", html_text(report.title)},
+      {"<!--COMMAND-->", html_text(report.command)},
+      {"<!--NOTES_HEADING-->", html_text(report.notes_heading)},
+      {"<!--NOTES-->", notes},
+      {"<!--BODY-->", body},
+      {"/*DATA*/", inert_json(plots)},
+      {"/*SCENES*/", inert_json(scenes)},
+      {"/*JS*/", fmt::format("{}\n{}\n{}\n{}\n{}", embedded::chart_min_js, embedded::chart_js, embedded::table_js,
+                             scene_scripts(), embedded::instrument_js)}};
+  return filled(embedded::instrument_html, places);
+}
+
+}  // namespace axiscert

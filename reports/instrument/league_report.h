@@ -1,0 +1,210 @@
+// league.json: what `axiscert league` writes.
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fuzz/campaign/campaign.h"
+#include "fuzz/fields/field.h"
+#include "fuzz/queries/family.h"
+#include "kernel/outcome.h"
+#include "reports/instrument/data.h"
+#include "reports/instrument/figures.h"
+#include "reports/instrument/instrument.h"
+#include "reports/wording/evidence.h"
+
+namespace axiscert {
+struct WorstData {
+  Name what, family;
+  double depth = 0;
+  Name address;
+  Json query;
+  std::optional<std::string> code;
+
+  static constexpr std::string_view about = "Its deepest wrong verdict.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = WorstData;
+    return visit(field(&Of::what, {"what", "Missed, or invented."}), field(&Of::family, {"family", "The family."}),
+                 field(&Of::depth, {"depth", "As a share of the scene."}),
+                 field(&Of::address, {"address", "The address of the query."}),
+                 field(&Of::query, {"query", "Its numbers as hex-floats."}),
+                 field(&Of::code, {"code", "Code that asks it by hand; null: a command does."}));
+  }
+};
+
+struct TrustData {
+  Name answer, words;
+
+  static constexpr std::string_view about = "May it be trusted with inputs of one kind?";
+  static constexpr auto fields(auto&& visit) {
+    return visit(field(&TrustData::answer,
+                       {"answer",
+                        "yes, rarely, no, too few or not looked at; yes takes 59 decided queries, and half of the "
+                        "contacts and of the separations."}),
+                 field(&TrustData::words, {"words", "The counts that it rests on."}));
+  }
+};
+
+struct LeagueFamilyData {
+  std::uint64_t trials = 0, decided = 0;
+  std::optional<std::uint64_t> false_separation, false_contact, touching_flips;
+  std::optional<double> deepest_false_separation, deepest_false_contact;
+  std::uint64_t undecided = 0, invalid = 0, unanswered = 0, outside_limits = 0;
+  std::optional<std::uint64_t> caught_after;
+  RadiusSummary critical_radius;
+  std::map<FindingKind, std::uint64_t> findings;
+
+  static constexpr std::string_view about = "On one family.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = LeagueFamilyData;
+    return visit(
+        field(&Of::trials, {"trials", "Queries."}),
+        field(&Of::decided, {"decided", "Valid queries within its limits on which it said contact or separated."}),
+        field(&Of::false_separation, {"false_separation", "Missed contacts; null: none was decided."}),
+        field(&Of::false_contact, {"false_contact", "Phantom contacts; null: none was decided."}),
+        field(&Of::touching_flips, {"touching_flips", "Wrong answers to spheres that touch; null: none was decided."}),
+        field(&Of::deepest_false_separation,
+              {"deepest_false_separation",
+               "The depth of the deepest missed contact, as a share of the scene; 0: none; null: none was decided."}),
+        field(&Of::deepest_false_contact, {"deepest_false_contact", "The same of phantom contacts."}),
+        field(&Of::undecided, {"undecided", "It declined."}),
+        field(&Of::invalid, {"invalid", "It called a query invalid."}),
+        field(&Of::unanswered, {"unanswered", "It gave no answer."}),
+        field(&Of::outside_limits, {"outside_limits", "Valid queries outside its limits, whatever it said."}),
+        field(&Of::caught_after,
+              {"caught_after",
+               "Of a kernel that claims a built-in one's bits: queries until the first that shows another; null: none "
+               "does."}),
+        field(&Of::critical_radius, {"critical_radius", RadiusSummary::about}),
+        field(&Of::findings, {"findings", "Faults other than wrong answers, by kind."}));
+  }
+};
+
+struct LeagueKernelData {
+  Name id;
+  Precision precision = Precision::binary32;
+  std::string summary;
+  TouchingPolicy touching = TouchingPolicy::contact;
+  bool may_decline = false, has_planted_fault = false;
+  std::optional<double> ns;
+  std::optional<WorstData> worst;
+  NamedValues<TrustData> trust;
+  NamedValues<LeagueFamilyData> families;
+
+  static constexpr std::string_view about = "One kernel in one precision.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = LeagueKernelData;
+    return visit(
+        field(&Of::id, {"id", "The kernel or library."}),
+        field(&Of::precision, {"precision", "The precision of the queries."}),
+        field(&Of::summary, {"summary", "What it computes."}),
+        field(&Of::touching, {"touching", "The verdict that it promises where the two touch."}),
+        field(&Of::may_decline, {"may_decline", "Whether it declares that it may answer `undecided`."}),
+        field(&Of::has_planted_fault,
+              {"has_planted_fault", "Whether it is a kernel with a fault, which should be caught."}),
+        field(&Of::ns, {"ns", "Nanoseconds a query; null: not timed.", "ns"}),
+        field(&Of::worst, {"worst", "Its deepest wrong verdict; null: none, among the decided queries of `families`."}),
+        field(&Of::trust,
+              {"trust", "May it be trusted? By kind of input: thin, small, far, degenerate, resting, scene."}),
+        field(&Of::families, {"families", "By family."}));
+  }
+};
+
+struct LeagueData : CommandData<LeagueData> {
+  static constexpr std::string_view format = "axiscert-league/2", title = "Kernels and libraries on the same queries";
+  WholeNumber seed;
+  std::vector<LeagueKernelData> kernels;
+  std::vector<Name> not_checked;
+
+  static constexpr std::string_view about =
+      "league.json, which `axiscert league` writes. Without `ns` it depends on the command alone, and on which "
+      "libraries there are.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = LeagueData;
+    return visit(base<Of, CommandData<Of>>(), field(&Of::seed, {"seed", "The seed of every family."}),
+                 field(&Of::kernels, {"kernels", "One for each kernel and precision."}),
+                 field(&Of::not_checked, {"not_checked", "What was left out, a sentence each."}));
+  }
+};
+
+// The report of `axiscert league`: kernels and libraries side by side on the same queries, and kernels with a fault.
+
+struct League {
+  Questions questions;
+  std::vector<const Kernel*> kernels;
+  std::size_t contenders = 0;  // the first so many of the kernels compete; the others have a planted fault
+  // Nanoseconds for each query, by precision and number of the kernel; absent where no time was taken.
+  std::map<std::pair<Precision, std::size_t>, double> nanoseconds;
+  std::vector<std::string> not_checked;  // one sentence each
+};
+
+// Each contender and precision with no decided query, with its counts: of these nothing was looked at.
+std::vector<std::string> undecided_contenders(const League& league, const CampaignResult& result);
+
+InstrumentReport league_report(const League& league, const CampaignResult& result, const std::string& command);
+
+// "May I trust it?": what a contender of the league got wrong on each kind of input, in words and counts.
+
+// Number of queries within the kernel's limits on which it said contact or separated.
+std::uint64_t decided(const Tally& tally);
+
+// The answer to "may I trust it?", and the counts that it rests on.
+struct Trust {
+  // "yes", "rarely", "no", "too few" or "not looked at"
+  std::string answer;
+  std::string words;
+  std::string text() const { return answer + ": " + words; }
+};
+
+// "yes: 0 of 4,096 wrong", "rarely: 3 of 4,096 missed", "no: 812 of 4,096 missed, 3 invented", "too few: 12 of 4,096
+// decided", "not looked at: 0 of 4,096 decided"; then "; declines 120", "; calls 4 invalid", "; no answer to 14", "; 9
+// outside its limits", where there are such. Less than one wrong in a thousand is rare. An answer `invalid`, none, or a
+// decline that the kernel does not declare, is no trust, one being enough. Trust takes least_looked_at decided queries,
+// and least_decided_share of the promised contacts and of the separations.
+Trust trust_in(const Kernel& kernel, const Tally& tally);
+
+// The groups of which a family was asked.
+std::vector<TrustGroup> groups_asked(const std::vector<SourcePtr>& sources);
+// All families of a group together; every family where there is none.
+Tally tally_of_group(const League& league, const CampaignResult& result, std::size_t k, Precision precision,
+                     std::optional<TrustGroup> group);
+
+// A row for each contender that exists in the precision, a column for each kind of which a family was asked.
+InstrumentTable trust_table(const League& league, const CampaignResult& result, Precision precision);
+
+// "0.25"; "none of 4,096" where none was wrong; "not measured" where none was decided.
+std::string depth_text(std::uint64_t wrong, std::uint64_t decided, double deepest);
+
+// The worst query of a contender of the league: where it is, how wrong, and code to ask the engine by hand.
+
+struct WorstQuery {
+  const Kernel* kernel;
+  const Source* source;
+  Precision precision;
+  std::uint64_t position;
+  bool is_missed;  // its deepest missed contact; else, where it misses none, its deepest invented one
+  double depth;    // a share of the scene, as everywhere
+
+  std::string address(std::uint64_t seed) const;
+};
+
+// The worst of kernel `k` of the league in this precision; none where no verdict was wrong.
+std::optional<WorstQuery> worst_of(const League& league, const CampaignResult& result, std::size_t k,
+                                   Precision precision);
+
+// "misses a contact 0.43 deep, where r is 0.98: 0.36 of the scene": the lengths in the query's own units, rounded.
+std::string worst_sentence(const WorstQuery& worst, std::uint64_t seed);
+
+// The query as a picture, the sentence, and the code with its numbers: that of a program's manifest, or the commands
+// that make the query again and judge it. The code's numbers are decimals of which a double has every bit.
+InstrumentScene worst_scene(const WorstQuery& worst, std::uint64_t seed);
+
+// A row for each contender and precision, with a scene where a verdict was wrong; else it says among how many.
+InstrumentTable worst_table(const League& league, const CampaignResult& result);
+// One row's figures, its query and its code; none where no verdict was wrong.
+std::optional<WorstData> worst_data(const League& league, const CampaignResult& result, std::size_t k,
+                                    Precision precision);
+
+}  // namespace axiscert

@@ -1,0 +1,142 @@
+#include "reports/instrument/league_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "fuzz/confirm/record.h"
+#include "fuzz/queries/source.h"
+#include "kernel/base/text.h"
+#include "kernel/plugin/load.h"
+#include "kernel/plugin/manifest.h"
+#include "reports/wording/reproduce.h"
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+namespace {
+
+// Calls act(numbers) with the query in its own precision.
+template <class Act>
+auto with_query(const WorstQuery& worst, std::uint64_t seed, const Act& act) {
+  if (worst.precision == Precision::binary32) return act(worst.source->make<float>(seed, worst.position));
+  return act(worst.source->make<double>(seed, worst.position));
+}
+
+// The greatest of |A-P|, |B-P|, |C-P| and r, of which a depth is a share; rounded.
+template <class Real>
+long double size_of_scene(const Numbers<Real>& q) {
+  long double size = q[12];
+  for (std::size_t vertex = 0; vertex < 9; vertex += 3) {
+    long double d[3];
+    for (std::size_t k = 0; k < 3; ++k) d[k] = static_cast<long double>(q[vertex + k]) - q[9 + k];
+    size = std::max(size, std::hypot(d[0], d[1], d[2]));
+  }
+  return size;
+}
+
+const char* kind_of(const WorstQuery& worst) { return worst.is_missed ? "missed" : "invented"; }
+
+std::string judging_commands(const WorstQuery& worst, const std::string& address) {
+  return fmt::format("axiscert query {} > worst.jsonl\naxiscert check worst.jsonl --kernel {}\n", shell_word(address),
+                     shell_word(worst.kernel->id));
+}
+
+}  // namespace
+
+std::string WorstQuery::address(std::uint64_t seed) const {
+  return text(address_of(*source, seed, precision, position));
+}
+
+std::optional<WorstQuery> worst_of(const League& league, const CampaignResult& result, std::size_t k,
+                                   Precision precision) {
+  std::optional<WorstQuery> missed, invented;
+  for (const CellResult& cell : result.cells) {
+    if (cell.precision != precision) continue;
+    const auto offer = [&](std::optional<WorstQuery>& worst, const Leaders<double>& deepest, bool is_missed) {
+      if (deepest.candidates().empty()) return;
+      const Candidate<double>& found = deepest.candidates().front();
+      if (worst && worst->depth >= found.rank) return;
+      worst = WorstQuery{league.kernels[k], league.questions.sources[cell.source].get(),
+                         precision,         found.position,
+                         is_missed,         found.rank};
+    };
+    const VerdictTally& verdict = cell.tallies[k].verdict;
+    offer(missed, verdict.deepest_false_separation, true);
+    offer(invented, verdict.deepest_false_contact, false);
+  }
+  return missed ? missed : invented;
+}
+
+std::string worst_sentence(const WorstQuery& worst, std::uint64_t seed) {
+  const auto [size, r] = with_query(
+      worst, seed, [](const auto& q) { return std::pair(size_of_scene(q), static_cast<long double>(q[12])); });
+  const std::string radius = fmt::format("r is {:.3g}", r);
+  if (worst.depth == 0) {
+    return fmt::format("{} at a distance of exactly r, where {}",
+                       worst.is_missed ? "misses a contact" : "invents a contact", radius);
+  }
+  const long double off = worst.depth * size;
+  return worst.is_missed
+             ? fmt::format("misses a contact {:.3g} deep, where {}: {:.3g} of the scene", off, radius, worst.depth)
+             : fmt::format("invents a contact across a gap of {:.3g}, where {}: {:.3g} of the scene", off, radius,
+                           worst.depth);
+}
+
+InstrumentScene worst_scene(const WorstQuery& worst, std::uint64_t seed) {
+  const PredicateEntry& entry = worst.source->predicate().entries[worst.source->entry()];
+  const std::string address = worst.address(seed);
+  InstrumentScene scene;
+  scene.title = fmt::format("{}, {}", worst.kernel->id, name(worst.precision));
+  scene.sentence =
+      fmt::format("It {}. Family {}, address {}.", worst_sentence(worst, seed), worst.source->name(), address);
+  std::vector<std::string> numbers;
+  with_query(worst, seed, [&](const auto& q) {
+    scene.query = json_of(groups_of_numbers(entry, q));
+    for (std::size_t i = 0; i < entry.columns.size(); ++i) {
+      numbers.push_back(fmt::format("{}", static_cast<double>(q[i])));
+    }
+  });
+  scene.command = judging_commands(worst, address);
+  if (!plugin::is_program(*worst.kernel)) return scene;
+  const plugin::Manifest manifest =
+      plugin::read_manifest(plugin::manifest_text(worst.kernel->file), worst.kernel->file);
+  scene.code = plugin::filled_code(manifest.code, entry, numbers);
+  if (!manifest.package.empty()) scene.needs = printable_line(fmt::format("{} {}", manifest.package, manifest.version));
+  return scene;
+}
+
+InstrumentTable worst_table(const League& league, const CampaignResult& result) {
+  InstrumentTable table{"The deepest miss of each; of one that misses nothing, its deepest invented contact",
+                        {"kernel", "precision", "what", "family", "depth", "address"},
+                        {}};
+  for (std::size_t k = 0; k < league.contenders; ++k) {
+    for (const Precision precision : league.questions.precisions) {
+      const std::optional<WorstQuery> found = worst_of(league, result, k, precision);
+      if (!league.kernels[k]->has(precision)) continue;
+      if (!found) {
+        const std::uint64_t said = decided(tally_of_group(league, result, k, precision, std::nullopt));
+        table.rows.push_back({league.kernels[k]->id, std::string(name(precision)),
+                              said == 0 ? "not looked at" : fmt::format("none of {}", thousands(said)), "", "", ""});
+        continue;
+      }
+      table.rows.push_back({league.kernels[k]->id, std::string(name(precision)), kind_of(*found), found->source->name(),
+                            fmt::format("{:.3g}", found->depth), found->address(league.questions.seed)});
+      table.scenes.push_back(worst_scene(*found, league.questions.seed));
+    }
+  }
+  return table;
+}
+
+std::optional<WorstData> worst_data(const League& league, const CampaignResult& result, std::size_t k,
+                                    Precision precision) {
+  const std::optional<WorstQuery> found = worst_of(league, result, k, precision);
+  if (!found) return std::nullopt;
+  const InstrumentScene scene = worst_scene(*found, league.questions.seed);
+  return WorstData{kind_of(*found), found->source->name(),
+                   found->depth,    found->address(league.questions.seed),
+                   scene.query,     scene.code.empty() ? std::nullopt : std::optional(scene.code)};
+}
+
+}  // namespace axiscert

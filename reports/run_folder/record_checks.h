@@ -1,0 +1,29 @@
+// The names in a record that its predicate decides: clauses, comparisons, and the numbers of a query.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "fuzz/record/kernel_record.h"
+#include "fuzz/record/record.h"
+#include "kernel/predicate.h"
+
+namespace axiscert {
+// The first place where a record's names are not those of its plan's predicate, and what is wrong there: a comparison
+// or clause that is missing, or one that the predicate does not have. Throws Error where the plan's predicate does not
+// exist.
+std::optional<std::string> fault_of_names(const Record& record);
+
+// The entry in which the numbers of a witness or finding are given: all of its groups are among them. Null where there
+// is no such entry.
+const PredicateEntry* entry_of(const Predicate& predicate, const WitnessRecord& query);
+const PredicateEntry* entry_of(const Predicate& predicate, const FindingRecord& query);
+
+// Conditions on a record's classes of input, and on its decades of depth, that its fields cannot express.
+
+// Says what contradicts the family's other counts; empty if nothing does, or the family has no classes.
+std::optional<std::string> fault_of_classes(const KernelRecord& kernel, const FamilyRecord& family);
+// The same of the depths of a family of `valid` queries, and of those on engine-like queries.
+std::optional<std::string> fault_of_depths(const VerdictTally& verdict, std::uint64_t valid);
+
+}  // namespace axiscert

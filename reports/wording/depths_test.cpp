@@ -1,0 +1,57 @@
+// The row of a kernel's first contacts: numbers as a record has them, and dashes for what the kernel does not give.
+#include "reports/wording/depths.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace axiscert {
+namespace {
+
+using testing::ElementsAre;
+
+TunnelTally tunnels(double deepest) {
+  return read_as<TunnelTally>({{"through", deepest == 1 ? 2 : 0}, {"deepest_tunnel", deepest}});
+}
+TimeErrors time_errors(const Json& ulps, double in_u) {
+  return read_as<TimeErrors>({{"largest_ulps", ulps}, {"largest_in_u", in_u}, {"by_power", Json::object()}});
+}
+
+FamilyRecord family_of(std::optional<TimeTally> time, double missed) {
+  NormalTally normal;
+  normal.judged = 7;
+  normal.largest_angle.offer({0.25, 0});
+  FamilyRecord family;
+  family.motion = {.hits = 1200,
+                   .missed = tunnels(missed),
+                   .time = std::move(time),
+                   .feature = std::nullopt,
+                   .normal = normal,
+                   .point = std::nullopt};
+  return family;
+}
+
+TEST(MotionWords, ARowHasACellForEachColumn) {
+  TimeTally time;
+  time.none = 1;
+  time.invalid = 2;
+  time.early = 30;
+  time.best = 1100;
+  time.late = 67;
+  time.late_errors = time_errors("1.5e+320", 8);
+  time.late_tunnels = tunnels(0.5);
+  time.early_errors = time_errors(3.5, 0.125);
+  const auto cells = motion_cells(family_of(time, 1));
+  EXPECT_EQ(cells.size(), motion_columns().size());
+  EXPECT_THAT(
+      cells, ElementsAre("1,200", "67", "1.5e+320", "8", "0.5", "30", "3.5", "0.125", "3", "-", "0.25", "-", "2", "1"));
+}
+
+TEST(MotionWords, AKernelWithoutTimesHasARowWhereItMisses) {
+  EXPECT_TRUE(motion_cells(family_of(std::nullopt, 0)).empty());
+  EXPECT_THAT(motion_cells(family_of(std::nullopt, 0.75)),
+              ElementsAre("1,200", "-", "-", "-", "-", "-", "-", "-", "-", "-", "0.25", "-", "0", "0.75"));
+  EXPECT_TRUE(motion_cells(FamilyRecord()).empty()) << "a predicate without measures";
+}
+
+}  // namespace
+}  // namespace axiscert

@@ -1,0 +1,92 @@
+#include "reports/wording/evidence.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fuzz/record/tally.h"
+#include "fuzz/fields/merge.h"
+
+namespace axiscert {
+namespace {
+
+// A record is checked when it is read; one that is made in a predicate may be off.
+std::uint64_t without(std::uint64_t all, std::uint64_t part) { return all - std::min(all, part); }
+
+// 1 - 0.05^(1/n): the rate of failures that n right answers exclude, with 95 % confidence.
+double excluded_rate(std::uint64_t n) { return n == 0 ? 1 : -std::expm1(std::log(0.05) / static_cast<double>(n)); }
+
+}  // namespace
+
+std::uint64_t Evidence::decided() const { return without(promised(), declined() + invalid + unanswered); }
+void Evidence::add(const Evidence& other) { merge_fields(*this, other); }
+
+namespace {
+
+Evidence evidence_in(TouchingPolicy touching, std::uint64_t trials, const TruthCounts& truth,
+                     const VerdictTally& verdict) {
+  const OutsideTally beyond = verdict.outside_limits.value_or(OutsideTally());
+  const bool promises_touch = touching != TouchingPolicy::either;
+  Evidence evidence;
+  evidence.population = without(trials, truth.invalid);
+  evidence.outside = beyond.trials;
+  evidence.touching = promises_touch ? 0 : without(truth.touching, beyond.touching);
+  evidence.contacts = without(without(truth.contact, beyond.contact), evidence.touching);
+  evidence.separations =
+      without(without(without(evidence.population, evidence.outside), evidence.touching), evidence.contacts);
+  evidence.declined_contacts = without(verdict.undecided_contact, promises_touch ? 0 : verdict.undecided_touching);
+  evidence.declined_separations = without(verdict.undecided, verdict.undecided_contact);
+  evidence.invalid = verdict.invalid;
+  evidence.unanswered = verdict.unanswered;
+  return evidence;
+}
+
+}  // namespace
+
+Evidence evidence_of(TouchingPolicy touching, const Tally& tally) {
+  return evidence_in(touching, tally.trials, tally.truth, tally.verdict);
+}
+
+Evidence evidence_of(const KernelRecord& kernel, const FamilyRecord& result) {
+  return evidence_in(kernel.touching, result.trials, result.truth, result.verdict);
+}
+
+Evidence evidence_of(const KernelRecord& kernel) {
+  Evidence all;
+  for (const auto& [family, result] : kernel.families) all.add(evidence_of(kernel, result));
+  return all;
+}
+
+bool declines_too_many(std::uint64_t declined, std::uint64_t of, double share) {
+  return static_cast<double>(without(of, declined)) < share * static_cast<double>(of);
+}
+
+std::string evidence_text(const Evidence& evidence, std::uint64_t looked_at) {
+  std::vector<std::string> parts = no_verdict_words(
+      evidence.no_verdict(), "declined: it decides " + share_rounded_down(evidence.decided(), evidence.promised()));
+  parts.insert(parts.begin(), fmt::format("{} of {} promised queries looked at", thousands(looked_at),
+                                          thousands(evidence.promised())));
+  if (evidence.outside != 0)
+    parts.push_back(
+        fmt::format("{} of {} outside its limits", thousands(evidence.outside), thousands(evidence.population)));
+  if (evidence.touching != 0)
+    parts.push_back(fmt::format("{} touching, of which it promises nothing", thousands(evidence.touching)));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+double upper_bound_percent(std::uint64_t n) { return 100 * excluded_rate(n); }
+
+double zero_limit_per_million(const KernelRecord& kernel, const FamilyRecord& family) {
+  const std::uint64_t n = std::min(family.base_triangles, evidence_of(kernel, family).decided());
+  return n == 0 ? -1 : 1e6 * excluded_rate(n);
+}
+
+std::string with_rate(std::uint64_t count, const KernelRecord& kernel, const FamilyRecord& family) {
+  if (count > 0) return fmt::format("{} ({} per million)", thousands(count), amount(per_million(count, family), 3));
+  const double limit = zero_limit_per_million(kernel, family);
+  return limit < 0 ? "not checked" : fmt::format("0 (< {} per million, 95 %)", amount(limit, 3));
+}
+
+}  // namespace axiscert
