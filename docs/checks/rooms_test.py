@@ -1,4 +1,5 @@
-"""Includes run one way: from a layer to those before it, and between the rooms (folders) of a layer in the order that its README states.
+"""Includes run one way: from a layer to those before it, and between the rooms (folders) of a layer in the order of rooms.txt beside
+this file.
 
     rooms_test.py ROOT          checks it, and names the file and the line of each include that runs the other way
     rooms_test.py ROOT --draw   prints every room with the rooms that it includes
@@ -6,7 +7,7 @@
 Tests and benchmarks (`_test.cpp`, `_bench.cpp`, and the headers with `testing` in their path that they share) may look into every room of
 their own layer and of those before it. Nothing else includes them.
 
-The imports of the theory run one way too, between the folders of proofs/coq in the order of its README.
+The imports of the theory run one way too, between the folders of proofs/coq.
 """
 import os
 import re
@@ -23,11 +24,10 @@ LAYERS = ("kernel", "proofs", "exact", "fuzz", "reports", "cli")
 # Folders of two floors. The words in which the others speak (a query, a comparison, the formulae) stand below the rooms inside the folder;
 # what is made of these rooms (the list of the test's kernels) above them.
 WORDS = {
-    "fuzz/campaign": "campaign.h progress.h thread_seconds.h".split(),
-    "fuzz/diagnosis": "diagnosis.h subject.h".split(),
-    "kernel/sphere_triangle": "decision.h description.cpp description.h formulae.h names.h proved_bounds.h query.h".split(),
+    "kernel/sphere_triangle": "formulae.h names.h proved_bounds.h query.h".split(),
 }
 THEORY = "proofs/coq"
+ORDER = "docs/checks/rooms.txt"
 IMPORT = re.compile(r"\bFrom Axiscert Require (?:Import |Export )?([\w\s]+)\.")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]')
 
@@ -61,15 +61,11 @@ def is_for_tests(file):
     return file.endswith(("_test.cpp", "_bench.cpp")) or "testing" in file
 
 
-def stated_order(layer, text):
-    """The rooms of the layer, or of the theory, as its README lists them: the indented block with `<` between names."""
-    block = re.search(r"\n\n((?:    .+\n)+)", text)
-    names = [name.strip() for name in " ".join((block[1] if block else "").split()).split("<")]
-    return [layer if name == "(top)" else f"{layer}/{name}" for name in names]
-
-
 def orders():
-    return {layer: stated_order(layer, (ROOT / layer / "README.md").read_text()) for layer in (*LAYERS, THEORY)}
+    """The rooms of each layer and of the theory, in the order of rooms.txt: `LAYER: ROOM < ROOM ...`, continued on indented lines."""
+    text = "\n".join(line for line in (Path(__file__).parent / "rooms.txt").read_text().split("\n") if not line.startswith("#"))
+    return {layer: [layer if name == "(top)" else f"{layer}/{name}" for name in re.split(r"\s*<\s*", rooms.strip())]
+            for layer, rooms in re.findall(r"^(\S+): (.+(?:\n +.+)*)", text, re.M)}
 
 
 def arrows(texts):
@@ -101,7 +97,7 @@ def upward(texts, order):
         elif not is_for_tests(file):
             rooms = order[layer]
             if room_of(file) in rooms and room_of(target) in rooms and rooms.index(room_of(file)) < rooms.index(room_of(target)):
-                wrong.append(f"{file}:{number} includes {target}: {layer}/README.md has {room_of(file)} before {room_of(target)}")
+                wrong.append(f"{file}:{number} includes {target}: {ORDER} has {room_of(file)} before {room_of(target)}")
     return wrong
 
 
@@ -114,23 +110,23 @@ def imports(texts):
 def imports_upward(texts, order):
     """A line for each import that runs against the order of the theory's folders."""
     rooms = order[THEORY]
-    return [f"{file} imports {target}: {THEORY}/README.md has {room_of(file)} before {room_of(target)}"
+    return [f"{file} imports {target}: {ORDER} has {room_of(file)} before {room_of(target)}"
             for file, target in imports(texts) if rooms.index(room_of(file)) < rooms.index(room_of(target))]
 
 
 def not_in_order(texts, order):
-    """A line for each room that a README lacks, or lists and that does not exist."""
+    """A line for each room that the order lacks, or lists and that does not exist."""
     wrong = []
     for layer in order:
         rooms = {room_of(file) for file in texts if layer_of(file) == layer}
-        wrong += [f"{layer}/README.md: the order of rooms lacks {room}" for room in sorted(rooms - set(order[layer]))]
-        wrong += [f"{layer}/README.md: the order of rooms has {room}, which does not exist or appears twice"
+        wrong += [f"{ORDER}: {layer} lacks {room}" for room in sorted(rooms - set(order[layer]))]
+        wrong += [f"{ORDER}: {layer} has {room}, which does not exist or appears twice"
                   for room in order[layer] if room not in rooms or order[layer].count(room) > 1]
     return wrong
 
 
 def draw(texts, order):
-    """A line for each room, in the order of the READMEs: the rooms that its files other than tests include or import."""
+    """A line for each room, in that order: the rooms that its files other than tests include or import."""
     included = defaultdict(set)
     for file, target in [(file, target) for file, _, target in arrows(texts)] + imports(theory()):
         if not is_for_tests(file) and room_of(file) != room_of(target):
@@ -151,8 +147,8 @@ class Rooms(unittest.TestCase):
         self.assertGreater(len(arrows(texts)), 500)
         for file, target, says in (
                 ("kernel/base/error.h", "exact/judge/judge.h", "kernel/ comes before exact/"),
-                ("reports/run_folder/run_folder.cpp", "reports/comparison/cells.h", "reports/README.md has reports/run_folder before"),
-                ("kernel/sphere_triangle/names.h", "kernel/sphere_triangle/forms/simd.h", "kernel/README.md has kernel/sphere_triangle/words before"),
+                ("reports/run_folder/run_folder.cpp", "reports/comparison/cells.h", f"{ORDER} has reports/run_folder before"),
+                ("kernel/sphere_triangle/names.h", "kernel/sphere_triangle/forms/simd.h", f"{ORDER} has kernel/sphere_triangle/words before"),
                 ("reports/formats/html.cpp", "reports/testing/test_run.h", "which is for tests alone")):
             # The planted line alone, so that a real one elsewhere is told by the test above and not here too.
             wrong = upward({path: f'#include "{target}"\n' if path == file else "" for path in texts}, order)
@@ -162,7 +158,7 @@ class Rooms(unittest.TestCase):
 
     def test_a_planted_room_is_asked_for(self):
         self.assertEqual(not_in_order({**sources(), **theory(), "fuzz/attic/old.h": "", "proofs/coq/attic/Old.v": ""}, orders()),
-                         ["fuzz/README.md: the order of rooms lacks fuzz/attic", "proofs/coq/README.md: the order of rooms lacks proofs/coq/attic"])
+                         [f"{ORDER}: fuzz lacks fuzz/attic", f"{ORDER}: proofs/coq lacks proofs/coq/attic"])
 
 
 class Theory(unittest.TestCase):
@@ -174,7 +170,7 @@ class Theory(unittest.TestCase):
     def test_a_planted_import_is_seen(self):
         file, line = "proofs/coq/floats/Run.v", "From Axiscert Require Import Format\n  Filter.\n"
         self.assertEqual(imports_upward({path: line if path == file else "" for path in theory()}, orders()),
-                         [f"{file} imports proofs/coq/formulae/Filter.v: proofs/coq/README.md has proofs/coq/floats before proofs/coq/formulae"])
+                         [f"{file} imports proofs/coq/formulae/Filter.v: {ORDER} has proofs/coq/floats before proofs/coq/formulae"])
 
     def test_no_two_files_have_the_same_name(self):
         names = [Path(file).name for file in theory()]
