@@ -119,7 +119,7 @@ int write_certificate(const CertificateMaterial& judged, const std::optional<Sig
   CertificatePredicate& predicate = statement.predicate;
   predicate.kernel.id = kernel.id;
   predicate.kernel.kind = judged.kind;
-  predicate.kernel.predicate = kernel.predicate->id;
+  predicate.kernel.question = kernel.predicate->id;
   predicate.kernel.entry = kernel.predicate->entries[kernel.entry].name;
   predicate.asked.effort = judged.effort;
   predicate.materials = in_canonical_order(materials_of(judged, run.record));

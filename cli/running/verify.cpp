@@ -159,11 +159,11 @@ CheckedPlan check_stated_plan(const CertificatePredicate& predicate, const Verif
   if (kernel.kind == KernelKind::replies) return {"that of the replies, which is what their program was asked"};
   if (!is_made_by_this(predicate))
     return {"NOT CHECKED: made by another axiscert, whose families and numbers may be others", false};
-  const Predicate& predicate = find_predicate(kernel.predicate);
-  const auto entry = std::ranges::find(predicate.entries, std::string(kernel.entry), &PredicateEntry::name);
-  if (entry == predicate.entries.end())
-    throw NotValid(fmt::format("{}: {} has no entry {}", name, predicate.id, axiscert::shown(kernel.entry)));
-  AbsentKernel absent{&predicate, static_cast<std::size_t>(entry - predicate.entries.begin()), kernel.precisions,
+  const Predicate& question = find_predicate(kernel.question);
+  const auto entry = std::ranges::find(question.entries, std::string(kernel.entry), &PredicateEntry::name);
+  if (entry == question.entries.end())
+    throw NotValid(fmt::format("{}: {} has no entry {}", name, question.id, axiscert::shown(kernel.entry)));
+  AbsentKernel absent{&question, static_cast<std::size_t>(entry - question.entries.begin()), kernel.precisions,
                       kernel.kind != KernelKind::built_in};
   PlanOfAbsent made = certified_plan_of(
       {kernel.id, predicate.asked.effort, stated["seed"].get<std::uint64_t>(), options.replies.meshes, options.threads},

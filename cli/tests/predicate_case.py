@@ -148,7 +148,7 @@ class PredicateCase(Case):
         return json.loads((self.folder / "certified/certificate.json").read_text())["predicate"]
 
     def ask_certify(self):
-        self.assertEqual(self.certificate["kernel"]["predicate"], self.predicate)
+        self.assertEqual(self.certificate["kernel"]["question"], self.predicate)
         record = self.record("certified/run")
         own = [one for one in record["kernels"] if one["id"] == self.kernel]
         for one in own:

@@ -66,7 +66,7 @@ Opinion JudgedBatch<Real>::opinion(std::size_t i) const {
 
 template <class Real>
 void JudgedBatch<Real>::count_progress() {
-  progress_.asked(1);
+  progress_.add_queries(1);
   ++counted_;
 }
 

@@ -194,7 +194,7 @@ class Drawing {
         known->check(i, at + i, second_opinion_pixels);
         put(at + i, pixel(*known, reply, i, batch[i]));
       }
-      progress.asked(batch.size());
+      progress.add_queries(batch.size());
     }
   }
 

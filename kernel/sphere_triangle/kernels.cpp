@@ -93,7 +93,7 @@ Kernel certified_kernel(std::string id, std::string summary, ProvedProperty prov
 // The filter of formulae whose non-strict form is right for every triangle. It shows only a verdict, whatever it
 // computes.
 template <FilterForm form>
-Kernel filter(std::string id, std::string summary) {
+Kernel filter_kernel(std::string id, std::string summary) {
   return {.id = std::move(id),
           .summary = std::move(summary),
           .predicate = &sphere_triangle_predicate(),
@@ -137,8 +137,8 @@ std::vector<Kernel> sphere_triangle_kernels() {
       eigen("eigen", "published, written with Eigen's vectors, whose reductions choose their order"),
       certified_kernel<certified::Question::closed_sphere>("certified", "the exact answer: filtered in the input's precision, then in doubles, then in integers", ProvedProperty::no_wrong_verdict, certified_proof),
       certified_kernel<certified::Question::conservative>("conservative", "never a missed contact; phantom depth at most 20 sqrt(u): 0.00489, in binary64 2.11e-7", ProvedProperty::no_missed_contact, conservative_proof),
-      filter<FilterForm::reduced>("certified-filter", "reduced with thresholds proved of it as a program: separated, contact or undecided"),
-      filter<FilterForm::published>("certified-filter-published", "the same with the published formulae, whose thresholds are wider"),
+      filter_kernel<FilterForm::reduced>("certified-filter", "reduced with thresholds proved of it as a program: separated, contact or undecided"),
+      filter_kernel<FilterForm::published>("certified-filter-published", "the same with the published formulae, whose thresholds are wider"),
       evaluated<first_publication>("first-publication", "the article as first published: QC = C e + Q, wrong in exact arithmetic"),
       evaluated<vertex_typo>("vertex-typo", "the vertex section as printed: ac = dot(B, B), wrong in exact arithmetic"),
   };

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "proofs/certified/graph.h"
+#include "proofs/certified/recorder.h"
 #include "kernel/sphere_triangle/certified/exact_step.h"
 #include "kernel/sphere_triangle/certified/steps.h"
 #include "kernel/sphere_triangle/certified/thresholds.h"
@@ -31,6 +31,7 @@
 
 #define HWY_NAMESPACE recorded_fused
 #define HWY_NATIVE_FMA 1
+#include "proofs/certified/all_steps-inl.h"
 
 namespace axiscert::proofs::certified {
 

@@ -218,7 +218,7 @@ TEST(Situations, AreSaidWithTheirFamiliesTheDepthAndWhatToDo) {
   const Record record = record_of({{"lattice", {3, 0, 0.25, 0}}, {"general", {0, 2, 0, 1e-8}}});
   CertificatePredicate predicate;
   predicate.kernel.id = "k";
-  predicate.kernel.predicate = "moving-sphere";
+  predicate.kernel.question = "moving-sphere";
   predicate.breaks_first = what_breaks_first(record, "k");
   predicate.situations = where_it_is_wrong(record, "k");
   EXPECT_EQ(predicate.breaks_first->cause, "small_integers");
@@ -255,7 +255,7 @@ TEST(Peculiarities, AreThoseThatAUserHasToKnow) {
   const auto property = [](const char* name, const char* value) { return PropertyStatement{name, value, "s", 1}; };
   CertificatePredicate predicate;
   predicate.kernel.id = "peer/x";
-  predicate.kernel.predicate = "moving-sphere";
+  predicate.kernel.question = "moving-sphere";
   std::vector<PropertyStatement>& properties = predicate.diagnosis.precisions.emplace_back().properties;
   properties = {property("sides", "front_only"), property("repeated", "same"),
                 property("absolute_threshold", "present")};

@@ -247,12 +247,12 @@ void require_margins(const CertificatePredicate& predicate, const Record& record
     throw NotValid(fmt::format("{}: it has no safe margin, and no reason, or both", name));
   if (reason) {
     const KernelStatement& kernel = predicate.kernel;
-    const Predicate& predicate = find_predicate(kernel.predicate);
-    const bool is_first_entry = kernel.entry == predicate.entries.front().name;
-    const bool could_be_asked = kernel.kind != KernelKind::replies && is_first_entry && has_sphere_radius(predicate, 0);
+    const Predicate& question = find_predicate(kernel.question);
+    const bool is_first_entry = kernel.entry == question.entries.front().name;
+    const bool could_be_asked = kernel.kind != KernelKind::replies && is_first_entry && has_sphere_radius(question, 0);
     if (could_be_asked && !reason->starts_with(margin_answered_otherwise)) {
       throw NotValid(fmt::format("{}: it has no safe margin, which every kernel of {} has, and says why: {}", name,
-                                 predicate.id, shown(Json(*reason).dump())));
+                                 question.id, shown(Json(*reason).dump())));
     }
     return;
   }
@@ -326,10 +326,10 @@ void require_effort(const CertificatePredicate& predicate, const std::string& na
     throw NotValid(fmt::format("{}: effort {} of a kernel that is {}", name, effort, axiscert::name(kind)));
   if (kind == KernelKind::replies) return;
   const Json& plan = predicate.materials.plan.plan.json;
-  const Predicate& predicate = find_predicate(plan["predicate"].get<std::string>());
+  const Predicate& question = find_predicate(plan["predicate"].get<std::string>());
   for (const auto& [family, by_precision] : plan["trials"].items()) {
     if (family == "corpus" || family.starts_with("queries/")) continue;  // as they are
-    const std::uint64_t asks = trials_of(parse_effort(effort), predicate, family, kind != KernelKind::built_in);
+    const std::uint64_t asks = trials_of(parse_effort(effort), question, family, kind != KernelKind::built_in);
     for (const auto& [precision, trials] : by_precision.items()) {
       if (trials == asks) continue;
       throw NotValid(fmt::format("{}: effort {} asks {} queries of `{}` in {}, and its plan has {}", name, effort,

@@ -48,7 +48,7 @@ CertifiedRecord certified(const std::vector<std::string>& ids, const std::vector
   made.record = record_of(plan, std::move(gathered).take(), {});
   p.digest = std::string(64, '0');
   p.kernel.id = ids.front();
-  p.kernel.predicate = plan.questions.predicate().id;
+  p.kernel.question = plan.questions.predicate().id;
   p.kernel.entry = plan.questions.predicate().entries[0].name;
   p.asked.effort = "smoke";
   p.materials.axiscert = {axiscert_version, source_digests().sources};
@@ -144,7 +144,7 @@ TEST(Derived, EachContradictionIsNamed) {
        [](Json& p) {
          for (Json& l : p["levels"]) l["state"] = "met";
        }},
-      {"its kernel and its plan are of different predicates", [](Json& p) { p["kernel"]["predicate"] = "box-box"; }},
+      {"its kernel and its plan are of different predicates", [](Json& p) { p["kernel"]["question"] = "box-box"; }},
       {"its plan was not done to its end",
        [](Json& p) { p["materials"]["plan"]["plan"]["units_done"] = Json::object(); }},
       {"its plan does not say how many queries",

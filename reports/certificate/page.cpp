@@ -27,7 +27,7 @@ class CertificatePage {
     InstrumentReport report;
     report.name = "certificate";
     const std::string no_answers = no_answers_sentence(predicate_);
-    report.title = fmt::format("Certificate of {}, {}{}{}", predicate_.kernel.id, predicate_.kernel.predicate,
+    report.title = fmt::format("Certificate of {}, {}{}{}", predicate_.kernel.id, predicate_.kernel.question,
                                no_answers.empty() ? "" : ": ", no_answers);
     report.command = command;
     report.notes_heading = "In short";

@@ -63,7 +63,7 @@ class Reducer {
     json["axiscert"] = json_of(materials_.axiscert.version);
     auto plan = form_again<PlanRecord>(json, name_ + ": its plan");
     if (plan.units_done) refuse("its plan was not done to its end");
-    if (plan.predicate != kernel_.predicate) refuse("its kernel and its plan are of different predicates");
+    if (plan.predicate != kernel_.question) refuse("its kernel and its plan are of different predicates");
     for (const std::string& family : plan.families) {
       const auto* const by_precision = plan.trials.find(family);
       for (const Precision precision : plan.precisions) {

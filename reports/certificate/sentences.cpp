@@ -147,7 +147,7 @@ std::string said_of(const PropertyStatement& property, const KernelStatement& ke
   const std::string& value = property.value;
   if (property.name == "nearest_form" && value != not_known && value != not_asked && kernel.id != value)
     return fmt::format("{}answers as {} does, see {}", has_others ? "otherwise " : "", value,
-                       capabilities_of(find_predicate(kernel.predicate)).section_of_forms);
+                       capabilities_of(find_predicate(kernel.question)).section_of_forms);
   for (const Peculiarity& known : peculiarities) {
     if (property.name == known.property && value == known.value) return std::string(known.says);
   }
@@ -199,7 +199,7 @@ InstrumentTable situations_table(const CertificatePredicate& predicate) {
                          "families, the deepest first", "what to do", "see"},
                         {}};
   // A family of the kernel's predicate without the predicate's name, which is in the heading.
-  const std::string prefix = predicate.kernel.predicate + "/";
+  const std::string prefix = predicate.kernel.question + "/";
   for (const SituationStatement& s : predicate.situations) {
     std::vector<std::string> families(s.families.begin(), s.families.end());
     for (std::string& family : families) {

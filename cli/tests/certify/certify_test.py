@@ -73,7 +73,7 @@ class Certify(CertifyCase):
             search = predicate["search"]["precisions"][precision]
             self.assertGreater(search["evaluations"], 0)
             self.assertIn("missed_contact", search["finds"])
-        self.assertEqual(predicate["kernel"]["predicate"], "box-box")
+        self.assertEqual(predicate["kernel"]["question"], "box-box")
         self.assertTrue(predicate["witnesses"])
         for witness in predicate["witnesses"]:  # what the page draws
             self.assertEqual(witness["query"]["predicate"], "box-box")

@@ -19,6 +19,7 @@
 
 #define real double
 #define OF_REAL(name) name##_binary64
+#include "kernel/sphere_triangle/faults/published_test.h"
 #undef real
 #undef OF_REAL
 

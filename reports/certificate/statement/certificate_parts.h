@@ -77,7 +77,7 @@ constexpr std::string_view name(KernelKind kind) {
 struct KernelStatement {
   SaidText id;
   KernelKind kind = KernelKind::built_in;
-  SaidText predicate, entry, summary;
+  SaidText question, entry, summary;
   Several<Exposure, 0, 8> exposes;
   TouchingPolicy touching = TouchingPolicy::contact;
   std::optional<SaidText> limits;
@@ -86,7 +86,8 @@ struct KernelStatement {
 
   static constexpr auto fields(auto&& visit) {
     using Of = KernelStatement;
-    return visit(field(&Of::id, {"id", {}}), field(&Of::kind, {"kind", {}}), field(&Of::predicate, {"predicate", {}}),
+    return visit(field(&Of::id, {"id", {}}), field(&Of::kind, {"kind", {}}),
+                 field(&Of::question, {"question", "The predicate that it computes."}),
                  field(&Of::entry, {"entry", "The form in which it takes the numbers of the predicate."}),
                  field(&Of::summary, {"summary", {}}), field(&Of::exposes, {"exposes", {}}),
                  field(&Of::touching, {"touching", {}}),
