@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "proofs/certified/recorder.h"
+#include "proofs/certified/graph.h"
 #include "kernel/sphere_triangle/certified/exact_step.h"
 #include "kernel/sphere_triangle/certified/steps.h"
 #include "kernel/sphere_triangle/certified/thresholds.h"

@@ -39,18 +39,18 @@ std::string xml(const std::string& text) {
 
 struct Suite {
   std::string name, cases = {}, figures = {};
-  int predicates = 0, failures = 0, skipped = 0;
+  int tests = 0, failures = 0, skipped = 0;
 
   // `outcome`: a failure or skipped element, or empty. The counts go to the suite's output, a line for each case: Ant's
   // schema has no output of a single case.
-  void add(const std::string& predicate, const std::string& outcome, const Json& counts) {
-    ++predicates;
+  void add(const std::string& test, const std::string& outcome, const Json& counts) {
+    ++tests;
     failures += outcome.starts_with("<failure");
     skipped += outcome.starts_with("<skipped");
-    const std::string head = fmt::format("classname=\"{}\" name=\"{}\" time=\"0\"", xml(name), xml(predicate));
+    const std::string head = fmt::format("classname=\"{}\" name=\"{}\" time=\"0\"", xml(name), xml(test));
     cases += outcome.empty() ? fmt::format("    <testcase {}/>\n", head)
                              : fmt::format("    <testcase {}>\n      {}\n    </testcase>\n", head, outcome);
-    figures += fmt::format("{}: {}\n", predicate, counts.dump());
+    figures += fmt::format("{}: {}\n", test, counts.dump());
   }
 };
 
@@ -117,9 +117,9 @@ std::string verdict_outcome(const std::vector<LevelOutcome>& outcomes, const Ker
 void add_unchecked(Suite& suite, const std::vector<LevelOutcome>& outcomes, const KernelRecord& kernel) {
   for (const LevelOutcome& outcome : outcomes) {
     if (!outcome.is_of(kernel) || outcome.state != LevelState::not_checked) continue;
-    const std::string predicate = "requirement " + outcome.asked.text;
-    if (outcome.is_allowed) suite.add(predicate, skipped(outcome.reason), Json::object());
-    else suite.add(predicate, failure("not checked", outcome.text(), outcome.text()), Json::object());
+    const std::string name = "requirement " + outcome.asked.text;
+    if (outcome.is_allowed) suite.add(name, skipped_element(outcome.reason), Json::object());
+    else suite.add(name, failure("not checked", outcome.text(), outcome.text()), Json::object());
   }
 }
 
@@ -242,15 +242,15 @@ std::string render_junit(const Run& run) {
   for (const std::string& kernel : not_judged(run.record)) listed.push_back(suite_of_findings(run.record, kernel));
   for (const KernelRecord& kernel : run.record.kernels) listed.push_back(suite_of(run, kernel, outcomes));
   if (run.ratchet) {
-    if (Suite rest = suite_of_ratchet(run); rest.predicates != 0) listed.push_back(std::move(rest));
+    if (Suite rest = suite_of_ratchet(run); rest.tests != 0) listed.push_back(std::move(rest));
   }
   for (const Suite& suite : listed) {
     suites += fmt::format(
-        "  <testsuite name=\"{0}\" predicates=\"{3}\" failures=\"{4}\" errors=\"0\" skipped=\"{5}\" "
+        "  <testsuite name=\"{0}\" tests=\"{3}\" failures=\"{4}\" errors=\"0\" skipped=\"{5}\" "
         "package=\"axiscert\" "
         "id=\"{1}\" hostname=\"localhost\" timestamp=\"{2}\" time=\"{6}\">\n    <properties/>\n{7}"
         "    <system-out>{8}</system-out>\n    <system-err/>\n  </testsuite>\n",
-        xml(suite.name), id, xml(start_text(run)), suite.predicates, suite.failures, suite.skipped,
+        xml(suite.name), id, xml(start_text(run)), suite.tests, suite.failures, suite.skipped,
         id == 0 ? seconds(run) : "0", suite.cases, xml(suite.figures));
     ++id;
   }
