@@ -1,394 +1,10 @@
-// Values as JSON, JSON read and checked as values, and the JSON Schema of what is read: all from the fields.
+// Structs as JSON, JSON read and checked as structs, and the JSON Schema of what is read: all from the fields.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <cstdint>
-#include <map>
-#include <optional>
-#include <regex>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <vector>
-
-#include "exact/numbers/rational.h"
 #include "fuzz/fields/field.h"
-#include "fuzz/text/json.h"
-#include "fuzz/text/number_text.h"
-#include "kernel/base/enums.h"
-#include "kernel/base/error.h"
+#include "fuzz/fields/json_values.h"
 
 namespace axiscert {
-
-// What a type is in JSON: static Json write(const T&); void read(JsonPlace, T&), which refuses all but what write()
-// gives; static Json schema(). Json itself is not asked for more levels than parsed_json() allows.
-template <class T>
-struct JsonForm;
-
-template <class T>
-Json json_of(const T& value) {
-  return JsonForm<T>::write(value);
-}
-template <class T>
-Json json_schema_of() {
-  return JsonForm<T>::schema();
-}
-
-// JSON that is not what was expected: "/kernels/0/id: 7 is not of type string".
-struct JsonFault : Error {
-  using Error::Error;
-};
-
-// A value with its place in the file, as a JSON pointer.
-class JsonPlace {
- public:
-  explicit JsonPlace(const Json& value) : value_(value) {}
-  const Json& value() const { return value_; }
-  JsonPlace at(std::string_view member) const {
-    return {value_.find(std::string(member)).value(), path_ + "/" + shown(member)};
-  }
-  JsonPlace at(std::size_t i) const { return {value_[i], fmt::format("{}/{}", path_, i)}; }
-
-  [[noreturn]] void refuse(const std::string& problem) const {
-    const std::string what = value_.is_object() ? "an object" : value_.is_array() ? "an array" : shown(value_.dump());
-    throw JsonFault(fmt::format("{}: {} {}", path_.empty() ? "/" : path_, what, problem));
-  }
-  void require_type(bool is_it, std::string_view type) const {
-    if (!is_it) refuse(fmt::format("is not of type {}", type));
-  }
-
- private:
-  JsonPlace(const Json& value, std::string path) : value_(value), path_(std::move(path)) {}
-
-  const Json& value_;
-  std::string path_;
-};
-
-template <class T>
-void read_json(const JsonPlace& place, T& into) {
-  JsonForm<T>::read(place, into);
-}
-// Throws JsonFault.
-template <class T>
-T read_as(const Json& json) {
-  T value = T();
-  read_json(JsonPlace(json), value);
-  return value;
-}
-
-inline Json nullable(Json schema) { return {{"anyOf", Json::array({{{"type", "null"}}, std::move(schema)})}}; }
-
-// Numbers.
-
-template <>
-struct JsonForm<bool> {
-  static Json write(bool value) { return value; }
-  static void read(const JsonPlace& place, bool& into) {
-    place.require_type(place.value().is_boolean(), "boolean");
-    into = place.value();
-  }
-  static Json schema() { return {{"type", "boolean"}}; }
-};
-
-// A count. At most 2^53 - 1, so that every reader of JSON keeps it.
-template <>
-struct JsonForm<std::uint64_t> {
-  static constexpr std::uint64_t most = (std::uint64_t{1} << 53) - 1;
-  static Json write(std::uint64_t value) { return value; }
-  static void read(const JsonPlace& place, std::uint64_t& into) {
-    place.require_type(place.value().is_number_integer(), "integer");
-    if (!place.value().is_number_unsigned() && place.value() < 0) place.refuse("is outside the minimum of 0");
-    into = place.value();
-    if (into > most) place.refuse(fmt::format("is outside the maximum of {}", most));
-  }
-  static Json schema() { return {{"type", "integer"}, {"minimum", 0}, {"maximum", most}}; }
-};
-
-template <>
-struct JsonForm<int> {
-  static Json write(int value) { return value; }
-  static void read(const JsonPlace& place, int& into) {
-    place.require_type(place.value().is_number_integer(), "integer");
-    if (place.value() < INT32_MIN || place.value() > INT32_MAX) place.refuse("is outside the range of 32 bits");
-    into = place.value();
-  }
-  static Json schema() { return {{"type", "integer"}, {"minimum", INT32_MIN}, {"maximum", INT32_MAX}}; }
-};
-
-// A finite number, not negative.
-template <>
-struct JsonForm<double> {
-  static Json write(double value) { return value; }
-  static void read(const JsonPlace& place, double& into) {
-    place.require_type(place.value().is_number(), "number");
-    if (place.value() < 0) place.refuse("is outside the minimum of 0");
-    into = place.value();
-  }
-  static Json schema() { return {{"type", "number"}, {"minimum", 0}}; }
-};
-
-struct SignedNumber {
-  double value = 0;
-};
-template <>
-struct JsonForm<SignedNumber> {
-  static Json write(SignedNumber number) { return number.value; }
-  static void read(const JsonPlace& place, SignedNumber& into) {
-    place.require_type(place.value().is_number(), "number");
-    into.value = place.value();
-  }
-  static Json schema() { return {{"type", "number"}}; }
-};
-
-// A whole number of 64 bits that counts nothing.
-struct WholeNumber {
-  std::uint64_t value = 0;
-};
-template <>
-struct JsonForm<WholeNumber> {
-  static Json write(WholeNumber number) { return number.value; }
-  static void read(const JsonPlace& place, WholeNumber& into) {
-    place.require_type(place.value().is_number_integer(), "integer");
-    if (!place.value().is_number_unsigned() && place.value() < 0) place.refuse("is outside the minimum of 0");
-    into.value = place.value();
-  }
-  static Json schema() { return {{"type", "integer"}, {"minimum", 0}}; }
-};
-
-// An error of more digits than a Decimal6, or less than binary64 has with six: a number, or its text beyond binary64.
-struct ErrorNumber {
-  double value = 0;
-  std::string text = {};  // not empty: beyond binary64
-};
-template <>
-struct JsonForm<ErrorNumber> {
-  static Json write(const ErrorNumber& error) { return error.text.empty() ? Json(error.value) : Json(error.text); }
-  static void read(const JsonPlace& place, ErrorNumber& into);
-  static Json schema();
-};
-
-// An error: a number, or its text where binary64 cannot represent it.
-template <>
-struct JsonForm<Decimal6> {
-  static Json write(Decimal6 value) {
-    const double number = value.value();
-    return std::isfinite(number) ? Json(number) : Json(value.text());
-  }
-  static void read(const JsonPlace& place, Decimal6& into);
-  static Json schema() { return json_schema_of<ErrorNumber>(); }
-};
-
-// Text of a form: `Rule` has `longest`, and may have `pattern`, a regular expression, and `may_be_empty`.
-template <class Rule>
-struct Text : std::string {
-  using std::string::string;
-  Text(std::string text) : std::string(std::move(text)) {}
-  Text(std::string_view text) : std::string(text) {}
-};
-struct NameRule {
-  static constexpr std::size_t longest = 4096;
-};
-using Name = Text<NameRule>;  // not empty
-
-void check_text(const JsonPlace& place, std::size_t longest, bool may_be_empty, const std::regex* pattern,
-                std::string_view pattern_text);
-Json text_schema(std::size_t longest, bool may_be_empty, std::string_view pattern);
-
-template <class Rule>
-struct JsonForm<Text<Rule>> {
-  static constexpr bool may_be_empty = requires { Rule::may_be_empty; };
-  static constexpr std::string_view pattern() {
-    if constexpr (requires { Rule::pattern; }) return Rule::pattern;
-    else return {};
-  }
-  static Json write(const Text<Rule>& value) { return static_cast<const std::string&>(value); }
-  static void read(const JsonPlace& place, Text<Rule>& into) {
-    static const std::regex compiled{std::string(pattern())};
-    check_text(place, Rule::longest, may_be_empty, pattern().empty() ? nullptr : &compiled, pattern());
-    into = place.value().template get<std::string>();
-  }
-  static Json schema() { return text_schema(Rule::longest, may_be_empty, pattern()); }
-};
-
-template <>
-struct JsonForm<std::string> {
-  static Json write(const std::string& value) { return value; }
-  static void read(const JsonPlace& place, std::string& into) {
-    place.require_type(place.value().is_string(), "string");
-    into = place.value();
-  }
-  static Json schema() { return {{"type", "string"}}; }
-};
-
-// Any JSON.
-template <>
-struct JsonForm<Json> {
-  static Json write(const Json& value) { return value; }
-  static void read(const JsonPlace& place, Json& into) { into = place.value(); }
-  static Json schema() { return Json::object(); }
-};
-
-// An enumerator by its name().
-template <Enumeration Enum>
-  requires(enum_count<Enum> > 0)
-struct JsonForm<Enum> {
-  static Json names() {
-    Json all = Json::array();
-    for (const Enum one : enumerators<Enum>) all.push_back(name(one));
-    return all;
-  }
-  static Json write(Enum value) { return name(value); }
-  static void read(const JsonPlace& place, Enum& into) {
-    for (const Enum one : enumerators<Enum>) {
-      if (place.value() != name(one)) continue;
-      into = one;
-      return;
-    }
-    place.refuse("is not one of " + names().dump());
-  }
-  static Json schema() { return {{"enum", names()}}; }
-};
-
-// Several values.
-
-template <class T>
-struct JsonForm<std::optional<T>> {
-  static Json write(const std::optional<T>& value) { return value ? json_of(*value) : Json(nullptr); }
-  static void read(const JsonPlace& place, std::optional<T>& into) {
-    into.reset();
-    if (!place.value().is_null()) read_json(place, into.emplace());
-  }
-  static Json schema() { return nullable(json_schema_of<T>()); }
-};
-
-template <class T>
-struct JsonForm<std::vector<T>> {
-  static Json write(const std::vector<T>& values) {
-    Json json = Json::array();
-    for (const T& value : values) json.push_back(json_of(value));
-    return json;
-  }
-  static void read(const JsonPlace& place, std::vector<T>& into) {
-    place.require_type(place.value().is_array(), "array");
-    into.clear();
-    for (std::size_t i = 0; i < place.value().size(); ++i) read_json(place.at(i), into.emplace_back());
-  }
-  static Json schema() { return {{"type", "array"}, {"items", json_schema_of<T>()}}; }
-};
-
-// By name, where an enumerator is the key, or by number.
-template <class Key, class T>
-struct JsonForm<std::map<Key, T>> {
-  static std::string text(Key key) {
-    if constexpr (std::is_enum_v<Key>) return std::string(name(key));
-    else return std::to_string(key);
-  }
-  static Json write(const std::map<Key, T>& values) {
-    Json json = Json::object();
-    for (const auto& [key, value] : values) json[text(key)] = json_of(value);
-    return json;
-  }
-  static void read(const JsonPlace& place, std::map<Key, T>& into) {
-    place.require_type(place.value().is_object(), "object");
-    into.clear();
-    for (const auto& [member, value] : place.value().items()) read_json(place.at(member), into[key(place, member)]);
-  }
-  static Json schema() {
-    Json names = {{"pattern", "^(0|-?[1-9][0-9]*)$"}};
-    if constexpr (std::is_enum_v<Key>) names = {{"enum", JsonForm<Key>::names()}};
-    return {{"type", "object"}, {"propertyNames", std::move(names)}, {"additionalProperties", json_schema_of<T>()}};
-  }
-
- private:
-  static Key key(const JsonPlace& place, const std::string& member) {
-    if constexpr (std::is_enum_v<Key>) {
-      for (const Key one : enumerators<Key>) {
-        if (name(one) == member) return one;
-      }
-    } else {
-      Key number{};
-      const auto [end, error] = std::from_chars(member.data(), member.data() + member.size(), number);
-      if (error == std::errc() && text(number) == member) return number;
-    }
-    place.at(member).refuse("under a name that is not in the schema");
-  }
-};
-
-template <class T, std::size_t n>
-struct JsonForm<std::array<T, n>> {
-  static Json write(const std::array<T, n>& values) {
-    Json json = Json::array();
-    for (const T& value : values) json.push_back(json_of(value));
-    return json;
-  }
-  static void read(const JsonPlace& place, std::array<T, n>& into) {
-    place.require_type(place.value().is_array(), "array");
-    if (place.value().size() != n) place.refuse(fmt::format("has not {} items", n));
-    for (std::size_t i = 0; i < n; ++i) read_json(place.at(i), into[i]);
-  }
-  static Json schema() { return {{"type", "array"}, {"minItems", n}, {"maxItems", n}, {"items", json_schema_of<T>()}}; }
-};
-
-template <class T>
-struct JsonForm<NamedValues<T>> {
-  static Json write(const NamedValues<T>& values) {
-    Json json = Json::object();
-    for (const auto& [name, value] : values) json[name] = json_of(value);
-    return json;
-  }
-  static void read(const JsonPlace& place, NamedValues<T>& into) {
-    place.require_type(place.value().is_object(), "object");
-    into = {};
-    for (const auto& [name, value] : place.value().items()) read_json(place.at(name), into.put(name));
-  }
-  static Json schema() { return {{"type", "object"}, {"additionalProperties", json_schema_of<T>()}}; }
-};
-
-// A value for each enumerator, by its name.
-template <class Enum, class T>
-struct JsonForm<EnumArray<Enum, T>> {
-  static Json write(const EnumArray<Enum, T>& values) {
-    Json json = Json::object();
-    for (const Enum one : enumerators<Enum>) json[std::string(name(one))] = json_of(values[one]);
-    return json;
-  }
-  static void read(const JsonPlace& place, EnumArray<Enum, T>& into) {
-    place.require_type(place.value().is_object(), "object");
-    for (const Enum one : enumerators<Enum>) {
-      if (!place.value().contains(name(one))) place.refuse(fmt::format("without \"{}\"", name(one)));
-      read_json(place.at(name(one)), into[one]);
-    }
-    for (const auto& [member, value] : place.value().items()) {
-      bool is_known = false;
-      for (const Enum one : enumerators<Enum>) is_known |= name(one) == member;
-      if (!is_known) place.at(member).refuse("under a name that is not in the schema");
-    }
-  }
-  static Json schema() {
-    Json schema = {{"type", "object"}, {"additionalProperties", false}, {"required", JsonForm<Enum>::names()}};
-    for (const Enum one : enumerators<Enum>) schema["properties"][std::string(name(one))] = json_schema_of<T>();
-    return schema;
-  }
-};
-
-// The name and version of the format of a file, as its struct says it.
-template <class File>
-struct FormatName {};
-template <class File>
-struct JsonForm<FormatName<File>> {
-  static Json write(FormatName<File>) { return File::format; }
-  static void read(const JsonPlace& place, FormatName<File>&) {
-    if (place.value() != File::format) place.refuse(fmt::format("is not \"{}\"", File::format));
-  }
-  static Json schema() { return {{"const", File::format}}; }
-};
-
-// Structs.
 
 template <class T>
 inline constexpr bool is_optional = false;
@@ -415,114 +31,111 @@ struct JsonForm<T> {
         place.at(member).refuse("under a name that is not in the schema");
     }
   }
-  static Json schema() { Json schema = {{"type", "object"}, {"additionalProperties", requires {T::is_open; }
-}, {
-  "required", Json::array()
-}
-};  // namespace axiscert
-if constexpr (requires { T::about; }) schema["description"] = T::about;
-schema["properties"] = Json::object();
-describe(schema);
-return schema;
-}
+  static Json schema() {
+    constexpr bool is_open = requires { T::is_open; };
+    Json schema = {{"type", "object"}, {"additionalProperties", is_open}, {"required", Json::array()}};
+    if constexpr (requires { T::about; }) schema["description"] = T::about;
+    schema["properties"] = Json::object();
+    describe(schema);
+    return schema;
+  }
 
-static void put(Json& json, const T& value) {
-  for_each_written<T>([&](const auto& field) {
-    using Value = std::remove_cvref_t<decltype(value_of(value, field))>;
-    if constexpr (Fielded<Value>) {
-      if (field.is_inlined) return JsonForm<Value>::put(json, value_of(value, field));
-    }
-    const Value& of = value_of(value, field);
-    if constexpr (is_named_list<Value>) {
-      if (field.is_rest) return json.update(json_of(of));
-    }
-    if constexpr (is_optional<Value>) {
-      if (field.may_be_absent) {
-        if (of) json[std::string(field.name)] = json_of(*of);
-        return;
-      }
-    }
-    json[std::string(field.name)] = json_of<Value>(of);
-  });
-}
-static void get(const JsonPlace& place, T& into) {
-  for_each_written<T>([&](const auto& field) {
-    using Value = std::remove_cvref_t<decltype(value_of(into, field))>;
-    if constexpr (std::remove_cvref_t<decltype(field)>::is_stored) {
+  static void put(Json& json, const T& value) {
+    for_each_written<T>([&](const auto& field) {
+      using Value = std::remove_cvref_t<decltype(value_of(value, field))>;
       if constexpr (Fielded<Value>) {
-        if (field.is_inlined) return JsonForm<Value>::get(place, value_of(into, field));
+        if (field.is_inlined) return JsonForm<Value>::put(json, value_of(value, field));
       }
-      Value& of = value_of(into, field);
-      const bool is_there = place.value().contains(field.name);
+      const Value& of = value_of(value, field);
       if constexpr (is_named_list<Value>) {
-        if (field.is_rest) return void(of = {});
+        if (field.is_rest) return json.update(json_of(of));
       }
       if constexpr (is_optional<Value>) {
         if (field.may_be_absent) {
-          of.reset();
-          if (is_there) read_json(place.at(field.name), of.emplace());
+          if (of) json[std::string(field.name)] = json_of(*of);
           return;
         }
       }
-      if (!is_there) place.refuse(fmt::format("without {}", Json(field.name).dump()));
-      read_json(place.at(field.name), of);
-    }
-  });
-  // What the others say already.
-  for_each_written<T>([&](const auto& field) {
-    if constexpr (!std::remove_cvref_t<decltype(field)>::is_stored) {
-      if (!place.value().contains(field.name)) place.refuse(fmt::format("without {}", Json(field.name).dump()));
-      const Json expected = json_of(value_of(into, field));
-      if (place.value()[std::string(field.name)] != expected)
-        place.at(field.name).refuse(fmt::format("is not {}, as the members beside it say", expected.dump()));
-    }
-  });
-}
-// A member whose name no field has.
-static bool get_rest(const JsonPlace& place, const std::string& member, T& into) {
-  bool is_got = false;
-  for_each_written<T>([&](const auto& field) {
-    if constexpr (is_named_list<std::remove_cvref_t<decltype(value_of(into, field))>>) {
-      if (!field.is_rest) return;
-      read_json(place.at(member), value_of(into, field).put(member));
-      is_got = true;
-    }
-  });
-  return is_got;
-}
-static bool has(std::string_view member) {
-  bool found = false;
-  for_each_written<T>([&](const auto& field) {
-    using Value = std::remove_cvref_t<decltype(value_of(std::declval<const T&>(), field))>;
-    if constexpr (Fielded<Value>) {
-      if (field.is_inlined) found |= JsonForm<Value>::has(member);
-    }
-    found |= !field.is_inlined && !field.is_rest && field.name == member;
-  });
-  return found;
-}
-static void describe(Json& schema) {
-  for_each_written<T>([&](const auto& field) {
-    using Value = std::remove_cvref_t<decltype(value_of(std::declval<const T&>(), field))>;
-    if constexpr (Fielded<Value>) {
-      if (field.is_inlined) return JsonForm<Value>::describe(schema);
-    }
-    if (field.is_rest) {
-      if constexpr (is_named_list<Value>)
-        schema["additionalProperties"] = JsonForm<Value>::schema()["additionalProperties"];
-      return;
-    }
-    Json& member = schema["properties"][std::string(field.name)];
-    if constexpr (is_optional<Value>) {
-      if (field.may_be_absent) member = json_schema_of<typename Value::value_type>();
-    }
-    if (member.is_null()) member = json_schema_of<Value>();
-    if (!field.about.empty()) member["description"] = field.about;
-    if (!field.unit.empty()) member["unit"] = field.unit;
-    if (!field.may_be_absent) schema["required"].push_back(field.name);
-  });
-}
-}
-;
+      json[std::string(field.name)] = json_of<Value>(of);
+    });
+  }
+  static void get(const JsonPlace& place, T& into) {
+    for_each_written<T>([&](const auto& field) {
+      using Value = std::remove_cvref_t<decltype(value_of(into, field))>;
+      if constexpr (std::remove_cvref_t<decltype(field)>::is_stored) {
+        if constexpr (Fielded<Value>) {
+          if (field.is_inlined) return JsonForm<Value>::get(place, value_of(into, field));
+        }
+        Value& of = value_of(into, field);
+        const bool is_there = place.value().contains(field.name);
+        if constexpr (is_named_list<Value>) {
+          if (field.is_rest) return void(of = {});
+        }
+        if constexpr (is_optional<Value>) {
+          if (field.may_be_absent) {
+            of.reset();
+            if (is_there) read_json(place.at(field.name), of.emplace());
+            return;
+          }
+        }
+        if (!is_there) place.refuse(fmt::format("without {}", Json(field.name).dump()));
+        read_json(place.at(field.name), of);
+      }
+    });
+    // What the others say already.
+    for_each_written<T>([&](const auto& field) {
+      if constexpr (!std::remove_cvref_t<decltype(field)>::is_stored) {
+        if (!place.value().contains(field.name)) place.refuse(fmt::format("without {}", Json(field.name).dump()));
+        const Json expected = json_of(value_of(into, field));
+        if (place.value()[std::string(field.name)] != expected)
+          place.at(field.name).refuse(fmt::format("is not {}, as the members beside it say", expected.dump()));
+      }
+    });
+  }
+  // A member whose name no field has.
+  static bool get_rest(const JsonPlace& place, const std::string& member, T& into) {
+    bool is_got = false;
+    for_each_written<T>([&](const auto& field) {
+      if constexpr (is_named_list<std::remove_cvref_t<decltype(value_of(into, field))>>) {
+        if (!field.is_rest) return;
+        read_json(place.at(member), value_of(into, field).put(member));
+        is_got = true;
+      }
+    });
+    return is_got;
+  }
+  static bool has(std::string_view member) {
+    bool found = false;
+    for_each_written<T>([&](const auto& field) {
+      using Value = std::remove_cvref_t<decltype(value_of(std::declval<const T&>(), field))>;
+      if constexpr (Fielded<Value>) {
+        if (field.is_inlined) found |= JsonForm<Value>::has(member);
+      }
+      found |= !field.is_inlined && !field.is_rest && field.name == member;
+    });
+    return found;
+  }
+  static void describe(Json& schema) {
+    for_each_written<T>([&](const auto& field) {
+      using Value = std::remove_cvref_t<decltype(value_of(std::declval<const T&>(), field))>;
+      if constexpr (Fielded<Value>) {
+        if (field.is_inlined) return JsonForm<Value>::describe(schema);
+      }
+      if (field.is_rest) {
+        if constexpr (is_named_list<Value>)
+          schema["additionalProperties"] = JsonForm<Value>::schema()["additionalProperties"];
+        return;
+      }
+      Json& member = schema["properties"][std::string(field.name)];
+      if constexpr (is_optional<Value>) {
+        if (field.may_be_absent) member = json_schema_of<typename Value::value_type>();
+      }
+      if (member.is_null()) member = json_schema_of<Value>();
+      if (!field.about.empty()) member["description"] = field.about;
+      if (!field.unit.empty()) member["unit"] = field.unit;
+      if (!field.may_be_absent) schema["required"].push_back(field.name);
+    });
+  }
+};
 
 }  // namespace axiscert
