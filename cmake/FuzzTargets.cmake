@@ -17,10 +17,11 @@ if(AXISCERT_FUZZ_TARGETS)
   endif()
 endif()
 
-# axiscert_covered(TARGET): its code tells libFuzzer which of it was reached: that of parsers, a kernel has hardly a branch.
-# AddressSanitizer's runtime has the functions that it calls, so that every program links as before.
+# axiscert_covered(TARGET): its code tells libFuzzer which of it was reached: that of parsers, a kernel has hardly a branch. Not of a
+# library of another build. AddressSanitizer's runtime has the functions that it calls, so that every program links as before.
 function(axiscert_covered target)
-  if(AXISCERT_FUZZ_TARGETS)
+  get_target_property(of_another_build ${target} IMPORTED)
+  if(AXISCERT_FUZZ_TARGETS AND NOT of_another_build)
     target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
   endif()
 endfunction()
@@ -48,7 +49,7 @@ function(axiscert_fuzz_target name)
     if(arg_LONG)
       set(long LONG)
     endif()
-    axiscert_script_test(fuzz.${name} MEMORY ${long} NEEDS fuzz_${name} TIMEOUT 900
+    axiscert_script_test(fuzz.${name} SANITIZED ${long} NEEDS fuzz_${name} TIMEOUT 900
                          COMMAND fuzz_${name} -seed_inputs=@${folder}/seeds/${name}.list -runs=${arg_RUNS} -seed=1
                                        -max_len=${arg_LENGTH} -artifact_prefix=${folder}/found/${name}- -verbosity=0)
   endif()

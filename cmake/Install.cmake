@@ -48,9 +48,6 @@ install(FILES ${PROJECT_BINARY_DIR}/debian/axiscert.1.gz DESTINATION share/man/m
 install(DIRECTORY ${PROJECT_BINARY_DIR}/completion/share DESTINATION .)
 
 # For plug-ins: headers, and find_package(axiscert). libaxiscert-dev has plugin.h, and the package file that finds the rest.
-add_library(axiscert_plugin INTERFACE)
-target_include_directories(axiscert_plugin INTERFACE $<INSTALL_INTERFACE:include>)
-set_target_properties(axiscert_plugin PROPERTIES EXPORT_NAME plugin)
 set(formulae kernel/include/axiscert/formulae.hpp kernel/include/axiscert/exact_number.hpp)
 install(FILES kernel/include/axiscert/plugin.h DESTINATION include/axiscert ${here})
 install(FILES ${formulae} DESTINATION include/axiscert)

@@ -2,17 +2,21 @@
 # file finds the rest relative to itself: the folder can be moved.
 include(CMakePackageConfigHelpers)
 set(package_folder lib/cmake/axiscert)
+set(AXISCERT_FINDS_HIGHWAY "")
+if(NOT BUILD_SHARED_LIBS)  # a static library leaves it to who links it
+  set(AXISCERT_FINDS_HIGHWAY "include(CMakeFindDependencyMacro)\nfind_dependency(hwy CONFIG)\n")
+endif()
 configure_package_config_file(cmake/axiscertConfig.cmake.in ${PROJECT_BINARY_DIR}/axiscertConfig.cmake
                               INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/axiscertConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-target_include_directories(axiscert_certified INTERFACE $<INSTALL_INTERFACE:include>)
 
 # axiscert_install_library(component lib runtime options...): the library and what building against it takes, under `lib`;
 # what its programs need at run time as the component `runtime`.
 function(axiscert_install_library component lib runtime)
   set(with COMPONENT ${component} ${ARGN})
   if(runtime STREQUAL component)
-    install(TARGETS axiscert_certified EXPORT ${component}Targets LIBRARY DESTINATION ${lib} ${with})
+    install(TARGETS axiscert_certified EXPORT ${component}Targets LIBRARY DESTINATION ${lib} ${with}
+            ARCHIVE DESTINATION ${lib} ${with})
   else()
     install(TARGETS axiscert_certified EXPORT ${component}Targets LIBRARY DESTINATION ${lib} COMPONENT ${runtime} ${ARGN}
             NAMELINK_SKIP)
@@ -31,6 +35,9 @@ endfunction()
 
 axiscert_install_library(library lib library)
 install(FILES LICENSE NOTICE docs/certified.md DESTINATION share/doc/libaxiscert COMPONENT library)
+if(NOT PROJECT_IS_TOP_LEVEL OR NOT BUILD_SHARED_LIBS)
+  return()  # Debian's packages have the shared library
+endif()
 
 # For the Debian packages (Packages.cmake): `runtime` is libaxiscert0, what a program needs that was linked with it;
 # `development` is libaxiscert-dev.

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""The installed library as a user finds it: moved elsewhere, found by CMake and by pkg-config, used from C and C++; and
-the Debian packages, unpacked. Usage: package_test.py BUILD_FOLDER"""
+"""The library as a user takes it. Package: installed and moved elsewhere, found by CMake and by pkg-config, used from C and C++; and
+the Debian packages, unpacked. Included: by FetchContent and by add_subdirectory, shared and static, and the static one installed.
+Usage: package_test.py BUILD_FOLDER Package|Included"""
 import os
 import re
 import subprocess
@@ -10,14 +11,15 @@ import unittest
 from pathlib import Path
 
 BUILD = Path(sys.argv.pop(1)).resolve()
-EXAMPLE = Path(__file__).resolve().parents[4] / "examples" / "certified"
+ROOT = Path(__file__).resolve().parents[4]
+EXAMPLE = ROOT / "examples" / "certified"
 VERSION = re.search(r"^CMAKE_PROJECT_VERSION:STATIC=(\S+)$", (BUILD / "CMakeCache.txt").read_text(), re.M)[1]
 TOUCHES = "touching, closed sphere: contact\ntouching, open sphere: separated\nan ulp smaller: separated\n"
 HITS = "3\n4\n"
 
 
 def done(*command, **options):
-    result = subprocess.run([*map(str, command)], capture_output=True, text=True, timeout=300, **options)
+    result = subprocess.run([*map(str, command)], capture_output=True, text=True, timeout=600, **options)
     assert result.returncode == 0, f"{command}: {result.stdout}{result.stderr}"
     return result.stdout
 
@@ -73,6 +75,66 @@ class Package(unittest.TestCase):
         done("cmake", "-S", EXAMPLE, "-B", build, f"-DCMAKE_PREFIX_PATH={root / 'usr'}")
         done("cmake", "--build", build)
         self.assertEqual(done(build / "hits"), HITS)
+
+
+# The example as it is, where find_package finds what FetchContent brings, or in a project that has axiscert as a folder.
+OUTSIDE = """cmake_minimum_required(VERSION 3.25)
+project(includes_axiscert LANGUAGES C CXX)
+if(FOLDER)
+  add_subdirectory(${FOLDER} ${CMAKE_BINARY_DIR}/_deps/axiscert-build)
+  function(find_package)
+  endfunction()
+else()
+  include(FetchContent)
+  FetchContent_Declare(axiscert URL https://example.org/axiscert.tar.gz OVERRIDE_FIND_PACKAGE)
+endif()
+add_subdirectory(%s example)
+axiscert_add_plugin(my_kernel %s)
+""" % (EXAMPLE, ROOT / "examples/plugin/c/my_kernel.c")
+
+
+class Included(unittest.TestCase):
+    """One build folder, so that the library is compiled once."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        (cls.folder / "CMakeLists.txt").write_text(OUTSIDE)
+        cls.build = cls.folder / "build"
+
+    def included(self, *options):
+        """Configured with these options, built, and run."""
+        done("cmake", "-G", "Ninja", "-S", self.folder, "-B", self.build, "-DCMAKE_BUILD_TYPE=Debug",
+             "-DCMAKE_CXX_FLAGS=-DHWY_COMPILE_ONLY_STATIC", *options)  # one instruction set: a fifth of the time
+        done("cmake", "--build", self.build)
+        self.assertEqual(done(self.build / "example/touches"), TOUCHES)
+        self.assertEqual(done(self.build / "example/hits"), HITS)
+        self.assertTrue((self.build / "my_kernel.so").is_file())
+        axiscert = self.build / "_deps/axiscert-build"
+        self.assertEqual({path.name for path in axiscert.rglob("*.o")},
+                         {f"{name}.cpp.o" for name in ("exact_only", "exact_step", "forms", "library", "self_check")})
+        self.assertIn("Total Tests: 0", done("ctest", "--test-dir", self.build, "-N"))
+        return {path.name for path in axiscert.rglob("libaxiscert.*") if not path.is_symlink()}
+
+    def test_by_fetch_content_static_and_by_add_subdirectory_shared(self):
+        self.assertEqual(self.included(f"-DFETCHCONTENT_SOURCE_DIR_AXISCERT={ROOT}", "-DAXISCERT_INSTALL=ON"), {"libaxiscert.a"})
+        self.static_installed()
+        self.assertIn(f"libaxiscert.so.{VERSION}", self.included(f"-DFOLDER={ROOT}", "-DAXISCERT_INSTALL=OFF", "-DBUILD_SHARED_LIBS=ON"))
+
+    def static_installed(self):
+        prefix = self.folder / "prefix"
+        done("cmake", "--install", self.build, "--component", "library", "--prefix", prefix)
+        self.assertEqual({path.name for path in (prefix / "lib").glob("libaxiscert*")}, {"libaxiscert.a"})
+        build = self.folder / "found"
+        done("cmake", "-S", EXAMPLE, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}")
+        done("cmake", "--build", build)
+        self.assertEqual(done(build / "hits"), HITS)
+        flags = done("pkg-config", "--static", "--cflags", "--libs", "axiscert",
+                     env={**os.environ, "PKG_CONFIG_PATH": str(prefix / "lib/pkgconfig")}).split()
+        done("cc", "-std=c99", EXAMPLE / "touches.c", "-o", self.folder / "touches", *flags)
+        self.assertEqual(done(self.folder / "touches"), TOUCHES)
 
 
 if __name__ == "__main__":
