@@ -4,6 +4,7 @@
 
 The divisor makes the larger plans smaller for builds that are many times slower.
 """
+import functools
 import json
 import subprocess
 import sys
@@ -27,6 +28,7 @@ def axiscert(*args, program="axiscert", stdin=None):
     return subprocess.run([BUILD / program, *map(str, args)], input=stdin, capture_output=True, text=True, timeout=600)
 
 
+@functools.cache
 def schema_of(name):
     """The JSON Schema of a format, which the command makes of the fields that it writes."""
     return json.loads(axiscert("explain", "--schema", name).stdout)

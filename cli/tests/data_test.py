@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The data that instruments print for other programs: JSON that its schema describes, and CSV with the columns of docs/data.md."""
 import csv
+import functools
 import io
 import json
 import os
@@ -58,6 +59,7 @@ def documented():
     return columns
 
 
+@functools.cache
 def validator_of(name):
     schema = schema_of(name)
     validator = jsonschema.validators.validator_for(schema)
