@@ -133,7 +133,14 @@ class Data(Case):
         (head, *_) = csv.reader(io.StringIO(done.stdout), strict=True)
         named = documented()["run"]
         self.assertEqual(head[:len(named)], named)
+        # Every figure of one place, and one figure of every place: a name is a place and a figure.
+        figures, places = {}, {}
         for column in head[len(named):]:
+            place, _, figure = column.rpartition(".")
+            figures.setdefault(figure, column)
+            places.setdefault(place, column)
+        self.assertLess(len({*figures.values(), *places.values()}), len(head))
+        for column in sorted({*figures.values(), *places.values()}):
             said = axiscert("explain", column)
             self.assertEqual(said.returncode, 0, column + said.stderr)
         self.assertIn("Missed contacts: the kernel says separated", axiscert("explain", "verdict.false_separation").stdout)

@@ -17,12 +17,13 @@ def manual():
     return commands
 
 
-class EmptyValues(Case):
+class EmptyValuesCase(Case):
     def blank(self, args, *says):
         done = self.refused(*args, says=[*says, "as of an unset variable"])
         self.assertEqual((len(done.stderr.strip().splitlines()), done.stdout), (1, ""), (args, done.stderr))
 
-    def test_every_option_and_argument_of_every_subcommand(self):
+    def check_every_option(self, in_each_form):
+        """Every option and argument; with in_each_form by each of its names, as a word of its own and after =, else in one of these by turns."""
         asked = []
         for command, entries in manual().items():
             head = command.split(" ")
@@ -32,17 +33,29 @@ class EmptyValues(Case):
                     head.append("x")  # for the arguments after it
                     continue
                 says = f"axiscert {command}: {max(names, key=len)}: an empty value"
+                forms = []
                 for name in names:
                     if has_value:
-                        asked.append(([*head, name, ""], says))
+                        forms.append(([*head, name, ""], says))
                     if name.startswith("--") and name != "--help":
-                        asked.append(([*head, f"{name}="], says))
+                        forms.append(([*head, f"{name}="], says))
+                asked += forms if in_each_form or not forms else [forms[len(asked) % len(forms)]]
         options = {says for _, says in asked}
         self.assertGreater(len(options), 200)
         self.assertIn("axiscert certify: --key: an empty value", options)
         self.assertIn("axiscert corpus add: FILE: an empty value", options)
         with ThreadPoolExecutor(4) as pool:
             list(pool.map(lambda each: self.blank(*each), asked))
+
+
+class EmptyValuesLong(EmptyValuesCase):
+    def test_every_option_and_argument_of_every_subcommand_in_each_form(self):
+        self.check_every_option(True)
+
+
+class EmptyValues(EmptyValuesCase):
+    def test_every_option_and_argument_of_every_subcommand(self):
+        self.check_every_option(False)
 
     def test_each_way_to_be_empty(self):
         for command, option in (("run", "--ratchet"), ("run", "--seed"), ("run", "--preset"), ("certify", "--key"), ("generate", "-o")):

@@ -196,7 +196,7 @@ class Run(RunCase):
     def test_a_witness_replays_from_its_address_to_the_same_flips(self):
         record = self.run_ok("--family", "sliver", "--trials", 3000, "--mesh", MODELS / "OBJ/spider.obj")
         self.assertTrue(record["witnesses"])
-        for witness in record["witnesses"][:40]:
+        for witness in record["witnesses"][:40:4]:
             query = axiscert("query", witness["address"], "--mesh", MODELS / "OBJ/spider.obj")
             self.assertEqual(query.returncode, 0, query.stderr)
             self.assertEqual({k: json.loads(query.stdout)[k] for k in "abcpr"}, {k: witness[k] for k in "abcpr"})
