@@ -66,6 +66,13 @@ template <class Real>
 class SimdTest : public testing::Test {};
 using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(SimdTest, Reals);
+template <class Real>
+class SimdTestLong : public testing::Test {};
+TYPED_TEST_SUITE(SimdTestLong, Reals);
+
+// A build in which the trials are divided is slow: its quick tests are about the memory that forms touch, of which
+// fewer queries say as much; its long tests ask all.
+constexpr bool is_slow = TRIAL_DIVISOR != 1;
 
 TYPED_TEST(SimdTest, MachineHasAnInstructionSetToTest) { EXPECT_FALSE(simd_targets().empty()); }
 
@@ -82,29 +89,47 @@ TEST(SimdForms, EveryOneThatIsDefinedIsListed) {
   }
 }
 
-TYPED_TEST(SimdTest, AgreesWithTheReferenceOnRandomAndOnArbitraryBits) {
+template <class Real>
+void expect_agreement_on_random_bits(int count) {
   constexpr std::uint64_t seed = 20101230;
   SCOPED_TRACE(testing::Message() << "seed " << seed);
   std::mt19937_64 random(seed);
-  QueryBatch<TypeParam> batch(20000, coordinate_count);
-  for (int i = 0; i < 20000; ++i) batch.push_back(random_query<TypeParam>(random, i % 2 == 1));
+  QueryBatch<Real> batch(count, coordinate_count);
+  for (int i = 0; i < count; ++i) batch.push_back(random_query<Real>(random, i % 2 == 1));
   for_each_own_form(
       [&](const Kernel& kernel, const std::string& target) { expect_same_answers(batch, kernel, target); });
 }
 
-TYPED_TEST(SimdTest, EveryLaneAndEveryTailLengthWithGarbageInTheOthers) {
+TYPED_TEST(SimdTest, AgreesWithTheReferenceOnRandomAndOnArbitraryBits) {
+  expect_agreement_on_random_bits<TypeParam>(is_slow ? 2000 : 20000);
+}
+TYPED_TEST(SimdTestLong, AgreesWithTheReferenceOnRandomAndOnArbitraryBits) {
+  if (is_slow) expect_agreement_on_random_bits<TypeParam>(20000);
+}
+
+// Every length of a batch, with the query in every place, or in the first, the middle and the last.
+template <class Real>
+void expect_agreement_in_lanes(bool every_place) {
   std::mt19937_64 random(7);
   for (std::size_t size = 1; size <= 35; ++size) {
     for (std::size_t place = 0; place < size; ++place) {
-      QueryBatch<TypeParam> batch(size, coordinate_count);
+      if (!every_place && place != 0 && place != size / 2 && place != size - 1) continue;
+      QueryBatch<Real> batch(size, coordinate_count);
       for (std::size_t i = 0; i < size; ++i) {
-        batch.push_back(i == place ? random_query<TypeParam>(random, false) : garbage<TypeParam>(i));
+        batch.push_back(i == place ? random_query<Real>(random, false) : garbage<Real>(i));
       }
       for_each_own_form([&](const Kernel& kernel, const std::string& target) {
         if (kernel.strictness == Strictness::strict) expect_same_answers(batch, kernel, target);
       });
     }
   }
+}
+
+TYPED_TEST(SimdTest, EveryLaneAndEveryTailLengthWithGarbageInTheOthers) {
+  expect_agreement_in_lanes<TypeParam>(!is_slow);
+}
+TYPED_TEST(SimdTestLong, EveryLaneAndEveryTailLengthWithGarbageInTheOthers) {
+  if (is_slow) expect_agreement_in_lanes<TypeParam>(true);
 }
 
 }  // namespace

@@ -74,10 +74,11 @@ TEST(Spu, IsRoundingTowardZeroWithinTheRange) {
   constexpr int seed = 41;
   std::mt19937_64 random(seed);
   for (const char* rung : {"published", "reduced-shared", "ladder-0", "ladder-6"}) {
+    const Kernel &on_spu = find_kernel(std::string(rung) + "+spu"), &in_chop = find_kernel(std::string(rung) + "+chop");
     for (int i = 0; i < 2000; ++i) {
       const auto q = random_query<float>(random, false);
-      const auto spu = sides_in(find_kernel(std::string(rung) + "+spu"), q);
-      const auto chopped = sides_in(find_kernel(std::string(rung) + "+chop"), q);
+      const auto spu = sides_in(on_spu, q);
+      const auto chopped = sides_in(in_chop, q);
       ASSERT_EQ(spu.lhs, chopped.lhs) << rung << ", query " << i << " of seed " << seed;
       ASSERT_EQ(spu.rhs, chopped.rhs) << rung << ", query " << i << " of seed " << seed;
     }
