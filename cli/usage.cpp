@@ -187,7 +187,7 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& refused, c
   if (dynamic_cast<const CLI::ExtrasError*>(&refused) != nullptr || (is_required && !remaining.empty()))
     return unexpected_text(command, remaining);
   if (is_required && command.get_require_subcommand_min() > 0) return unknown_subcommand(command, "");
-  if (dynamic_cast<const CLI::ValidationError*>(&refused) != nullptr)  // which says all, in the words of values.h
+  if (dynamic_cast<const CLI::ValidationError*>(&refused) != nullptr)  // which says all, in the words of its own check
     return fmt::format("{}: {}", full_name(command), refused.what());
   return fmt::format("{}: {}; `{} --help` shows what is accepted", full_name(command), refused.what(),
                      full_name(command));

@@ -54,7 +54,7 @@ std::vector<std::string> explained_words() {
   return words;
 }
 
-// "TEXT:{text,jsonl}" is text or jsonl, as one_of of values.h writes it.
+// "TEXT:{text,jsonl}" is text or jsonl, as one_of of usage.h writes it.
 std::vector<std::string> listed_values(const std::string& type) {
   const std::size_t begin = type.find('{'), end = type.find('}');
   return begin < end && end != type.npos ? CLI::detail::split(type.substr(begin + 1, end - begin - 1), ',')

@@ -68,7 +68,7 @@ int threads_of(int given);
 // Makes the plan: looks up every name and reads every file. Throws Error.
 Plan plan_of(const RunOptions& options);
 
-// Presets of `axiscert run`: plans with a name. A new one is a line in preset.cpp.
+// Presets of `axiscert run`: plans with a name. A new one is a line in run_options.cpp.
 
 std::vector<std::string> preset_names();
 // Sets the options that were not given to the preset's values for a run of this predicate, which may have no corpus.

@@ -10,7 +10,7 @@ struct CofactorBound {
 };
 
 // 28 u + 5 d and 99 u + 30 d. u is half an ulp of 1 in the kernel's precision, 2^-24 or 2^-53; d the greatest defect of
-// orthonormality of both boxes' axes (box_measures.h), at most 2^-10. Premises: round to nearest, no intermediate
+// orthonormality of both boxes' axes (measures.h), at most 2^-10. Premises: round to nearest, no intermediate
 // result overflows, and no product that is not 0 is below the normal numbers.
 constexpr CofactorBound cofactor_bound(double u, double d) { return {28 * u + 5 * d, 99 * u + 30 * d}; }
 

@@ -94,7 +94,7 @@ TEST(Diagnosis, HasTwentyKernelsOfEachKindAndEveryValue) {
     }
   }
   for (const PropertyKind& kind : property_kinds()) {
-    if (kind.name == "overlap_at_start") continue;  // of motions: other_tests_test.cpp
+    if (kind.name == "overlap_at_start") continue;  // of motions: other_predicates_test.cpp
     for (const std::string_view value : kind.values) {
       EXPECT_TRUE(decided[std::string(kind.name)].contains(std::string(value)))
           << "no kernel of the tables is made so that " << kind.name << " is " << value;

@@ -78,7 +78,7 @@ struct TurningScenes {
   std::optional<std::string> why_none = {};     // a sentence, where the kernel's answers say nothing of such scenes
 };
 
-// Those of a predicate's families and columns (scenes_by_trait.cpp; clear_queries.cpp).
+// Those of a predicate's families and columns (scenes_by_trait.cpp, scenes.cpp).
 template <class Real>
 std::vector<ClearQuery<Real>> clear_by_depth(const Kernel& kernel, std::size_t count);
 template <class Real>

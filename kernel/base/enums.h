@@ -64,7 +64,7 @@ template <Enumeration Enum>
 inline constexpr Enumerators<Enum> enumerators;
 
 // Words whose bit i is thing i of a list that is only known while axiscert runs, such as comparison i of a predicate's
-// description. Where the things are an enum, EnumSet (enum_set.h) says more.
+// description. Where the things are an enum, EnumSet below says more.
 
 // All of these need an index less than the number of bits.
 constexpr bool has_bit(std::unsigned_integral auto bits, std::size_t i) { return ((bits >> i) & 1u) != 0; }

@@ -24,7 +24,7 @@ namespace axiscert::mutants {
   X(vertex_right, "the same coordinate of the next vertex on the right")  \
   X(fma, "a sum contracted with the product in it: one rounding for two") \
   X(float, "the result rounded to binary32")                              \
-  X(value, "a value with a fault of a magnitude (value_fault.h)")
+  X(value, "a value with a fault of a magnitude (mutant.h)")
 
 enum class OperationFault : std::uint8_t {
 #define AXISCERT_NAME(name, what) name##_,

@@ -21,8 +21,8 @@ from names import INPUTS
 
 
 def attained():
-    """The figures of attained.h, as text, by kernel and kind of comparison."""
-    found = re.findall(r'\{"(\w+)", Kind::(\w+), ([\d.]+), "', (PROOFS / "attained.h").read_text())
+    """The figures of bounds.h, as text, by kernel and kind of comparison."""
+    found = re.findall(r'\{"(\w+)", Kind::(\w+), ([\d.]+), "', (PROOFS / "bounds.h").read_text())
     return {(kernel, kind): figure for kernel, kind, figure in found}
 
 
@@ -79,7 +79,7 @@ def wrong(figures, queries):
         error = error_in_u(kernel, comparison, query)
         found += [f"{kernel} {comparison}: {says}" for says in outside(query)]
         if rounded_down(error, figure) != Fraction(figure):
-            found.append(f"{kernel} {comparison}: attained.h has {figure} u, the query of attained.jsonl attains {float(error):.6f} u")
+            found.append(f"{kernel} {comparison}: bounds.h has {figure} u, the query of attained.jsonl attains {float(error):.6f} u")
     return found
 
 

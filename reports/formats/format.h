@@ -1,4 +1,4 @@
-// The report formats. A new one is a file that defines a Format, and a line in render.cpp.
+// The report formats. A new one is a file that defines a Format, and a line in format.cpp.
 #pragma once
 #include <filesystem>
 #include <span>

@@ -1,6 +1,6 @@
 // The ratchet: a reviewed text file of what each kernel promises and of the errors that are accepted. A run may get
 // better, never worse; a kernel that promises less is worse.
-// `ratchet_text.h` states the format of the file.
+// The format of the file stands below.
 #pragma once
 #include <cstddef>
 #include <cstdint>
