@@ -40,7 +40,7 @@ struct Manifest {
   bool may_decline = false;                            // `undecided` is an answer that it may give
   std::string conforms_to, formulae, summary, source;  // as in plugin.h; empty: none
   std::string package, version;                        // of what it asks, where that has them
-  // Asks it one query by hand, in its own language, with places for the numbers (code_lines() below); none: not stated.
+  // Asks it one query by hand, in its own language, with places for the numbers; none: not stated.
   std::vector<std::string> code;
   std::vector<std::string> files;  // others that its answers depend on, from the manifest's folder; in the digests
 };

@@ -36,7 +36,7 @@ struct StepScore {
   std::string step;  // as in graph.h
   int bits;
   std::size_t mutants = 0;
-  std::vector<std::string> equivalent{};  // faults that no query can show, as the list below argues
+  std::vector<std::string> equivalent{};  // faults that no query can show, as equivalent_faults() argues
   std::vector<std::string> unseen{};      // others that no query showed
   // Where this is not empty an argument is wrong: faults that are argued to be equivalent and were shown.
   std::vector<std::string> contradictions{};
