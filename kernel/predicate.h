@@ -116,7 +116,7 @@ Verdict verdict_of(const Predicate& predicate, ComparisonBits comparisons);
 // The index of an entry; an empty name means the first. Throws Error naming those that exist, the most alike first.
 std::size_t find_entry(const Predicate& predicate, std::string_view name);
 
-// The tests that exist; defined in kernel/registry/predicates.cpp. find_predicate throws Error as find_entry does.
+// The predicates that exist; defined in kernel/registry/predicates.cpp. find_predicate throws Error as find_entry does.
 std::span<const Predicate* const> predicates();
 const Predicate& find_predicate(std::string_view id, std::span<const Predicate* const> known = predicates());
 

@@ -1,12 +1,12 @@
-// The tests that exist, one name each, in the order of the reports; the first is the predicate of what names none.
+// The predicates that exist, one name each, in the order of the reports; the first is the predicate of what names none.
 //
 // Each layer expands the list and calls one function of the predicate's room in it. A room that lacks its function is
 // an error of the linker that names it:
-//   kernel/registry/predicates.cpp      const Predicate& NAME_predicate();
-//   kernel/registry/registry.cpp   std::vector<Kernel> NAME_kernels();
-//   exact/trait/oracles.cpp        const Oracles& NAME_oracles(std::size_t entry);   of an entry of the predicate
-//   fuzz/queries/predicate_list.cpp        std::span<const Family* const> NAME_families();
-//   fuzz/queries/predicate_list.cpp  const Capabilities& NAME_capabilities();
+//   kernel/registry/predicates.cpp     const Predicate& NAME_predicate();
+//   kernel/registry/registry.cpp       std::vector<Kernel> NAME_kernels();
+//   exact/trait/oracles.cpp            const Oracles& NAME_oracles(std::size_t entry);   of an entry of the predicate
+//   fuzz/queries/predicate_list.cpp    std::span<const Family* const> NAME_families();
+//   fuzz/queries/predicate_list.cpp    const Capabilities& NAME_capabilities();
 // NAME has '_' where the predicate's id has '-'.
 #pragma once
 

@@ -16,7 +16,7 @@ BUILD, MODELS, DIVISOR = Path(sys.argv.pop(1)).resolve(), Path(sys.argv.pop(1)).
 ROOT = Path(__file__).resolve().parents[2]
 REPORTS = ROOT / "reports"
 SCHEMAS = BUILD / "schemas"  # which the command makes
-VALIDATE = REPORTS / "schemas/validate.py"
+VALIDATE = REPORTS / "formats/validate.py"
 
 
 def fewer(trials):

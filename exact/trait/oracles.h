@@ -70,7 +70,7 @@ class AskedQuery {
   // All that follow are empty where the predicate does not tell them.
   // The signs of the formulae that the predicate publishes, with strict relations, whatever a kernel claims.
   virtual std::optional<ExactSigns> published_signs() { return std::nullopt; }
-  // The square of the distance that the test compares.
+  // The square of the distance that the predicate compares.
   virtual std::optional<Rational> squared_distance() { return std::nullopt; }
   // The depth before it is rounded.
   virtual std::optional<ExactDepth> exact_depth() { return std::nullopt; }
@@ -114,7 +114,7 @@ class Oracles {
   // predicate has quick bounds of it.
   virtual std::optional<Verdict> verdict_beyond(double depth, const Numbers<float>& numbers) const;
   virtual std::optional<Verdict> verdict_beyond(double depth, const Numbers<double>& numbers) const;
-  // Whether the test compares a distance: then AskedQuery tells its square and the published signs.
+  // Whether the predicate compares a distance: then AskedQuery tells its square and the published signs.
   virtual bool has_squared_distance() const { return false; }
 
   // Empty where the answer depends on no length in this way.

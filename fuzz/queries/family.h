@@ -1,5 +1,5 @@
-// A family: a named generator of related queries. A new one is a file in the room of its predicate in fuzz/families and
-// a line in that room's families.cpp.
+// A family: a named generator of related queries. A new one is a file in the room of its predicate (fuzz/NAME/families)
+// and a line in that room's families.cpp.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -58,7 +58,7 @@ constexpr std::string_view name(TrustGroup group) { return trust_group_names[gro
 
 struct Family {
   const Predicate& (*predicate)();  // whose queries these are
-  // As reports, addresses and the command say it; TEST/NAME where the predicate's own name is written.
+  // As reports, addresses and the command say it; PREDICATE/NAME where the predicate's own name is written.
   std::string_view name;
   std::string_view purpose;  // one line
   // Has to be raised whenever the same address would make another query; the committed digests fail until it is.

@@ -158,10 +158,10 @@ struct PlanRecord {
         field(&Of::generators, {"generators", "The generator of each family's queries."}),
         field(&Of::trials, {"trials", "Number of queries, per family and precision."}),
         field(&Of::files, {"files", "The meshes, query files and plug-ins that were read, by base name."}),
-        field(&Of::tolerance,
-              {"tolerance",
-               "The error T, in u, above which a comparison of the test fails, as it was written. A comparison without "
-               "one is not checked."}),
+        field(&Of::tolerance, {"tolerance",
+                               "The error T, in u, above which a comparison of the predicate fails, as it was written. "
+                               "A comparison without "
+                               "one is not checked."}),
         field(&Of::require,
               {"require",
                "What was given to --require: a level, or several of them as a list; null where none was given."}),

@@ -87,7 +87,7 @@ LocatedPlugins read_kind(const Kind& kind) {
     all.files[found.names.back()] = at->path().string();
   }
   std::sort(found.names.begin(), found.names.end());
-  // Lines "NAME<TAB>package", and "TEST/NAME<TAB>package" for the others.
+  // Lines "NAME<TAB>package", and "PREDICATE/NAME<TAB>package" for the others.
   std::ifstream list(std::filesystem::path(*folder) / "absent.txt");
   for (std::string line; std::getline(list, line);) {
     const std::size_t tab = line.find('\t'), slash = line.substr(0, tab).rfind('/');

@@ -1,4 +1,4 @@
-// The tests that exist, of the one list.
+// The predicates that exist, of the one list.
 #include <algorithm>
 
 #include "kernel/base/text.h"
