@@ -255,7 +255,7 @@ class PredicateCase(Case):
         self.assertEqual([one["name"] for one in listed], self.description["families"])
         yield from ()
 
-    def ask_tests(self):
+    def ask_predicates(self):
         self.assertIn(f"{self.predicate}: {self.description['asks']}", self.said("predicates"))
         yield from ()
 
