@@ -175,7 +175,7 @@ def compare(files, build):
         print(f"proved  {name:36} {', '.join(shown) or 'no axioms'}")
     require_statements(files, says)
     version = subprocess.run(["coqc", "--print-version"], text=True, capture_output=True).stdout.split()
-    text = json.dumps({"schema": "axiscert-theorems/2", "coq": version[0], "theorems": listed, "steps": certified_steps()}, indent=1)
+    text = json.dumps({"schema": "axiscert-theorems/3", "coq": version[0], "theorems": listed, "steps": certified_steps()}, indent=1)
     (build.parent / "prove.json").write_text(text + "\n")
 
 

@@ -11,6 +11,7 @@
 #include "cli/progress_line.h"
 #include "cli/usage.h"
 #include "cli/running/run_output.h"
+#include "fuzz/search/pools.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
@@ -40,7 +41,8 @@ int search(const SearchOptions& options) {
           fmt::format("--resume --out {}: there is no {}; give the folder of a search that was begun with --out",
                       options.out, stored.string()));
     }
-    state = read_bytes((std::filesystem::path(options.out) / state_file).string());
+    state = read_bytes(stored.string());
+    require_state_format(*state, stored.string());
   }
   std::optional<OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);  // checked before anything runs

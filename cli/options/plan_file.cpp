@@ -20,7 +20,7 @@
 namespace axiscert {
 namespace {
 
-constexpr const char* plan_schema = "axiscert-plan/1";
+constexpr const char* plan_schema = "axiscert-plan/2";
 
 // Calls visit(name, member) with each option that a record depends on.
 template <class Options, class Visit>
@@ -70,7 +70,7 @@ void get_member(const Json& object, const char* name, Value& value) {
   }
 }
 
-// Levels: one as text, as plans have it that were written when there could be only one; none as an empty text.
+// Levels: one as text, several as a list; none as an empty text.
 void put_required(Json& options, const RunRequirements& required) {
   const std::vector<std::string>& levels = required.levels;
   options["require"] = levels.empty() ? Json("") : levels.size() == 1 ? Json(levels.front()) : Json(levels);
@@ -144,8 +144,9 @@ PlanFile read_plan_file(const std::string& path) {
     throw Error(fmt::format("{}: not a plan, or cut off: `axiscert plan --out {}` writes one", path, path));
   }
   if (json["schema"] != plan_schema) {
-    throw Error(fmt::format("{}: its schema is {}, but this axiscert reads \"{}\"", path, shown(json["schema"].dump()),
-                            plan_schema));
+    throw Error(fmt::format(
+        "{}: its schema is {}, but this axiscert reads \"{}\"; write it again with `axiscert plan --out {}`", path,
+        shown(json["schema"].dump()), plan_schema, path));
   }
   file.digest = digest_of(json);
   if (const Json digest = json.value("digest", Json()); digest != file.digest) {
@@ -155,17 +156,12 @@ PlanFile read_plan_file(const std::string& path) {
                     path, file.digest, shown(digest.dump())));
   }
   try {
-    // A plan that names no predicate is of a version that had one.
     const Json& options = json.at("options");
-    for_each_option(file.options, [&](const char* name, auto& value) {
-      if (name != std::string_view("predicate") || !options.is_object() || options.contains(name))
-        get_member(options, name, value);
-    });
+    for_each_option(file.options, [&](const char* name, auto& value) { get_member(options, name, value); });
     if (options.is_object() && options.contains("effort")) {
       for_each_option_of_effort(file.options, [&](const char* name, auto& value) { get_member(options, name, value); });
     }
     get_required(options, file.options.required);
-    if (file.options.predicate.empty()) file.options.predicate = predicate_named("").id;
     get_member(json, "units_per_stretch", file.units_each);
     std::uint64_t counted;  // computed again where the plan is taken
     for (const char* count : {"queries", "units", "stretches"}) get_member(json, count, counted);

@@ -59,7 +59,7 @@ class Compare(Case):
         bad, out = self.folder / "bad", self.folder / "compared"
         bad.mkdir()
         for text, says in {
-            good.replace("axiscert-record/3", "axiscert-record/2"): ["axiscert-record/2"],
+            good.replace("axiscert-record/4", "axiscert-record/3"): ['its schema is "axiscert-record/3"', "axiscert-record/4", "again with `axiscert run`"],
             good.replace('"predicate": "sphere-triangle"', '"predicate": "nosuch"'): ["/plan/predicate", "unknown predicate 'nosuch'", "sphere-triangle"],
             good[:-100]: ["cut off"],
             good.replace('"plane.radius"', '"plane.radios"', 1): ["plane.radi"],
@@ -211,7 +211,7 @@ class Ratchet(Case):
             self.ratchet.write_text(f"axiscert-ratchet/{version} x\n")
             self.refused("run", "--ratchet", self.ratchet, "--out", out,
                          says=[f"ratchet.txt:1: 'axiscert-ratchet/{version}'", "run without --ratchet, and review the ratchet.txt"])
-        head = "axiscert-ratchet/3 %s\nkernel: published\npromise: binary32 queries=9 touching=contact\n"
+        head = "axiscert-ratchet/4 %s\nkernel: published\npromise: binary32 queries=9 touching=contact\n"
         self.ratchet.write_text(head % "x" + "nonsense\n")
         self.refused("run", "--ratchet", self.ratchet, "--out", out, says=["ratchet.txt:4", "'nonsense' before accept:"])
         self.ratchet.write_text(head % "x")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The list of `axiscert tests` compared with what the other commands say."""
+"""The list of `axiscert predicates` compared with what the other commands say."""
 import json
 import unittest
 

@@ -15,6 +15,7 @@ from command import BUILD, DIVISOR, MODELS, QUERY, ROOT, SCHEMAS, VALIDATE, Case
 EXAMPLES = ROOT / "examples/pipe"
 PYTHON = [sys.executable, EXAMPLES / "published.py"]
 SPIDER = MODELS / "OBJ/spider.obj"
+REPLY = 16  # bytes, without measures
 
 
 def comparable(record):
@@ -168,8 +169,8 @@ class Pipe(Case):
         # One flipped bit of one reply is an implementation fault of one comparison.
         (header_size,) = struct.unpack_from("<I", replies, 24)
         wrong = bytearray(replies)
-        at = next(i for i in range(header_size, len(wrong), 4) if wrong[i] == 0 and wrong[i + 2:i + 4] == b"\0\0")
-        wrong[at + 2] |= 2  # vertex_a.radius alone: no axis, no verdict
+        at = next(i for i in range(header_size, len(wrong), REPLY) if wrong[i] == 0 and not any(wrong[i + 8:i + REPLY]))
+        wrong[at + 8] |= 2  # vertex_a.radius alone: no axis, no verdict
         record = self.judged(self.stored("wrong.bin", wrong), "--conforms-to", "published")
         flips = [f["comparisons"]["vertex_a.radius"]["links"]["implementation"]
                  for f in record["kernels"][0]["families"].values()]
@@ -179,9 +180,9 @@ class Pipe(Case):
         queries = self.queries("--family", "repeated", "--family", "lattice", "--trials", 1000)
         replies = bytearray(self.answered(queries))
         (header_size,) = struct.unpack_from("<I", replies, 24)
-        for i in range(header_size, len(replies), 4):
-            replies[i + 1:i + 4] = b"\0\0\0"
-        for i in range(header_size, header_size + 40, 4):
+        for i in range(header_size, len(replies), REPLY):
+            replies[i + 1:i + REPLY] = bytes(REPLY - 1)
+        for i in range(header_size, header_size + 10 * REPLY, REPLY):
             replies[i] = 2
         record = self.judged(self.stored("v.bin", replies))
         (kernel,) = record["kernels"]
@@ -197,7 +198,7 @@ class Pipe(Case):
         """Ten replies are undecided, the others contact: the command alone says whether that is a fault."""
         queries = self.queries("--family", "lattice", "--trials", 1000)
         (size,) = struct.unpack_from("<I", queries, 24)
-        replies = queries[:size] + b"\2\0\0\0" * 10 + b"\0\0\0\0" * 990
+        replies = queries[:size] + b"\2".ljust(REPLY, b"\0") * 10 + bytes(REPLY) * 990
         for flag in ((), ("--may-decline",)):
             out = "may" if flag else "may-not"
             record = self.judged("-", *flag, "--require", "conservative=1", stdin=replies, out=out, code=0 if flag else 1)
@@ -293,19 +294,23 @@ class Pipe(Case):
         def changed(at, byte):
             return good[:at] + bytes([byte]) + good[at + 1:]
 
+        third = header + 2 * REPLY
         self.refused_replies(b"", says=["bad.bin", "empty"])
+        for version in (1, 2, 4):
+            self.refused_replies(changed(8, version), says=[f"bad.bin: version {version} of the format, but this axiscert reads version 3: "
+                                                            "generate the queries again, and reply as docs/pipe.md says"])
         self.refused_replies(b"starting up...\n" + good, says=["begins with text", "starting up", "standard error"])
         self.refused_replies(good[header:], says=["does not begin with AXISCERT"])
         self.refused_replies(good[:50], says=["ends after 50 bytes, inside the header"])
         self.refused_replies(changed(16, 11), says=["header was changed", "11 queries"])
         self.refused_replies(changed(70, 0), says=["header was changed", "SHA-256"])
-        self.refused_replies(good[:header + 12], says=["ends after 3 of 10 replies"])
-        self.refused_replies(good[:-1], says=["ends after 9 of 10 replies and 3 bytes"])
+        self.refused_replies(good[:header + 3 * REPLY], says=["ends after 3 of 10 replies"])
+        self.refused_replies(good[:-1], says=["ends after 9 of 10 replies and 15 bytes"])
         self.refused_replies(good + b"\0", says=["continues after 10 of 10 replies"])
         self.refused_replies(good + b"10 queries answered\n", says=["continues after", "it is text, \"10 queries answered"])
-        self.refused_replies(changed(header + 8, 4), says=["reply 3 of 10", f"at byte {header + 8}", "verdict 4"])
-        self.refused_replies(changed(header + 9, 3), says=["reply 3 of 10", "flags 0x03"])
-        self.refused_replies(changed(header + 9, 0), says=["reply 3 of 10", "no comparison bits, but"])
+        self.refused_replies(changed(third, 4), says=["reply 3 of 10", f"at byte {third}", "verdict 4"])
+        self.refused_replies(changed(third + 1, 3), says=["reply 3 of 10", "flags 0x03"])
+        self.refused_replies(changed(third + 1, 0), says=["reply 3 of 10", "no comparison bits, but"])
         self.refused_replies(changed(header, 1 - good[header]), says=["reply 1 of 10", "but its comparison bits", "say"])
         done = self.refused("judge", says=["stdin: empty"], stdin="")
         self.assertEqual(len(done.stderr.splitlines()), 1)

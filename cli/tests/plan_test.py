@@ -48,7 +48,7 @@ class Plan(PlanCase):
         run = ["run", "--out", self.folder / "out", "--plan"]
         broken = self.folder / "broken.json"
         for wrong, says in ((text[:-20], ["not a plan, or cut off"]), ("{}", ["not a plan"]),
-                            (text.replace("axiscert-plan/1", "axiscert-plan/9"), ["axiscert-plan/9", "reads"]),
+                            (text.replace("axiscert-plan/2", "axiscert-plan/1"), ['its schema is "axiscert-plan/1"', 'reads "axiscert-plan/2"', "`axiscert plan --out "]),
                             (text.replace('"seed": 1', '"seed": 2'), ["changed after it was written", "digest"])):
             broken.write_text(wrong)
             self.refused(*run, broken, says=["broken.json", *says])
@@ -60,7 +60,7 @@ class Plan(PlanCase):
                                          (None, "stretches", "many", "is not a whole number"),
                                          (None, "plan", "\x1b[31m", "is not an object")):
             self.refused(*run, self.resigned(text, where, name, value),
-                         says=["broken.json: does not conform to axiscert-plan/1", f"'{name}'", says])
+                         says=["broken.json: does not conform to axiscert-plan/2", f"'{name}'", says])
         self.refused(*run, self.resigned(text, None, "plan", {}), says=["broken.json", ", not "])
         self.refused(*run, self.folder / "none.json", says=["none.json"])
         self.refused(*run, self.plan, "--kernel", "reduced", says=["--plan", "--kernel"])
@@ -200,9 +200,14 @@ class Shards(PlanCase):
         (self.folder / "seed-2/plan.json").write_bytes(self.plan.read_bytes())
         said = self.merge(folders[0], self.folder / "seed-2", folders[2], code=2).stderr
         self.assertIn("is not a journal of this plan", said)
+        self.assertNotIn("of another version", said)
 
         journal = folders[1] / "journal"
         whole = journal.read_bytes()
+        journal.write_bytes(whole.replace(b"axiscert-journal/3", b"axiscert-journal/2", 1))
+        said = self.merge(*folders, code=2).stderr
+        self.assertIn('it begins with "axiscert-journal/2 ', said)
+        self.assertIn("it is of another version: run the plan again into an empty folder", said)
         journal.write_bytes(whole[:len(whole) - 100])
         said = self.merge(*folders, code=2).stderr
         self.assertIn("cut off", said)

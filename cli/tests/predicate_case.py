@@ -231,8 +231,7 @@ class PredicateCase(Case):
             for planted in (False, True):
                 other = {"contact": "separated", "separated": "contact"} if planted else {}
                 said = [other.get(one, one) if i % 7 == 3 else one for i, one in enumerate(right)]
-                reply = "<BB2x" if header[8] == 1 else "<BB6x8x"
-                (self.folder / "replies.bin").write_bytes(header + b"".join(struct.pack(reply, CODES[one], 0) for one in said))
+                (self.folder / "replies.bin").write_bytes(header + b"".join(struct.pack("<BB14x", CODES[one], 0) for one in said))
                 self.said("judge", self.folder / "replies.bin", "--quiet", "--threads", 1, "--out", self.folder / "judged")
                 (kernel,) = self.record("judged")["kernels"]
                 found = [family["verdict"][kind] for family in kernel["families"].values() for kind in ("false_separation", "false_contact")]

@@ -42,7 +42,7 @@ def without_errors(family):
 
 def written(folder, command, file="m.json", **more):
     """The id of a program whose manifest is written to the folder."""
-    members = {"format": "axiscert-program/1", "name": "tested", "command": command, "precisions": ["binary32"], **more}
+    members = {"format": "axiscert-program/2", "name": "tested", "command": command, "precisions": ["binary32"], **more}
     (folder / file).write_text(json.dumps(members))
     return f"program:{folder / file}"
 
@@ -215,6 +215,8 @@ AXISCERT_PLUGIN({real}, "published", one)
         (self.folder / "text.json").write_text("hello\n")
         cases = [(f"program:{self.folder}/nosuch.json", "there is no such file"),
                  (f"program:{self.folder}/text.json", "not a manifest: it is not JSON"),
+                 (self.manifest("./program", format="axiscert-program/1"),
+                  ".json: format 'axiscert-program/1', but this axiscert reads axiscert-program/2: write the manifest again as docs/plugins.md has it"),
                  ("program:", "no path after 'program:'"),
                  (str(self.folder / "text.json"), "with 'program:' before the path"),
                  (self.manifest("./nosuch", file="a.json"), "./nosuch is not there"),

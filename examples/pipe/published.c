@@ -65,12 +65,14 @@ static int fail(const char* what) {
 
 /* One stream: its header, and a reply for each query. */
 static int answer(unsigned char* header) {
-  uint32_t precision, header_size;
+  uint32_t version, precision, header_size;
   uint64_t count;
   if (memcmp(header, "AXISCERT", 8) != 0) return fail("standard input is not a query stream");
+  memcpy(&version, header + 8, 4);
   memcpy(&precision, header + 12, 4);
   memcpy(&count, header + 16, 8);
   memcpy(&header_size, header + 24, 4);
+  if (version != 3) return fail("the stream is not of version 3");
   if (precision != 8 * sizeof(real)) return fail("compiled for the other precision; see -DREAL");
   if (header_size < 64 || header_size > GREATEST_HEADER)
     return fail("the header is shorter than 64 bytes or longer than 1 MiB");
@@ -79,12 +81,12 @@ static int answer(unsigned char* header) {
   for (; count != 0; --count) {
     real query[13];
     unsigned bits;
-    unsigned char reply[4] = {0, 1, 0, 0}; /* contact; flags: comparison bits are given */
+    unsigned char reply[16] = {0, 1}; /* contact; flags: comparison bits are given */
     if (fread(query, sizeof query, 1, stdin) != 1) return fail("a query is cut short");
     bits = comparisons(query);
     reply[0] = (unsigned char)separated(bits);
-    reply[2] = (unsigned char)(bits & 0xff);
-    reply[3] = (unsigned char)(bits >> 8);
+    reply[8] = (unsigned char)(bits & 0xff);
+    reply[9] = (unsigned char)(bits >> 8);
     fwrite(reply, sizeof reply, 1, stdout);
   }
   return fflush(stdout) == 0 ? 0 : fail("the replies cannot be written");

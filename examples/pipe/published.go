@@ -80,7 +80,7 @@ func answer[T real](in io.Reader, out io.Writer, count uint64, size int, number 
 			query[i] = number(record[i*size:])
 		}
 		bits := comparisons(query)
-		reply := [4]byte{0, 1, byte(bits), byte(bits >> 8)} // contact; flags: comparison bits are given
+		reply := [16]byte{1: 1, 8: byte(bits), 9: byte(bits >> 8)} // contact; flags: comparison bits are given
 		if separated(bits) {
 			reply[0] = 1
 		}
@@ -100,7 +100,11 @@ func stream(in io.Reader, out *bufio.Writer) error {
 		return errors.New("standard input is not a query stream; axiscert generate --binary makes one")
 	}
 	order := binary.LittleEndian
-	precision, count, headerSize := order.Uint32(head[12:]), order.Uint64(head[16:]), order.Uint32(head[24:])
+	version, precision := order.Uint32(head[8:]), order.Uint32(head[12:])
+	count, headerSize := order.Uint64(head[16:]), order.Uint32(head[24:])
+	if version != 3 {
+		return errors.New("the stream is not of version 3")
+	}
 	if headerSize < 64 || headerSize > greatestHeader {
 		return errors.New("the header is shorter than 64 bytes or longer than 1 MiB")
 	}

@@ -46,24 +46,26 @@ def comparisons(a, b, c, p, r):
 
 
 def replies(queries):
-    """Four bytes per query: verdict, flags, sixteen comparison bits."""
+    """Sixteen bytes per query: verdict, flags, six zeros, comparison bits."""
     columns = np.ascontiguousarray(queries.T)
     held = comparisons(columns[0:3], columns[3:6], columns[6:9], columns[9:12], columns[12])
     plane, vertices, edges = held[:1], zip(*[iter(held[1:10])] * 3), zip(*[iter(held[10:])] * 2)
     separated = np.any([np.all(axis, axis=0) for axis in (plane, *vertices, *edges)], axis=0)
-    reply = np.empty(len(queries), np.dtype([("verdict", "u1"), ("flags", "u1"), ("bits", "<u2")]))
+    reply = np.zeros(len(queries), np.dtype([("verdict", "u1"), ("flags", "u1"), ("zeros", "u1", 6), ("bits", "<u8")]))
     reply["verdict"] = separated  # 1 separated, 0 contact
     reply["flags"] = 1            # comparison bits are given
-    reply["bits"] = sum(bit.astype(np.uint16) << i for i, bit in enumerate(held))
+    reply["bits"] = sum(bit.astype(np.uint64) << np.uint64(i) for i, bit in enumerate(held))
     return reply.tobytes()
 
 
 def main():
     read, write = sys.stdin.buffer.read, sys.stdout.buffer.write
     while head := read(64):  # one stream in a pipe; `--kernel program:` writes one after another
-        magic, _, precision, count, header_size, record_size = struct.unpack_from("<8sIIQII", head)
+        magic, version, precision, count, header_size, record_size = struct.unpack_from("<8sIIQII", head)
         if magic != b"AXISCERT":
             sys.exit("published.py: standard input is not a query stream; axiscert generate --binary makes one")
+        if version != 3:
+            sys.exit("published.py: the stream is not of version 3")
         write(head + read(header_size - 64))
         number = np.dtype({32: "<f4", 64: "<f8"}[precision])
         with np.errstate(all="ignore"):  # overflow and NaN are part of the queries

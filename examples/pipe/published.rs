@@ -74,8 +74,11 @@ fn answer<T: Real>(input: &mut impl Read, output: &mut impl Write, count: u64) -
         input.read_exact(&mut record)?;
         let query: Vec<T> = record.chunks(size).map(T::read).collect();
         let bits = comparisons(&query);
-        let [low, high] = bits.to_le_bytes();
-        output.write_all(&[separated(bits) as u8, 1, low, high])?; // 1 separated, 0 contact; flags: bits are given
+        let mut reply = [0; 16];
+        reply[0] = separated(bits) as u8; // 1 separated, 0 contact
+        reply[1] = 1; // flags: comparison bits are given
+        reply[8..10].copy_from_slice(&bits.to_le_bytes());
+        output.write_all(&reply)?;
     }
     output.flush()
 }
@@ -109,8 +112,11 @@ fn streams() -> io::Result<()> {
             return Err(wrong("standard input is not a query stream; axiscert generate --binary makes one"));
         }
         let number = |at: usize| u32::from_le_bytes(head[at..at + 4].try_into().unwrap());
-        let (precision, header_size) = (number(12), number(24) as usize);
+        let (version, precision, header_size) = (number(8), number(12), number(24) as usize);
         let count = u64::from_le_bytes(head[16..24].try_into().unwrap());
+        if version != 3 {
+            return Err(wrong("the stream is not of version 3"));
+        }
         if !(head.len()..=GREATEST_HEADER).contains(&header_size) {
             return Err(wrong("the header is shorter than 64 bytes or longer than 1 MiB"));
         }

@@ -106,9 +106,11 @@ class Reader {
     }
     if (got < bytes.size()) fail_truncated(got, bytes.size());
     std::memcpy(&head_, bytes.data(), sizeof head_);
-    if (head_.version != pipe::first_version && head_.version != pipe::general_version) {
-      fail(fmt::format("version {} of the format; this axiscert knows versions {} and {}", head_.version,
-                       pipe::first_version, pipe::general_version));
+    if (head_.version != pipe::version) {
+      fail(
+          fmt::format("version {} of the format, but this axiscert reads version {}: generate the queries again, and "
+                      "reply as docs/pipe.md says",
+                      head_.version, pipe::version));
     }
     if (head_.header_size <= sizeof head_ || head_.header_size > pipe::greatest_header ||
         head_.header_size % pipe::header_multiple != 0) {
@@ -125,7 +127,8 @@ class Reader {
                       text));
     }
     fail(
-        "does not begin with AXISCERT: a reply stream is the header of the queries, copied unchanged, and then 4 bytes "
+        "does not begin with AXISCERT: a reply stream is the header of the queries, copied unchanged, and then 16 "
+        "bytes "
         "a query");
   }
 
@@ -168,33 +171,24 @@ class Reader {
   }
 
   const Predicate& predicate_of(const Json& json) const {
-    const Predicate* predicate = nullptr;
     try {
-      predicate = json.contains("predicate") ? &find_predicate(shown(json.at("predicate").get<std::string>()), known_)
-                                             : &predicate_named("", known_);
+      return find_predicate(shown(json.at("predicate").get<std::string>()), known_);
     } catch (const Error& unknown) {
       fail(unknown.what());
     }
-    if (const std::uint32_t version = pipe::version_of(*predicate); head_.version != version) {
-      fail(fmt::format(
-          "the header was changed: it says version {} of the format, but its plan is of the predicate {}, whose "
-          "streams have version {}; a program has to copy it unchanged",
-          head_.version, predicate->id, version));
-    }
-    return *predicate;
   }
 
   std::size_t entry_of(const Json& json, const Predicate& predicate) const {
     std::size_t entry = 0;
     try {
-      if (json.contains("entry")) entry = find_entry(predicate, shown(json.at("entry").get<std::string>()));
+      entry = find_entry(predicate, shown(json.at("entry").get<std::string>()));
     } catch (const Error& unknown) {
       fail(unknown.what());
     }
     const std::size_t columns = predicate.entries[entry].columns.size();
-    if (json.contains("columns") && whole<std::size_t>(json, "columns") != columns) {
-      fail(fmt::format("its plan has {} columns, but {}, entry {}, has {} here", whole<std::size_t>(json, "columns"),
-                       predicate.id, predicate.entries[entry].name, columns));
+    if (const auto said = whole<std::size_t>(json, "columns"); said != columns) {
+      fail(fmt::format("its plan has {} columns, but {}, entry {}, has {} here", said, predicate.id,
+                       predicate.entries[entry].name, columns));
     }
     return entry;
   }
@@ -275,13 +269,10 @@ std::string header_of(const PipePlan& plan) {
                             plan.parts.front().source->name(), plan.predicate().id, plan.columns().name, other));
   }
   if (const std::string wrong = too_many_measures(plan.predicate(), plan.measures); !wrong.empty()) throw Error(wrong);
-  Json json = {{"axiscert", axiscert_version}, {"seed", plan.seed}, {"precision", name(plan.precision)}};
-  if (pipe::version_of(plan.predicate()) != pipe::first_version) {
-    json["predicate"] = plan.predicate().id;
-    json["entry"] = plan.columns().name;
-    json["columns"] = plan.columns().columns.size();
-    if (plan.measures != 0) json["measures"] = plan.measures;
-  }
+  Json json = {{"axiscert", axiscert_version},      {"seed", plan.seed},
+               {"precision", name(plan.precision)}, {"predicate", plan.predicate().id},
+               {"entry", plan.columns().name},      {"columns", plan.columns().columns.size()}};
+  if (plan.measures != 0) json["measures"] = plan.measures;
   json["sources"] = Json::array();
   std::string text;
   try {
@@ -292,8 +283,8 @@ std::string header_of(const PipePlan& plan) {
         "the path of a mesh or query file is not UTF-8, which the plan in a stream's header is: rename the file");
   }
   text += '\n';
-  std::string bytes = pipe::stream_header(std::move(text), plan.predicate(), plan.columns().columns.size(),
-                                          plan.precision, plan.queries());
+  std::string bytes =
+      pipe::stream_header(std::move(text), plan.columns().columns.size(), plan.precision, plan.queries());
   if (bytes.size() > pipe::greatest_header) {
     throw Error(fmt::format("the plan takes more than the {} bytes of a header: name fewer files in one stream",
                             pipe::greatest_header));

@@ -113,15 +113,8 @@ std::string text_hint(std::string_view bytes) {
   return text.empty() ? "" : fmt::format("; it is text, \"{}\": did the program print to standard output?", text);
 }
 
-std::string padding_fault(const pipe::ReplyRecord&) { return ""; }
-std::string padding_fault(const pipe::WideReplyRecord& reply) {
-  const bool is_zero = std::all_of(reply.padding.begin(), reply.padding.end(), [](std::uint8_t x) { return x == 0; });
-  return is_zero ? "" : "bytes 3 to 8 of the reply are not 0";
-}
-
 // The fault of a reply that differs in kind from the first one, or is not valid; empty if there is none.
-template <class Record>
-std::string fault(const Record& reply, bool has_bits, std::size_t measures, const Predicate& predicate) {
+std::string fault(const pipe::ReplyRecord& reply, bool has_bits, std::size_t measures, const Predicate& predicate) {
   const auto bytes = std::bit_cast<std::array<char, sizeof reply>>(reply);
   if (reply.verdict > static_cast<std::uint8_t>(Verdict::invalid)) {
     return fmt::format("verdict {}; 0 is contact, 1 separated, 2 undecided, 3 invalid{}", reply.verdict,
@@ -136,7 +129,8 @@ std::string fault(const Record& reply, bool has_bits, std::size_t measures, cons
     return fmt::format("flags {:#04x}, without bit 1: the plan asks for {} measures after each reply", reply.flags,
                        measures);
   }
-  if (const std::string wrong = padding_fault(reply); !wrong.empty()) return wrong;
+  if (std::ranges::any_of(reply.padding, [](std::uint8_t byte) { return byte != 0; }))
+    return "bytes 3 to 8 of the reply are not 0";
   if (((reply.flags & pipe::has_bits) != 0) != has_bits) {
     return has_bits ? "no comparison bits, but the replies before it have them; all replies must have them, or none"
                     : "comparison bits, but the replies before it have none; all replies must have them, or none";
@@ -169,14 +163,13 @@ void append_numbers(std::vector<double>& numbers, const char* bytes, std::size_t
   else append(0.0);
 }
 
-// Reads the records that follow a header of `header_size` bytes into `records`, one of the two of the stream, and the
-// measures that follow each record.
-template <class Record>
-void read_records(std::istream& in, std::uint32_t header_size, ReplyStream& stream, std::vector<Record>& records) {
+// Reads the replies that follow a header of `header_size` bytes, and the measures that follow each reply.
+void read_records(std::istream& in, std::uint32_t header_size, ReplyStream& stream) {
+  std::vector<pipe::ReplyRecord>& records = stream.replies;
   const std::string& name = stream.name;
   const std::uint64_t due = stream.plan.queries();
   const std::size_t measures = stream.plan.measures;
-  const std::uint64_t size = sizeof(Record) + pipe::record_size_of(stream.plan.precision, measures);
+  const std::uint64_t size = sizeof(pipe::ReplyRecord) + pipe::record_size_of(stream.plan.precision, measures);
   const auto fail = [&](const std::string& what) { throw Error(fmt::format("{}: {}", name, what)); };
   const auto came = [&] { return fmt::format("{} of {} replies", records.size(), due); };
 
@@ -188,15 +181,15 @@ void read_records(std::istream& in, std::uint32_t header_size, ReplyStream& stre
     const std::uint64_t wanted = std::min<std::uint64_t>(block.size(), (due - records.size()) * size);
     got = read_block(in, std::span(block).first(wanted), name);
     for (std::size_t i = 0; i + size <= got; i += size) {
-      Record reply;
-      std::memcpy(&reply, block.data() + i, sizeof(Record));
+      pipe::ReplyRecord reply;
+      std::memcpy(&reply, block.data() + i, sizeof reply);
       const std::size_t k = records.size();
       if (k == 0) stream.has_bits = (reply.flags & pipe::has_bits) != 0;
       if (const std::string wrong = fault(reply, stream.has_bits, measures, stream.plan.predicate()); !wrong.empty()) {
         fail(fmt::format("reply {} of {}, at byte {}: {}", k + 1, due, header_size + k * size, wrong));
       }
       records.push_back(reply);
-      append_numbers(stream.numbers, block.data() + i + sizeof(Record), measures, stream.plan.precision);
+      append_numbers(stream.numbers, block.data() + i + sizeof reply, measures, stream.plan.precision);
     }
     if (got % size != 0)
       fail(fmt::format("ends after {} and {} bytes of the next; a reply has {}", came(), got % size, size));
@@ -213,22 +206,16 @@ void read_records(std::istream& in, std::uint32_t header_size, ReplyStream& stre
 ReplyStream read_replies(std::istream& in, const std::string& name, const FilePlaces& places,
                          std::span<const Predicate* const> known) {
   PipeHeader header = read_header(in, name, places, known);
-  ReplyStream stream{name, std::move(header.plan), false, {}, {}, {}};
-  if (pipe::version_of(stream.plan.predicate()) == pipe::first_version) {
-    read_records(in, header.size, stream, stream.replies);
-  } else {
-    read_records(in, header.size, stream, stream.wide_replies);
-  }
+  ReplyStream stream{name, std::move(header.plan), false, {}, {}};
+  read_records(in, header.size, stream);
   return stream;
 }
 
 Answer ReplyStream::at(std::uint64_t position) const {
-  const auto answer = [this](const auto& reply) {
-    Answer found{static_cast<Verdict>(reply.verdict), std::nullopt};
-    if (has_bits) found.bits = static_cast<ComparisonBits>(reply.bits);
-    return found;
-  };
-  return replies.empty() ? answer(wide_replies[position]) : answer(replies[position]);
+  const pipe::ReplyRecord& reply = replies[position];
+  Answer found{static_cast<Verdict>(reply.verdict), std::nullopt};
+  if (has_bits) found.bits = static_cast<ComparisonBits>(reply.bits);
+  return found;
 }
 
 std::vector<double> ReplyStream::measures(std::uint64_t position) const {

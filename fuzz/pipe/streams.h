@@ -27,9 +27,7 @@ struct ReplyStream {
   std::string name;  // used in messages
   PipePlan plan;
   bool has_bits = false;
-  // One of these holds the replies: the first in version 1 of the format, the second in version 2.
   std::vector<pipe::ReplyRecord> replies;
-  std::vector<pipe::WideReplyRecord> wide_replies;
   std::vector<double> numbers;  // the measures of each reply, plan.measures of them, one reply after the other
 
   Answer at(std::uint64_t position) const;

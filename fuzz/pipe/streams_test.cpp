@@ -28,8 +28,10 @@ std::string bytes_of(const std::vector<ReplyRecord>& replies) {
 }
 
 // Five replies, each unlike the one before.
-const std::vector<ReplyRecord> good_replies = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {0, 0, 0}};
-const std::vector<ReplyRecord> good_bits = {{0, 1, 0}, {1, 1, 1}, {2, 1, 0xffff}, {3, 1, 0}, {1, 1, 0xc000}};
+const std::vector<ReplyRecord> good_replies = {
+    {0, 0, {}, 0}, {1, 0, {}, 0}, {2, 0, {}, 0}, {3, 0, {}, 0}, {0, 0, {}, 0}};
+const std::vector<ReplyRecord> good_bits = {
+    {0, 1, {}, 0}, {1, 1, {}, 1}, {2, 1, {}, 0xffff}, {3, 1, {}, 0}, {1, 1, {}, 0xc000}};
 
 ReplyStream read(const std::string& bytes, const FilePlaces& places = {}) {
   std::istringstream in(bytes);
@@ -58,8 +60,9 @@ std::string changed_header(const std::function<void(pipe::Head&)>& change, const
   std::string bytes = header_of(plan_of());
   pipe::Head head;
   std::memcpy(&head, bytes.data(), sizeof head);
-  const std::size_t size = bytes.size(), at = from.empty() ? bytes.npos : bytes.find(from);
-  if (at != bytes.npos) bytes.replace(at, from.size(), to).resize(size, ' ');
+  if (!from.empty()) bytes.replace(bytes.find(from), from.size(), to);
+  bytes.resize((bytes.size() + pipe::header_multiple - 1) / pipe::header_multiple * pipe::header_multiple, ' ');
+  head.header_size = static_cast<std::uint32_t>(bytes.size());
   head.plan_sha256 = sha256(std::as_bytes(std::span(bytes).subspan(sizeof head)));
   change(head);
   std::memcpy(bytes.data(), &head, sizeof head);
@@ -139,7 +142,13 @@ TEST(BadReplies, TheHeaderWasChanged) {
     expect_refusal(changed_header(change) + bytes_of(good_replies), part);
   };
   EXPECT_EQ(reply_refusal(changed_header(nothing) + bytes_of(good_replies)), "accepted");
-  expect_change([](pipe::Head& h) { h.version = 2; }, "version 2 of the format");
+  for (const std::uint32_t other : {1u, 2u, 4u}) {
+    expect_change(
+        [&](pipe::Head& h) { h.version = other; },
+        fmt::format("version {} of the format, but this axiscert reads version 3: generate the queries again, "
+                    "and reply as docs/pipe.md says",
+                    other));
+  }
   expect_change([](pipe::Head& h) { h.precision = 64; }, "the header was changed");
   expect_change([](pipe::Head& h) { h.record_size = 104; }, "the header was changed");
   expect_change([](pipe::Head& h) { h.count = 4; }, "it says 4 queries");
@@ -164,6 +173,9 @@ TEST(BadReplies, APlanThatCannotBeMadeHere) {
   // control characters must not reach the terminal
   expect_plan("\"seed\":7", "\"see\x7f\xff\":7", "last read: '\"see?");
   expect_plan("\"seed\":7", "\"sees\":7", "not one that this axiscert writes");
+  for (const char* member : {"predicate", "entry", "columns"}) {
+    expect_plan(fmt::format("\"{}\":", member), fmt::format("\"no {}\":", member), "not one that this axiscert writes");
+  }
   expect_plan(std::string("\"axiscert\":\"") + axiscert_version, "\"axiscert\":\"0.0.9", "made by axiscert 0.0.9");
   expect_plan("\"version\":2", "\"version\":9", "version 9 of the generator general, which is at version 2");
   expect_plan("\"name\":\"general\"", "\"name\":\"special\"", "unknown family 'special'");
@@ -173,8 +185,8 @@ TEST(BadReplies, APlanThatCannotBeMadeHere) {
 TEST(BadReplies, TooFewOrTooMany) {
   const std::string stream = header_of(plan_of()) + bytes_of(good_replies);
   expect_refusal(header_of(plan_of()), "ends after 0 of 5 replies");
-  expect_refusal(stream.substr(0, stream.size() - 4), "ends after 4 of 5 replies");
-  expect_refusal(stream.substr(0, stream.size() - 1), "ends after 4 of 5 replies and 3 bytes of the next");
+  expect_refusal(stream.substr(0, stream.size() - sizeof(ReplyRecord)), "ends after 4 of 5 replies");
+  expect_refusal(stream.substr(0, stream.size() - 1), "ends after 4 of 5 replies and 15 bytes of the next");
   expect_refusal(stream + '\0', "continues after 5 of 5 replies");
   expect_refusal(stream + "done\n", "it is text, \"done");
 }
@@ -185,19 +197,20 @@ TEST(BadReplies, OneIsWrong) {
                                 const std::string& part) {
     replies[k] = wrong;
     expect_refusal(header + bytes_of(replies),
-                   fmt::format("reply {} of 5, at byte {}: {}", k + 1, header.size() + 4 * k, part));
+                   fmt::format("reply {} of 5, at byte {}: {}", k + 1, header.size() + sizeof(ReplyRecord) * k, part));
   };
-  expect_fault(good_replies, 2, {4, 0, 0}, "verdict 4; 0 is contact");
-  expect_fault(good_replies, 4, {255, 0, 0}, "verdict 255");
-  expect_fault(good_replies, 1, {0, 2, 0}, "flags 0x02");
-  expect_fault(good_replies, 1, {0, 0x81, 0}, "flags 0x81");
-  expect_fault(good_replies, 3, {0, 1, 0}, "comparison bits, but the replies before it have none");
-  expect_fault(good_bits, 3, {0, 0, 0}, "no comparison bits, but");
-  expect_fault(good_replies, 0, {0, 0, 5}, "comparison bits 0x0005 without the flag");
-  expect_fault(good_bits, 0, {0, 1, 1}, "contact, but its comparison bits 0x0001 say separated");
-  expect_fault(good_bits, 0, {1, 1, 2}, "separated, but its comparison bits 0x0002 say contact");
-  const std::string text = header + bytes_of(good_replies).substr(0, 8) + "warning: no device found\n";
-  expect_refusal(text, "it is text, \"warn\": did the program print");
+  expect_fault(good_replies, 2, {4, 0, {}, 0}, "verdict 4; 0 is contact");
+  expect_fault(good_replies, 4, {255, 0, {}, 0}, "verdict 255");
+  expect_fault(good_replies, 1, {0, 2, {}, 0}, "flags 0x02");
+  expect_fault(good_replies, 1, {0, 0x81, {}, 0}, "flags 0x81");
+  expect_fault(good_replies, 3, {0, 1, {}, 0}, "comparison bits, but the replies before it have none");
+  expect_fault(good_bits, 3, {0, 0, {}, 0}, "no comparison bits, but");
+  expect_fault(good_replies, 0, {0, 0, {}, 5}, "comparison bits 0x0005 without the flag");
+  expect_fault(good_bits, 0, {0, 1, {}, 1}, "contact, but its comparison bits 0x0001 say separated");
+  expect_fault(good_bits, 0, {1, 1, {}, 2}, "separated, but its comparison bits 0x0002 say contact");
+  const std::string text =
+      header + bytes_of(good_replies).substr(0, 2 * sizeof(ReplyRecord)) + "warning: no device found\n";
+  expect_refusal(text, "it is text, \"warning: no devi\": did the program print");
 }
 
 // A count is only a claim: no memory is allocated for bytes that never arrive.
@@ -226,7 +239,7 @@ TEST_F(RepliesToAFile, TheFileIsFoundAndKnown) {
   const std::string csv = "ax,ay,az,bx,by,bz,cx,cy,cz,px,py,pz,r\n0,0,0,1,0,0,0,1,0,0,0,1,0.5\n";
   const std::string path = folder_.write("q.csv", csv);
   const PipePlan plan{1, Precision::binary64, {{query_file_source(path, Precision::binary64), 1}}};
-  const std::string stream = header_of(plan) + bytes_of({{1, 0, 0}});
+  const std::string stream = header_of(plan) + bytes_of({{1, 0, {}, 0}});
   EXPECT_EQ(read(stream).plan.parts[0].source->name(), "queries/q.csv");
   folder_.write("q.csv", csv + "0,0,0,1,0,0,0,1,0,0,0,1,0.25\n");
   expect_refusal(stream, "is not the file that the queries come from");

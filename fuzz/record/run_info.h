@@ -142,7 +142,7 @@ struct RunInfo {
   SourcePlaces sources;
   std::optional<RunScale> scale;
 
-  static constexpr std::string_view format = "axiscert-run/1", title = "What varies between runs of the same plan";
+  static constexpr std::string_view format = "axiscert-run/2", title = "What varies between runs of the same plan";
   static constexpr std::string_view about =
       "Times, machine, targets and versions. Readers ignore members that they do not know.";
   static constexpr bool is_open = true;

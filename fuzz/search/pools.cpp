@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -82,6 +83,7 @@ using Json = nlohmann::ordered_json;
 
 // Has to be raised whenever the same plan would give a different result.
 constexpr int search_version = 3;
+constexpr const char* state_format = "axiscert-search-state/3";
 
 // The part of the plan that has to be the same for a search to continue.
 Json search_plan_json(const SearchPlan& plan) {
@@ -94,7 +96,7 @@ Json search_plan_json(const SearchPlan& plan) {
   for (const std::size_t which : plan.comparisons) {
     comparison_names.push_back(plan.kernel->predicate->comparisons[which].name);
   }
-  return {{"schema", "axiscert-search-state/2"},
+  return {{"schema", state_format},
           {"search_version", search_version},
           {"kernel", plan.kernel->id},
           {"precision", name(plan.precision)},
@@ -178,12 +180,28 @@ std::string state_text(const SearchPlan& plan, const std::vector<Aim>& aims, con
   return text;
 }
 
-SearchState parse_state(std::string_view text, const SearchPlan& plan, const std::vector<Aim>& aims) {
+namespace {
+
+Json state_header(std::string_view text, const std::string& name) {
   const std::size_t end = text.find('\n');
   const Json header = Json::parse(text.substr(0, end), nullptr, false);
   if (end == text.npos || !header.is_object() || !header.contains("schema")) {
-    throw Error("the state to resume from is not the state of a search");
+    throw Error(fmt::format("{} is not the state of a search", name));
   }
+  if (header["schema"] != state_format) {
+    throw Error(fmt::format("{}: its schema is {}, but this axiscert reads \"{}\"; begin the search without --resume",
+                            name, shown(header["schema"].dump()), state_format));
+  }
+  return header;
+}
+
+}  // namespace
+
+void require_state_format(std::string_view text, const std::string& name) { state_header(text, name); }
+
+SearchState parse_state(std::string_view text, const SearchPlan& plan, const std::vector<Aim>& aims) {
+  const std::size_t end = text.find('\n');
+  const Json header = state_header(text, "the state to resume from");
   const Json expected = search_plan_json(plan);
   for (const auto& [key, value] : expected.items()) {
     if (header.contains(key) && header[key] == value) continue;

@@ -86,6 +86,8 @@ struct SearchState {
 };
 
 std::string state_text(const SearchPlan& plan, const std::vector<Aim>& aims, const SearchState& state);
+// Throws Error that begins with `name` if the text is not a state, or is one of another version of the format.
+void require_state_format(std::string_view text, const std::string& name);
 // Throws Error if the text is not a state, or is one of another plan: the message says which member differs, and how.
 SearchState parse_state(std::string_view text, const SearchPlan& plan, const std::vector<Aim>& aims);
 

@@ -58,7 +58,7 @@ std::string stream_of(std::string_view input) {
   const std::uint64_t count = count_of(plan);
   plan.append(pipe::header_multiple - whole % pipe::header_multiple, ' ');
   const pipe::Head head{pipe::magic,
-                        pipe::first_version,
+                        pipe::version,
                         pipe::code_of(precision),
                         count,
                         static_cast<std::uint32_t>(sizeof(pipe::Head) + plan.size()),
@@ -76,7 +76,7 @@ void check(const std::string& stream, const FilePlaces& places) {
     read = read_replies(in, "fuzzed", places);
   });
   if (!is_read) return;
-  if (const auto size = read.replies.size() + read.wide_replies.size(); size != read.plan.queries()) {
+  if (const auto size = read.replies.size(); size != read.plan.queries()) {
     report_fault(fmt::format("{} replies to the {} queries of the plan", size, read.plan.queries()));
   }
   if (read.numbers.size() != read.plan.queries() * read.plan.measures)

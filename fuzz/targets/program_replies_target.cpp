@@ -1,8 +1,8 @@
 // The answer of a program to a batch, as the host reads it: the same from parts of any length, never more
 // replies than queries, and not a byte beyond the last one; where it is refused, in one line.
 //
-// Input: the number of queries, options (bit 0: of a test with wide replies, 1: comparison bits are asked for, 2: the
-// batch is not the program's first, 3: the input begins with the header itself), the length of a part; then the bytes.
+// Input: the number of queries, options (bit 0: comparison bits are asked for, 1: the batch is not the program's first,
+// 2: the input begins with the header itself), the length of a part; then the bytes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using plugin::ReplyReader;
 
 struct GivenStream {
   std::size_t queries, part;
-  bool is_wide, wants_bits, is_next, has_header;
+  bool wants_bits, is_next, has_header;
 };
 
 // All that there is to know of a reader, in one text.
@@ -54,7 +54,7 @@ void check(const GivenStream& given, std::span<const std::byte> header, std::spa
   if (whole.is_faulty() != !whole.fault().empty())
     report_fault("refused without a reason, or a reason without a refusal");
   if (whole.is_faulty()) return check_message(printable_line(whole.fault()));
-  const std::size_t reply = given.is_wide ? 16 : 4, due = header.size() + given.queries * reply;
+  const std::size_t due = header.size() + given.queries * sizeof(pipe::ReplyRecord);
   if (taken != std::min(stream.size(), due) || taken_in_parts != taken)
     report_fault(fmt::format("{} bytes taken of {}, {} are due", taken, stream.size(), due));
   if (whole.is_complete() != (taken == due)) report_fault("complete before the end, or not at it");
@@ -66,10 +66,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   constexpr std::size_t options = 3;
   if (size < options) return -1;
   const auto has = [&](unsigned bit) { return ((data[1] >> bit) & 1) != 0; };
-  const GivenStream given{data[0], std::size_t{1} + data[2], has(0), has(1), has(2), has(3)};
-  std::string header = plugin::program_header(sphere_triangle_predicate(), 0, Precision::binary32);
-  if (given.is_wide)
-    std::memcpy(header.data() + offsetof(pipe::Head, version), &pipe::general_version, sizeof pipe::general_version);
+  const GivenStream given{data[0], std::size_t{1} + data[2], has(0), has(1), has(2)};
+  const std::string header = plugin::program_header(sphere_triangle_predicate(), 0, Precision::binary32);
   const std::string stream = (given.has_header ? header : "") + std::string(text_of(data + options, size - options));
   check(given, std::as_bytes(std::span(header)), std::as_bytes(std::span(stream)));
   return 0;

@@ -75,44 +75,45 @@ def seeds(source):
 
     part = {"kind": "family", "name": "tangent", "version": 1, "queries": 2}
     version = project_version(source)
-    one = {"axiscert": version, "seed": 1, "precision": "binary32", "sources": [part]}
+    one = {"axiscert": version, "seed": 1, "precision": "binary32", "predicate": "sphere-triangle", "entry": "vertices", "columns": 13,
+           "sources": [part]}
     file = (extras[0] + "\n").encode()
     read = {"kind": "queries", "name": "given.jsonl", "path": "given.jsonl", "version": 1,
             "sha256": hashlib.sha256(file).hexdigest(), "queries": 1}
     two = dict(one, precision="binary64", seed=2**64 - 1, sources=[dict(part, name="general", version=2), dict(part, queries=0)])
     three = dict(one, sources=[read, dict(part, name="lattice", queries=1)])
-    contact, separated, bits = b"\0\0\0\0", b"\1\0\0\0", b"\1\1\7\0"
+    contact, separated, undecided, invalid, bits = (struct.pack("<BB6xQ", *reply) for reply in ((0, 0, 0), (1, 0, 0), (2, 0, 0), (3, 0, 0), (1, 1, 7)))
     result["pipe"] = [
         plan_text(one).encode() + b"\0" + contact + separated,
         plan_text(two).encode() + b"\0" + bits * 2,
-        plan_text(three).encode() + b"\0" + b"\2\0\0\0\3\0\0\0",
+        plan_text(three).encode() + b"\0" + undecided + invalid,
         plan_text(one).encode() + b"\0" + contact,
-        b"AXISCERT" + struct.pack("<IIQII32x", 1, 32, 2, 128, 52) + b" " * 64,
+        *(b"AXISCERT" + struct.pack("<IIQII32x", number, 32, 2, 128, 52) + b" " * 64 for number in (1, 2, 3)),
         b"hello, world\n",
     ]
 
-    manifest = {"format": "axiscert-program/1", "name": "a/b", "command": ["node", "b.mjs"], "precisions": ["binary32", "binary64"]}
+    manifest = {"format": "axiscert-program/2", "name": "a/b", "command": ["node", "b.mjs"], "precisions": ["binary32", "binary64"]}
     result["manifest"] = [plan_text(one).encode() for one in (
         manifest, dict(manifest, predicate="sphere-triangle", entry="vertices", touching="either", may_decline=True, exposes="comparisons", summary="s",
                        package="p", version="1.0", source="b.mjs:1", formulae="published", limits={"least_radius": 1e-3}),
-        dict(manifest, conforms_to="published", precisions=["binary32"]), dict(manifest, format="axiscert-program/2"), {}, [])]
+        dict(manifest, conforms_to="published", precisions=["binary32"]), dict(manifest, format="axiscert-program/1"), {}, [])]
     result["manifest"] += [path.read_bytes() for path in sorted((source / "examples").rglob("*.json"))]
     result["program_replies"] = [bytes([2, options, part]) + replies for options, part, replies in (
-        (8, 0, contact + separated), (8, 6, bits * 3), (10, 1, bits * 2), (9, 4, bits[:2] + b"\0" * 6 + b"\7" + b"\0" * 7),
-        (8, 255, b"\x07\0\0\0hello"), (0, 3, b"engine loaded\n"), (4, 3, b"more"), (0, 2, b"AXISCERT\1\0\0\0"))]
+        (4, 0, contact + separated), (4, 6, bits * 3), (5, 1, bits * 2), (4, 4, b"\1\0\0\0" * 8), (4, 255, b"\x07\0\0\0hello, all of you"),
+        (0, 3, b"engine loaded\n"), (2, 3, b"more"), (0, 2, b"AXISCERT\3\0\0\0"))]
 
     result["journal"] = [b"", b"\x01\x07", b"\x03\x00\x00\x07\x00\x80", bytes([0x40, 4]) + b"\x83\x00\x80\x40"]
     options = {"predicate": "sphere-triangle", "kernels": ["published", "certified"], "families": ["tangent", "lattice"], "meshes": [], "queries": [],
                "corpus": None, "trials": 1000, "seed": 1, "precision": "binary32", "tolerances": ["plane.radius=2"], "require": "logic"}
-    plan = {"schema": "axiscert-plan/1", "plan": {"seed": 1}, "options": options, "queries": 2000, "units": 2,
+    plan = {"schema": "axiscert-plan/2", "plan": {"seed": 1}, "options": options, "queries": 2000, "units": 2,
             "units_per_stretch": 1, "stretches": 2, "digest": ""}
     least = dict(options, kernels=["published+fma"], families=[], trials=2**64 - 1, seed=0, precision="", require="")
-    first = {name: value for name, value in options.items() if name != "predicate"}  # a plan of a version that had one predicate
-    plans = [plan, dict(plan, options=first), dict(plan, options=least), dict(plan, options=least, plan={}), dict(plan, queries=1.8e19), {}]
+    unnamed = {name: value for name, value in options.items() if name != "predicate"}
+    plans = [plan, dict(plan, schema="axiscert-plan/1"), dict(plan, options=unnamed), dict(plan, options=least), dict(plan, options=least, plan={}), dict(plan, queries=1.8e19), {}]
     result["plan"] = [plan_text(one).encode() for one in plans]
 
     stored = statement(source)
-    statements = [stored, statement(source, signed_at="2026-01-01T00:00:00Z"), dict(stored, predicateType="urn:axiscert:certificate:1"),
+    statements = [stored, statement(source, signed_at="2026-01-01T00:00:00Z"), dict(stored, predicateType="urn:axiscert:certificate:2"),
                   dict(stored, predicate={})]
     whole = [canonical(one) for one in statements]
     sealed = {"payload": base64.b64encode(whole[0]).decode(), "payloadType": "application/vnd.in-toto+json",

@@ -23,19 +23,11 @@ void copy_out(std::span<const std::byte> from, std::vector<T>& to) {
   std::memcpy(to.data(), from.data(), from.size());
 }
 
-// Reads entries that are `bytes` wide.
-void widen_out(std::span<const std::byte> from, std::size_t bytes, std::vector<std::uint64_t>& to) {
-  if (bytes == sizeof(std::uint64_t)) return copy_out(from, to);
-  std::vector<std::uint16_t> narrow;
-  copy_out(from, narrow);
-  to.assign(narrow.begin(), narrow.end());
-}
-
 }  // namespace
 
 template <class Real>
 std::span<std::byte> Caller<Real>::array(std::size_t which, std::size_t size, Placement placement) const {
-  const std::size_t element = EntryBytes{sizeof(Real), bits_bytes(callee_.abi)}.of(process_->shape(), which);
+  const std::size_t element = entry_bytes(process_->shape(), which, sizeof(Real));
   return {process_->area(which) + array_offset(placement, size, element, process_->area_bytes()), size * element};
 }
 
@@ -98,9 +90,7 @@ auto Caller<Real>::call(const QueryColumns<Real>& batch, std::size_t first, std:
              wrote_before ? 0 : size - 1};
   });
   copy_out(place(shape.verdict()), out.verdicts);
-  if (arrangement.asked >= Exposure::comparisons) {
-    widen_out(place(shape.bits()), bits_bytes(callee_.abi), out.bits);
-  }
+  if (arrangement.asked >= Exposure::comparisons) copy_out(place(shape.bits()), out.bits);
   for (std::size_t k = 0; k < shape.comparisons && arrangement.asked >= Exposure::sides; ++k) {
     copy_out(place(shape.lhs() + k), out.lhs[k]);
     copy_out(place(shape.rhs() + k), out.rhs[k]);

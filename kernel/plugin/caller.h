@@ -14,7 +14,7 @@ template <class Real>
 struct Outputs {
   std::vector<std::uint8_t> verdicts;
   // Empty unless asked for.
-  std::vector<std::uint64_t> bits;          // as wide as plugin.h has them
+  std::vector<std::uint64_t> bits;
   std::vector<std::vector<Real>> lhs, rhs;  // by comparison
   std::vector<std::vector<Real>> measures;  // as many as asked for
 };
@@ -23,7 +23,6 @@ struct Outputs {
 struct Callee {
   HostedPlugin hosted;
   std::uint32_t index;  // in the plug-in; of a program, that of the precision
-  std::uint32_t abi;
   Subject subject;
 };
 

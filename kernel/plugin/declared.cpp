@@ -6,7 +6,6 @@
 
 #include "kernel/base/error.h"
 #include "kernel/include/axiscert/plugin.h"
-#include "kernel/plugin/interface_1.h"
 #include "kernel/plugin/supervisor.h"
 
 namespace axiscert::plugin {
@@ -144,10 +143,11 @@ std::string text_of(const char* text) {
 }
 
 void add_declared(const Description& d, std::uint32_t index, const HostedPlugin& hosted, Kernel& kernel) {
-  if (d.abi != AXISCERT_PLUGIN_ABI && d.abi != interface_1::number) {
+  if (d.abi != AXISCERT_PLUGIN_ABI) {
     throw RefusedClaim{FindingKind::abi,
-                       fmt::format("it was made for version {} of the plug-in interface; this axiscert knows {} and {}",
-                                   d.abi, interface_1::number, AXISCERT_PLUGIN_ABI)};
+                       fmt::format("it was made for version {} of the plug-in interface, but this axiscert takes {}: "
+                                   "build it again with this axiscert's <axiscert/plugin.h>",
+                                   d.abi, AXISCERT_PLUGIN_ABI)};
   }
   check_sizes(d);
   if (d.precision != 32 && d.precision != 64) refuse(fmt::format("its precision is {}; known: 32, 64", d.precision));
@@ -174,11 +174,10 @@ void add_declared(const Description& d, std::uint32_t index, const HostedPlugin&
                     described.arithmetic != kernel.arithmetic || described.is_reference != kernel.is_reference)) {
     refuse("its kernels in binary32 and in binary64 say different things of themselves; make two plug-ins of them");
   }
-  const SupervisedKernel supervised{
-      {hosted, index, d.abi, {described.predicate, described.entry, described.measure_count}},
-      described.exposes,
-      described.strictness,
-      described.measure_count};
+  const SupervisedKernel supervised{{hosted, index, {described.predicate, described.entry, described.measure_count}},
+                                    described.exposes,
+                                    described.strictness,
+                                    described.measure_count};
   if (d.precision == 32 ? kernel.binary32 != nullptr : kernel.binary64 != nullptr) {
     refuse(fmt::format("it has two kernels of precision {}", d.precision));
   }

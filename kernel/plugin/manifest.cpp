@@ -11,6 +11,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/text.h"
+#include "kernel/plugin/pipe_format.h"
 
 namespace axiscert::plugin {
 namespace {
@@ -101,7 +102,10 @@ class ManifestReader {
       fail(fmt::format("not a manifest: a JSON object with \"format\": \"{}\" is (docs/plugins.md)", manifest_format));
     }
     if (const std::string format = text_of("format"); format != manifest_format) {
-      fail(fmt::format("format '{}'; this axiscert knows {}", printable_line(format), manifest_format));
+      fail(fmt::format(
+          "format '{}', but this axiscert reads {}: write the manifest again as docs/plugins.md has it, and "
+          "its program for streams of version {}",
+          printable_line(format), manifest_format, pipe::version));
     }
     require_known(json_, members, "member");
     Manifest manifest;

@@ -25,7 +25,7 @@ std::string filled_code(const std::vector<std::string>& lines, const PredicateEn
 // The manifest of a program that is a kernel: JSON, by which it says what it is called, what it answers and how it is
 // started. docs/plugins.md has its members.
 
-inline constexpr std::string_view manifest_format = "axiscert-program/1";
+inline constexpr std::string_view manifest_format = "axiscert-program/2";
 
 struct Manifest {
   std::string name;

@@ -9,7 +9,7 @@
 namespace axiscert::plugin {
 namespace {
 
-const std::string least = R"("format":"axiscert-program/1","name":"a","command":["x","y z"],"precisions":["binary64"])";
+const std::string least = R"("format":"axiscert-program/2","name":"a","command":["x","y z"],"precisions":["binary64"])";
 
 std::string manifest_refusal(const std::string& text) {
   try {
@@ -70,16 +70,18 @@ TEST(ManifestFile, HasPlacesForTheColumnsOfItsPredicate) {
 TEST(ManifestFile, IsRefusedWithWhatWouldBeRight) {
   for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
            {"", "m.json: not a manifest: it is not JSON"},
-           {"[1]", "not a manifest: a JSON object with \"format\": \"axiscert-program/1\""},
+           {"[1]", "not a manifest: a JSON object with \"format\": \"axiscert-program/2\""},
            {R"({"name":"x"})", "not a manifest"},
-           {R"({"format":"axiscert-program/2"})",
-            "format 'axiscert-program/2'; this axiscert knows axiscert-program/1"},
+           {R"({"format":"axiscert-program/1"})",
+            "m.json: format 'axiscert-program/1', but this axiscert reads axiscert-program/2: write the manifest again "
+            "as "
+            "docs/plugins.md has it, and its program for streams of version 3"},
            {R"({"format":7})", "\"format\" is 7, which is no text"},
-           {R"({"format":"axiscert-program/1"})", "no \"name\""},
-           {R"({"format":"axiscert-program/1","name":"a"})", "no \"command\""},
-           {R"({"format":"axiscert-program/1","name":"a","command":"node x"})",
+           {R"({"format":"axiscert-program/2"})", "no \"name\""},
+           {R"({"format":"axiscert-program/2","name":"a"})", "no \"command\""},
+           {R"({"format":"axiscert-program/2","name":"a","command":"node x"})",
             "\"command\" is \"node x\", which is no list"},
-           {R"({"format":"axiscert-program/1","name":"a","command":["x"]})", "no \"precisions\""},
+           {R"({"format":"axiscert-program/2","name":"a","command":["x"]})", "no \"precisions\""},
            {"{" + least + R"(,"comand":1})", "unknown member 'comand'; did you mean 'command'?"},
            {"{" + least + R"(,"touching":"no"})", "\"touching\": 'no'; known: contact, separated, either"},
            {"{" + least + R"(,"exposes":"sides"})", "known: verdict, comparisons"},

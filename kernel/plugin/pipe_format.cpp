@@ -8,12 +8,11 @@
 
 namespace axiscert {
 
-std::string pipe::stream_header(std::string plan, const Predicate& predicate, std::size_t columns, Precision precision,
-                                std::uint64_t count) {
+std::string pipe::stream_header(std::string plan, std::size_t columns, Precision precision, std::uint64_t count) {
   const std::size_t whole = sizeof(Head) + plan.size();
   plan.append((header_multiple - whole % header_multiple) % header_multiple, ' ');
   const Head head{magic,
-                  version_of(predicate),
+                  version,
                   code_of(precision),
                   count,
                   static_cast<std::uint32_t>(sizeof(Head) + plan.size()),
@@ -31,7 +30,7 @@ std::string plugin::program_header(const Predicate& predicate, std::size_t entry
   std::string plan = fmt::format(R"({{"precision":"{}","predicate":"{}","entry":"{}","columns":{}{}}})"
                                  "\n",
                                  name(precision), predicate.id, given.name, given.columns.size(), more);
-  return pipe::stream_header(std::move(plan), predicate, given.columns.size(), precision, 0);
+  return pipe::stream_header(std::move(plan), given.columns.size(), precision, 0);
 }
 
 }  // namespace axiscert

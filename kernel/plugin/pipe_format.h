@@ -4,10 +4,9 @@
 //   query stream   header, then `count` query records
 //   reply stream   the same header unchanged, then `count` reply records
 //
-// All numbers are little-endian. A query record is the numbers of one query in the order of the predicate's columns:
-// for sphere-triangle the thirteen ax ay az bx by bz cx cy cz px py pz r. The plan of a stream of version 1 names no
-// predicate, which means sphere-triangle; that of version 2 names the predicate and its entry, and its replies are
-// wider.
+// All numbers are little-endian. The plan in the header names the predicate and its entry. A query record is the
+// numbers of one query in the order of the entry's columns: for sphere-triangle the thirteen ax ay az bx by bz cx cy cz
+// px py pz r.
 #pragma once
 #include <array>
 #include <bit>
@@ -34,38 +33,26 @@ struct Head {
 static_assert(sizeof(Head) == 64 && offsetof(Head, count) == 16 && offsetof(Head, plan_sha256) == 32);
 
 inline constexpr std::array<char, 8> magic = {'A', 'X', 'I', 'S', 'C', 'E', 'R', 'T'};
-inline constexpr std::uint32_t first_version = 1, general_version = 2;
+inline constexpr std::uint32_t version = 3;
 inline constexpr std::uint32_t header_multiple = 64;
 inline constexpr std::uint32_t greatest_header = 1 << 20;  // a greater size is taken for a corrupted one
 
-// A reply in version 1.
 struct ReplyRecord {
   std::uint8_t verdict;  // contact 0, separated 1, undecided 2, invalid 3
   std::uint8_t flags;
-  std::uint16_t bits;  // bit i is comparison i; 0 if the flag is not set
-};
-static_assert(sizeof(ReplyRecord) == 4);
-
-// A reply in version 2.
-struct WideReplyRecord {
-  std::uint8_t verdict;
-  std::uint8_t flags;
   std::array<std::uint8_t, 6> padding;  // 0
-  std::uint64_t bits;
+  std::uint64_t bits;                   // bit i is comparison i; 0 if the flag is not set
 };
-static_assert(sizeof(WideReplyRecord) == 16 && offsetof(WideReplyRecord, bits) == 8);
+static_assert(sizeof(ReplyRecord) == 16 && offsetof(ReplyRecord, bits) == 8);
 
 inline constexpr std::uint8_t has_bits = 1;  // `bits` is given
-// A flag of version 2: the reply is followed by measures, in the stream's precision. How many, the plan says
-// (`measures`, plugin::program_header).
+// The reply is followed by measures, in the stream's precision. How many, the plan says (`measures`,
+// plugin::program_header).
 inline constexpr std::uint8_t has_measures = 2;
 
 constexpr std::uint32_t code_of(Precision precision) { return precision == Precision::binary32 ? 32 : 64; }
 constexpr std::uint32_t record_size_of(Precision precision, std::size_t columns) {
   return static_cast<std::uint32_t>(columns) * code_of(precision) / 8;
-}
-inline std::uint32_t version_of(const Predicate& predicate) {
-  return written_name(predicate).empty() ? first_version : general_version;
 }
 
 }  // namespace axiscert::pipe
@@ -76,8 +63,7 @@ namespace axiscert {
 namespace pipe {
 
 // The header's bytes: the head and the plan, which is filled with spaces up to a multiple of header_multiple.
-std::string stream_header(std::string plan, const Predicate& predicate, std::size_t columns, Precision precision,
-                          std::uint64_t count);
+std::string stream_header(std::string plan, std::size_t columns, Precision precision, std::uint64_t count);
 
 }  // namespace pipe
 

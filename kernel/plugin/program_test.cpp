@@ -38,7 +38,7 @@ class Program : public testing::Test {
   const Kernel& manifest(const std::string& command, const std::string& more = "") const {
     static int number = 0;
     return find_kernel(wrote(fmt::format("m{}.json", ++number),
-                             fmt::format(R"({{"format":"axiscert-program/1","name":"tested","precisions":["binary32"],)"
+                             fmt::format(R"({{"format":"axiscert-program/2","name":"tested","precisions":["binary32"],)"
                                          R"("command":{}{}}})",
                                          command, more)));
   }

@@ -8,8 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "kernel/plugin/interface_1.h"
-
 namespace axiscert::plugin {
 
 inline constexpr int socket_fd = 3, memory_fd = 4;   // in the host
@@ -28,16 +26,9 @@ struct Shape {
   constexpr std::size_t arrays() const { return measure() + measures; }
 };
 
-// The size of one element of each array, in bytes.
-struct EntryBytes {
-  std::size_t real = 1, bits = 1;  // `bits` is 2 in version 1 of the interface
-
-  constexpr std::size_t of(const Shape& shape, std::size_t array) const {
-    return array == shape.verdict() ? 1 : array == shape.bits() ? bits : real;
-  }
-};
-constexpr std::size_t bits_bytes(std::uint32_t abi) {
-  return abi == interface_1::number ? sizeof(std::uint16_t) : sizeof(std::uint64_t);
+// The size of one element of an array, in bytes; `real` is that of a number of the kernel's precision.
+constexpr std::size_t entry_bytes(const Shape& shape, std::size_t array, std::size_t real) {
+  return array == shape.verdict() ? sizeof(std::uint8_t) : array == shape.bits() ? sizeof(std::uint64_t) : real;
 }
 
 // Where in its area each array of a call lies. At an end it is flush with the guard pages, so that one step beyond is

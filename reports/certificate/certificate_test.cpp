@@ -74,7 +74,7 @@ TEST(Certificate, AWordThatWasChangedIsToldFromAFileThatIsCutOff) {
 
 TEST(Certificate, AnotherVersionAndAnotherStatementAreNamed) {
   Json statement = stored_statement();
-  for (const char* other : {"urn:axiscert:certificate:1", "urn:axiscert:certificate:3"}) {
+  for (const char* other : {"urn:axiscert:certificate:2", "urn:axiscert:certificate:4"}) {
     statement["predicateType"] = other;
     const std::string refusal = refusal_of(canonical_json(statement));
     EXPECT_THAT(refusal, HasSubstr(std::string("error: c.json: is a certificate of version ") + other + "; axiscert"));
@@ -93,7 +93,7 @@ TEST(Certificate, WhatConformsToNoSchemaIsRefusedThoughItsDigestIsRight) {
     Json statement = stored_statement();
     statement["predicate"].erase(member);
     EXPECT_THAT(refusal_of(canonical_json(with_digest(statement))),
-                HasSubstr("does not conform to axiscert-certificate/2"))
+                HasSubstr("does not conform to axiscert-certificate/3"))
         << member;
   }
   CertificateStatement written = certificate_of(stored_statement());

@@ -83,7 +83,7 @@ struct ComparisonData {
   std::vector<NotCompared> not_compared;
   std::vector<WitnessRecord> new_witnesses;
 
-  static constexpr std::string_view format = "axiscert-comparison/2", title = "axiscert comparison";
+  static constexpr std::string_view format = "axiscert-comparison/3", title = "axiscert comparison";
   static constexpr std::string_view about = "The result of `axiscert compare OLD NEW`.";
   static constexpr auto fields(auto&& visit) {
     using Of = ComparisonData;

@@ -99,7 +99,7 @@ TEST(ReplayPromises, TouchingQueriesThatAreEitherNowAreNotMended) {
     "p": ["0x0p+0", "0x0p+0", "0x0p+0"], "r": "0x1p+0", "truth": "contact", "computed": "separated", "touching": true,
     "flips": [{"level": "verdict", "name": "verdict", "kind": "false_separation", "decisive": true, "links": ["rounding"]}]})");
   record.witnesses = {read_as<WitnessRecord>(witness)};
-  const std::string either = fmt::format("plugin:{}/layouts/before_may_decline.so", BUILD_FOLDER);
+  const std::string either = fmt::format("plugin:{}/layouts/all_but_last.so", BUILD_FOLDER);
   kernel.id = record.witnesses[0].kernel = record.plan.kernels[0] = either;
   const auto replayed = [&] { return replay_witnesses(record, scalar_target, {{either, either}}); };
   const auto now = replayed();

@@ -67,6 +67,7 @@ std::span<const SchemaEntry> schemas() {
       SchemaEntry{"mutation-by-verdict", schema_of<MutationByVerdictData>},
       SchemaEntry{"mutation-of-certified", schema_of<MutationOfCertifiedData>},
       SchemaEntry{"precision", schema_of<PrecisionData>},
+      SchemaEntry{"predicates", schema_of<PredicatesData>},
       SchemaEntry{"proofs", schema_of<ProofsData>},
       SchemaEntry{"ratchet", schema_of<RatchetOutcome>},
       SchemaEntry{"record", schema_of<Record>},
@@ -74,7 +75,6 @@ std::span<const SchemaEntry> schemas() {
       SchemaEntry{"run", schema_of<RunFile>},
       SchemaEntry{"search", schema_of<SearchData>},
       SchemaEntry{"shrink", schema_of<ShrinkLine>},
-      SchemaEntry{"predicates", schema_of<PredicatesData>},
   };
   return all;
 }

@@ -156,7 +156,7 @@ TEST(RatchetOfPromises, BadLinesAreNamed) {
   EXPECT_THAT(with("queries=4495 ", ""), HasSubstr("PRECISION queries=NUMBER touching=ANSWER"));
   EXPECT_THAT(with("binary32 queries", "binary16 queries"), HasSubstr("PRECISION 'binary16'"));
   EXPECT_THAT(with("touching=contact", "touch=contact"), HasSubstr("r.txt:4: 'touch=contact' is no part of a promise"));
-  EXPECT_THAT(promise_error("axiscert-ratchet/3 p\n"), HasSubstr("without a promise: line it holds no kernel"));
+  EXPECT_THAT(promise_error("axiscert-ratchet/4 p\n"), HasSubstr("without a promise: line it holds no kernel"));
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ std::string ratchet_text(const Record& record);
 
 // The file of a ratchet:
 //
-//   axiscert-ratchet/3 PLAN [PREDICATE]
+//   axiscert-ratchet/4 PLAN [PREDICATE]
 //   kernel: KERNEL [FILE:SHA256]...
 //   promise: PRECISION queries=NUMBER touching=ANSWER [PART]...
 //   accept: EXPIRY OWNER REASON

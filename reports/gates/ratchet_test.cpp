@@ -176,7 +176,7 @@ TEST(Ratchet, AnOutcomeOfAnotherPlanOrFormIsRefused) {
   const TestFolder folder;
   write_held(folder);
   const std::string good = folder.read("ratchet.json");
-  for (const auto& [old, with, says] : {std::array{"held/2", "held/3", "axiscert-held/3"},
+  for (const auto& [old, with, says] : {std::array{"held/3", "held/2", "axiscert-held/2"},
                                         {"\"plan\":\"", "\"plan\":\"f", "belongs to another plan"},
                                         {"\"better\"", "\"bitter\"", "without \"better\""}}) {
     folder.write("ratchet.json", replaced(good, old, with));
@@ -227,8 +227,11 @@ TEST(Ratchet, BadLinesAreNamed) {
   const auto with = [&](const std::string& old, const std::string& now) { return error_of(replaced(good, old, now)); };
   EXPECT_THAT(error_of(""), HasSubstr("r.txt: empty"));
   EXPECT_THAT(error_of("{}\n"), HasSubstr("r.txt:1: begins with '{}'"));
-  for (const char* other : {"ratchet/1", "ratchet/2", "ratchet/4"})
-    EXPECT_THAT(with("ratchet/3", other), HasSubstr("run without --ratchet, and review the ratchet.txt")) << other;
+  for (const char* other : {"ratchet/1", "ratchet/3", "ratchet/5"})
+    EXPECT_THAT(with("ratchet/4", other),
+                HasSubstr(fmt::format("r.txt:1: 'axiscert-{}' is of another version than 'axiscert-ratchet/4', which "
+                                      "this axiscert reads; run without --ratchet, and review the ratchet.txt",
+                                      other)));
   EXPECT_THAT(error_of(ratchet_text(stored_record())), HasSubstr("r.txt:7: EXPIRY 'EXPIRY' is neither a day"));
   EXPECT_THAT(with(" never ", " 2026-02-30 "), HasSubstr("'2026-02-30' is neither a day"));
   EXPECT_THAT(with(" mk ", " OWNER "), HasSubstr("OWNER is not filled in"));
@@ -318,11 +321,11 @@ TEST(RatchetOfContacts, ATunnelThatIsDeeperFails) {
 }
 
 TEST(RatchetOfContacts, APlaceOrFigureThatThePredicateDoesNotHaveIsRefused) {
-  const std::string motions = "axiscert-ratchet/3 p moving-sphere\n",
+  const std::string motions = "axiscert-ratchet/4 p moving-sphere\n",
                     lines =
                         "kernel: k\npromise: binary32 queries=9 touching=contact\n"
                         "accept: never mk why\nfamily: binary32 f\n";
-  EXPECT_THAT(refused_with("axiscert-ratchet/3 p\n" + lines + "time late=5\n"),
+  EXPECT_THAT(refused_with("axiscert-ratchet/4 p\n" + lines + "time late=5\n"),
               HasSubstr("'time' is no place of a figure"));
   EXPECT_THAT(refused_with(motions + lines + "time tardy=5\n"),
               HasSubstr("late, early, none, invalid, through, deepest_tunnel"));

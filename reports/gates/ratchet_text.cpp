@@ -21,7 +21,7 @@
 namespace axiscert {
 namespace {
 
-constexpr std::string_view ratchet_schema = "axiscert-ratchet/3", any_ratchet = "axiscert-ratchet/";
+constexpr std::string_view ratchet_schema = "axiscert-ratchet/4", any_ratchet = "axiscert-ratchet/";
 constexpr std::string_view queries_word = "queries=";
 constexpr std::string_view open_expiry = "EXPIRY", open_owner = "OWNER", open_reason = "REASON";
 
@@ -235,8 +235,8 @@ Ratchet parse_ratchet(std::string_view text, const std::string& name) {
     if (ratchet.plan.empty()) {
       if (words[0] != ratchet_schema && words[0].starts_with(any_ratchet)) {
         line.fail(
-            fmt::format("'{}' is of another version than '{}', which states what each kernel promises; run without "
-                        "--ratchet, and review the ratchet.txt that the run writes",
+            fmt::format("'{}' is of another version than '{}', which this axiscert reads; run without --ratchet, and "
+                        "review the ratchet.txt that the run writes",
                         words[0].substr(0, 80), ratchet_schema));
       }
       if (words[0] != ratchet_schema || words.size() < 2 || words.size() > 3) {

@@ -8,7 +8,7 @@
 namespace axiscert {
 
 struct DiagnosisData : CommandData<DiagnosisData> {
-  static constexpr std::string_view format = "axiscert-diagnosis/1", title = "What a kernel is like";
+  static constexpr std::string_view format = "axiscert-diagnosis/2", title = "What a kernel is like";
   Diagnosis diagnosis;
 
   static constexpr std::string_view about =

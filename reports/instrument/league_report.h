@@ -113,7 +113,7 @@ struct LeagueKernelData {
 };
 
 struct LeagueData : CommandData<LeagueData> {
-  static constexpr std::string_view format = "axiscert-league/2", title = "Kernels and libraries on the same queries";
+  static constexpr std::string_view format = "axiscert-league/3", title = "Kernels and libraries on the same queries";
   WholeNumber seed;
   std::vector<LeagueKernelData> kernels;
   std::vector<Name> not_checked;

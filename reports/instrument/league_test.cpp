@@ -159,7 +159,7 @@ TEST(LeagueWorst, IsTheDeepestMissBeforeAnyInventedContact) {
 
 TEST(LeagueWorst, HasTheCodeOfAProgramsManifestWithNumbersThatReadBackExactly) {
   TestFolder folder;
-  folder.write("m.json", R"({"format":"axiscert-program/1","name":"m","command":["sh"],"precisions":["binary32"],)"
+  folder.write("m.json", R"({"format":"axiscert-program/2","name":"m","command":["sh"],"precisions":["binary32"],)"
                          R"("package":"three","version":"1.2","code":["ask({r});","{ax}"]})");
   const Kernel kernel = plugin::load_program("program:m.json", (folder.path() / "m.json").string());
   const WorstRun run(kernel);

@@ -38,7 +38,7 @@ struct ListedFamily {
 struct FamiliesData : DataHead<FamiliesData> {
   std::vector<ListedFamily> families;
 
-  static constexpr std::string_view format = "axiscert-families/1", title = "The families",
+  static constexpr std::string_view format = "axiscert-families/2", title = "The families",
                                     about = "`axiscert families --format json`. It depends on the version alone.";
   static constexpr auto fields(auto&& visit) {
     using Of = FamiliesData;
@@ -135,7 +135,7 @@ struct ListedPredicate {
 struct PredicatesData : DataHead<PredicatesData> {
   std::vector<ListedPredicate> predicates;
 
-  static constexpr std::string_view format = "axiscert-tests/1", title = "The predicates",
+  static constexpr std::string_view format = "axiscert-predicates/2", title = "The predicates",
                                     about = "`axiscert predicates --format json`. It depends on the version alone.";
   static constexpr auto fields(auto&& visit) {
     using Of = PredicatesData;
@@ -200,7 +200,7 @@ struct ListedKernel {
 struct KernelsData : DataHead<KernelsData> {
   std::vector<ListedKernel> kernels;
 
-  static constexpr std::string_view format = "axiscert-kernels/1", title = "The kernels",
+  static constexpr std::string_view format = "axiscert-kernels/2", title = "The kernels",
                                     about =
                                         "`axiscert kernels --format json`. It depends on the build, and on the "
                                         "instruction sets of the machine.";

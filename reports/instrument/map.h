@@ -110,7 +110,7 @@ struct MapData {
 };
 
 struct MapsData : DataHead<MapsData> {
-  static constexpr std::string_view format = "axiscert-maps/2", title = "The maps of a folder";
+  static constexpr std::string_view format = "axiscert-maps/3", title = "The maps of a folder";
   std::vector<LegendData> legend;
   std::vector<MapData> maps;
 

@@ -129,7 +129,7 @@ struct ControlData {
 };
 
 struct MutationData : CommandData<MutationData> {
-  static constexpr std::string_view format = "axiscert-mutation/1",
+  static constexpr std::string_view format = "axiscert-mutation/2",
                                     title = "What the harness catches of the faults planted in a kernel";
   MutationRunData run;
   std::map<Precision, CatchScoreData> score;
@@ -238,7 +238,7 @@ struct GateControlData {
 };
 
 struct MutationByVerdictData : CommandData<MutationByVerdictData> {
-  static constexpr std::string_view format = "axiscert-mutation-by-verdict/1",
+  static constexpr std::string_view format = "axiscert-mutation-by-verdict/2",
                                     title =
                                         "What a gate refuses of the faults planted in a kernel that shows its verdict "
                                         "alone";
@@ -289,7 +289,7 @@ struct CertifiedStepData {
 
 struct MutationOfCertifiedData : CommandData<MutationOfCertifiedData> {
   static constexpr std::string_view
-      format = "axiscert-mutation-of-certified/1",
+      format = "axiscert-mutation-of-certified/2",
       title = "What queries show of the faults planted in the recorded steps of the certified predicate";
   std::uint64_t queries = 0;
   WholeNumber seed;

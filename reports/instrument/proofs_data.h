@@ -54,7 +54,7 @@ struct ProofsData : DataHead<ProofsData> {
   ProofCheckersData checkers;
   std::vector<ProvedBoundData> bounds;
 
-  static constexpr std::string_view format = "axiscert-proofs/1",
+  static constexpr std::string_view format = "axiscert-proofs/2",
                                     title = "What is proved of the rounding errors, and which checkers said so",
                                     about =
                                         "proofs.json, which `axiscert prove` writes. It depends on the scripts and on "

@@ -71,7 +71,7 @@ struct QueryRow : DataHead<QueryRow> {
   std::vector<FindingKind> findings;
   std::optional<std::optional<MeasuresRecord>> measures;
 
-  static constexpr std::string_view format = "axiscert-row/1", title = "A query and one kernel's answer to it",
+  static constexpr std::string_view format = "axiscert-row/2", title = "A query and one kernel's answer to it",
                                     about =
                                         "The numbers of the query have the names of the groups of columns of its "
                                         "predicate.";
@@ -171,7 +171,7 @@ struct CheckLine : DataHead<CheckLine> {
   std::optional<Name> predicate;
   std::optional<std::optional<NamedValues<ComparisonErrorLine>>> errors;
 
-  static constexpr std::string_view format = "axiscert-check/1", title = "A query judged",
+  static constexpr std::string_view format = "axiscert-check/2", title = "A query judged",
                                     about =
                                         "A line of `axiscert check --format jsonl`: one query, the exact answers, "
                                         "those of the kernel, and why they differ.";
@@ -269,7 +269,7 @@ struct ShrunkQuery : StoredLine {
 struct ShrinkLine : DataHead<ShrinkLine> {
   ShrunkQuery query;
 
-  static constexpr std::string_view format = "axiscert-shrink/1", title = "A query made smaller",
+  static constexpr std::string_view format = "axiscert-shrink/2", title = "A query made smaller",
                                     about =
                                         "A line of `axiscert shrink --format jsonl`: a line of a query file "
                                         "(docs/queries.md) with the smaller query, and what it was made from.";

@@ -118,7 +118,7 @@ struct BegunFromData {
 };
 
 struct SearchData : DataHead<SearchData> {
-  static constexpr std::string_view format = "axiscert-search/1", title = "The worst of a kernel that a search found";
+  static constexpr std::string_view format = "axiscert-search/2", title = "The worst of a kernel that a search found";
   bool complete = true;
   Name kernel;
   Precision precision = Precision::binary32;

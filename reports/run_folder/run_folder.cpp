@@ -37,10 +37,10 @@ void require_format(const Json& value, std::string_view format, const std::strin
   if (!value.is_object() || !value.contains("schema"))
     throw Error(fmt::format("{}: has no \"schema\": \"{}\", which axiscert writes; {}", name, format, advice));
   if (value["schema"] != format) {
-    throw Error(
-        fmt::format("{}: its schema is {}, but this axiscert reads \"{}\"; use the axiscert that wrote it, or run "
-                    "again",
-                    name, shown(value["schema"].dump()), format));
+    throw Error(fmt::format(
+        "{}: its schema is {}, but this axiscert reads \"{}\"; make the folder again with `axiscert run`, or "
+        "use the axiscert that wrote it",
+        name, shown(value["schema"].dump()), format));
   }
 }
 

@@ -74,7 +74,7 @@ struct RatchetOutcome {
   std::vector<WaivedCells> held;
   std::string accepted;
 
-  static constexpr std::string_view format = "axiscert-held/2",
+  static constexpr std::string_view format = "axiscert-held/3",
                                     title = "What a run was held to, and where it falls short";
   static constexpr std::string_view about =
       "ratchet.json, which `axiscert run --ratchet` writes and the reports read. A run without --ratchet leaves none.";

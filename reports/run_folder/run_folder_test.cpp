@@ -75,9 +75,11 @@ TEST(RunFolder, ErrorHasNoControlCharacters) {
 }
 
 TEST(RunFolder, AnotherSchemaIsRefusedByName) {
-  const std::string error = error_after_edit([](Json& record) { record["schema"] = "axiscert-record/4"; });
-  EXPECT_THAT(error, HasSubstr("\"axiscert-record/4\""));
-  EXPECT_THAT(error, HasSubstr("\"axiscert-record/3\""));
+  for (const char* other : {"axiscert-record/3", "axiscert-record/5"}) {
+    const std::string error = error_after_edit([&](Json& record) { record["schema"] = other; });
+    EXPECT_THAT(error, HasSubstr(fmt::format("record.json: its schema is \"{}\"", other)));
+    EXPECT_THAT(error, HasSubstr("but this axiscert reads \"axiscert-record/4\"; make the folder again"));
+  }
   EXPECT_THAT(error_after("[1]"), HasSubstr("has no \"schema\""));
 }
 
@@ -169,8 +171,8 @@ TEST(RunFolder, BadRunInfoIsRefusedByName) {
   const TestFolder folder(stored_record());
   folder.write("run.json", "{");
   EXPECT_THAT(folder.rendering_error(), HasSubstr("run.json"));
-  folder.write("run.json", R"({"schema": "axiscert-run/2"})");
-  EXPECT_THAT(folder.rendering_error(), HasSubstr("axiscert-run/2"));
+  folder.write("run.json", R"({"schema": "axiscert-run/1"})");
+  EXPECT_THAT(folder.rendering_error(), HasSubstr("run.json: its schema is \"axiscert-run/1\""));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "report.html"));
 }
 

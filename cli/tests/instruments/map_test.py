@@ -100,9 +100,9 @@ class Map(Case):
         self.map("--size", 4, "--what", "plane", "--name", "other")
         path = self.folder / "maps/index.json"
         good = path.read_text()
-        for text, says in {"[]": ["axiscert-maps/2", "remove it, or give another --out"],
-                           good[:-20]: ["axiscert-maps/2"],
-                           good.replace("axiscert-maps/2", "axiscert-maps/1"): ["axiscert-maps/1"],
+        for text, says in {"[]": ["axiscert-maps/3", "remove it, or give another --out"],
+                           good[:-20]: ["axiscert-maps/3"],
+                           good.replace("axiscert-maps/3", "axiscert-maps/2"): ["axiscert-maps/2", "axiscert-maps/3", "remove it"],
                            good.replace('"level": "axis"', '"level": "pane"'): ["/maps/0/pictures/0/level", "remove it"],
                            good.replace('"witness"', '"witless"'): ["/maps/0", "witness"]}.items():
             with self.subTest(says=says):

@@ -46,7 +46,15 @@ std::uint64_t content_check(std::uint64_t offset, std::string_view content) {
   return first_bytes<std::uint64_t>(fmt::format("{}{}", raw(offset), content));
 }
 
-std::string first_line(const std::string& plan_digest) { return "axiscert-journal/2 " + plan_digest + "\n"; }
+constexpr std::string_view any_journal = "axiscert-journal/", journal_format = "axiscert-journal/3";
+
+std::string first_line(const std::string& plan_digest) { return fmt::format("{} {}\n", journal_format, plan_digest); }
+
+// What to do about a journal of another version; empty for one of this version, or for what is no journal.
+std::string advice_on(std::string_view start) {
+  const bool is_of_another = start.starts_with(any_journal) && !start.starts_with(journal_format);
+  return is_of_another ? "; it is of another version: run the plan again into an empty folder" : "";
+}
 
 // Reads a file from its start, some bytes at a time: a journal may be larger than memory.
 class JournalReader {
@@ -60,8 +68,8 @@ class JournalReader {
     if (start.size() < line.size() && line.starts_with(start)) return {0, start.size()};
     if (start != line) {
       throw Error(
-          fmt::format("{}: is not a journal of this plan: it begins with \"{}\", the plan's journals with \"{}\"",
-                      path_, start.substr(0, start.find('\n')), line.substr(0, line.size() - 1)));
+          fmt::format("{}: is not a journal of this plan: it begins with \"{}\", the plan's journals with \"{}\"{}",
+                      path_, start.substr(0, start.find('\n')), line.substr(0, line.size() - 1), advice_on(start)));
     }
     std::uint64_t offset = line.size();
     while (true) {

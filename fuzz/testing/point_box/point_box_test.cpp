@@ -164,7 +164,7 @@ std::string replied(const Kernel& kernel, const std::string& queries) {
   ask(kernel.on<Real>(scalar_target), batch.columns(), reply);
   std::string bytes = queries.substr(0, head.header_size);
   for (std::size_t i = 0; i < head.count; ++i) {
-    const pipe::WideReplyRecord record{
+    const pipe::ReplyRecord record{
         static_cast<std::uint8_t>(reply.verdicts[i]), pipe::has_bits, {}, reply.answers.bits[i]};
     bytes.append(reinterpret_cast<const char*>(&record), sizeof record);
   }

@@ -23,10 +23,10 @@ extern "C" {
 #endif
 
 /* The version of everything below. A change to an existing member gives the interface another number, and axiscert
- * refuses a kernel whose number it does not know (it knows 1 too). A new member goes to the end of its struct and
- * leaves the number as it is: every struct has a `size` in bytes, set by the side that fills it in, and the other side
- * reads nothing beyond it. */
-#define AXISCERT_PLUGIN_ABI 2u
+ * refuses a kernel of any other: build it again with the header of that axiscert. A new member goes to the end of its
+ * struct and leaves the number as it is: every struct has a `size` in bytes, set by the side that fills it in, and the
+ * other side reads nothing beyond it. */
+#define AXISCERT_PLUGIN_ABI 3u
 
 /* Upper limits for every predicate. */
 #define AXISCERT_MOST_COLUMNS 64

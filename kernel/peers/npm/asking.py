@@ -9,12 +9,14 @@ from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
 VERDICTS = ("contact", "separated", "undecided", "invalid")
-# Each question: a predicate, or TEST/ENTRY where the predicate has several; the members of its query lines, and how many numbers these have.
+# Each question: a predicate, or PREDICATE/ENTRY where the predicate has several; the members of its query lines, and how many numbers these have.
 MEMBERS = {"sphere-triangle": ("a", "b", "c", "p", "r"), "moving-sphere": ("a", "b", "c", "p", "d", "r"), "box-box": ("a", "b"),
            "box-triangle": ("box", "a", "b", "c")}
 COLUMNS = {"sphere-triangle": 13, "moving-sphere": 16, "box-box/matrix": 30, "box-box/quaternion": 20, "box-triangle/centre": 15,
            "box-triangle/minmax": 15, "box-triangle/matrix": 24}
+FIRST_ENTRY = {"sphere-triangle": "vertices", "moving-sphere": "displacement"}  # of those that need no name of theirs above
 BOX_MEMBERS = "mslhbq"
+VERSION, REPLY = 3, 16  # of the streams; bytes of a reply without measures
 SECONDS = 300  # for a program to answer a stream
 
 
@@ -74,10 +76,9 @@ def stream(queries, precision="binary32", question="sphere-triangle", measures=0
     bits = {"binary32": 32, "binary64": 64}[precision]
     predicate, _, entry = question.partition("/")
     columns = COLUMNS.get(question, 13)
-    plan = json.dumps({"predicate": predicate, **({"entry": entry} if entry else {}), "columns": columns,
+    plan = json.dumps({"predicate": predicate, "entry": entry or FIRST_ENTRY.get(predicate, ""), "columns": columns,
                        **({"measures": measures} if measures else {})}).encode().ljust(128)
-    version = 1 if predicate == "sphere-triangle" else 2
-    head = struct.pack("<8sIIQII", b"AXISCERT", version, bits, len(queries), 64 + len(plan), columns * bits // 8)
+    head = struct.pack("<8sIIQII", b"AXISCERT", VERSION, bits, len(queries), 64 + len(plan), columns * bits // 8)
     record = struct.Struct(f"<{columns}{'f' if bits == 32 else 'd'}")
     return head + hashlib.sha256(plan).digest() + plan + b"".join(record.pack(*query) for query in queries)
 
@@ -90,12 +91,11 @@ def run(command, folder, sent):
 def verdicts(output, sent, count):
     """The verdicts of the reply stream that `output` begins with, to `sent` of `count` queries; and what follows the stream."""
     size = struct.unpack_from("<I", sent, 24)[0]
-    reply = 4 if struct.unpack_from("<I", sent, 8)[0] == 1 else 16
-    end = size + reply * count
+    end = size + REPLY * count
     assert output[:size] == sent[:size], "the reply stream does not begin with the query stream's header"
     assert len(output) >= end, f"{len(output)} bytes of reply, not {end}"
-    assert not any(output[i] for i in range(size, end) if (i - size) % reply), "a reply has more than a verdict"
-    return [VERDICTS[v] for v in output[size:end:reply]], output[end:]
+    assert not any(output[i] for i in range(size, end) if (i - size) % REPLY), "a reply has more than a verdict"
+    return [VERDICTS[v] for v in output[size:end:REPLY]], output[end:]
 
 
 def ask_measures(command, folder, queries, count, precision="binary32", question="moving-sphere"):

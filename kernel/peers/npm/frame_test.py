@@ -66,7 +66,7 @@ class Answers(unittest.TestCase):
         self.assertEqual(asking.ask_each(TOY, asking.FOLDER, [[query(RIGHT)] * 3, [], [query(TRAP)], [query(MADE_ONCE)]]),
                          [["contact"] * 3, [], ["undecided"], ["separated"]])
 
-    def test_another_test_has_its_own_columns_and_wide_replies(self):
+    def test_another_predicate_has_its_own_columns(self):
         moved = [query(RIGHT)[:12] + rest for rest in ([0, 0, 7, 1], [7, 0, 0, 1], [-7, 0, 7, 0], [0, 0, 7, -1])]
         self.assertEqual(asking.ask(TOY, asking.FOLDER, moved, question="moving-sphere"),
                          ["contact", "separated", "contact", "invalid"])
@@ -105,7 +105,7 @@ class Answers(unittest.TestCase):
             for _ in range(2):
                 program.stdin.write(sent)
                 program.stdin.flush()
-                answer = program.stdout.read(struct.unpack_from("<I", sent, 24)[0] + 4)
+                answer = program.stdout.read(struct.unpack_from("<I", sent, 24)[0] + asking.REPLY)
                 self.assertEqual(asking.verdicts(answer, sent, 1), (["contact"], b""))
             program.stdin.close()
             self.assertEqual(program.wait(asking.SECONDS), 0)
@@ -150,7 +150,8 @@ class NoStream(unittest.TestCase):
             return good[:offset] + struct.pack("<I", value) + good[offset + 4:]
 
         for sent, says in ((b"{}", "not a query stream"), (b"x" * 200, "not a query stream"), (good[:70], "within its header"),
-                           (good[:-1], "ends after 2 of 3 queries"), (with_field(8, 3), "version is 3"),
+                           (good[:-1], "ends after 2 of 3 queries"), (with_field(8, 1), "version is 1; this program reads 3"),
+                           (with_field(8, 2), "version is 2; this program reads 3"), (with_field(8, 4), "version is 4"),
                            (with_field(12, 16), "precision is 16"), (with_field(24, 32), "header's size is 32"),
                            (with_field(24, 2**21), "header's size"), (with_field(28, 51), "has 52 bytes, not 51"),
                            (good + b"AXIS", "not a query stream"),
@@ -171,7 +172,7 @@ class Manifests(unittest.TestCase):
         self.assertTrue(self.MANIFESTS)
         for file, of in self.MANIFESTS.items():
             with self.subTest(file):
-                self.assertEqual(of["format"], "axiscert-program/1")
+                self.assertEqual(of["format"], "axiscert-program/2")
                 self.assertEqual(of["name"].replace("/", "-") + ".json", file.name)
                 self.assertEqual(self.WANTED[of["package"]], of["version"])
                 self.assertEqual(of["command"][0], "node")

@@ -52,7 +52,7 @@ void locate(const std::byte* address, Fault& fault) {
   }
   fault.in_arrays = true;
   fault.array = static_cast<std::uint32_t>((from_first + half_guard) / slot);
-  const auto element = static_cast<std::ptrdiff_t>(arrays.placed.bytes.of(arrays.shape, fault.array));
+  const auto element = static_cast<std::ptrdiff_t>(entry_bytes(arrays.shape, fault.array, arrays.placed.real));
   const std::ptrdiff_t bytes = address - arrays.first(fault.array);
   fault.element = bytes >= 0 ? bytes / element : -((-bytes + element - 1) / element);
   fault.element_count = arrays.placed.size;

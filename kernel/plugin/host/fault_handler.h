@@ -17,13 +17,14 @@ struct Arrays {
   struct {
     Placement placement;
     std::size_t size;
-    EntryBytes bytes;
-  } placed = {};  // of the call under way
+    std::size_t real;  // bytes of a number
+  } placed = {};       // of the call under way
 
   std::size_t slot() const { return area_bytes + guard; }
   std::byte* area(std::size_t array) const { return reserved + guard + array * slot(); }
   std::byte* first(std::size_t array) const {
-    return area(array) + array_offset(placed.placement, placed.size, placed.bytes.of(shape, array), area_bytes);
+    return area(array) +
+           array_offset(placed.placement, placed.size, entry_bytes(shape, array, placed.real), area_bytes);
   }
 };
 

@@ -96,7 +96,7 @@ std::uint64_t nanoseconds(std::chrono::steady_clock::duration taken) {
 }
 
 Reply answer(const OfferedKernel& kernel, const Request& request, Arrays& arrays) {
-  arrays.placed = {request.placement, request.size, {kernel.says.precision / 8, bits_bytes(kernel.abi)}};
+  arrays.placed = {request.placement, request.size, kernel.says.precision / 8};
   const Call call(kernel, request, arrays);
   std::fesetenv(FE_DFL_ENV);
   const FloatingState before = floating_state();
@@ -137,7 +137,7 @@ int serve(const char* path, const Shape& shape) {
 
 // The header of a batch and its queries: the numbers of the columns, query by query.
 std::vector<std::byte> stream_of(const ProgramHeader& header, const Request& request, const Arrays& arrays) {
-  const std::size_t number = arrays.placed.bytes.real, record = number * arrays.shape.columns;
+  const std::size_t number = arrays.placed.real, record = number * arrays.shape.columns;
   std::vector<std::byte> stream(header.size + request.size * record);
   std::memcpy(stream.data(), header.bytes, header.size);
   const std::uint64_t count = request.size;
@@ -154,10 +154,10 @@ std::vector<std::byte> stream_of(const ProgramHeader& header, const Request& req
 Reply answer(Program& program, const Request& request, Arrays& arrays, Control& control) {
   const ProgramHeader& header = control.headers[request.kernel];
   const bool wants_bits = request.exposes >= AXISCERT_COMPARISONS;
-  arrays.placed = {request.placement, request.size, {request.kernel == 0 ? 4u : 8u, bits_bytes(AXISCERT_PLUGIN_ABI)}};
+  arrays.placed = {request.placement, request.size, request.kernel == 0 ? sizeof(float) : sizeof(double)};
   const std::vector<std::byte> stream = stream_of(header, request, arrays);
   const auto whole = std::span(stream);
-  const std::size_t number = arrays.placed.bytes.real;
+  const std::size_t number = arrays.placed.real;
   ReplyReader replies(whole.first(header.size), request.size, wants_bits, header.measures * number);
   const auto start = std::chrono::steady_clock::now();
   const auto stop = request.size == 0 ? program.try_out(whole, replies, request.start_seconds)

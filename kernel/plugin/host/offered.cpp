@@ -27,27 +27,7 @@ T as_far_as(std::size_t size, const void* from) {
   return read;
 }
 
-void read_1(const void* from, OfferedKernel& out) {
-  const auto kernel = first_of<interface_1::Kernel>(from);
-  const interface_1::Limits& l = kernel.limits;
-  out.run_1 = kernel.run;
-  out.limits = {sizeof out.limits, l.least_coordinate, l.greatest_coordinate,
-                l.least_area,      l.least_radius,     l.greatest_radius};
-  axiscert_kernel& says = out.says;
-  says.abi = kernel.abi;
-  says.precision = kernel.precision;
-  says.size = sizeof says;
-  says.name = kernel.name;
-  says.column_count = interface_1::column_count;
-  says.summary = kernel.summary;
-  says.exposes = kernel.exposes;
-  says.touching = kernel.touching;
-  says.conforms_to = kernel.conforms_to;
-  says.formulae = kernel.formulae;
-  says.limits = &out.limits;
-}
-
-void read_2(const void* from, OfferedKernel& out) {
+void read_kernel(const void* from, OfferedKernel& out) {
   const auto* const bytes = static_cast<const std::byte*>(from);
   const auto size = first_of<std::size_t>(bytes + offsetof(axiscert_kernel, size));
   out.says.size = size;
@@ -75,8 +55,7 @@ void copy_end(char (&to)[size], const char* from) {
 OfferedKernel offered(const void* kernel) {
   OfferedKernel out;
   out.abi = first_of<std::uint32_t>(kernel);
-  if (out.abi == interface_1::number) read_1(kernel, out);
-  else if (out.abi == AXISCERT_PLUGIN_ABI) read_2(kernel, out);
+  if (out.abi == AXISCERT_PLUGIN_ABI) read_kernel(kernel, out);
   return out;
 }
 
@@ -100,7 +79,7 @@ void describe(const OfferedKernel& kernel, Description& out) {
   out.measure_count = says.measure_count;
   const double limits[] = {l.least_coordinate, l.greatest_coordinate, l.least_area, l.least_radius, l.greatest_radius};
   std::memcpy(out.limits, limits, sizeof limits);
-  out.has_run = says.run != nullptr || kernel.run_1 != nullptr;
+  out.has_run = says.run != nullptr;
   out.has_conforms_to = says.conforms_to != nullptr;
   out.has_formulae = says.formulae != nullptr;
   const bool fits[] = {copy_text(out.name, says.name),
@@ -114,10 +93,6 @@ void describe(const OfferedKernel& kernel, Description& out) {
 }
 
 Call::Call(const OfferedKernel& kernel, const Request& request, const Arrays& arrays) : kernel_(kernel) {
-  kernel.run_1 ? prepare_1(request, arrays) : prepare(request, arrays);
-}
-
-void Call::prepare(const Request& request, const Arrays& arrays) {
   const Shape& shape = arrays.shape;
   batch_ = {sizeof batch_, request.size, shape.columns, column_};
   for (std::size_t k = 0; k < shape.columns; ++k) column_[k] = arrays.first(k);
@@ -138,20 +113,6 @@ void Call::prepare(const Request& request, const Arrays& arrays) {
   answers_.measure_count = request.measures;
   for (std::size_t k = 0; k < request.measures; ++k) measure_[k] = arrays.first(shape.measure() + k);
   if (request.measures > 0) answers_.measure = measure_;
-}
-
-void Call::prepare_1(const Request& request, const Arrays& arrays) {
-  const Shape& shape = arrays.shape;
-  batch_1_.size = request.size;
-  for (std::size_t k = 0; k < interface_1::column_count; ++k) batch_1_.coordinate[k] = arrays.first(k);
-  answers_1_.verdict = reinterpret_cast<std::uint8_t*>(arrays.first(shape.verdict()));
-  if (request.exposes >= AXISCERT_COMPARISONS) {
-    answers_1_.comparisons = reinterpret_cast<std::uint16_t*>(arrays.first(shape.bits()));
-  }
-  for (std::size_t k = 0; k < interface_1::comparison_count && request.exposes >= AXISCERT_SIDES; ++k) {
-    answers_1_.lhs[k] = arrays.first(shape.lhs() + k);
-    answers_1_.rhs[k] = arrays.first(shape.rhs() + k);
-  }
 }
 
 }  // namespace axiscert::plugin

@@ -7,8 +7,6 @@
 #include <cstring>
 #include <string_view>
 
-#include "kernel/plugin/pipe_format.h"
-
 namespace axiscert::plugin {
 namespace {
 
@@ -32,11 +30,7 @@ std::string_view view(std::span<const std::byte> bytes) {
 
 ReplyReader::ReplyReader(std::span<const std::byte> header, std::size_t queries, bool wants_bits,
                          std::size_t measure_bytes)
-    : header_(header), queries_(queries), wants_bits_(wants_bits), measure_bytes_(measure_bytes) {
-  std::uint32_t version = 0;
-  std::memcpy(&version, header.data() + offsetof(pipe::Head, version), sizeof version);
-  is_wide_ = version != pipe::first_version;
-}
+    : header_(header), queries_(queries), wants_bits_(wants_bits), measure_bytes_(measure_bytes) {}
 
 void ReplyReader::restart(bool is_next) {
   is_next_ = is_next;
@@ -84,28 +78,22 @@ void ReplyReader::take_reply() {
     fault_ = fmt::format("{} {}{}", which, what,
                          text.empty() ? "" : fmt::format("; it is text, {}: is it printed to standard output?", text));
   };
-  std::uint64_t bits = 0;
-  const auto verdict = static_cast<std::uint8_t>(reply_[0]), flags = static_cast<std::uint8_t>(reply_[1]);
-  if (is_wide_) std::memcpy(&bits, reply_.data() + offsetof(pipe::WideReplyRecord, bits), sizeof bits);
-  else {
-    std::uint16_t narrow = 0;
-    std::memcpy(&narrow, reply_.data() + offsetof(pipe::ReplyRecord, bits), sizeof narrow);
-    bits = narrow;
-  }
-  const bool has_padding =
-      is_wide_ && std::any_of(reply_.begin() + 2, reply_.begin() + 8, [](std::byte b) { return b != std::byte{}; });
+  pipe::ReplyRecord reply;
+  std::memcpy(&reply, reply_.data(), sizeof reply);
   const bool has_measures = measure_bytes_ != 0;
-  if ((flags & ~pipe::has_bits) != (has_measures ? pipe::has_measures : 0)) {
-    return fail(fmt::format("has flags {:#04x}; bit 0 says that comparison bits are given, {}the others are 0", flags,
+  if ((reply.flags & ~pipe::has_bits) != (has_measures ? pipe::has_measures : 0)) {
+    return fail(fmt::format("has flags {:#04x}; bit 0 says that comparison bits are given, {}the others are 0",
+                            reply.flags,
                             has_measures ? "bit 1, which its manifest asks for, that measures follow, " : ""));
   }
-  if (has_padding) return fail("has bytes 3 to 8 that are not 0");
-  const bool has_bits = (flags & pipe::has_bits) != 0;
-  if (!has_bits && bits != 0) return fail("has comparison bits, without the flag that says so");
+  if (std::ranges::any_of(reply.padding, [](std::uint8_t byte) { return byte != 0; }))
+    return fail("has bytes 3 to 8 that are not 0");
+  const bool has_bits = (reply.flags & pipe::has_bits) != 0;
+  if (!has_bits && reply.bits != 0) return fail("has comparison bits, without the flag that says so");
   if (!has_bits && wants_bits_) return fail("has no comparison bits, which its manifest says that it shows");
-  verdicts_.push_back(verdict);
-  bits_.push_back(bits);
-  measures_.insert(measures_.end(), reply_.begin() + static_cast<std::ptrdiff_t>(record_size()), reply_.end());
+  verdicts_.push_back(reply.verdict);
+  bits_.push_back(reply.bits);
+  measures_.insert(measures_.end(), reply_.begin() + sizeof reply, reply_.end());
   reply_.clear();
 }
 

@@ -8,13 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "kernel/plugin/pipe_format.h"
+
 namespace axiscert::plugin {
 
 class ReplyReader {
  public:
-  // `header` as it was written to the program, with the batch's count; it says how wide a reply is, and outlives this.
-  // `wants_bits`: every reply has to give comparison bits; otherwise they may, and are not read. `measure_bytes`: every
-  // reply is followed by so many bytes of measures.
+  // `header` as it was written to the program, with the batch's count; it outlives this. `wants_bits`: every reply has
+  // to give comparison bits; otherwise they may, and are not read. `measure_bytes`: every reply is followed by so many
+  // bytes of measures.
   ReplyReader(std::span<const std::byte> header, std::size_t queries, bool wants_bits, std::size_t measure_bytes = 0);
 
   // Takes the next bytes; returns how many of them it took: all, unless the last reply ends before, or there is a
@@ -41,13 +43,12 @@ class ReplyReader {
   const std::vector<std::byte>& measures() const { return measures_; }
 
  private:
-  std::size_t record_size() const { return is_wide_ ? 16 : 4; }
-  std::size_t reply_size() const { return record_size() + measure_bytes_; }
+  std::size_t reply_size() const { return sizeof(pipe::ReplyRecord) + measure_bytes_; }
   void take_reply();
 
   std::span<const std::byte> header_;
   std::size_t queries_;
-  bool wants_bits_, is_wide_;
+  bool wants_bits_;
   std::size_t measure_bytes_;
   bool is_next_ = false, is_faulty_ = false;
   std::size_t taken_ = 0;          // bytes, up to the fault

@@ -29,7 +29,12 @@ std::vector<std::byte> after_header(std::string_view replies) {
   return stream;
 }
 
-constexpr std::string_view three_replies{"\0\1\4\0\1\1\1\0\2\1\0\0", 12};
+std::string reply_bytes(std::uint8_t verdict, std::uint8_t flags, std::uint64_t bits) {
+  const pipe::ReplyRecord reply{verdict, flags, {}, bits};
+  return {reinterpret_cast<const char*>(&reply), sizeof reply};
+}
+
+const std::string three_replies = reply_bytes(0, 1, 4) + reply_bytes(1, 1, 1) + reply_bytes(2, 1, 0);
 
 TEST(ReplyReader, TakesPartsOfAnyLength) {
   const auto stream = after_header(three_replies);
@@ -49,7 +54,7 @@ TEST(ReplyReader, TakesPartsOfAnyLength) {
 TEST(ReplyReader, LeavesWhatComesAfterTheLastReply) {
   const auto stream = after_header(three_replies);
   ReplyReader reader(batch_header(), 2, false);
-  EXPECT_EQ(reader.take(stream), stream.size() - 4);
+  EXPECT_EQ(reader.take(stream), stream.size() - sizeof(pipe::ReplyRecord));
   EXPECT_TRUE(reader.is_complete());
 }
 
@@ -93,10 +98,14 @@ TEST(ReplyReader, SaysWhatIsNoReply) {
   EXPECT_THAT(fault_of(bytes_of("loading\n")), HasSubstr("but with \"loading\"; messages belong on standard error"));
   EXPECT_THAT(fault_of(bytes_of("AXI says hello")), HasSubstr("\"AXI says hello\""));
   EXPECT_THAT(fault_of(bytes_of("more"), false, true), HasSubstr("after its last reply it wrote more, \"more\""));
-  EXPECT_THAT(fault_of(after_header(std::string_view("\0\2\0\0", 4))), HasSubstr("reply 1 of 3 has flags 0x02"));
-  EXPECT_THAT(fault_of(after_header(std::string_view("\0\0\0\0text", 8))), HasSubstr("reply 2 of 3 has flags 0x65"));
-  EXPECT_THAT(fault_of(after_header(std::string_view("\0\0\1\0", 4))), HasSubstr("without the flag"));
-  EXPECT_THAT(fault_of(after_header(std::string_view("\0\0\0\0", 4)), true), HasSubstr("no comparison bits"));
+  EXPECT_THAT(fault_of(after_header(reply_bytes(0, 2, 0))), HasSubstr("reply 1 of 3 has flags 0x02"));
+  EXPECT_THAT(fault_of(after_header(reply_bytes(0, 0, 0) + "text of a program")),
+              HasSubstr("reply 2 of 3 has flags 0x65"));
+  EXPECT_THAT(fault_of(after_header(reply_bytes(0, 0, 1))), HasSubstr("without the flag"));
+  EXPECT_THAT(fault_of(after_header(reply_bytes(0, 0, 0)), true), HasSubstr("no comparison bits"));
+  // What a program of an earlier version writes: four bytes a reply.
+  EXPECT_THAT(fault_of(after_header(std::string_view("\0\0\0\0\1\0\0\0\0\0\0\0\0\0\0\0", 16))),
+              HasSubstr("has bytes 3 to 8 that are not 0"));
   auto changed = batch_header();
   changed[50] ^= std::byte{1};
   EXPECT_THAT(fault_of(changed), HasSubstr("changed the header of its queries, at byte 50"));

@@ -106,21 +106,21 @@ int main(int argc, char** argv) {
     for (i = 0; i < count; ++i, ++query) {
       float v[13];
       uint64_t bits = 0;
-      unsigned char reply[4] = {0, 1, 0, 0};
+      unsigned char reply[16] = {0, 1}; /* with comparison bits */
       if (!take(v, sizeof v)) return 2;
       if (i >= due) return 0;
       do_to(v[12], query);
       reply[0] = (unsigned char)published_binary32(v, v + 3, v + 6, v + 9, v[12], &bits);
-      memcpy(reply + 2, &bits, 2);
+      memcpy(reply + 8, &bits, 8);
       if (is("garbage")) memset(reply, 0xee, sizeof reply);
       if (is("no-verdict") && misbehaves(v[12])) reply[0] = 7;
-      if (is("no-bits")) memset(reply + 1, 0, 3);
+      if (is("no-bits")) memset(reply + 1, 0, sizeof reply - 1);
       if (is("changes") && misbehaves(v[12]) && stream % 2 == 1) reply[0] ^= 1;
       if (is("first-differs") && i == 0 && count > 1 && count < 1000) reply[0] ^= 1;
       put(reply, sizeof reply);
       if (!keeps_back) fflush(stdout);
     }
-    if (is("too-much")) put("\0\0\0\0", 4);
+    if (is("too-much")) put("\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 16);
     fflush(stdout);
     if (is("once")) return 0;
     if (is("once-badly")) return 4;

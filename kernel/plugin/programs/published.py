@@ -40,12 +40,12 @@ def separated(numbers):
 def main():
     read, write = sys.stdin.buffer.read, sys.stdout.buffer.write
     while head := read(64):
-        magic, _, precision, count, header_size, record_size = HEAD.unpack_from(head)
-        if magic != b"AXISCERT" or precision != 64:
-            sys.exit("published.py: standard input is no stream of queries in binary64")
+        magic, version, precision, count, header_size, record_size = HEAD.unpack_from(head)
+        if magic != b"AXISCERT" or version != 3 or precision != 64:
+            sys.exit("published.py: standard input is no stream of version 3 in binary64")
         write(head + read(header_size - 64))
         for numbers in struct.iter_unpack("<13d", read(count * record_size)):
-            write(bytes([separated(numbers), 0, 0, 0]))
+            write(bytes([separated(numbers)]).ljust(16, b"\0"))
         sys.stdout.flush()
         if "once" in sys.argv[1:]:
             return

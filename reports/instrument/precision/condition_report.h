@@ -66,7 +66,7 @@ struct ConditionRow {
 };
 
 struct ConditionData : CommandData<ConditionData> {
-  static constexpr std::string_view format = "axiscert-condition/1",
+  static constexpr std::string_view format = "axiscert-condition/2",
                                     title = "Flips caused by the query and by the formula";
   Precision precision = Precision::binary32;
   std::uint64_t trials = 0;

@@ -79,7 +79,7 @@ struct CriticalRadiusRow {
 };
 
 struct CriticalRadiusData : CommandData<CriticalRadiusData> {
-  static constexpr std::string_view format = "axiscert-critical-radius/2", title = "Errors of the critical radius";
+  static constexpr std::string_view format = "axiscert-critical-radius/3", title = "Errors of the critical radius";
   Precision precision = Precision::binary32;
   std::uint64_t trials = 0;
   WholeNumber seed;

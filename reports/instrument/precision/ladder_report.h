@@ -152,7 +152,7 @@ struct LadderSpeedData {
 };
 
 struct LadderData : CommandData<LadderData> {
-  static constexpr std::string_view format = "axiscert-ladder/1", title = "What each step of the derivation costs";
+  static constexpr std::string_view format = "axiscert-ladder/2", title = "What each step of the derivation costs";
   Precision precision = Precision::binary32;
   WholeNumber seed;
   std::uint64_t trials = 0;

@@ -79,7 +79,7 @@ struct PrecisionTallyData {
 };
 
 struct PrecisionData : CommandData<PrecisionData> {
-  static constexpr std::string_view format = "axiscert-precision/1", title = "What precision costs";
+  static constexpr std::string_view format = "axiscert-precision/2", title = "What precision costs";
   Precision precision = Precision::binary32;
   std::uint64_t trials = 0;
   WholeNumber seed;

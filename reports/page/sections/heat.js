@@ -92,7 +92,7 @@ function show_heat(data) {
   const shown = data.kernels.filter((entry) => entry.all !== null && entry.all.comparisons !== null);
   const silent = data.kernels.filter((entry) => entry.all?.comparisons === null);
   if (silent.length > 0) {
-    const with_classes = silent.filter(({classes}) => classes !== null);  // records of earlier versions have none
+    const with_classes = silent.filter(({classes}) => classes !== null);  // a kernel with a reference has none
     document.getElementById('heat').append(
       el('p', 'lead', `${silent.map(entry_name).join('; ')}: only verdicts are shown, so no comparison can be named.` +
                       (with_classes.length > 0 ? ' By the class of the input:' : '')),

@@ -4,8 +4,8 @@
 //
 //   await serve(async () => ({'sphere-triangle': (q) => verdict}));
 //
-// `make` loads the engine and returns a function for each predicate that it answers, by its name in tests.mjs. That function takes
-// the numbers of one query, in the order of the predicate's columns, and returns a verdict; or, where the engine says more of
+// `make` loads the engine and returns a function for each predicate that it answers, by its name in predicates.mjs. That
+// function takes the numbers of one query, in the order of the predicate's columns, and returns a verdict; or, where the engine says more of
 // a contact, what `hit` makes of it, for streams that ask for measures. Queries that are none (a number that is not
 // finite, a negative length, a quaternion 0) are answered `invalid` and not handed on.
 //
@@ -13,7 +13,7 @@
 // memory cannot be trusted, and after an abort it answers nothing: it is made anew.
 import {readSync, writeSync} from 'node:fs';
 
-import {tests} from './tests.mjs';
+import {predicates} from './predicates.mjs';
 
 export const CONTACT = 0, SEPARATED = 1, UNDECIDED = 2, INVALID = 3;
 export const verdictOf = (contact) => (contact ? CONTACT : SEPARATED);
@@ -27,7 +27,8 @@ export function hit(time, normal = UNSAID, point = UNSAID) {
   return {verdict: Number.isNaN(time) ? INVALID : CONTACT, measures: [time, NaN, ...normal, ...point]};
 }
 
-const HEAD = 64, GREATEST_HEADER = 1 << 20;
+const VERSION = 3;  // of the streams
+const HEAD = 64, GREATEST_HEADER = 1 << 20, REPLY = 16;  // bytes
 const MEASURES_FOLLOW = 2;  // bit 1 of a reply's flags
 // Queries whose replies are written together: few, so that a reader knows how far a program came that hangs.
 const QUERIES_A_WRITE = 64;
@@ -87,32 +88,30 @@ function readHeader(answers) {
   }
   const version = head.readUInt32LE(8), precision = head.readUInt32LE(12), count = Number(head.readBigUInt64LE(16));
   const size = head.readUInt32LE(24), recordSize = head.readUInt32LE(28);
-  if (version !== 1 && version !== 2) fail(`the stream's version is ${version}; this program reads 1 and 2`);
+  if (version !== VERSION) fail(`the stream's version is ${version}; this program reads ${VERSION}`);
   if (precision !== 32 && precision !== 64) fail(`the stream's precision is ${precision}; it is 32 or 64`);
   if (size < HEAD || size > GREATEST_HEADER) fail(`the header's size is ${size} bytes; it is from ${HEAD} to ${GREATEST_HEADER}`);
   const plan = Buffer.alloc(size - HEAD);
   if (readAll(plan) < plan.length) fail('the stream ends within its header');
 
-  let id = 'sphere-triangle', entry = '', measures = 0;
-  if (version === 2) {
-    try {
-      ({predicate: id, entry = '', measures = 0} = JSON.parse(plan.toString('utf8')));
-    } catch {
-      fail('the plan of a stream of version 2 is to be JSON with a member "predicate"');
-    }
+  let id, entry, measures;
+  try {
+    ({predicate: id, entry, measures = 0} = JSON.parse(plan.toString('utf8')));
+  } catch {
+    fail('the plan in the header is to be JSON with the members "predicate" and "entry"');
   }
   if (`${id}/${entry}` in predicates) id = `${id}/${entry}`;
   const ids = Object.keys(answers);
   if (!ids.includes(id)) fail(`the stream asks '${id}'; this program answers ${ids.join(', ')}`);
   const columns = predicates[id].columns;
   if (!(measures >= 0 && measures <= predicates[id].measures)) {
-    fail(`the stream asks for ${measures} measures; ${id} has ${tests[id].measures}`);
+    fail(`the stream asks for ${measures} measures; ${id} has ${predicates[id].measures}`);
   }
   if (recordSize !== columns * precision / 8) {
     fail(`a record of ${id} in binary${precision} has ${columns * precision / 8} bytes, not ${recordSize}`);
   }
   return {bytes: Buffer.concat([head, plan]), id, precision, count, columns, recordSize, measures,
-          replySize: version === 1 ? 4 : 16 + measures * precision / 8};
+          replySize: REPLY + measures * precision / 8};
 }
 
 function isQuery(predicate, q) {
@@ -154,7 +153,7 @@ export async function serve(make) {
         replies[i * replySize] = verdict;
         if (measures === 0) continue;
         replies[i * replySize + 1] = MEASURES_FOLLOW;
-        for (let k = 0; k < measures; ++k) put.call(replies, said[k] ?? NaN, i * replySize + 16 + k * header.precision / 8);
+        for (let k = 0; k < measures; ++k) put.call(replies, said[k] ?? NaN, i * replySize + REPLY + k * header.precision / 8);
       }
       writeAll(1, replies);
     }

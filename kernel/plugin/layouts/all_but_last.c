@@ -1,5 +1,5 @@
-/* A kernel as it was built before `may_decline` was a member: the struct ends there, at the end of a page, and the next
- * page cannot be read. */
+/* A kernel without its last member, `may_decline`: the struct ends there, at the end of a page, and the next page
+ * cannot be read. */
 #include "kernel/plugin/layouts/at_page_end.h"
 
 const axiscert_kernel* axiscert_plugin(uint32_t index) {
@@ -7,7 +7,7 @@ const axiscert_kernel* axiscert_plugin(uint32_t index) {
   const axiscert_kernel kernel = {.abi = AXISCERT_PLUGIN_ABI,
                                   .precision = 32,
                                   .size = size,
-                                  .name = "before",
+                                  .name = "all but the last",
                                   .column_count = 13,
                                   .run = undecided,
                                   .touching = AXISCERT_TOUCHING_IS_EITHER};

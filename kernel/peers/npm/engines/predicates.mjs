@@ -1,5 +1,5 @@
-// The tests that an engine can be asked here, by their ids (`axiscert predicates`), and where a predicate has several entries by
-// TEST/ENTRY: how many columns a query has, which of them are lengths, which are not negative, and how many measures
+// The predicates that an engine can be asked here, by their ids (`axiscert predicates`), and where one has several entries by
+// PREDICATE/ENTRY: how many columns a query has, which of them are lengths, which are not negative, and how many measures
 // there are beside the verdict. `isNone` says of finite numbers whether they are no query for another reason; a box
 // whose axes are no basis is left to those who are asked.
 const isZero = (q, from, to) => q.subarray(from, to).every((x) => x === 0);

@@ -1,4 +1,4 @@
-// Streams of a test other than the first, which have version 2: forty columns, 33 comparisons.
+// Streams of a predicate with forty columns, 33 comparisons and two measures.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@
 namespace axiscert {
 namespace {
 
-using pipe::WideReplyRecord;
+using pipe::ReplyRecord;
 using testing::HasSubstr;
 
 const Predicate& piped_predicate() {
@@ -62,8 +62,8 @@ class WideStream : public testing::Test {
   const std::string path_ = (folder_.path() / "wide_stream.jsonl").string();
 };
 
-std::string stream_bytes(const std::vector<WideReplyRecord>& replies) {
-  return {reinterpret_cast<const char*>(replies.data()), replies.size() * sizeof(WideReplyRecord)};
+std::string stream_bytes(const std::vector<ReplyRecord>& replies) {
+  return {reinterpret_cast<const char*>(replies.data()), replies.size() * sizeof(ReplyRecord)};
 }
 ReplyStream read_stream(const std::string& bytes) {
   std::istringstream in(bytes);
@@ -78,15 +78,14 @@ std::string stream_refusal(const std::string& bytes) {
   }
 }
 
-// The header with another version, or with another plan whose hash is right.
-std::string changed(std::string header, std::uint32_t version, const std::string& from = "",
-                    const std::string& to = "") {
+// The header with another plan, whose hash is right.
+std::string changed(std::string header, const std::string& from = "", const std::string& to = "") {
   pipe::Head head;
   std::memcpy(&head, header.data(), sizeof head);
   if (!from.empty()) header.replace(header.find(from), from.size(), to);
-  header.resize(head.header_size, ' ');
+  header.resize((header.size() + pipe::header_multiple - 1) / pipe::header_multiple * pipe::header_multiple, ' ');
+  head.header_size = static_cast<std::uint32_t>(header.size());
   head.plan_sha256 = sha256(std::as_bytes(std::span(header).subspan(sizeof head)));
-  head.version = version;
   std::memcpy(header.data(), &head, sizeof head);
   return header;
 }
@@ -98,7 +97,7 @@ TEST_F(WideStream, HasItsPredicateInTheHeaderAndFortyNumbersARecord) {
   write_queries(plan(), QueryEncoding::binary, 1, [&](std::string_view bytes) { stream += bytes; });
   pipe::Head head;
   std::memcpy(&head, stream.data(), sizeof head);
-  EXPECT_EQ(head.version, 2u);
+  EXPECT_EQ(head.version, 3u);
   EXPECT_EQ(head.record_size, 160u);
   EXPECT_THAT(stream,
               HasSubstr(R"("precision":"binary32","predicate":"wide","entry":"numbers","columns":40,"sources":[)"));
@@ -112,8 +111,8 @@ TEST_F(WideStream, HasItsPredicateInTheHeaderAndFortyNumbersARecord) {
 TEST_F(WideStream, RepliesHaveBitsBeyondSixteen) {
   std::vector<ReplyStream> streams;
   streams.push_back(read_stream(header_of(plan()) + stream_bytes({{1, 1, {}, all_bits}, {0, 1, {}, all_bits >> 1}})));
-  ASSERT_EQ(streams[0].wide_replies.size(), 2u);
-  EXPECT_EQ(streams[0].wide_replies[0].bits, all_bits);
+  ASSERT_EQ(streams[0].replies.size(), 2u);
+  EXPECT_EQ(streams[0].replies[0].bits, all_bits);
   const StoredReplies replies(std::move(streams));
   const Source& source = *replies.sources()[0];
   EXPECT_EQ(&source.predicate(), &piped_predicate());
@@ -124,7 +123,7 @@ TEST_F(WideStream, RepliesHaveBitsBeyondSixteen) {
 
 TEST_F(WideStream, AWrongReplyIsNamed) {
   const std::string header = header_of(plan());
-  const auto expect_fault = [&](const WideReplyRecord& wrong, const std::string& part) {
+  const auto expect_fault = [&](const ReplyRecord& wrong, const std::string& part) {
     EXPECT_EQ(stream_refusal(header + stream_bytes({{0, 1, {}, 0}, wrong})),
               fmt::format("r.bin: reply 2 of 2, at byte {}: {}", header.size() + 16, part));
   };
@@ -167,22 +166,20 @@ TEST_F(WideStream, MeasuresFollowTheReplies) {
   EXPECT_THAT([&] { header_of(measured); },
               testing::ThrowsMessage<Error>(
                   "3 measures, but the predicate wide has 2, from time to height (`axiscert predicates`)"));
-  EXPECT_THAT(stream_refusal(changed(header, 2, "\"measures\":2", "\"measures\":9") + reply(2, {})),
+  EXPECT_THAT(stream_refusal(changed(header, "\"measures\":2", "\"measures\":9") + reply(2, {})),
               HasSubstr("r.bin: its plan has 9 measures, but the predicate wide has 2"));
 }
 
-TEST_F(WideStream, VersionAndPredicateBelongTogether) {
+TEST_F(WideStream, APlanOfAnotherPredicateOrEntryIsRefused) {
   const std::string header = header_of(plan()), replies = stream_bytes({{0, 0, {}, 0}, {0, 0, {}, 0}});
-  EXPECT_EQ(stream_refusal(changed(header, 2) + replies), "accepted");
-  EXPECT_THAT(
-      stream_refusal(changed(header, 1) + replies),
-      HasSubstr("version 1 of the format, but its plan is of the predicate wide, whose streams have version 2"));
-  EXPECT_THAT(stream_refusal(changed(header, 3) + replies), HasSubstr("version 3 of the format; this axiscert knows"));
-  EXPECT_THAT(stream_refusal(changed(header, 2, "\"wide\"", "\"sphere-triangle\"") + replies),
-              HasSubstr("version 2 of the format, but its plan is of the predicate sphere-triangle"));
-  EXPECT_THAT(stream_refusal(changed(header, 2, "\"columns\":40", "\"columns\":39") + replies),
+  EXPECT_EQ(stream_refusal(changed(header) + replies), "accepted");
+  EXPECT_THAT(stream_refusal(changed(header, "\"wide\",\"entry\":\"numbers\",\"columns\":40",
+                                     "\"sphere-triangle\",\"entry\":\"vertices\",\"columns\":13") +
+                             replies),
+              HasSubstr("its plan is of the predicate sphere-triangle, entry vertices, but"));
+  EXPECT_THAT(stream_refusal(changed(header, "\"columns\":40", "\"columns\":39") + replies),
               HasSubstr("its plan has 39 columns, but wide, entry numbers, has 40 here"));
-  EXPECT_THAT(stream_refusal(changed(header, 2, "\"numbers\",\"columns\":40", "\"first\",\"columns\":1") + replies),
+  EXPECT_THAT(stream_refusal(changed(header, "\"numbers\",\"columns\":40", "\"first\",\"columns\":1") + replies),
               HasSubstr("its plan is of the predicate wide, entry first, but queries/wide_stream.jsonl has queries of "
                         "wide, entry numbers here"));
   std::istringstream in(header + replies);
