@@ -22,7 +22,8 @@ struct Provenance {
   std::string kind, where, about;
 };
 
-// The exact answers to a query; the last three are empty if the verdict is `invalid`, or the predicate compares no distance.
+// The exact answers to a query; the last three are empty if the verdict is `invalid`, or the predicate compares no
+// distance.
 struct ExactAnswers {
   Verdict verdict = Verdict::invalid;
   bool touching = false;
