@@ -20,11 +20,11 @@ template <class Real>
 class FillingElsewhere : public testing::Test {};
 TYPED_TEST_SUITE(FillingElsewhere, Reals);
 
-std::vector<const Family*> own_families() { return families_of(sphere_triangle_test()); }
+std::vector<const Family*> own_families() { return families_of(sphere_triangle_predicate()); }
 std::vector<const Family*> families_elsewhere() {
   std::vector<const Family*> found;
   for (const Family* family : families()) {
-    if (&family->test() != &sphere_triangle_test()) found.push_back(family);
+    if (&family->predicate() != &sphere_triangle_predicate()) found.push_back(family);
   }
   return found;
 }
