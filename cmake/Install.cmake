@@ -16,7 +16,7 @@ foreach(room kernel/peers kernel/sphere_triangle/faults)
   foreach(target ${targets})
     get_target_property(type ${target} TYPE)
     if(type STREQUAL MODULE_LIBRARY)
-      # A build for the quick tests has no peers. Those of another test than the first have a folder of its name.
+      # A build for the quick tests has no peers. Those of another predicate than the first have a folder of its name.
       get_target_property(room ${target} AXISCERT_ROOM)
       if(NOT room)
         set(room "")

@@ -24,7 +24,7 @@ std::string_view numbered(const char* word, std::size_t i) {
   return kept.emplace_back(word + std::to_string(i));
 }
 
-// A test with comparisons in clauses of three, the last of as many as are left.
+// A predicate with comparisons in clauses of three, the last of as many as are left.
 Predicate toy(std::size_t columns, std::size_t comparisons) {
   Predicate predicate{.id = "toy",
                       .asks = "nothing",

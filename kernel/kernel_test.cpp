@@ -86,7 +86,7 @@ TEST(Registry, ListsEveryKernelOnceAndNamesThemForAnUnknownOne) {
   }
 }
 
-// Queries of which the filters leave some open, and that every kernel of this test takes.
+// Queries of which the filters leave some open, and that every kernel of this predicate takes.
 TEST(Registry, AKernelThatDeclinesSaysThatItMayAndAnyThatSaysSoDeclines) {
   std::mt19937_64 random(5);
   QueryBatch<float> queries(4000, coordinate_count);

@@ -124,7 +124,7 @@ const Predicate& find_predicate(std::string_view id, std::span<const Predicate* 
 // back; it throws Error as find_predicate does.
 std::string_view written_name(const Predicate& predicate);
 const Predicate& predicate_named(std::string_view written, std::span<const Predicate* const> known = predicates());
-// "TEST/", with which ids and folders of a predicate begin; empty where its name is left out.
+// "PREDICATE/", with which ids and folders of a predicate begin; empty where its name is left out.
 std::string id_prefix(const Predicate& predicate);
 
 }  // namespace axiscert

@@ -1,4 +1,4 @@
-// Numbers and batches of as many columns as a test has: forty here, and the thirteen of sphere-triangle.
+// Numbers and batches of as many columns as a predicate has: forty here, and the thirteen of sphere-triangle.
 #include "kernel/query.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ class QueryNumbers : public testing::Test {};
 using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(QueryNumbers, Reals);
 
-// Forty numbers that no other query of a test has.
+// Forty numbers that no other query of a test here has.
 template <class Real>
 Numbers<Real> forty(std::size_t query) {
   Numbers<Real> v(40);

@@ -37,7 +37,7 @@ SourcePtr corpus_of(const Address& address, const std::string& folder) {
 
 // The source that an address names: a family, or the given file if its SHA-256 is the address's.
 SourcePtr source_of(const Address& address, const AddressFiles& files) {
-  // A mesh has queries of several predicates, [TEST/]mesh-SHA256.
+  // A mesh has queries of several predicates, [PREDICATE/]mesh-SHA256.
   const Predicate* predicate = nullptr;
   std::string_view name = address.name;
   for (const Predicate* other : mesh_predicates()) {

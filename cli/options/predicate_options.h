@@ -46,7 +46,7 @@ bool has_image_maps(const Predicate& predicate, std::size_t entry);
 bool has_formulae(const Predicate& predicate, std::size_t entry);
 // "sphere-triangle, box-box".
 std::string ids_of(const std::vector<const Predicate*>& predicates);
-// The tests that have it in some entry.
+// The predicates that have it in some entry.
 std::vector<const Predicate*> predicates_with(Capability& capability);
 
 // For a command, or an option of one, that needs a capability: throws Error where the predicate, or its entry, has it

@@ -155,7 +155,7 @@ class Examples(unittest.TestCase):
     def test_formulae_of_ones_own_are_judged_in_exact_arithmetic(self):
         rounded, exact = self.formulae()
         record = self.formulae_judged([rounded, exact])
-        # `precision` evaluates the built-in formulae of the same test exactly, by other code.
+        # `precision` evaluates the built-in formulae of the same predicate exactly, by other code.
         options = [part for name in self.FORMULAE_FAMILIES for part in ("--family", name)]
         known = json.loads(self.installed("precision", "--kernel", "published", *options, "--trials", 1000, "--bits", 24, "--format", "json"))
         mine = self.wrong(record, exact, self.FORMULAE_FAMILIES)

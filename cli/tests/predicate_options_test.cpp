@@ -1,4 +1,4 @@
-// Kernels and queries of two tests are refused in one line that says which is of which test.
+// Kernels and queries of two predicates are refused in one line that says which is of which.
 #include "cli/options/predicate_options.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,5 @@
-// Boxes over the rationals, made of a query's numbers without rounding.
+// Boxes, and a box and a triangle, over the rationals, made of a query's numbers without rounding; how deep they are in
+// contact, and how far apart.
 #pragma once
 #include <optional>
 #include <string_view>
@@ -27,7 +28,7 @@ ExactBoxAndTriangle exact_box_and_triangle(const BoxAndTriangle<double>& q);
 
 Hull hull_of(const std::array<Point, 3>& corners);
 
-// As of two boxes (exact/boxes/measures.h); the penetration is the least over the thirteen axes that are not 0.
+// As of two boxes, below; the penetration is the least over the thirteen axes that are not 0.
 Rational squared_penetration(const ExactBoxAndTriangle& q);
 std::vector<std::string_view> deciding_axes(const ExactBoxAndTriangle& q);
 Rational squared_distance(const ExactBoxAndTriangle& q);

@@ -1,11 +1,12 @@
-// A depth before it is rounded: |sqrt(dd) - r| / sqrt(ss), the difference of two lengths over a third.
+// The depth of a wrong verdict, exact and rounded once.
 #pragma once
 #include <limits>
 
 #include "exact/numbers/rational.h"
 
 namespace axiscert {
-// dd, r >= 0, and ss > 0.
+// A depth before it is rounded: |sqrt(dd) - r| / sqrt(ss), the difference of two lengths over a third. dd, r >= 0, and
+// ss > 0.
 struct ExactDepth {
   Rational dd, r, ss;
 };

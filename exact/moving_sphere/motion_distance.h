@@ -1,4 +1,4 @@
-// A motion as the exact side takes it, in either entry of the predicate.
+// The distance of a moving centre from a triangle: as a function of time, its least, and that of the path by CGAL.
 #pragma once
 #include <array>
 #include <string_view>
@@ -9,8 +9,8 @@
 #include "kernel/moving_sphere/moving_sphere.h"
 
 namespace axiscert::moving_sphere {
-// The numbers as they were given. `to` is the displacement D, or the end P1 of the motion, whose displacement P1 - P is
-// exact here though no number may be it.
+// A motion in either entry of the predicate, the numbers as they were given. `to` is the displacement D, or the end P1
+// of the motion, whose displacement P1 - P is exact here though no number may be it.
 struct GivenMotion {
   portable::Vec3<double> a, b, c, p, to;
   bool to_is_end;

@@ -1,4 +1,4 @@
-// The cost of exactness: `certified` and `conservative` beside the raw tests and CGAL, on the same queries.
+// The cost of exactness: `certified` and `conservative` beside the raw kernels and CGAL, on the same queries.
 //
 //     certified_bench [--target T] [FAMILY...]
 //

@@ -12,8 +12,6 @@
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
-// The cells of a grid about the triangles of a mesh.
-
 // Queries of a box and a triangle by two corners (entry `minmax`): at each position the triangle that
 // fill_mesh_queries() has there, and the cell of a grid in which a point of it is, or one beside that; `cells` names
 // the stream of the cells. Their sides are powers of two, a quarter to eight times the triangle's longest side along an

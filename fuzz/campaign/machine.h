@@ -1,5 +1,5 @@
-// The compiler that built this program and the processor it runs on: for run.json and for benchmarks, never for a
-// record.
+// The machine, for run.json and for benchmarks, never for a record: the compiler that built this program, the processor
+// it runs on, and processor time.
 #pragma once
 #include <ctime>
 #include <string>

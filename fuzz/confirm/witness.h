@@ -47,8 +47,7 @@ class WitnessWriter {
   WitnessWriter(const StoredReplies* replies, const std::string& target) : replies_(replies), target_(target) {}
   // Adds the deepest wrong verdicts of each kind, with each broken link and on input of each class; for each comparison
   // a flip of each kind, a decisive one if there is one, and the largest error; the worst of each kind of measure; for
-  // an asymmetry, and for each way in
-  // which answers change with an image, the first image and its base. A query that
+  // an asymmetry, and for each way in which answers change with an image, the first image and its base. A query that
   // shows several of these is stored once.
   void add(const Kernel& kernel, const SeededSource& of, const Tally& tally, const std::optional<Asymmetry>& asymmetry);
   std::vector<WitnessRecord> take() && { return std::move(witnesses_); }

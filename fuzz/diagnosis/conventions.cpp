@@ -1,4 +1,4 @@
-// Answers counted.
+// The probes of conventions: at touching, on the two sides of a triangle, and at the start of a motion.
 #include <array>
 #include <cctype>
 #include <cstddef>

@@ -17,8 +17,8 @@
 #include "kernel/kernel.h"
 
 namespace axiscert::made {
-// Kernels of any test that show a verdict alone, each with one property that is known because it is made so: another
-// kernel, of which the query or the answer is changed.
+// Kernels of any predicate that show a verdict alone, each with one property that is known because it is made so:
+// another kernel, of which the query or the answer is changed.
 
 template <class Real>
 Verdict verdict_by(const Implementation<Real>& kernel, const Numbers<Real>& query) {
@@ -294,7 +294,7 @@ TEST(DiagnosisOfOtherPredicates, HasAKernelForEachValueThatTheyCanHave) {
   }
 }
 
-// The probes that need nothing of the scene are asked of every test, and those that are not say why in a sentence.
+// The probes that need nothing of the scene are asked of every predicate, and those that are not say why in a sentence.
 TEST(DiagnosisOfOtherPredicates, AsksWhatNeedsNothingOfTheScene) {
   for (const char* id : {"moving-sphere/twenty", "box-triangle/thirteen"}) {
     DiagnosisOptions options;

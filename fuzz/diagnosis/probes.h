@@ -1,4 +1,4 @@
-// The values of the properties: an enum for each, with its names as files have them.
+// The probes of a diagnosis, and the values of the properties: an enum for each, with its names as files have them.
 #pragma once
 #include <cstdint>
 #include <string_view>
@@ -62,8 +62,8 @@ AXISCERT_VALUES(Place, 2, place_names, "independent", "depends")
 namespace axiscert::diagnosis {
 // The probes, one for each property. Each asks the kernel, and gives a value only where the answers decide it.
 
-// Probes whose scenes are the predicate's own, or made of its families and columns (scenes/scenes.h); operation_order
-// is of predicates with near ties alone, overlap_at_start of motions.
+// Probes whose scenes are the predicate's own, or made of its families and columns (fuzz/diagnosis/scenes.h);
+// operation_order is of predicates with near ties alone, overlap_at_start of motions.
 template <class Real>
 ProbeFinding at_touching(Subject<Real>& subject);
 template <class Real>

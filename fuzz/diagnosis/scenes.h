@@ -155,8 +155,7 @@ Queries<Real> queries_of_general(const Kernel& kernel, std::uint64_t seed, std::
 inline constexpr double clear_depth = 0x1p-6;
 
 // The family of the kernel's predicate that is named "general", with the entry that the kernel takes before it or after
-// it
-// ("ends_general", "general_minmax"); null where there is none.
+// it ("ends_general", "general_minmax"); null where there is none.
 const Family* family_named_general(const Kernel& kernel);
 
 // The predicate's own, or the first `count` queries of its family `general` whose depth is above 2^-6. The numbers are
@@ -178,8 +177,8 @@ template <class Real>
 Queries<Real> small_of_high_degree(const Kernel& kernel);
 
 // Whether the kernel is right on clear queries of both verdicts at least two times in three: of one that is not, little
-// can be said by its answers. The sentence says how often it is right where it is not;
-// of a predicate without clear queries nothing is said.
+// can be said by its answers. The sentence says how often it is right where it is not; of a predicate without clear
+// queries nothing is said.
 template <class Real>
 std::optional<std::string> why_not_sound(Subject<Real>& subject);
 

@@ -41,8 +41,8 @@ struct LineMembers {
 
 // By nlohmann's lexer and grammar, but with the characters of each number instead of the library's value, which has
 // gone through double. Throws Error by place.fail() for anything but one JSON object, and for a number that is too
-// large for the precision that the line states; `known` are the tests that the message speaks of. `before_a_fault` is
-// called with the members so far, so that it can throw what says more.
+// large for the precision that the line states; `known` are the predicates that the message speaks of. `before_a_fault`
+// is called with the members so far, so that it can throw what says more.
 LineMembers read_members(std::string_view line, const Place& place, KnownPredicates known,
                          const std::function<void(const LineMembers&)>& before_a_fault);
 

@@ -1,4 +1,5 @@
-// Query files of several tests: which predicate and entry a line is of, and the members and columns that these have.
+// Query files of several predicates: which predicate and entry a line is of, and the members and columns that these
+// have.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A test of forty columns in one group, and of two boxes in another entry.
+// A predicate of forty columns in one group, and of two boxes in another entry.
 const Predicate& two_entry_predicate() {
   static std::deque<std::string> names;
   static const Predicate predicate = [] {

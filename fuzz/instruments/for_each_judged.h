@@ -1,4 +1,5 @@
-// What is judged, and a batch of it: queries, the answers of kernels to them, and their truths.
+// The loop of every measurement, and what it judges: batches of queries, the answers of kernels to them, and their
+// truths.
 #pragma once
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
@@ -110,8 +111,7 @@ void run_on_threads(int threads, Work&& work) {
   arena.execute(work);
 }
 
-// The loop of every measurement: it makes a plan's queries, asks kernels, finds truths, and merges what a visitor
-// counts, on threads.
+// The loop makes a plan's queries, asks kernels, finds truths, and merges what a visitor counts, on threads.
 
 template <class Counts>
 struct JudgedCounts {

@@ -1,4 +1,5 @@
-// Motions past the triangles of a mesh: those of the file, as long as they say, and the same bytes everywhere.
+// Motions past the triangles of a mesh, and cells of a grid about them: of the file's own corners, as long as they say,
+// and the same bytes everywhere.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -265,7 +265,7 @@ std::vector<ComparisonBits> bits_everywhere(const mutants::Mutant& mutant, bool 
 
 TEST(ValueMutants, HaveTheFaultThatTheyName) {
   mutants::Mutant none;
-  // The queries here are of the static test; others ask the mutants of motions.
+  // The queries here are of the static predicate; others ask the mutants of motions.
   for (const std::string_view base : {"nonstrict", "reduced-nonstrict"}) {
     none.id = base;
     const std::string of(std::string(base) + "~");

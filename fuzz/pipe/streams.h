@@ -1,4 +1,5 @@
-// Queries made in order and written as they are made: the work of `axiscert generate`.
+// The pipe's streams: queries made in order and written as they are made, the work of `axiscert generate`, and the
+// replies to them.
 #pragma once
 #include <functional>
 #include <iosfwd>

@@ -59,8 +59,8 @@ struct Capabilities {
   std::string (*canonical_form)(const StoredQuery&) = nullptr;  // fuzz/files/corpus.h: of all images of a query
 
   const Screens* screens = nullptr;                   // fuzz/campaign/stages.h: of a predicate with filters
-  const InputClasses* input_classes = nullptr;        // fuzz/queries/capabilities.h
-  const NearestFeatures* nearest_features = nullptr;  // fuzz/queries/capabilities.h
+  const InputClasses* input_classes = nullptr;        // above
+  const NearestFeatures* nearest_features = nullptr;  // above
   bool has_engine_queries = false;                    // which the screen counts (fuzz/record/wrong_verdicts.h)
   const Quantities* quantities = nullptr;             // fuzz/confirm/absolute_size.h
   const WitnessSides* witness_sides = nullptr;        // fuzz/confirm/witness.h

@@ -13,8 +13,9 @@
 #include "kernel/testing/sources.h"
 
 namespace axiscert {
-// Fails where the lines of the test's families in the file, a path in the repository, are not those of digest_lines();
-// each failure says how the file is written. Lines of other predicates that exist may stand between them.
+// Fails where the lines of the predicate's families in the file, a path in the repository, are not those of
+// digest_lines(); each failure says how the file is written. Lines of other predicates that exist may stand between
+// them.
 inline void expect_committed_digests(const Predicate& predicate, const std::string& path) {
   std::ifstream file(SOURCE_FOLDER "/" + path);
   ASSERT_TRUE(file) << path << ": cannot be read, and has to hold the digests of the families of " << predicate.id;
@@ -63,7 +64,7 @@ std::string name_in_sources(const Predicate& predicate) {
 
 class CommittedBytes : public testing::TestWithParam<const Predicate*> {};
 
-// Each test's digests.txt is beside the list of its families, in the room that the test may share with others.
+// Each predicate's digests.txt is beside the list of its families, in a room that it may share with others.
 TEST_P(CommittedBytes, AreMadeByEveryFamily) {
   const auto lists = testing_support::defined_in("fuzz", R"((\w+)_families\(\) \{)");
   const std::string name = name_in_sources(*GetParam());

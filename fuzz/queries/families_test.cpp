@@ -39,8 +39,8 @@ TEST(Families, HaveANameOfTheirOwnAVersionAndAPurposeOfOneLine) {
   EXPECT_THROW(find_family("nothing"), Error);
 }
 
-// A family of another test than the first is defined with the test's id before its own name; one of the first has
-// hyphens where its variable has underscores.
+// A family of another predicate than the first is defined with the predicate's id before its own name; one of the first
+// has hyphens where its variable has underscores.
 TEST(Families, EveryOneThatIsDefinedIsListed) {
   for (const auto& [defined, file] : testing_support::defined_in("fuzz", R"(extern const Family (\w+)_family =)")) {
     const std::string folder = file.substr(0, file.rfind('/'));

@@ -44,7 +44,7 @@ inline constexpr std::string_view shrink_small_integers =
 // Makes the queries from position `first` on, as many as the columns have. The query at a position depends on nothing
 // else: not on the start of the batch, the instruction set or the compiler. `position` counts the queries of the family
 // and determines everything that is done "in turn"; the rest comes from the stream. A family that makes one query at a
-// time is wrapped by fill_one_by_one (fuzz/queries/family.h).
+// time is wrapped by fill_one_by_one, below.
 template <class Real>
 using Fill = void (*)(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out);
 

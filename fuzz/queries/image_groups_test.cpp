@@ -15,7 +15,7 @@
 namespace axiscert {
 namespace {
 
-// Those of the first test; of another, its own room has such tests.
+// Those of the first predicate; the room of any other has tests of its own groups.
 std::vector<const ImageGroup*> groups_of_first_predicate() {
   std::vector<const ImageGroup*> groups = image_groups();
   std::erase_if(groups, [](const ImageGroup* group) { return &group->predicate() != &sphere_triangle_predicate(); });

@@ -1,4 +1,4 @@
-// How deep wrong verdicts are: counts by decade of their depth, and those on queries such as an engine asks.
+// Wrong verdicts: how deep they are, by decade, on queries such as an engine asks, and by the class of their input.
 #pragma once
 #include <cstddef>
 #include <cstdint>

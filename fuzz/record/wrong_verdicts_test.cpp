@@ -1,4 +1,5 @@
-// Decades of depth and engine-like queries: their edges, and that a campaign's counts add up.
+// Wrong verdicts: the edges of decades and of engine-like queries, the classes of the input, and that a campaign's
+// counts add up.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -29,8 +29,7 @@ enum class Goal : std::uint8_t {
   overflow,
   underflow,
   // Depth of a wrong verdict; the length that a query has, as its radius, is the kernel's own critical one, or the
-  // float
-  // below it.
+  // float below it.
   missed_contact,
   phantom_contact,
   // The kernel's critical radius relative to the exact distance, in ulps of the latter.

@@ -1,6 +1,4 @@
-// The random numbers of a search, which uses about a dozen for every query that it tries: SplitMix64 (Steele, Lea and
-// Flood, "Fast splittable pseudorandom number generators", 2014). It is an order of magnitude faster than the
-// counter-based stream that seeds it, and equally independent of the machine.
+// The moves of a search from one query to the next, and the random numbers that they are drawn from.
 #pragma once
 #include <limits>
 
@@ -9,6 +7,9 @@
 #include "kernel/query.h"
 
 namespace axiscert {
+// The random numbers of a search, which uses about a dozen for every query that it tries: SplitMix64 (Steele, Lea and
+// Flood, "Fast splittable pseudorandom number generators", 2014). It is an order of magnitude faster than the
+// counter-based stream that seeds it, and equally independent of the machine.
 class Dice {
  public:
   explicit Dice(Stream& seed) : state_(seed.bits()) {}

@@ -1,4 +1,4 @@
-// The search in another test than the first: by the kernel's verdicts and the oracles' depth alone.
+// The search in another predicate than the first: by the kernel's verdicts and the oracles' depth alone.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -141,8 +141,8 @@ TEST(SearchMotions, WhateverTheMovesMakeSettles) {
 
 }  // namespace
 
-// The search of the tests of boxes: axes stay rotations, the finds are deeper than the run from which it begins, and in
-// each entry.
+// The search in the predicates of boxes: axes stay rotations, the finds are deeper than the run from which it begins,
+// and in each entry.
 
 namespace {
 

@@ -1,4 +1,5 @@
-// The size of a query to a reader, which shrinking reduces.
+// The properties of a query that shrinking goes by: its size to a reader, which is reduced, and the classes of its
+// input, which are kept.
 #pragma once
 #include <compare>
 #include <cstdint>

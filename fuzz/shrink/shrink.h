@@ -38,7 +38,8 @@ ShrinkResult<Real> shrink(const Predicate& predicate, const Numbers<Real>& q, co
                           KeepingRule keeping, std::uint64_t limit, const CountEvaluations& evaluated = {},
                           std::size_t entry = 0);
 
-// The same for a symptom of a kernel, whose test it is. Throws Error if the given query does not show it.
+// The same for a symptom of a kernel, of whose predicate the query is. Throws Error if the given query does not show
+// it.
 template <class Real>
 ShrinkResult<Real> shrink(const Numbers<Real>& q, const Symptom& symptom, const Kernel& kernel, std::string_view target,
                           std::uint64_t limit, KeepingRule keeping = KeepingRule::symptom_and_class,

@@ -1,4 +1,4 @@
-// Shrinking a query of another test than the first: by its description and its oracles alone.
+// Shrinking a query of another predicate than the first: by its description and its oracles alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>

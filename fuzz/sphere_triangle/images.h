@@ -1,4 +1,4 @@
-// The one form of all images of a query.
+// The one form of all images of a query, and the exact map from a query to an image of it.
 #pragma once
 #include <array>
 #include <optional>
@@ -15,7 +15,7 @@ namespace axiscert {
 // only the 288 images share it.
 std::string least_image_text(const StoredQuery& stored);
 
-// The exact map from a query to an image of it: another order of the vertices, a permutation and reflection of the
+// A map from a query to an image of it: another order of the vertices, a permutation and reflection of the
 // axes, a power of two, a translation. No exact answer changes, except for the names of vertices.
 
 // image = 2^exponent symmetry(query) + by, the translation for points only.

@@ -1,6 +1,5 @@
-// The box of Goal::error (fuzz/search/method.h), for which bounds are proved: every coordinate of A - P, B - P and C -
-// P in
-// [-1, 1] and r in [0, 1], with P free, so that an error has the rounding of the translation in it.
+// The queries that a search for errors and for scales is about: the box of Goal::error (fuzz/search/method.h), and
+// shapes on which range alone is to blame.
 #pragma once
 #include <optional>
 #include <vector>
@@ -10,6 +9,9 @@
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
+// The box for which bounds are proved: every coordinate of A - P, B - P and C - P in [-1, 1] and r in [0, 1], with P
+// free, so that an error has the rounding of the translation in it.
+
 // Whether the real number a - p is at most 1 in magnitude, exactly.
 template <class Real>
 bool is_within_one(Real a, Real p);

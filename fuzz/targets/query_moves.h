@@ -1,5 +1,6 @@
-// Changes of the kernel target's inputs that respect the structure of floating-point numbers. Random bytes are nearly
-// always far from any boundary, and a flipped bit of an exponent leaves the boundary that was found.
+// The kernel target's inputs: what a fuzzer's bytes mean, and changes that respect the structure of floating-point
+// numbers. Random bytes are nearly always far from any boundary, and a flipped bit of an exponent leaves the boundary
+// that was found.
 #pragma once
 #include <cstdint>
 #include <span>

@@ -1,4 +1,4 @@
-// Enums as indices: the number of an enum's enumerators, and an array with one element for each of them.
+// Enums as indices and as bits: an array with an element for each enumerator, words of bits, and sets of enumerators.
 #pragma once
 #include <bit>
 #include <concepts>

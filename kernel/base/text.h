@@ -1,4 +1,4 @@
-// Text of foreign origin in a form that a message may quote.
+// Text in messages: of foreign origin in a form that may be quoted, names in UTF-8, and the name that was meant.
 #pragma once
 #include <string>
 #include <string_view>

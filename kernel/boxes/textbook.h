@@ -1,7 +1,4 @@
-// The textbook with an epsilon added to the entries of |R|, as engines have it "to counteract arithmetic errors when
-// two edges are parallel". The epsilons are the published ones: they are part of what is judged, and nothing is proved
-// about them. The exact formulae have them as written here; a kernel rounds them to its precision, which `links` calls
-// rounding.
+// The textbook's separating axes of two boxes as engines have them: with an epsilon, and axis by axis.
 #pragma once
 #include <algorithm>
 
@@ -10,6 +7,10 @@
 #include "kernel/boxes/relative.h"
 
 namespace axiscert::boxes {
+// The textbook with an epsilon added to the entries of |R|, "to counteract arithmetic errors when two edges are
+// parallel". The epsilons are the published ones: they are part of what is judged, and nothing is proved about them.
+// The exact formulae have them as written here; a kernel rounds them to its precision, which `links` calls rounding.
+
 // Rung 5: on all fifteen axes.
 template <class T, class Sink>
 void textbook_with_epsilon(const BoxPair<T>& q, const T& epsilon, Sink& sink) {

@@ -7,7 +7,7 @@
 namespace axiscert::mutants {
 
 // A form has
-//   static const Predicate& test();
+//   static const Predicate& predicate();
 //   formulae()   as a kernel of that predicate claims them
 //   columns      how many numbers a query has: three for each of A, B, C and P, then others, the radius last
 //   nonstrict    the comparisons that are lhs >= rhs

@@ -1,5 +1,5 @@
 // One call to a plug-in: its inputs placed between the guard pages, its outputs read back and their surroundings
-// checked.
+// checked; and how the outputs of two calls differ.
 #pragma once
 #include <optional>
 #include <span>

@@ -123,7 +123,7 @@ TEST(Interface, ABitBeyondTheLastComparisonIsFound) {
   EXPECT_THAT(reply.findings[0].detail, HasSubstr("comparison bit 40 is 1; there are comparisons 0 to 15"));
 }
 
-// A test that is not in the list, of the shape that the plug-in `wide` expects.
+// A predicate that is not in the list, of the shape that the plug-in `wide` expects.
 const Predicate& wide_predicate() {
   static std::deque<std::string> names;
   const auto numbered = [](const char* word, std::size_t i) -> std::string_view {

@@ -56,8 +56,8 @@ struct ShippedPlugins {
 };
 std::vector<ShippedPlugins> shipped_plugins();
 
-// The file of an id "plugin:PATH", "program:MANIFEST", "peer/NAME", "TEST/peer/NAME" or "fault/NAME"; nothing for any
-// other id. Throws Error where there is no such peer or fault.
+// The file of an id "plugin:PATH", "program:MANIFEST", "peer/NAME", "PREDICATE/peer/NAME" or "fault/NAME"; nothing for
+// any other id. Throws Error where there is no such peer or fault.
 std::optional<std::string> plugin_path(std::string_view id);
 
 // The path that an id of no kernel looks like: "my_kernel.so" without "plugin:", "Plugin:my_kernel.so", "my_kernel"

@@ -1,5 +1,5 @@
-// Lines of code in any language with places for the numbers of a query, by which a manifest says how its engine is
-// asked one query by hand.
+// The manifest of a program that is a kernel, and its lines of code in any language, with places for the numbers of a
+// query, by which its engine is asked one query by hand.
 #pragma once
 #include <string>
 #include <string_view>

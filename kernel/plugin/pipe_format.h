@@ -58,7 +58,7 @@ constexpr std::uint32_t record_size_of(Precision precision, std::size_t columns)
 }  // namespace axiscert::pipe
 
 namespace axiscert {
-// The header of the pipe's streams (pipe_format.h), for the pipe and for the batches of a program.
+// The header of the pipe's streams, for the pipe and for the batches of a program.
 
 namespace pipe {
 

@@ -58,7 +58,7 @@ inline std::size_t unanswered(const SeenAnswers& seen) {
   return static_cast<std::size_t>(std::count(seen.verdicts.begin(), seen.verdicts.end(), Verdict::unanswered));
 }
 
-// All but the given queries are answered, and as the right test answers them.
+// All but the given queries are answered, and as a right kernel answers them.
 inline void expect_right_but(const SeenAnswers& seen, std::initializer_list<std::size_t> without_answer) {
   std::vector<Verdict> expected = right_verdicts();
   for (const std::size_t i : without_answer) expected[i] = Verdict::unanswered;

@@ -47,7 +47,7 @@ struct ShippedProgram {
   std::string manifest, missing;
 };
 
-// Those that answer a predicate, in PEERS/npm/TEST, by the names that they declare. The packages are in PEERS/npm.
+// Those that answer a predicate, in PEERS/npm/PREDICATE, by the names that they declare. The packages are in PEERS/npm.
 std::map<std::string, ShippedProgram> shipped_programs(const std::filesystem::path& peers, const Predicate& predicate) {
   std::map<std::string, ShippedProgram> found;
   const std::filesystem::path folder = peers / programs_folder, inside = folder / predicate.id;

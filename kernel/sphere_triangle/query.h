@@ -1,4 +1,5 @@
-// One query of the predicate sphere against triangle: its numbers with names.
+// One query of the predicate sphere against triangle: its numbers with names, the sides that its formulae compare, and
+// the predicate's description.
 #pragma once
 #include <array>
 #include <cmath>

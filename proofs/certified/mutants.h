@@ -19,7 +19,7 @@ RecordedStep with(const Mutant& mutant, RecordedStep step);
 
 // Faults of a recorded step that no query can show, each with the reason.
 
-// A fault by its name in mutants.h, which has the number of a node of the step without fused multiply-add.
+// A fault by its name, which has the number of a node of the step without fused multiply-add.
 struct Equivalent {
   std::string_view step;
   int bits;

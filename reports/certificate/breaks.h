@@ -1,4 +1,5 @@
-// The situations (fuzz/queries/family.h) in which a kernel is wrong.
+// What breaks of a kernel: the situations (fuzz/queries/family.h) in which it is wrong, and the fault that matters
+// first.
 #pragma once
 #include <string>
 #include <string_view>

@@ -104,7 +104,7 @@ TEST(WitnessesOfACertificate, OfAnotherPredicateNameItAndHaveAllItsNumbers) {
 
 }  // namespace
 
-// Situations of other tests: every family is in one, the sections are there, and the most everyday fault is named
+// Situations of other predicates: every family is in one, the sections are there, and the most everyday fault is named
 // first.
 
 namespace {

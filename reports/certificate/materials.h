@@ -1,4 +1,4 @@
-// The counts of a stretch in a certificate: a record's family without zeros.
+// What a certificate is made from, as it states it: the counts of a stretch, and parts of a record.
 #pragma once
 #include <fmt/format.h>
 
@@ -19,8 +19,8 @@ struct RadiiAdded {
   static void merge(CriticalRadiusRecord& into, const CriticalRadiusRecord& from);
 };
 
-// The counts of one stretch, or of several of a family added up: what counts_json (fuzz/confirm/record.h) has of them,
-// and nothing in all other members.
+// The counts of one stretch, or of several of a family added up, without zeros: what counts_json
+// (fuzz/confirm/record.h) has of them, and nothing in all other members.
 struct StretchCounts : FamilyCounts {
   CriticalRadiusRecord critical_radius;
   std::optional<std::map<InputClass, ClassCount>> classes;

@@ -1,4 +1,4 @@
-// The struct of what `axiscert compare` prints for programs.
+// What `axiscert compare` prints: the struct for programs, and the same for people.
 #pragma once
 #include <optional>
 #include <string>

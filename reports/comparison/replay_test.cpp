@@ -1,4 +1,5 @@
-// Known witnesses, evaluated again by a kernel that promises or answers less: neither is mended.
+// Known witnesses, evaluated again: of a kernel that promises or answers less neither is mended; of motions, wrong
+// verdicts and times of contact.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 

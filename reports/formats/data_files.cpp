@@ -1,5 +1,4 @@
-// record.csv: the figures of the record, a line for each kernel, precision, family and place: the verdict, an axis, a
-// comparison, a kind of image, a class of input.
+// Formats of lines for other programs: record.csv, witnesses.jsonl, ratchet.txt.
 #include "fuzz/files/nested_members.h"
 #include "fuzz/record/record.h"
 #include "reports/formats/format.h"
@@ -9,6 +8,8 @@
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert {
+// record.csv: the figures of the record, a line for each kernel, precision, family and place: the verdict, an axis, a
+// comparison, a kind of image, a class of input.
 namespace {
 
 // Gives each count under a name that is known, as a decade is, a column of its own.

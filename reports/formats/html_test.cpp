@@ -148,7 +148,8 @@ TEST(Html, WitnessHasDecimalsAndItsReplay) {
   EXPECT_THAT(cards[2]["command"].get<std::string>(), HasSubstr("--kernel '<script>'"));
 }
 
-// The page draws and names by the test: the axis of each comparison, the first contact, the time that was reported.
+// The page draws and names by the predicate: the axis of each comparison, the first contact, the time that was
+// reported.
 TEST(Html, AMotionHasItsPredicateAndItsFirstContact) {
   const TestFolder folder(motions(contacts(9, 0.25, 0)));
   ASSERT_EQ(folder.rendering_error(), "");

@@ -1,4 +1,5 @@
-// A kernel in one precision, as a level judges it: its entry of a record, with what the levels ask of it.
+// A level of --require, and what it judges: one kernel in one precision, which is its entry of a record, with what the
+// levels ask of it.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -94,8 +95,8 @@ class Subject {
   const KernelRecord& kernel_;
 };
 
-// A level of --require: its name, its sentence, and how one kernel in one precision is judged by it. A new one
-// is a file that defines a GateLevel, and a line in levels.cpp.
+// A level of --require: its name, its sentence, and how one kernel in one precision is judged by it. A new one is a
+// file that defines a GateLevel, and a line in level.cpp.
 
 // A level as it was asked for. "depth=0.01" is the level `depth` with the argument "0.01".
 struct AskedLevel {

@@ -1,4 +1,5 @@
-// never-late and no-tunnel: times that a record says are late, missing or deep, and kernels of which nothing is known.
+// The levels never-late and no-tunnel: times that a record says are late, missing or deep, and kernels of which nothing
+// is known.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // The requirements of a record, and what came of them: a level is met, not met, or not checked, for each kernel and
-// precision. The levels themselves are in levels/.
+// precision. Each level is in a file of its own, NAME_level.cpp.
 #pragma once
 #include <optional>
 #include <string>

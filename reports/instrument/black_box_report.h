@@ -1,4 +1,5 @@
-// Why a mutant that shows its verdict alone passed a gate, and how many did.
+// The report of `axiscert mutate --verdict-only`: why a mutant that shows its verdict alone passed a gate, and how many
+// did.
 #pragma once
 #include <string>
 #include <vector>
@@ -51,8 +52,6 @@ struct BoxScore : GateScoreData {
 }  // namespace axiscert::black_box
 
 namespace axiscert {
-// The report of `axiscert mutate --verdict-only`.
-
 // Answers that a gate that is right would not give: it refused a kernel that is right, or a mutant that nothing
 // distinguishes from one. Empty if there is none.
 std::vector<std::string> black_box_faults(const BlackBoxScore& score);

@@ -1,4 +1,4 @@
-// The head of the JSON that instruments and lists print for other programs. docs/data.md describes it.
+// What instruments and lists print for other programs: the head of their JSON (docs/data.md), and lines of CSV.
 #pragma once
 #include <string>
 #include <string_view>

@@ -1,4 +1,4 @@
-// The format of figures that several instruments show.
+// The format of figures that several instruments show, and how much an instrument looked at, in words.
 #pragma once
 #include <fmt/format.h>
 #include <fmt/ranges.h>

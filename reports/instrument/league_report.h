@@ -1,4 +1,4 @@
-// league.json: what `axiscert league` writes.
+// The report of `axiscert league`, and league.json, which it writes.
 #pragma once
 #include <map>
 #include <optional>
@@ -129,7 +129,7 @@ struct LeagueData : CommandData<LeagueData> {
   }
 };
 
-// The report of `axiscert league`: kernels and libraries side by side on the same queries, and kernels with a fault.
+// Kernels and libraries side by side on the same queries, and kernels with a fault.
 
 struct League {
   Questions questions;

@@ -1,4 +1,4 @@
-// mutation.json and mutation-by-verdict.json: what `axiscert mutate` writes.
+// The report of `axiscert mutate`, and what it writes: mutation.json and mutation-by-verdict.json.
 #pragma once
 #include <map>
 
@@ -306,8 +306,6 @@ struct MutationOfCertifiedData : CommandData<MutationOfCertifiedData> {
         field(&Of::steps, {"steps", "The steps as proofs/certified records them, without fused multiply-add."}));
   }
 };
-
-// The report of `axiscert mutate`.
 
 // Faults of the harness, or of an argument for equivalence; empty if there are none.
 std::vector<std::string> mutation_faults(const MutationResult& result, const std::vector<Control>& controls);

@@ -1,4 +1,4 @@
-// Compression of bytes to text that is safe in HTML.
+// Bytes in forms that a page can hold: compressed to text that is safe in HTML, and pictures with few colours as PNG.
 #pragma once
 #include <cstdint>
 #include <span>

@@ -1,5 +1,6 @@
-// The identity of a kernel, by which two runs know it. The id in a record is what was given on the command line, with
-// the path of a plug-in; the name that a plug-in declares stays the same when its file is moved or renamed.
+// The identity of a kernel, by which two runs know it, and of a plan's queries. A kernel's id in a record is what was
+// given on the command line, with the path of a plug-in; the name that a plug-in declares stays the same when its file
+// is moved or renamed.
 #pragma once
 #include <map>
 #include <string>

@@ -1,4 +1,5 @@
-// The names in a record that its predicate decides: clauses, comparisons, and the numbers of a query.
+// Conditions on a record that its fields cannot express, first those on names that its predicate decides: clauses,
+// comparisons, and the numbers of a query.
 #pragma once
 #include <cstdint>
 #include <optional>

@@ -144,7 +144,7 @@ class Corpus(Case):
     def test_run_replays_it_beside_families(self):
         record = self.run_ok("--corpus", CORPUS, "--kernel", "nonstrict", "--kernel", "published")
         entries = [json.loads(line) for f in sorted(CORPUS.glob("*.jsonl")) for line in f.read_text().splitlines()]
-        entries = [entry for entry in entries if "predicate" not in entry]  # a run is of one test
+        entries = [entry for entry in entries if "predicate" not in entry]  # a run is of one predicate
         for precision in ("binary32", "binary64"):
             expected = [e["expected"] for e in entries if e["precision"] == precision]
             truth = family(record, "corpus", precision)["truth"]
@@ -162,7 +162,7 @@ class Corpus(Case):
 
     def test_the_corpus_is_a_query_file_too(self):
         listed = axiscert("corpus", "list", "--format", "jsonl").stdout.splitlines()
-        by_entry = {}  # a check is of one entry of a test
+        by_entry = {}  # a check is of one entry of a predicate
         for line in listed:
             entry = json.loads(line)
             by_entry.setdefault((entry.get("predicate"), entry.get("entry")), []).append(line)
@@ -171,7 +171,7 @@ class Corpus(Case):
             done = axiscert("check", "-", "--format", "jsonl", stdin="\n".join(lines))
             self.assertEqual(done.returncode, 0, done.stderr)
             for entry, checked in zip(map(json.loads, lines), map(json.loads, done.stdout.splitlines())):
-                # null: what the corpus does not state of a query of another test
+                # null: what the corpus does not state of a query of another predicate
                 stated = {k: v for k, v in entry["expected"].items() if v is not None or predicate is None}
                 self.assertEqual({k: checked["exact"][k] for k in stated}, stated, entry["id"])
 

@@ -1,4 +1,5 @@
-// The critical radius of a sphere beside a triangle, and its error. `query.r` is not read.
+// The critical radius of a sphere beside a triangle, and its error, for which `query.r` is not read; and the limits
+// within which a kernel promises to be right.
 #pragma once
 #include <optional>
 #include <vector>
@@ -9,10 +10,8 @@
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
-// The limits within which a kernel promises to be right, decided exactly.
-
-// Whether a valid query lies within limits, which must be finite and not negative. A query exactly on a limit is
-// within.
+// Whether a valid query lies within limits, decided exactly; they must be finite and not negative. A query exactly on a
+// limit is within.
 template <class Real>
 bool is_within(const Limits& limits, const Query<Real>& q);
 

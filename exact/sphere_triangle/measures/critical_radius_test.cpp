@@ -1,4 +1,4 @@
-// Critical radii of kernels whose answers are known, monotone and not.
+// Critical radii of kernels whose answers are known, monotone and not; and limits, exactly and by one float.
 #include <gtest/gtest.h>
 
 #include <cmath>

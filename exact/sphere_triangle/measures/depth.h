@@ -1,4 +1,5 @@
-// The relative distance of a query from the boundary between contact and separation; a number without a unit.
+// The relative distance of a query from the boundary between contact and separation, a number without a unit: by
+// rationals, and by integers alone.
 #pragma once
 #include <optional>
 

@@ -60,7 +60,7 @@ bool crosses_the_face(const moving_sphere::GivenMotion& q) {
          CGAL::orientation(p, end, b, c) == turn && CGAL::orientation(p, end, c, a) == turn;
 }
 
-// Touching as the test's description has it: at the radius exactly, unless a point crosses the inside of the face.
+// Touching as the predicate's description has it: at the radius exactly, unless a point crosses the inside of the face.
 bool is_touching(const moving_sphere::GivenMotion& q, CGAL::Comparison_result order) {
   return order == CGAL::EQUAL && !(q.r == 0 && crosses_the_face(q));
 }

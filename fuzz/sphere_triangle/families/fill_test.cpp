@@ -15,7 +15,7 @@ TYPED_TEST_SUITE(Filling, Reals);
 template <class Real>
 class FillingLong : public testing::Test {};
 TYPED_TEST_SUITE(FillingLong, Reals);
-// Families of other tests than sphere-triangle, which a sanitized build may take from another one.
+// Families of other predicates than sphere-triangle, which a sanitized build may take from another one.
 template <class Real>
 class FillingElsewhere : public testing::Test {};
 TYPED_TEST_SUITE(FillingElsewhere, Reals);

@@ -1,5 +1,5 @@
-// The toy of the test suite: a point against a closed box along the axes. It is what a second test has to supply, at
-// its least.
+// The toy of the test suite: a point against a closed box along the axes. It is what a second predicate has to supply,
+// at its least.
 #pragma once
 
 #include "kernel/base/geometry.h"

@@ -1,4 +1,4 @@
-// A second test from end to end: listed, run, judged, recorded, and piped through a program.
+// A second predicate from end to end: listed, run, judged, recorded, and piped through a program.
 #include "fuzz/testing/point_box/point_box.h"
 
 #include <gmock/gmock.h>

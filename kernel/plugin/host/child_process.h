@@ -1,4 +1,4 @@
-// Standard error of a program, of which the end is kept.
+// The process of a program: the end of its standard error, and the processes that it started.
 #pragma once
 #include <sys/types.h>
 

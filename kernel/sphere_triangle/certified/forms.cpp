@@ -8,7 +8,7 @@
 #include "kernel/sphere_triangle/certified/thresholds.h"
 #include "kernel/sphere_triangle/names.h"
 
-#define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: predicates have to reach each of them
+#define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: tests have to reach each of them
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/sphere_triangle/certified/forms.cpp"
 #include "hwy/foreach_target.h"

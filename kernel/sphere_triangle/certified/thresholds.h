@@ -38,8 +38,8 @@
 // threshold, and every threshold is a normal number.
 //
 // The fine step is evaluated in doubles, the deep one in pairs of them, with a bound for each margin from the leaves of
-// its own:
-// docs/error_model.md, "The bounds of lanes", where |x|o is the greatest component of a leaf and |x|1 the sum of three.
+// its own: docs/error_model.md, "The bounds of lanes", where |x|o is the greatest component of a leaf and |x|1 the sum
+// of three.
 #pragma once
 
 #include "kernel/sphere_triangle/certified_filter/margin_bounds.h"

@@ -1,4 +1,4 @@
-// The filters as kernels of the registry.
+// The filters as kernels of the registry, and for one query at a time.
 #pragma once
 #include <cmath>
 #include <concepts>

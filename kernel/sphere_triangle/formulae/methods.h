@@ -1,9 +1,11 @@
-// The closest point of the triangle, found by a walk through its Voronoi regions, then one comparison of distances.
+// Methods other than the article's: the closest point of the triangle, the triangle inflated by the radius, and a
+// reader's variant with seven axes.
 #pragma once
 #include "kernel/sphere_triangle/formulae.h"
 
 namespace axiscert::methods {
-// Predicates the vertex, edge and face regions in turn by signs of dot products; interpolation weights need divisions.
+// The closest point of the triangle, found by a walk through its Voronoi regions, then one comparison of distances.
+// Tests the vertex, edge and face regions in turn by signs of dot products; interpolation weights need divisions.
 //
 // Touching is contact. Where A = B the region of that edge is entered with weight 0/0: the squared distance is then
 // NaN, no comparison holds, and the answer is contact. Over the reals it is right for every other triangle.
@@ -40,7 +42,7 @@ struct ClosestPoint {
   }
 };
 
-// Predicates whether the centre is in the triangle inflated by the radius: three spheres, three cylinders, one prism.
+// Tests whether the centre is in the triangle inflated by the radius: three spheres, three cylinders, one prism.
 
 // Spheres at the vertices, cylinders around the edges' interiors, a prism over the triangle's interior; their outer
 // surfaces belong to them, so that touching is contact. The formulae are a ring: every bound is multiplied by |AB|^2 or

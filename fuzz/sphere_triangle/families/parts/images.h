@@ -1,5 +1,5 @@
-// The symmetries of the predicate: transformations that leave every exact answer unchanged, except for the names of
-// vertices.
+// Images of a query: by the symmetries of the predicate, which leave every exact answer unchanged except for the names
+// of vertices, and in other units of length.
 #pragma once
 #include <array>
 #include <cstdint>

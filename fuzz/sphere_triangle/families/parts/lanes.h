@@ -2,7 +2,7 @@
 #pragma once
 
 #ifndef HWY_COMPILE_ALL_ATTAINABLE
-#define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: every machine predicates that all make the same bytes
+#define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: every machine tests that all make the same bytes
 #endif
 
 #include <algorithm>
