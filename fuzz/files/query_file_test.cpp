@@ -295,7 +295,7 @@ std::string line(const std::string& precision, const std::string& r, const std::
 template <class Real>
 void line_round_trip() {
   using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-  Stream random(1, name_hash("query_file_predicate"), 1, precision_of<Real>, 0);
+  Stream random(1, name_hash("query_file_test"), 1, precision_of<Real>, 0);
   std::string file;
   std::vector<StoredQuery> written;
   for (int i = 0; i < 500; ++i) {

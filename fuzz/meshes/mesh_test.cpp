@@ -167,7 +167,7 @@ template <class Real>
 void expect_promises(const Mesh& mesh, std::uint64_t count) {
   std::set<Placement> met;
   for (std::uint64_t position = 0; position < count; ++position) {
-    const auto q = mesh_query<Real>(mesh, StreamName(7, name_hash("mesh_predicate"), 1, precision_of<Real>), position);
+    const auto q = mesh_query<Real>(mesh, StreamName(7, name_hash("mesh_test"), 1, precision_of<Real>), position);
     const Placement placement = placement_at(position, mesh.triangles.size());
     SCOPED_TRACE(fmt::format("position {}, placement {}", position, static_cast<int>(placement)));
     met.insert(placement);

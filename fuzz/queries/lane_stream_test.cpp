@@ -98,7 +98,7 @@ template <class Real>
 void expect_lanes_draw_what_streams_draw() {
   // In the second and the last of these, the low word of the position carries over within a vector.
   for (const std::uint64_t first : {std::uint64_t{0}, std::uint64_t{0xfffffffb}, std::uint64_t{0x123456789abcdef}}) {
-    const StreamName name(0xfedcba9876543210, name_hash("lane_stream_predicate"), 3, precision_of<Real>);
+    const StreamName name(0xfedcba9876543210, name_hash("lane_stream_test"), 3, precision_of<Real>);
     for_each_instruction_set([&](const std::string& target) {
       LaneDraws<Real> lanes;
       if constexpr (sizeof(Real) == 4) HWY_DYNAMIC_DISPATCH(drawn32)(name, first, lanes);

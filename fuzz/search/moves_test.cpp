@@ -21,7 +21,7 @@ using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(Moves, Reals);
 
 Dice dice(std::uint64_t position) {
-  Stream stream(moves_seed, name_hash("moves_predicate"), 1, Precision::binary32, position);
+  Stream stream(moves_seed, name_hash("moves_test"), 1, Precision::binary32, position);
   return Dice(stream);
 }
 

@@ -123,7 +123,7 @@ TEST(SearchMotions, TheLengthIsSetToWhereTheVerdictChanges) {
 
 TEST(SearchMotions, WhateverTheMovesMakeSettles) {
   const QueryShape shape = shape_of(find_predicate("moving-sphere").entries.front());
-  Stream stream(motions_seed, name_hash("moving_search_predicate"), 1, Precision::binary32, 0);
+  Stream stream(motions_seed, name_hash("moving_search_test"), 1, Precision::binary32, 0);
   Dice random(stream);
   for (const Family* family : families_of(find_predicate("moving-sphere"), 0)) {
     Numbers<float> q = family->make<float>(motions_seed, 0);
@@ -182,7 +182,7 @@ TEST(SearchBoxes, FramesAreThreeDirectionsOfOneBox) {
 TEST(SearchBoxes, WhateverTheMovesMakeSettlesAsRotations) {
   for (const std::size_t entry : {0, 1}) {
     const QueryShape shape = shape_of(find_predicate("box-box").entries[entry]);
-    Stream stream(boxes_seed, name_hash("box_search_predicate"), 1, Precision::binary32, entry);
+    Stream stream(boxes_seed, name_hash("box_search_test"), 1, Precision::binary32, entry);
     Dice random(stream);
     const Family& family = find_family(entry == 0 ? "box-box/resting" : "box-box/resting_turned");
     Numbers<float> q = family.make<float>(boxes_seed, 0);

@@ -50,7 +50,7 @@ TEST(NumberText, WritesTheFewestHexDigits) {
 
 template <class Real>
 void round_trip() {
-  Stream random(1, name_hash("number_text_predicate"), 1, precision_of<Real>, 0);
+  Stream random(1, name_hash("number_text_test"), 1, precision_of<Real>, 0);
   for (int i = 0; i < 20000; ++i) {
     auto pattern = static_cast<BitsOf<Real>>(random.bits());
     if (i % 4 == 0) pattern &= (BitsOf<Real>{1} << (std::numeric_limits<Real>::digits - 1)) - 1;  // subnormal
@@ -70,7 +70,7 @@ TEST(NumberText, EveryBinary64BitPatternReadsBackTheSame) { round_trip<double>()
 // from_chars is independent code; it gives no result for numbers out of range, so those are tested separately below.
 template <class Real>
 void decimals_like_from_chars() {
-  Stream random(1, name_hash("number_text_predicate"), 1, precision_of<Real>, 1);
+  Stream random(1, name_hash("number_text_test"), 1, precision_of<Real>, 1);
   for (int i = 0; i < 20000; ++i) {
     std::string text = random.coin() ? "-" : "";
     const std::uint64_t digits = 1 + random.below(30), point = random.below(31);

@@ -115,7 +115,7 @@ std::vector<SaidText> limits_of(const CertificatePredicate& predicate) {
       "else follows from the counts.");
   if (kernel.limits)
     say(fmt::format("The kernel promises to be right only there: {}; it was held to nothing else.", *kernel.limits));
-  if (kernel.may_decline) say("The kernel may decline: what it does not decide has to be asked of another test.");
+  if (kernel.may_decline) say("The kernel may decline: what it does not decide has to be asked of another predicate.");
   if (kernel.kind == KernelKind::replies)
     say("The subject is replies: what gave them, and whether it gives them again, is not known.");
   else if (kernel.kind == KernelKind::built_in) {

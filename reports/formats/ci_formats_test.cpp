@@ -19,8 +19,8 @@ TEST(Junit, FailsWhereTheRequirementOrATolerancePasses) {
   // published: tangent's verdict and plane.radius; skipped: fifteen comparisons without a tolerance on three families.
   // <script>: lattice's verdict; skipped: tangent's, since a wrong verdict there may be of rounding, its comparisons,
   // once, as it does not show them, and its mesh, on which it was not run.
-  EXPECT_THAT(text, HasSubstr("predicates=\"51\" failures=\"2\" errors=\"0\" skipped=\"45\""));
-  EXPECT_THAT(text, HasSubstr("predicates=\"4\" failures=\"1\" errors=\"0\" skipped=\"3\""));
+  EXPECT_THAT(text, HasSubstr("tests=\"51\" failures=\"2\" errors=\"0\" skipped=\"45\""));
+  EXPECT_THAT(text, HasSubstr("tests=\"4\" failures=\"1\" errors=\"0\" skipped=\"3\""));
   EXPECT_THAT(text, HasSubstr("name=\"tangent plane.radius\""));
   EXPECT_THAT(text, HasSubstr("3 errors above 2 u; the smallest tolerance that passes is 3.5 u"));
 }
@@ -31,8 +31,8 @@ TEST(Junit, WithoutARequirementVerdictsAreSkippedNotPassed) {
   record["plan"]["tolerance"] = Json::object();
   const TestFolder folder(record);
   render_reports(folder.path());
-  EXPECT_THAT(folder.read("junit.xml"), HasSubstr("predicates=\"51\" failures=\"0\" errors=\"0\" skipped=\"51\""));
-  EXPECT_THAT(folder.read("junit.xml"), HasSubstr("predicates=\"4\" failures=\"0\" errors=\"0\" skipped=\"4\""));
+  EXPECT_THAT(folder.read("junit.xml"), HasSubstr("tests=\"51\" failures=\"0\" errors=\"0\" skipped=\"51\""));
+  EXPECT_THAT(folder.read("junit.xml"), HasSubstr("tests=\"4\" failures=\"0\" errors=\"0\" skipped=\"4\""));
 }
 
 TEST(Junit, EscapesNamesAndControlCharacters) {

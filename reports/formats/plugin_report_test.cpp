@@ -102,7 +102,7 @@ TEST(PluginRecord, OfNothingButAKernelThatCouldNotBeLoaded) {
   const TestFolder folder(json_of(record));
   render_reports(folder.path());
   EXPECT_THAT(folder.read("report.md"), HasSubstr("plugin:gone.so: NOT JUDGED: it could not be loaded"));
-  EXPECT_THAT(folder.read("junit.xml"), HasSubstr("predicates=\"1\" failures=\"1\""));
+  EXPECT_THAT(folder.read("junit.xml"), HasSubstr("tests=\"1\" failures=\"1\""));
 }
 
 TEST(PluginRequirement, NoLevelIsMetWithAFindingOrWithoutAnAnswer) {
@@ -214,7 +214,7 @@ TEST(PluginReports, EachFindingIsAFailedCase) {
   render_reports(folder.path());
   const std::string junit = folder.read("junit.xml");
   EXPECT_EQ(occurrences(junit, "<failure "), 5u);
-  EXPECT_THAT(junit, HasSubstr("<testsuite name=\"plugin:gone.so\" predicates=\"1\" failures=\"1\""));
+  EXPECT_THAT(junit, HasSubstr("<testsuite name=\"plugin:gone.so\" tests=\"1\" failures=\"1\""));
   EXPECT_THAT(junit, HasSubstr("name=\"general crash\""));
   EXPECT_THAT(junit, Not(HasSubstr("<b>")));
 }

@@ -95,7 +95,7 @@ class Forged(CertifyCase):
         def declines(predicate):
             """Both copies of one kernel's promise; its words follow the second."""
             predicate["kernel"]["may_decline"] = True
-            predicate["limits"].insert(-1, "The kernel may decline: what it does not decide has to be asked of another test.")
+            predicate["limits"].insert(-1, "The kernel may decline: what it does not decide has to be asked of another predicate.")
             for entry in predicate["materials"]["kernels"]:
                 if entry["id"] == "kernel":
                     entry["may_decline"] = True
