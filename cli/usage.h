@@ -1,6 +1,7 @@
 // Wrong command lines: what was given, where, and what would be right, in one line. CLI11's own messages name neither
 // the nearest option nor the values of one that is repeated.
 #pragma once
+
 #include <CLI/CLI.hpp>
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // A kernel as the harness sees it: functions over a batch, per precision and instruction set, and what they claim to
 // compute.
 #pragma once
+
 #include <cstdint>
 #include <functional>
 #include <span>

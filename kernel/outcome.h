@@ -1,6 +1,7 @@
 // What comes of asking a kernel: the decision on one query, which is a verdict and the comparison bits that it follows
 // from, and faults found on the way.
 #pragma once
+
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -1,6 +1,7 @@
 // The bounds that the scripts prove, in u = 2^-24 or 2^-53, the ranges that they rely on, and the errors that searches
 // attained.
 #pragma once
+
 #include <array>
 #include <optional>
 #include <span>

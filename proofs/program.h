@@ -1,5 +1,6 @@
 // A straight-line program: the operations of a formula, step by step, in the order in which they are computed.
 #pragma once
+
 #include <array>
 #include <cstddef>
 #include <string>

@@ -1,5 +1,6 @@
 // A plan as a file: the options that its record depends on, the plan that they lead to, and a digest over both.
 #pragma once
+
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 // The options of `axiscert run`, those that it shares with `generate` and `judge`, and the plan that they lead to.
 #pragma once
+
 #include <CLI/CLI.hpp>
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // Certifies a kernel: the run of its plan, what else a certificate rests on, and the certificate's files.
 #pragma once
+
 #include <atomic>
 #include <functional>
 #include <optional>

@@ -1,5 +1,6 @@
 // Carries out, judges and reports a plan: what `run` and `judge` do once they know their plan.
 #pragma once
+
 #include <chrono>
 #include <optional>
 #include <string>

@@ -1,6 +1,7 @@
 // Runs a plan file: by one process or by the ranks of an MPI job, whole or a shard of it, with a journal of what is
 // finished.
 #pragma once
+
 #include <atomic>
 #include <functional>
 #include <string>

@@ -1,5 +1,6 @@
 // The output of `axiscert run`: the run folder, the summary.
 #pragma once
+
 #include <atomic>
 #include <chrono>
 #include <filesystem>

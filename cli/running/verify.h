@@ -1,6 +1,7 @@
 // Verifies a certificate: its form, digests and signature, that a kernel is the one that it is about, and, where it is
 // asked for, that a sample of its run comes out the same here.
 #pragma once
+
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -1,6 +1,7 @@
 // A second way to the truth about two boxes: the edges of each, clipped by the other. It shares nothing with the
 // nearest points or with the fifteen axes but the query's numbers.
 #pragma once
+
 #include <CGAL/Mpzf.h>
 
 #include <utility>

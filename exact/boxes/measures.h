@@ -1,6 +1,7 @@
 // Boxes, and a box and a triangle, over the rationals, made of a query's numbers without rounding; how deep they are in
 // contact, and how far apart.
 #pragma once
+
 #include <optional>
 #include <string_view>
 #include <vector>

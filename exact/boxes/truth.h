@@ -1,6 +1,7 @@
 // The truth about boxes by the nearest points, and the reasons for which numbers are not boxes, each with the place in
 // a line of JSON, the value and the rule.
 #pragma once
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

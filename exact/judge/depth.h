@@ -1,5 +1,6 @@
 // The depth of a wrong verdict, exact and rounded once.
 #pragma once
+
 #include <limits>
 
 #include "exact/numbers/rational.h"

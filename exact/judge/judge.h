@@ -1,6 +1,7 @@
 // The judge: compares a kernel's answer to one query with the truth and attributes each difference to a link of the
 // chain.
 #pragma once
+
 #include <optional>
 #include <string>
 #include <string_view>

@@ -1,5 +1,6 @@
 // The first time at which a moving sphere touches a triangle, exactly, and what it touches then.
 #pragma once
+
 #include <optional>
 
 #include "exact/judge/motion_judgement.h"
@@ -53,9 +54,6 @@ bool is_promised(const MotionPolicy& policy, const GivenMotion& q);
 template <class Real>
 Real rounded_down(const RootTime& t);
 
-}  // namespace axiscert::moving_sphere
-
-namespace axiscert::moving_sphere {
 // Sizes of what a kernel's measures are wrong by. They are rounded to be shown; what is decided is decided elsewhere.
 
 // Not above sqrt(q), and relatively less than 2^-250 below it; q >= 0.

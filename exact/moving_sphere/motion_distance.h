@@ -1,5 +1,6 @@
 // The distance of a moving centre from a triangle: as a function of time, its least, and that of the path by CGAL.
 #pragma once
+
 #include <array>
 #include <string_view>
 #include <vector>
@@ -84,9 +85,6 @@ Rational quotient(const mpz_class& numerator, const mpz_class& denominator);
 // q 2^exponent.
 Rational scaled(const Rational& q, int exponent);
 
-}  // namespace axiscert::moving_sphere
-
-namespace axiscert::moving_sphere {
 // The least distance of a moving centre from a triangle, in integers and rationals, without a root. It shares nothing
 // with the twenty axes or with CGAL.
 

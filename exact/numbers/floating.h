@@ -1,5 +1,6 @@
 // A floating-point number of any precision up to 256 bits, chosen at run time for the duration of a scope.
 #pragma once
+
 #include <mpfr.h>
 
 #include <cfenv>

@@ -1,5 +1,6 @@
 // Exact rationals, and the floats nearest to them. Every rounding here is correct, subnormals included.
 #pragma once
+
 #include <gmpxx.h>
 
 #include <compare>

@@ -1,5 +1,6 @@
 // The truths of a batch of queries: those that are certain without arbitrary precision, at once.
 #pragma once
+
 #include <cstdint>
 #include <optional>
 #include <string_view>

@@ -2,6 +2,7 @@
 // predicate's own type of kernel/ (kernel/formulae_kernel.h) and adds geometry; exact/trait/oracles_of.h makes oracles
 // of it.
 #pragma once
+
 #include <concepts>
 #include <optional>
 #include <string>

@@ -1,5 +1,6 @@
 // A kernel's answers on a walk that it did not steer, compared with the certified answers.
 #pragma once
+
 #include <span>
 
 #include "examples/character/walk.h"

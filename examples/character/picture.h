@@ -1,6 +1,7 @@
 // The walk as SVG, seen from above: one panel for the walk, and one for each kernel with the contacts that it missed
 // and invented.
 #pragma once
+
 #include <algorithm>
 #include <cmath>
 #include <compare>

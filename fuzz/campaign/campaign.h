@@ -1,5 +1,6 @@
 // The campaign: runs a plan's units on all cores and tallies them.
 #pragma once
+
 #include <atomic>
 #include <functional>
 #include <map>

@@ -1,6 +1,7 @@
 // The machine, for run.json and for benchmarks, never for a record: the compiler that built this program, the processor
 // it runs on, and processor time.
 #pragma once
+
 #include <ctime>
 #include <string>
 

@@ -1,5 +1,6 @@
 // One kernel at work on the batches of one unit, and a query looked at closely for it.
 #pragma once
+
 #include <deque>
 #include <memory>
 #include <span>

@@ -1,6 +1,7 @@
 // The safe margin of a kernel: by how much r has to grow so that it misses none of the contacts that it was seen to
 // miss, and how many phantom contacts that makes.
 #pragma once
+
 #include <atomic>
 #include <compare>
 #include <functional>

@@ -88,10 +88,6 @@ TEST(MarginScene, AMovingSphereIsMeasuredByTheSameTriangle) {
   EXPECT_EQ(moving.of(motion), (MarginScene{false, 1}));
 }
 
-}  // namespace
-
-namespace {
-
 constexpr std::uint64_t margin_queries_asked = 3000;
 
 // `certified`, asked with another radius.

@@ -1,6 +1,7 @@
 // Asymmetries: answers of a kernel to images of a query (fuzz/queries/image_groups.h) that differ from its answer to
 // the query.
 #pragma once
+
 #include <functional>
 #include <map>
 #include <optional>

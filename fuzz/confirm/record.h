@@ -1,5 +1,6 @@
 // The record: the deterministic result of a run, and run.json, which holds everything that varies between runs.
 #pragma once
+
 #include <map>
 #include <optional>
 #include <string>

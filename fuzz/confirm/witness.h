@@ -1,5 +1,6 @@
 // Witnesses: the queries that a run keeps, made again from their positions and examined by all oracles.
 #pragma once
+
 #include <map>
 #include <optional>
 #include <string>

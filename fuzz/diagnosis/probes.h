@@ -1,5 +1,6 @@
 // The probes of a diagnosis, and the values of the properties: an enum for each, with its names as files have them.
 #pragma once
+
 #include <cstdint>
 #include <string_view>
 #include <vector>

@@ -2,6 +2,7 @@
 // made of the predicate's families and columns, but for those that the predicate makes itself
 // (Capabilities::diagnosis_scenes).
 #pragma once
+
 #include <string_view>
 #include <vector>
 

@@ -13,6 +13,7 @@
 // all members in their order, or for_each_field() does not compile. A const member function without parameters is a
 // field as well: it is written, and compared where it is read, but not stored.
 #pragma once
+
 #include <concepts>
 #include <cstddef>
 #include <stdexcept>

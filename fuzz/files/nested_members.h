@@ -1,5 +1,6 @@
 // The objects and arrays that hold members of a line of JSON: a box is an object, its axes are an array of arrays.
 #pragma once
+
 #include <optional>
 #include <span>
 #include <string>

@@ -1,5 +1,6 @@
 // A line of a query file where JSON has the query as an object, or as a part of one.
 #pragma once
+
 #include <optional>
 #include <string>
 #include <string_view>

@@ -1,6 +1,7 @@
 // The loop of every measurement, and what it judges: batches of queries, the answers of kernels to them, and their
 // truths.
 #pragma once
+
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_reduce.h>

@@ -1,5 +1,6 @@
 // A mesh as a source: the queries that a physics engine makes for a real mesh's triangles.
 #pragma once
+
 #include <array>
 #include <cstdint>
 #include <optional>

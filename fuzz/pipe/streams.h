@@ -1,6 +1,7 @@
 // The pipe's streams: queries made in order and written as they are made, the work of `axiscert generate`, and the
 // replies to them.
 #pragma once
+
 #include <functional>
 #include <iosfwd>
 #include <string>

@@ -1,6 +1,7 @@
 // What fuzz/ has for a predicate beside its families: each member serves one command or measurement, and is null where
 // the predicate has no such thing. Code asks for the capability that it needs, and never which predicate it is.
 #pragma once
+
 #include <span>
 #include <string>
 #include <string_view>

@@ -1,6 +1,7 @@
 // A family: a named generator of related queries. A new one is a file in the room of its predicate (fuzz/NAME/families)
 // and a line in that room's families.cpp.
 #pragma once
+
 #include <cstdint>
 #include <optional>
 #include <span>

@@ -2,6 +2,7 @@
 // turned round, in parts, or going on. The exact answers to a query and its images agree, except for the names of
 // comparisons; if a kernel's answers differ, that is an asymmetry (fuzz/confirm/asymmetry.h).
 #pragma once
+
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -1,6 +1,7 @@
 // Counter-based random numbers: Philox4x32-10, keyed by the seed. Any machine makes the same query from the same
 // address.
 #pragma once
+
 #include <Random123/philox.h>
 
 #include <cstdint>

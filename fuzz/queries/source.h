@@ -1,5 +1,6 @@
 // A source of queries: a family, a mesh or a query file. The campaign asks it for queries by position.
 #pragma once
+
 #include <cstdint>
 #include <functional>
 #include <memory>

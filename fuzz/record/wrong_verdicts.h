@@ -1,5 +1,6 @@
 // Wrong verdicts: how deep they are, by decade, on queries such as an engine asks, and by the class of their input.
 #pragma once
+
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,5 +1,6 @@
 // Exact evaluation, by all oracles, of a query that a search found: nothing is reported before that.
 #pragma once
+
 #include <optional>
 
 #include "exact/numbers/rational.h"

@@ -1,5 +1,6 @@
 // How the queries of a predicate are searched: for what, by which guide, and how much work each aim gets.
 #pragma once
+
 #include <cstdint>
 #include <memory>
 #include <optional>

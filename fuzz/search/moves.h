@@ -1,5 +1,6 @@
 // The moves of a search from one query to the next, and the random numbers that they are drawn from.
 #pragma once
+
 #include <limits>
 
 #include "fuzz/queries/query_shape.h"

@@ -1,5 +1,6 @@
 // The best known queries for one aim.
 #pragma once
+
 #include <algorithm>
 #include <atomic>
 #include <bit>

@@ -1,6 +1,7 @@
 // The properties of a query that shrinking goes by: its size to a reader, which is reduced, and the classes of its
 // input, which are kept.
 #pragma once
+
 #include <compare>
 #include <cstdint>
 #include <string_view>

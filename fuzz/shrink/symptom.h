@@ -1,5 +1,6 @@
 // The fault of a kernel on one query, and its severity: a smaller query has to keep showing it.
 #pragma once
+
 #include <optional>
 #include <variant>
 

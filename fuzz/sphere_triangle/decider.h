@@ -1,6 +1,7 @@
 // How the queries of a batch are decided: by filters, each of whose answers is certain, and by exact arithmetic where
 // they are silent, on a sample of the rest, and on the close calls that they report.
 #pragma once
+
 #include <vector>
 
 #include "exact/sphere_triangle/filters/cascade.h"

@@ -1,5 +1,6 @@
 // The one form of all images of a query, and the exact map from a query to an image of it.
 #pragma once
+
 #include <array>
 #include <optional>
 #include <string>

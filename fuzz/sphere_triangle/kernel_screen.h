@@ -1,5 +1,6 @@
 // One kernel's answers to the batches of one unit, judged by the signs that the filters found.
 #pragma once
+
 #include <array>
 
 #include "exact/sphere_triangle/asked_sphere_triangle.h"

@@ -1,5 +1,6 @@
 // What a search and a map have of sphere-triangle.
 #pragma once
+
 #include "fuzz/search/confirm.h"
 #include "fuzz/search/method.h"
 

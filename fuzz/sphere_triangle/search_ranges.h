@@ -1,6 +1,7 @@
 // The queries that a search for errors and for scales is about: the box of Goal::error (fuzz/search/method.h), and
 // shapes on which range alone is to blame.
 #pragma once
+
 #include <optional>
 #include <vector>
 

@@ -2,6 +2,7 @@
 // numbers. Random bytes are nearly always far from any boundary, and a flipped bit of an exponent leaves the boundary
 // that was found.
 #pragma once
+
 #include <cstdint>
 #include <span>
 #include <string_view>

@@ -1,5 +1,6 @@
 // JSON in the form in which reports read and write it: members keep their order.
 #pragma once
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

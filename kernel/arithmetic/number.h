@@ -1,6 +1,7 @@
 // The parts of the arithmetics: a number type around a base, which is float, double, or an MPFR value with the same
 // precision and an unbounded exponent. Each operation rounds once, in the base, and all of them are visible here.
 #pragma once
+
 #include <cmath>
 
 #include "kernel/base/geometry.h"

@@ -1,5 +1,6 @@
 // Enums as indices and as bits: an array with an element for each enumerator, words of bits, and sets of enumerators.
 #pragma once
+
 #include <bit>
 #include <concepts>
 #include <cstddef>

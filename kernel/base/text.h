@@ -1,5 +1,6 @@
 // Text in messages: of foreign origin in a form that may be quoted, names in UTF-8, and the name that was meant.
 #pragma once
+
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,5 +1,6 @@
 // The textbook's separating axes of two boxes as engines have them: with an epsilon, and axis by axis.
 #pragma once
+
 #include <algorithm>
 
 #include "kernel/boxes/axes.h"

@@ -1,6 +1,7 @@
 // Kernels of the moving sphere over Highway's vectors: one query per lane, dispatched at run time. Sides, bits and
 // verdicts are those of the scalar forms, bit for bit, on each instruction set.
 #pragma once
+
 #include <string_view>
 
 #include "kernel/kernel.h"

@@ -1,5 +1,6 @@
 // Kernels with one fault each, made from the formulae. A harness that certifies kernels has to detect them.
 #pragma once
+
 #include <array>
 #include <cmath>
 #include <cstdint>

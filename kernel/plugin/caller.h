@@ -1,6 +1,7 @@
 // One call to a plug-in: its inputs placed between the guard pages, its outputs read back and their surroundings
 // checked; and how the outputs of two calls differ.
 #pragma once
+
 #include <optional>
 #include <span>
 #include <string>

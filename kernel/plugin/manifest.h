@@ -1,6 +1,7 @@
 // The manifest of a program that is a kernel, and its lines of code in any language, with places for the numbers of a
 // query, by which its engine is asked one query by hand.
 #pragma once
+
 #include <string>
 #include <string_view>
 #include <vector>

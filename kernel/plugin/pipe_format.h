@@ -8,6 +8,7 @@
 // numbers of one query in the order of the entry's columns: for sphere-triangle the thirteen ax ay az bx by bz cx cy cz
 // px py pz r.
 #pragma once
+
 #include <array>
 #include <bit>
 #include <cstddef>

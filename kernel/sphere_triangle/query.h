@@ -1,6 +1,7 @@
 // One query of the predicate sphere against triangle: its numbers with names, the sides that its formulae compare, and
 // the predicate's description.
 #pragma once
+
 #include <array>
 #include <cmath>
 #include <cstddef>

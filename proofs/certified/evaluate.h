@@ -1,5 +1,6 @@
 // A recorded step computed on the processor's own numbers, operation by operation.
 #pragma once
+
 #include <bit>
 #include <cmath>
 #include <span>

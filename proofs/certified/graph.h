@@ -1,6 +1,7 @@
 // The computation of a step of the certified predicate, operation by operation: a graph whose nodes are numbers of the
 // step's format, words of as many bits, and flags.
 #pragma once
+
 #include <array>
 #include <cstdint>
 #include <map>

@@ -1,6 +1,7 @@
 // A recorded step with one fault: a constant halved or doubled, the operands of an operation exchanged, or one of two
 // conditions dropped.
 #pragma once
+
 #include <span>
 #include <string_view>
 

@@ -1,5 +1,6 @@
 // The files made from the recorded formulae and steps, one or more for each language.
 #pragma once
+
 #include <functional>
 #include <map>
 #include <string>

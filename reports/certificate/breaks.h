@@ -1,6 +1,7 @@
 // What breaks of a kernel: the situations (fuzz/queries/family.h) in which it is wrong, and the fault that matters
 // first.
 #pragma once
+
 #include <string>
 #include <string_view>
 #include <vector>

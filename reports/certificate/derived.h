@@ -1,6 +1,7 @@
 // The record that a certificate carries: its plan, the kernels with their promises, the counts of all stretches added
 // up, and the findings; without witnesses, and without what no level reads.
 #pragma once
+
 #include <string>
 
 #include "fuzz/campaign/parts/stretch.h"

@@ -1,5 +1,6 @@
 // The safe margin of a kernel as a certificate states it, and its sentences on the page.
 #pragma once
+
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,5 +1,6 @@
 // What a certificate is made from, as it states it: the counts of a stretch, and parts of a record.
 #pragma once
+
 #include <fmt/format.h>
 
 #include <cstdint>

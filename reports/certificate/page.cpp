@@ -220,10 +220,6 @@ class CertificatePage {
   const CertificatePredicate& predicate_;
 };
 
-}  // namespace
-
-namespace {
-
 std::string escaped(const std::string& text) {
   std::string safe;
   for (const char c : text) {

@@ -1,5 +1,6 @@
 // A certificate for people: a page and a text of the same content, and a badge.
 #pragma once
+
 #include <string>
 #include <vector>
 

@@ -1,5 +1,6 @@
 // What `axiscert compare` prints: the struct for programs, and the same for people.
 #pragma once
+
 #include <optional>
 #include <string>
 #include <string_view>

@@ -1,5 +1,6 @@
 // The kernels of two records, paired by what both know them by.
 #pragma once
+
 #include <string>
 #include <utility>
 #include <vector>

@@ -33,9 +33,6 @@ void render_reports(const std::filesystem::path& run_folder) {
   write_files(run_folder, texts);
 }
 
-}  // namespace axiscert
-
-namespace axiscert {
 Json raw_files(const std::filesystem::path& folder) {
   Json files = Json::array();
   std::error_code ignored;

@@ -1,5 +1,6 @@
 // The report formats. A new one is a file that defines a Format, and a line in format.cpp.
 #pragma once
+
 #include <filesystem>
 #include <span>
 #include <string>

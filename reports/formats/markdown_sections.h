@@ -1,5 +1,6 @@
 // The sections of report.md.
 #pragma once
+
 #include <optional>
 #include <string>
 #include <vector>

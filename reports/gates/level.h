@@ -1,6 +1,7 @@
 // A level of --require, and what it judges: one kernel in one precision, which is its entry of a record, with what the
 // levels ask of it.
 #pragma once
+
 #include <cstdint>
 #include <functional>
 #include <limits>

@@ -1,6 +1,7 @@
 // The ratchet: a reviewed text file, whose format stands below, of what each kernel promises and of the errors that are
 // accepted. A run may get better, never worse; a kernel that promises less is worse.
 #pragma once
+
 #include <cstddef>
 #include <cstdint>
 #include <map>

@@ -1,6 +1,7 @@
 // The requirements of a record, and what came of them: a level is met, not met, or not checked, for each kernel and
 // precision. Each level is in a file of its own, NAME_level.cpp.
 #pragma once
+
 #include <optional>
 #include <string>
 #include <vector>

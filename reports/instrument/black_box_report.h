@@ -1,6 +1,7 @@
 // The report of `axiscert mutate --verdict-only`: why a mutant that shows its verdict alone passed a gate, and how many
 // did.
 #pragma once
+
 #include <string>
 #include <vector>
 

@@ -1,5 +1,6 @@
 // What instruments and lists print for other programs: the head of their JSON (docs/data.md), and lines of CSV.
 #pragma once
+
 #include <string>
 #include <string_view>
 #include <utility>

@@ -1,5 +1,6 @@
 // The format of figures that several instruments show, and how much an instrument looked at, in words.
 #pragma once
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,6 +1,7 @@
 // The report of a measuring subcommand (`ladder`, `precision`, ...): tables, plots and notes, for the terminal and for
 // a page, and the same figures as JSON.
 #pragma once
+
 #include <optional>
 #include <string>
 #include <vector>

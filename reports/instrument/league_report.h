@@ -1,5 +1,6 @@
 // The report of `axiscert league`, and league.json, which it writes.
 #pragma once
+
 #include <map>
 #include <optional>
 #include <string>

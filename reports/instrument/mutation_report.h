@@ -1,5 +1,6 @@
 // The report of `axiscert mutate`, and what it writes: mutation.json and mutation-by-verdict.json.
 #pragma once
+
 #include <map>
 
 #include "fuzz/mutation/black_box.h"

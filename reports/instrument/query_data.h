@@ -1,5 +1,6 @@
 // One query and what one kernel says of it: a row of `axiscert check` for a range of queries.
 #pragma once
+
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -1,5 +1,6 @@
 // The report of `axiscert search`.
 #pragma once
+
 #include "exact/judge/judge.h"
 #include "fuzz/fields/field.h"
 #include "fuzz/record/looked_at.h"

@@ -1,5 +1,6 @@
 // Bytes in forms that a page can hold: compressed to text that is safe in HTML, and pictures with few colours as PNG.
 #pragma once
+
 #include <cstdint>
 #include <span>
 #include <string>

@@ -1,5 +1,6 @@
 // Fills a page's template from built-in files.
 #pragma once
+
 #include <span>
 #include <string>
 #include <string_view>

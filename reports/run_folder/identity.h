@@ -2,6 +2,7 @@
 // given on the command line, with the path of a plug-in; the name that a plug-in declares stays the same when its file
 // is moved or renamed.
 #pragma once
+
 #include <map>
 #include <string>
 #include <utility>

@@ -1,6 +1,7 @@
 // Conditions on a record that its fields cannot express, first those on names that its predicate decides: clauses,
 // comparisons, and the numbers of a query.
 #pragma once
+
 #include <cstdint>
 #include <optional>
 #include <string>

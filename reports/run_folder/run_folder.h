@@ -1,5 +1,6 @@
 // A run's folder, read and checked: the only input of a report.
 #pragma once
+
 #include <filesystem>
 #include <map>
 #include <optional>

@@ -1,5 +1,6 @@
 // For tests: the stored record, and run folders that are removed afterwards.
 #pragma once
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <openssl/evp.h>

@@ -1,6 +1,7 @@
 // How deep wrong verdicts are, to which side a kernel errs, and what is left of that on engine-like queries, as the
 // formats show them.
 #pragma once
+
 #include <cstdint>
 #include <string>
 #include <vector>

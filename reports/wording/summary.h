@@ -1,5 +1,6 @@
 // Statements about a record that several formats make in the same way.
 #pragma once
+
 #include <cstdint>
 #include <optional>
 #include <string>

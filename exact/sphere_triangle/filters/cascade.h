@@ -1,5 +1,6 @@
 // The steps that decide the signs of a query, cheapest first; each step either is certain or passes the query on.
 #pragma once
+
 #include "exact/sphere_triangle/filters/lane_filter.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/trait/batch_oracle.h"

@@ -1,6 +1,7 @@
 // The critical radius of a sphere beside a triangle, and its error, for which `query.r` is not read; and the limits
 // within which a kernel promises to be right.
 #pragma once
+
 #include <optional>
 #include <vector>
 

@@ -86,10 +86,6 @@ TEST(Limits, RadiiAreRoundedInward) {
   EXPECT_GT(radii_within<float>({.least_radius = 1e300}).least, std::numeric_limits<float>::max());
 }
 
-}  // namespace
-
-namespace {
-
 // A kernel whose answer depends on the radius only.
 template <class Contact>
 Implementation<float> by_radius(Contact contact) {

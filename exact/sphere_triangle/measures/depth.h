@@ -1,6 +1,7 @@
 // The relative distance of a query from the boundary between contact and separation, a number without a unit: by
 // rationals, and by integers alone.
 #pragma once
+
 #include <optional>
 
 #include "exact/judge/depth.h"

@@ -1,5 +1,6 @@
 // The class of a query's input: why a kernel without formulae may be wrong on it, where no link of the chain says so.
 #pragma once
+
 #include <cstdint>
 #include <string_view>
 

@@ -1,5 +1,6 @@
 // The truth about one query, and the cross-checks that every query has to pass before anything is reported.
 #pragma once
+
 #include <optional>
 
 #include "exact/judge/judge.h"

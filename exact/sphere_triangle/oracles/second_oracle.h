@@ -1,6 +1,7 @@
 // A second opinion on every decision: MPFR, at a precision at which no operation rounds, and a walk over the triangle's
 // features in place of CGAL.
 #pragma once
+
 #include "kernel/sphere_triangle/reference/evaluate.h"
 
 namespace axiscert {

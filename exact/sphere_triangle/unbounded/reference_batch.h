@@ -1,5 +1,6 @@
 // R and R-infinity over a batch by SIMD.
 #pragma once
+
 #include <optional>
 #include <string_view>
 

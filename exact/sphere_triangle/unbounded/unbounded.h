@@ -1,6 +1,7 @@
 // R-infinity: a kernel's precision, operation order and rounding with an unbounded exponent. Any difference between it
 // and the kernel's reference is due to range. And the formulae at any precision.
 #pragma once
+
 #include "exact/judge/judge.h"
 #include "kernel/formulae_list.h"
 #include "kernel/sphere_triangle/reference/scalar.h"

@@ -1,5 +1,6 @@
 // character MESH --sweep ERRAND: journeys by sweeps, side by side.
 #pragma once
+
 #include <span>
 #include <string>
 

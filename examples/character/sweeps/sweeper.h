@@ -1,5 +1,6 @@
 // How far a sphere may move before it meets the ground: by the verdict of the twenty axes, or by what a kernel says.
 #pragma once
+
 #include <array>
 #include <cmath>
 #include <cstdint>

@@ -1,5 +1,6 @@
 // Distributes tasks to a crew and to other ranks as they have capacity; results arrive in any order.
 #pragma once
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>

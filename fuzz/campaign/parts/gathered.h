@@ -1,5 +1,6 @@
 // The finished part of a plan: merged results, and the stretches they come from.
 #pragma once
+
 #include <map>
 
 #include "fuzz/campaign/parts/stretch.h"

@@ -1,6 +1,7 @@
 // A stretch: consecutive units of one source and precision, the smallest portion that is handed out, journalled and
 // repeated. Its result depends on the plan and its number alone, to the byte.
 #pragma once
+
 #include <string>
 #include <string_view>
 #include <vector>

@@ -99,10 +99,6 @@ TEST(TallyCode, OtherBytesAreRefused) {
   EXPECT_THROW(decode_costs(bytes), Error);
 }
 
-}  // namespace
-
-namespace {
-
 // Families of very different sizes, with short last units and an empty family among them.
 Plan uneven_plan() {
   Plan plan = small_plan({"published"}, {"general", "tangent", "sliver", "tie", "bits"}, 0);

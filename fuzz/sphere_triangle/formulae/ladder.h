@@ -1,5 +1,6 @@
 // The cost of each step of the article's derivation: accuracy, range and speed of its forms on the same queries.
 #pragma once
+
 #include <bit>
 #include <map>
 #include <optional>

@@ -1,5 +1,6 @@
 // The process of a program: the end of its standard error, and the processes that it started.
 #pragma once
+
 #include <sys/types.h>
 
 #include <optional>

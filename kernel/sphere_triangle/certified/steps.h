@@ -1,6 +1,7 @@
 // Common parts of the steps of the certified predicate: the question, a block of queries and the answers to it, and the
 // forms of the steps for each instruction set.
 #pragma once
+
 #include <array>
 #include <cfloat>
 #include <cstddef>

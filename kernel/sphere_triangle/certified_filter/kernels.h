@@ -1,5 +1,6 @@
 // The filters as kernels of the registry, and for one query at a time.
 #pragma once
+
 #include <cmath>
 #include <concepts>
 
@@ -54,9 +55,6 @@ void scalar_filter_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
   }
 }
 
-}  // namespace axiscert
-
-namespace axiscert {
 enum class FilterForm : std::uint8_t { published, reduced };
 template <>
 inline constexpr std::size_t enum_count<FilterForm> = 2;

@@ -1,6 +1,7 @@
 // One pair at a time: the sixteen comparisons in four compares of four lanes, as the article's last section suggests,
 // and as a user writes them with Eigen.
 #pragma once
+
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/query.h"
 

@@ -1,6 +1,7 @@
 // Kernels over Highway vectors: one query per lane, dispatched at run time. Sides and bits are those of the scalar
 // reference, bit for bit, on each instruction set.
 #pragma once
+
 #include <functional>
 #include <map>
 #include <string>

@@ -1,6 +1,7 @@
 // Methods other than the article's: the closest point of the triangle, the triangle inflated by the radius, and a
 // reader's variant with seven axes.
 #pragma once
+
 #include "kernel/sphere_triangle/formulae.h"
 
 namespace axiscert::methods {

@@ -1,5 +1,6 @@
 // The scalar reference: it defines the meaning of a kernel, to the bit, in the precision of the input.
 #pragma once
+
 #include "kernel/formulae_list.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/query.h"

@@ -1,5 +1,6 @@
 // The parts of a certificate's statement that say what it is about, and what it was made from.
 #pragma once
+
 #include <cstddef>
 #include <optional>
 #include <string>

@@ -1,5 +1,6 @@
 // The report of `axiscert condition`.
 #pragma once
+
 #include "fuzz/fields/field.h"
 #include "fuzz/sphere_triangle/formulae/condition.h"
 #include "reports/instrument/data.h"

@@ -1,5 +1,6 @@
 // The report of `axiscert critical-radius`.
 #pragma once
+
 #include "fuzz/files/query_object.h"
 #include "fuzz/instruments/critical_radius.h"
 #include "reports/instrument/data.h"

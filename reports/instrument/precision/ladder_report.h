@@ -1,5 +1,6 @@
 // The report of `axiscert ladder`.
 #pragma once
+
 #include "fuzz/fields/field.h"
 #include "fuzz/sphere_triangle/formulae/ladder.h"
 #include "reports/instrument/data.h"

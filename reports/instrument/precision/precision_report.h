@@ -1,5 +1,6 @@
 // The report of `axiscert precision`.
 #pragma once
+
 #include "fuzz/fields/field.h"
 #include "fuzz/sphere_triangle/formulae/precision.h"
 #include "reports/instrument/data.h"

@@ -1,6 +1,7 @@
 // Images of a query: by the symmetries of the predicate, which leave every exact answer unchanged except for the names
 // of vertices, and in other units of length.
 #pragma once
+
 #include <array>
 #include <cstdint>
 #include <span>

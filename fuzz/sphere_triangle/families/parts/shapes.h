@@ -1,6 +1,7 @@
 // Building blocks shared by several families: vertices, integers, feet on features, radii. Plain arithmetic in Real in
 // a fixed order, so that the values are the same everywhere; for the same reason no expression reads the stream twice.
 #pragma once
+
 #include <array>
 #include <cstddef>
 #include <cstdint>

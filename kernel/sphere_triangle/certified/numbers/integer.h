@@ -1,6 +1,7 @@
 // Integers of a fixed number of 64-bit words, two's complement, on the stack. The oracle has its own type
 // (exact/numbers/wide_integer.h): a fault in a shared type would be in both.
 #pragma once
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
