@@ -92,7 +92,7 @@ TEST(PhysX, MissesZeroAreaAndNoMotion) {
   EXPECT_EQ(time_by("walk", still), 0);
 }
 
-TEST(Fauerby, HasNoPredicateOfTheStartAndNoMotionOfAPoint) {
+TEST(Fauerby, HasNoTestOfTheStartAndNoMotionOfAPoint) {
   const MovingQuery<double> inside{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {-0.5, -0.25, 0}, {8, 0, 0.5}, 1};
   EXPECT_GT(time_by("fauerby", inside).value(), 0) << "late";
   EXPECT_EQ(time_by("gated", inside), 0);
