@@ -97,7 +97,7 @@ class Examples(unittest.TestCase):
                 kernel = ctypes.CDLL(str(self.plugins[name])).axiscert_plugin
                 kernel.argtypes, kernel.restype = [ctypes.c_uint32], ctypes.POINTER(ctypes.c_uint32)
                 told = [kernel(i) for i in range(len(precisions) + 1)]
-                self.assertEqual([(entry[0], entry[1]) for entry in told[:-1]], [(2, bits) for bits in precisions])
+                self.assertEqual([(entry[0], entry[1]) for entry in told[:-1]], [(3, bits) for bits in precisions])
                 self.assertFalse(told[-1], "null after the last kernel")
 
     def test_the_batch_example_counts_as_the_built_in_kernel_of_its_formulae(self):
