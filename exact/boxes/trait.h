@@ -97,12 +97,14 @@ struct BoxTrait : Boxes {
 };
 
 struct MatrixTrait : BoxTrait<MatrixBoxes> {
+  using ClearForms = FormulaeList<ProjectedFifteen, Textbook>;  // the second takes the axes to be orthonormal
   using AllFormulae = FormulaeList<ProjectedFifteen, Columns, DroppedFifteen, FramedFifteen, Textbook, Rtcd, Gottschalk,
                                    Bullet, Cofactor, SlipOfTheBook, SlipOfTheFrame, SlipOfEpsilon, SlipOfOneInterval,
                                    SlipOfOwnEdges, SlipOfOneEdge>;
 };
 
 struct QuaternionTrait : BoxTrait<QuaternionBoxes> {
+  using ClearForms = FormulaeList<OfQuaternions<ProjectedFifteen>>;
   using Exact = BinaryFraction;  // the matrix of a quaternion is divided by its squared length
   using AllFormulae =
       FormulaeList<OfQuaternions<ProjectedFifteen>, OfQuaternions<Columns>, OfQuaternions<DroppedFifteen>,

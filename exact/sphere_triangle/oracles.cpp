@@ -8,6 +8,8 @@
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "exact/trait/clear.h"
+#include "kernel/sphere_triangle/formulae/ladder.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
@@ -60,6 +62,25 @@ class FilteredSphereTriangles final : public BatchOracle<Real> {
   const std::vector<DecidedSigns>* decided_ = nullptr;
 };
 
+// The predicate, and its formulae, as code for every predicate sees them (kernel/formulae_kernel.h).
+struct SphereAndTriangle {
+  static const Predicate& description() { return sphere_triangle_predicate(); }
+  template <class T, class Load>
+  static portable::Problem<T> problem(Load&& load) {
+    const auto point = [&](std::size_t k) { return portable::Vec3<T>{load(k), load(k + 1), load(k + 2)}; };
+    return {point(0), point(3), point(6), point(9), load(12), T(0.0)};
+  }
+};
+template <class F>
+struct ByIndex {
+  template <class T, class Sink>
+  static void comparisons(const portable::Problem<T>& q, Sink& sink) {
+    F::comparisons(q, [&](Comparison which, const T& lhs, const T& rhs) { sink(index_of(which), lhs, rhs); });
+  }
+};
+// The derivation's first form, in the world's coordinates, and its last.
+using ClearForms = FormulaeList<ByIndex<rungs::Ladder0>, ByIndex<portable::PublishedFormulae>>;
+
 class SphereTriangleOracles final : public Oracles {
  public:
   const Predicate& predicate() const override { return sphere_triangle_predicate(); }
@@ -84,6 +105,8 @@ class SphereTriangleOracles final : public Oracles {
   std::unique_ptr<AskedQuery> about(const Numbers<double>& q, Opinion opinion) const override {
     return std::make_unique<AskedSphereTriangle<double>>(query_from(q), opinion);
   }
+  std::optional<Verdict> clear_verdict(const Numbers<float>& q) const override { return clear_verdict_of(q); }
+  std::optional<Verdict> clear_verdict(const Numbers<double>& q) const override { return clear_verdict_of(q); }
   bool has_depth() const override { return true; }
   bool has_squared_distance() const override { return true; }
   std::optional<double> depth(const Numbers<float>& q) const override { return depth_of<float>(q); }
@@ -108,6 +131,11 @@ class SphereTriangleOracles final : public Oracles {
   }
 
  private:
+  template <class Real>
+  static std::optional<Verdict> clear_verdict_of(const Numbers<Real>& q) {
+    const auto found = clear_verdict_by<SphereAndTriangle>(ClearForms(), q);
+    return found && axiscert::is_valid(query_from(q)) ? found : std::nullopt;
+  }
   template <class Real>
   static double depth_of(const Query<Real>& q) {
     return axiscert::depth(q, squared_distance(q));

@@ -105,6 +105,10 @@ class Oracles {
   // The same, asked once.
   Truth truth(const Numbers<float>& numbers) const { return about(numbers)->truth(); }
   Truth truth(const Numbers<double>& numbers) const { return about(numbers)->truth(); }
+  // The verdict that no right method of the precision can miss (exact/trait/clear.h); empty where the numbers are no
+  // clear query, and in a predicate that has no such notion. It asks no exact arithmetic.
+  virtual std::optional<Verdict> clear_verdict(const Numbers<float>&) const { return std::nullopt; }
+  virtual std::optional<Verdict> clear_verdict(const Numbers<double>&) const { return std::nullopt; }
   virtual bool has_depth() const = 0;
   // The distance of a valid query from touching, relative to its scene and rounded once; empty if the predicate has
   // none.

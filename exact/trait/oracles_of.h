@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "exact/numbers/floating.h"
+#include "exact/trait/clear.h"
 #include "exact/trait/oracles.h"
 #include "exact/trait/trait.h"
 #include "kernel/base/error.h"
@@ -46,6 +47,8 @@ class OraclesOf final : public Oracles {
   std::unique_ptr<AskedQuery> about(const Numbers<double>& q, Opinion) const override {
     return std::make_unique<EvaluatedQuery<double>>(q);
   }
+  std::optional<Verdict> clear_verdict(const Numbers<float>& q) const override { return clear_verdict_of(q); }
+  std::optional<Verdict> clear_verdict(const Numbers<double>& q) const override { return clear_verdict_of(q); }
   bool has_depth() const override { return HasDepth<Trait>; }
   std::optional<double> depth(const Numbers<float>& q) const override { return depth_of(q); }
   std::optional<double> depth(const Numbers<double>& q) const override { return depth_of(q); }
@@ -97,6 +100,16 @@ class OraclesOf final : public Oracles {
   };
   // Those of the theorem.
   using First = typename FirstOf<typename Trait::AllFormulae>::type;
+
+  // Right forms, as far apart as a right kernel may be from them.
+  template <class Real>
+  static std::optional<Verdict> clear_verdict_of(const Numbers<Real>& q) {
+    std::optional<Verdict> found;
+    if constexpr (requires { typename Trait::ClearForms; })
+      found = clear_verdict_by<Trait>(typename Trait::ClearForms(), q);
+    else found = clear_verdict_by<Trait>(FormulaeList<First>(), q);
+    return found && Trait::is_valid(widened(q)) ? found : std::nullopt;
+  }
 
   // Both sides of each comparison of these formulae.
   template <class F, class Real>

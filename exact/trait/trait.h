@@ -46,6 +46,8 @@ struct ExactNumber {
 // is_valid() are asked about valid queries alone.
 //   AllFormulae        a FormulaeList; those of kind `rung` after the first have its signs on every query, and
 //                      those that derive from it its comparisons, with other relations
+//   ClearForms         optional: a FormulaeList of those whose bounds make a query clear (exact/trait/clear.h); else
+//                      the first formulae
 //   Exact              optional: the number type in which the formulae are exact; BinaryFraction where they divide,
 //                      else BinaryNumber
 //   is_valid           whether the numbers are a query; else the truth is `invalid`
