@@ -182,6 +182,8 @@ struct Kernel {
   }
 };
 
+// Whether it claims the bits of a reference, by which the cause of a wrong verdict is told.
+inline bool has_reference(const Kernel& kernel) { return kernel.is_reference && !kernel.formulae.empty(); }
 // Whether the formulae that it claims have comparisons.
 bool has_comparisons(const Kernel& kernel);
 

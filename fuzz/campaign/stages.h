@@ -119,7 +119,7 @@ class Screen {
   virtual void decide(const MadeBatch<Real>& batch) = 0;
   virtual void look_at_errors() {}
   // Counts answers with nothing to see in bulk. Whether some kernel's answer to query `i` is left.
-  virtual void count_clear() {}
+  virtual void count_in_bulk() {}
   virtual bool is_open(std::size_t) const { return true; }
   // Whether kernel k's answer to an open query is judged and counted, now or before; else the oracles judge it.
   virtual bool try_judge(std::size_t, std::size_t) { return false; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fuzz/campaign/clear_look.h"
 #include "fuzz/campaign/stages.h"
 #include "fuzz/campaign/machine.h"
 #include "kernel/base/stopwatch.h"
@@ -57,7 +58,8 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
     watch.lap();  // the filters keep their own time
     screen->look_at_errors();
     steps.errors += watch.lap();
-    screen->count_clear();
+    screen->count_in_bulk();
+    look_at_clear(oracles, made, runs);
     judge(oracles, made, runs, *screen);
     screen->sample();
     steps.judging += watch.lap();

@@ -113,6 +113,7 @@ Tally measured(Tally tally, const Kernel& kernel, const Tolerances& tolerances) 
     if (!has_sides || !has_tolerance) tally.axes[a].tolerance_failures.reset();
   }
   if (!kernel.limits.any() && kernel.motion == MotionPolicy{}) tally.verdict.outside_limits.reset();
+  if (has_reference(kernel)) tally.verdict.clear.reset();
   if (!oracles_of(predicate).has_depth()) tally.verdict.depths.reset();
   if (!capabilities_of(predicate).has_engine_queries) tally.verdict.engine.reset();
   if (!gives(kernel, "time")) tally.motion.time.reset();

@@ -111,6 +111,8 @@ void WitnessWriter::add(const Kernel& kernel, const SeededSource& of, const Tall
     note(tally.verdict.deepest_by_link[i],
          [i](const auto&) { return fmt::format("deepest wrong verdict with a broken {} link", link_names[i]); });
   }
+  note(tally.verdict.clear->first_missed, [](const auto&) { return "first false_separation on a clear query"; });
+  note(tally.verdict.clear->first_phantom, [](const auto&) { return "first false_contact on a clear query"; });
   for (const InputClass which : enumerators<InputClass>) {
     note(tally.classes.classes[which].deepest, [which](const auto&) {
       return fmt::format("deepest wrong verdict on input of class {}", input_class_names[which]);

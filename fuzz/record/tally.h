@@ -10,6 +10,7 @@
 
 #include "exact/numbers/rational.h"
 #include "exact/judge/judge.h"
+#include "fuzz/record/clear_tally.h"
 #include "fuzz/record/wrong_verdicts.h"
 #include "fuzz/record/leaders.h"
 #include "fuzz/record/margins.h"
@@ -186,8 +187,8 @@ struct JsonForm<FirstQuery> {
   static Json schema() { return {{"type", {"integer", "null"}}, {"minimum", 1}}; }
 };
 
-// A member may be empty where the kernel declares no limits, the predicate has no depth, or engines ask no such
-// queries.
+// A member may be empty where the kernel declares no limits, has a reference (clear), the predicate has no depth, or
+// engines ask no such queries.
 struct VerdictTally {
   std::uint64_t false_separation = 0, false_contact = 0, undecided = 0;
   std::uint64_t undecided_contact = 0, undecided_touching = 0;  // of undecided; touching is part of contact
@@ -198,6 +199,7 @@ struct VerdictTally {
   std::uint64_t touching_flips = 0;
   LinkCounts touching_links{};
   std::optional<OutsideTally> outside_limits = OutsideTally();
+  std::optional<ClearTally> clear = ClearTally();
   std::optional<DepthTally> depths = DepthTally();
   std::optional<EngineTally> engine = EngineTally();
   EnumArray<Link, Leaders<double>> deepest_by_link;  // the deepest with that link broken
@@ -250,6 +252,9 @@ struct VerdictTally {
         field(&VerdictTally::touching_links, {"touching_links", "Broken links on touching queries."}),
         field(&VerdictTally::outside_limits,
               {"outside_limits", "Valid queries outside the kernel's limits; null where it declares none."}),
+        field(&VerdictTally::clear,
+              {"clear",
+               "Answers to clear queries; null for a kernel with a reference, whose links say why it is wrong."}),
         field(&VerdictTally::depths,
               {"depths", "Wrong verdicts by decade of depth; null where the predicate has no depth."}),
         field(&VerdictTally::engine,

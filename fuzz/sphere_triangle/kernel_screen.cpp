@@ -98,7 +98,7 @@ void KernelScreen<Real>::look_at_errors(const DecidedBatch<Real>& batch) {
 // Without ties strict and non-strict signs are the same, no query touches, and each predicate is one comparison of flat
 // arrays.
 template <class Real>
-void KernelScreen<Real>::count_clear(const DecidedBatch<Real>& batch) {
+void KernelScreen<Real>::count_in_bulk(const DecidedBatch<Real>& batch) {
   counted_.clear();
   if (!by_signs_ || run_.has_replies()) return;
   if (formulae_ == Formulae::none || (kernel_.is_reference && !reference_.has_form())) return;

@@ -93,7 +93,7 @@ class KernelScreen {
   void look_at_errors(const DecidedBatch<Real>& batch);
   // Counts the queries on which no sign is a tie and nothing is wrong with the answer, unless exact arithmetic judges
   // them.
-  void count_clear(const DecidedBatch<Real>& batch);
+  void count_in_bulk(const DecidedBatch<Real>& batch);
   // Counts the engine-like queries of a batch, unless the kernel has limits: then they are counted one by one.
   void count_engine_like(std::uint64_t queries);
   bool has_counted(std::size_t i) const { return !counted_.empty() && counted_[i]; }
@@ -134,7 +134,7 @@ class KernelScreen {
   ReferenceBatch<Real> reference_;
   ErrorWatch<Real> errors_;
   CleanCount clean_;
-  std::vector<char> counted_;  // by query of the batch: by count_clear
+  std::vector<char> counted_;  // by query of the batch: by count_in_bulk
   RepeatedJudgements repeated_;
   std::vector<Query<Real>> sampled_;
   std::vector<Real> distances_;  // exact, rounded, of the sampled queries

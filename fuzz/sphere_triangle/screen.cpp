@@ -29,12 +29,12 @@ void SphereTriangleScreen<Real>::look_at_errors() {
 }
 
 template <class Real>
-void SphereTriangleScreen<Real>::count_clear() {
+void SphereTriangleScreen<Real>::count_in_bulk() {
   open_.assign(batch_->size(), false);
   const std::uint64_t engine_like = engine_like_queries(batch_->queries.columns());
   for (KernelScreen<Real>& kernel : kernels_) {
     kernel.count_engine_like(engine_like);
-    kernel.count_clear(*batch_);
+    kernel.count_in_bulk(*batch_);
     for (std::size_t i = 0; i < open_.size(); ++i) open_[i] |= static_cast<char>(!kernel.has_counted(i));
   }
 }

@@ -51,7 +51,7 @@ class SphereTriangleScreen final : public Screen<Real> {
 
   void decide(const MadeBatch<Real>& batch) override;
   void look_at_errors() override;
-  void count_clear() override;
+  void count_in_bulk() override;
   bool is_open(std::size_t i) const override { return open_[i]; }
   bool try_judge(std::size_t k, std::size_t i) override;
   AskedQuery& about(std::size_t i) override { return look(i); }

@@ -40,21 +40,27 @@ FamilyLook look_at_exact(const Subject& subject, const FamilyRecord& result) {
   return {evidence.population - touching, decided - std::min(decided, touched)};
 }
 
-// The families of exact arithmetic that ran, and their queries that count: decided, and not touching.
-struct ExactFamilies {
+// Of any other family, at the clear ones that are decided.
+FamilyLook look_at_clear(const FamilyRecord& result) {
+  const ClearTally clear = result.verdict.clear.value_or(ClearTally());
+  return {clear.queries, clear.decided(), clear.undecided};
+}
+
+// Families that ran, and their queries that count.
+struct Seen {
   std::vector<std::string> names;
   std::uint64_t queries = 0;
-};
-ExactFamilies exact_families_of(const Subject& subject) {
-  ExactFamilies exact;
-  for (const auto& [family, result] : subject.families()) {
-    if (!is_of_exact_arithmetic(subject, result)) continue;
-    const std::uint64_t queries = look_at_exact(subject, result).looked_at;
-    if (queries == 0) continue;
-    exact.names.push_back(family);
-    exact.queries += queries;
+
+  void add(const std::string& family, std::uint64_t looked_at) {
+    if (looked_at == 0) return;
+    names.push_back(family);
+    queries += looked_at;
   }
-  return exact;
+};
+std::string short_list(const std::vector<std::string>& families) {
+  if (families.empty()) return "no family";
+  if (families.size() > 4) return fmt::format("{} families", families.size());
+  return fmt::format("{}", fmt::join(families, ", "));
 }
 
 // Queries beside the same in another unit of length.
@@ -73,14 +79,24 @@ Units units_that_ran(const Subject& subject) {
   return units;
 }
 
-// The families that a run without one could have had.
+// The families of exact arithmetic that a run could have had.
 std::string families_to_add(const Subject& subject) {
   std::vector<std::string> options;
   for (const Family* family : families_of(predicate_of(subject.record().plan))) {
     if (family->exact_arithmetic && image_group(family->name) == nullptr)
       options.push_back(fmt::format("--family {}", family->name));
   }
-  return options.empty() ? "this predicate has none" : "add " + fmt::format("{}", fmt::join(options, " "));
+  return options.empty() ? "this predicate has no family of exact arithmetic"
+                         : "add " + fmt::format("{}", fmt::join(options, " "));
+}
+
+// Wrong verdicts on clear queries, by direction, each with the first of them.
+void add_wrong_on_clear(const Subject& subject, const std::string& family, const ClearTally& clear,
+                        std::vector<Failure>& failures) {
+  subject.add_shown(failures, family, clear.false_separation, "missed contacts on clear queries",
+                    "first false_separation on a clear query");
+  subject.add_shown(failures, family, clear.false_contact, "phantom contacts on clear queries",
+                    "first false_contact on a clear query");
 }
 
 void find_logic_failures(const Subject& subject, const std::string& family, const FamilyRecord& result,
@@ -93,9 +109,12 @@ void find_logic_failures(const Subject& subject, const std::string& family, cons
     subject.add_pair(failures, family, change.count, change.what, change.first);
   }
   if (subject.basis() == Basis::verdicts) {
-    // Without formulae to compare with, a wrong verdict in exact arithmetic is wrong logic. A method of the kernel's
-    // own may still round there, and for a touching sphere any rounding shows.
-    if (!exact_arithmetic) return;
+    // Without formulae to compare with, a wrong verdict in exact arithmetic is wrong logic, and so is one on a clear
+    // query. A method of the kernel's own may still round there, and for a touching sphere any rounding shows.
+    if (!exact_arithmetic) {
+      add_wrong_on_clear(subject, family, verdict.clear.value_or(ClearTally()), failures);
+      return;
+    }
     const std::uint64_t wrong = verdict.false_separation + verdict.false_contact;
     subject.add(
         failures, family, wrong - verdict.touching_flips,
@@ -105,19 +124,20 @@ void find_logic_failures(const Subject& subject, const std::string& family, cons
   for (const Link link : {Link::specification, Link::implementation})
     subject.add_link(failures, family, link, verdict.links[link]);
   // Formulae evaluated in an order of operations of the kernel's own: where they round, an unattributed difference
-  // may be rounding and is not a fault of logic. In exact arithmetic it is one.
+  // may be rounding and is not a fault of logic. In exact arithmetic and on clear queries it is one.
   if (subject.basis() == Basis::formulae && exact_arithmetic) {
     const Link link = Link::unattributed;
     subject.add_link(failures, family, link, verdict.links[link] - verdict.touching_links[link]);
+  } else if (subject.basis() == Basis::formulae) {
+    add_wrong_on_clear(subject, family, verdict.clear.value_or(ClearTally()), failures);
   }
 }
 
 std::string logic_sentence(const AskedLevel&) {
   return "no wrong verdict but by rounding or range: the formulae are right (specification), and so is the code that "
          "computes them (implementation). A kernel that claims no formulae, or has its own way to evaluate them, is "
-         "held "
-         "to queries on which nothing is rounded, touching ones not counted, and to other units of length, in which "
-         "its verdicts have to be the same";
+         "held to clear queries, which no right method gets wrong; to queries on which nothing is rounded, touching "
+         "ones not counted; and to other units of length, in which its verdicts have to be the same";
 }
 
 LevelFindings judge_logic(const AskedLevel&, const Subject& subject) { return logic_findings(subject); }
@@ -137,28 +157,30 @@ LevelFindings logic_findings(const Subject& subject) {
     found.leaves_out = "rounding and range, and queries that these families do not make";
     return found;
   }
-  const ExactFamilies exact = exact_families_of(subject);
   const bool has_formulae = subject.basis() == Basis::formulae;
+  Seen exact, clear;
   for (const auto& [family, result] : subject.families()) {
     const ImageChangesRecord* units = units_of(result);
-    if (is_of_exact_arithmetic(subject, result)) {
-      found.families[family] = look_at_exact(subject, result);
-    } else if (units != nullptr) {
+    const bool is_exact = is_of_exact_arithmetic(subject, result);
+    const FamilyLook look = is_exact ? look_at_exact(subject, result) : look_at_clear(result);
+    (is_exact ? exact : clear).add(family, look.looked_at);
+    if (!is_exact && units != nullptr)
       found.families[family] = subject.pairs_look(result, units->images, units->undecided);
-    } else {
-      found.unseen.push_back(family);
-    }
+    else if (is_exact || look.concerned != 0) found.families[family] = look;
+    else found.unseen.push_back(family);
   }
   const std::string cause = has_formulae ? "a difference from the formulae that it claims" : "a wrong verdict";
-  if (exact.queries == 0) {
-    found.not_checked =
-        fmt::format("no query of a family of exact arithmetic was decided, and elsewhere {} may be of rounding; {}",
-                    cause, families_to_add(subject));
+  if (exact.queries + clear.queries == 0) {
+    found.not_checked = fmt::format(
+        "no clear query was decided, and none of a family of exact arithmetic; elsewhere {} may be of rounding; {}",
+        cause, families_to_add(subject));
     return found;
   }
-  found.covers =
-      fmt::format("verdicts on the {} queries of {} that do not touch, where a right method has nothing to round",
-                  thousands(exact.queries), fmt::join(exact.names, ", "));
+  found.covers = fmt::format(
+      "verdicts on {} clear queries of {}, which no right method gets wrong, and on {} queries of {} that do not "
+      "touch, "
+      "where there is nothing to round",
+      thousands(clear.queries), short_list(clear.names), thousands(exact.queries), short_list(exact.names));
   if (has_formulae)
     found.covers += fmt::format("; its formulae, exact, on {} queries of {}", queries, subject.list_of_families());
   const Units units = units_that_ran(subject);

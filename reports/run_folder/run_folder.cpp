@@ -195,6 +195,16 @@ class RecordCheck {
                 verdict.undecided_touching <= std::min(verdict.undecided_contact, touching) &&
                 verdict.undecided - verdict.undecided_contact <= separated,
             where, "undecided_contact and undecided_touching do not fit undecided and the truth");
+    const bool has_reference = kernel.reference.value_or(false);
+    require(verdict.clear.has_value() != has_reference, where,
+            "clear is counted where the kernel has no reference, and only there");
+    const ClearTally clear = verdict.clear.value_or(ClearTally());
+    require(
+        clear.wrong() + clear.undecided + clear.unanswered <= clear.queries && clear.queries <= valid - outside.trials,
+        where, "more answers to clear queries than there are, or more of these than valid queries");
+    require(clear.false_separation <= verdict.false_separation && clear.false_contact <= verdict.false_contact &&
+                clear.undecided <= verdict.undecided && clear.unanswered <= verdict.invalid + verdict.unanswered,
+            where, "more answers of one kind to clear queries than to all");
     require(verdict.touching_flips <= wrong, where, "more touching_flips than wrong verdicts");
     require_no(fault_of_depths(verdict, valid), where);
     for (const Link link : enumerators<Link>) {
