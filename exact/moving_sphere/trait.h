@@ -22,6 +22,7 @@ namespace axiscert::moving_sphere {
 template <class Entry>
 struct MotionTrait : Entry {
   using AllFormulae = FormulaeList<Twenty, TwentyNonstrict>;
+  using ClearForms = FormulaeList<TwentyNonstrict>;  // right for a motion of zero too, whose sides are exactly 0
 
   static GivenMotion query(const Numbers<double>& numbers) {
     return Entry::template problem<double>([&](std::size_t k) { return numbers[k]; });
