@@ -12,6 +12,7 @@
 #include "exact/moving_sphere/motion_judge.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/measures/input_class.h"
+#include "exact/trait/clear.h"
 #include "exact/trait/oracles.h"
 #include "exact/trait/trait.h"
 #include "kernel/moving_sphere/twenty.h"
@@ -26,6 +27,12 @@ struct MotionTrait : Entry {
 
   static GivenMotion query(const Numbers<double>& numbers) {
     return Entry::template problem<double>([&](std::size_t k) { return numbers[k]; });
+  }
+
+  template <class Real>
+  static double moved_length(const Numbers<Real>& numbers) {
+    const auto q = Entry::template problem<double>([&](std::size_t k) { return static_cast<double>(numbers[k]); });
+    return barycentric_length(q.a, q.b, q.c);
   }
 
   static bool is_valid(const Numbers<double>& numbers) {

@@ -70,6 +70,11 @@ struct SphereAndTriangle {
     const auto point = [&](std::size_t k) { return portable::Vec3<T>{load(k), load(k + 1), load(k + 2)}; };
     return {point(0), point(3), point(6), point(9), load(12), T(0.0)};
   }
+  template <class Real>
+  static double moved_length(const Numbers<Real>& q) {
+    const auto given = problem<double>([&](std::size_t k) { return static_cast<double>(q[k]); });
+    return barycentric_length(given.a, given.b, given.c);
+  }
 };
 template <class F>
 struct ByIndex {

@@ -18,6 +18,13 @@ double greatest(const Numbers<Real>& q, const ColumnGroup& group, const ColumnGr
 
 }  // namespace
 
+double barycentric_length(const portable::Vec3<double>& a, const portable::Vec3<double>& b,
+                          const portable::Vec3<double>& c) {
+  const portable::Vec3<double> ab = b - a, ac = c - a, bc = c - b, normal = cross(ab, ac);
+  const double longest = std::sqrt(std::max({dot(ab, ab), dot(ac, ac), dot(bc, bc)}));
+  return longest * (longest * (longest / std::sqrt(dot(normal, normal))));
+}
+
 void SceneLengths::note(double length) {
   if (length == 0) return;
   longest = std::max(longest, length);

@@ -37,6 +37,12 @@ class SceneColumns {
   std::vector<std::size_t> lengths_;
 };
 
+// L L / h of a triangle, L its longest edge and h its least height: a method that finds the nearest point by
+// barycentric coordinates, of areas that cancel, moves it by a few u of that. Infinite or not a number where there is
+// no area.
+double barycentric_length(const portable::Vec3<double>& a, const portable::Vec3<double>& b,
+                          const portable::Vec3<double>& c);
+
 // Whether methods of degree 8 stay within the range: the longest length to the power of 8 does, and the product of four
 // of the shortest and four of the longest is normal.
 template <class Real>
@@ -61,7 +67,8 @@ std::optional<Verdict> certain_verdict(const Predicate& predicate, const Problem
 }
 
 // The clear verdict by the formulae of a list; all have to be certain of one verdict. The coordinates are uncertain by
-// K u of the greatest, as they are to a method that does not move the origin first.
+// K u of the greatest, as they are to a method that does not move the origin first, or of Test::moved_length(q), a
+// length by which other methods do.
 template <class Test, class Real, class... F>
 std::optional<Verdict> clear_verdict_by(FormulaeList<F...>, const Numbers<Real>& q) {
   using Rough = RoughNumber<Real>;
@@ -69,7 +76,9 @@ std::optional<Verdict> clear_verdict_by(FormulaeList<F...>, const Numbers<Real>&
   static const SceneColumns columns(predicate.entries[entry_of<Test>()]);
   const SceneLengths scene = columns.lengths(q);
   if (!is_within_range<Real>(scene)) return std::nullopt;
-  const double moved = rough_unit<Real> * scene.farthest;
+  double moved = rough_unit<Real> * scene.farthest;
+  if constexpr (requires { Test::moved_length(q); }) moved += rough_unit<Real> * Test::moved_length(q);
+  if (!std::isfinite(moved)) return std::nullopt;
   const auto problem = Test::template problem<Rough>([&](std::size_t k) {
     const auto x = static_cast<double>(q[k]);
     return columns.is_coordinate(k) ? Rough::within(x, moved) : Rough(x);

@@ -55,6 +55,7 @@ ClearCounts ask_about(const Family& family, const std::vector<const Kernel*>& fo
   ClearCounts counts;
   const Oracles& oracles = oracles_of(family.predicate(), family.entry);
   QueryBatch<Real> batch(queries_of_a_family, family.column_count());
+  batch.resize(queries_of_a_family);
   family.fill(7, 0, batch.mutable_columns());
   std::vector<Reply<Real>> replies(forms.size());
   for (std::size_t k = 0; k < forms.size(); ++k) {
