@@ -29,10 +29,21 @@ struct MotionTrait : Entry {
     return Entry::template problem<double>([&](std::size_t k) { return numbers[k]; });
   }
 
+  // Methods by roots lose b^2 - a c, a distance of L L / r where the path is L away from the triangle.
   template <class Real>
   static double moved_length(const Numbers<Real>& numbers) {
     const auto q = Entry::template problem<double>([&](std::size_t k) { return static_cast<double>(numbers[k]); });
-    return barycentric_length(q.a, q.b, q.c);
+    double square = 0;
+    for (const auto& corner : {q.a, q.b, q.c}) square = std::max(square, dot(corner - q.p, corner - q.p));
+    return barycentric_length(q.a, q.b, q.c) + (q.r > 0 ? square / q.r : 0);
+  }
+  // Where the sphere all but touches at the start, a method by roots may not see it.
+  template <class Real>
+  static bool is_clear_at_start(const Numbers<Real>& numbers) {
+    Numbers<Real> still(13);
+    std::copy_n(numbers.begin(), 12, still.begin());
+    still[12] = numbers[15];
+    return oracles_of(sphere_triangle_predicate()).clear_verdict(still).has_value();
   }
 
   static bool is_valid(const Numbers<double>& numbers) {

@@ -108,6 +108,9 @@ class OraclesOf final : public Oracles {
     if constexpr (requires { typename Trait::ClearForms; })
       found = clear_verdict_by<Trait>(typename Trait::ClearForms(), q);
     else found = clear_verdict_by<Trait>(FormulaeList<First>(), q);
+    if constexpr (requires { Trait::is_clear_at_start(q); }) {
+      if (found == Verdict::contact && !Trait::is_clear_at_start(q)) return std::nullopt;
+    }
     return found && Trait::is_valid(widened(q)) ? found : std::nullopt;
   }
 
