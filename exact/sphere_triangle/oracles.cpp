@@ -83,8 +83,8 @@ struct ByIndex {
     F::comparisons(q, [&](Comparison which, const T& lhs, const T& rhs) { sink(index_of(which), lhs, rhs); });
   }
 };
-// The derivation's first form, in the world's coordinates, and its last.
-using ClearForms = FormulaeList<ByIndex<rungs::Ladder0>, ByIndex<portable::PublishedFormulae>>;
+// The derivation's last form, and its first, in the world's coordinates; the cheaper one decides most.
+using ClearForms = FormulaeList<ByIndex<portable::PublishedFormulae>, ByIndex<rungs::Ladder0>>;
 
 class SphereTriangleOracles final : public Oracles {
  public:

@@ -40,7 +40,8 @@ FamilyLook look_at_exact(const Subject& subject, const FamilyRecord& result) {
   return {evidence.population - touching, decided - std::min(decided, touched)};
 }
 
-// Of any other family, at the clear ones that are decided.
+// Of any other family, at the clear ones that are decided. Fewer than the least are no evidence about it: then it
+// counts as unseen, and is judged all the same.
 FamilyLook look_at_clear(const FamilyRecord& result) {
   const ClearTally clear = result.verdict.clear.value_or(ClearTally());
   return {clear.queries, clear.decided(), clear.undecided};
@@ -163,10 +164,10 @@ LevelFindings logic_findings(const Subject& subject) {
     const ImageChangesRecord* units = units_of(result);
     const bool is_exact = is_of_exact_arithmetic(subject, result);
     const FamilyLook look = is_exact ? look_at_exact(subject, result) : look_at_clear(result);
-    (is_exact ? exact : clear).add(family, look.looked_at);
+    if (is_exact || look.concerned >= least_looked_at) (is_exact ? exact : clear).add(family, look.looked_at);
     if (!is_exact && units != nullptr)
       found.families[family] = subject.pairs_look(result, units->images, units->undecided);
-    else if (is_exact || look.concerned != 0) found.families[family] = look;
+    else if (is_exact || look.concerned >= least_looked_at) found.families[family] = look;
     else found.unseen.push_back(family);
   }
   const std::string cause = has_formulae ? "a difference from the formulae that it claims" : "a wrong verdict";
