@@ -88,10 +88,11 @@ LevelFindings judge_early(const AskedLevel& asked, const Subject& subject) {
     if (!result.motion || !result.motion->time) continue;
     const TimeTally& time = *result.motion->time;
     if (const Decimal6 earliest = time.early_errors.largest_in_u.best(); earliest.value() > most) {
-      subject.add_shown(found.failures, family, time.early,
-                        fmt::format("times before the best one, the earliest by {} u of the displacement: {} is allowed",
-                                    error_amount(earliest), most),
-                        "earliest time");
+      subject.add_shown(
+          found.failures, family, time.early,
+          fmt::format("times before the best one, the earliest by {} u of the displacement: {} is allowed",
+                      error_amount(earliest), most),
+          "earliest time");
     }
   }
   found.leaves_out = "late times, which never-late asks about; " + found.leaves_out;
@@ -140,7 +141,8 @@ LevelFindings judge_normals(const AskedLevel& asked, const Subject& subject) {
     const auto check = [&, family = family](double largest, const char* what, const char* unit, const char* shown) {
       if (largest <= most) return;
       subject.add_shown(found.failures, family, 1,
-                        fmt::format("the worst {} is off by {:.4g}{}: {} is allowed", what, largest, unit, most), shown);
+                        fmt::format("the worst {} is off by {:.4g}{}: {} is allowed", what, largest, unit, most),
+                        shown);
     };
     check(normal.largest_angle.best(), "normal", " radians", "largest angle of a normal");
     check(normal.largest_length_error.best(), "length of a normal", " of 1", "largest error of a normal's length");
@@ -170,9 +172,10 @@ LevelFindings judge_points(const AskedLevel& asked, const Subject& subject) {
 
 std::string features_sentence(const AskedLevel& asked) {
   if (!asked.has_argument) return "no feature beside a contact but one that is touched first";
-  return fmt::format("no feature beside a contact but one that is touched first, or in whose region the centre is then "
-                     "but for {} of the scene",
-                     bound_of(asked, scene_bound));
+  return fmt::format(
+      "no feature beside a contact but one that is touched first, or in whose region the centre is then "
+      "but for {} of the scene",
+      bound_of(asked, scene_bound));
 }
 
 constexpr std::string_view in_u[] = {"64"}, shares[] = {"0.001"};
@@ -185,9 +188,10 @@ extern const GateLevel early_level = {
     .check = [](const AskedLevel& asked) { bound_of(asked, displacement_bound); },
     .sentence =
         [](const AskedLevel& asked) {
-          return fmt::format("no time of contact before the best one by more than {} u of the displacement, and none "
-                             "that is missing or outside [0, 1]",
-                             bound_of(asked, displacement_bound));
+          return fmt::format(
+              "no time of contact before the best one by more than {} u of the displacement, and none "
+              "that is missing or outside [0, 1]",
+              bound_of(asked, displacement_bound));
         },
     .judge = judge_early,
     .in_certificates = in_u};
@@ -209,23 +213,24 @@ extern const GateLevel normals_level = {
     .check = [](const AskedLevel& asked) { bound_of(asked, angle_bound); },
     .sentence =
         [](const AskedLevel& asked) {
-          return fmt::format("no normal beside a contact that is off by more than {0} radians, or longer or shorter than "
-                             "1 by more than {0}",
-                             bound_of(asked, angle_bound));
+          return fmt::format(
+              "no normal beside a contact that is off by more than {0} radians, or longer or shorter than "
+              "1 by more than {0}",
+              bound_of(asked, angle_bound));
         },
     .judge = judge_normals,
     .in_certificates = shares};
 
-extern const GateLevel points_level = {
-    .usage = "points=D",
-    .meaning = "no point of contact that is off by more than D of the scene",
-    .check = [](const AskedLevel& asked) { bound_of(asked, scene_bound); },
-    .sentence =
-        [](const AskedLevel& asked) {
-          return fmt::format("no point beside a contact that is off by more than {} of the scene",
-                             bound_of(asked, scene_bound));
-        },
-    .judge = judge_points,
-    .in_certificates = shares};
+extern const GateLevel points_level = {.usage = "points=D",
+                                       .meaning = "no point of contact that is off by more than D of the scene",
+                                       .check = [](const AskedLevel& asked) { bound_of(asked, scene_bound); },
+                                       .sentence =
+                                           [](const AskedLevel& asked) {
+                                             return fmt::format(
+                                                 "no point beside a contact that is off by more than {} of the scene",
+                                                 bound_of(asked, scene_bound));
+                                           },
+                                       .judge = judge_points,
+                                       .in_certificates = shares};
 
 }  // namespace axiscert
