@@ -123,14 +123,14 @@ TEST(ContactJudge, AWrongFeatureIsOffByItsRegion) {
   const auto off = [](const MovingQuery<double>& q, double number) { return judged(q, {0.5, number}).feature_error; };
   EXPECT_FALSE(off(falling(1), 6)) << "right";
   EXPECT_DOUBLE_EQ(off(falling(1), 3).value(), 10 / falling_scene) << "10 inside the edge ab";
-  // The region of a ends where AB and AC do: the centre is 10 beyond along AB, and 25 / sqrt(5) along AC.
-  EXPECT_DOUBLE_EQ(off(falling(1), 0).value(), 25 / std::sqrt(5.0) / falling_scene);
+  // The region of a ends where AB and AC do: the centre is 10 beyond along AB, and 30 / sqrt(5) along AC.
+  EXPECT_DOUBLE_EQ(off(falling(1), 0).value(), 30 / std::sqrt(5.0) / falling_scene);
   EXPECT_TRUE(std::isinf(off(falling(1), 7).value())) << "no part";
   MovingQuery<double> beside = falling(1);
   beside.p.y = -14;  // past the edge ab by 4, of which it touches nothing
   beside.r = 5;
   EXPECT_TRUE(judged(beside, {0.5, 3}).feature_is_right.value());
-  EXPECT_DOUBLE_EQ(off(beside, 6).value(), 4 / std::sqrt(10.0 * 10 + 24 * 24 + 3 * 3)) << "4 outside the face";
+  EXPECT_DOUBLE_EQ(off(beside, 6).value(), 4 / std::sqrt(24.0 * 24 + 3 * 3)) << "4 outside the face";
   EXPECT_EQ(off(passing, 3).value_or(-1), 0) << "a triangle without edges has no planes";
 }
 
