@@ -37,7 +37,8 @@ inline constexpr std::size_t enum_count<StillPolicy> = 2;
 inline constexpr EnumArray<StillPolicy, std::string_view> still_policy_names = {"reported", "ignored"};
 constexpr std::string_view name(StillPolicy which) { return still_policy_names[which]; }
 
-// Triangles that the motion meets from behind: D.(AB x AC) >= 0, so also those without area.
+// Triangles that are met from behind, so also those without area: by a motion D with D.(AB x AC) >= 0; without one, by
+// a centre P with (P - A).(AB x AC) <= 0.
 enum class SidesPolicy : std::uint8_t { both, front };
 template <>
 inline constexpr std::size_t enum_count<SidesPolicy> = 2;
@@ -98,11 +99,16 @@ struct Implementation {
 
 // The range in which a kernel promises to be right, bounds included; a bound of 0 means no limit. A wrong answer to a
 // query outside the range fails no requirement.
+// The bounds down to the radius are of predicates whose oracles have limits (Oracles::has_limits).
 struct Limits {
   double least_coordinate = 0, greatest_coordinate = 0;  // bounds of |x| over the coordinates of A, B, C, P that are
                                                          // not zero
   double least_area = 0;                                 // area of the triangle
   double least_radius = 0, greatest_radius = 0;
+  // A length: contact may be reported where the two are apart by at most this. Such a query is outside the range; one
+  // in contact is not, and touching is answered as Kernel::touching says.
+  double margin = 0;
+  SidesPolicy sides = SidesPolicy::both;  // of a predicate without motions that has a triangle
   bool operator==(const Limits&) const = default;
   bool any() const { return *this != Limits{}; }
 };

@@ -100,6 +100,9 @@ struct Predicate {
   bool claims_arithmetic = false;
   std::vector<std::string_view> methods = {};  // formulae that have only a verdict, without comparisons
   double greatest_depth = 1;                   // of a wrong verdict (docs/error_model.md#depth), rounded up
+  // Kernels may promise the front side of its triangle alone, by the centre of the other shape (Limits::sides). False
+  // too for a predicate of motions, where the motion says what is in front.
+  bool has_front = false;
   bool is_implied = false;  // files, plans, programs and ids that name no predicate are about this one
 };
 

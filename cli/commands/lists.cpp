@@ -122,6 +122,8 @@ void print_one(const Kernel& kernel) {
     for (std::size_t k = 0; k < kernel.measure_count; ++k) names.push_back(kernel.predicate->measures[k].name);
     fmt::print("{:<20} measures {}\n", "", fmt::join(names, " "));
   }
+  if (kernel.limits.sides != SidesPolicy::both) fmt::print("{:<20} sides {}\n", "", name(kernel.limits.sides));
+  if (kernel.limits.margin != 0) fmt::print("{:<20} margin {}\n", "", kernel.limits.margin);
   if (kernel.motion != MotionPolicy{}) {
     fmt::print("{:<20} of motions: start {}, still {}, sides {}\n", "", start_policy_names[kernel.motion.start],
                still_policy_names[kernel.motion.still], sides_policy_names[kernel.motion.sides]);

@@ -136,7 +136,6 @@ int draw(const MapOptions& options) {
   const StoredQuery witness = witness_of(options);
   const Kernel& kernel =
       options.kernel.empty() ? default_kernel(*witness.predicate, witness.entry) : find_kernel(options.kernel);
-  require_moves("map", *kernel.predicate, kernel.entry);
   require_loaded(kernel);
   if (kernel.predicate != witness.predicate || kernel.entry != witness.entry) {
     throw Error(fmt::format(

@@ -35,6 +35,7 @@ std::string unknown_symptom(const Predicate& predicate, std::string_view given) 
   std::vector<std::string_view> names = {"verdict"};
   for (const PredicateClause& clause : predicate.clauses) names.push_back(clause.name);
   for (const PredicateComparison& comparison : predicate.comparisons) names.push_back(comparison.name);
+  if (!predicate.measures.empty()) names.insert(names.end(), std::begin(measure_names), std::end(measure_names));
   names.push_back(asymmetry_name);
   const std::string_view suffix = given.find(':') == given.npos ? "" : error_suffix;
   const std::string_view word = given.substr(0, given.find(':')), guess = meant(word, names);
@@ -60,15 +61,15 @@ std::optional<Symptom> symptom_named(const Predicate& predicate, std::string_vie
   return std::nullopt;
 }
 
-// Refuses an entry whose numbers cannot be moved, what is no name of a symptom, and asymmetry of a predicate without
-// images.
+bool is_measure(const Predicate& predicate, std::string_view what) {
+  return !predicate.measures.empty() && std::ranges::find(measure_names, what) != std::end(measure_names);
+}
+
+// Refuses what is no name of a symptom.
 void require_known(const Kernel& kernel, std::string_view what) {
   const Predicate& predicate = *kernel.predicate;
-  require_moves("shrink", predicate, kernel.entry);
-  if (what.empty()) return;
+  if (what.empty() || is_measure(predicate, what)) return;
   if (what != asymmetry_name && !symptom_named(predicate, what)) throw Error(unknown_symptom(predicate, what));
-  if (what == asymmetry_name)
-    require_capability(has_image_maps, fmt::format("--what {}", what), predicate, kernel.entry);
 }
 
 std::string symptoms_text(const std::vector<Symptom>& symptoms) {
@@ -83,7 +84,17 @@ struct NothingToKeep : Error {
   using Error::Error;
 };
 
-// The symptom to keep: the one requested, or the first that is wrong: verdict before axes before comparisons.
+// What is wrong with a measure; where none is named, with the first that is.
+template <class Real>
+std::optional<Symptom> measure_fault(const Numbers<Real>& q, std::string_view measure, SymptomFinder<Real>& finder) {
+  for (const Symptom& fault : finder.measure_faults(q)) {
+    if (measure.empty() || name(fault) == measure) return fault;
+  }
+  return std::nullopt;
+}
+
+// The symptom to keep: the one requested, or the first that is wrong: verdict, axes, comparisons, the numbers beside a
+// contact; and where nothing is, the largest error of a comparison.
 template <class Real>
 Symptom symptom_to_keep(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkOptions& options,
                         const Kernel& kernel, std::string_view target) {
@@ -105,9 +116,16 @@ Symptom symptom_to_keep(const Numbers<Real>& q, const StoredQuery& stored, const
   }
   if (options.what.empty()) {
     if (!flips.empty()) return flips.front();
+    if (const auto fault = measure_fault<Real>(q, "", finder)) return *fault;
+    if (const auto error = finder.largest_error(q)) return *error;
     throw fail(fmt::format("{} is not wrong on it: {}{}; to keep the error of a comparison, give --what COMPARISON{}",
                            kernel.id, symptoms_text(flips),
                            stored.address.empty() ? "" : ", and it answers no image of it differently", error_suffix));
+  }
+  if (is_measure(*kernel.predicate, options.what)) {
+    if (const auto fault = measure_fault(q, options.what, finder)) return *fault;
+    throw fail(
+        fmt::format("--what {0}: {1} has no {0} that is wrong beside a right contact there", options.what, kernel.id));
   }
   const Symptom asked = *symptom_named(*kernel.predicate, options.what);
   if (!std::string_view(options.what).ends_with(error_suffix)) {
@@ -207,6 +225,19 @@ void shrink_one(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkO
       return;
     }
   }
+  // Where no map leads from the one to the other, the one that is answered wrongly is made smaller.
+  if (wants_pair || (options.what.empty() && !stored.address.empty() && is_right())) {
+    if (const auto relative = wrong_relative(q, stored.address, kernel, target)) {
+      if (options.format == "text") {
+        fmt::print("{}: {} is right on it, and wrong on {} of the same images, which is made smaller\n", stored.id,
+                   kernel.id, relative->address);
+      }
+      StoredQuery other{relative->address, stored.precision, relative->query, stored.predicate, stored.entry};
+      ShrinkOptions of_verdict = options;
+      of_verdict.what = "verdict";
+      return shrink_one(relative->query, other, of_verdict, kernel, target, progress, at);
+    }
+  }
   if (wants_pair) {
     throw NothingToKeep(fmt::format(
         "query '{}': --what {}: {}", stored.id, asymmetry_name,
@@ -285,9 +316,11 @@ void add_shrink(CLI::App& app, Action& action) {
   command->add_option("--precision", options->precision, "precision of a CSV file, which does not state it")
       ->capture_default_str();
   command->add_option("--what", options->what,
-                      fmt::format("what to keep: verdict, an axis or a comparison that is wrong, COMPARISON:error, or "
-                                  "asymmetry: another answer to an image of the query (default: the first that is "
-                                  "wrong, in this order; asymmetry of {} alone)",
+                      fmt::format("what to keep: verdict, an axis or a comparison that is wrong, COMPARISON:error, of "
+                                  "motions time, feature, normal or point, or asymmetry: another answer to an image of "
+                                  "the query, as a pair of {} and else of the one that is wrong (default: the first "
+                                  "that is wrong: verdict, axis, comparison, asymmetry, measure; else the largest "
+                                  "error of a comparison)",
                                   ids_of(predicates_with(has_image_maps))));
   command->add_flag("--any-class", options->any_class,
                     fmt::format("as small as it goes: keep neither the class of the input nor a depth of at most {} "

@@ -76,6 +76,22 @@ bool is_id(const std::string& id) {
   });
 }
 
+// What it leaves open of the sides of a triangle, and within a margin.
+void promise(const ReplyOptions& options, Kernel& kernel) {
+  const Predicate& predicate = *kernel.predicate;
+  if (options.sides == name(SidesPolicy::front)) {
+    if (!predicate.measures.empty()) kernel.motion.sides = SidesPolicy::front;
+    else if (predicate.has_front) kernel.limits.sides = SidesPolicy::front;
+    else throw Error(fmt::format("--sides front: the predicate {} has no triangle with a front", predicate.id));
+  }
+  kernel.limits.margin = options.margin;
+  if (options.margin != 0 && kernel.touching == TouchingPolicy::separated)
+    throw Error(
+        fmt::format("--margin {}: contact may be reported within it, so --touching is contact or either, not "
+                    "separated",
+                    options.margin));
+}
+
 // The program, represented by a kernel that is never run: its answers are stored.
 Kernel program(const ReplyOptions& options, const StoredReplies& replies) {
   if (!is_id(options.id))
@@ -121,6 +137,7 @@ Kernel program(const ReplyOptions& options, const StoredReplies& replies) {
   const auto touching = std::find(touching_names.begin(), touching_names.end(), options.touching);
   kernel.touching = static_cast<TouchingPolicy>(touching - touching_names.begin());
   kernel.may_decline = options.may_decline;
+  promise(options, kernel);
   const auto never_run = [](const auto& batch, Verdict* out) { std::fill_n(out, batch.size, Verdict::unanswered); };
   for (const Precision precision : replies.precisions()) {
     if (precision == Precision::binary32)
@@ -147,6 +164,17 @@ void add_reply_options(CLI::App& command, ReplyOptions& options) {
                   "the program's intended answer for a sphere that touches the triangle")
       ->check(one_of({"contact", "separated", "either"}))
       ->capture_default_str();
+  command
+      .add_option("--sides", options.sides,
+                  "the triangles that the program promises to judge: front, those in front of which the other body is, "
+                  "or that a motion meets from the front")
+      ->check(one_of({"both", "front"}))
+      ->capture_default_str();
+  command
+      .add_option("--margin", options.margin,
+                  "a length in the unit of the queries: the program may report contact where the two are apart by at "
+                  "most this")
+      ->check(number_above_zero());
   command.add_flag("--may-decline", options.may_decline,
                    "the program may answer undecided; without it each such answer is a fault");
   add_reply_files(command, options);

@@ -15,6 +15,8 @@ struct ReplyOptions {
   std::vector<std::string> replies = {"-"};  // files, one for each precision; "-": standard input
   std::vector<std::string> meshes, queries;  // present paths of the files that the queries are of
   std::string id = "pipe", touching = "contact";
+  std::string sides = "both";
+  double margin = 0;
   bool may_decline = false;  // `undecided` is an answer that the program may give
   ReplyClaim claim;
 };

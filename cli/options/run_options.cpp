@@ -325,7 +325,6 @@ Plan plan_of(const RunOptions& given) {
     kernels.push_back(&default_kernel(predicate, entry));
   }
   if (options.planted != RunOptions().planted) require_served("--plant", predicate, predicates_with(has_filters));
-  if (options.shrink != 0) require_moves("--shrink", predicate, kernels.front()->entry);
   if (!options.preset.empty()) apply_preset(options.preset, predicate, options);
   if (options.precision.empty()) questions.precisions = {Precision::binary32, Precision::binary64};
   else questions.precisions = {parse_precision(options.precision)};

@@ -99,6 +99,9 @@ std::string time_text(const MotionJudgement& motion) {
   return "";
 }
 
+// A normal is rounded: what is less of its length is not worth a word.
+constexpr double visible_length_error = 1e-6;
+
 // " (time 0.25, feature 3, ...; late by 2.5 ulps, ...)": beside a contact that is right, and of a missed one its
 // tunnel.
 std::string measures_text(const Predicate& predicate, const Examination& found) {
@@ -111,8 +114,14 @@ std::string measures_text(const Predicate& predicate, const Examination& found) 
   }
   const MotionJudgement& motion = *found.motion;
   wrong.push_back(time_text(motion));
-  if (motion.feature_is_right == false) wrong.emplace_back("a feature that is not touched first");
+  if (motion.feature_error && std::isinf(*motion.feature_error)) wrong.emplace_back("a feature that there is not");
+  else if (motion.feature_is_right == false) {
+    wrong.push_back(fmt::format("a feature that is not touched first, off by {:.3g} of the scene",
+                                motion.feature_error.value_or(0)));
+  }
   if (motion.normal_angle) wrong.push_back(fmt::format("normal off by {:.3g} radians", *motion.normal_angle));
+  if (motion.normal_length_error && *motion.normal_length_error > visible_length_error)
+    wrong.push_back(fmt::format("its length off by {:.3g}", *motion.normal_length_error));
   if (motion.point_error) wrong.push_back(fmt::format("point off by {:.3g} of the scene", *motion.point_error));
   return fmt::format(" ({}; {})", fmt::join(given, ", "), fmt::join(wrong, ", "));
 }

@@ -56,7 +56,9 @@ std::optional<MeasuresRecord> stand_in_measures(const Kernel& kernel, bool has_c
   record.in_u.emplace();
   record.gap.emplace(stand_in_depth);
   record.feature_is_right.emplace(true);
+  record.feature_error.emplace(stand_in_depth);
   record.normal_angle.emplace(stand_in_depth);
+  record.normal_length_error.emplace(stand_in_depth);
   record.point_error.emplace(stand_in_depth);
   return record;
 }

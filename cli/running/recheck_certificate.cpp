@@ -75,6 +75,8 @@ ReplyOptions with_claim(ReplyOptions options, const CertificatePredicate& predic
   options.claim.conforms_to = text_of("conforms_to");
   options.claim.formulae = text_of("formulae");
   options.may_decline = predicate.kernel.may_decline;
+  if (const std::string sides = text_of("sides"); !sides.empty()) options.sides = sides;
+  if (claim.is_object() && claim.value("margin", Json()).is_number()) options.margin = claim["margin"].get<double>();
   return options;
 }
 

@@ -4,9 +4,11 @@ namespace axiscert {
 namespace {
 
 KeptLine kept_line(const Symptom& s) {
-  return {.level = s.level,
+  return {.level = s.measure ? std::nullopt : std::optional(s.level),
           .name = name(s),
-          .kind = s.kind ? flip_kind_names[*s.kind] : "error",
+          .kind = s.measure ? name(*s.measure)
+                  : s.kind  ? flip_kind_names[*s.kind]
+                            : "error",
           .links = {s.links.begin(), s.links.end()},
           .input_class = {},
           .classes = {}};
@@ -88,11 +90,12 @@ std::string shrunk_witnesses(const Record& record, const std::string& target, st
             if (const auto pair = asymmetric_pair(q, stored.address, kernel, target)) {
               const auto found = shrink_pair(*pair, kernel, target, evaluations);
               text += json_of(shrunk_pair(stored, *pair, found, kernel)).dump() + "\n";
+              return;
             }
-            return;
           }
           SymptomFinder<Real> finder(kernel, target);
-          const auto flips = finder.flips(q);
+          auto flips = finder.flips(q);
+          if (flips.empty()) flips = finder.measure_faults(q);
           // Somebody else's code may give another answer today.
           if (flips.empty() || !finder.severity(q, flips.front())) return;
           const auto found = shrink<Real>(q, flips.front(), kernel, target, evaluations);

@@ -29,8 +29,8 @@ ShrunkQuery shrunk_pair(const StoredQuery& stored, const Pair<Real>& pair, const
                         const Kernel& kernel);
 
 // One line for every witness of a record on which its kernel is wrong: the first symptom that it shows (verdict before
-// axes before comparisons), made smaller with at most this many evaluations; and for every other witness of an
-// asymmetry, the pair.
+// axes before comparisons before measures), made smaller with at most this many evaluations; and for every other
+// witness of an asymmetry, the pair.
 std::string shrunk_witnesses(const Record& record, const std::string& target, std::uint64_t evaluations,
                              const ShowProgress& report);
 

@@ -25,7 +25,7 @@ TABLE = {
 }
 # These repeat queries, names or files, and say nothing of a verdict.
 SILENT = {"generate", "kernels", "predicates", "families", "query", "plan", "verify"}
-# Commands that change one number of a query serve the other entries of a predicate too, but this one, whose numbers depend on each other: a
+# Search and critical radii serve the other entries of a predicate too, but this one, whose numbers depend on each other: a
 # kernel of each, a family in which it is wrong, and two numbers that a map changes.
 ENTRIES = {
     "moving-sphere": {"endpoints": None},
@@ -67,8 +67,8 @@ class EveryCommand:
                     self.compare([*finds, *self.ask_shrink(kernel, query), *self.ask_map(kernel, query, axes)])
                     continue
                 line = json.dumps(self.queries(self.families_of(kernel)[0][:1], 1)[0].line)
-                for command, args in (("search", ()), ("shrink", ("-",)), ("map", ("-",)), ("critical-radius", ())):
-                    self.ask_refused(command, *args, "--kernel", kernel, lacks=f"the entry {entry} of ", stdin=line)
+                for command in ("search", "critical-radius"):
+                    self.ask_refused(command, "--kernel", kernel, lacks=f"the entry {entry} of ", stdin=line)
 
 
 class SphereTriangleCommands(EveryCommand, PredicateCase):

@@ -60,6 +60,7 @@ struct BoxTrait : Boxes {
   }
 
   static double depth(const Numbers<double>& numbers) { return depth_of(exactly(numbers)); }
+  static Distance distance(const Numbers<double>& numbers) { return {squared_distance(exactly(numbers)), 0}; }
 
   // That of the half extent of A's first axis at which the boxes touch.
   static std::optional<Rational> squared_critical_length(const Numbers<double>& numbers) {

@@ -56,6 +56,12 @@ struct TriangleTrait : Entry {
   }
 
   static double depth(const Numbers<double>& numbers) { return depth_of(exactly(numbers)); }
+  static Distance distance(const Numbers<double>& numbers) { return {squared_distance(exactly(numbers)), 0}; }
+  static bool is_in_front(const Numbers<double>& numbers) {
+    const ExactBoxAndTriangle q = exactly(numbers);
+    const auto& [a, b, c] = q.corner;
+    return sgn(Rational(dot(q.box.centre - a, cross(b - a, c - a)))) > 0;
+  }
 
   template <class Real>
   static std::vector<Detail> details(const Numbers<double>& numbers) {

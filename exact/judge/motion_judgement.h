@@ -41,8 +41,15 @@ struct MotionJudgement {
   double gap = 0;                // of an early time: distance - r at that time, relative to the scene
   // Empty where not given.
   std::optional<bool> feature_is_right;
-  std::optional<double> normal_angle;  // radians, at the exact first contact; empty too where the distance is 0 then
-  std::optional<double> point_error;   // relative to the scene
+  // Of a wrong feature: how far the centre is, at the exact first contact, beyond a plane that bounds the region in which
+  // that part is nearest, relative to the scene; infinite where the number names no part.
+  std::optional<double> feature_error;
+  // At the exact first contact; both empty too where the distance is 0 then.
+  std::optional<double> normal_angle;         // radians
+  std::optional<double> normal_length_error;  // | |n| - 1 |
+  std::optional<double> point_error;          // relative to the scene
+  // A measure that the kernel gives elsewhere is no number here, though there is one, and no overlap at the start.
+  bool lacks_feature = false, lacks_normal = false, lacks_point = false;
 };
 
 // The exact first contact, to be shown: each number is the nearest of binary64.

@@ -47,12 +47,19 @@ std::optional<RationalVector> vector_at(std::span<const double> measures, std::s
   return RationalVector{exact(measures[first]), exact(measures[first + 1]), exact(measures[first + 2])};
 }
 
-std::optional<bool> feature_is_right(double feature, FeatureSet right) {
-  if (std::isnan(feature)) return std::nullopt;
-  for (const Feature one : right) {
-    if (feature == static_cast<double>(index_of(one))) return true;
+// The part that a number names; empty where it names none.
+std::optional<Feature> feature_named(double number) {
+  for (const Feature one : enumerators<Feature>) {
+    if (number == static_cast<double>(index_of(one))) return one;
   }
-  return false;
+  return std::nullopt;
+}
+
+// The square of how far a point is along a direction, per unit; 0 where it is behind, or there is no direction.
+Rational squared_along(const RationalVector& at, const RationalVector& direction) {
+  const Rational along = dot(at, direction);
+  if (sgn(along) <= 0) return 0;
+  return along * along / dot(direction, direction);
 }
 
 template <class Real>
@@ -141,16 +148,70 @@ ContactPlace ContactJudge<Real>::first() const {
 }
 
 template <class Real>
+auto ContactJudge<Real>::known_place() -> const Place& {
+  if (!place_) place_ = place();
+  return *place_;
+}
+
+// A region of a triangle is where the centre is beyond the ends of the edges at a vertex; beside an edge, outside; above
+// or below the face.
+template <class Real>
+Rational ContactJudge<Real>::squared_beyond(Feature feature) {
+  const Place& here = known_place();
+  const RationalVector centre = here.point + here.to_centre, normal = rationals(motion_.normal);
+  const auto vertex = [&](std::size_t i) { return rationals(motion_.vertex[i % 3]); };
+  const std::size_t i = index_of(feature);
+  if (i < index_of(Feature::edge_ab)) {
+    const RationalVector at = centre - vertex(i);
+    return std::max(squared_along(at, vertex(i + 1) - vertex(i)), squared_along(at, vertex(i + 2) - vertex(i)));
+  }
+  const auto outwards = [&](std::size_t k) { return cross(vertex(k + 1) - vertex(k), normal); };
+  Rational most = 0;
+  if (feature == Feature::face) {
+    for (const std::size_t k : {0u, 1u, 2u}) most = std::max(most, squared_along(centre - vertex(k), outwards(k)));
+    return most;
+  }
+  const RationalVector along = vertex(i + 1) - vertex(i);
+  most = std::max(squared_along(centre - vertex(i + 1), along), squared_along(vertex(i) - centre, along));
+  return std::max(most, squared_along(vertex(i) - centre, outwards(i)));
+}
+
+template <class Real>
+void ContactJudge<Real>::measure_feature(double number, MotionJudgement& out) {
+  if (std::isnan(number)) {
+    out.lacks_feature = contact_.start != Start::overlap;
+    return;
+  }
+  const std::optional<Feature> named = feature_named(number);
+  out.feature_is_right = named && contact_.features.contains(*named);
+  if (*out.feature_is_right) return;
+  out.feature_error = 0;
+  if (!named) out.feature_error = std::numeric_limits<double>::infinity();
+  else if (sgn(scene_) != 0) {
+    out.feature_error = nearest_sqrt<double>(Rational(scaled(squared_beyond(*named), 2 * motion_.exponent) / scene_));
+  }
+}
+
+template <class Real>
 void ContactJudge<Real>::measure_place(std::span<const double> measures, MotionJudgement& out) {
+  const bool gives_normal = measures.size() >= normal_measure + 3, gives_point = measures.size() >= point_measure + 3;
+  if (!gives_normal && !gives_point) return;
   const std::optional<RationalVector> normal = vector_at(measures, normal_measure),
                                       point = vector_at(measures, point_measure);
-  if (!normal && !point) return;
-  if (!place_) place_ = place();
-  if (normal && sgn(dot(place_->to_centre, place_->to_centre)) != 0) {
-    out.normal_angle = angle_between(*normal, place_->to_centre);
+  const Place& here = known_place();
+  const bool is_overlap = contact_.start == Start::overlap, has_normal = sgn(dot(here.to_centre, here.to_centre)) != 0;
+  out.lacks_normal = gives_normal && !normal && has_normal && !is_overlap;
+  out.lacks_point = gives_point && !point && !is_overlap;
+  if (normal && has_normal) {
+    out.normal_angle = angle_between(*normal, here.to_centre);
+    // Without a difference of roots: (n.n - 1) / (|n| + 1).
+    const Rational squared = dot(*normal, *normal);
+    out.normal_length_error =
+        std::min(nearest<double>(Rational(abs(Rational(squared - 1)) / (root_below(squared) + 1))),
+                 std::numeric_limits<double>::max());
   }
   if (!point || sgn(scene_) == 0) return;
-  const RationalVector off = *point - exact_centre() - in_units_of(place_->point, motion_.exponent);
+  const RationalVector off = *point - exact_centre() - in_units_of(here.point, motion_.exponent);
   const double error = nearest_sqrt<double>(Rational(dot(off, off) / scene_));
   out.point_error = std::min(error, std::numeric_limits<double>::max());
 }
@@ -159,9 +220,7 @@ template <class Real>
 MotionJudgement ContactJudge<Real>::judge_hit(std::span<const double> measures) {
   MotionJudgement out;
   if (measures.size() > time_measure) measure_time(measures[time_measure], out);
-  if (measures.size() > feature_measure) {
-    out.feature_is_right = feature_is_right(measures[feature_measure], contact_.features);
-  }
+  if (measures.size() > feature_measure) measure_feature(measures[feature_measure], out);
   measure_place(measures, out);
   return out;
 }

@@ -21,6 +21,7 @@ class ContactJudge final : public MotionJudge {
  private:
   TimeVerdict time_verdict(double time) const;
   void measure_time(double time, MotionJudgement& out) const;
+  void measure_feature(double feature, MotionJudgement& out);
   void measure_place(std::span<const double> measures, MotionJudgement& out);
   // The least squared distance of the motion until a time in [0, 1], and the squared distance at that time.
   Rational least_squared(const Rational& until) const;
@@ -30,6 +31,10 @@ class ContactJudge final : public MotionJudge {
     portable::Vec3<Rational> point, to_centre;
   };
   Place place() const;
+  const Place& known_place();
+  // The square of the greatest distance of the centre, at the first contact, from a plane that bounds the region of a
+  // part and has the centre on its other side; in squares of the motion's unit, and 0 where there is no such plane.
+  Rational squared_beyond(Feature feature);
   portable::Vec3<Rational> exact_centre() const;  // P
 
   GivenMotion q_;

@@ -119,10 +119,45 @@ TEST(ContactJudge, AFeatureHasToBeNearestAtTheFirstContact) {
   for (const double vertex : {0.0, 1.0, 2.0}) EXPECT_EQ(judged(passing, {0.5, vertex}).feature_is_right, true);
 }
 
+TEST(ContactJudge, AWrongFeatureIsOffByItsRegion) {
+  const auto off = [](const MovingQuery<double>& q, double number) { return judged(q, {0.5, number}).feature_error; };
+  EXPECT_FALSE(off(falling(1), 6)) << "right";
+  EXPECT_DOUBLE_EQ(off(falling(1), 3).value(), 10 / falling_scene) << "10 inside the edge ab";
+  // The region of a ends where AB and AC do: the centre is 10 beyond along AB, and 30 / sqrt(5) along AC.
+  EXPECT_DOUBLE_EQ(off(falling(1), 0).value(), 30 / std::sqrt(5.0) / falling_scene);
+  EXPECT_TRUE(std::isinf(off(falling(1), 7).value())) << "no part";
+  MovingQuery<double> beside = falling(1);
+  beside.p.y = -14;  // past the edge ab by 4, of which it touches nothing
+  beside.r = 5;
+  EXPECT_TRUE(judged(beside, {0.5, 3}).feature_is_right.value());
+  EXPECT_DOUBLE_EQ(off(beside, 6).value(), 4 / std::sqrt(24.0 * 24 + 3 * 3)) << "4 outside the face";
+  EXPECT_EQ(off(passing, 3).value_or(-1), 0) << "a triangle without edges has no planes";
+}
+
+TEST(ContactJudge, AMeasureThatIsMissingIsSaidButForAnOverlapAtTheStart) {
+  const MotionJudgement found = judged(falling(1), {0.5, nan, nan, nan, nan, nan, nan, nan}),
+                        inside = judged(falling(4), {0, nan, nan, nan, nan, nan, nan, nan}),
+                        point = judged(falling(0), {0.75, nan, nan, nan, nan, nan, nan, nan});
+  EXPECT_TRUE(found.lacks_feature && found.lacks_normal && found.lacks_point);
+  EXPECT_FALSE(inside.lacks_feature || inside.lacks_normal || inside.lacks_point);
+  EXPECT_FALSE(point.lacks_normal) << "at the distance 0 there is none";
+  EXPECT_TRUE(point.lacks_feature && point.lacks_point);
+  EXPECT_FALSE(judged(falling(1), {0.5}).lacks_feature) << "the kernel gives none anywhere";
+}
+
+TEST(ContactJudge, ANormalIsJudgedByItsLengthToo) {
+  const auto off = [](double z) { return judged(falling(1), {0.5, 6, 0, 0, z}).normal_length_error; };
+  EXPECT_EQ(off(1), 0);
+  EXPECT_DOUBLE_EQ(off(7).value(), 6);
+  EXPECT_DOUBLE_EQ(off(1 - 0x1p-50).value(), 0x1p-50) << "nothing cancels";
+  EXPECT_EQ(off(0), 1);
+  EXPECT_FALSE(off(nan));
+}
+
 TEST(ContactJudge, ANormalIsJudgedByItsAngle) {
   const auto angle = [](double x, double y, double z) { return judged(falling(1), {0.5, 6, x, y, z}).normal_angle; };
   EXPECT_EQ(angle(0, 0, 1), 0);
-  EXPECT_EQ(angle(0, 0, 7), 0) << "its length is not judged";
+  EXPECT_EQ(angle(0, 0, 7), 0) << "its length is judged apart";
   EXPECT_DOUBLE_EQ(angle(1, 0, 0).value(), std::numbers::pi / 2);
   EXPECT_DOUBLE_EQ(angle(0, 0, -1).value(), std::numbers::pi);
   EXPECT_DOUBLE_EQ(angle(0, 0, 0).value(), std::numbers::pi);

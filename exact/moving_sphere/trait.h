@@ -110,6 +110,11 @@ struct MotionTrait : Entry {
         axiscert::Query<Real>{point(q.a), point(q.b), point(q.c), point(q.p), static_cast<Real>(q.r)});
   }
 
+  static Distance distance(const Numbers<double>& numbers) {
+    const GivenMotion q = query(numbers);
+    return {least_distance(q).squared, exact(q.r)};
+  }
+
   static bool is_promised(const MotionPolicy& policy, const Numbers<double>& numbers) {
     return moving_sphere::is_promised(policy, query(numbers));
   }

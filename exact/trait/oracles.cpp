@@ -21,6 +21,11 @@ const Oracles& oracles_of(const Predicate& predicate, std::size_t entry) {
   throw HarnessFault(fmt::format("the predicate '{}' is not on the list of kernel/predicate_list.h", predicate.id));
 }
 
+bool is_within_margin(const Distance& distance, double margin) {
+  const Rational farthest = distance.reach + exact(margin);
+  return distance.squared > distance.reach * distance.reach && distance.squared <= farthest * farthest;
+}
+
 namespace {
 
 template <class Real>

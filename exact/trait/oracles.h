@@ -41,6 +41,14 @@ struct CriticalLength {
   std::optional<std::size_t> centre = {};  // the first column of the centre of the sphere whose radius it is
 };
 
+// The distance that a predicate compares, squared, and the one up to which there is contact: two bodies, 0; a centre
+// and the radius around it.
+struct Distance {
+  Rational squared, reach;
+};
+// Whether the two are apart, and by at most this length: a kernel with such a margin may say either.
+bool is_within_margin(const Distance& distance, double margin);
+
 // By what a query is decided.
 enum class Opinion : std::uint8_t {
   first,
@@ -134,7 +142,9 @@ class Oracles {
   // Their names, in the same order, whatever the query.
   virtual std::vector<std::string_view> detail_names() const { return {}; }
 
-  // Whether kernels of the predicate can promise to be right within limits alone; else every query is within them.
+  // Whether kernels of the predicate can promise to be right within bounds of coordinates, area and radius; else every
+  // query is within these. A margin, and the sides of a triangle, are limits of any predicate that has a distance, or a
+  // front.
   virtual bool has_limits() const { return false; }
   // Whether a valid query lies within a kernel's limits, and whether a kernel with this policy promises to be right on
   // it. A predicate has one of the two, or neither.

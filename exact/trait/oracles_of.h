@@ -66,6 +66,8 @@ class OraclesOf final : public Oracles {
     if constexpr (HasDetails<Trait, double>) return Trait::detail_names();
     else return {};
   }
+  bool is_within(const Limits& limits, const Numbers<float>& q) const override { return is_inside(limits, q); }
+  bool is_within(const Limits& limits, const Numbers<double>& q) const override { return is_inside(limits, q); }
   bool is_promised(const MotionPolicy& policy, const Numbers<float>& q) const override { return promises(policy, q); }
   bool is_promised(const MotionPolicy& policy, const Numbers<double>& q) const override { return promises(policy, q); }
   std::unique_ptr<MotionJudge> motion_judge(const Numbers<float>& q) const override { return motion_judge_of(q); }
@@ -303,6 +305,19 @@ class OraclesOf final : public Oracles {
   static std::vector<Detail> details_of(const Numbers<Real>& q) {
     if constexpr (HasDetails<Trait, Real>) return Trait::template details<Real>(widened(q));
     else return {};
+  }
+  // Numbers that are no query have neither a front nor a distance.
+  template <class Real>
+  static bool is_inside(const Limits& limits, const Numbers<Real>& q) {
+    const Numbers<double> wide = widened(q);
+    if (!Trait::is_valid(wide)) return true;
+    if constexpr (HasFront<Trait>) {
+      if (limits.sides == SidesPolicy::front && !Trait::is_in_front(wide)) return false;
+    }
+    if constexpr (HasDistance<Trait>) {
+      if (limits.margin != 0 && is_within_margin(Trait::distance(wide), limits.margin)) return false;
+    }
+    return true;
   }
   template <class Real>
   static bool promises(const MotionPolicy& policy, const Numbers<Real>& q) {

@@ -66,6 +66,8 @@ struct ExactNumber {
 //   details<Real>      optional: further facts about a query in this precision, by detail_names(), which a predicate
 //   that
 //                      has them gives too (exact/trait/oracles.h)
+//   distance           optional: what a kernel's margin is held against
+//   is_in_front        of a predicate with a front (kernel/predicate.h): whether the centre is in front of the triangle
 //   is_promised        of a predicate of motions, optional: whether a kernel with this policy promises to be right on a
 //   query motion_judge<Real> of a predicate with measures: the judge of those of a query that has contact
 template <class Trait>
@@ -104,6 +106,16 @@ concept HasDetails = requires(const Numbers<double>& numbers) { Trait::template 
 template <class Trait>
 concept HasMotionPolicy = requires(const MotionPolicy& policy, const Numbers<double>& numbers) {
   { Trait::is_promised(policy, numbers) } -> std::same_as<bool>;
+};
+
+template <class Trait>
+concept HasFront = requires(const Numbers<double>& numbers) {
+  { Trait::is_in_front(numbers) } -> std::same_as<bool>;
+};
+
+template <class Trait>
+concept HasDistance = requires(const Numbers<double>& numbers) {
+  { Trait::distance(numbers) } -> std::same_as<Distance>;
 };
 
 template <class Trait, class Real>

@@ -21,8 +21,17 @@ namespace {
 // The statement that no kernel was run, and the claim made for the program.
 RepliesRecord replies_record(const Answerers& answerers) {
   const auto given = [](const std::string& id) { return id.empty() ? std::nullopt : std::optional(id); };
-  RepliesRecord record{given(answerers.claim.conforms_to), given(answerers.claim.formulae),
-                       answerers.kernels.front()->touching, answerers.kernels.front()->may_decline, std::nullopt};
+  RepliesRecord record{given(answerers.claim.conforms_to),
+                       given(answerers.claim.formulae),
+                       answerers.kernels.front()->touching,
+                       answerers.kernels.front()->may_decline,
+                       {},
+                       {},
+                       {}};
+  const Kernel& kernel = *answerers.kernels.front();
+  if (kernel.limits.margin != 0) record.margin = kernel.limits.margin;
+  const bool is_front = kernel.limits.sides == SidesPolicy::front || kernel.motion.sides == SidesPolicy::front;
+  if (is_front) record.sides = SidesPolicy::front;
   if (answerers.replies->measure_count() != 0) record.measures = answerers.replies->measure_count();
   return record;
 }
@@ -213,8 +222,13 @@ std::vector<Exposure> exposures_of(const Kernel& kernel) {
 std::optional<LimitsRecord> limits_of(const Limits& limits) {
   if (!limits.any()) return std::nullopt;
   const auto bound = [](double value) { return value == 0 ? std::nullopt : std::optional(value); };
-  return LimitsRecord{bound(limits.least_coordinate), bound(limits.greatest_coordinate), bound(limits.least_area),
-                      bound(limits.least_radius), bound(limits.greatest_radius)};
+  return LimitsRecord{bound(limits.least_coordinate),
+                      bound(limits.greatest_coordinate),
+                      bound(limits.least_area),
+                      bound(limits.least_radius),
+                      bound(limits.greatest_radius),
+                      bound(limits.margin),
+                      limits.sides == SidesPolicy::both ? std::nullopt : std::optional(limits.sides)};
 }
 
 PolicyRecord policy_of(const MotionPolicy& policy) { return {policy.start, policy.still, policy.sides}; }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "exact/trait/oracles.h"
 #include "fuzz/files/query_object.h"
 #include "fuzz/queries/capabilities.h"
@@ -40,7 +42,10 @@ std::optional<MeasuresRecord> measures_of(const Predicate& predicate, const Exam
   record.in_u.emplace(is_off ? std::optional(error_number(motion.in_u)) : std::nullopt);
   record.gap.emplace(motion.time == TimeVerdict::early ? std::optional(motion.gap) : std::nullopt);
   record.feature_is_right.emplace(motion.feature_is_right);
+  const bool is_finite = motion.feature_error && std::isfinite(*motion.feature_error);
+  record.feature_error.emplace(is_finite ? motion.feature_error : std::nullopt);
   record.normal_angle.emplace(motion.normal_angle);
+  record.normal_length_error.emplace(motion.normal_length_error);
   record.point_error.emplace(motion.point_error);
   return record;
 }
@@ -196,7 +201,9 @@ void WitnessWriter::note_motion(const MotionTally& motion, ShownReasons& shown) 
   note(time.early_errors.largest_in_u, worst("earliest time", " u of the displacement"));
   note(time.largest_gap, largest("largest gap of an early time", " of the scene"));
   note(motion.feature->first_wrong, [](bool) { return "a feature that is not touched first"; });
+  note(motion.feature->largest_error, largest("wrong feature farthest from its region", " of the scene"));
   note(motion.normal->largest_angle, largest("largest angle of a normal", " radians"));
+  note(motion.normal->largest_length_error, largest("largest error of a normal's length", ""));
   note(motion.point->largest_error, largest("largest error of a contact's point", " of the scene"));
 }
 

@@ -30,7 +30,8 @@ struct DigestRecord {
 
 // Bounds, inclusive; null: none.
 struct LimitsRecord {
-  std::optional<double> least_coordinate, greatest_coordinate, least_area, least_radius, greatest_radius;
+  std::optional<double> least_coordinate, greatest_coordinate, least_area, least_radius, greatest_radius, margin;
+  std::optional<SidesPolicy> sides;
 
   static constexpr std::string_view about =
       "Bounds, inclusive; null: none. Queries outside are counted in verdict.outside_limits alone.";
@@ -42,7 +43,13 @@ struct LimitsRecord {
         field(&Of::greatest_coordinate, {"greatest_coordinate", "Bound of |x| for each coordinate of A, B, C and P."}),
         field(&Of::least_area, {"least_area", "Bound of the triangle's area."}),
         field(&Of::least_radius, {"least_radius", "Bound of the sphere's radius."}),
-        field(&Of::greatest_radius, {"greatest_radius", "Bound of the sphere's radius."}));
+        field(&Of::greatest_radius, {"greatest_radius", "Bound of the sphere's radius."}),
+        field(&Of::margin,
+              {"margin", "A length: either answer is promised where the two are apart by at most this.", "length"}),
+        field(&Of::sides,
+              {"sides",
+               "front: only where the centre of the sphere or box is in front of the triangle, (P - A).(AB x AC) > 0. "
+               "Of motions it stands in `motion`."}));
   }
 };
 

@@ -1,6 +1,7 @@
 #include "fuzz/record/motion_tally.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace axiscert {
 namespace {
@@ -58,16 +59,23 @@ void count_hit(MotionTally& tally, std::uint64_t position, const MotionJudgement
     if (!*judgement.feature_is_right) {
       ++tally.feature->wrong;
       tally.feature->first_wrong.offer({true, position});
+      const double error = judgement.feature_error.value_or(0);
+      if (std::isinf(error)) ++tally.feature->unnamed;
+      else if (error != 0) tally.feature->largest_error.offer({error, position});
     }
   }
   if (judgement.normal_angle) {
     ++tally.normal->judged;
     tally.normal->largest_angle.offer({*judgement.normal_angle, position});
+    tally.normal->largest_length_error.offer({judgement.normal_length_error.value_or(0), position});
   }
   if (judgement.point_error) {
     ++tally.point->judged;
     tally.point->largest_error.offer({*judgement.point_error, position});
   }
+  if (judgement.lacks_feature) ++tally.feature->none;
+  if (judgement.lacks_normal) ++tally.normal->none;
+  if (judgement.lacks_point) ++tally.point->none;
 }
 
 void count_missed(MotionTally& tally, std::uint64_t position, const Tunnel& tunnel) {

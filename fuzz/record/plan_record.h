@@ -86,6 +86,8 @@ struct RepliesRecord {
   TouchingPolicy touching = TouchingPolicy::contact;
   bool may_decline = false;
   std::optional<std::uint64_t> measures;
+  std::optional<double> margin;
+  std::optional<SidesPolicy> sides;
 
   static constexpr std::string_view about =
       "Present where the replies of a program were judged (axiscert judge) and no kernel was run: what the program "
@@ -103,7 +105,16 @@ struct RepliesRecord {
                .about =
                    "So many of the predicate's measures came with each reply, from the first on, as given to generate "
                    "--measures. Absent: none.",
-               .may_be_absent = true}));
+               .may_be_absent = true}),
+        field(&Of::margin, {.name = "margin",
+                            .about = "It may report contact where the two are apart by at most this, as given to "
+                                     "--margin. Absent: nowhere.",
+                            .unit = "length",
+                            .may_be_absent = true}),
+        field(&Of::sides, {.name = "sides",
+                           .about = "front: it promises the front side of the triangle alone, as given to --sides. "
+                                    "Absent: both.",
+                           .may_be_absent = true}));
   }
 };
 

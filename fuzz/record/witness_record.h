@@ -119,7 +119,7 @@ struct MeasuresRecord {
   std::optional<std::optional<ErrorNumber>> ulps, in_u;
   std::optional<std::optional<double>> gap;
   std::optional<std::optional<bool>> feature_is_right;
-  std::optional<std::optional<double>> normal_angle, point_error;
+  std::optional<std::optional<double>> feature_error, normal_angle, normal_length_error, point_error;
 
   static constexpr std::string_view about =
       "What a kernel said of the first contact on this query, and how it is wrong. Absent for a predicate without "
@@ -148,10 +148,20 @@ struct MeasuresRecord {
                          .may_be_absent = true}),
         field(&Of::feature_is_right,
               {.name = "feature_is_right", .about = "Null where no feature is given.", .may_be_absent = true}),
+        field(&Of::feature_error,
+              {.name = "feature_error",
+               .about = "Of a wrong feature: how far the centre is beyond the region in which that part is nearest, "
+                        "relative to the scene; null where there is none.",
+               .unit = "of the scene",
+               .may_be_absent = true}),
         field(&Of::normal_angle, {.name = "normal_angle",
                                   .about = "In radians; null where it is not judged.",
                                   .unit = "radians",
                                   .may_be_absent = true}),
+        field(&Of::normal_length_error, {.name = "normal_length_error",
+                                         .about = "The difference of its length from 1; null where it is not judged.",
+                                         .unit = "of its length",
+                                         .may_be_absent = true}),
         field(&Of::point_error, {.name = "point_error",
                                  .about = "Relative to the scene; null where it is not judged.",
                                  .unit = "of the scene",

@@ -79,26 +79,53 @@ std::string text(const PairSymptom& symptom) {
                      symptom.predicate->comparisons[*symptom.which].name);
 }
 
+namespace {
+
+// A query of a family of images, by its address, and where its group of a base and its images begins.
+struct GroupPlace {
+  const ImageGroup* group;
+  SourcePtr source;
+  Address address;
+  std::uint64_t position, base;
+
+  template <class Real>
+  Numbers<Real> make(std::uint64_t at) const {
+    return source->template make<Real>(address.seed, at);
+  }
+  std::string address_of(std::uint64_t at) const {
+    return SeededSource{*source, address.seed, address.precision}.address(at);
+  }
+};
+
 template <class Real>
-std::optional<Pair<Real>> asymmetric_pair(const std::string& given, const Kernel& kernel, std::string_view target) {
+std::optional<GroupPlace> place_in_group(const std::string& given, const Kernel& kernel) {
   const std::optional<Address> address = address_in(given);
   if (!address) return std::nullopt;
   const ImageGroup* group = image_group(address->name);
   if (group == nullptr || address->precision != precision_of<Real>) return std::nullopt;
-  const ImageMaps* const maps = capabilities_of(group->predicate()).image_maps;
-  if (maps == nullptr) return std::nullopt;
-  const SourcePtr source = family_source(find_family(address->name));
+  SourcePtr source = family_source(find_family(address->name));
   if (source->version() != address->version || source->predicate().id != kernel.predicate->id ||
       source->entry() != kernel.entry)
     return std::nullopt;
+  const std::uint64_t position = address->position();
+  return GroupPlace{group, std::move(source), *address, position, position - position % group->size};
+}
+
+}  // namespace
+
+template <class Real>
+std::optional<Pair<Real>> asymmetric_pair(const std::string& given, const Kernel& kernel, std::string_view target) {
+  const auto place = place_in_group<Real>(given, kernel);
+  const ImageMaps* const maps = place ? capabilities_of(place->group->predicate()).image_maps : nullptr;
+  if (maps == nullptr) return std::nullopt;
   const Oracles& oracles = oracles_of(kernel);
-  const std::uint64_t position = address->position(), base = position - position % group->size;
-  const Numbers<Real> q = source->template make<Real>(address->seed, position);
+  const std::uint64_t position = place->position, base = place->base, size = place->group->size;
+  const Numbers<Real> q = place->template make<Real>(position);
   PairSymptomFinder<Real> finder(kernel, target);
-  for (std::uint64_t other = base; other < base + group->size; ++other) {
+  for (std::uint64_t other = base; other < base + size; ++other) {
     if (other == position) continue;
     if (position != base && other != base) break;
-    const Numbers<Real> image_of_it = source->template make<Real>(address->seed, other);
+    const Numbers<Real> image_of_it = place->template make<Real>(other);
     if (!oracles.is_valid(q) || !oracles.is_valid(image_of_it)) continue;
     std::unique_ptr<ImageMap<Real>> map = maps->between(q, image_of_it);
     if (!map) continue;
@@ -121,6 +148,29 @@ template std::optional<Pair<float>> asymmetric_pair(const Numbers<float>&, const
                                                     std::string_view);
 template std::optional<Pair<double>> asymmetric_pair(const Numbers<double>&, const std::string&, const Kernel&,
                                                      std::string_view);
+
+template <class Real>
+std::optional<WrongRelative<Real>> wrong_relative(const Numbers<Real>& q, const std::string& stated,
+                                                  const Kernel& kernel, std::string_view target) {
+  const auto place = place_in_group<Real>(stated, kernel);
+  if (!place) return std::nullopt;
+  const Numbers<Real> own = place->template make<Real>(place->position);
+  if (!std::equal(q.begin(), q.end(), own.begin(), own.end())) return std::nullopt;
+  SymptomFinder<Real> finder(kernel, target);
+  for (std::uint64_t other = place->base; other < place->base + place->group->size; ++other) {
+    if (other == place->position) continue;
+    const Numbers<Real> relative = place->template make<Real>(other);
+    if (!oracles_of(kernel).is_valid(relative) || !is_promised(kernel, relative)) continue;
+    const std::vector<Symptom> flips = finder.flips(relative);
+    if (!flips.empty() && flips.front().level == Level::verdict)
+      return WrongRelative<Real>{place->address_of(other), relative};
+  }
+  return std::nullopt;
+}
+template std::optional<WrongRelative<float>> wrong_relative(const Numbers<float>&, const std::string&, const Kernel&,
+                                                            std::string_view);
+template std::optional<WrongRelative<double>> wrong_relative(const Numbers<double>&, const std::string&, const Kernel&,
+                                                             std::string_view);
 
 template <class Real>
 ShrunkPair<Real> shrink_pair(const Pair<Real>& pair, const Kernel& kernel, std::string_view target, std::uint64_t limit,

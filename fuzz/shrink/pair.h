@@ -60,6 +60,17 @@ template <class Real>
 std::optional<Pair<Real>> asymmetric_pair(const Numbers<Real>& q, const std::string& stated, const Kernel& kernel,
                                           std::string_view target);
 
+// Another query of the family of images of a stated address, whose verdict is wrong: where a kernel answers a query and
+// its images differently, one of the answers is. The base of an image comes first; empty too as above.
+template <class Real>
+struct WrongRelative {
+  std::string address;
+  Numbers<Real> query;
+};
+template <class Real>
+std::optional<WrongRelative<Real>> wrong_relative(const Numbers<Real>& q, const std::string& stated,
+                                                  const Kernel& kernel, std::string_view target);
+
 template <class Real>
 struct ShrunkPair {
   ShrinkResult<Real> query;

@@ -75,9 +75,12 @@ bool shows(const Judgement& judgement, const Symptom& symptom) {
 
 }  // namespace
 
-std::string_view name(const Symptom& s) { return name(*s.predicate, Flip{s.level, s.index, FlipKind{}, false, {}}); }
+std::string_view name(const Symptom& s) {
+  return s.measure ? measure_of(*s.measure) : name(*s.predicate, Flip{s.level, s.index, FlipKind{}, false, {}});
+}
 
 std::string text(const Symptom& s) {
+  if (s.measure) return std::string(name(*s.measure));
   if (!s.kind) return fmt::format("{} error", name(s));
   std::vector<std::string_view> causes;
   for (std::size_t i = 0; i < s.predicate->comparisons.size() && s.level != Level::comparison; ++i) {
@@ -134,6 +137,42 @@ std::vector<Symptom> SymptomFinder<Real>::flips(const Numbers<Real>& q) {
 }
 
 template <class Real>
+std::optional<MotionJudgement> SymptomFinder<Real>::motion(const Numbers<Real>& q) {
+  if (kernel_.measure_count == 0) return std::nullopt;
+  const Reply<Real> reply = asked(q);
+  return examine(q, kernel_, reply.outcome(0), reply.measures(0)).motion;
+}
+
+template <class Real>
+std::vector<Symptom> SymptomFinder<Real>::measure_faults(const Numbers<Real>& q) {
+  std::vector<Symptom> all;
+  const std::optional<MotionJudgement> found = motion(q);
+  for (const MeasureFault which : enumerators<MeasureFault>) {
+    if (found && measure_error(*found, which)) all.push_back({.predicate = kernel_.predicate, .measure = which});
+  }
+  return all;
+}
+
+template <class Real>
+std::optional<Symptom> SymptomFinder<Real>::largest_error(const Numbers<Real>& q) {
+  if (kernel_.exposes != Exposure::sides) return std::nullopt;
+  const auto size_of_error = [](const Severity& severity) {
+    if (const auto* exact = std::get_if<Rational>(&severity.exact)) return exact->get_d();
+    return std::get<Decimal6>(severity.exact).value();
+  };
+  std::optional<Symptom> largest;
+  double most = 0;
+  for (std::uint8_t i = 0; i < kernel_.predicate->comparisons.size(); ++i) {
+    const Symptom one{.predicate = kernel_.predicate, .level = Level::comparison, .index = i};
+    const std::optional<Severity> found = severity(q, one);
+    if (!found || size_of_error(*found) <= most) continue;
+    most = size_of_error(*found);
+    largest = one;
+  }
+  return largest;
+}
+
+template <class Real>
 std::optional<std::string> SymptomFinder<Real>::why_no_verdict(const Numbers<Real>& q) {
   if (!is_promised(kernel_, q)) return "the query is outside the limits that it declares: it promises nothing there";
   switch (asked(q).verdicts[0]) {
@@ -154,7 +193,12 @@ std::optional<std::string> SymptomFinder<Real>::why_no_verdict(const Numbers<Rea
 template <class Real>
 std::optional<Severity> SymptomFinder<Real>::severity(const Numbers<Real>& q, const Symptom& symptom) {
   const Oracles& oracles = oracles_of(kernel_);
-  if (!oracles.is_valid(q) || !oracles.is_within(kernel_.limits, q)) return std::nullopt;
+  if (!oracles.is_valid(q) || !is_promised(kernel_, q)) return std::nullopt;
+  if (symptom.measure) {
+    const std::optional<MotionJudgement> found = motion(q);
+    auto error = found ? measure_error(*found, *symptom.measure) : std::nullopt;
+    return error ? std::optional(Severity{RoundedDepth{error->size}, std::move(error->text)}) : std::nullopt;
+  }
   const Reply<Real> reply = asked(q);
   const Answer answer = reply.outcome(0);
   if (!can_show(symptom, answer)) return std::nullopt;

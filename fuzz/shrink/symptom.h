@@ -6,11 +6,13 @@
 
 #include "exact/trait/examine.h"
 #include "exact/trait/oracles.h"
+#include "fuzz/shrink/measure_fault.h"
 #include "fuzz/shrink/query_properties.h"
 #include "kernel/ask.h"
 
 namespace axiscert {
-// A flip; or, if `kind` is empty, the error of a comparison, whatever its sign.
+// A flip; or, if `kind` is empty, the error of a comparison, whatever its sign; or, if `measure` is not, what is wrong
+// with the numbers beside a contact that is right.
 struct Symptom {
   const Predicate* predicate;
   Level level = Level::verdict;
@@ -21,9 +23,10 @@ struct Symptom {
   // For a wrong verdict the decisive comparison flips, for an axis its comparison flips: some of these have to remain,
   // if there are any, and no others may be added.
   ComparisonBits causes = 0;
+  std::optional<MeasureFault> measure = {};
 };
-std::string_view name(const Symptom& symptom);  // "verdict", "edge_ab", "edge_ab.radius"
-// "verdict false_separation [rounding]", "edge_ab.radius error".
+std::string_view name(const Symptom& symptom);  // "verdict", "edge_ab", "edge_ab.radius", "time"
+// "verdict false_separation [rounding]", "edge_ab.radius error", "late time".
 std::string text(const Symptom& symptom);
 
 // A depth, rounded once to the nearest binary64.
@@ -36,7 +39,8 @@ struct RoundedDepth {
 //   a comparison's flip, |lhs - rhs| / (|lhs| + |rhs|) of the exact sides, 0 where both are 0; if lhs is a root, the
 //   same with the signed squares of the sides, which orders queries in the same way; for an axis, the value of the
 //   comparison that decides: the least one if all of them hold, otherwise that of the comparison farthest from holding;
-//   for a comparison's error, that error in u; rounded up to six digits if a side is a root.
+//   for a comparison's error, that error in u; rounded up to six digits if a side is a root;
+//   for a measure, its error.
 struct Severity {
   std::variant<ExactDepth, RoundedDepth, Rational, Decimal6> exact;
   std::string text;  // "0.68 of the scene", "relative margin 1.2e-05", "961.012 u"
@@ -58,6 +62,10 @@ class SymptomFinder {
 
   // Every flip, in the order verdict, axes, comparisons. Throws OracleDisagreement.
   std::vector<Symptom> flips(const Numbers<Real>& q);
+  // What is wrong with the numbers beside a contact that is right, the worst first.
+  std::vector<Symptom> measure_faults(const Numbers<Real>& q);
+  // The largest error of a comparison, in u; empty where the kernel shows none.
+  std::optional<Symptom> largest_error(const Numbers<Real>& q);
   // Why there is no verdict on a valid query that could be wrong: it is beyond what the kernel promises, or the kernel
   // declined it, called it invalid or gave no answer; empty where it said contact or separated.
   std::optional<std::string> why_no_verdict(const Numbers<Real>& q);
@@ -67,6 +75,8 @@ class SymptomFinder {
  private:
   Reply<Real> asked(const Numbers<Real>& q);
   Judgement judgement(const Numbers<Real>& q);
+  // Empty where the kernel gives no measures beside a contact that is right.
+  std::optional<MotionJudgement> motion(const Numbers<Real>& q);
 
   const Kernel& kernel_;
   std::string_view target_;

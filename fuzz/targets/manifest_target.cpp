@@ -28,13 +28,15 @@ std::string written(const plugin::Manifest& m) {
                {"package", m.package},
                {"version", m.version},
                {"code", m.code},
+               {"sides", name(m.limits.sides)},
                {"files", m.files}};
   for (const Precision precision : m.precisions) json["precisions"].push_back(name(precision));
   json["limits"] = {{"least_coordinate", m.limits.least_coordinate},
                     {"greatest_coordinate", m.limits.greatest_coordinate},
                     {"least_area", m.limits.least_area},
                     {"least_radius", m.limits.least_radius},
-                    {"greatest_radius", m.limits.greatest_radius}};
+                    {"greatest_radius", m.limits.greatest_radius},
+                    {"margin", m.limits.margin}};
   return json.dump();
 }
 

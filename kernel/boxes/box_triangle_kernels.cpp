@@ -60,6 +60,7 @@ Predicate box_triangle_described() {
       .comparisons = {},
       .clauses = {},
       .measures = {},
+      .has_front = true,
   };
   for (std::size_t i = 0; i < boxes::thirteen_count; ++i) {
     predicate.clauses.push_back({boxes::thirteen_names[i], one_bit<ComparisonBits>(i)});

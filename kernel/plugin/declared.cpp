@@ -73,18 +73,34 @@ void describe_subject(const Description& d, Kernel& kernel) {
   kernel.measure_count = d.measure_count;
 }
 
-Limits limits_of(const Description& d) {
-  const Limits limits{d.limits[0], d.limits[1], d.limits[2], d.limits[3], d.limits[4]};
+// Of a predicate without motions `sides` is a limit; where it has no triangle either, it is refused.
+Limits limits_of(const Description& d, const Predicate& predicate) {
+  Limits limits{d.limits[0], d.limits[1], d.limits[2], d.limits[3], d.limits[4], d.limits[5]};
   for (const double limit : d.limits) {
     if (!(limit >= 0) || !std::isfinite(limit)) refuse(fmt::format("a limit is {}; known: finite, from 0 on", limit));
   }
+  const auto sides = one_of<SidesPolicy>(d.sides, sides_policy_names.size(), "policy for sides");
+  if (!predicate.measures.empty() || sides == SidesPolicy::both) return limits;
+  if (!predicate.has_front)
+    refuse(fmt::format("it declares the sides of a triangle; predicate '{}' has none", predicate.id));
+  limits.sides = sides;
   return limits;
 }
 
+// Contact from a distance on that is more than 0, and none at 0, is no promise.
+void require_touching_within_margin(const Kernel& kernel) {
+  if (kernel.limits.margin == 0 || kernel.touching != TouchingPolicy::separated) return;
+  refuse(
+      fmt::format("it may report contact within a margin of {}, and says that for it touching is 'separated'; known "
+                  "with a margin: contact, either",
+                  kernel.limits.margin));
+}
+
 MotionPolicy motion_of(const Description& d, const Predicate& predicate) {
-  const MotionPolicy motion{one_of<StartPolicy>(d.start, start_policy_names.size(), "policy for the start"),
-                            one_of<StillPolicy>(d.still, still_policy_names.size(), "policy for no motion"),
-                            one_of<SidesPolicy>(d.sides, sides_policy_names.size(), "policy for sides")};
+  MotionPolicy motion{one_of<StartPolicy>(d.start, start_policy_names.size(), "policy for the start"),
+                      one_of<StillPolicy>(d.still, still_policy_names.size(), "policy for no motion"),
+                      one_of<SidesPolicy>(d.sides, sides_policy_names.size(), "policy for sides")};
+  if (predicate.measures.empty()) motion.sides = SidesPolicy::both;  // stands among the limits there
   if (motion != MotionPolicy{} && predicate.measures.empty())
     refuse(fmt::format("it declares what it promises of motions; predicate '{}' has none", predicate.id));
   return motion;
@@ -158,7 +174,8 @@ void add_declared(const Description& d, std::uint32_t index, const HostedPlugin&
   described.source = text_of(d.source);
   described.exposes = one_of<Exposure>(d.exposes, exposure_names.size(), "exposure");
   described.touching = one_of<TouchingPolicy>(d.touching, touching_names.size(), "touching convention");
-  described.limits = limits_of(d);
+  described.limits = limits_of(d, *described.predicate);
+  require_touching_within_margin(described);
   described.motion = motion_of(d, *described.predicate);
   described.may_decline = may_decline(d);
   described.summary = d.summary[0] != 0 ? fmt::format("{}: {}", text_of(d.name), text_of(d.summary)) : text_of(d.name);

@@ -75,13 +75,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::vector<std::string_view> members = {"format",     "name",        "command",     "predicate", "entry",
-                                               "precisions", "exposes",     "measures",    "touching",  "limits",
-                                               "motion",     "may_decline", "conforms_to", "formulae",  "summary",
-                                               "source",     "package",     "version",     "code",      "files"};
+const std::vector<std::string_view> members = {
+    "format",   "name",     "command", "predicate", "entry",       "precisions",  "exposes",
+    "measures", "touching", "limits",  "motion",    "may_decline", "conforms_to", "formulae",
+    "summary",  "source",   "package", "version",   "code",        "files",       "sides"};
 const std::vector<std::string_view> motion_members = {"start", "still", "sides"};
 const std::vector<std::string_view> limit_members = {"least_coordinate", "greatest_coordinate", "least_area",
-                                                     "least_radius", "greatest_radius"};
+                                                     "least_radius",     "greatest_radius",     "margin"};
 
 // A JSON value as a message may quote it.
 std::string shown_value(const Json& value) {
@@ -128,6 +128,8 @@ class ManifestReader {
     if (json_.contains("touching"))
       manifest.touching = one_of<TouchingPolicy>("touching", text_of("touching"), touching_names);
     manifest.limits = limits();
+    if (json_.contains("sides"))
+      manifest.limits.sides = one_of<SidesPolicy>("sides", text_of("sides"), sides_policy_names);
     manifest.motion = motion();
     manifest.may_decline = yes_or_no("may_decline");
     manifest.predicate = text_of("predicate");
@@ -258,7 +260,7 @@ class ManifestReader {
     if (!found->is_object()) fail(fmt::format("\"limits\" is {}, which is no object", shown_value(*found)));
     require_known(*found, limit_members, "limit");
     double* const places[] = {&limits.least_coordinate, &limits.greatest_coordinate, &limits.least_area,
-                              &limits.least_radius, &limits.greatest_radius};
+                              &limits.least_radius,     &limits.greatest_radius,     &limits.margin};
     for (std::size_t i = 0; i < limit_members.size(); ++i) {
       const auto limit = found->find(std::string(limit_members[i]));
       if (limit == found->end()) continue;

@@ -52,6 +52,11 @@ TEST(ManifestFile, DeclaresMeasuresAndWhatIsNotPromisedOfMotions) {
   EXPECT_EQ(manifest.motion, (MotionPolicy{StartPolicy::approaching, StillPolicy::ignored, SidesPolicy::front}));
 }
 
+TEST(ManifestFile, DeclaresAMarginAndTheSidesOfATriangle) {
+  const Manifest manifest = read_manifest("{" + least + R"(,"limits":{"margin":0.001},"sides":"front"})", "m.json");
+  EXPECT_EQ(manifest.limits, (Limits{.margin = 0.001, .sides = SidesPolicy::front}));
+}
+
 TEST(ManifestFile, SaysHowItsEngineIsAskedByHand) {
   const Manifest manifest = read_manifest(
       "{" + least + R"(,"code":["import { v } from 'x';","ask({a}, {cz}, {r}, ${}, {x: 1}, {R});"]})", "m.json");
@@ -90,6 +95,8 @@ TEST(ManifestFile, IsRefusedWithWhatWouldBeRight) {
            {"{" + least + R"(,"motion":"front"})", "\"motion\" is \"front\", which is no object"},
            {"{" + least + R"(,"motion":{"sides":"back"}})", "\"sides\": 'back'; known: both, front"},
            {"{" + least + R"(,"motion":{"stop":1}})", "unknown member 'stop'"},
+           {"{" + least + R"(,"sides":"back"})", "\"sides\": 'back'; known: both, front"},
+           {"{" + least + R"(,"limits":{"margin":-1}})", "\"margin\" is -1"},
            {"{" + least + R"(,"may_decline":1})", "\"may_decline\" is 1; known: true, false"},
            {"{" + least + R"(,"may_decline":"yes"})", "\"may_decline\" is \"yes\"; known: true, false"},
            {"{" + least + R"(,"limits":{"least_radius":-1}})", "\"least_radius\" is -1"},

@@ -197,6 +197,8 @@ TEST(Plugin, ThoseWithPromisesKeepOrBreakThemAsTheyAreNamed) {
       {"always_contact", false, {{separated, contact}}, 900, 1001},
       {"limited_to_nothing", false, {{contact, separated}}, 20, 100},
       {"limited_to_far", false, {}, 0, 0},
+      {"front_alone", false, {{contact, separated}}, 5, 100},
+      {"with_margin", false, {{separated, contact}}, 1, 100},
   };
   const std::vector<Verdict> right = right_verdicts();
   for (const Kind& kind : kinds) {
@@ -204,7 +206,9 @@ TEST(Plugin, ThoseWithPromisesKeepOrBreakThemAsTheyAreNamed) {
     const Kernel& kernel = find_kernel(fmt::format("plugin:" BUILD_FOLDER "/promises/{}.so", kind.name));
     EXPECT_TRUE(kernel.findings.empty());
     EXPECT_EQ(kernel.may_decline, kind.may_decline);
-    EXPECT_EQ(kernel.limits.any(), kind.name.starts_with("limited_"));
+    EXPECT_EQ(kernel.limits.sides == SidesPolicy::front, kind.name == "front_alone");
+    EXPECT_EQ(kernel.limits.margin, kind.name == "with_margin" ? 0.0625 : 0);
+    EXPECT_EQ(kernel.limits.least_radius != 0, kind.name.starts_with("limited_"));
     const std::vector<Verdict> answers = supervised(kernel).verdicts;
     std::size_t others = 0;
     for (std::size_t i = 0; i < answers.size(); ++i) {

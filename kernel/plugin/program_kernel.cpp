@@ -47,10 +47,17 @@ Description described(const Manifest& manifest, Precision precision) {
   d.measure_count = manifest.measures;
   d.start = static_cast<std::uint32_t>(manifest.motion.start);
   d.still = static_cast<std::uint32_t>(manifest.motion.still);
-  d.sides = static_cast<std::uint32_t>(manifest.motion.sides);
+  const bool has_motions = !predicate.measures.empty();
+  if (has_motions && manifest.limits.sides != SidesPolicy::both)
+    throw Error(fmt::format("\"sides\": predicate '{}' is of motions: give it in \"motion\"", predicate.id));
+  if (!has_motions && manifest.motion.sides != SidesPolicy::both)
+    throw Error(fmt::format("\"motion\": predicate '{}' has none; \"sides\" stands beside it", predicate.id));
+  d.sides = static_cast<std::uint32_t>(has_motions ? manifest.motion.sides : manifest.limits.sides);
   d.may_decline = manifest.may_decline ? 1 : 0;
   const Limits& l = manifest.limits;
-  const double limits[] = {l.least_coordinate, l.greatest_coordinate, l.least_area, l.least_radius, l.greatest_radius};
+  const double limits[] = {l.least_coordinate, l.greatest_coordinate, l.least_area,
+                           l.least_radius,     l.greatest_radius,     l.margin};
+  static_assert(sizeof limits == sizeof d.limits);
   std::copy(std::begin(limits), std::end(limits), d.limits);
   d.has_run = true;
   d.has_conforms_to = !manifest.conforms_to.empty();

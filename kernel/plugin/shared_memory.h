@@ -63,7 +63,7 @@ struct Description {
   std::uint32_t start, still, sides, may_decline;
   std::size_t size, least_size, limits_size, least_limits_size;  // bytes, as declared and as needed
   std::size_t column_count, measure_count;
-  double limits[5];  // in the order of axiscert_limits
+  double limits[6];  // in the order of axiscert_limits
   char name[128], summary[256], predicate[64], entry[64], conforms_to[64], formulae[64];
   char source[512];  // the end of a longer one
   bool has_run, has_limits, has_conforms_to, has_formulae, is_truncated;

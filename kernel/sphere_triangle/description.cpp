@@ -50,6 +50,7 @@ Predicate described() {
       .usual_formulae = "published",
       .has_strictness = true,
       .claims_arithmetic = true,
+      .has_front = true,
       .is_implied = true,
   };
   for (const Formulae formulae : enumerators<Formulae>) {

@@ -194,7 +194,9 @@ TEST(Derived, APromiseThatIsEditedContradictsItsCounts) {
                                                     {"greatest_coordinate", nullptr},
                                                     {"least_area", nullptr},
                                                     {"least_radius", "much"},
-                                                    {"greatest_radius", nullptr}};
+                                                    {"greatest_radius", nullptr},
+                                                    {"margin", nullptr},
+                                                    {"sides", nullptr}};
   EXPECT_THAT(refusal_of(predicate), HasSubstr("which is no number"));
 }
 

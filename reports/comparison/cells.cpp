@@ -20,7 +20,9 @@ constexpr std::string_view comparison_counts[] = {"false_separation", "missed_se
 // Those of first contacts, by place. Where a time is late, its tunnel goes with it.
 constexpr std::string_view time_counts[] = {"late", "early", "none", "invalid", "through"};
 constexpr std::string_view missed_counts[] = {"through"};
-constexpr std::string_view feature_counts[] = {"wrong"};
+constexpr std::string_view feature_members[] = {"wrong", "unnamed", "none", "largest_error"};
+constexpr std::string_view normal_members[] = {"none", "largest_angle", "largest_length_error"};
+constexpr std::string_view point_members[] = {"none", "largest_error"};
 constexpr std::string_view contact_maxima[] = {"deepest_tunnel"};
 constexpr std::string_view time_errors[] = {"latest_u", "earliest_u"};
 
@@ -78,9 +80,22 @@ class Collector {
       add_maximum("time", "latest_u", time->late_errors.largest_in_u);
       add_maximum("time", "earliest_u", time->early_errors.largest_in_u);
     }
-    if (motion.feature) {
-      among_ = motion.feature->judged;
-      add_count("feature", "wrong", motion.feature->wrong);
+    if (const auto& feature = motion.feature) {
+      among_ = feature->judged;
+      add_count("feature", "wrong", feature->wrong);
+      add_count("feature", "unnamed", feature->unnamed);
+      among_ = motion.hits;
+      add_count("feature", "none", feature->none);
+      add_maximum("feature", "largest_error", feature->largest_error);
+    }
+    if (const auto& normal = motion.normal) {
+      add_count("normal", "none", normal->none);
+      add_maximum("normal", "largest_angle", normal->largest_angle);
+      add_maximum("normal", "largest_length_error", normal->largest_length_error);
+    }
+    if (const auto& point = motion.point) {
+      add_count("point", "none", point->none);
+      add_maximum("point", "largest_error", point->largest_error);
     }
     among_ = within;
   }
@@ -123,7 +138,14 @@ bool shows_contact(const WitnessRecord& witness, const Cell& cell) {
   if (!witness.measures || !*witness.measures) return false;
   const MeasuresRecord& measures = **witness.measures;
   const std::optional<TimeVerdict> time = measures.time.value_or(std::nullopt);
-  if (cell.place == "feature") return measures.feature_is_right.value_or(std::nullopt) == false;
+  const auto is_figure = [&](const std::optional<std::optional<double>>& error) {
+    return error && *error && json_of(**error) == cell.figure;
+  };
+  if (cell.place == "normal")
+    return is_figure(cell.member == "largest_angle" ? measures.normal_angle : measures.normal_length_error);
+  if (cell.place == "point") return is_figure(measures.point_error);
+  if (cell.member == "largest_error") return is_figure(measures.feature_error);
+  if (cell.place == "feature") return cell.member != "none" && measures.feature_is_right.value_or(std::nullopt) == false;
   if (cell.member == "latest_u") return time == TimeVerdict::late;
   if (cell.member == "earliest_u") return time == TimeVerdict::early;
   if (cell.member != "through" && cell.member != "deepest_tunnel") return time && name(*time) == cell.member;
@@ -152,7 +174,9 @@ std::vector<std::string_view> members_of(std::string_view place) {
   };
   if (place == "time") return with_tunnels(time_counts);
   if (place == "missed") return with_tunnels(missed_counts);
-  if (place == "feature") return {std::begin(feature_counts), std::end(feature_counts)};
+  if (place == "feature") return {std::begin(feature_members), std::end(feature_members)};
+  if (place == "normal") return {std::begin(normal_members), std::end(normal_members)};
+  if (place == "point") return {std::begin(point_members), std::end(point_members)};
   if (place != "verdict") return {std::begin(comparison_counts), std::end(comparison_counts)};
   std::vector<std::string_view> all(std::begin(verdict_counts), std::end(verdict_counts));
   all.insert(all.end(), std::begin(verdict_maxima), std::end(verdict_maxima));

@@ -14,9 +14,9 @@
 
 namespace axiscert {
 
-// The places of the first contacts that a kernel of a predicate of motions reports: "time" and "feature", counted among
-// the contacts that it found, and "missed", for the contacts that it did not.
-inline constexpr std::string_view places_of_contacts[] = {"time", "missed", "feature"};
+// The places of the first contacts that a kernel of a predicate of motions reports: "time", "feature", "normal" and
+// "point", counted among the contacts that it found, and "missed", for the contacts that it did not.
+inline constexpr std::string_view places_of_contacts[] = {"time", "missed", "feature", "normal", "point"};
 bool is_place_of_contacts(std::string_view place);
 
 struct Cell {

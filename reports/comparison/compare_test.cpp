@@ -229,6 +229,25 @@ TEST(CompareContacts, ATunnelADepthOfItAndATimeThatIsNotGivenAreCells) {
   EXPECT_THAT(changed_cells(compared(contacts(5, 0, 0), none)), ElementsAre("time.none new"));
 }
 
+TEST(CompareContacts, NormalsPointsEarlyTimesAndFeaturesThatAreWorseAreCells) {
+  Json then = contacts(5, 0.25, 0);
+  then["feature"] = {{"judged", 900}, {"none", 0}, {"wrong", 2}, {"unnamed", 0}, {"largest_error", 0.25}};
+  then["normal"] = {{"judged", 900}, {"none", 0}, {"largest_angle", 0.5}, {"largest_length_error", 0.0}};
+  then["point"] = {{"judged", 900}, {"none", 0}, {"largest_error", 0.125}};
+  const auto cells_with = [&](const char* place, const char* member, const Json& value) {
+    Json now = then;
+    now[place][member] = value;
+    return changed_cells(compared(then, now));
+  };
+  EXPECT_THAT(cells_with("time", "early", 101), ElementsAre("time.early worse"));
+  EXPECT_THAT(cells_with("feature", "wrong", 3), ElementsAre("feature.wrong worse"));
+  EXPECT_THAT(cells_with("feature", "none", 1), ElementsAre("feature.none new"));
+  EXPECT_THAT(cells_with("feature", "largest_error", 0.5), ElementsAre("feature.largest_error worse"));
+  EXPECT_THAT(cells_with("normal", "largest_angle", 0.75), ElementsAre("normal.largest_angle worse"));
+  EXPECT_THAT(cells_with("normal", "largest_length_error", 0.5), ElementsAre("normal.largest_length_error new"));
+  EXPECT_THAT(cells_with("point", "largest_error", 0.0625), ElementsAre("point.largest_error better"));
+}
+
 TEST(CompareContacts, OnOtherQueriesOnlyWhatChanceDoesNotExplain) {
   const auto with_other_seed = [](std::uint64_t late, double tunnel) {
     Json record = motions(contacts(late, tunnel, 0));

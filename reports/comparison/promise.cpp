@@ -18,10 +18,11 @@ struct Bound {
   double Limits::*value;
   std::optional<double> LimitsRecord::*stated;
 
-  bool is_least() const { return sign == ">="; }
-  // "from 1e+30", "to 1e+06", "none".
+  bool is_least() const { return sign != "<="; }  // so is a margin, of which more leaves more out
+  // "from 1e+30", "to 1e+06", "none"; of a margin "0.001".
   std::string text(double bound) const {
-    return bound == 0 ? "none" : fmt::format("{} {}", is_least() ? "from" : "to", bound);
+    if (bound == 0) return "none";
+    return sign == "=" ? fmt::format("{}", bound) : fmt::format("{} {}", is_least() ? "from" : "to", bound);
   }
   bool is_narrower(double now, double before) const {
     if (now == 0 || before == 0) return now != 0 && before == 0;
@@ -32,8 +33,10 @@ constexpr Bound bounds[] = {{"coordinate", ">=", &Limits::least_coordinate, &Lim
                             {"coordinate", "<=", &Limits::greatest_coordinate, &LimitsRecord::greatest_coordinate},
                             {"area", ">=", &Limits::least_area, &LimitsRecord::least_area},
                             {"radius", ">=", &Limits::least_radius, &LimitsRecord::least_radius},
-                            {"radius", "<=", &Limits::greatest_radius, &LimitsRecord::greatest_radius}};
+                            {"radius", "<=", &Limits::greatest_radius, &LimitsRecord::greatest_radius},
+                            {"margin", "=", &Limits::margin, &LimitsRecord::margin}};
 constexpr std::string_view may_decline_word = "may_decline";
+constexpr std::string_view front_word = "front_only";  // of a triangle, in a predicate without motions
 
 template <Enumeration Enum>
 std::optional<Enum> named(std::string_view text, const auto& names) {
@@ -61,7 +64,8 @@ class Reader {
     const std::string value = at == word.npos ? "" : word.substr(at + sign.size());
     if (!seen_.insert(name + sign).second) fail(word, "a second word for the same part");
     if (word == may_decline_word) promise_.may_decline = true;
-    else if (sign == "=") add_name(word, name, value);
+    else if (word == front_word) promise_.limits.sides = SidesPolicy::front;
+    else if (sign == "=" && bound_of(name, sign) == std::end(bounds)) add_name(word, name, value);
     else add_bound(word, name, sign, value);
   }
 
@@ -78,9 +82,14 @@ class Reader {
   [[noreturn]] static void fail(const std::string& word, const std::string& what) {
     throw Error(
         fmt::format("'{}' is {}; a promise is touching=contact, separated or either, and as needed "
-                    "coordinate>=X, coordinate<=X, area>=X, radius>=X, radius<=X, may_decline, and of motions "
+                    "coordinate>=X, coordinate<=X, area>=X, radius>=X, radius<=X, margin=X, front_only, may_decline, "
+                    "and of motions "
                     "start=, still=, sides=",
                     word, what));
+  }
+
+  static const Bound* bound_of(const std::string& name, const std::string& sign) {
+    return std::ranges::find_if(bounds, [&](const Bound& b) { return b.quantity == name && b.sign == sign; });
   }
 
   void add_name(const std::string& word, const std::string& name, const std::string& value) {
@@ -98,8 +107,7 @@ class Reader {
   }
 
   void add_bound(const std::string& word, const std::string& name, const std::string& sign, const std::string& value) {
-    const auto bound =
-        std::ranges::find_if(bounds, [&](const Bound& b) { return b.quantity == name && b.sign == sign; });
+    const Bound* const bound = bound_of(name, sign);
     if (bound == std::end(bounds)) fail(word, "no part of a promise");
     const Json number = Json::parse(value, nullptr, false);
     if (!number.is_number() || !std::isfinite(number.get<double>()) || number <= 0) fail(word, "without a number > 0");
@@ -118,6 +126,7 @@ Promise promise_in(const KernelRecord& entry) {
   promise.may_decline = entry.may_decline;
   if (entry.limits) {
     for (const Bound& bound : bounds) promise.limits.*(bound.value) = ((*entry.limits).*(bound.stated)).value_or(0);
+    promise.limits.sides = entry.limits->sides.value_or(SidesPolicy::both);
   }
   if (entry.motion) promise.motion = MotionPolicy{entry.motion->start, entry.motion->still, entry.motion->sides};
   return promise;
@@ -147,6 +156,7 @@ PromiseChange change_of(const Promise& before, const Promise& now) {
     (bound.is_narrower(here, then) ? change.less : change.other)
         .push_back(fmt::format("{} {}, was {}", bound.quantity, bound.text(here), bound.text(then)));
   }
+  compare_policy("sides", before.limits.sides, now.limits.sides, sides_policy_names, change);
   const MotionPolicy then = before.motion.value_or(MotionPolicy{}), here = now.motion.value_or(MotionPolicy{});
   compare_policy("start", then.start, here.start, start_policy_names, change);
   compare_policy("still", then.still, here.still, still_policy_names, change);
@@ -169,6 +179,7 @@ std::vector<std::string> words_of_promise(const Promise& promise) {
     words.push_back(fmt::format("still={}", still_policy_names[promise.motion->still]));
     words.push_back(fmt::format("sides={}", sides_policy_names[promise.motion->sides]));
   }
+  if (promise.limits.sides == SidesPolicy::front) words.emplace_back(front_word);
   if (promise.may_decline) words.emplace_back(may_decline_word);
   return words;
 }

@@ -43,6 +43,11 @@ TEST(Promise, EachBoundIsNarrowerInItsOwnDirection) {
   };
   EXPECT_TRUE(less({.greatest_radius = 1e6}, {.greatest_radius = 1e5}));
   EXPECT_FALSE(less({.greatest_radius = 1e5}, {.greatest_radius = 1e6}));
+  EXPECT_TRUE(less({}, {.margin = 0.001}));
+  EXPECT_TRUE(less({.margin = 0.001}, {.margin = 0.01}));
+  EXPECT_FALSE(less({.margin = 0.01}, {.margin = 0.001}));
+  EXPECT_TRUE(less({}, {.sides = SidesPolicy::front}));
+  EXPECT_FALSE(less({.sides = SidesPolicy::front}, {}));
   EXPECT_TRUE(less({.least_area = 1}, {.least_area = 2}));
   EXPECT_FALSE(less({.least_area = 2}, {.least_area = 1}));
   EXPECT_TRUE(less({}, {.least_coordinate = 1e-9}));

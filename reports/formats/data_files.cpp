@@ -73,7 +73,7 @@ std::string render_csv(const Run& run) {
 extern const Format csv_format = {
     record_csv_file, "the counts of record.json as a table: a line for each verdict, axis, comparison", render_csv};
 
-// witnesses.jsonl: every witness as a line of a query file.
+// witnesses.jsonl: every witness as a line of a query file, with its address: half of a pair is found by it.
 
 namespace {
 
@@ -87,6 +87,7 @@ std::string render_witnesses(const Run& run) {
     if (&entry != &predicate.entries.front()) query["entry"] = entry.name;
     for (const ColumnGroup& group : groups_of(entry))
       member_at(query, group.name) = json_of(witness.numbers.at(group.name));
+    query["address"] = json_of(witness.address);
     text += query.dump() + "\n";
   }
   return text;

@@ -89,7 +89,7 @@ TEST(Witnesses, AreTheRecordsQueriesLineByLine) {
   for (const Json& witness : record["witnesses"]) {
     ASSERT_TRUE(std::getline(lines, line));
     const Json query = Json::parse(line);
-    EXPECT_EQ(query.size(), 7u);
+    EXPECT_EQ(query.size(), 8u);
     for (const auto& [member, value] : query.items()) EXPECT_EQ(value, witness[member]) << member;
   }
   EXPECT_FALSE(std::getline(lines, line));

@@ -67,7 +67,9 @@ extern const GateLevel exact_level = {.usage = "exact",
                                       .sentence = [](const AskedLevel&) { return std::string("no wrong verdict"); },
                                       .judge =
                                           [](const AskedLevel&, const Subject& subject) {
-                                            return judge_depths(subject, {no_wrong, no_wrong});
+                                            LevelFindings found = judge_depths(subject, {no_wrong, no_wrong});
+                                            subject.add_untimed(found.failures);
+                                            return found;
                                           },
                                       .allowed =
                                           [](const AskedLevel&) {

@@ -55,7 +55,9 @@ void declare_limits(Json& record) {
                                  {"greatest_coordinate", nullptr},
                                  {"least_area", nullptr},
                                  {"least_radius", 1.0},
-                                 {"greatest_radius", nullptr}};
+                                 {"greatest_radius", nullptr},
+                                 {"margin", nullptr},
+                                 {"sides", nullptr}};
   for (const char* family : {"lattice", "tangent"}) put_outside(verdict_of(record, family), 0, 0, 0);
 }
 void decline(Json& verdict, std::uint64_t contacts, std::uint64_t touching, std::uint64_t separations) {

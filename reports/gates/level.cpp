@@ -59,6 +59,15 @@ void Subject::add_shown(std::vector<Failure>& failures, const std::string& famil
     failures.back().witness = found->id;
 }
 
+void Subject::add_untimed(std::vector<Failure>& failures) const {
+  for (const auto& [family, result] : families()) {
+    if (!result.motion || !result.motion->time) continue;
+    const TimeTally& time = *result.motion->time;
+    add_shown(failures, family, time.none, "contacts without a time", "a contact without a time");
+    add_shown(failures, family, time.invalid, "contacts with a time outside [0, 1]", "a time outside [0, 1]");
+  }
+}
+
 void Subject::add_pair(std::vector<Failure>& failures, const std::string& family, std::uint64_t count,
                        const std::string& what, const std::optional<AddressPair>& pair) const {
   if (count == 0) return;
@@ -116,7 +125,11 @@ std::string Subject::list_of_families() const {
   X(no_worse_than)              \
   X(invariant)                  \
   X(never_late)                 \
-  X(no_tunnel)
+  X(no_tunnel)                  \
+  X(early)                      \
+  X(features)                   \
+  X(normals)                    \
+  X(points)
 
 namespace axiscert {
 

@@ -79,6 +79,9 @@ class Subject {
   void add_shown(std::vector<Failure>& failures, const std::string& family, std::uint64_t count,
                  const std::string& what, std::string_view reason) const;
 
+  // Adds the contacts that say nothing of when: of a kernel that gives times, those without one in [0, 1].
+  void add_untimed(std::vector<Failure>& failures) const;
+
   // Adds a failure of this kernel that two queries show together, unless `count` is 0; the witness is the image. Empty:
   // none is known.
   void add_pair(std::vector<Failure>& failures, const std::string& family, std::uint64_t count, const std::string& what,

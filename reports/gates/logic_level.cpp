@@ -138,7 +138,8 @@ std::string logic_sentence(const AskedLevel&) {
   return "no wrong verdict but by rounding or range: the formulae are right (specification), and so is the code that "
          "computes them (implementation). A kernel that claims no formulae, or has its own way to evaluate them, is "
          "held to clear queries, which no right method gets wrong; to queries on which nothing is rounded, touching "
-         "ones not counted; and to other units of length, in which its verdicts have to be the same";
+         "ones not counted; and to other units of length, in which its verdicts have to be the same. "
+         "One that gives times gives one in [0, 1] beside each contact";
 }
 
 LevelFindings judge_logic(const AskedLevel&, const Subject& subject) { return logic_findings(subject); }
@@ -148,6 +149,7 @@ LevelFindings judge_logic(const AskedLevel&, const Subject& subject) { return lo
 LevelFindings logic_findings(const Subject& subject) {
   LevelFindings found;
   for (const auto& [family, result] : subject.families()) find_logic_failures(subject, family, result, found.failures);
+  subject.add_untimed(found.failures);
   const std::string queries = thousands(subject.decided());
   if (subject.basis() == Basis::reference) {
     for (const auto& [family, result] : subject.families()) found.families[family] = subject.whole_look(result);

@@ -45,12 +45,9 @@ std::string times_unseen(const Subject& subject) {
 // Hits of which nothing is known, since they have no time in [0, 1], and families without any hit.
 void add_untimed(const Subject& subject, LevelFindings& found) {
   for (const auto& [family, result] : subject.families()) {
-    const TimeTally& time = *result.motion->time;
     if (result.motion->hits == 0) found.unseen.push_back(family);
-    subject.add_shown(found.failures, family, time.none, "contacts without a time", "a contact without a time");
-    subject.add_shown(found.failures, family, time.invalid, "contacts with a time outside [0, 1]",
-                      "a time outside [0, 1]");
   }
+  subject.add_untimed(found.failures);
 }
 
 // Contacts that were found; with `missed` those that were not are looked at too.

@@ -25,7 +25,10 @@ bool is_held(const Cell& cell) { return !cell.is_zero() && !is_error_in_u(cell);
 constexpr int lesser_severity = 0, not_checked_severity = 1, expired_severity = 8;
 int severity(const Cell& cell) {
   if (cell.kind == Cell::Kind::finding) return 2;
-  if (cell.is_of_contacts()) return cell.place == "feature" ? 7 : cell.member == "early" ? 5 : 3;
+  if (cell.is_of_contacts()) {
+    if (cell.place != "time" && cell.place != "missed") return 7;
+    return cell.member == "early" ? 5 : 3;
+  }
   if (cell.place != "verdict") return cell.member == "tolerance_failures" ? 6 : 7;
   if (cell.member == "undecided") return 5;
   return cell.member == "false_contact" || cell.member == "deepest_false_contact" ? 4 : 3;

@@ -330,6 +330,7 @@ TEST(RatchetOfContacts, APlaceOrFigureThatThePredicateDoesNotHaveIsRefused) {
   EXPECT_THAT(refused_with(motions + lines + "time tardy=5\n"),
               HasSubstr("late, early, none, invalid, through, deepest_tunnel"));
   EXPECT_EQ(refused_with(motions + lines + "time late=5\nmissed through=1\nfeature wrong=2\n"), "");
+  EXPECT_EQ(refused_with(motions + lines + "normal largest_angle=0.5\npoint largest_error=0.25\n"), "");
 }
 
 TEST(RatchetOfContacts, ItsFailuresAreInTheCaseOfTheFamilysVerdict) {

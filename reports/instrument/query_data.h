@@ -199,7 +199,7 @@ struct CheckLine : DataHead<CheckLine> {
 
 // What a query and the smaller one both show.
 struct KeptLine {
-  Level level = Level::verdict;
+  std::optional<Level> level;
   Name name, kind;
   std::vector<Link> links;
   std::optional<Name> input_class;
@@ -207,12 +207,14 @@ struct KeptLine {
 
   static constexpr auto fields(auto&& visit) {
     using Of = KeptLine;
-    return visit(field(&Of::level, {"level", "Where it is wrong."}),
-                 field(&Of::name, {"name", "verdict, an axis or a comparison."}),
-                 field(&Of::kind, {"kind", "The kind of wrong answer, `error` or `asymmetry`."}),
-                 field(&Of::links, {"links", "The broken links of the chain."}),
-                 field(&Of::input_class, {"class", "The class of the input; null with --any-class."}),
-                 field(&Of::classes, {"classes", "Every definition of a class that it meets; null with --any-class."}));
+    return visit(
+        field(&Of::level, {"level", "Where it is wrong; null for a measure."}),
+        field(&Of::name, {"name", "verdict, an axis, a comparison or a measure."}),
+        field(&Of::kind,
+              {"kind", "The kind of wrong answer, `error` or `asymmetry`; of a measure what is wrong with it."}),
+        field(&Of::links, {"links", "The broken links of the chain."}),
+        field(&Of::input_class, {"class", "The class of the input; null with --any-class."}),
+        field(&Of::classes, {"classes", "Every definition of a class that it meets; null with --any-class."}));
   }
 };
 

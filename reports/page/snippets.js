@@ -70,7 +70,7 @@ function c_array(witness) {
 
 // A line of a query file, as witnesses.jsonl has it.
 function json_line(witness) {
-  const {id, precision, predicate, entry} = witness;
+  const {id, precision, predicate, entry, address} = witness;
   const numbers = {};
   // A group whose name has dots is nested; what is named by digits is an element of an array.
   for (const group of page_predicate_of(witness).groups_of(witness)) {
@@ -81,7 +81,7 @@ function json_line(witness) {
       else at = at[name] ??= /^[0-9]+$/.test(names[i + 1]) ? [] : {};
     });
   }
-  return JSON.stringify({id, precision, ...(predicate ? {predicate} : {}), ...(entry ? {entry} : {}), ...numbers});
+  return JSON.stringify({id, precision, ...(predicate ? {predicate} : {}), ...(entry ? {entry} : {}), ...numbers, address});
 }
 
 const snippet_kinds = [['C++ test', cpp_test], ['C array', c_array], ['JSON line', json_line]];

@@ -108,7 +108,9 @@ inline Json with_least_radius(double radius, std::uint64_t outside) {
                       {"greatest_coordinate", nullptr},
                       {"least_area", nullptr},
                       {"least_radius", radius},
-                      {"greatest_radius", nullptr}};
+                      {"greatest_radius", nullptr},
+                      {"margin", nullptr},
+                      {"sides", nullptr}};
   for (Json& family : kernel["families"]) {
     family["verdict"]["outside_limits"] = {{"trials", outside}, {"false_separation", 0},      {"false_contact", 0},
                                            {"unanswered", 0},   {"contact", outside * 3 / 5}, {"touching", 0},

@@ -125,6 +125,8 @@ std::string judge_command(const PlanRecord& plan) {
   if (replies.conforms_to) command += " --conforms-to " + shell_word(*replies.conforms_to);
   if (replies.formulae) command += " --formulae " + shell_word(*replies.formulae);
   if (replies.touching != TouchingPolicy::contact) command += fmt::format(" --touching {}", name(replies.touching));
+  if (replies.sides) command += fmt::format(" --sides {}", name(*replies.sides));
+  if (replies.margin) command += fmt::format(" --margin {}", *replies.margin);
   if (replies.may_decline) command += " --may-decline";
   return command;
 }

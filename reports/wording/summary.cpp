@@ -174,6 +174,8 @@ std::string limits_text(const KernelRecord& kernel) {
   range("|coordinates|", limits.least_coordinate, limits.greatest_coordinate);
   range("area", limits.least_area, std::nullopt);
   range("radius", limits.least_radius, limits.greatest_radius);
+  if (limits.margin) parts.push_back(fmt::format("contact, or apart by more than a margin of {:.6g}", *limits.margin));
+  if (limits.sides == SidesPolicy::front) parts.emplace_back("in front of the triangle");
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -8,6 +8,7 @@
 #include "exact/sphere_triangle/measures/nearest_root.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "exact/trait/oracles.h"
 
 namespace axiscert {
 namespace {
@@ -18,6 +19,15 @@ bool has_area(const Query<Real>& q, double area) {
   const Vec3<BinaryNumber> normal = exact_normal(q);
   const BinaryNumber twice = BinaryNumber(area) + BinaryNumber(area);
   return portable::dot(normal, normal) >= twice * twice;
+}
+
+// (P - A).V > 0: not so for a triangle without area.
+template <class Real>
+bool is_in_front(const Query<Real>& q) {
+  const auto vec = [](const Vec3<Real>& v) {
+    return Vec3<BinaryNumber>{BinaryNumber(double(v.x)), BinaryNumber(double(v.y)), BinaryNumber(double(v.z))};
+  };
+  return portable::dot(vec(q.p) - vec(q.a), exact_normal(q)).sign() > 0;
 }
 
 }  // namespace
@@ -34,7 +44,11 @@ bool is_within(const Limits& limits, const Query<Real>& q) {
     return (x == 0 || x >= limits.least_coordinate) &&
            (limits.greatest_coordinate == 0 || x <= limits.greatest_coordinate);
   });
-  return in_range && (limits.least_area == 0 || has_area(q, limits.least_area));
+  if (!in_range || (limits.least_area != 0 && !has_area(q, limits.least_area))) return false;
+  // Numbers that are no query have neither a front nor a distance.
+  if ((limits.sides == SidesPolicy::both && limits.margin == 0) || !is_valid(q)) return true;
+  if (limits.sides == SidesPolicy::front && !is_in_front(q)) return false;
+  return limits.margin == 0 || !is_within_margin({squared_distance(q), exact(r)}, limits.margin);
 }
 template bool is_within<float>(const Limits&, const Query<float>&);
 template bool is_within<double>(const Limits&, const Query<double>&);

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
+#include <utility>
 
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
@@ -70,6 +72,33 @@ TEST(Limits, AreaHasNoRange) {
   EXPECT_TRUE(is_within({.least_area = 0x1p1023}, large));
   const Query<double> line{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {0, 0, 0}, 1};
   EXPECT_FALSE(is_within({.least_area = 0x1p-1074}, line));
+}
+
+// The triangle (0,0,0) (4,0,0) (0,4,0) faces upwards.
+Query<double> at_height(double z, double r) { return {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, z}, r}; }
+
+TEST(Limits, TheFrontIsWhereTheNormalPoints) {
+  const Limits front{.sides = SidesPolicy::front};
+  EXPECT_TRUE(front.any());
+  EXPECT_TRUE(is_within(front, at_height(0x1p-1074, 1)));
+  for (const double z : {0.0, -0x1p-1074, -3.0}) EXPECT_FALSE(is_within(front, at_height(z, 1))) << z;
+  Query<double> turned = at_height(3, 1), line = at_height(3, 1);
+  std::swap(turned.b, turned.c);
+  line.c = {8, 0, 0};
+  EXPECT_FALSE(is_within(front, turned));
+  EXPECT_FALSE(is_within(front, line)) << "a triangle without area has no front";
+  const Query<double> none = at_height(std::numeric_limits<double>::infinity(), 1);
+  EXPECT_TRUE(is_within({.margin = 1, .sides = SidesPolicy::front}, none)) << "no query";
+}
+
+TEST(Limits, AMarginIsOpenFromTouchToItsEnd) {
+  const Limits quarter{.margin = 0.25};
+  EXPECT_TRUE(is_within(quarter, at_height(1, 1))) << "touching is promised";
+  EXPECT_TRUE(is_within(quarter, at_height(0.5, 1)));
+  EXPECT_FALSE(is_within(quarter, at_height(std::nextafter(1.0, 2), 1)));
+  EXPECT_FALSE(is_within(quarter, at_height(1.25, 1))) << "a margin's end is open too";
+  EXPECT_TRUE(is_within(quarter, at_height(std::nextafter(1.25, 2), 1)));
+  EXPECT_FALSE(is_within(quarter, at_height(0.25, 0))) << "a point";
 }
 
 TEST(Limits, RadiiAreRoundedInward) {

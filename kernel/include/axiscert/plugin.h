@@ -69,9 +69,11 @@ enum axiscert_still { /* of a displacement of zero */
                       AXISCERT_STILL_IS_REPORTED = 0,
                       AXISCERT_STILL_IS_IGNORED = 1
 };
-enum axiscert_sides { /* of triangles */
+enum axiscert_sides { /* of triangles; of predicates without motions that have one too */
                       AXISCERT_BOTH_SIDES = 0,
-                      AXISCERT_FRONT_ONLY = 1 /* those that the motion meets from the front: d.(ab x ac) < 0 */
+                      /* those that the motion meets from the front: d.(ab x ac) < 0; without a motion those in front of
+                       * which the centre of the sphere or box is: (p - a).(ab x ac) > 0 */
+                      AXISCERT_FRONT_ONLY = 1
 };
 
 /* A batch of queries, structure of arrays. Each column has exactly `count` numbers of the kernel's precision, float or
@@ -116,7 +118,7 @@ typedef struct axiscert_answers {
 } axiscert_answers;
 
 /* The range in which the kernel promises right answers. Wrong answers to queries outside it are reported separately and
- * fail no requirement. Members that are zero set no limit. */
+ * fail no requirement. Members that are zero set no limit. Those but the last are of sphere-triangle. */
 typedef struct axiscert_limits {
   size_t size;                /* sizeof(axiscert_limits) */
   double least_coordinate;    /* of |x| for each coordinate of a, b, c, p that is not zero; 0: none */
@@ -124,6 +126,8 @@ typedef struct axiscert_limits {
   double least_area;          /* of the triangle; 0: none */
   double least_radius;        /* 0: none */
   double greatest_radius;     /* 0: none */
+  /* Of any predicate: contact may be reported where the two are apart by at most this length. 0: none. */
+  double margin;
 } axiscert_limits;
 
 /* One kernel in one precision. The members down to `run` are needed; zero in any other is the simplest choice. */
@@ -151,7 +155,7 @@ typedef struct axiscert_kernel {
    * kernel of sphere-triangle that exposes comparisons, and else none, so that only its verdict is judged. */
   const char* formulae;
   const axiscert_limits* limits; /* null: none */
-  uint32_t start;                /* an axiscert_start, of a predicate of motions, as the next two */
+  uint32_t start;                /* an axiscert_start, of a predicate of motions, as the next one */
   uint32_t still;                /* an axiscert_still */
   uint32_t sides;                /* an axiscert_sides */
   /* 0: it answers separated or contact to every valid query within its limits. 1: it may answer AXISCERT_UNDECIDED. */

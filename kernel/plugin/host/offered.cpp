@@ -77,7 +77,9 @@ void describe(const OfferedKernel& kernel, Description& out) {
   out.may_decline = says.may_decline;
   out.column_count = says.column_count;
   out.measure_count = says.measure_count;
-  const double limits[] = {l.least_coordinate, l.greatest_coordinate, l.least_area, l.least_radius, l.greatest_radius};
+  const double limits[] = {l.least_coordinate, l.greatest_coordinate, l.least_area,
+                           l.least_radius,     l.greatest_radius,     l.margin};
+  static_assert(sizeof limits == sizeof out.limits);
   std::memcpy(out.limits, limits, sizeof limits);
   out.has_run = says.run != nullptr;
   out.has_conforms_to = says.conforms_to != nullptr;

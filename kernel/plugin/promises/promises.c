@@ -45,6 +45,25 @@ static int separations_declined(const double v[13]) {
   return right(v) == AXISCERT_CONTACT ? AXISCERT_CONTACT : AXISCERT_UNDECIDED;
 }
 static int other_sizes_declined(const double v[13]) { return is_of_one_size(v) ? right(v) : AXISCERT_UNDECIDED; }
+/* Sees no triangle from behind: (p - a).(ab x ac) <= 0 is no contact. */
+static int front(const double v[13]) {
+  double u[3], w[3], p[3];
+  for (int k = 0; k < 3; ++k) {
+    u[k] = v[3 + k] - v[k];
+    w[k] = v[6 + k] - v[k];
+    p[k] = v[9 + k] - v[k];
+  }
+  const double volume =
+      p[0] * (u[1] * w[2] - u[2] * w[1]) + p[1] * (u[2] * w[0] - u[0] * w[2]) + p[2] * (u[0] * w[1] - u[1] * w[0]);
+  return volume > 0 ? right(v) : AXISCERT_SEPARATED;
+}
+/* A skin of 1/16, which float coordinates of usual sizes have without rounding. */
+static int thicker(const double v[13]) {
+  double grown[13];
+  memcpy(grown, v, sizeof grown);
+  grown[12] += 0.0625;
+  return v[12] < 0 ? right(v) : right(grown);
+}
 static int contact(const double v[13]) { return (void)v, AXISCERT_CONTACT; }
 static int separated(const double v[13]) { return (void)v, AXISCERT_SEPARATED; }
 static int no_verdict(const double v[13]) { return (void)v, 77; }
@@ -62,6 +81,8 @@ RUN(float, few_invalid)
 RUN(float, contacts_declined)
 RUN(float, separations_declined)
 RUN(float, other_sizes_declined)
+RUN(float, front)
+RUN(float, thicker)
 RUN(float, contact)
 RUN(float, separated)
 RUN(float, no_verdict)
@@ -80,6 +101,8 @@ static const axiscert_limits far_alone = {.size = sizeof(axiscert_limits),
                                           .least_radius = 1.01,
                                           .greatest_radius = 1.49};
 
+static const axiscert_limits sixteenth = {.size = sizeof(axiscert_limits), .margin = 0.0625};
+
 enum kind {
   keeps_its_promise,
   declines,
@@ -93,17 +116,22 @@ enum kind {
   limited_to_far,
   binary64_alone,
   one_size,
+  front_alone,
+  with_margin,
   kinds
 };
 #define KERNEL(kind, bits, answer, its_limits, declines_by_promise) \
-  [kind] = {.abi = AXISCERT_PLUGIN_ABI,                             \
-            .precision = bits,                                      \
-            .size = sizeof(axiscert_kernel),                        \
-            .name = #kind,                                          \
-            .column_count = 13,                                     \
-            .run = run_##answer,                                    \
-            .source = AXISCERT_SOURCE,                              \
-            .limits = its_limits,                                   \
+  KERNEL_OF(kind, bits, answer, its_limits, AXISCERT_BOTH_SIDES, declines_by_promise)
+#define KERNEL_OF(kind, bits, answer, its_limits, its_sides, declines_by_promise) \
+  [kind] = {.abi = AXISCERT_PLUGIN_ABI,                                           \
+            .precision = bits,                                                    \
+            .size = sizeof(axiscert_kernel),                                      \
+            .name = #kind,                                                        \
+            .column_count = 13,                                                   \
+            .run = run_##answer,                                                  \
+            .source = AXISCERT_SOURCE,                                            \
+            .limits = its_limits,                                                 \
+            .sides = its_sides,                                                   \
             .may_decline = declines_by_promise}
 static const axiscert_kernel kernels[kinds] = {
     KERNEL(keeps_its_promise, 32, right, NULL, 0),
@@ -118,6 +146,8 @@ static const axiscert_kernel kernels[kinds] = {
     KERNEL(limited_to_far, 32, right, &far_alone, 0),
     KERNEL(binary64_alone, 64, right_too, NULL, 0),
     KERNEL(one_size, 32, other_sizes_declined, NULL, 1),
+    KERNEL_OF(front_alone, 32, front, NULL, AXISCERT_FRONT_ONLY, 0),
+    KERNEL(with_margin, 32, thicker, &sixteenth, 0),
 };
 
 const axiscert_kernel* axiscert_plugin(uint32_t index) { return index == 0 ? &kernels[KIND] : NULL; }

@@ -1,0 +1,194 @@
+// The levels early, features, normals and points: what a record says of the numbers beside a contact, and a kernel with
+// one planted fault each.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <deque>
+#include <functional>
+
+#include "fuzz/mutation/black_box.h"
+#include "fuzz/queries/family.h"
+#include "kernel/moving_sphere/moving_sphere.h"
+#include "kernel/moving_sphere/names.h"
+#include "reports/gates/requirement.h"
+#include "reports/testing/edited_record.h"
+#include "reports/testing/test_run.h"
+
+namespace axiscert {
+namespace {
+
+using testing::HasSubstr;
+
+// The contacts of `contacts` with all measures, of which so many are wrong or missing.
+Json numbers(double earliest_u, std::uint64_t wrong, double region, double angle, double length, double point,
+             std::uint64_t none = 0) {
+  Json found = contacts(0, 0, 0);
+  found["time"]["early_errors"]["largest_in_u"] = earliest_u;
+  found["feature"] = {
+      {"judged", 900 - none}, {"none", none}, {"wrong", wrong}, {"unnamed", 0}, {"largest_error", region}};
+  found["normal"] = {
+      {"judged", 900 - none}, {"none", none}, {"largest_angle", angle}, {"largest_length_error", length}};
+  found["point"] = {{"judged", 900 - none}, {"none", none}, {"largest_error", point}};
+  return found;
+}
+Json with_numbers(const Json& on_tangent) {
+  Json record = motions(on_tangent);
+  record["kernels"][0]["families"]["lattice"]["motion"] = numbers(0, 0, 0, 0, 0, 0);
+  return record;
+}
+std::string first_failure(const Json& on_tangent, const char* level) {
+  const auto failures = unmet(with_numbers(on_tangent), level);
+  return failures.empty() ? "" : failures[0].what;
+}
+
+TEST(ContactLevels, EachHasABoundInTheUnitOfTheRecord) {
+  const Json found = numbers(16, 3, 0.25, 0.5, 0.125, 0.0625);
+  EXPECT_EQ(first_failure(found, "early=16"), "");
+  EXPECT_EQ(first_failure(found, "early=15"),
+            "times before the best one, the earliest by 16 u of the displacement: 15 is allowed");
+  EXPECT_EQ(first_failure(found, "features"), "features that are not touched first");
+  EXPECT_EQ(first_failure(found, "features=0.25"), "");
+  EXPECT_EQ(first_failure(found, "features=0.2"),
+            "features that are not touched first, the farthest by 0.25 of the scene: 0.2 is allowed");
+  EXPECT_EQ(first_failure(found, "normals=0.5"), "");
+  EXPECT_EQ(first_failure(found, "normals=0.25"), "the worst normal is off by 0.5 radians: 0.25 is allowed");
+  EXPECT_EQ(first_failure(numbers(0, 0, 0, 0, 0.125, 0), "normals=0.1"),
+            "the worst length of a normal is off by 0.125 of 1: 0.1 is allowed");
+  EXPECT_EQ(first_failure(found, "points=0.0625"), "");
+  EXPECT_EQ(first_failure(found, "points=0.05"), "the worst point is off by 0.0625 of the scene: 0.05 is allowed");
+}
+
+TEST(ContactLevels, AFeatureThatThereIsNotFailsWhateverIsAllowed) {
+  Json found = numbers(0, 2, 0, 0, 0, 0);
+  found["feature"]["unnamed"] = 2;
+  EXPECT_EQ(first_failure(found, "features=1"), "features that there are not");
+}
+
+TEST(ContactLevels, SayOfHowManyContacts) {
+  for (const char* level : {"early=1", "features", "normals=0.1", "points=0.1"}) {
+    const LevelOutcome met = outcomes_at(with_numbers(numbers(0, 0, 0, 0, 0, 0)), level)[0];
+    EXPECT_EQ(met.state, LevelState::met) << level << met.reason;
+    EXPECT_THAT(met.covers, HasSubstr("of 1,800 contacts of")) << level;
+    EXPECT_EQ(met.looked_at, 1800u) << level;
+  }
+}
+
+TEST(ContactLevels, AKernelThatGivesNoneOrSeldomIsNotChecked) {
+  for (const auto& [level, what] :
+       {std::pair{"features=0.1", "feature"}, {"normals=1", "normal"}, {"points=1", "point"}}) {
+    const LevelOutcome none = outcomes_at(motions(contacts(0, 0, 0)), level)[0];
+    EXPECT_EQ(none.state, LevelState::not_checked) << level;
+    EXPECT_EQ(none.reason, fmt::format("the kernel gives no {} of contact", what));
+    const LevelOutcome seldom = outcomes_at(with_numbers(numbers(0, 0, 0, 0, 0, 0, 500)), level)[0];
+    EXPECT_EQ(seldom.state, LevelState::not_checked) << level;
+    EXPECT_THAT(seldom.reason, HasSubstr("beside 500 of 900 contacts, and has to beside half of them"));
+    EXPECT_THAT(outcomes_at(stored_record(), level)[0].reason, HasSubstr("sphere-triangle has no"));
+  }
+}
+
+TEST(ContactLevels, ABoundIsANumberInItsRange) {
+  for (const char* level :
+       {"early=0", "early=x", "normals=4", "normals=-1", "points=2", "points=nan", "features=", "features=1.5"}) {
+    try {
+      unmet(with_numbers(numbers(0, 0, 0, 0, 0, 0)), level);
+      ADD_FAILURE() << level;
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), HasSubstr(level)) << level;
+    }
+  }
+}
+
+TEST(ContactLevels, AContactWithoutATimeFailsLogicAndWhatIncludesIt) {
+  Json without = contacts(0, 0, 0);
+  without["time"]["none"] = 3;
+  for (const char* level : {"logic", "range", "exact", "early=64"}) {
+    const auto failures = unmet(motions(without), level);
+    const auto is_it = [](const Failure& failure) { return failure.what == "contacts without a time"; };
+    const auto found = std::ranges::find_if(failures, is_it);
+    ASSERT_NE(found, failures.end()) << level;
+    EXPECT_EQ(found->count, 3u);
+  }
+}
+
+// A kernel that is right, moving-sphere/rounded, whose numbers are changed after it gave them.
+using Change =
+    std::function<void(std::vector<std::vector<float>>& measures, const QueryColumns<float>& batch, std::size_t i)>;
+Kernel changed(const char* name, Change change) {
+  const Kernel& right = find_kernel("moving-sphere/rounded");
+  Kernel kernel = right;
+  kernel.id = fmt::format("moving-sphere/rounded~{}", name);
+  kernel.exposes = Exposure::verdict;
+  kernel.formulae = "";
+  kernel.is_reference = false;
+  kernel.binary64 = nullptr;
+  kernel.binary32 = [change, &right](std::string_view) {
+    const Implementation<float> of_right = right.on<float>(scalar_target);
+    Implementation<float> made;
+    made.verdicts = of_right.verdicts;
+    made.measure = [of_right, change](const QueryColumns<float>& batch, Answers<float>& out) {
+      of_right.measure(batch, out);
+      for (std::size_t i = 0; i < batch.size; ++i) change(out.measures, batch, i);
+    };
+    return made;
+  };
+  return kernel;
+}
+
+TEST(ContactLevels, EachPlantedFaultIsSeenByItsLevelAlone) {
+  using Measures = std::vector<std::vector<float>>;
+  constexpr std::size_t time = moving_sphere::time_measure, feature = moving_sphere::feature_measure,
+                        normal = moving_sphere::normal_measure, point = moving_sphere::point_measure;
+  struct Planted {
+    const char *name, *level;
+    Change change;
+  };
+  const auto scale_normal = [](Measures& m, std::size_t i, float by) {
+    for (std::size_t k = 0; k < 3; ++k) m[normal + k][i] *= by;
+  };
+  const Planted all[] = {
+      {"right", "", [](Measures&, const QueryColumns<float>&, std::size_t) {}},
+      {"too-early", "early=4096",
+       [](Measures& m, const QueryColumns<float>&, std::size_t i) { m[time][i] = std::max(0.0f, m[time][i] - 1e-3f); }},
+      {"flipped", "normals=0.0005",
+       [=](Measures& m, const QueryColumns<float>&, std::size_t i) { scale_normal(m, i, -1); }},
+      {"not-normalised", "normals=0.0005",
+       [=](Measures& m, const QueryColumns<float>&, std::size_t i) { scale_normal(m, i, 1.001f); }},
+      {"tilted", "normals=0.0005",
+       [](Measures& m, const QueryColumns<float>&, std::size_t i) {
+         const float x = m[normal][i], y = m[normal + 1][i], angle = 1e-3f;
+         m[normal][i] = x * std::cos(angle) - y * std::sin(angle);
+         m[normal + 1][i] = x * std::sin(angle) + y * std::cos(angle);
+       }},
+      {"on-the-sphere", "points=0.0005",  // the sphere's point, opposite to the triangle's
+       [](Measures& m, const QueryColumns<float>& batch, std::size_t i) {
+         for (std::size_t k = 0; k < 3; ++k) m[point + k][i] += 2 * batch.column[15][i] * m[normal + k][i];
+       }},
+      {"face-always", "features=0.001",
+       [](Measures& m, const QueryColumns<float>&, std::size_t i) { m[feature][i] = 6; }},
+      {"no-time", "logic", [](Measures& m, const QueryColumns<float>&, std::size_t i) { m[time][i] = std::nanf(""); }},
+      {"negative", "logic", [](Measures& m, const QueryColumns<float>&, std::size_t i) { m[time][i] = -0.5f; }},
+  };
+  std::deque<Kernel> kernels;
+  std::vector<const Kernel*> asked;
+  for (const Planted& planted : all) asked.push_back(&kernels.emplace_back(changed(planted.name, planted.change)));
+  MutationPlan plan;
+  plan.families = {&find_family("moving-sphere/one_axis")};
+  plan.seed = 3;
+  const Record record = record_of_kernels(plan, Precision::binary32, 600, asked);
+  for (const char* level : {"early=4096", "features=0.001", "normals=0.0005", "points=0.0005", "logic"}) {
+    std::map<std::string, std::string> refused;
+    for (const Failure& failure : unmet(record, level)) refused[failure.kernel] = failure.text();
+    for (std::size_t k = 0; k < std::size(all); ++k) {
+      const bool is_untimed = std::string_view(all[k].level) == "logic",
+                 is_early = level == std::string_view("early=4096");
+      const bool is_due = all[k].level == std::string_view(level) || (is_untimed && is_early);
+      EXPECT_EQ(refused.contains(kernels[k].id), is_due)
+          << all[k].name << " at " << level << ": " << refused[kernels[k].id];
+    }
+  }
+}
+
+}  // namespace
+}  // namespace axiscert
