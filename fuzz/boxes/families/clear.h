@@ -94,6 +94,20 @@ OrientedBox<double> widened(const TurnedBox<Real>& box) {
   return with_matrix(wide);
 }
 
+// A rotation for a scene that is drawn several times: its matrix in doubles, each entry rounded once; its quaternion
+// between 1 and 4 long.
+template <class Real>
+void turn_quickly(OrientedBox<Real>& box, const Quaternion& q) {
+  const OrientedBox<double> wide = with_matrix(TurnedBox<double>{{0, 0, 0}, {1, 1, 1}, q});
+  for (std::size_t k = 0; k < 3; ++k) box.axis[k] = rounded_arrow<Real>(wide.axis[k]);
+}
+template <class Real>
+void turn_quickly(TurnedBox<Real>& box, const Quaternion& q) {
+  double most = 0;
+  for (const double x : q) most = std::max(most, std::fabs(x));
+  for (std::size_t k = 0; k < 4; ++k) box.q[k] = static_cast<Real>(std::ldexp(q[k], -std::ilogb(most)));
+}
+
 inline double worth_of(const ClearPlace& place, const ClearScene& scene, const ClearWish& wish) {
   return place.margin / (scene.size * std::min(wish.enough, wish.most / 2));
 }

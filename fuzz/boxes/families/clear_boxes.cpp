@@ -12,8 +12,8 @@ template <class Pair>
 Pair decided(Stream& random, std::uint64_t position, const ClearWish& wish) {
   return best_of(random, box_attempts, [&](Stream& from) {
     Pair q = of_ordinary_size<Pair>(from, position);
-    turn(q.a, random_turn(from));
-    turn(q.b, random_turn(from));
+    turn_quickly(q.a, random_turn(from));
+    turn_quickly(q.b, random_turn(from));
     return placed(from, q, wish);
   });
 }
@@ -41,8 +41,8 @@ struct Spans {
     return best_of(random, box_attempts, [&](Stream& from) {
       Pair q = of_ordinary_size<Pair>(from, position);
       for (auto& s : q.b.half) s = std::ldexp(s, power);
-      turn(q.a, random_turn(from));
-      turn(q.b, random_turn(from));
+      turn_quickly(q.a, random_turn(from));
+      turn_quickly(q.b, random_turn(from));
       return placed(from, q, wish);
     });
   }
@@ -63,30 +63,34 @@ struct Plates {
       q.a.half[of_a] *= thickness;
       if (kind / 2 == 1) q.b.half[of_b] *= thickness;
       if (kind / 2 == 2) q.a.half[next(of_a)] *= thickness;
-      turn(q.a, random_turn(from));
-      turn(q.b, random_turn(from));
+      turn_quickly(q.a, random_turn(from));
+      turn_quickly(q.b, random_turn(from));
       return placed(from, q, {axis, side, 0.25, 0.01});
     });
   }
 };
 
 // Two bars on an edge that cross at an angle of 2^-k, k from 5 to 19 in turn, and up to 2^10 times as long as wide:
-// their edges' product decides, which is as short as the angle.
+// the product of their edges decides, which is as short as the angle. Each of the nine products in turn.
 template <class Pair>
 Pair crossing(Stream& random, std::uint64_t position) {
   constexpr Quaternion on_an_edge = {33461, 13860, 0, 0};  // 45 degrees
+  // The long edge is the last, the one before it or the first.
+  static constexpr std::array<Quaternion, 3> cycle = {{{1, 1, 1, 1}, {1, -1, -1, -1}, {1, 0, 0, 0}}};
   const int flatness = 5 + static_cast<int>(position % 15);
-  const ClearWish wish{edges(0, 0), position / 15 % 2 == 0 ? Side::apart : Side::in_contact, 0.25,
+  const std::uint64_t of_a = position / 30 % 3, of_b = position / 90 % 3;
+  const std::size_t long_a = 2 - of_a, long_b = 2 - of_b;
+  const ClearWish wish{edges(long_a, long_b), position / 15 % 2 == 0 ? Side::apart : Side::in_contact, 0.25,
                        std::ldexp(1.0, -flatness - 2)};
   return best_of(random, box_attempts, [&](Stream& from) {
     Pair q = of_ordinary_size<Pair>(from, position);
-    const auto of_a = static_cast<int>(from.integer(0, 10)), of_b = static_cast<int>(from.integer(0, 3));
-    q.a.half[0] = std::ldexp(q.a.half[0], of_a);
-    q.b.half[0] = std::ldexp(q.b.half[0], of_a - of_b);
+    const auto longer = static_cast<int>(from.integer(0, 10)), shorter = static_cast<int>(from.integer(0, 3));
+    q.a.half[long_a] = std::ldexp(q.a.half[long_a], longer);
+    q.b.half[long_b] = std::ldexp(q.b.half[long_b], longer - shorter);
     const Quaternion frame = random_turn(from);
     const double yaw = std::ldexp(2.0 + from.unit<double>(), flatness);
-    turn(q.a, product(frame, on_an_edge));
-    turn(q.b, product(product(frame, {yaw, 0, 0, 1}), on_an_edge));
+    turn_quickly(q.a, product(product(frame, on_an_edge), cycle[of_a]));
+    turn_quickly(q.b, product(product(product(frame, {yaw, 0, 0, 1}), on_an_edge), cycle[of_b]));
     return placed(from, q, wish);
   });
 }
@@ -101,8 +105,8 @@ Pair upright_pair(Stream& random, std::uint64_t position) {
   };
   return best_of(random, box_attempts, [&](Stream& from) {
     Pair q = of_ordinary_size<Pair>(from, position);
-    turn(q.a, yaw_of(from, position / 18 % 2 == 0));
-    turn(q.b, yaw_of(from, position / 36 % 2 == 0));
+    turn_quickly(q.a, yaw_of(from, position / 18 % 2 == 0));
+    turn_quickly(q.b, yaw_of(from, position / 36 % 2 == 0));
     return placed(from, q, wish);
   });
 }
@@ -117,8 +121,8 @@ Pair nearly_aligned(Stream& random, std::uint64_t position) {
     Pair q = of_ordinary_size<Pair>(from, position);
     const Quaternion frame = random_turn(from), by = quarter[from.below(4)];
     const double x = from.symmetric<double>(), y = from.symmetric<double>(), z = from.symmetric<double>();
-    turn(q.a, frame);
-    turn(q.b, product(product(frame, by), {flatness, x, y, z}));
+    turn_quickly(q.a, frame);
+    turn_quickly(q.b, product(product(frame, by), {flatness, x, y, z}));
     return placed(from, q, wish);
   });
 }
@@ -131,13 +135,13 @@ struct Aligned {
   }
 };
 
-// The scenes of one_axis, with quaternions of any length: in turn that of both boxes, of A and of B is times 2^-26 to
-// 2^20. One in three has a half turn, whose w is 0 or small; every other one is negated.
+// The scenes of one_axis, with quaternions of any length: in turn that of both boxes, of A and of B is integers times
+// 2^-36 to 2^4. One in three has a half turn, whose w is 0 or small; every other one is negated.
 struct Lengths {
   template <class Pair>
   static Pair make(Stream& random, std::uint64_t position) {
     using Real = RealOf<Pair>;
-    constexpr int least = -26, count = 47;
+    constexpr int least = -36, count = 41;
     const std::uint64_t round = position / axis_count, which = round / count % 3;
     const ClearWish wish{position % axis_count, round % 3 == 2 ? Side::in_contact : Side::apart};
     const Real times = std::ldexp(Real(1), least + static_cast<int>(round % count));
@@ -175,7 +179,7 @@ struct Slight {
       Pair q = of_ordinary_size<Pair>(from, position);
       const auto longest = from.below(3), axis = next(longest) + from.below(2);
       q.b.half[longest] = std::ldexp(q.b.half[longest], static_cast<int>(from.integer(4, 6)));
-      turn(q.a, random_turn(from));
+      turn_quickly(q.a, random_turn(from));
       const double x = from.symmetric<double>(), y = from.symmetric<double>(), z = from.symmetric<double>();
       const double w = from.coin() ? 1 : -1;
       q.b.q = {static_cast<Real>(w), static_cast<Real>(x * part), static_cast<Real>(y * part),
@@ -230,9 +234,9 @@ extern const Family box_box_plates_turned_family =
     turned_family<Plates>("box-box/plates_turned", box_box_situation::flat, "plates, as quaternions of integers");
 extern const Family box_box_aligned_turned_family =
     turned_family<Aligned>("box-box/aligned_turned", box_box_situation::parallel, "aligned, as quaternions");
-extern const Family box_box_lengths_turned_family = turned_family<Lengths>(
-    "box-box/lengths_turned", box_box_situation::quaternions,
-    "one_axis, with quaternions of length 2^-26 to 2^20 times theirs, of half turns, and negated");
+extern const Family box_box_lengths_turned_family =
+    turned_family<Lengths>("box-box/lengths_turned", box_box_situation::quaternions,
+                           "one_axis, with quaternions about 2^-25 to 2^15 long, of half turns, and negated");
 extern const Family box_box_slight_turned_family =
     turned_family<Slight>("box-box/slight_turned", box_box_situation::quaternions,
                           "a long box turned by 2^-6 to 2^-24 of w, whose turn alone decides at its end");

@@ -55,10 +55,23 @@ void stretch(CornersAndTriangle<Real>& q, std::size_t k, Real factor) {
 }
 
 template <class Query>
+void put_box_quickly(Stream& random, Query& q) {
+  put_box(random, q);
+}
+template <class Real>
+void put_box_quickly(Stream& random, BoxAndTriangle<Real>& q) {
+  CentredAndTriangle<Real> given{};
+  put_box(random, given);
+  q.box.centre = given.centre;
+  q.box.half = given.half;
+  turn_quickly(q.box, random_turn(random));
+}
+
+template <class Query>
 Query box_and_triangle(Stream& random) {
   using Real = RealOf<Query>;
   Query q{};
-  put_box(random, q);
+  put_box_quickly(random, q);
   for (Vec3<Real>& corner : q.corner) corner = point_in_cube<Real>(random) * Real(1.5);
   return q;
 }
