@@ -88,31 +88,39 @@ Numbers<Real> passing(Stream& random, const Target<Real>& target, const regions:
   return target.query(nearest - way * (far * passed), way * far, r);
 }
 
-// Along an edge beside it, or in the plane of the face above it: along an edge or anyhow.
+// Along an edge beside it, or in the plane of the face above it: along an edge or anyhow. Every fourth round exactly,
+// but for roundings; the others by an angle of 2^-3 to 2^-12 in turn, away from where the sphere starts or towards
+// where it ends.
 template <class Real>
 Numbers<Real> alongside(Stream& random, std::uint64_t position) {
-  constexpr std::size_t faces = 5, edge_regions = 9;  // the face as often as there are edges, nearly
+  constexpr std::size_t faces = 5, edge_regions = 9;  // the face is as often as half of the regions of edges
   const std::size_t which = position % (edge_regions + faces);
   const std::uint64_t round = position / (edge_regions + faces);
   const Target<Real> target(random);
-  const bool is_face = which >= edge_regions;
+  const bool is_face = which >= edge_regions, in_contact = round % 2 == 0;
   const double r = radius_in_turn(random, round / 2, 1, 8);
   const regions::Aim aim = regions::aim(random, target.exact, is_face ? regions::count - 1 : 3 + which, r / 2);
   const std::size_t edge = which % 3;
-  const Point along = regions::at_unit_length(target.exact[shapes::next(edge)] - target.exact[edge]);
-  const Point way = is_face && random.coin() ? regions::at_right_angles(random, aim.away) : along;
+  const Point side = regions::at_unit_length(target.exact[shapes::next(edge)] - target.exact[edge]);
+  const Point along = is_face && random.coin() ? regions::at_right_angles(random, aim.away) : side;
   const bool is_back = random.coin();
+  const Point way = is_back ? along * -1.0 : along;
   const double far = 0.5 + 3 * random.unit<double>();
-  return passing<Real>(random, target, aim, is_back ? way * -1.0 : way, far, r, round % 2 == 0);
+  if (round / 2 % 4 == 3) return passing<Real>(random, target, aim, way, far, r, in_contact);
+  const double angle = std::ldexp(1.0, -3 - static_cast<int>(round / 8 % 10)), part = clear_part(random);
+  const bool leaves = random.coin();
+  const Point tilted = regions::at_unit_length(way + aim.away * (leaves ? angle : -angle)),
+              nearest = aim.at + aim.away * (r * (in_contact ? 1 - part : 1 + part));
+  return target.query(leaves ? nearest : nearest - tilted * far, tilted * far, r);
 }
 
-// 2^10 to 2^20 radii in turn.
+// 2^4 to 2^20 radii in turn.
 template <class Real>
 Numbers<Real> passing_far(Stream& random, std::uint64_t position) {
   const std::uint64_t round = position / regions::count;
   const Target<Real> target(random);
-  const double r = radius_in_turn(random, round / 22, 1, 4);
-  const double far = std::ldexp(r, 10 + static_cast<int>(round / 2 % 11));
+  const double r = radius_in_turn(random, round / 34, 1, 4);
+  const double far = std::ldexp(r, 4 + static_cast<int>(round / 2 % 17));
   const regions::Aim aim = regions::aim(random, target.exact, position % regions::count, r / 2);
   return passing<Real>(random, target, aim, regions::at_right_angles(random, aim.away), far, r, round % 2 == 0);
 }
@@ -162,9 +170,9 @@ extern const Family moving_sphere_starts_family = moving_family<starting<float>,
     "clear: starts in contact or apart at each region in turn, and leaves, stands still or goes on");
 extern const Family moving_sphere_alongside_family = moving_family<alongside<float>, alongside<double>>(
     "moving-sphere/alongside", situation::parallel,
-    "clear: along an edge beside it, or in the plane of the face above it, 1 to 30 % of r nearer or farther");
+    "clear: along an edge or the face, exactly or by an angle of 2^-3 to 2^-12, nearer than r or farther");
 extern const Family moving_sphere_passes_family = moving_family<passing_far<float>, passing_far<double>>(
-    "moving-sphere/passes", situation::far, "clear: 2^10 to 2^20 radii past each region of a triangle in turn");
+    "moving-sphere/passes", situation::far, "clear: 2^4 to 2^20 radii past each region of a triangle in turn");
 extern const Family moving_sphere_moves_family = moving_family<hardly_moving<float>, hardly_moving<double>>(
     "moving-sphere/moves", situation::no_motion,
     "clear: by 2^-27 to 2^-10 radii at each region of a triangle in turn; where the sphere is decides");
