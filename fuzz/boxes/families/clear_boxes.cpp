@@ -35,7 +35,7 @@ struct Spans {
     const std::uint64_t round = position / count;
     const int power = static_cast<int>(position % count) - most;
     const double smaller = std::ldexp(1.0, -std::abs(power));
-    ClearWish wish{round % axis_count, round / axis_count % 2 == 0 ? Side::apart : Side::in_contact};
+    ClearWish wish{round % axis_count, round % 2 == 0 ? Side::apart : Side::in_contact};
     wish.enough = smaller / 32;
     if (random.coin()) wish.most = smaller / 2;
     return best_of(random, box_attempts, [&](Stream& from) {
@@ -198,7 +198,7 @@ struct Slight {
 // A base of images in other units of length.
 template <class Pair>
 Numbers<RealOf<Pair>> unit_boxes(Stream& random, std::uint64_t base) {
-  const Side side = base / axis_count % 3 == 2 ? Side::in_contact : Side::apart;
+  const Side side = (base + base / axis_count) % 3 == 2 ? Side::in_contact : Side::apart;
   return numbers_of(decided<Pair>(random, 0, {base % axis_count, side}));
 }
 

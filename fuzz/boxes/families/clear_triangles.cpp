@@ -98,7 +98,7 @@ struct TriangleSpans {
     using Real = RealOf<Query>;
     const std::uint64_t round = position / 40, axis = round % thirteen_count;
     const auto smaller = std::ldexp(Real(1), -1 - static_cast<int>(position / 2 % 20));
-    ClearWish wish{axis, round / thirteen_count % 2 == 0 ? Side::apart : Side::in_contact};
+    ClearWish wish{axis, round % 2 == 0 ? Side::apart : Side::in_contact};
     wish.enough = static_cast<double>(smaller) / 32;
     if (random.coin()) wish.most = static_cast<double>(smaller) / 2;
     return best_of(random, triangle_attempts, [&](Stream& from) {
@@ -177,7 +177,7 @@ struct AlignedTriangles {
 // A base of images in other units of length.
 template <class Query>
 Numbers<RealOf<Query>> unit_triangle(Stream& random, std::uint64_t base) {
-  const Side side = base / thirteen_count % 3 == 2 ? Side::in_contact : Side::apart;
+  const Side side = base % 3 == 2 ? Side::in_contact : Side::apart;
   return numbers_of(decided_triangle<Query>(random, {base % thirteen_count, side}));
 }
 template <class Entry>
