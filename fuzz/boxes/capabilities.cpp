@@ -105,15 +105,21 @@ constexpr std::string_view section_of_forms = "docs/boxes.md#from-the-definition
 
 }  // namespace
 
+// families/clear_boxes.cpp, families/clear_triangles.cpp
+std::span<const ImageGroup* const> box_box_image_groups();
+std::span<const ImageGroup* const> box_triangle_image_groups();
+
 const Capabilities& box_box_capabilities() {
-  static const Capabilities all = {.section_of_forms = section_of_forms,
+  static const Capabilities all = {.image_groups = box_box_image_groups(),
+                                   .section_of_forms = section_of_forms,
                                    .situations = &boxes::box_box_situation::all,
                                    .diagnosis_scenes = &box_scenes};
   return all;
 }
 
 const Capabilities& box_triangle_capabilities() {
-  static const Capabilities all = {.mesh = &box_triangle_mesh,
+  static const Capabilities all = {.image_groups = box_triangle_image_groups(),
+                                   .mesh = &box_triangle_mesh,
                                    .section_of_forms = section_of_forms,
                                    .situations = &boxes::box_triangle_situation::all,
                                    .diagnosis_scenes = &box_scenes};

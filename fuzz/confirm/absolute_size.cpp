@@ -98,7 +98,8 @@ std::vector<AbsoluteSize> sizes_in(const SeededSource& of, std::span<const UnitF
 }  // namespace
 
 void narrow(const SeededSource& of, const Kernel& kernel, const std::string& target, std::vector<UnitFlip>& flips) {
-  if (flips.empty()) return;
+  // What is measured of the ends is a size of one of these; without them every number need not be a length either.
+  if (flips.empty() || capabilities_of(of.source.predicate()).quantities == nullptr) return;
   if (of.precision == Precision::binary32) narrow_in<float>(of, kernel, target, flips);
   else narrow_in<double>(of, kernel, target, flips);
 }

@@ -19,7 +19,7 @@ int image_size(ImageKind kind, const AnsweredGroup<Real>& answered, std::size_t 
   if (kind == ImageKind::scale) return group.exponent(precision_of<Real>, answered.position / group.size, image);
   if (kind != ImageKind::translation) return 0;
   const Numbers<Real>&base = answered.queries[0], &moved = answered.queries[image];
-  const std::vector<PredicateColumn>& columns = group.predicate().entries[0].columns;
+  const std::vector<PredicateColumn>& columns = group.predicate().entries[find_family(group.family).entry].columns;
   Real greatest = 0;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     if (columns[k].role == Role::coordinate) greatest = std::max(greatest, std::abs(moved[k] - base[k]));
@@ -47,8 +47,8 @@ void keep_flip(UnitFaults& faults, std::uint64_t position, Verdict right, std::s
 
 template <class Real>
 void count_units(UnitFaults& faults, const AnsweredGroup<Real>& answered) {
-  const std::optional<Verdict> right =
-      oracles_of(answered.group.predicate()).verdict_beyond(std::ldexp(1.0, clear_depth_exponent), answered.queries[0]);
+  const std::optional<Verdict> right = oracles_of(answered.group.predicate(), find_family(answered.group.family).entry)
+                                           .verdict_beyond(std::ldexp(1.0, clear_depth_exponent), answered.queries[0]);
   if (!right) return;
   std::vector<ScaledAnswer> answers;
   const bool base_is_right = *answered.verdicts[0] == *right;

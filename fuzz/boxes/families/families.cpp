@@ -21,6 +21,11 @@
   X(stack)                       \
   X(pile)                        \
   X(int_scaled)                  \
+  X(one_axis)                    \
+  X(units)                       \
+  X(spans)                       \
+  X(plates)                      \
+  X(aligned)                     \
   X(general_turned)              \
   X(lattice_turned)              \
   X(tangent_turned)              \
@@ -31,20 +36,42 @@
   X(vertex_face_turned)          \
   X(parallel_turned)             \
   X(stack_turned)                \
-  X(pile_turned)
+  X(pile_turned)                 \
+  X(one_axis_turned)             \
+  X(units_turned)                \
+  X(spans_turned)                \
+  X(plates_turned)               \
+  X(aligned_turned)              \
+  X(lengths_turned)              \
+  X(slight_turned)
 
 #define AXISCERT_TRIANGLE_FAMILIES(X) \
   X(general)                          \
   X(touching)                         \
   X(lattice)                          \
   X(degenerate)                       \
+  X(one_axis)                         \
+  X(units)                            \
+  X(spans)                            \
+  X(thin)                             \
+  X(aligned)                          \
   X(general_minmax)                   \
   X(touching_minmax)                  \
   X(lattice_minmax)                   \
   X(voxel)                            \
+  X(one_axis_minmax)                  \
+  X(units_minmax)                     \
+  X(spans_minmax)                     \
+  X(thin_minmax)                      \
+  X(aligned_minmax)                   \
   X(general_oriented)                 \
   X(touching_oriented)                \
-  X(lattice_oriented)
+  X(lattice_oriented)                 \
+  X(one_axis_oriented)                \
+  X(units_oriented)                   \
+  X(spans_oriented)                   \
+  X(thin_oriented)                    \
+  X(aligned_oriented)
 
 namespace axiscert {
 namespace boxes {

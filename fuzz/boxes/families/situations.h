@@ -35,6 +35,13 @@ inline constexpr Situation far = {
     "Subtract an origin near the boxes before their numbers are rounded to the test's precision.", box_libraries};
 inline constexpr Situation units = {"units", "boxes in other units of length", mend_units,
                                     "docs/error_model.md#units-of-length"};
+inline constexpr Situation sizes = {"sizes", "boxes of very different sizes: a crumb and a floor",
+                                    "Take a predicate whose bound is a part of the boxes that meet, and no length.",
+                                    by_epsilon};
+inline constexpr Situation quaternions = {
+    "quaternions", "quaternions that are not of length 1, half turns, and turns that are hardly one",
+    "Bring quaternions to length 1 before the predicate is asked, and take none for the identity.",
+    "docs/boxes.md#the-question"};
 inline constexpr Situation no_rotation = {
     "no_rotation", "axes that are no rotation: any numbers, or columns at right angles that are not of length 1",
     "Make the axes of length 1 and at right angles before the predicate is asked.", "docs/boxes.md#the-question"};
@@ -42,8 +49,8 @@ inline constexpr Situation touching = {
     "touching", "boxes that touch, or miss by ulps",
     "Roundings, where the depth is small: let the boxes grow by more than that depth of the scene.",
     "docs/boxes.md#from-the-definition-to-the-books"};
-inline constexpr const Situation* in_order[] = {&everyday, &small_integers, &parallel,    &crossed, &flat,
-                                                &far,      &units,          &no_rotation, &touching};
+inline constexpr const Situation* in_order[] = {&everyday, &small_integers, &parallel,    &crossed,     &flat,    &far,
+                                                &units,    &sizes,          &quaternions, &no_rotation, &touching};
 inline constexpr Situations all = {in_order, of_own_queries("the queries of files that were given", box_libraries)};
 
 }  // namespace box_box_situation
@@ -65,7 +72,21 @@ inline constexpr Situation degenerate = {
 inline constexpr Situation touching = {
     "touching", "boxes and triangles that touch, or miss by ulps",
     "Roundings, where the depth is small: let the box grow by more than that depth of the scene.", box_and_triangle};
-inline constexpr const Situation* in_order[] = {&everyday, &small_integers, &degenerate, &touching};
+inline constexpr Situation units = {"units", "boxes and triangles in other units of length", mend_units,
+                                    "docs/error_model.md#units-of-length"};
+inline constexpr Situation sizes = {"sizes", "boxes and triangles of very different sizes: a voxel and a wall",
+                                    "Cut large triangles into parts of the size of the boxes that they meet.",
+                                    box_and_triangle};
+inline constexpr Situation thin = {"thin", "needles, slivers and boxes that are thin or without a thickness",
+                                   "Mend needles and slivers when the mesh is read, and give every box a thickness.",
+                                   box_and_triangle};
+inline constexpr Situation parallel = {
+    "parallel", "triangles whose edges or plane are parallel to the box's, or nearly so",
+    "A product of nearly parallel edges is left out, or an epsilon holds what is apart: take all thirteen axes as they "
+    "are.",
+    box_and_triangle};
+inline constexpr const Situation* in_order[] = {&everyday, &small_integers, &parallel,   &units,
+                                                &sizes,    &thin,           &degenerate, &touching};
 inline constexpr Situations all = {in_order,
                                    of_own_queries("the queries of meshes and files that were given", box_and_triangle)};
 

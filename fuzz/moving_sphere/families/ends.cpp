@@ -7,7 +7,9 @@ namespace axiscert::moving_sphere {
 extern const Family moving_sphere_general_family, moving_sphere_graze_family, moving_sphere_touch_end_family,
     moving_sphere_slide_family, moving_sphere_along_edge_family, moving_sphere_approach_family,
     moving_sphere_huge_d_family, moving_sphere_zero_d_family, moving_sphere_line_sweep_family,
-    moving_sphere_point_family, moving_sphere_lattice_family, moving_sphere_scene_walk_family;
+    moving_sphere_point_family, moving_sphere_lattice_family, moving_sphere_scene_walk_family,
+    moving_sphere_reach_family, moving_sphere_starts_family, moving_sphere_alongside_family,
+    moving_sphere_passes_family;
 
 namespace {
 
@@ -71,5 +73,13 @@ extern const Family moving_sphere_ends_lattice_family =
                                               "lattice, by its ends: every operation of ends-twenty is exact", true);
 extern const Family moving_sphere_ends_walk_family = ends_family<moving_sphere_scene_walk_family>(
     "moving-sphere/ends_walk", situation::everyday, "scene_walk, by its ends, in metres");
+extern const Family moving_sphere_ends_reach_family =
+    ends_family<moving_sphere_reach_family>("moving-sphere/ends_reach", situation::everyday, "reach, by its ends");
+extern const Family moving_sphere_ends_starts_family =
+    ends_family<moving_sphere_starts_family>("moving-sphere/ends_starts", situation::starts, "starts, by its ends");
+extern const Family moving_sphere_ends_alongside_family = ends_family<moving_sphere_alongside_family>(
+    "moving-sphere/ends_alongside", situation::parallel, "alongside, by its ends");
+extern const Family moving_sphere_ends_passes_family =
+    ends_family<moving_sphere_passes_family>("moving-sphere/ends_passes", situation::far, "passes, by its ends");
 
 }  // namespace axiscert::moving_sphere

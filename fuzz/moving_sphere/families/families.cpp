@@ -27,6 +27,12 @@
   X(scene_fall)                     \
   X(scene_bullet)                   \
   X(scene_shake)                    \
+  X(reach)                          \
+  X(starts)                         \
+  X(alongside)                      \
+  X(passes)                         \
+  X(moves)                          \
+  X(edge_ends)                      \
   X(orders)                         \
   X(axes)                           \
   X(inverted)                       \
@@ -45,7 +51,11 @@
   X(ends_line)                      \
   X(ends_point)                     \
   X(ends_lattice)                   \
-  X(ends_walk)
+  X(ends_walk)                      \
+  X(ends_reach)                     \
+  X(ends_starts)                    \
+  X(ends_alongside)                 \
+  X(ends_passes)
 
 namespace axiscert {
 namespace moving_sphere {

@@ -19,6 +19,9 @@ inline constexpr Situation small_integers = {
     "small_integers", "motions in small integers, on which hardly an operation is rounded",
     "A case of its method is wrong or left out: `axiscert shrink` a witness, and see which methods lack the same.",
     sweeps_over_reals};
+inline constexpr Situation starts = {
+    "starts", "motions that start in contact or beside the triangle, and leave, stand still or go on",
+    "Ask the static predicate, sphere-triangle, at the start of every motion as well.", sweeps_over_reals};
 inline constexpr Situation parallel = {
     "parallel", "motions parallel to the face or to an edge",
     "Ask the static predicate at the end of such a motion as well, or keep the sphere a skin away from the surface.",
@@ -40,7 +43,7 @@ inline constexpr Situation touching = {
     "Roundings, where the depth is small: keep a skin between sphere and mesh, larger than the safe margin. Where it "
     "is not small, contacts at the start or at the end are left out: ask the static predicate there.",
     sweeps};
-inline constexpr const Situation* in_order[] = {&everyday, &small_integers, &parallel,  &no_motion, &point,
+inline constexpr const Situation* in_order[] = {&everyday, &small_integers, &starts,    &parallel, &no_motion, &point,
                                                 &far,      &units,          &zero_area, &touching};
 inline constexpr Situations all = {in_order, of_own_queries("the queries of meshes and files that were given", sweeps)};
 

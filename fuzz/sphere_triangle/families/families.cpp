@@ -24,6 +24,8 @@
   X(nonfinite)               \
   X(scene_walk)              \
   X(scene_edge)              \
+  X(corners)                 \
+  X(slender)                 \
   X(orders)                  \
   X(axes)                    \
   X(inverted)                \

@@ -1,0 +1,69 @@
+// Parts of the families of a box and a triangle: a box in each of the three entries, and a family of queries of one.
+#pragma once
+
+#include "fuzz/boxes/families/parts.h"
+#include "kernel/boxes/box_triangle.h"
+
+namespace axiscert::boxes {
+
+template <class Real>
+struct RealOfPair<CentredAndTriangle<Real>> {
+  using type = Real;
+};
+template <class Real>
+struct RealOfPair<CornersAndTriangle<Real>> {
+  using type = Real;
+};
+template <class Real>
+struct RealOfPair<BoxAndTriangle<Real>> {
+  using type = Real;
+};
+
+template <class Real>
+Vec3<Real> point_in_cube(Stream& random) {
+  const Real x = random.symmetric<Real>(), y = random.symmetric<Real>(), z = random.symmetric<Real>();
+  return {x, y, z};
+}
+template <class Real>
+Vec3<Real> extents(Stream& random) {
+  const Real x = random.unit<Real>(), y = random.unit<Real>(), z = random.unit<Real>();
+  return {Real(0.5) + x, Real(0.5) + y, Real(0.5) + z};
+}
+
+// A box of half extents 0.5 to 1.5 in each of the forms.
+template <class Real>
+void put_box(Stream& random, CentredAndTriangle<Real>& q) {
+  q.centre = point_in_cube<Real>(random);
+  const Vec3<Real> half = extents<Real>(random);
+  q.half = {half.x, half.y, half.z};
+}
+template <class Real>
+void put_box(Stream& random, CornersAndTriangle<Real>& q) {
+  q.low = point_in_cube<Real>(random);
+  const Vec3<Real> half = extents<Real>(random);
+  q.high = q.low + half + half;
+}
+template <class Real>
+void put_box(Stream& random, BoxAndTriangle<Real>& q) {
+  CentredAndTriangle<Real> given;
+  put_box(random, given);
+  q.box.centre = given.centre;
+  q.box.half = given.half;
+  turn(q.box, random_turn(random));
+}
+
+template <class Made, class Entry>
+constexpr Family triangle_family(std::string_view name, const Situation& situation, std::string_view purpose,
+                                 bool exact_arithmetic = false, int version = 1) {
+  return {.predicate = box_triangle_predicate,
+          .name = name,
+          .purpose = purpose,
+          .version = version,
+          .exact_arithmetic = exact_arithmetic,
+          .binary32 = fill_one_by_one<numbers_by<Made, typename Entry::template Problem<float>>, float>,
+          .binary64 = fill_one_by_one<numbers_by<Made, typename Entry::template Problem<double>>, double>,
+          .situation = &situation,
+          .entry = Entry::entry};
+}
+
+}  // namespace axiscert::boxes
