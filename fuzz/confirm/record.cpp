@@ -142,6 +142,7 @@ FamilyRecord counted(Tally tally, const Kernel& kernel, const Tolerances& tolera
   family.critical_radius = summary_of(std::move(tally.critical_radius));
   if (has_input_classes(kernel)) family.classes = class_records(tally.classes, address);
   if (!kernel.predicate->measures.empty()) family.motion = std::move(tally.motion);
+  if (!kernel.file.empty()) family.asked_again = tally.asked_again;
   if (kernel.exposes != Exposure::verdict) {
     family.axes = std::move(tally.axes);
     family.comparisons = std::move(tally.comparisons);
