@@ -63,7 +63,7 @@ std::string what_it_is_instead(const std::string& path) {
   if (in.bad()) return "";
   if (size == 0) return fmt::format("it is empty: {}", how);
   if (size < SELFMAG || std::memcmp(bytes, ELFMAG, SELFMAG) != 0) return no_elf({bytes, size});
-  if (size < EI_NIDENT + 4) return fmt::format("it is cut short, after {} bytes: compile it again", size);
+  if (size < EI_NIDENT + 4) return fmt::format("it is cut short, after {} bytes: compile or copy it again", size);
   Elf64_Half type, machine;  // at the same place in 32 bits
   std::memcpy(&type, bytes + offsetof(Elf64_Ehdr, e_type), sizeof type);
   std::memcpy(&machine, bytes + offsetof(Elf64_Ehdr, e_machine), sizeof machine);
@@ -76,6 +76,14 @@ std::string what_it_is_instead(const std::string& path) {
   if (bytes[EI_CLASS] != ELFCLASS64) {
     return fmt::format("it is 32-bit, and this axiscert 64-bit for {}: compile it without -m32", own);
   }
+  in.clear();
+  in.seekg(0, std::ios::end);
+  const auto there = static_cast<std::uint64_t>(in.tellg());
+  Elf64_Ehdr header;  // its table of sections is the last part of what a linker writes
+  std::memcpy(&header, bytes, sizeof header);
+  const std::uint64_t whole = header.e_shoff + std::uint64_t{header.e_shnum} * header.e_shentsize;
+  if (size < sizeof header || whole > there)
+    return fmt::format("it is cut short, after {} of {} bytes: compile or copy it again", there, whole);
   if (type == ET_REL) return fmt::format("it is an object file, which is not linked: {}", how);
   if (type == ET_EXEC) return fmt::format("it is a program, and no shared object: {}", how);
   return "";
