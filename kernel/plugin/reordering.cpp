@@ -69,30 +69,69 @@ std::string cause_of_difference(const Reordering<Real>& batch, std::size_t query
   Outputs<Real> alone, found;
   // How the answer to query `place` of this batch differs from that to the query alone; a call that stops shows
   // nothing.
-  const auto difference = [&](const Order& order, std::size_t place) -> std::optional<std::string> {
+  const auto difference_now = [&](const Order& order, std::size_t place) -> std::optional<std::string> {
     if (batch.ask(order, found)) return std::nullopt;
     return difference_at(batch.predicate, alone, 0, found, place);
+  };
+  // One that comes twice: a counter that goes on does not strike at the same place again.
+  const auto difference = [&](const Order& order, std::size_t place) {
+    auto differs = difference_now(order, place);
+    if (differs && !difference_now(order, place)) differs.reset();
+    return differs;
   };
   // Twice, so that the query asked before it is itself.
   for (int i = 0; i < 2; ++i) {
     if (batch.ask(Order{query}, alone)) return "";
   }
   for (int i = 0; i < 3; ++i) {
-    if (const auto differs = difference({query}, 0))
+    if (const auto differs = difference_now({query}, 0))
       return fmt::format(": alone, call after call, it says {}: it keeps state from call to call, or is random",
                          *differs);
   }
-  const Order others = others_of(query, batch.size, batch.is_program ? most_others_of_program : most_others);
-  for (const std::size_t other : others) {
-    if (batch.ask(Order{other}, found)) continue;
-    if (const auto differs = difference({query}, 0)) {
-      return fmt::format(
-          ": alone after itself, then after another query, it says {}: it keeps state from call to "
-          "call, as where an axis is cached from the last query",
-          *differs);
+  // What may have been left by an earlier call: one of the other queries, or the whole batch, which also may have been
+  // left by the batch's first queries.
+  const std::string kept = "it keeps state from call to call, as where an axis is cached from the last query";
+  for (const std::size_t other : others_of(query, batch.size, batch.is_program ? most_others_of_program : most_alone)) {
+    std::optional<std::string> differs;
+    for (int i = 0; i < 2 && (i == 0 || differs); ++i) {
+      if (batch.ask(Order{query}, found) || batch.ask(Order{other}, found)) break;
+      differs = difference_now({query}, 0);
+    }
+    if (differs) return fmt::format(": alone after itself, then after another query, it says {}: {}", *differs, kept);
+  }
+  Order whole(batch.size), start(std::min(query + 1, most_others));
+  std::iota(whole.begin(), whole.end(), std::size_t{0});
+  std::iota(start.begin(), start.end(), query + 1 - start.size());
+  Outputs<Real> after_itself;
+  const std::size_t last = start.size() - 1;
+  for (const Order& order : {whole, reversed(batch.size)}) {
+    std::optional<std::string> differs;
+    for (int i = 0; i < 2 && (i == 0 || differs); ++i) {
+      if (batch.ask(start, found) || batch.ask(start, after_itself) || batch.ask(order, found) ||
+          batch.ask(start, found))
+        break;
+      differs = difference_at(batch.predicate, after_itself, last, found, last);
+    }
+    if (differs)
+      return fmt::format(": the same part of the batch after itself, then after all of it, it says {}: {}", *differs,
+                         kept);
+  }
+  for (std::size_t copies = 2; copies <= most_copies && !batch.is_program; ++copies) {
+    const Order order(copies, query);
+    if (batch.ask(order, found)) break;
+    for (std::size_t place = 0; place < copies; ++place) {
+      if (!difference_at(batch.predicate, alone, 0, found, place)) continue;
+      if (const auto differs = difference_now(order, place)) {
+        return fmt::format(
+            ": alone, then as number {} of {} copies of itself, it says {}: its answer depends on the "
+            "position, or on the length of the batch",
+            place + 1, copies, *differs);
+      }
     }
   }
-  for (const std::size_t other : others) {
+  // Copies of it say what it says alone, so what differs now is due to the other query.
+  for (const std::size_t other :
+       others_of(query, batch.size, batch.is_program ? most_others_of_program : most_others)) {
     for (const auto& [order, place, where] :
          {std::tuple{Order{other, query}, 1u, "after"}, std::tuple{Order{other, query, query}, 1u, "after"},
           std::tuple{Order{query, other}, 0u, "before"}, std::tuple{Order{query, query, other}, 1u, "before"}}) {
@@ -100,17 +139,6 @@ std::string cause_of_difference(const Reordering<Real>& batch, std::size_t query
         return fmt::format(": alone, then {} another query in a batch, it says {}: its answer depends on its neighbour",
                            where, *differs);
       }
-    }
-  }
-  for (std::size_t copies = 2; copies <= most_copies && !batch.is_program; ++copies) {
-    if (batch.ask(Order(copies, query), found)) break;
-    for (std::size_t place = 0; place < copies; ++place) {
-      const auto differs = difference_at(batch.predicate, alone, 0, found, place);
-      if (!differs) continue;
-      return fmt::format(
-          ": alone, then as number {} of {} copies of itself, it says {}: its answer depends on the "
-          "position, or on the length of the batch",
-          place + 1, copies, *differs);
     }
   }
   return "";

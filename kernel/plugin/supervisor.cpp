@@ -245,7 +245,11 @@ Reordering<Real> Supervisor<Real>::reordering_of(const Chunk& chunk) {
 
 template <class Real>
 void Supervisor<Real>::reorder(const Chunk& chunk, const Outputs<Real>& outputs) {
-  if (told_.contains(FindingKind::order_dependent)) return;
+  // What was found in pieces of a batch would be found again.
+  for (const FindingKind kind :
+       {FindingKind::nondeterministic, FindingKind::batch_dependent, FindingKind::order_dependent}) {
+    if (told_.contains(kind)) return;
+  }
   chunk.watched->asked_again += chunk.size;
   const auto found = first_by_order(reordering_of(chunk), outputs);
   if (!found) return;
