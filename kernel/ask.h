@@ -15,8 +15,8 @@ template <class Real>
 struct Reply {
   std::vector<Verdict> verdicts;
   Answers<Real> answers;
-  std::vector<Finding> findings;  // faults of a kernel that is not built in
-  bool has_bits = false;          // the kernel exposes comparisons
+  Watched watched;        // of a kernel that is not built in
+  bool has_bits = false;  // the kernel exposes comparisons
 
   // The verdict, and the bits unless the kernel shows only verdicts or gave no answer.
   Outcome outcome(std::size_t i) const {
@@ -39,10 +39,10 @@ template <class Real>
 void ask(const Implementation<Real>& kernel, const QueryColumns<Real>& batch, Reply<Real>& reply) {
   reply.verdicts.assign(batch.size, Verdict::unanswered);
   reply.answers.resize(batch.size, kernel.comparisons, kernel.measure_count);
-  reply.findings.clear();
+  reply.watched = {};
   reply.has_bits = kernel.explain != nullptr;
   if (kernel.supervised) {
-    kernel.supervised(batch, reply.verdicts.data(), reply.answers, reply.findings);
+    kernel.supervised(batch, reply.verdicts.data(), reply.answers, reply.watched);
     return;
   }
   kernel.verdicts(batch, reply.verdicts.data());

@@ -81,9 +81,8 @@ struct Implementation {
   // Comparison bits and computed sides; `out` is sized to the batch. Empty for a kernel that shows only verdicts.
   std::function<void(const QueryColumns<Real>& batch, Answers<Real>& out)> explain = {};
   // For a kernel that is not built in: these and its measures at once, computed again in other arrangements and
-  // supervised. Appends the faults found; a query that got no answer is `unanswered`. Empty for a built-in kernel.
-  std::function<void(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>& answers,
-                     std::vector<Finding>& findings)>
+  // supervised. Adds what is found; a query that got no answer is `unanswered`. Empty for a built-in kernel.
+  std::function<void(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>& answers, Watched& watched)>
       supervised = {};
   // Verdicts, for a kernel that runs in another process; returns the time that the kernel itself took, in nanoseconds.
   // Empty for a built-in kernel.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "kernel/base/enums.h"
 #include "kernel/names.h"
@@ -28,21 +29,37 @@ enum class FindingKind : std::uint8_t {
   out_of_bounds,     // touched memory beside an array, or wrote to an input
   nondeterministic,  // a different answer to the same batch
   batch_dependent,   // a different answer to the same query in another lane, batch length or alignment
+  order_dependent,   // a different answer to the same query in another order of the batch, or alone
   environment,       // left the floating-point environment changed
   inconsistent,      // a value that is not a verdict, or a verdict that its own comparisons contradict
+  exchanged,         // contact for what is apart, and separated for what is in contact, nearly everywhere
 };
 template <>
-inline constexpr std::size_t enum_count<FindingKind> = 9;
+inline constexpr std::size_t enum_count<FindingKind> = 11;
 inline constexpr std::size_t finding_kind_count = enum_count<FindingKind>;
-inline constexpr EnumArray<FindingKind, std::string_view> finding_kind_names = {
-    "load",        "abi",         "crash", "hang", "out_of_bounds", "nondeterministic", "batch_dependent",
-    "environment", "inconsistent"};
+inline constexpr EnumArray<FindingKind, std::string_view> finding_kind_names = {"load",
+                                                                                "abi",
+                                                                                "crash",
+                                                                                "hang",
+                                                                                "out_of_bounds",
+                                                                                "nondeterministic",
+                                                                                "batch_dependent",
+                                                                                "order_dependent",
+                                                                                "environment",
+                                                                                "inconsistent",
+                                                                                "exchanged"};
 constexpr std::string_view name(FindingKind kind) { return finding_kind_names[kind]; }
 
 struct Finding {
   FindingKind kind;
   std::size_t index;   // position of the query in its batch; 0 if no query is concerned
   std::string detail;  // one line, the same on every run
+};
+
+// What watching a kernel shows besides its answers.
+struct Watched {
+  std::vector<Finding> findings;
+  std::uint64_t asked_again = 0;  // queries asked again in another order of their batch
 };
 
 }  // namespace axiscert

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "cli/first_look.h"
 #include "cli/running/check_output.h"
 #include "cli/running/query_rows.h"
 #include "cli/progress_line.h"
@@ -57,6 +58,7 @@ void require_query_of(const Kernel& kernel, const Predicate& predicate, std::siz
 std::vector<const Kernel*> kernels_given(const CheckOptions& options) {
   std::vector<const Kernel*> kernels;
   for (const std::string& id : options.kernels) require_loaded(*kernels.emplace_back(&find_kernel(id)));
+  print_first_look(kernels);
   return kernels;
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "cli/first_look.h"
 #include "cli/commands.h"
 #include "cli/progress_line.h"
 #include "cli/usage.h"
@@ -60,7 +61,10 @@ std::string named_kernel(const std::string& given, const CompareOptions& options
 
 TrustedPlugins trusted_kernels(const CompareOptions& options, const Record& record) {
   TrustedPlugins trusted;
-  for (const std::string& given : options.kernels) trusted[named_kernel(given, options, record)] = given;
+  for (const std::string& given : options.kernels) {
+    trusted[named_kernel(given, options, record)] = given;
+    print_first_look(find_kernel(given));
+  }
   return trusted;
 }
 

@@ -2,6 +2,7 @@
 
 #include <atomic>
 
+#include "cli/first_look.h"
 #include "cli/options/instrument_options.h"
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"
@@ -32,6 +33,7 @@ Precision precision_for(const DiagnoseOptions& options, const Kernel& kernel) {
 int diagnose_kernel(const DiagnoseOptions& options) {
   const Kernel& kernel = find_kernel(options.kernel);
   require_loaded(kernel);
+  print_first_look(kernel);
   DiagnosisOptions asked;
   asked.precision = precision_for(options, kernel);
   asked.seed = options.seed;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "cli/first_look.h"
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/predicate_options.h"
@@ -117,6 +118,7 @@ int run_league(const LeagueOptions& options) {
                               options.precision.empty() ? "both" : options.precision, kernel.id));
     }
   }
+  print_first_look(league.kernels);
   questions.seed = options.seed;
   questions.trials = [&](const Source&, Precision) { return options.trials; };
   Plan plan;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/first_look.h"
 #include "cli/options/address_query.h"
 #include "cli/options/predicate_options.h"
 #include "cli/commands.h"
@@ -137,6 +138,7 @@ int draw(const MapOptions& options) {
   const Kernel& kernel =
       options.kernel.empty() ? default_kernel(*witness.predicate, witness.entry) : find_kernel(options.kernel);
   require_loaded(kernel);
+  print_first_look(kernel);
   if (kernel.predicate != witness.predicate || kernel.entry != witness.entry) {
     throw Error(fmt::format(
         "query '{}' is of the predicate {}, and kernel {} of {}; give a kernel of its predicate with --kernel",

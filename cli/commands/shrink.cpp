@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "cli/first_look.h"
 #include "cli/options/address_query.h"
 #include "cli/options/predicate_options.h"
 #include "cli/commands.h"
@@ -282,6 +283,7 @@ int shrink_all(const ShrinkOptions& options) {
   const Kernel& kernel = kernel_for(options, queries);
   require_known(kernel, options.what);
   require_loaded(kernel);
+  print_first_look(kernel);
   const std::string target = resolve_target(options.target);
   require_queries_of(kernel, queries);
   // A query that shows nothing to keep does not stop the others, but is an error where it is the only one.

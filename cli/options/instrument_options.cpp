@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "cli/first_look.h"
 #include "cli/options/run_options.h"
 #include "cli/options/predicate_options.h"
 #include "cli/progress_line.h"
@@ -68,6 +69,7 @@ std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, 
     }
     kernels.push_back(&kernel);
   }
+  print_first_look(kernels);
   return kernels;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/first_look.h"
 #include "cli/options/run_options.h"
 #include "cli/options/predicate_options.h"
 #include "fuzz/confirm/record.h"
@@ -55,6 +56,7 @@ SearchPlan search_plan_of(const SearchOptions& options) {
   const SearchMethod& method = search_method_of(*plan.kernel->predicate);
   const SearchDefaults& defaults = method.defaults();
   require_loaded(*plan.kernel);
+  print_first_look(*plan.kernel);
   plan.precision = parse_precision(options.precision);
   if (!plan.kernel->has(plan.precision)) {
     throw Error(fmt::format("--precision {}: kernel {} does not exist in it", options.precision, plan.kernel->id));

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "cli/first_look.h"
 #include "cli/commands.h"
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"
@@ -156,6 +157,7 @@ JudgedRun judge_run(const Plan& plan, const OutputOptions& output, const std::st
   OutputFolder folder(output.out);
   for (const std::string& target : targets_of(plan.answerers.kernels, plan.running.target))
     require_uncontracted(target);
+  if (!plan.answerers.replies) print_first_look(plan.answerers.kernels);
 
   const std::atomic<bool>& interrupted = watch_for_interrupts();
   const auto started = std::chrono::system_clock::now();

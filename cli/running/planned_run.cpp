@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "cli/first_look.h"
 #include "cli/commands.h"
 #include "cli/progress_line.h"
 #include "cli/running/judged_run.h"
@@ -237,6 +238,7 @@ int run_as(Ranks* ranks, const PlannedOptions& options, const RunOptions& run) {
     serve(crew, *ranks);
     return exit_done;
   }
+  print_first_look(plan.answerers.kernels);
   OutputOptions output = run;
   output.required = file.options.required;
   const int code = Lead(options, output, file, plan, stretches, crew, ranks).run(run.target);

@@ -97,7 +97,9 @@ class WithoutALevel(Case):
             with self.subTest(kernel=kernel):
                 self.assertEqual(done.returncode, 1, done.stdout)
                 for stream in (done.stdout, done.stderr):
-                    self.assertIn("NOT JUDGED", stream.splitlines()[0])
+                    first = stream.splitlines()[0]
+                    self.assertTrue("NOT JUDGED" in first or "it answers none of 251 queries" in first, first)
+                    self.assertIn("NOT JUDGED", stream)
                     self.assertIn(words, stream)
                 for file in ("report.md", "junit.xml", "report.sarif"):
                     self.assertIn("NOT JUDGED", (self.folder / "out" / file).read_text(), file)

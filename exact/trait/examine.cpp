@@ -50,7 +50,7 @@ Examination Examiner::examine_as(const Numbers<Real>& q) {
   Examination out = axiscert::examine(q, kernel_, reply.outcome(0), reply.measures(0));
   const bool is_answered = out.answer.verdict != Verdict::unanswered;
   if (kernel_.exposes == Exposure::sides && is_answered && reply.has_bits) out.sides = sides_in(reply.answers);
-  out.findings = std::move(reply.findings);
+  out.findings = std::move(reply.watched.findings);
   if (!is_answered) implementation.reset();
   return out;
 }

@@ -1,5 +1,6 @@
 #include "fuzz/campaign/stages.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fuzz/queries/capabilities.h"
@@ -20,9 +21,10 @@ void KernelRun<Real>::ask_about(const MadeBatch<Real>& batch) {
   position_ = batch.position;
   if (replies_) return;
   ask(implementation_, batch.queries.columns(), reply_);
-  for (const Finding& finding : reply_.findings) {
+  for (const Finding& finding : reply_.watched.findings) {
     count_finding(tally_, finding.kind, position_ + finding.index, finding.detail);
   }
+  tally_.asked_again += reply_.watched.asked_again;
 }
 
 template <class Real>
@@ -50,6 +52,23 @@ typename KernelRun<Real>::JudgedAnswer KernelRun<Real>::judge(std::size_t i, Clo
     look.count_motion(kernel_, position(i), said.verdict, measures, tally_.motion);
   }
   return found;
+}
+
+template <class Real>
+void KernelRun<Real>::finish() {
+  if (!is_in_another_process() && !has_replies()) return;
+  const VerdictTally& verdict = tally_.verdict;
+  const OutsideTally& outside = *verdict.outside_limits;
+  const std::uint64_t touching = tally_.truth.touching - outside.touching;
+  const std::uint64_t apart = tally_.truth.separated - (outside.trials - outside.contact);
+  const std::uint64_t overlapping = tally_.truth.contact - outside.contact - touching;
+  // Of touching queries any convention may be right.
+  const WrongBothWays wrong{apart, std::min(verdict.false_contact, apart), overlapping,
+                            std::min(verdict.false_separation, overlapping)};
+  if (!wrong.are_exchanged()) return;
+  FirstQuery first;
+  for (const FirstQuery& of_link : verdict.first_by_link) first.merge(of_link);
+  count_finding(tally_, FindingKind::exchanged, first.position.value_or(position_), wrong.text(kernel_));
 }
 
 template class KernelRun<float>;

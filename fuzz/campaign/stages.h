@@ -91,6 +91,9 @@ class KernelRun {
   };
   JudgedAnswer judge(std::size_t i, CloseLook<Real>& look);
 
+  // After the last batch: counts what all of the unit's verdicts show of a kernel that is not built in.
+  void finish();
+
  private:
   const Kernel& kernel_;
   const Source& source_;

@@ -7,6 +7,7 @@
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/diagnosis/first_look.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
@@ -215,6 +216,37 @@ TEST(Supervised, TheFirstWrongVerdictOfALink) {
   EXPECT_FALSE(tallies_of(plan)[0].verdict.first_by_link[Link::specification].position);
   plan.questions.trials = [&](const Source&, Precision) { return *first + 1; };
   EXPECT_EQ(tallies_of(plan)[0].verdict.first_by_link[Link::specification].position, first);
+}
+
+// Says contact for separated and separated for contact, on the queries of its share: 1 is all.
+Plant exchanging(int of_twenty) {
+  return [of_twenty](const Query<double>& q, std::size_t i, Verdict& verdict, std::vector<Finding>&) {
+    if (static_cast<int>(i % 20) >= of_twenty || q.r < 0) return;
+    verdict = verdict == Verdict::contact ? Verdict::separated : Verdict::contact;
+  };
+}
+
+TEST(Supervised, ExchangedVerdictsAreOneFindingOfAUnit) {
+  const Kernel exchanged = black_box("exchanged", exchanging(20)), nearly = black_box("nearly", exchanging(18)),
+               right = black_box("right", no_fault);
+  const auto tallies = tallies_of(plan_of({&exchanged, &nearly, &right}, "general", 3000));
+  EXPECT_EQ(of(tallies[0], FindingKind::exchanged).count, 1u);
+  EXPECT_EQ(of(tallies[0], FindingKind::exchanged).first, 0u);
+  EXPECT_NE(of(tallies[0], FindingKind::exchanged).detail.find("its verdicts are exchanged: it says contact (0)"),
+            std::string::npos);
+  EXPECT_EQ(of(tallies[1], FindingKind::exchanged).count, 0u);
+  EXPECT_EQ(of(tallies[2], FindingKind::exchanged).count, 0u);
+}
+
+TEST(Supervised, ExchangedVerdictsAreSeenAtFirst) {
+  EXPECT_NE(first_look(black_box("exchanged", exchanging(20))).find("its verdicts are exchanged"), std::string::npos);
+  EXPECT_EQ(first_look(black_box("nearly", exchanging(18))), "");
+  EXPECT_EQ(first_look(black_box("right", no_fault)), "");
+}
+
+TEST(Supervised, WhatHasNoAnswerIsSeenAtFirst) {
+  EXPECT_EQ(first_look(supervised_kernel("crashes", crash_on_the_sixth)),
+            "it leaves 1 of 251 queries in binary32 without an answer: crash: signal 11");
 }
 
 TEST(Supervised, AKernelThatCouldNotBeLoadedIsNotAsked) {

@@ -15,19 +15,19 @@ using Plant =
 template <class Real>
 Implementation<Real> supervised_implementation(const Implementation<Real>& right, const Plant& plant) {
   const auto supervised = [right, plant](const QueryColumns<Real>& batch, Verdict* out, Answers<Real>& answers,
-                                         std::vector<Finding>& findings) {
+                                         Watched& watched) {
     right.verdicts(batch, out);
     if (right.explain) right.explain(batch, answers);
     for (std::size_t i = 0; i < batch.size; ++i) {
       std::array<Real, coordinate_count> numbers;
       for (std::size_t k = 0; k < coordinate_count; ++k) numbers[k] = batch.column[k][i];
-      plant(widened(from_coordinates(numbers)), i, out[i], findings);
+      plant(widened(from_coordinates(numbers)), i, out[i], watched.findings);
     }
   };
   const auto verdicts = [supervised](const QueryColumns<Real>& batch, Verdict* out) {
     Answers<Real> answers;
     answers.resize(batch.size, comparison_count);
-    std::vector<Finding> ignored;
+    Watched ignored;
     supervised(batch, out, answers, ignored);
   };
   return {verdicts, right.explain, supervised};

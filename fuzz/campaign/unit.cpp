@@ -66,6 +66,7 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
     if (asked) asked(queries.size());
   }
   screen->finish();
+  for (KernelRun<Real>& run : runs) run.finish();
 }
 
 }  // namespace

@@ -152,6 +152,7 @@ FamilyRecord counted(Tally tally, const Kernel& kernel, const Tolerances& tolera
   family.critical_radius = summary_of(std::move(tally.critical_radius));
   if (has_input_classes(kernel)) family.classes = class_records(tally.classes, address);
   if (!kernel.predicate->measures.empty()) family.motion = std::move(tally.motion);
+  if (!kernel.file.empty()) family.asked_again = tally.asked_again;
   if (kernel.exposes != Exposure::verdict) {
     family.axes = std::move(tally.axes);
     family.comparisons = std::move(tally.comparisons);
@@ -316,11 +317,15 @@ NamedValues<std::optional<GroupNumbers>> numbers_of(const SeededSource& of, std:
 
 }  // namespace
 
+std::string why_not_loaded(const Kernel& kernel) {
+  std::string why;
+  for (const Finding& finding : kernel.findings) why += fmt::format("{} {}", why.empty() ? ":" : ";", finding.detail);
+  return why;
+}
+
 void require_loaded(const Kernel& kernel) {
   if (kernel.has(Precision::binary32) || kernel.has(Precision::binary64)) return;
-  std::string why;
-  for (const Finding& finding : kernel.findings) why += fmt::format("; {}: {}", name(finding.kind), finding.detail);
-  throw Error(fmt::format("--kernel {}: it could not be loaded{}", kernel.id, why));
+  throw Error(fmt::format("--kernel {}: it could not be loaded{}", kernel.id, why_not_loaded(kernel)));
 }
 
 void put_loading_findings(std::vector<FindingRecord>& findings, const Kernel& kernel) {

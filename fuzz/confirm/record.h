@@ -60,6 +60,8 @@ std::vector<FlipRecord> flips_of(const Predicate& predicate, const Judgement& ju
 
 // Throws Error with the findings of loading it, if a kernel exists in no precision.
 void require_loaded(const Kernel& kernel);
+// Begins with a colon; empty where nothing was found.
+std::string why_not_loaded(const Kernel& kernel);
 
 // Appends the findings of loading the kernel, which belong to no precision, family or query.
 void put_loading_findings(std::vector<FindingRecord>& findings, const Kernel& kernel);

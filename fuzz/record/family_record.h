@@ -226,6 +226,7 @@ struct FamilyCounts {
   std::optional<NamedValues<AxisTally>> axes;
   std::optional<NamedValues<ComparisonTally>> comparisons;
   std::optional<MotionTally> motion;
+  std::optional<std::uint64_t> asked_again;
 
   static constexpr auto fields(auto&& visit) {
     using Of = FamilyCounts;
@@ -250,6 +251,12 @@ struct FamilyCounts {
                .about =
                    "The first contacts that the kernel reports, against the exact one. Absent for a predicate without "
                    "measures.",
+               .may_be_absent = true}),
+        field(&Of::asked_again,
+              {.name = "asked_again",
+               .about =
+                   "Queries that were asked again with their batch reversed and shifted by one, and at most 251 of a "
+                   "batch alone: each other answer is a finding. Absent for a built-in kernel.",
                .may_be_absent = true}));
   }
 };

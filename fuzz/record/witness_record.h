@@ -295,9 +295,10 @@ struct FindingRecord {
              "interface; crash: a signal, or the process exited; hang: no answer in time; out_of_bounds: touched "
              "memory "
              "next to an array, or wrote to an input; nondeterministic: another answer to the same batch; "
-             "batch_dependent: another answer depending on the query's place in the batch; environment: left the "
-             "floating-point environment changed; inconsistent: no verdict, or one that its own comparisons "
-             "contradict."}),
+             "batch_dependent: another answer depending on the query's place in the batch; order_dependent: another "
+             "answer with the batch in another order, or to the query alone; environment: left the floating-point "
+             "environment changed; inconsistent: no verdict, or one that its own comparisons contradict; exchanged: "
+             "contact where the two are apart, and separated where they are in contact, nearly everywhere."}),
         field(&Of::count, {"count", "Number of occurrences."}),
         field(&Of::detail, {"detail", "The observation at the first occurrence."}),
         field(&Of::address, {"address", "The address of the first query that showed it; null: in loading."}),

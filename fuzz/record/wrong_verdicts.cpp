@@ -1,9 +1,12 @@
 #include "fuzz/record/wrong_verdicts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/record/tally.h"
+#include "kernel/plugin/load.h"
 
 namespace axiscert {
 namespace {
@@ -32,6 +35,20 @@ std::string decade_name(std::size_t decade) {
   if (decade == 0) return "zero";
   if (decade == 1) return "less";
   return std::to_string(static_cast<int>(decade) - 2 + least_decade);
+}
+
+bool WrongBothWays::are_exchanged() const {
+  const auto nearly_all = [](std::uint64_t wrong, std::uint64_t all) { return all >= 8 && 20 * wrong >= 19 * all; };
+  return separated + contact >= 64 && nearly_all(false_contact, separated) && nearly_all(false_separation, contact);
+}
+
+std::string WrongBothWays::text(const Kernel& kernel) const {
+  return fmt::format(
+      "its verdicts are exchanged: it says contact (0) on {} of {} queries where the two are apart, and separated (1) "
+      "on "
+      "{} of {} where they are in contact; the values are in {}",
+      false_contact, separated, false_separation, contact,
+      kernel.file.empty() || plugin::is_program(kernel) ? "docs/pipe.md" : "axiscert/plugin.h");
 }
 
 void DepthTally::count(FlipKind kind, std::size_t decade) {

@@ -72,6 +72,18 @@ struct EngineTally {
   }
 };
 
+// Whether a kernel says contact for separated and separated for contact. No method is wrong so often in both
+// directions.
+struct WrongBothWays {
+  // Queries by their truth, without those that touch, and those with the other verdict.
+  std::uint64_t separated = 0, false_contact = 0;
+  std::uint64_t contact = 0, false_separation = 0;
+
+  // At least 95 % in each direction, of at least 64 queries.
+  bool are_exchanged() const;
+  std::string text(const Kernel& kernel) const;  // what was given, and what would be right
+};
+
 // Counts a wrong verdict.
 void count_depth(DepthTally& depths, EngineTally& engine, FlipKind kind, DepthOf& depth);
 

@@ -115,6 +115,8 @@ std::string comparison_text(const Predicate& predicate, std::size_t which) {
   return which < predicate.comparisons.size() ? std::string(predicate.comparisons[which].name) : std::to_string(which);
 }
 
+}  // namespace
+
 template <class Real>
 std::optional<std::string> difference_at(const Predicate& predicate, const Outputs<Real>& a, std::size_t i,
                                          const Outputs<Real>& b, std::size_t j) {
@@ -142,7 +144,10 @@ std::optional<std::string> difference_at(const Predicate& predicate, const Outpu
   return std::nullopt;
 }
 
-}  // namespace
+template std::optional<std::string> difference_at(const Predicate&, const Outputs<float>&, std::size_t,
+                                                  const Outputs<float>&, std::size_t);
+template std::optional<std::string> difference_at(const Predicate&, const Outputs<double>&, std::size_t,
+                                                  const Outputs<double>&, std::size_t);
 
 std::string verdict_text(std::uint8_t verdict) {
   if (is_verdict(verdict)) return std::string(name(static_cast<Verdict>(verdict)));

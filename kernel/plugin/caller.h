@@ -60,15 +60,20 @@ class Caller {
   std::optional<HostProcess> process_;
 };
 
-// The first difference between two sets of outputs, in words.
+// Differences between two sets of outputs, in words: "verdict contact, then separated". Only what `b` has is compared;
+// a NaN equals any other, since what its bits are is no part of an answer.
+
+// Between the answers to query i of `a` and to query j of `b`.
+template <class Real>
+std::optional<std::string> difference_at(const Predicate& predicate, const Outputs<Real>& a, std::size_t i,
+                                         const Outputs<Real>& b, std::size_t j);
 
 struct Difference {
-  std::size_t query;   // of `b`
-  std::string detail;  // "verdict contact, then separated"
+  std::size_t query;  // of `b`
+  std::string detail;
 };
 
-// Query i of `b` is query first + i of `a`. Only what `b` has is compared; a NaN equals any other, since what its bits
-// are is no part of an answer.
+// The first. Query i of `b` is query first + i of `a`.
 template <class Real>
 std::optional<Difference> first_difference(const Predicate& predicate, const Outputs<Real>& a, std::size_t first,
                                            const Outputs<Real>& b);

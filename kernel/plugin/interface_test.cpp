@@ -56,7 +56,7 @@ TEST(Interface, APluginOfAnotherVersionIsToldToBeBuiltAgainAndNotRead) {
 TEST(Interface, SidesComeThrough) {
   const QueryBatch<float> queries = random_queries<float>();
   const Reply<float> reply = asked(find_kernel("plugin:" + layout_path("sides")), queries);
-  EXPECT_TRUE(reply.findings.empty()) << reply.findings.front().detail;
+  EXPECT_TRUE(reply.watched.findings.empty()) << reply.watched.findings.front().detail;
   for (std::size_t k = 0; k < comparison_count; ++k) {
     const float* const column = queries.columns().column[k % 13];
     EXPECT_EQ(std::memcmp(reply.answers.lhs[k].data(), column, queries.size() * sizeof(float)), 0) << k;
@@ -118,9 +118,9 @@ TEST(Interface, ABitBeyondTheLastComparisonIsFound) {
   queries.push_back(Query<float>{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 0}, 5000});
   const Reply<float> reply =
       asked(find_kernel(fmt::format("plugin:{}/misbehaving/beyond_the_last.so", BUILD_FOLDER)), queries);
-  ASSERT_EQ(reply.findings.size(), 1u);
-  EXPECT_EQ(reply.findings[0].kind, FindingKind::inconsistent);
-  EXPECT_THAT(reply.findings[0].detail, HasSubstr("comparison bit 40 is 1; there are comparisons 0 to 15"));
+  ASSERT_EQ(reply.watched.findings.size(), 1u);
+  EXPECT_EQ(reply.watched.findings[0].kind, FindingKind::inconsistent);
+  EXPECT_THAT(reply.watched.findings[0].detail, HasSubstr("comparison bit 40 is 1; there are comparisons 0 to 15"));
 }
 
 // A predicate that is not in the list, of the shape that the plug-in `wide` expects.

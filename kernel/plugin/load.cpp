@@ -10,6 +10,7 @@
 #include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/declared.h"
+#include "kernel/plugin/shared_object.h"
 #include "kernel/plugin/supervisor.h"
 
 namespace axiscert::plugin {
@@ -82,10 +83,13 @@ Kernel load_plugin(std::string id, const std::string& path) {
   kernel.file = path;
   try {
     HostProcess host(hosted);
-    if (const auto stop = host.start(load_seconds))
-      throw RefusedClaim{stop->kind, "while it was loaded: " + stop->detail};
+    const auto stop = host.start(load_seconds);
     const Control& control = host.control();
-    if (control.load_error[0] != 0) refuse(fmt::format("it cannot be loaded: {}", text_of(control.load_error)));
+    if (stop || control.load_error[0] != 0) {
+      if (const std::string instead = what_it_is_instead(hosted.path); !instead.empty()) refuse(instead);
+      if (stop) throw RefusedClaim{stop->kind, "while it was loaded: " + stop->detail};
+      refuse(text_of(control.load_error));
+    }
     if (control.kernel_count == 0) refuse("its axiscert_plugin(0) gives no kernel");
     if (control.kernel_count > most_kernels) refuse(fmt::format("it has more than {} kernels", most_kernels));
     for (std::uint32_t i = 0; i < control.kernel_count; ++i) add_declared(control.kernels[i], i, hosted, kernel);

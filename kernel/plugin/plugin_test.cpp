@@ -8,6 +8,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/temporary_folder.h"
+#include "kernel/ask.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/load.h"
 #include "kernel/plugin/plugin_testing.h"
@@ -107,6 +108,33 @@ TEST(Plugin, RandomAnswersAreNondeterministic) {
   EXPECT_EQ(only_finding(supervise("random")).kind, FindingKind::nondeterministic);
 }
 
+TEST(Plugin, AnAnswerThatDependsOnWhatElseIsAskedIsFoundAndItsCauseNamed) {
+  for (const auto& [name, says] : {std::tuple{"cached_axis", "it keeps state from call to call, as where an axis"},
+                                   std::tuple{"state", "it keeps state from call to call, such as a counter"},
+                                   std::tuple{"lane_leak", "its answer depends on its neighbour"}}) {
+    const SeenAnswers seen = supervise(name);
+    ASSERT_FALSE(seen.findings.empty()) << name;
+    EXPECT_THAT(seen.findings.front().detail, HasSubstr(says)) << name;
+  }
+}
+
+// The batch has no two triangles that begin alike but those that are put beside each other.
+TEST(Plugin, AnAnswerOfTheNeighbourIsFoundWithTheBatchReversed) {
+  const Kernel& kernel = find_kernel("plugin:" + misbehaving_path("neighbour"));
+  QueryBatch<float> batch(64, coordinate_count);
+  for (std::size_t i = 0; i < 64; ++i) {
+    Numbers<float> numbers = queries()[i];
+    numbers[0] = static_cast<float>(i / 2);
+    numbers[12] = i % 2 == 0 ? 0.0f : 100.0f;  // one that touches nothing, and one that touches it
+    batch.push_back(numbers);
+  }
+  Reply<float> reply;
+  ask(kernel.on<float>(scalar_target), batch.columns(), reply);
+  ASSERT_EQ(reply.watched.findings.size(), 1u);
+  EXPECT_EQ(reply.watched.findings.front().kind, FindingKind::batch_dependent);
+  EXPECT_THAT(reply.watched.findings.front().detail, HasSubstr("its answer depends on its neighbour"));
+}
+
 TEST(Plugin, AWrongLastLaneIsFoundThoughItsBatchIsOnlySometimesRagged) {
   const Finding finding = only_finding(supervise("last_lane"));
   EXPECT_EQ(finding.kind, FindingKind::batch_dependent);
@@ -123,6 +151,7 @@ TEST(Plugin, FlushToZeroLeftOnIsFound) {
   EXPECT_EQ(finding.kind, FindingKind::environment);
   EXPECT_THAT(finding.detail, HasSubstr("flushing"));
   expect_right_but(seen, {});
+  EXPECT_EQ(seen.asked_again, queries().size());
 }
 
 TEST(Plugin, FlushToZeroTurnedOnByLoadingIsFound) {

@@ -36,6 +36,7 @@ inline const QueryBatch<float>& queries() {
 struct SeenAnswers {
   std::vector<Verdict> verdicts;
   std::vector<Finding> findings;
+  std::uint64_t asked_again = 0;
 };
 
 // The kernel's answers to the batch, and what its supervisor found.
@@ -44,7 +45,10 @@ inline SeenAnswers supervised(const Kernel& kernel) {
   seen.verdicts.resize(queries().size());
   Answers<float> answers;
   answers.resize(queries().size(), comparison_count);
-  kernel.on<float>(scalar_target).supervised(queries().columns(), seen.verdicts.data(), answers, seen.findings);
+  Watched watched;
+  kernel.on<float>(scalar_target).supervised(queries().columns(), seen.verdicts.data(), answers, watched);
+  seen.findings = std::move(watched.findings);
+  seen.asked_again = watched.asked_again;
   return seen;
 }
 

@@ -14,6 +14,8 @@ namespace {
 constexpr std::uint8_t filling = 0xa5, other_filling = 0x5a;  // neither is a verdict
 constexpr std::uint64_t rearranged_every = 8;                 // chunks
 
+constexpr std::uint64_t batches_of_unit = 64;  // of a full one: the second that is reordered is one of these
+
 // A batch in pieces of every length up to two vectors of sixteen lanes and one more, so that each query comes to other
 // lanes and other alignments, the last of a ragged batch among them.
 constexpr std::size_t longest_piece = 33;
@@ -44,12 +46,12 @@ template <class Real>
 struct Supervisor<Real>::Chunk {
   const QueryColumns<Real>& batch;
   Verdict* out;
-  Answers<Real>* explained;        // null: not asked
-  std::vector<Finding>* findings;  // null: the answers alone
+  Answers<Real>* explained;  // null: not asked
+  Watched* watched;          // null: the answers alone
   std::size_t first, size;
 
   Chunk part(std::size_t from, std::size_t count) const {
-    return {batch, out, explained, findings, first + from, count};
+    return {batch, out, explained, watched, first + from, count};
   }
 };
 
@@ -70,9 +72,9 @@ auto Supervisor<Real>::ask(const Chunk& chunk, const Arrangement& arrangement, O
 template <class Real>
 void Supervisor<Real>::tell(const Chunk& chunk, FindingKind kind, std::size_t query, std::string detail) {
   const bool is_stop = kind == FindingKind::crash || kind == FindingKind::hang;
-  if (!chunk.findings || (told_.contains(kind) && !is_stop)) return;
+  if (!chunk.watched || (told_.contains(kind) && !is_stop)) return;
   told_.insert(kind);
-  chunk.findings->push_back({kind, chunk.first + query, std::move(detail)});
+  chunk.watched->findings.push_back({kind, chunk.first + query, std::move(detail)});
 }
 
 template <class Real>
@@ -120,11 +122,14 @@ void Supervisor<Real>::run_chunk(const Chunk& chunk) {
     return leave_unanswered(chunk);
   }
   take(chunk, outputs);
-  if (!chunk.findings) return;
+  if (!chunk.watched) return;
   if (result.stray) tell(chunk, *result.stray);
   if (result.reply.changed != 0) look_for_changed_environment(chunk, result.reply.changed);
-  const bool is_due = chunk.size > 1 && chunks_++ % rearranged_every == 0;
-  if (repeats(chunk, outputs) && is_due) rearrange(chunk, outputs);
+  if (repeats(chunk, outputs) && chunk.size > 1) {
+    if (chunks_ % rearranged_every == 0) rearrange(chunk, outputs);
+    if (is_to_be_reordered(chunk)) reorder(chunk, outputs);
+  }
+  chunks_ += chunk.size > 1;
   look_for_contradictions(chunk, outputs);
 }
 
@@ -173,7 +178,7 @@ bool Supervisor<Real>::repeats(const Chunk& chunk, const Outputs<Real>& outputs)
   }
   const auto difference = first_difference(*kernel_.callee.subject.predicate, outputs, 0, again);
   if (!difference) return true;
-  tell(chunk, FindingKind::nondeterministic, difference->query, difference->detail + " for the same batch");
+  tell_with_cause(chunk, FindingKind::nondeterministic, difference->query, difference->detail + " for the same batch");
   return false;
 }
 
@@ -201,11 +206,65 @@ void Supervisor<Real>::rearrange(const Chunk& chunk, const Outputs<Real>& output
     }
     if (result.stray) tell(piece, *result.stray);
     if (const auto difference = first_difference(*kernel_.callee.subject.predicate, outputs, first, found)) {
-      tell(piece, FindingKind::batch_dependent, difference->query,
-           fmt::format("{}: as query {} of {}{}{}", difference->detail, difference->query + 1, size, where,
-                       verdict_alone && chunk.explained ? ", asked for the verdict alone" : ""));
+      tell_with_cause(chunk, FindingKind::batch_dependent, first + difference->query,
+                      fmt::format("{}: as query {} of {}{}{}", difference->detail, difference->query + 1, size, where,
+                                  verdict_alone && chunk.explained ? ", asked for the verdict alone" : ""));
     }
   }
+}
+
+// The first batch, and of a plug-in one more, which follows from the seed since the queries do. A program may be
+// started for each call.
+template <class Real>
+bool Supervisor<Real>::is_to_be_reordered(const Chunk& chunk) {
+  if (chunks_ != 0) return chunks_ == reordered_at_;
+  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
+  for (std::size_t k = 0; k < chunk.batch.count; ++k) {
+    for (const std::byte byte : std::as_bytes(std::span(chunk.batch.column[k] + chunk.first, 1)))
+      hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3u;
+  }
+  if (!is_program()) reordered_at_ = 1 + (hash >> 32) % (batches_of_unit - 1);
+  return true;
+}
+
+template <class Real>
+Reordering<Real> Supervisor<Real>::reordering_of(const Chunk& chunk) {
+  const auto ask_in_order = [this, chunk](std::span<const std::size_t> order, Outputs<Real>& outputs) {
+    QueryBatch<Real> batch(order.size(), chunk.batch.count);
+    for (const std::size_t i : order) {
+      Numbers<Real> query(chunk.batch.count);
+      for (std::size_t k = 0; k < query.size(); ++k) query[k] = chunk.batch.column[k][chunk.first + i];
+      batch.push_back(query);
+    }
+    const QueryColumns<Real> columns = batch.columns();
+    const Chunk made{columns, nullptr, chunk.explained, nullptr, 0, order.size()};
+    return ask(made, whole(made, filling), outputs).stop;
+  };
+  return {*kernel_.callee.subject.predicate, chunk.size, is_program(), ask_in_order};
+}
+
+template <class Real>
+void Supervisor<Real>::reorder(const Chunk& chunk, const Outputs<Real>& outputs) {
+  // What was found in pieces of a batch would be found again.
+  for (const FindingKind kind :
+       {FindingKind::nondeterministic, FindingKind::batch_dependent, FindingKind::order_dependent}) {
+    if (told_.contains(kind)) return;
+  }
+  chunk.watched->asked_again += chunk.size;
+  const auto found = first_by_order(reordering_of(chunk), outputs);
+  if (!found) return;
+  if (found->stop) tell(chunk, *found->stop, fmt::format(", {}", found->where));
+  else tell_with_cause(chunk, FindingKind::order_dependent, found->query, found->detail);
+}
+
+template <class Real>
+void Supervisor<Real>::tell_with_cause(const Chunk& chunk, FindingKind kind, std::size_t query, std::string detail) {
+  if (told_.contains(kind)) return;
+  std::string cause = cause_of_difference(reordering_of(chunk), query);
+  // What its copies did not have, such as an alignment, may have changed its answer in another place.
+  if (cause.empty() && kind != FindingKind::batch_dependent)
+    cause = ": it did not do so again: it keeps state from call to call, such as a counter, or is random";
+  tell(chunk, kind, query, detail + cause);
 }
 
 template <class Real>
@@ -273,12 +332,11 @@ void Supervisor<Real>::look_for_contradictions(const Chunk& chunk, const Outputs
 }
 
 template <class Real>
-void Supervisor<Real>::run(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>* explained,
-                           std::vector<Finding>* findings) {
+void Supervisor<Real>::run(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>* explained, Watched* watched) {
   const std::lock_guard lock(mutex_);
   for (std::size_t first = 0, step; first < batch.size; first += step) {
     step = std::min(asks_singly_ ? 1 : batch_capacity, batch.size - first);
-    run_chunk({batch, out, explained, findings, first, step});
+    run_chunk({batch, out, explained, watched, first, step});
   }
 }
 
@@ -301,8 +359,8 @@ Implementation<Real> supervised_implementation(const SupervisedKernel& kernel) {
     return unwatched->nanoseconds() - before;
   };
   implementation.supervised = [=](const QueryColumns<Real>& batch, Verdict* out, Answers<Real>& answers,
-                                  std::vector<Finding>& findings) {
-    watched->run(batch, out, verdict_alone ? nullptr : &answers, &findings);
+                                  Watched& seen) {
+    watched->run(batch, out, verdict_alone ? nullptr : &answers, &seen);
   };
   const auto explain = [=](const QueryColumns<Real>& batch, Answers<Real>& out) {
     std::vector<Verdict> verdicts(batch.size);

@@ -5,6 +5,7 @@
 
 #include "kernel/base/enums.h"
 #include "kernel/plugin/caller.h"
+#include "kernel/plugin/reordering.h"
 
 namespace axiscert::plugin {
 
@@ -29,9 +30,9 @@ class Supervisor {
   // The kernel's answers; `unanswered` where there is none. `explained` is null where the verdicts are enough. After
   // the first stop that is no guard page's, a plug-in is asked query by query, so that the one is found that did it; of
   // a program, whose start may cost as much as many queries, only the parts of that batch. After `most_stops`, not at
-  // all: these are all stops of a plug-in, and of a program those that are told and all hangs. With `findings`, each
+  // all: these are all stops of a plug-in, and of a program those that are told and all hangs. With `watched`, each
   // batch is looked at for the faults of FindingKind. Crashes and hangs are told each; of the other kinds the first.
-  void run(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>* explained, std::vector<Finding>* findings);
+  void run(const QueryColumns<Real>& batch, Verdict* out, Answers<Real>* explained, Watched* watched);
 
   static constexpr int most_stops = 16;
   // State over all calls so far.
@@ -54,6 +55,11 @@ class Supervisor {
   bool is_program() const { return kernel_.callee.hosted.is_program(); }
   bool repeats(const Chunk& chunk, const Outputs<Real>& outputs);
   void rearrange(const Chunk& chunk, const Outputs<Real>& outputs);
+  bool is_to_be_reordered(const Chunk& chunk);
+  Reordering<Real> reordering_of(const Chunk& chunk);
+  void reorder(const Chunk& chunk, const Outputs<Real>& outputs);
+  // Once of each kind.
+  void tell_with_cause(const Chunk& chunk, FindingKind kind, std::size_t query, std::string detail);
   void look_for_changed_environment(const Chunk& chunk, std::uint32_t changed);
   void look_for_contradictions(const Chunk& chunk, const Outputs<Real>& outputs);
 
@@ -64,7 +70,7 @@ class Supervisor {
   double nanoseconds_ = 0;
   bool asks_singly_ = false, rearranges_ = true;
   Anchor anchor_ = Anchor::end;
-  std::uint64_t chunks_ = 0;
+  std::uint64_t chunks_ = 0, reordered_at_ = 0;
   EnumSet<FindingKind, std::uint16_t> told_;
 };
 

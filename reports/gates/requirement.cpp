@@ -177,6 +177,13 @@ std::string fewest_text(const Subject& subject, const LevelFindings& found, cons
       thousands(fewest), family, upper_bound_percent(fewest), level.breaking);
 }
 
+// How many queries were asked in another order too: a finding of what that shows fails every level.
+std::string asked_again_text(const Subject& subject) {
+  std::uint64_t again = 0;
+  for (const auto& [family, result] : subject.families()) again += result.asked_again.value_or(0);
+  return again == 0 ? "" : fmt::format("; {} queries asked again, in another order or alone", thousands(again));
+}
+
 LevelOutcome outcome_of(const Record& record, const KernelRecord& kernel, const AskedLevel& asked, double share) {
   const Subject subject(record, kernel);
   LevelOutcome outcome{asked, kernel.id, std::string(name(kernel.precision))};
@@ -196,7 +203,7 @@ LevelOutcome outcome_of(const Record& record, const KernelRecord& kernel, const 
     outcome.state = LevelState::not_checked;
     return outcome;
   }
-  outcome.covers = found.covers + fewest_text(subject, found, asked);
+  outcome.covers = found.covers + fewest_text(subject, found, asked) + asked_again_text(subject);
   outcome.leaves_out = std::move(found.leaves_out);
   if (!outcome.outside.empty())
     outcome.leaves_out += fmt::format("; outside its limits: {}", fmt::join(outcome.outside, ", "));

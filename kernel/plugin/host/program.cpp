@@ -11,6 +11,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 
 #include "kernel/plugin/host/child_process.h"
@@ -54,6 +55,22 @@ void close_end(int& fd) {
   fd = -1;
 }
 
+// The interpreter that the first line of a script names, up to a blank; empty where the file is no script. One found in
+// PATH is one that was there to be started.
+std::string interpreter_of(const std::string& folder, const std::string& word) {
+  if (word.find('/') == word.npos) return "";
+  const std::string path = word.front() == '/' ? word : folder + "/" + word;
+  std::FILE* const file = std::fopen(path.c_str(), "re");
+  if (file == nullptr) return "";
+  char line[256];
+  const bool is_script = std::fgets(line, sizeof line, file) != nullptr && line[0] == '#' && line[1] == '!';
+  std::fclose(file);
+  if (!is_script) return "";
+  std::string name(line + 2);
+  name.erase(0, name.find_first_not_of(" \t"));
+  return name.substr(0, name.find_first_of(" \t\r\n"));
+}
+
 std::string signal_text(int signal) {
   const char* const abbreviation = sigabbrev_np(signal);  // none for real-time signals
   return abbreviation ? fmt::format("SIG{} ({})", abbreviation, strsignal(signal))
@@ -71,7 +88,14 @@ void Program::close_pipes() {
 
 std::optional<Program::Stop> Program::start() {
   const auto failed = [&](int error) {
-    return Stop{FindingKind::load, fmt::format("it cannot be started: {}: {}", command_.front(), std::strerror(error))};
+    const std::string interpreter = error == ENOENT ? interpreter_of(folder_, command_.front()) : "";
+    const std::string why = interpreter.empty()
+                                ? fmt::format("{}: {}", command_.front(), std::strerror(error))
+                                : fmt::format(
+                                      "{} begins with #!{}, and that program is not there: install it, or write "
+                                      "another first line",
+                                      command_.front(), interpreter);
+    return Stop{FindingKind::load, fmt::format("it cannot be started: {}", why)};
   };
   int pipes[4][2];  // its input, output and errors; and why it could not be started
   for (std::size_t i = 0; i < 4; ++i) {
