@@ -70,7 +70,7 @@ void require_value(const PropertyKind& kind, const std::string& value) {
 // The values that answers without a verdict show, or for which one answer is enough.
 bool rests_on_few(std::string_view property, std::string_view value) {
   return property == "degenerate_triangles" || value == name(RepeatedBatch::differs) || value == name(Place::depends) ||
-         value == name(Threshold::present);
+         value == name(Threshold::present) || value == name(Threshold::quaternions);
 }
 
 // A property that rests on too little is not known, whatever its probe made of it.

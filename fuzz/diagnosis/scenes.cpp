@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fuzz/diagnosis/other_units.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/image_groups.h"
 
@@ -61,16 +62,33 @@ std::vector<ClearQuery<Real>> clear_by_depth(const Kernel& kernel, std::size_t c
   return found;
 }
 
-template <class Real>
-Numbers<Real> in_unit(const Kernel& kernel, const Numbers<Real>& numbers, int exponent) {
+Scaling unit_of_length(const Kernel& kernel) {
+  // The published formulae have degree 6, and what others do in their place is of degree 8 at most.
+  Scaling scaling{{}, 8};
   const std::vector<PredicateColumn>& columns = kernel.predicate->entries[kernel.entry].columns;
   const bool displacements = is_of_motions(*kernel.predicate);
-  Numbers<Real> scaled = numbers;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const Role role = columns[k].role;
-    if (role == Role::time || (role == Role::direction && !displacements)) continue;
-    scaled[k] = std::ldexp(numbers[k], exponent);
+    if (role != Role::time && (role != Role::direction || displacements)) scaling.columns.push_back(k);
   }
+  return scaling;
+}
+
+std::vector<Scaling> quaternions(const Kernel& kernel) {
+  const PredicateEntry& entry = kernel.predicate->entries[kernel.entry];
+  std::vector<Scaling> found;
+  for (const ColumnGroup& group : groups_of(entry)) {
+    if (group.size != 4 || entry.columns[group.first].role != Role::direction) continue;
+    // A matrix has degree 2 in its quaternion, and what is made of the squares of its axes degree 4.
+    found.push_back({{group.first, group.first + 1, group.first + 2, group.first + 3}, 4});
+  }
+  return found;
+}
+
+template <class Real>
+Numbers<Real> in_unit(const Kernel& kernel, const Numbers<Real>& numbers, int exponent) {
+  Numbers<Real> scaled = numbers;
+  for (const std::size_t k : unit_of_length(kernel).columns) scaled[k] = std::ldexp(numbers[k], exponent);
   return scaled;
 }
 

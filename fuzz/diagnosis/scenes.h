@@ -117,8 +117,6 @@ struct Scenes {
   // vectors, or no_axis. Null: such are not made, and the queries of all families stand for them.
   Numbers<Real> (*near_tie)(std::uint64_t seed, std::string_view probe, std::uint64_t position,
                             std::size_t flat) = nullptr;
-  // The property `absolute_threshold` by families whose images are in other units. Null: by built-in forms.
-  ProbeFinding (*threshold_by_images)(Subject<Real>& subject) = nullptr;
 };
 
 // The words for scenes that are made by trait.

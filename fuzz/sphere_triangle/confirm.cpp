@@ -161,8 +161,10 @@ std::vector<double> values_of(const Query<Real>& base) {
 class SphereTriangleQuantities final : public Quantities {
  public:
   std::span<const Quantity> all() const override { return size_names; }
-  std::vector<double> values(const Numbers<float>& query) const override { return values_of<float>(query); }
-  std::vector<double> values(const Numbers<double>& query) const override { return values_of<double>(query); }
+  std::vector<double> values(std::size_t, const Numbers<float>& query) const override { return values_of<float>(query); }
+  std::vector<double> values(std::size_t, const Numbers<double>& query) const override {
+    return values_of<double>(query);
+  }
 };
 
 }  // namespace
