@@ -62,6 +62,32 @@ std::vector<ClearQuery<Real>> clear_by_depth(const Kernel& kernel, std::size_t c
   return found;
 }
 
+template <class Real>
+std::vector<ClearQuery<Real>> clear_of_families(const Kernel& kernel, std::uint64_t seed) {
+  constexpr std::size_t of_units = 48, of_others = 2;
+  constexpr std::uint64_t most_positions_of_each = 4;
+  std::vector<ClearQuery<Real>> found;
+  const Oracles& oracles = oracles_of(kernel);
+  const Scaling unit = unit_of_length(kernel);
+  for (const Family* family : families_of(*kernel.predicate)) {
+    const ImageGroup* group = image_group(family->name);
+    if (family->entry != kernel.entry || !oracles.has_depth() || (group && !group->range)) continue;
+    const std::size_t most = found.size() + (group ? of_units : of_others);
+    for (std::uint64_t i = 0; found.size() < most && i < most_positions_of_each * (group ? of_units : of_others); ++i) {
+      const Numbers<Real> numbers = family->make<Real>(seed, i * (group ? group->size : 1));
+      if (!oracles.is_valid(numbers)) continue;
+      Real greatest = 0;
+      for (const std::size_t k : unit.columns) greatest = std::max(greatest, std::abs(numbers[k]));
+      if (greatest == 0) continue;
+      const auto scaled = times_exactly(numbers, unit.columns, -std::ilogb(greatest));
+      if (!scaled || !is_promised(kernel, *scaled)) continue;
+      const std::optional<double> depth = oracles.depth(*scaled);
+      if (depth && *depth > clear_depth) found.push_back({*scaled, oracles.truth(*scaled).verdict});
+    }
+  }
+  return found;
+}
+
 Scaling unit_of_length(const Kernel& kernel) {
   // The published formulae have degree 6, and what others do in their place is of degree 8 at most.
   Scaling scaling{{}, 8};
@@ -137,6 +163,7 @@ std::optional<std::string> why_not_sound(Subject<Real>& subject) {
 #define AXISCERT_INSTANCES(Real)                                                           \
   template std::vector<ClearQuery<Real>> clear_queries<Real>(const Kernel&, std::size_t);  \
   template std::vector<ClearQuery<Real>> clear_by_depth<Real>(const Kernel&, std::size_t); \
+  template std::vector<ClearQuery<Real>> clear_of_families(const Kernel&, std::uint64_t);  \
   template Queries<Real> small_of_high_degree<Real>(const Kernel&);                        \
   template Queries<Real> small_of_any_degree<Real>(const Kernel&);                         \
   template Numbers<Real> in_unit(const Kernel&, const Numbers<Real>&, int);                \

@@ -12,8 +12,15 @@ namespace {
 
 constexpr std::uint64_t bases_of_images = 1500, bases_of_others = 48;
 constexpr double clear = 0x1p-10;
-// In units that the family does not say itself.
-constexpr int exponents[] = {-24, -20, -16, -12, -9, -6, -4, -2, 2, 4, 6, 9, 12, 16, 20, 24};
+// In units that a family does not say itself: as far as formulae of degree 8 go in the precision, and beyond.
+template <class Real>
+std::vector<int> usual_units() {
+  std::vector<int> units = {2, 4, 6, 9, 12, 16, 20, 24};
+  if (sizeof(Real) == 8) units.insert(units.end(), {30, 40, 60, 90, 120});
+  const std::size_t count = units.size();
+  for (std::size_t k = 0; k < count; ++k) units.push_back(-units[k]);
+  return units;
+}
 constexpr std::size_t most_flips = 1024;  // of a direction
 // Flips from which on a quantity that explains them is named.
 constexpr std::size_t least_named = 8;
@@ -66,10 +73,23 @@ class ScalingScan {
           if (group->kind(k) == ImageKind::scale) units.push_back(group->exponent(precision_of<Real>, i, k));
         }
       } else {
-        units.assign(std::begin(exponents), std::end(exponents));
+        units = usual_units<Real>();
       }
       put_scene(base, *truth, units);
     }
+    take_answers();
+  }
+
+  // Clear queries whose greatest number is near 1, in each unit of those within which the others are asked.
+  void add(const std::vector<ClearQuery<Real>>& queries) {
+    pending_.clear();
+    queries_.clear();
+    std::vector<int> units;
+    constexpr int step = sizeof(Real) == 4 ? 1 : 5, most = sizeof(Real) == 4 ? 20 : 120;
+    for (int unit = -most; unit <= most; unit += step) {
+      if (unit != 0) units.push_back(unit);
+    }
+    for (const auto& query : queries) put_scene(query.numbers, query.truth, units);
     take_answers();
   }
 
@@ -352,6 +372,7 @@ ProbeFinding absolute_thresholds(Subject<Real>& subject) {
     lengths.add(*family);
     for (auto& scan : turned) scan.add(*family);
   }
+  lengths.add(clear_of_families<Real>(kernel, subject.seed()));
   lengths.narrow();
   const auto of_lengths = shown_by<Real>(subject, lengths, nullptr, "all lengths");
   if (of_lengths && of_lengths->value != not_known) return *of_lengths;
