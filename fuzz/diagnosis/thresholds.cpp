@@ -122,7 +122,8 @@ class ScalingScan {
   }
   const std::vector<UnitChange<Real>>& changes() const { return changes_; }
   const ImageCount& count() const { return count_; }
-  int most_degree() const { return scaling_.most_degree; }
+  // In binary64 twice as much leaves room for every number that somebody may have written down.
+  int most_degree() const { return sizeof(Real) == 8 ? 2 * scaling_.most_degree : scaling_.most_degree; }
 
   // The same scene as it is right and as it is wrong.
   void show(const UnitChange<Real>& change, std::string_view what, std::vector<DiagnosisWitness>& witnesses) {
@@ -217,6 +218,7 @@ struct ThresholdFindings {
   Json compared = Json::array();
   std::vector<AbsoluteSize> named;  // a number of each, the first that explains most
   std::uint64_t most = 0;
+  bool explains_nearly_all = false;  // of one direction, and of enough
 };
 
 // What was compared, of scenes that are wrong where numbers are small, or large.
@@ -254,6 +256,8 @@ void add_sizes(ThresholdFindings& into, const Kernel& kernel, const std::vector<
                              {"bases", flips.size()}});
   }
   if (sizes.empty() || flips.size() < least_named) return;
+  into.explains_nearly_all |=
+      flips.size() >= 2 * least_named && 20 * sizes.front().explains >= 19 * static_cast<std::uint64_t>(flips.size());
   // One number is named once, though it may make scenes wrong on both sides of it.
   const AbsoluteSize& best = sizes.front();
   const bool is_named = std::ranges::any_of(into.named, [&](const AbsoluteSize& named) {
@@ -269,8 +273,9 @@ void add_sizes(ThresholdFindings& into, const Kernel& kernel, const std::vector<
 std::string text_of(const std::vector<AbsoluteSize>& named) {
   std::string text;
   for (const AbsoluteSize& size : named) {
-    text += fmt::format("{}{} between {:.2g} and {:.2g}", text.empty() ? "" : ", and ", size.quantity.text, size.least,
-                        size.greatest);
+    const std::string least = fmt::format("{:.2g}", size.least), greatest = fmt::format("{:.2g}", size.greatest);
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", and ", size.quantity.text,
+                        least == greatest ? "near " + least : fmt::format("between {} and {}", least, greatest));
   }
   return text;
 }
@@ -302,28 +307,52 @@ Json measured_of(const ImageCount& count, const ThresholdFindings& found,
           {"compared", found.compared}};
 }
 
-// What the changes of one scaling show: a number of the kernel's own, or, empty, the range. `what` is scaled.
+// Whether the kernel shows a number of its own in binary64, where there is room enough; empty where it has none.
+template <class Real>
+std::optional<bool> has_one_in_double(Subject<Real>& subject) {
+  if (sizeof(Real) == 8 || !subject.kernel().has(Precision::binary64)) return std::nullopt;
+  DiagnosisOptions options = subject.options();
+  options.precision = Precision::binary64;
+  Subject<double> twice(subject.kernel(), options);
+  const ProbeFinding found = absolute_thresholds(twice);
+  subject.count(twice.take_count());
+  return found.value == name(Threshold::present);
+}
+
+// What the changes of one scaling show: a number of the kernel's own, or, empty, the range alone, which `remark` says.
+// `what` is scaled.
 template <class Real>
 std::optional<ProbeFinding> shown_by(Subject<Real>& subject, ScalingScan<Real>& scan, const Scaling* quaternion,
-                                     std::string_view what) {
+                                     std::string_view what, std::string& remark) {
+  // A form of so great a degree is right in binary64, and leaves the range of binary32 within that of degree 8.
+  constexpr int greatest_degree = 12;
   const std::vector<UnitChange<Real>>& all = scan.changes();
-  std::vector<UnitChange<Real>> within;
-  std::ranges::copy_if(all, std::back_inserter(within),
-                       [&](const auto& change) { return change.template is_within<Real>(scan.most_degree()); });
   if (all.empty()) return std::nullopt;
+  const auto within_degree = [&](int degree) {
+    std::vector<UnitChange<Real>> within;
+    std::ranges::copy_if(all, std::back_inserter(within),
+                         [&](const auto& change) { return change.template is_within<Real>(degree); });
+    return within;
+  };
+  const std::vector<UnitChange<Real>> within = within_degree(scan.most_degree());
+  const bool may_be_range = within.empty() || within_degree(greatest_degree).empty();
+  const std::optional<bool> in_double = may_be_range && !quaternion ? has_one_in_double(subject) : std::nullopt;
   ThresholdFindings found;
   const auto& shown = within.empty() ? all : within;
   for (const bool is_small : {true, false}) add_sizes(found, subject.kernel(), shown, is_small, quaternion);
   const Json measured = measured_of(scan.count(), found, shown);
   const std::string number =
       found.named.empty() ? "No one quantity explains them." : "What explains them best: " + text_of(found.named) + ".";
+  const std::string beyond =
+      fmt::format("{} clear scenes are wrong in another unit, {}, where formulae of degree {} leave the range",
+                  shown.size(), units_text(shown), within.empty() ? scan.most_degree() : greatest_degree);
+  if (may_be_range && (in_double ? !*in_double : within.empty() && !found.explains_nearly_all)) {
+    remark = fmt::format(" {}: that is its range (range_window).", beyond);
+    return std::nullopt;
+  }
   if (within.empty()) {
     return undecided(
-        fmt::format("In another unit {} clear scenes are wrong that are right in their own, {}; but only where "
-                    "formulae of degree {} leave the range: that may be its range (range_window), or a number of its "
-                    "own. {}",
-                    shown.size(), units_text(shown), scan.most_degree(), number),
-        measured);
+        fmt::format("{}: that may be its range (range_window), or a number of its own. {}", beyond, number), measured);
   }
   std::vector<DiagnosisWitness> witnesses;
   for (const bool is_small : {true, false}) {
@@ -374,11 +403,12 @@ ProbeFinding absolute_thresholds(Subject<Real>& subject) {
   }
   lengths.add(clear_of_families<Real>(kernel, subject.seed()));
   lengths.narrow();
-  const auto of_lengths = shown_by<Real>(subject, lengths, nullptr, "all lengths");
+  std::string remark;
+  const auto of_lengths = shown_by<Real>(subject, lengths, nullptr, "all lengths", remark);
   if (of_lengths && of_lengths->value != not_known) return *of_lengths;
   for (std::size_t k = 0; k < turned.size(); ++k) {
     turned[k].narrow();
-    const auto found = shown_by<Real>(subject, turned[k], &turns[k], "a quaternion");
+    const auto found = shown_by<Real>(subject, turned[k], &turns[k], "a quaternion", remark);
     if (found && found->value != not_known) return *found;
   }
   if (of_lengths) return *of_lengths;
@@ -391,8 +421,8 @@ ProbeFinding absolute_thresholds(Subject<Real>& subject) {
   }
   return decided(Threshold::none_found,
                  fmt::format("In another unit of length it answers as before: no verdict that is clear of touching "
-                             "changed over {} images; {} more are not exact or leave the range, and were not asked.",
-                             count.images, count.left_out),
+                             "changed over {} images; {} more are not exact or leave the range, and were not asked.{}",
+                             count.images, count.left_out, remark),
                  {}, measured_of<Real>(count, {}, {}));
 }
 template ProbeFinding absolute_thresholds(Subject<float>&);
