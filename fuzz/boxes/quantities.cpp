@@ -23,6 +23,12 @@ double reach(const Box& box, const Point& l, double least) {
   return sum;
 }
 
+// Appends u x v, but where they are parallel, or so nearly that rounding makes the product.
+void add_product(std::vector<Point>& all, const Point& u, const Point& v) {
+  const Point product = cross(u, v);
+  if (dot(product, product) > 1e-20 * dot(u, u) * dot(v, v)) all.push_back(product);
+}
+
 struct TwoBoxes {
   Box a, b;
 
@@ -33,10 +39,10 @@ struct TwoBoxes {
   std::vector<Point> axes() const {
     std::vector<Point> all;
     for (const Box* box : {&a, &b}) {
-      for (std::size_t k = 0; k < 3; ++k) all.push_back(cross(box->axis[(k + 1) % 3], box->axis[(k + 2) % 3]));
+      for (std::size_t k = 0; k < 3; ++k) add_product(all, box->axis[(k + 1) % 3], box->axis[(k + 2) % 3]);
     }
     for (const Point& u : a.axis) {
-      for (const Point& v : b.axis) all.push_back(cross(u, v));
+      for (const Point& v : b.axis) add_product(all, u, v);
     }
     return all;
   }
@@ -55,10 +61,11 @@ struct BoxWithTriangle {
     return std::max(low, -high) - reach(box, l, least);
   }
   std::vector<Point> axes() const {
-    std::vector<Point> all = {normal()};
+    std::vector<Point> all;
+    add_product(all, edge(0), edge(1));
     for (std::size_t k = 0; k < 3; ++k) {
-      all.push_back(cross(box.axis[(k + 1) % 3], box.axis[(k + 2) % 3]));
-      for (const Point& u : box.axis) all.push_back(cross(u, edge(k)));
+      add_product(all, box.axis[(k + 1) % 3], box.axis[(k + 2) % 3]);
+      for (const Point& u : box.axis) add_product(all, u, edge(k));
     }
     return all;
   }
@@ -67,10 +74,7 @@ struct BoxWithTriangle {
 // The greatest gap that an axis shows; where none separates, less than 0: the least overlap.
 double gap(const auto& scene, double least) {
   double greatest = -std::numeric_limits<double>::infinity();
-  for (const Point& l : scene.axes()) {
-    const double size = length(l);
-    if (size > 0) greatest = std::max(greatest, scene.apart(l, least) / size);
-  }
+  for (const Point& l : scene.axes()) greatest = std::max(greatest, scene.apart(l, least) / length(l));
   return greatest;
 }
 

@@ -27,8 +27,7 @@ class WindowScan {
     for (const auto& query : clear_queries<Real>(subject.kernel(), window_count)) base_.push_back(query.numbers);
     clear_ = base_.size();
     if (clear_ != 0) {
-      for (const auto& query : clear_of_families<Real>(subject.kernel(), subject.seed()))
-        base_.push_back(query.numbers);
+      for (const auto& query : clear_of_families(subject)) base_.push_back(query.numbers);
     }
     at_one_ = subject.ask(base_);
     // Of the others those that it decides.
@@ -86,24 +85,25 @@ std::string why_text(const Kernel& kernel, const SidesOfForms<Real>& forms, cons
   double greatest = 0;
   for (const std::size_t k : unit.columns)
     greatest = std::max(greatest, std::abs(std::ldexp(static_cast<double>(end.base[k]), *end.beyond)));
-  const double size = std::log2(greatest);
   const bool is_above = *end.beyond > 0;
+  // Of differences, which are up to twice the numbers.
+  const double size = std::log2(is_above ? 2 * greatest : greatest);
   const double degree = std::ceil((is_above ? Limits::max_exponent : Limits::min_exponent) / size);
-  const std::optional<UnitRange> range = forms.empty() ? std::nullopt : forms.range(end.base, unit);
   if (degree > 0 && degree <= most_degree) {
     measured[key] = degree;
-    return fmt::format(" At 2^{} the greatest number of a query, to the power of {}, {}.", *end.beyond, degree,
-                       is_above ? "overflows" : "is below the normal numbers");
+    return fmt::format(
+        " At 2^{} {} to the power of {}.", *end.beyond,
+        is_above ? "differences of a query's numbers overflow" : "a query's numbers are no normal numbers", degree);
   }
   measured[key] = nullptr;
+  const std::optional<UnitRange> range = forms.empty() ? std::nullopt : forms.range(end.base, unit);
   if (range && range->holds<Real>(*end.beyond, most_degree)) {
     return fmt::format(
         " At 2^{} no formula of degree {} or less leaves the range: something is compared with a number of its own "
         "(absolute_threshold).",
         *end.beyond, most_degree);
   }
-  return fmt::format(" At 2^{} small parts of a query, to the power of {}, may leave the range.", *end.beyond,
-                     most_degree);
+  return fmt::format(" At 2^{} formulae of degree {} may leave the range.", *end.beyond, most_degree);
 }
 
 }  // namespace

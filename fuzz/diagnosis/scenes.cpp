@@ -62,28 +62,58 @@ std::vector<ClearQuery<Real>> clear_by_depth(const Kernel& kernel, std::size_t c
   return found;
 }
 
+namespace {
+
+// Queries of `general` with the length at which the answer turns, a quarter less and a quarter more: where the nearest
+// part is misjudged, hardly another is in reach.
 template <class Real>
-std::vector<ClearQuery<Real>> clear_of_families(const Kernel& kernel, std::uint64_t seed) {
-  constexpr std::size_t of_units = 48, of_others = 2;
-  constexpr std::uint64_t most_positions_of_each = 4;
-  std::vector<ClearQuery<Real>> found;
+Queries<Real> near_turning(const Kernel& kernel, std::uint64_t seed, std::size_t count) {
+  Queries<Real> queries;
+  const Family* family = family_named_general(kernel);
+  const std::optional<CriticalLength> length = oracles_of(kernel).critical_length();
+  for (std::uint64_t i = 0; family && length && queries.size() < count && i < count; ++i) {
+    Numbers<Real> query = family->make<Real>(seed, i);
+    Numbers<double> wide(query.size());
+    std::copy(query.begin(), query.end(), wide.begin());
+    const std::optional<Rational> squared = length->squared(wide);
+    const auto critical = squared ? sqrt_rounded_up<Real>(*squared) : std::nullopt;
+    if (!critical || !(*critical > 0)) continue;
+    for (const Real factor : {Real(0.75), Real(1.25)}) {
+      query[length->column] = *critical * factor;
+      queries.push_back(query);
+    }
+  }
+  return queries;
+}
+
+}  // namespace
+
+template <class Real>
+std::vector<ClearQuery<Real>> clear_of_families(Subject<Real>& subject) {
+  constexpr std::size_t of_turning = 96, of_units = 48, of_others = 2;
+  constexpr std::uint64_t positions_of_each = 4;
+  const Kernel& kernel = subject.kernel();
   const Oracles& oracles = oracles_of(kernel);
+  std::vector<ClearQuery<Real>> found;
+  if (!oracles.has_depth()) return found;
   const Scaling unit = unit_of_length(kernel);
+  const auto add = [&](const Numbers<Real>& numbers) {
+    if (!oracles.is_valid(numbers)) return;
+    Real greatest = 0;
+    for (const std::size_t k : unit.columns) greatest = std::max(greatest, std::abs(numbers[k]));
+    if (greatest == 0) return;
+    const auto scaled = times_exactly(numbers, unit.columns, -std::ilogb(greatest));
+    if (!scaled || !is_promised(kernel, *scaled)) return;
+    const std::optional<double> depth = oracles.depth(*scaled);
+    if (depth && *depth > clear_depth) found.push_back({*scaled, oracles.truth(*scaled).verdict});
+  };
+  for (const Numbers<Real>& query : near_turning<Real>(kernel, subject.seed(), of_turning)) add(query);
   for (const Family* family : families_of(*kernel.predicate)) {
     const ImageGroup* group = image_group(family->name);
-    if (family->entry != kernel.entry || !oracles.has_depth() || (group && !group->range)) continue;
-    const std::size_t most = found.size() + (group ? of_units : of_others);
-    for (std::uint64_t i = 0; found.size() < most && i < most_positions_of_each * (group ? of_units : of_others); ++i) {
-      const Numbers<Real> numbers = family->make<Real>(seed, i * (group ? group->size : 1));
-      if (!oracles.is_valid(numbers)) continue;
-      Real greatest = 0;
-      for (const std::size_t k : unit.columns) greatest = std::max(greatest, std::abs(numbers[k]));
-      if (greatest == 0) continue;
-      const auto scaled = times_exactly(numbers, unit.columns, -std::ilogb(greatest));
-      if (!scaled || !is_promised(kernel, *scaled)) continue;
-      const std::optional<double> depth = oracles.depth(*scaled);
-      if (depth && *depth > clear_depth) found.push_back({*scaled, oracles.truth(*scaled).verdict});
-    }
+    if (family->entry != kernel.entry || (group && !group->range)) continue;
+    const std::size_t count = group ? of_units : of_others, most = found.size() + count;
+    for (std::uint64_t i = 0; found.size() < most && i < positions_of_each * count; ++i)
+      add(family->make<Real>(subject.seed(), i * (group ? group->size : 1)));
   }
   return found;
 }
@@ -163,7 +193,7 @@ std::optional<std::string> why_not_sound(Subject<Real>& subject) {
 #define AXISCERT_INSTANCES(Real)                                                           \
   template std::vector<ClearQuery<Real>> clear_queries<Real>(const Kernel&, std::size_t);  \
   template std::vector<ClearQuery<Real>> clear_by_depth<Real>(const Kernel&, std::size_t); \
-  template std::vector<ClearQuery<Real>> clear_of_families(const Kernel&, std::uint64_t);  \
+  template std::vector<ClearQuery<Real>> clear_of_families(Subject<Real>&);                \
   template Queries<Real> small_of_high_degree<Real>(const Kernel&);                        \
   template Queries<Real> small_of_any_degree<Real>(const Kernel&);                         \
   template Numbers<Real> in_unit(const Kernel&, const Numbers<Real>&, int);                \

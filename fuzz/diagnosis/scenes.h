@@ -162,10 +162,11 @@ const Family* family_named_general(const Kernel& kernel);
 template <class Real>
 std::vector<ClearQuery<Real>> clear_queries(const Kernel& kernel, std::size_t count);
 
-// Others of many families of the kernel's predicate and entry, with parts of many sizes: most of those that come in
-// other units, whose bases are near one feature. Their greatest number is in [1, 2).
+// Others of the kernel's predicate and entry, with parts of many sizes: near the length at which the answer turns,
+// and queries of all families, most of them of those that come in other units, whose bases are near one feature. Their
+// greatest number is in [1, 2).
 template <class Real>
-std::vector<ClearQuery<Real>> clear_of_families(const Kernel& kernel, std::uint64_t seed);
+std::vector<ClearQuery<Real>> clear_of_families(Subject<Real>& subject);
 
 // Whether a predicate is of motions, whose directions are displacements: it has a time.
 bool is_of_motions(const Predicate& predicate);

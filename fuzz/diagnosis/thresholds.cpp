@@ -1,5 +1,7 @@
 // Numbers of a kernel's own that have a length in them: an epsilon, a clamp, a threshold. Times a power of two each
 // rounding is the same, so an answer that changes was compared with such a number, or left the range.
+#include <fmt/ranges.h>
+
 #include <cmath>
 
 #include "fuzz/confirm/absolute_size.h"
@@ -280,7 +282,7 @@ std::string text_of(const std::vector<AbsoluteSize>& named) {
   return text;
 }
 
-// The least and the greatest unit in which a scene was asked that is wrong.
+// The units nearest to the scenes' own in which one is wrong.
 template <class Real>
 std::string units_text(const std::vector<UnitChange<Real>>& changes) {
   std::optional<int> down, up;  // the nearest to the scene's own
@@ -288,8 +290,10 @@ std::string units_text(const std::vector<UnitChange<Real>>& changes) {
     if (change.is_small()) down = std::max(down.value_or(change.wrong), change.wrong);
     else up = std::min(up.value_or(change.wrong), change.wrong);
   }
-  if (down && up) return fmt::format("from 2^{} down and from 2^{} up", *down, *up);
-  return down ? fmt::format("from 2^{} down", *down) : fmt::format("from 2^{} up", *up);
+  std::vector<std::string> parts;
+  if (down) parts.push_back(fmt::format("small: from 2^{} down", *down));
+  if (up) parts.push_back(fmt::format("large: from 2^{} up", *up));
+  return fmt::format("where they are {}", fmt::join(parts, ", and "));
 }
 
 template <class Real>
@@ -401,7 +405,7 @@ ProbeFinding absolute_thresholds(Subject<Real>& subject) {
     lengths.add(*family);
     for (auto& scan : turned) scan.add(*family);
   }
-  lengths.add(clear_of_families<Real>(kernel, subject.seed()));
+  lengths.add(clear_of_families(subject));
   lengths.narrow();
   std::string remark;
   const auto of_lengths = shown_by<Real>(subject, lengths, nullptr, "all lengths", remark);
