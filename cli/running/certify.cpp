@@ -89,7 +89,8 @@ void put_derived(const Record& record, const Record& run_record, CertificatePred
   predicate = derived_predicate(std::move(predicate), record);
   const std::string& id = predicate.kernel.id;
   predicate.breaks_first = what_breaks_first(run_record, id);
-  const std::vector<LevelStatement> levels = levels_of(run_record, id, predicate.search.precisions);
+  const std::vector<LevelStatement> levels =
+      levels_of(run_record, id, predicate.search.precisions, predicate.diagnosis.precisions);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const LevelState by_record = levels[i].state, by_counts = predicate.levels[i].state;
     if (by_record == by_counts) continue;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "fuzz/boxes/families/situations.h"
+#include "fuzz/boxes/quantities.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/meshes/mesh.h"
 #include "fuzz/queries/capabilities.h"
@@ -111,6 +112,7 @@ std::span<const ImageGroup* const> box_triangle_image_groups();
 
 const Capabilities& box_box_capabilities() {
   static const Capabilities all = {.image_groups = box_box_image_groups(),
+                                   .quantities = &boxes::box_box_quantities(),
                                    .section_of_forms = section_of_forms,
                                    .situations = &boxes::box_box_situation::all,
                                    .diagnosis_scenes = &box_scenes};
@@ -120,6 +122,7 @@ const Capabilities& box_box_capabilities() {
 const Capabilities& box_triangle_capabilities() {
   static const Capabilities all = {.image_groups = box_triangle_image_groups(),
                                    .mesh = &box_triangle_mesh,
+                                   .quantities = &boxes::box_triangle_quantities(),
                                    .section_of_forms = section_of_forms,
                                    .situations = &boxes::box_triangle_situation::all,
                                    .diagnosis_scenes = &box_scenes};

@@ -68,31 +68,11 @@ void narrow_in(const SeededSource& of, const Kernel& kernel, const std::string& 
 
 template <class Real>
 std::vector<AbsoluteSize> sizes_in(const SeededSource& of, std::span<const UnitFlip> flips,
-                                   const Quantities& measured) {
-  const std::span<const Quantity> quantities = measured.all();
-  std::vector<std::vector<Interval>> intervals(quantities.size());
-  for (const UnitFlip& flip : flips) {
-    const std::vector<double> values = measured.values(of.source.make<Real>(of.seed, flip.base));
-    const auto [low, high] = std::minmax(flip.right, flip.wrong);
-    for (std::size_t k = 0; k < quantities.size(); ++k) {
-      const int degree = quantities[k].degree;
-      if (values[k] > 0) {
-        intervals[k].push_back({std::ldexp(values[k], degree * low), std::ldexp(values[k], degree * high)});
-      }
-    }
-  }
-  std::vector<AbsoluteSize> sizes;
-  for (std::size_t k = 0; k < quantities.size(); ++k) {
-    const AbsoluteSize size = overlap(quantities[k], intervals[k]);
-    if (size.explains * 4 >= flips.size() * 3 && size.explains > 0) sizes.push_back(size);
-  }
-  std::stable_sort(sizes.begin(), sizes.end(), [](const auto& x, const auto& y) { return x.explains > y.explains; });
-  constexpr std::size_t most = 3;
-  const auto worse = std::find_if(sizes.begin(), sizes.end(),
-                                  [&](const AbsoluteSize& size) { return size.explains < sizes.front().explains; });
-  sizes.erase(worse, sizes.end());
-  if (sizes.size() > most) sizes.resize(most);
-  return sizes;
+                                   const Quantities& quantities) {
+  std::vector<MeasuredFlip> measured;
+  for (const UnitFlip& flip : flips)
+    measured.push_back({quantities.values(0, of.source.make<Real>(of.seed, flip.base)), flip.right, flip.wrong});
+  return absolute_sizes(quantities.all(), measured);
 }
 
 }  // namespace
@@ -102,6 +82,32 @@ void narrow(const SeededSource& of, const Kernel& kernel, const std::string& tar
   if (flips.empty() || capabilities_of(of.source.predicate()).quantities == nullptr) return;
   if (of.precision == Precision::binary32) narrow_in<float>(of, kernel, target, flips);
   else narrow_in<double>(of, kernel, target, flips);
+}
+
+std::vector<AbsoluteSize> absolute_sizes(std::span<const Quantity> quantities, std::span<const MeasuredFlip> flips) {
+  std::vector<AbsoluteSize> sizes;
+  for (std::size_t k = 0; k < quantities.size(); ++k) {
+    const int degree = quantities[k].degree;
+    std::vector<Interval> intervals;
+    for (const MeasuredFlip& flip : flips) {
+      const double value = flip.values[k];
+      const auto [low, high] = std::minmax(flip.right, flip.wrong);
+      if (value > 0 && std::isfinite(value))
+        intervals.push_back({std::ldexp(value, degree * low), std::ldexp(value, degree * high)});
+    }
+    const AbsoluteSize size = overlap(quantities[k], intervals);
+    if (size.explains * 4 >= flips.size() * 3 && size.explains > 0) sizes.push_back(size);
+  }
+  // A number that two quantities pass together is compared with one of them: the simpler is named first.
+  std::stable_sort(sizes.begin(), sizes.end(), [](const AbsoluteSize& x, const AbsoluteSize& y) {
+    return x.explains != y.explains ? x.explains > y.explains : x.quantity.degree < y.quantity.degree;
+  });
+  constexpr std::size_t most = 3;
+  const auto worse = std::find_if(sizes.begin(), sizes.end(),
+                                  [&](const AbsoluteSize& size) { return size.explains < sizes.front().explains; });
+  sizes.erase(worse, sizes.end());
+  if (sizes.size() > most) sizes.resize(most);
+  return sizes;
 }
 
 std::vector<AbsoluteSize> absolute_sizes(const SeededSource& of, std::span<const UnitFlip> flips) {

@@ -32,9 +32,10 @@ struct Quantity {
 class Quantities {
  public:
   virtual std::span<const Quantity> all() const = 0;
-  // Of a valid query, in that order and in double: four digits would do.
-  virtual std::vector<double> values(const Numbers<float>& query) const = 0;
-  virtual std::vector<double> values(const Numbers<double>& query) const = 0;
+  // Of a valid query in an entry of the predicate, in that order and in double: four digits would do. 0: the query has
+  // none of it.
+  virtual std::vector<double> values(std::size_t entry, const Numbers<float>& query) const = 0;
+  virtual std::vector<double> values(std::size_t entry, const Numbers<double>& query) const = 0;
 
  protected:
   ~Quantities() = default;
@@ -47,8 +48,16 @@ struct AbsoluteSize {
   std::uint64_t explains;  // flips for which the quantity passes the number between `right` and `wrong`
 };
 
-// The quantities that explain most of the flips, at least three quarters of them; three at most, in the order of
-// Quantities. None for a predicate that names no quantities (fuzz/queries/capabilities.h).
+// The values of all quantities of a base, which is answered rightly times 2^right and wrongly times 2^wrong.
+struct MeasuredFlip {
+  std::vector<double> values;
+  int right, wrong;
+};
+
+// The quantities that explain most of the flips, at least three quarters of them; three at most, those of the least
+// degree first.
+std::vector<AbsoluteSize> absolute_sizes(std::span<const Quantity> quantities, std::span<const MeasuredFlip> flips);
+// The same of a source's flips. None for a predicate that names no quantities (fuzz/queries/capabilities.h).
 std::vector<AbsoluteSize> absolute_sizes(const SeededSource& of, std::span<const UnitFlip> flips);
 
 }  // namespace axiscert

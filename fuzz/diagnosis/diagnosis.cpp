@@ -70,7 +70,7 @@ void require_value(const PropertyKind& kind, const std::string& value) {
 // The values that answers without a verdict show, or for which one answer is enough.
 bool rests_on_few(std::string_view property, std::string_view value) {
   return property == "degenerate_triangles" || value == name(RepeatedBatch::differs) || value == name(Place::depends) ||
-         value == name(Threshold::present);
+         value == name(Threshold::present) || value == name(Threshold::quaternions);
 }
 
 // A property that rests on too little is not known, whatever its probe made of it.
@@ -123,6 +123,54 @@ std::span<const PropertyKind> property_kinds() {
     return kinds;
   }();
   return all;
+}
+
+std::optional<std::size_t> importance_of(std::string_view property, std::string_view value) {
+  if (value == not_known || value == not_asked) return std::nullopt;
+  struct Known {
+    std::string_view property;
+    std::vector<std::string_view> expected;
+  };
+  static const std::vector<std::vector<Known>> all = {
+      {{"repeated", {"same"}},
+       {"neighbours", {"independent"}},
+       {"position_in_batch", {"independent"}},
+       {"batch_length", {"independent"}}},
+      {{"regions", {"right"}},
+       {"on_triangle", {"right"}},
+       {"obtuse", {"right"}},
+       {"parallel", {"right"}},
+       {"flat", {"right"}},
+       {"aligned", {"right"}}},
+      {{"absolute_threshold", {"none_found"}}},
+      {{"range_window", {"whole"}}},
+      {{"overlap_at_start", {"reported"}},
+       {"sides", {"both"}},
+       {"degenerate_triangles", {"handled"}},
+       {"touching", {"closed"}}},
+      {{"subnormal_numbers", {"kept"}},
+       {"inner_precision", {"own", "wider"}},
+       {"operation_order", {"left_to_right", "other_order"}}},
+  };
+  for (std::size_t rank = 0; rank < all.size(); ++rank) {
+    for (const Known& known : all[rank]) {
+      if (known.property != property) continue;
+      return std::ranges::find(known.expected, value) == known.expected.end() ? std::optional(rank) : std::nullopt;
+    }
+  }
+  return std::nullopt;  // nearest_form, which no value of is expected
+}
+
+const Property* Diagnosis::most_important() const {
+  const Property* first = nullptr;
+  std::size_t least = 0;
+  for (const Property& property : properties) {
+    const auto rank = importance_of(property.name, property.value);
+    if (!rank || (first && *rank >= least)) continue;
+    first = &property;
+    least = *rank;
+  }
+  return first;
 }
 
 const Property* Diagnosis::find(std::string_view name) const {

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,6 +28,11 @@ struct PropertyKind {
 };
 // In the order in which a diagnosis has them.
 std::span<const PropertyKind> property_kinds();
+
+// How much a value matters to somebody who uses the kernel, 0 the most: answers that change by themselves, then wrong
+// logic, numbers of its own, its range, conventions, and how it computes. Empty of what is to be expected, or not
+// known.
+std::optional<std::size_t> importance_of(std::string_view property, std::string_view value);
 
 // A query that shows why a property has its value.
 struct DiagnosisWitness {
@@ -80,6 +86,8 @@ struct Diagnosis {
 
   // Null where there is none of that name.
   const Property* find(std::string_view name) const;
+  // That which matters most, the first of equals; null where all is as expected, or not known.
+  const Property* most_important() const;
   // Over all properties. Where nothing was decided, nothing is known of the kernel.
   LookedAt looked_at() const;
   std::string predicate_id() const { return std::string(predicate->id); }

@@ -96,6 +96,7 @@ TEST(Diagnosis, HasTwentyKernelsOfEachKindAndEveryValue) {
   for (const PropertyKind& kind : property_kinds()) {
     if (kind.name == "overlap_at_start") continue;  // of motions: other_predicates_test.cpp
     for (const std::string_view value : kind.values) {
+      if (value == "quaternions") continue;  // of boxes: other_predicates_test.cpp
       EXPECT_TRUE(decided[std::string(kind.name)].contains(std::string(value)))
           << "no kernel of the tables is made so that " << kind.name << " is " << value;
     }

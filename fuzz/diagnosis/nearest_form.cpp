@@ -1,4 +1,4 @@
-// The built-in kernel whose verdicts a kernel gives most often, on queries on which the built-in kernels differ.
+// The built-in kernel whose wrong verdicts a kernel shares, on queries on which the built-in kernels differ.
 #include <cmath>
 
 #include "fuzz/diagnosis/probes.h"
@@ -11,6 +11,8 @@ namespace {
 constexpr std::size_t sharp_count = 4096, general_count = 512, family_count = 128;
 // A share of the queries on which forms differ, below which a kernel is not like any of them.
 constexpr double least_share = 0.9;
+// Queries on which both have to be wrong: right kernels agree with any form where that is right.
+constexpr std::size_t least_shared = 16;
 
 struct FormCount {
   std::string id;
@@ -43,6 +45,30 @@ bool is_clearly_nearer(const FormCount& x, const FormCount& y, const std::vector
     with_y += kernel[i] == y.said[i];
   }
   return with_x - with_y > 4 * std::sqrt(with_x + with_y);
+}
+
+// Queries by who is wrong on them.
+struct SharedErrors {
+  std::size_t both = 0, kernel = 0, form = 0;  // the last two alone
+
+  bool are_enough() const { return both >= least_shared; }
+  // The kernel is wrong where the form is, and right where it is right.
+  bool are_the_same() const {
+    return static_cast<double>(both) >= least_share * static_cast<double>(both + kernel + form);
+  }
+};
+
+SharedErrors shared_errors(const std::vector<Verdict>& truth, const std::vector<Verdict>& kernel,
+                           const std::vector<Verdict>& form) {
+  SharedErrors errors;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (truth[i] == Verdict::invalid) continue;
+    const bool of_kernel = kernel[i] != truth[i], of_form = form[i] != truth[i];
+    errors.both += of_kernel && of_form;
+    errors.kernel += of_kernel && !of_form;
+    errors.form += of_form && !of_kernel;
+  }
+  return errors;
 }
 
 // The forms with their verdicts on the queries on which not all agree and the kernel decides; equal forms are one.
@@ -95,7 +121,14 @@ ProbeFinding nearest_form(Subject<Real>& subject) {
   const auto share = [&](const FormCount& form) {
     return static_cast<double>(form.agrees) / static_cast<double>(queries.size());
   };
-  Json measured = {{"queries", queries.size()}, {"forms", Json::array()}};
+  std::vector<Verdict> truth;
+  for (const Numbers<Real>& query : queries) truth.push_back(subject.truth(query).verdict);
+  const SharedErrors errors = shared_errors(truth, said, best.said);
+  Json measured = {{"queries", queries.size()},
+                   {"both_wrong", errors.both},
+                   {"kernel_wrong", errors.kernel},
+                   {"form_wrong", errors.form},
+                   {"forms", Json::array()}};
   for (std::size_t k = 0; k < std::min<std::size_t>(forms.size(), 5); ++k) {
     measured["forms"].push_back({{"kernel", forms[k].id}, {"agrees", forms[k].agrees}, {"same", forms[k].same}});
   }
@@ -108,6 +141,18 @@ ProbeFinding nearest_form(Subject<Real>& subject) {
   if (best.agrees != queries.size() && !is_clearly_nearer(best, second, said)) {
     return undecided("Two built-in kernels are about as near: it agrees " + facts + ".", measured);
   }
+  const std::string wrong = fmt::format("both are wrong on {} of these, it alone on {}, and {} alone on {}",
+                                        errors.both, errors.kernel, best.id, errors.form);
+  if (errors.both + errors.kernel == 0) {
+    return undecided(fmt::format("It is right on all {} queries on which the built-in kernels differ: it has no errors "
+                                 "that it could share with one.",
+                                 queries.size()),
+                     measured);
+  }
+  if (!errors.are_enough() || !errors.are_the_same()) {
+    return undecided(fmt::format("It agrees most {}, but its errors are not those of {}: {}.", facts, best.id, wrong),
+                     measured);
+  }
   std::vector<DiagnosisWitness> witnesses;
   for (std::size_t i = 0; i < queries.size() && witnesses.empty(); ++i) {
     if (best.said[i] == second.said[i] || said[i] != best.said[i]) continue;
@@ -115,7 +160,7 @@ ProbeFinding nearest_form(Subject<Real>& subject) {
         queries[i], said[i],
         fmt::format("{} says {}, and {} {}", best.id, name(best.said[i]), second.id, name(second.said[i]))));
   }
-  return {best.id, "It agrees most " + facts + ".", std::move(witnesses), std::move(measured)};
+  return {best.id, fmt::format("It agrees most {}; {}.", facts, wrong), std::move(witnesses), std::move(measured)};
 }
 template ProbeFinding nearest_form(Subject<float>&);
 template ProbeFinding nearest_form(Subject<double>&);

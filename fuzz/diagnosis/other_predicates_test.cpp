@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "fuzz/diagnosis/changed_kernels_testing.h"
 #include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/diagnosis/probes.h"
 #include "fuzz/diagnosis/scenes_by_trait.h"
@@ -17,47 +18,6 @@
 #include "kernel/kernel.h"
 
 namespace axiscert::made {
-// Kernels of any predicate that show a verdict alone, each with one property that is known because it is made so:
-// another kernel, of which the query or the answer is changed.
-
-template <class Real>
-Verdict verdict_by(const Implementation<Real>& kernel, const Numbers<Real>& query) {
-  return axiscert::ask(kernel, query).verdicts[0];
-}
-
-// A kernel that answers a query by `answer(base, implementation of it, query)`.
-template <class Answer>
-Kernel answered_by(const Kernel& base, const std::string& suffix, Answer answer) {
-  Kernel kernel = base;
-  kernel.id += "-" + suffix;
-  kernel.exposes = Exposure::verdict;
-  const auto made = [base, answer]<class Real>(std::string_view target) {
-    const Implementation<Real> right = base.on<Real>(target);
-    Implementation<Real> implementation;
-    implementation.verdicts = [base, answer, right](const QueryColumns<Real>& batch, Verdict* out) {
-      for (std::size_t i = 0; i < batch.size; ++i) {
-        Numbers<Real> query(batch.count);
-        for (std::size_t k = 0; k < batch.count; ++k) query[k] = batch.column[k][i];
-        out[i] = answer(base, right, query);
-      }
-    };
-    return implementation;
-  };
-  kernel.binary32 = [made](std::string_view target) { return made.template operator()<float>(target); };
-  kernel.binary64 = [made](std::string_view target) { return made.template operator()<double>(target); };
-  return kernel;
-}
-
-// Every length, as radii and half extents are, taken as at least 0.01.
-inline Kernel clamped(const Kernel& base) {
-  return answered_by(base, "clamped", []<class Real>(const Kernel& of, const auto& right, Numbers<Real> query) {
-    const std::vector<PredicateColumn>& columns = of.predicate->entries[of.entry].columns;
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      if (columns[k].role == Role::length && query[k] < Real(0.01)) query[k] = Real(0.01);
-    }
-    return verdict_by(right, query);
-  });
-}
 
 // Every length times 1 + 2^-20 or 1 - 2^-20: further than a rounding, nearer than what the probe takes for a slack. In
 // small integers, where nothing is rounded, that opens what is closed.
@@ -165,30 +125,6 @@ using namespace made;
 
 constexpr Precision single = Precision::binary32, twice = Precision::binary64;
 
-template <class Real>
-diagnosis::ProbeFinding found_of(const Kernel& kernel, const std::string& property, std::uint64_t seed) {
-  using namespace diagnosis;
-  const std::map<std::string, ProbeFinding (*)(Subject<Real>&)> probes = {
-      {"touching", at_touching<Real>},
-      {"sides", sides_hit<Real>},
-      {"overlap_at_start", overlap_at_start<Real>},
-      {"degenerate_triangles", degenerate_triangles<Real>},
-      {"subnormal_numbers", subnormal_numbers<Real>},
-      {"operation_order", operation_order<Real>},
-      {"inner_precision", inner_precision<Real>},
-      {"absolute_threshold", absolute_thresholds<Real>},
-      {"range_window", range_window<Real>}};
-  DiagnosisOptions options;
-  options.precision = precision_of<Real>;
-  options.seed = seed;
-  Subject<Real> subject(kernel, options);
-  return probes.at(property)(subject);
-}
-diagnosis::ProbeFinding found_of(const Kernel& kernel, Precision precision, const std::string& property,
-                                 std::uint64_t seed = 1) {
-  return precision == single ? found_of<float>(kernel, property, seed) : found_of<double>(kernel, property, seed);
-}
-
 // The value that a probe has to find of a kernel.
 struct Row {
   std::string property, value;
@@ -259,6 +195,7 @@ std::vector<Row> rows() {
       {"absolute_threshold", "present", single, clamped(find_kernel("box-box/cofactor-turned"))},
       {"absolute_threshold", "none_found", twice, triangle},
       {"absolute_threshold", "present", twice, clamped(triangle)},
+      {"absolute_threshold", "quaternions", twice, without_short_quaternions(find_kernel("box-box/cofactor-turned"))},
   };
 }
 

@@ -19,8 +19,8 @@ enum class Sides : std::uint8_t { both, front_only, back_only };
 enum class Starts : std::uint8_t { reported, moving, approaching, ignored };
 // Triangles of area 0: right on all; always separated; always contact; `invalid`; wrong on some.
 enum class Degenerate : std::uint8_t { handled, skipped, always_hit, refused, wrong_on_some };
-// Something is compared with a number that has a length in it.
-enum class Threshold : std::uint8_t { none_found, present };
+// Something is compared with a number that has a length in it; or the length of a quaternion with any number.
+enum class Threshold : std::uint8_t { none_found, present, quaternions };
 // The powers of two times which the answers are those at scale 1: all that the precision has, or fewer.
 enum class Window : std::uint8_t { whole, limited };
 // Subnormal numbers are numbers, or zero.
@@ -49,7 +49,7 @@ AXISCERT_VALUES(AtTouching, 3, at_touching_names, "closed", "open", "neither")
 AXISCERT_VALUES(Sides, 3, sides_names, "both", "front_only", "back_only")
 AXISCERT_VALUES(Starts, 4, starts_names, "reported", "moving", "approaching", "ignored")
 AXISCERT_VALUES(Degenerate, 5, degenerate_names, "handled", "skipped", "always_hit", "refused", "wrong_on_some")
-AXISCERT_VALUES(Threshold, 2, threshold_names, "none_found", "present")
+AXISCERT_VALUES(Threshold, 3, threshold_names, "none_found", "present", "quaternions")
 AXISCERT_VALUES(Window, 2, window_names, "whole", "limited")
 AXISCERT_VALUES(Subnormals, 2, subnormals_names, "kept", "flushed")
 AXISCERT_VALUES(Order, 3, order_names, "left_to_right", "other_order", "contracted")

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fuzz/diagnosis/other_units.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/image_groups.h"
 
@@ -61,16 +62,89 @@ std::vector<ClearQuery<Real>> clear_by_depth(const Kernel& kernel, std::size_t c
   return found;
 }
 
+namespace {
+
+// Queries of `general` with the length at which the answer turns, a quarter less and a quarter more: where the nearest
+// part is misjudged, hardly another is in reach.
 template <class Real>
-Numbers<Real> in_unit(const Kernel& kernel, const Numbers<Real>& numbers, int exponent) {
+Queries<Real> near_turning(const Kernel& kernel, std::uint64_t seed, std::size_t count) {
+  Queries<Real> queries;
+  const Family* family = family_named_general(kernel);
+  const std::optional<CriticalLength> length = oracles_of(kernel).critical_length();
+  for (std::uint64_t i = 0; family && length && queries.size() < count && i < count; ++i) {
+    Numbers<Real> query = family->make<Real>(seed, i);
+    Numbers<double> wide(query.size());
+    std::copy(query.begin(), query.end(), wide.begin());
+    const std::optional<Rational> squared = length->squared(wide);
+    const auto critical = squared ? sqrt_rounded_up<Real>(*squared) : std::nullopt;
+    if (!critical || !(*critical > 0)) continue;
+    for (const Real factor : {Real(0.75), Real(1.25)}) {
+      query[length->column] = *critical * factor;
+      queries.push_back(query);
+    }
+  }
+  return queries;
+}
+
+}  // namespace
+
+template <class Real>
+std::vector<ClearQuery<Real>> clear_of_families(Subject<Real>& subject) {
+  constexpr std::size_t of_turning = 96, of_units = 48, of_others = 2;
+  constexpr std::uint64_t positions_of_each = 4;
+  const Kernel& kernel = subject.kernel();
+  const Oracles& oracles = oracles_of(kernel);
+  std::vector<ClearQuery<Real>> found;
+  if (!oracles.has_depth()) return found;
+  const Scaling unit = unit_of_length(kernel);
+  const auto add = [&](const Numbers<Real>& numbers) {
+    if (!oracles.is_valid(numbers)) return;
+    Real greatest = 0;
+    for (const std::size_t k : unit.columns) greatest = std::max(greatest, std::abs(numbers[k]));
+    if (greatest == 0) return;
+    const auto scaled = times_exactly(numbers, unit.columns, -std::ilogb(greatest));
+    if (!scaled || !is_promised(kernel, *scaled)) return;
+    const std::optional<double> depth = oracles.depth(*scaled);
+    if (depth && *depth > clear_depth) found.push_back({*scaled, oracles.truth(*scaled).verdict});
+  };
+  for (const Numbers<Real>& query : near_turning<Real>(kernel, subject.seed(), of_turning)) add(query);
+  for (const Family* family : families_of(*kernel.predicate)) {
+    const ImageGroup* group = image_group(family->name);
+    if (family->entry != kernel.entry || (group && !group->range)) continue;
+    const std::size_t count = group ? of_units : of_others, most = found.size() + count;
+    for (std::uint64_t i = 0; found.size() < most && i < positions_of_each * count; ++i)
+      add(family->make<Real>(subject.seed(), i * (group ? group->size : 1)));
+  }
+  return found;
+}
+
+Scaling unit_of_length(const Kernel& kernel) {
+  // The published formulae have degree 6, and what others do in their place is of degree 8 at most.
+  Scaling scaling{{}, 8};
   const std::vector<PredicateColumn>& columns = kernel.predicate->entries[kernel.entry].columns;
   const bool displacements = is_of_motions(*kernel.predicate);
-  Numbers<Real> scaled = numbers;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const Role role = columns[k].role;
-    if (role == Role::time || (role == Role::direction && !displacements)) continue;
-    scaled[k] = std::ldexp(numbers[k], exponent);
+    if (role != Role::time && (role != Role::direction || displacements)) scaling.columns.push_back(k);
   }
+  return scaling;
+}
+
+std::vector<Scaling> quaternions(const Kernel& kernel) {
+  const PredicateEntry& entry = kernel.predicate->entries[kernel.entry];
+  std::vector<Scaling> found;
+  for (const ColumnGroup& group : groups_of(entry)) {
+    if (group.size != 4 || entry.columns[group.first].role != Role::direction) continue;
+    // A matrix has degree 2 in its quaternion, and what is made of the squares of its axes degree 4.
+    found.push_back({{group.first, group.first + 1, group.first + 2, group.first + 3}, 4});
+  }
+  return found;
+}
+
+template <class Real>
+Numbers<Real> in_unit(const Kernel& kernel, const Numbers<Real>& numbers, int exponent) {
+  Numbers<Real> scaled = numbers;
+  for (const std::size_t k : unit_of_length(kernel).columns) scaled[k] = std::ldexp(numbers[k], exponent);
   return scaled;
 }
 
@@ -119,6 +193,7 @@ std::optional<std::string> why_not_sound(Subject<Real>& subject) {
 #define AXISCERT_INSTANCES(Real)                                                           \
   template std::vector<ClearQuery<Real>> clear_queries<Real>(const Kernel&, std::size_t);  \
   template std::vector<ClearQuery<Real>> clear_by_depth<Real>(const Kernel&, std::size_t); \
+  template std::vector<ClearQuery<Real>> clear_of_families(Subject<Real>&);                \
   template Queries<Real> small_of_high_degree<Real>(const Kernel&);                        \
   template Queries<Real> small_of_any_degree<Real>(const Kernel&);                         \
   template Numbers<Real> in_unit(const Kernel&, const Numbers<Real>&, int);                \

@@ -117,8 +117,6 @@ struct Scenes {
   // vectors, or no_axis. Null: such are not made, and the queries of all families stand for them.
   Numbers<Real> (*near_tie)(std::uint64_t seed, std::string_view probe, std::uint64_t position,
                             std::size_t flat) = nullptr;
-  // The property `absolute_threshold` by families whose images are in other units. Null: by built-in forms.
-  ProbeFinding (*threshold_by_images)(Subject<Real>& subject) = nullptr;
 };
 
 // The words for scenes that are made by trait.
@@ -163,6 +161,12 @@ const Family* family_named_general(const Kernel& kernel);
 // of the kernel's entry. Empty where the predicate has no depth or no such family.
 template <class Real>
 std::vector<ClearQuery<Real>> clear_queries(const Kernel& kernel, std::size_t count);
+
+// Others of the kernel's predicate and entry, with parts of many sizes: near the length at which the answer turns,
+// and queries of all families, most of them of those that come in other units, whose bases are near one feature. Their
+// greatest number is in [1, 2).
+template <class Real>
+std::vector<ClearQuery<Real>> clear_of_families(Subject<Real>& subject);
 
 // Whether a predicate is of motions, whose directions are displacements: it has a time.
 bool is_of_motions(const Predicate& predicate);

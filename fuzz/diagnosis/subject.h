@@ -37,6 +37,7 @@ class Subject {
   bool is_built_in() const { return kernel_.file.empty(); }
   std::uint64_t seed() const { return options_.seed; }
   const std::string& target() const { return options_.target; }
+  const DiagnosisOptions& options() const { return options_; }
 
   // One batch of these queries, in this order.
   std::vector<Verdict> ask_batch(std::span<const Numbers<Real>> queries) {

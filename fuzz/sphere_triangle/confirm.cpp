@@ -85,7 +85,7 @@ const NearestFeatures& sphere_triangle_nearest_features() {
 
 namespace {
 
-constexpr std::array<Quantity, 18> size_names = {{{"the distance d", 1},
+constexpr std::array<Quantity, 19> size_names = {{{"the distance d", 1},
                                                   {"r", 1},
                                                   {"|d - r|", 1},
                                                   {"|d^2 - r^2|", 2},
@@ -102,7 +102,8 @@ constexpr std::array<Quantity, 18> size_names = {{{"the distance d", 1},
                                                   {"the distance to the plane", 1},
                                                   {"AB", 1},
                                                   {"BC", 1},
-                                                  {"CA", 1}}};
+                                                  {"CA", 1},
+                                                  {"FAB + FBC + FCA - ABC, of areas and the foot F of P", 2}}};
 
 double length_of(const Vec3<double>& v) { return std::sqrt(dot(v, v)); }
 
@@ -112,6 +113,17 @@ double squared_distance_to(const Vec3<double>& u, const Vec3<double>& v) {
   const double t = along <= 0 ? 0 : along >= whole ? 1 : along / whole;
   const Vec3<double> nearest = u + w * t;
   return dot(nearest, nearest);
+}
+
+// By how much the areas of the triangles of the foot of P and an edge exceed that of ABC; 0 where the foot is in it,
+// but for rounding. The vertices are seen from P.
+double excess_of_areas(const std::array<Vec3<double>, 3>& v, const Vec3<double>& normal) {
+  const double squared = dot(normal, normal);
+  if (squared == 0) return 0;
+  const Vec3<double> foot = normal * (dot(v[0], normal) / squared);
+  double excess = -std::sqrt(squared);
+  for (std::size_t i = 0; i < 3; ++i) excess += length_of(cross(v[i] - foot, v[(i + 1) % 3] - foot));
+  return excess > 0x1p-40 * std::sqrt(squared) ? excess / 2 : 0;
 }
 
 template <class Real>
@@ -155,14 +167,19 @@ std::vector<double> values_of(const Query<Real>& base) {
           ee > 0 ? std::abs(offset) / std::sqrt(ee) : 0,
           edges[0],
           edges[1],
-          edges[2]};
+          edges[2],
+          excess_of_areas(v, normal)};
 }
 
 class SphereTriangleQuantities final : public Quantities {
  public:
   std::span<const Quantity> all() const override { return size_names; }
-  std::vector<double> values(const Numbers<float>& query) const override { return values_of<float>(query); }
-  std::vector<double> values(const Numbers<double>& query) const override { return values_of<double>(query); }
+  std::vector<double> values(std::size_t, const Numbers<float>& query) const override {
+    return values_of<float>(query);
+  }
+  std::vector<double> values(std::size_t, const Numbers<double>& query) const override {
+    return values_of<double>(query);
+  }
 };
 
 }  // namespace

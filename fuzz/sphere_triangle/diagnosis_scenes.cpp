@@ -170,8 +170,7 @@ Scenes<Real> spheres() {
           .turning = plump_scenes<Real>,
           .small = small_of_high_degree<Real>,
           .scanned = scanned_exponents,
-          .near_tie = sphere_near_tie<Real>,
-          .threshold_by_images = threshold_by_units<Real>};
+          .near_tie = sphere_near_tie<Real>};
 }
 
 }  // namespace

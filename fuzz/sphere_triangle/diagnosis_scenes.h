@@ -16,8 +16,5 @@ template <class Real>
 Numbers<Real> sphere_near_tie(std::uint64_t seed, std::string_view probe, std::uint64_t position, std::size_t flat);
 template <class Real>
 TurningScenes<Real> plump_scenes(Subject<Real>& subject, std::size_t count);
-// By the families `units` and `spans` (diagnosis_thresholds.cpp).
-template <class Real>
-ProbeFinding threshold_by_units(Subject<Real>& subject);
 
 }  // namespace axiscert::diagnosis

@@ -279,7 +279,7 @@ CertificatePredicate derived_predicate(CertificatePredicate predicate, const Rec
   const std::string& id = predicate.kernel.id;
   put_kernel(predicate.kernel, record);
   predicate.asked = asked_of(predicate, record);
-  predicate.levels = levels_of(record, id, predicate.search.precisions);
+  predicate.levels = levels_of(record, id, predicate.search.precisions, predicate.diagnosis.precisions);
   predicate.comparison = comparison_of(record);
   predicate.situations = where_it_is_wrong(record, id);
   predicate.breaks_first = what_breaks_first(record, id);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "fuzz/queries/image_groups.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
 #include "reports/wording/evidence.h"
@@ -41,6 +42,17 @@ std::string contradiction(const AskedLevel& asked, const SearchedStatement* sear
   return missed.empty() ? of("phantom_contact", "phantom contact", allowed.phantom) : missed;
 }
 
+// How a diagnosis contradicts a level. It asks other queries in other units than the families of images do.
+std::string contradiction(const AskedLevel& asked, const DiagnosedStatement* diagnosed) {
+  if (diagnosed == nullptr || asked.name != "invariant" || asked.argument != name(ImageKind::scale))
+    return "";
+  for (const PropertyStatement& property : diagnosed->properties) {
+    if (property.name == "absolute_threshold" && property.value == "present")
+      return fmt::format("the diagnosis found verdicts that change with the unit of length: {}", property.sentence);
+  }
+  return "";
+}
+
 std::string observed_text(const KernelRecord& kernel, const AskedLevel& asked, const std::string& covers) {
   if (!is_of_verdicts(asked)) return covers;
   const std::optional<FamilyRecord> total = all_families(kernel);
@@ -60,7 +72,8 @@ const KernelRecord* record_entry_of(const Record& record, const LevelOutcome& ou
   return nullptr;
 }
 
-LevelStatement level_statement(const Record& record, const LevelOutcome& outcome, const SearchedStatement* search) {
+LevelStatement level_statement(const Record& record, const LevelOutcome& outcome, const SearchedStatement* search,
+                               const DiagnosedStatement* diagnosed) {
   LevelStatement level;
   level.level = outcome.asked.text;
   if (!outcome.precision.empty()) level.precision = parse_precision(outcome.precision);
@@ -69,7 +82,8 @@ LevelStatement level_statement(const Record& record, const LevelOutcome& outcome
   level.looked_at = outcome.looked_text();
   level.statement = sentence_of(outcome.asked);
   level.failure_count = outcome.failures.size();
-  if (const std::string found = contradiction(outcome.asked, search); !found.empty()) {
+  for (const std::string& found : {contradiction(outcome.asked, search), contradiction(outcome.asked, diagnosed)}) {
+    if (found.empty()) continue;
     level.state = LevelState::not_met;
     level.failures.push_back(found);
     ++level.failure_count;
@@ -122,7 +136,8 @@ std::vector<std::string> levels_asked(const std::vector<std::string>& yardsticks
 }
 
 std::vector<LevelStatement> levels_of(const Record& record, const std::string& kernel,
-                                      const NamedValues<SearchedStatement>& searches) {
+                                      const NamedValues<SearchedStatement>& searches,
+                                      std::span<const DiagnosedStatement> diagnosed) {
   std::vector<LevelStatement> levels;
   std::vector<std::string> yardsticks;
   for (const Name& id : record.plan.kernels) {
@@ -131,7 +146,10 @@ std::vector<LevelStatement> levels_of(const Record& record, const std::string& k
   for (const std::string& level : levels_asked(yardsticks)) {
     for (const LevelOutcome& outcome : outcomes_at(record, level)) {
       if (outcome.kernel != kernel) continue;
-      levels.push_back(level_statement(record, outcome, searches.find(outcome.precision)));
+      const auto like = std::ranges::find_if(
+          diagnosed, [&](const DiagnosedStatement& part) { return name(part.precision) == outcome.precision; });
+      levels.push_back(level_statement(record, outcome, searches.find(outcome.precision),
+                                       like == diagnosed.end() ? nullptr : &*like));
     }
   }
   return levels;

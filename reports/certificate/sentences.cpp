@@ -132,6 +132,7 @@ constexpr Peculiarity peculiarities[] = {
     {"degenerate_triangles", "refused", "triangles without area are refused"},
     {"degenerate_triangles", "wrong_on_some", "wrong on some triangles without area"},
     {"absolute_threshold", "present", "compares with an absolute number, so it depends on the unit of length"},
+    {"absolute_threshold", "quaternions", "compares the length of a quaternion with an absolute number"},
     {"range_window", "limited", "right only within a range of sizes"},
     {"subnormal_numbers", "flushed", "takes subnormal numbers for zero"},
     {"operation_order", "contracted", "fuses operations"},
@@ -152,6 +153,22 @@ std::string said_of(const PropertyStatement& property, const KernelStatement& ke
     if (property.name == known.property && value == known.value) return std::string(known.says);
   }
   return "";
+}
+
+// In the order in which they matter. A number of the kernel's own is named once: it limits the range too.
+std::vector<const PropertyStatement*> most_important_first(const DiagnosedStatement& part) {
+  std::vector<const PropertyStatement*> properties;
+  bool has_threshold = false;
+  for (const PropertyStatement& property : part.properties) {
+    properties.push_back(&property);
+    has_threshold |= property.name == "absolute_threshold" && property.value == "present";
+  }
+  if (has_threshold) std::erase_if(properties, [](const auto* property) { return property->name == "range_window"; });
+  const auto rank = [](const PropertyStatement* property) {
+    return importance_of(property->name, property->value).value_or(property_kinds().size());
+  };
+  std::ranges::stable_sort(properties, {}, rank);
+  return properties;
 }
 
 }  // namespace
@@ -184,8 +201,8 @@ std::string peculiarities_note(const CertificatePredicate& predicate) {
   std::vector<std::string> parts;
   for (const DiagnosedStatement& part : predicate.diagnosis.precisions) {
     std::vector<std::string> said;
-    for (const PropertyStatement& property : part.properties) {
-      if (const std::string text = said_of(property, predicate.kernel, !said.empty()); !text.empty())
+    for (const PropertyStatement* property : most_important_first(part)) {
+      if (const std::string text = said_of(*property, predicate.kernel, !said.empty()); !text.empty())
         said.push_back(text);
     }
     if (!said.empty()) parts.push_back(fmt::format("in {}, {}", name(part.precision), fmt::join(said, "; ")));

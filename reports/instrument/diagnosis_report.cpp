@@ -58,6 +58,8 @@ InstrumentReport diagnosis_report(const Diagnosis& diagnosis, const std::string&
     report.notes.push_back(std::move(faults));
   }
   report.command = command;
+  if (const Property* first = diagnosis.most_important())
+    report.notes.push_back(fmt::format("What matters most: {}. {}", first->name, first->sentence));
   for (const Property& property : diagnosis.properties) {
     report.notes.push_back(fmt::format("{}: {}. {}", property.name, property.value, property.sentence));
   }
