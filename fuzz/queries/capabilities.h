@@ -49,6 +49,7 @@ struct CriticalRadiusDefaults;
 struct ImageGroup;
 struct MeshQueries;
 struct Situations;
+struct SlackScenes;
 struct StoredQuery;
 namespace diagnosis {
 struct DiagnosisScenes;
@@ -65,6 +66,7 @@ struct Capabilities {
   bool has_engine_queries = false;                    // which the screen counts (fuzz/record/wrong_verdicts.h)
   const Quantities* quantities = nullptr;             // fuzz/confirm/absolute_size.h
   const WitnessSides* witness_sides = nullptr;        // fuzz/confirm/witness.h
+  const SlackScenes* slack_scenes = nullptr;          // fuzz/slack/scenes.h
 
   // Of the documents: what the predicate's built-in kernels answer.
   std::string_view section_of_forms = {};

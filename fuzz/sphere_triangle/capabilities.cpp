@@ -8,6 +8,7 @@
 #include "fuzz/sphere_triangle/diagnosis_scenes.h"
 #include "fuzz/sphere_triangle/mesh_queries.h"
 #include "fuzz/sphere_triangle/screen.h"
+#include "fuzz/sphere_triangle/slack_scenes.h"
 
 namespace axiscert {
 
@@ -29,6 +30,7 @@ const Capabilities& sphere_triangle_capabilities() {
       .has_engine_queries = true,
       .quantities = &sphere_triangle_quantities(),
       .witness_sides = &sphere_triangle_witness_sides(),
+      .slack_scenes = &sphere_triangle_slack_scenes,
       .section_of_forms = "docs/kernels.md#what-each-answers",
       .correct_forms = correct_forms,
       .diagnosis_scenes = &diagnosis::sphere_triangle_scenes(),
