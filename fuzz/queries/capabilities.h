@@ -66,7 +66,6 @@ struct Capabilities {
   bool has_engine_queries = false;                    // which the screen counts (fuzz/record/wrong_verdicts.h)
   const Quantities* quantities = nullptr;             // fuzz/confirm/absolute_size.h
   const WitnessSides* witness_sides = nullptr;        // fuzz/confirm/witness.h
-  const SlackScenes* slack_scenes = nullptr;          // fuzz/slack/scenes.h
 
   // Of the documents: what the predicate's built-in kernels answer.
   std::string_view section_of_forms = {};
@@ -79,6 +78,7 @@ struct Capabilities {
   const SearchMethod* search_method = nullptr;                       // fuzz/search/method.h
   const AimValues* aim_values = nullptr;                             // fuzz/search/confirm.h
   const ImageMaps* image_maps = nullptr;                             // fuzz/shrink/pair.h
+  const SlackScenes* slack_scenes = nullptr;                         // fuzz/slack/scenes.h
 };
 
 // Those of a predicate on the list of kernel/predicate_list.h: NAME_capabilities() of its room in fuzz/.

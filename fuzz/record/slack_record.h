@@ -77,7 +77,7 @@ struct SlackLook {
 };
 
 struct SlacksRecord {
-  std::uint64_t asked = 0, bracketed = 0;
+  std::uint64_t asked = 0, bracketed = 0, answers = 0;
   std::vector<SlackLook> looks;
   std::vector<SlackRecord> found;
 
@@ -89,6 +89,7 @@ struct SlacksRecord {
     return visit(
         field(&Of::asked, {"asked", "Queries that were made, within what the kernel promises."}),
         field(&Of::bracketed, {"bracketed", "Those whose exact turn and whose turn by the kernel are known."}),
+        field(&Of::answers, {"answers", "Answers that the kernel was asked for."}),
         field(&Of::looks, {"looks", "The same by kind of query, with what could have been seen."}),
         field(&Of::found, {"found", "The slacks that were found, the greatest part first; none: an empty list."}));
   }

@@ -66,7 +66,8 @@ Verdict turned(Verdict said) {
 
 // The kernel as one that is asked with a scene's number and x: what bisects over a length does so over paths then.
 template <class Real>
-Implementation<Real> on_paths(const Implementation<Real>& kernel, const std::vector<SlackScene>& scenes) {
+Implementation<Real> on_paths(const Implementation<Real>& kernel, const std::vector<SlackScene>& scenes,
+                              std::uint64_t& answers) {
   Implementation<Real> on;
   on.verdicts = [&](const QueryColumns<Real>& batch, Verdict* out) {
     QueryBatch<Real> queries(batch.size, scenes.front().base.size());
@@ -76,6 +77,7 @@ Implementation<Real> on_paths(const Implementation<Real>& kernel, const std::vec
     for (std::size_t i = 0; i < batch.size; ++i) queries.push_back(query_at(scene(i), batch.column[1][i]));
     std::fill_n(out, batch.size, Verdict::unanswered);
     kernel.verdicts(queries.columns(), out);
+    answers += batch.size;
     for (std::size_t i = 0; i < batch.size; ++i) {
       if (scene(i).turns_to_separated) out[i] = turned(out[i]);
     }
@@ -105,7 +107,8 @@ Brackets brackets_of(const Kernel& kernel, std::uint64_t seed, const std::string
     if (is_promised(kernel, query_at(scene, Real(1)))) found.scenes.push_back(scene);
   }
   if (found.scenes.empty()) return found;
-  const Implementation<Real> on = on_paths(kernel.on<Real>(target), found.scenes);
+  const Implementation<Real> implementation = kernel.on<Real>(target);
+  const Implementation<Real> on = on_paths(implementation, found.scenes, found.answers);
   std::map<double, std::vector<std::size_t>> by_greatest;  // those that are asked up to the same x
   for (std::size_t i = 0; i < found.scenes.size(); ++i) by_greatest[found.scenes[i].greatest].push_back(i);
   for (const auto& [greatest, which] : by_greatest) {

@@ -19,6 +19,7 @@ struct Bracket {
 
 struct Brackets {
   std::vector<SlackScene> scenes;  // within what the kernel promises
+  std::uint64_t answers = 0;       // that the kernel was asked for
   std::vector<Bracket> all;        // of those on which exact turn and kernel's are known
 };
 template <class Real>

@@ -113,6 +113,7 @@ class Finder {
   SlacksRecord found() && {
     record_.asked = brackets_.scenes.size();
     record_.bracketed = brackets_.all.size();
+    record_.answers = brackets_.answers;
     for (const auto& [path, of_path] : groups([](const SlackScene& s) { return s.path; }, everything())) {
       if (add(path_where(path, of_path), of_path)) continue;
       const auto kinds = groups([](const SlackScene& s) { return s.kind; }, of_path);

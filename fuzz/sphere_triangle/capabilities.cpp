@@ -30,7 +30,6 @@ const Capabilities& sphere_triangle_capabilities() {
       .has_engine_queries = true,
       .quantities = &sphere_triangle_quantities(),
       .witness_sides = &sphere_triangle_witness_sides(),
-      .slack_scenes = &sphere_triangle_slack_scenes,
       .section_of_forms = "docs/kernels.md#what-each-answers",
       .correct_forms = correct_forms,
       .diagnosis_scenes = &diagnosis::sphere_triangle_scenes(),
@@ -39,6 +38,7 @@ const Capabilities& sphere_triangle_capabilities() {
       .search_method = &sphere_triangle_search(),
       .aim_values = &sphere_triangle_aim_values(),
       .image_maps = &sphere_triangle_image_maps(),
+      .slack_scenes = &sphere_triangle_slack_scenes,
   };
   return all;
 }

@@ -116,7 +116,8 @@ std::string Subject::list_of_families() const {
   X(no_worse_than)              \
   X(invariant)                  \
   X(never_late)                 \
-  X(no_tunnel)
+  X(no_tunnel)                  \
+  X(no_slack)
 
 namespace axiscert {
 
