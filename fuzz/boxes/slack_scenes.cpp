@@ -28,8 +28,8 @@ struct Solid {
 // Half extents from 1/2 to 3/2 of the size, turned anyhow or as the world is.
 Solid random_box(Stream& random, double size, bool is_turned) {
   Solid made;
-  made.turned.centre = ScenePoint{random.symmetric<double>(), random.symmetric<double>(), random.symmetric<double>()} *
-                       (size / 4);
+  made.turned.centre =
+      ScenePoint{random.symmetric<double>(), random.symmetric<double>(), random.symmetric<double>()} * (size / 4);
   for (double& half : made.turned.half) half = size * (0.5 + random.unit<double>());
   made.turned.q = {1, 0, 0, 0};
   if (is_turned) {
@@ -102,8 +102,8 @@ std::vector<SlackScene> of_two_boxes(std::size_t entry, Precision precision, std
         n = unit_of(n);
       }
       n = n * side;  // from A to B
-      const auto of_a = is_of_edges ? farthest(random, a.box, n, i)
-                                    : farthest(random, a.box, n, no_axis, is_of_b ? no_axis : i);
+      const auto of_a =
+          is_of_edges ? farthest(random, a.box, n, i) : farthest(random, a.box, n, no_axis, is_of_b ? no_axis : i);
       const auto of_b = is_of_edges ? farthest(random, b.box, n * -1.0, j)
                                     : farthest(random, b.box, n * -1.0, no_axis, is_of_b ? i : no_axis);
       if (!of_a || !of_b) continue;
@@ -178,8 +178,8 @@ std::vector<SlackScene> of_box_and_triangle(std::size_t entry, Precision precisi
       }
       scene.apart = scene.scene;
       scene.turns_to_separated = true;
-      scene.lengths = {{{"the half extents along the axis", reach(box, n)},
-                        {"the sum of the half extents", sum_of(box.half)}}};
+      scene.lengths = {
+          {{"the half extents along the axis", reach(box, n)}, {"the sum of the half extents", sum_of(box.half)}}};
       scenes.push_back(scene);
     }
   }

@@ -1,4 +1,5 @@
-// Scenes of slacks of moving spheres: a radius that grows, a motion that grows, and a path that slides off the triangle.
+// Scenes of slacks of moving spheres: a radius that grows, a motion that grows, and a path that slides off the
+// triangle.
 #include <algorithm>
 #include <span>
 
@@ -18,7 +19,7 @@ class Maker {
       : gives_end_(gives_end), precision_(precision), name_(seed, name_hash("moving-sphere/slack"), 1, precision) {}
 
   std::vector<SlackScene> made() && {
-    constexpr std::string_view end_over[] = {"whose motion ends over the face"};
+    constexpr std::string_view end_over[] = {"whose motion ends over the front", "whose motion ends over the back"};
     constexpr std::string_view end_beside[] = {"whose motion ends near edge ab", "whose motion ends near edge bc",
                                                "whose motion ends near edge ca"};
     constexpr std::string_view end_at[] = {"whose motion ends near vertex a", "whose motion ends near vertex b",
@@ -166,7 +167,8 @@ class Maker {
 
 }  // namespace
 
-const SlackScenes moving_sphere_slack_scenes = {
-    [](std::size_t entry, Precision precision, std::uint64_t seed) { return Maker(entry == 1, precision, seed).made(); }};
+const SlackScenes moving_sphere_slack_scenes = {[](std::size_t entry, Precision precision, std::uint64_t seed) {
+  return Maker(entry == 1, precision, seed).made();
+}};
 
 }  // namespace axiscert

@@ -42,16 +42,19 @@ struct SlackRecord {
   static constexpr auto fields(auto&& visit) {
     using Of = SlackRecord;
     return visit(
-        field(&Of::kind, {"kind", "What is the same on all of them: the length, or its part of a length of the query."}),
+        field(&Of::kind,
+              {"kind", "What is the same on all of them: the length, or its part of a length of the query."}),
         field(&Of::to, {"to", "The length of which the size is a part; of an absolute slack the queries' unit."}),
         field(&Of::side, {"side", "Early: contact where the two are apart. Late: separated where they touch."}),
         field(&Of::size, {"size", "The median, in units of `to`."}),
         field(&Of::least, {"least", "The least of those that agree."}),
         field(&Of::greatest, {"greatest", "The greatest of those that agree."}),
-        field(&Of::in_units, {"in_units", "The median as a length in the queries' unit, where shapes are about one unit large."}),
+        field(&Of::in_units,
+              {"in_units", "The median as a length in the queries' unit, where shapes are about one unit large."}),
         field(&Of::shown, {"shown", "Queries that agree."}),
         field(&Of::looked_at,
-              {"looked_at", "Queries whose critical value was bracketed, and whose own rounding is under a tenth of it."}),
+              {"looked_at",
+               "Queries whose critical value was bracketed, and whose own rounding is under a tenth of it."}),
         field(&Of::where, {"where", "The queries on which it shows."}),
         field(&Of::witness, {"witness", "A query between the exact turn and the kernel's: the kernel is wrong on it."}),
         field(&Of::said, {"said", "What the kernel says of the witness."}));
@@ -64,7 +67,8 @@ struct SlackLook {
   std::uint64_t bracketed = 0;
   std::optional<double> least_relative, least_absolute;
 
-  static constexpr std::string_view about = "The queries of one kind, and the least slack that would have been seen on them.";
+  static constexpr std::string_view about =
+      "The queries of one kind, and the least slack that would have been seen on them.";
   static constexpr auto fields(auto&& visit) {
     using Of = SlackLook;
     return visit(
@@ -72,7 +76,8 @@ struct SlackLook {
         field(&Of::bracketed, {"bracketed", "Queries whose exact turn and whose turn by the kernel are known."}),
         field(&Of::least_relative,
               {"least_relative", "The least part of a length that would be seen; null: too few queries for any."}),
-        field(&Of::least_absolute, {"least_absolute", "The least length in the queries' unit that would be seen; null: the same."}));
+        field(&Of::least_absolute,
+              {"least_absolute", "The least length in the queries' unit that would be seen; null: the same."}));
   }
 };
 
@@ -91,7 +96,8 @@ struct SlacksRecord {
         field(&Of::bracketed, {"bracketed", "Those whose exact turn and whose turn by the kernel are known."}),
         field(&Of::answers, {"answers", "Answers that the kernel was asked for."}),
         field(&Of::looks, {"looks", "The same by kind of query, with what could have been seen."}),
-        field(&Of::found, {"found", "The slacks that were found, the greatest part first; none: an empty list."}));
+        field(&Of::found,
+              {"found", "The slacks that were found, those whose sizes differ least first; none: an empty list."}));
   }
 };
 

@@ -14,8 +14,8 @@
 namespace axiscert {
 namespace {
 
-// Units in the last place of the scene that a right form may be off by: it has some twenty roundings in a row, each of
-// at most three times the scene. All built-in forms that are right over the reals stay below half of it.
+// Halves of an ulp of the scene that a right form may be off by: it has some twenty roundings in a row, each of at most
+// three times the scene. The built-in forms that are right over the reals stay below two thirds of it.
 constexpr double most_roundings = 64;
 
 // A right form's own error as a length. Where it takes the difference of squares, the error of a square is that of the
@@ -114,10 +114,12 @@ Brackets brackets_of(const Kernel& kernel, std::uint64_t seed, const std::string
   for (const auto& [greatest, which] : by_greatest) {
     std::vector<QueryWithRadius<Real>> paths;
     for (const std::size_t i : which) paths.push_back({{static_cast<Real>(i), Real(1)}, 1});
-    const auto turns = critical_radii(on, paths, {Real(0.25), static_cast<Real>(greatest)});
+    constexpr Real least(0.25);
+    const auto turns = critical_radii(on, paths, {least, static_cast<Real>(greatest)});
     for (std::size_t i = 0; i < which.size(); ++i) {
       const SlackScene& scene = found.scenes[which[i]];
-      if (!turns[i].answered || turns[i].not_decided || !turns[i].radius) continue;
+      // One that answers the same from end to end of the path has no turn.
+      if (!turns[i].answered || turns[i].not_decided || !turns[i].radius || *turns[i].radius == least) continue;
       const auto turn = static_cast<double>(*turns[i].radius);
       double early = (scene.turns_to_separated ? turn - 1 : 1 - turn) * scene.unit;
       if (early > 0) early = std::max(0.0, early - declared_margin(kernel));
@@ -127,8 +129,8 @@ Brackets brackets_of(const Kernel& kernel, std::uint64_t seed, const std::string
   return found;
 }
 
-#define AXISCERT_INSTANCES(Real)                                              \
-  template Numbers<Real> query_at(const SlackScene&, Real);                   \
+#define AXISCERT_INSTANCES(Real)                            \
+  template Numbers<Real> query_at(const SlackScene&, Real); \
   template Brackets brackets_of<Real>(const Kernel&, std::uint64_t, const std::string&);
 AXISCERT_INSTANCES(float)
 AXISCERT_INSTANCES(double)

@@ -47,11 +47,14 @@ Kernel kernel_of(std::string id, const Predicate& predicate, Answer answer, std:
 // One that asks another about the query changed.
 template <class Change>
 Kernel changed(std::string id, const Kernel& right, Change change) {
-  return kernel_of(std::move(id), *right.predicate, [&right, change]<class Real>(Numbers<Real> query) {
-    change(query);
-    static const Implementation<Real> asked = right.on<Real>(scalar_target);
-    return ask(asked, query).verdicts[0];
-  }, right.entry);
+  return kernel_of(
+      std::move(id), *right.predicate,
+      [&right, change]<class Real>(Numbers<Real> query) {
+        change(query);
+        static const Implementation<Real> asked = right.on<Real>(scalar_target);
+        return ask(asked, query).verdicts[0];
+      },
+      right.entry);
 }
 
 template <class Real>

@@ -1,4 +1,5 @@
-// Scenes in which the exact answer turns at a known place: a path from a query to a query, along which one length grows.
+// Scenes in which the exact answer turns at a known place: a path from a query to a query, along which one length
+// grows.
 #pragma once
 
 #include <algorithm>
@@ -29,11 +30,11 @@ struct SlackScene {
   // them that one kind of feature decides, "nearest to an edge"; and one feature alone, "nearest to edge ab".
   std::string_view path, kind, part;
   Numbers<double> base, step;
-  double unit = 1;                   // the length by which the two come nearer where x grows by 1
-  double greatest = 4;               // x up to which is asked; from 1 / 4 on
-  bool turns_to_separated = false;   // where x grows: else to contact
-  double scene = 1;                  // the greatest coordinate and length
-  double apart = 1;                  // the length that formulae may take for the difference of squares of the scene
+  double unit = 1;                  // the length by which the two come nearer where x grows by 1
+  double greatest = 4;              // x up to which is asked; from 1 / 4 on
+  bool turns_to_separated = false;  // where x grows: else to contact
+  double scene = 1;                 // the greatest coordinate and length
+  double apart = 1;                 // the length that formulae may take for the difference of squares of the scene
   std::array<SceneLength, 2> lengths = {};  // those without a name are none
 };
 

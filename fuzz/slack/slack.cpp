@@ -16,8 +16,9 @@
 namespace axiscert {
 namespace {
 
-constexpr double band = 2;        // sizes agree within this factor of their middle
+constexpr double band = 2;         // sizes agree within this factor of their middle
 constexpr double resolution = 10;  // a size is seen above so many times the rounding
+constexpr double greatest = 0.05;  // of the scene's own length: what is more is no slack, but another answer
 
 using Group = std::vector<const Bracket*>;
 
@@ -52,6 +53,17 @@ struct Agreement {
   std::size_t looked_at;
 };
 
+// Whether the answers are off by more than a slack is.
+bool is_no_slack(const Group& group, double sign) {
+  std::vector<double> parts;
+  for (const Bracket* one : group) {
+    if (sign * one->early > resolution * one->rounding)
+      parts.push_back(sign * one->early / one->scene->lengths[0].length);
+  }
+  std::ranges::sort(parts);
+  return quantile(parts, 0.5) > greatest;
+}
+
 std::optional<Agreement> agreement_by(const Yardstick& by, const Group& group) {
   const auto is_seen = [](const Bracket& one) { return std::abs(one.early) > resolution * one.rounding; };
   std::size_t early = 0, late = 0;
@@ -63,7 +75,7 @@ std::optional<Agreement> agreement_by(const Yardstick& by, const Group& group) {
   for (const Bracket* one : group) {
     if (is_seen(*one) && sign * one->early > 0) sizes.push_back(sign * one->early / by.length(*one));
   }
-  if (sizes.size() < least_agreeing) return std::nullopt;
+  if (sizes.size() < least_agreeing || is_no_slack(group, sign)) return std::nullopt;
   std::ranges::sort(sizes);
   Agreement found{by, sign, quantile(sizes, 0.5), quantile(sizes, 0.9) / quantile(sizes, 0.1), {}, 0};
   // All that could show a slack of this size, and how many do.
@@ -125,7 +137,7 @@ class Finder {
         }
       }
     }
-    std::ranges::stable_sort(record_.found, {}, [](const SlackRecord& slack) { return -slack.size; });
+    std::ranges::stable_sort(record_.found, {}, [](const SlackRecord& slack) { return slack.greatest / slack.least; });
     return std::move(record_);
   }
 
@@ -149,8 +161,8 @@ class Finder {
     return found;
   }
   static std::string path_where(std::string_view path, const Group& of) {
-    const bool is_one_kind = std::ranges::all_of(
-        of, [&](const Bracket* one) { return one->scene->kind == of.front()->scene->kind; });
+    const bool is_one_kind =
+        std::ranges::all_of(of, [&](const Bracket* one) { return one->scene->kind == of.front()->scene->kind; });
     return std::string(is_one_kind ? of.front()->scene->kind : path);
   }
 

@@ -5,7 +5,7 @@
 namespace axiscert {
 namespace slack {
 
-ScenePoint SceneTriangle::outward(std::size_t edge) const { 
+ScenePoint SceneTriangle::outward(std::size_t edge) const {
   const ScenePoint out = unit_of(cross(along(edge), normal));
   return dot(out, corner[edge] - corner[(edge + 2) % 3]) > 0 ? out : out * -1.0;
 }
@@ -47,7 +47,8 @@ NearestScene nearest_scene(Stream& random, const SceneTriangle& t, Nearest featu
   const double s = 0.25 + random.unit<double>() / 4, side = random.coin() ? 1 : -1;
   switch (feature) {
     case Nearest::face:
-      return {from + (to - from) * s + (other - from) * (0.125 + random.unit<double>() / 8), t.normal * side};
+      return {from + (to - from) * s + (other - from) * (0.125 + random.unit<double>() / 8),
+              unit_of(cross(t.along(0), t.along(1))) * (which == 0 ? 1.0 : -1.0)};
     case Nearest::edge: {
       const double lift = random.unit<double>() * side;
       return {from + (to - from) * (s + 0.125), unit_of(t.outward(which) + t.normal * lift)};
@@ -88,7 +89,7 @@ class Maker {
       : precision_(precision), name_(seed, name_hash("sphere-triangle/slack"), 1, precision) {}
 
   std::vector<SlackScene> made() && {
-    constexpr std::string_view over[] = {"over the front or the back of face abc"};
+    constexpr std::string_view over[] = {"over the front of the face", "over the back of the face"};
     constexpr std::string_view beside[] = {"nearest to edge ab", "nearest to edge bc", "nearest to edge ca"};
     constexpr std::string_view at[] = {"nearest to vertex a", "nearest to vertex b", "nearest to vertex c"};
     add_growing(Nearest::face, "nearest to the face", over);
@@ -112,7 +113,7 @@ class Maker {
         Stream random = next();
         const SceneTriangle t = random_triangle(random);
         const NearestScene nearest = nearest_scene(random, t, feature, which);
-        const double r = random_length(random, -2, 6);
+        const double r = random_length(random, -2, 8);
         const ScenePoint p = nearest.point + nearest.away * r;
         SlackScene scene{"nearest to any feature", kind, parts[which], with_triangle(t), zeros(columns)};
         put(scene.base, centre, p);
@@ -125,7 +126,8 @@ class Maker {
   }
 
   // A sphere over the triangle goes away from the point of its rim until they part: half a radius above the plane.
-  SlackScene sliding(const SceneTriangle& t, int exponent, const ScenePoint& rim, const ScenePoint& away, bool is_front) {
+  SlackScene sliding(const SceneTriangle& t, int exponent, const ScenePoint& rim, const ScenePoint& away,
+                     bool is_front) {
     const double r = std::ldexp(1.0, exponent), height = is_front ? r / 2 : -r / 2;
     const double beyond = std::sqrt(r * r - height * height);
     SlackScene scene{"", "", "", with_triangle(t), zeros(columns)};
@@ -157,9 +159,10 @@ class Maker {
   }
 
   void add_along_edges(int exponent, std::string_view path) {
-    constexpr std::string_view parts[] = {"beyond b along ab, with a small sphere", "beyond c along bc, with a small sphere",
-                                          "beyond a along ca, with a small sphere", "beyond a along ab, with a small sphere",
-                                          "beyond b along bc, with a small sphere", "beyond c along ca, with a small sphere"};
+    constexpr std::string_view parts[] = {
+        "beyond b along ab, with a small sphere", "beyond c along bc, with a small sphere",
+        "beyond a along ca, with a small sphere", "beyond a along ab, with a small sphere",
+        "beyond b along bc, with a small sphere", "beyond c along ca, with a small sphere"};
     for (std::size_t which = 0; which < 6; ++which) {
       for (std::size_t i = 0; i < scenes_of_part; ++i) {
         Stream random = next();

@@ -33,6 +33,7 @@ double random_length(Stream& random, int low, int high);
 
 enum class Nearest : std::uint8_t { face, edge, vertex };
 // A point of the triangle, and the direction, of length 1, of the places to which it is the nearest: well within these.
+// `which` is the edge or the vertex, or of the face the front, 0, or the back.
 struct NearestScene {
   ScenePoint point, away;
 };

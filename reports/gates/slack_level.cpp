@@ -18,8 +18,8 @@ struct LengthUnit {
   std::string_view name;
   double metres;
 };
-constexpr LengthUnit length_units[] = {{"m", 1},      {"cm", 1e-2},     {"mm", 1e-3},
-                                       {"um", 1e-6},  {"in", 0.0254},   {"ft", 0.3048}};
+constexpr LengthUnit length_units[] = {{"m", 1},     {"cm", 1e-2},   {"mm", 1e-3},
+                                       {"um", 1e-6}, {"in", 0.0254}, {"ft", 0.3048}};
 
 struct SlackSize {
   SlackKind kind;
@@ -34,10 +34,10 @@ SlackSize size_argument(const AskedLevel& asked) {
   const auto* known = std::ranges::find(length_units, unit, &LengthUnit::name);
   const bool has_unit = known != std::end(length_units);
   if (problem != std::errc() || !(size > 0 && size <= 1e6) || (!unit.empty() && !has_unit)) {
-    throw Error(
-        fmt::format("requirement '{}': SIZE is a part of a length above 0, as in {}=1e-4, or a length in m, cm, mm, um, "
-                    "in or ft, as in {}=1mm",
-                    asked.text, asked.name, asked.name));
+    throw Error(fmt::format(
+        "requirement '{}': SIZE is a part of a length above 0, as in {}=1e-4, or a length in m, cm, mm, um, "
+        "in or ft, as in {}=1mm",
+        asked.text, asked.name, asked.name));
   }
   return has_unit ? SlackSize{SlackKind::absolute, size * known->metres} : SlackSize{SlackKind::relative, size};
 }
@@ -64,8 +64,8 @@ std::string unseen_text(const Subject& subject, const SlackSize& size) {
                        slacks->bracketed, slacks->asked, least_bracketed);
   }
   if (*least <= size.size) return "";
-  return fmt::format("the least slack that would be seen is {}, and {} is required",
-                     size_text({size.kind, *least}), size_text(size));
+  return fmt::format("the least slack that would be seen is {}, and {} is required", size_text({size.kind, *least}),
+                     size_text(size));
 }
 
 LevelFindings judge_slack(const AskedLevel& asked, const Subject& subject) {
@@ -110,8 +110,9 @@ std::string slack_sentence(const AskedLevel& asked) {
 
 extern const GateLevel no_slack_level = {
     .usage = "no-slack=SIZE",
-    .meaning = "no answers as if a shape or motion were larger or smaller by more than SIZE, a part of a length, or of "
-               "the queries' unit where SIZE is in m, cm, mm, um, in or ft (the unit is taken for a metre)",
+    .meaning =
+        "no answers as if a shape or motion were larger or smaller by more than SIZE, a part of a length, or of "
+        "the queries' unit where SIZE is in m, cm, mm, um, in or ft (the unit is taken for a metre)",
     .check = [](const AskedLevel& asked) { size_argument(asked); },
     .sentence = slack_sentence,
     .judge = judge_slack,
