@@ -124,11 +124,11 @@ void add_unchecked(Suite& suite, const std::vector<LevelOutcome>& outcomes, cons
       if (failed.is_beside_families) beside += failed.text() + "\n";
     }
     if (!beside.empty()) {
-      suite.add(name,
-                failure("requirement",
-                        fmt::format("requirement {} is not met: {}", outcome.asked.text, sentence_of(outcome.asked)),
-                        beside),
-                Json::object());
+      suite.add(
+          name,
+          failure("requirement",
+                  fmt::format("requirement {} is not met: {}", outcome.asked.text, sentence_of(outcome.asked)), beside),
+          Json::object());
     }
     if (outcome.state != LevelState::not_checked) continue;
     if (outcome.is_allowed) suite.add(name, skipped_element(outcome.reason), Json::object());
