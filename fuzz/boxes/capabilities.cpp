@@ -5,6 +5,7 @@
 
 #include "fuzz/boxes/families/situations.h"
 #include "fuzz/boxes/quantities.h"
+#include "fuzz/boxes/slack_scenes.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/meshes/mesh.h"
 #include "fuzz/queries/capabilities.h"
@@ -115,7 +116,8 @@ const Capabilities& box_box_capabilities() {
                                    .quantities = &boxes::box_box_quantities(),
                                    .section_of_forms = section_of_forms,
                                    .situations = &boxes::box_box_situation::all,
-                                   .diagnosis_scenes = &box_scenes};
+                                   .diagnosis_scenes = &box_scenes,
+                                   .slack_scenes = &box_box_slack_scenes};
   return all;
 }
 
@@ -125,7 +127,8 @@ const Capabilities& box_triangle_capabilities() {
                                    .quantities = &boxes::box_triangle_quantities(),
                                    .section_of_forms = section_of_forms,
                                    .situations = &boxes::box_triangle_situation::all,
-                                   .diagnosis_scenes = &box_scenes};
+                                   .diagnosis_scenes = &box_scenes,
+                                   .slack_scenes = &box_triangle_slack_scenes};
   return all;
 }
 

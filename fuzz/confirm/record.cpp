@@ -12,6 +12,7 @@
 #include "fuzz/fields/merge.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/slack/slack.h"
 #include "kernel/base/error.h"
 #include "kernel/base/version.h"
 
@@ -297,6 +298,7 @@ Record record_of(const Plan& plan, const CampaignResult& result, const RunRequir
         }
       }
       entry.critical_radius = summary_of(std::move(radii));
+      if (result.complete && !replies) entry.slack = slacks_of(kernel, precision, questions.seed, running.target);
       if (has_input_classes(kernel)) entry.nearest = nearest_record(nearest_kernel(kernel, tallied, running.target));
     }
   }

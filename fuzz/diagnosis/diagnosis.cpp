@@ -37,6 +37,8 @@ const std::vector<Probe>& probes() {
                      degenerate_triangles),
       AXISCERT_PROBE("absolute_threshold", "whether something is compared with a number that has a length in it",
                      all_of_them(threshold_names), absolute_thresholds),
+      AXISCERT_PROBE("slack", "whether it answers as if shapes or motions were larger or smaller",
+                     all_of_them(slack_names), slack),
       AXISCERT_PROBE("range_window", "the powers of two times which it answers as at scale 1",
                      all_of_them(window_names), range_window),
       AXISCERT_PROBE("subnormal_numbers", "whether subnormal numbers are numbers or zero",

@@ -33,6 +33,8 @@ enum class Inner : std::uint8_t { narrower, own, wider };
 enum class RepeatedBatch : std::uint8_t { same, differs };
 // The same query in another place.
 enum class Place : std::uint8_t { independent, depends };
+// A length by which it answers as if a shape were larger, or smaller.
+enum class Slack : std::uint8_t { none_found, early, late };
 
 }  // namespace axiscert::diagnosis
 
@@ -56,6 +58,7 @@ AXISCERT_VALUES(Order, 3, order_names, "left_to_right", "other_order", "contract
 AXISCERT_VALUES(Inner, 3, inner_names, "narrower", "own", "wider")
 AXISCERT_VALUES(RepeatedBatch, 2, repeated_names, "same", "differs")
 AXISCERT_VALUES(Place, 2, place_names, "independent", "depends")
+AXISCERT_VALUES(Slack, 3, slack_names, "none_found", "early", "late")
 #undef AXISCERT_VALUES
 
 }  // namespace axiscert
@@ -73,6 +76,8 @@ template <class Real>
 ProbeFinding overlap_at_start(Subject<Real>& subject);
 template <class Real>
 ProbeFinding degenerate_triangles(Subject<Real>& subject);
+template <class Real>
+ProbeFinding slack(Subject<Real>& subject);
 template <class Real>
 ProbeFinding subnormal_numbers(Subject<Real>& subject);
 template <class Real>

@@ -4,6 +4,7 @@
 #include "fuzz/moving_sphere/families/situations.h"
 #include "fuzz/moving_sphere/mesh_motion.h"
 #include "fuzz/moving_sphere/quantities.h"
+#include "fuzz/moving_sphere/slack_scenes.h"
 #include "fuzz/queries/image_groups.h"
 
 namespace axiscert {
@@ -25,7 +26,8 @@ const Capabilities& moving_sphere_capabilities() {
                                    .section_of_forms = moving_sphere::sweeps_over_reals,
                                    .situations = &moving_sphere::situation::all,
                                    .correct_forms = correct_forms,
-                                   .diagnosis_scenes = &scenes};
+                                   .diagnosis_scenes = &scenes,
+                                   .slack_scenes = &moving_sphere_slack_scenes};
   return all;
 }
 

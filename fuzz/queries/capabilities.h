@@ -49,6 +49,7 @@ struct CriticalRadiusDefaults;
 struct ImageGroup;
 struct MeshQueries;
 struct Situations;
+struct SlackScenes;
 struct StoredQuery;
 namespace diagnosis {
 struct DiagnosisScenes;
@@ -77,6 +78,7 @@ struct Capabilities {
   const SearchMethod* search_method = nullptr;                       // fuzz/search/method.h
   const AimValues* aim_values = nullptr;                             // fuzz/search/confirm.h
   const ImageMaps* image_maps = nullptr;                             // fuzz/shrink/pair.h
+  const SlackScenes* slack_scenes = nullptr;                         // fuzz/slack/scenes.h
 };
 
 // Those of a predicate on the list of kernel/predicate_list.h: NAME_capabilities() of its room in fuzz/.

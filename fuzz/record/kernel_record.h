@@ -8,6 +8,7 @@
 
 #include "fuzz/record/family_record.h"
 #include "fuzz/record/plan_record.h"
+#include "fuzz/record/slack_record.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
@@ -114,6 +115,7 @@ struct KernelRecord {
   std::optional<std::optional<NearestRecord>> nearest;
   std::optional<std::vector<Name>> measures;
   std::optional<PolicyRecord> motion;
+  std::optional<SlacksRecord> slack;
 
   static constexpr std::string_view about = "One kernel in one precision.";
   static constexpr auto fields(auto&& visit) {
@@ -162,7 +164,8 @@ struct KernelRecord {
              .about =
                  "The names of the measures that it gives beside its verdict. Absent for a predicate without measures.",
              .may_be_absent = true}),
-        field(&Of::motion, {.name = "motion", .about = PolicyRecord::about, .may_be_absent = true}));
+        field(&Of::motion, {.name = "motion", .about = PolicyRecord::about, .may_be_absent = true}),
+        field(&Of::slack, {"slack", SlacksRecord::about}));
   }
 };
 

@@ -8,6 +8,7 @@
 #include "fuzz/sphere_triangle/diagnosis_scenes.h"
 #include "fuzz/sphere_triangle/mesh_queries.h"
 #include "fuzz/sphere_triangle/screen.h"
+#include "fuzz/sphere_triangle/slack_scenes.h"
 
 namespace axiscert {
 
@@ -37,6 +38,7 @@ const Capabilities& sphere_triangle_capabilities() {
       .search_method = &sphere_triangle_search(),
       .aim_values = &sphere_triangle_aim_values(),
       .image_maps = &sphere_triangle_image_maps(),
+      .slack_scenes = &sphere_triangle_slack_scenes,
   };
   return all;
 }

@@ -133,6 +133,8 @@ constexpr Peculiarity peculiarities[] = {
     {"degenerate_triangles", "wrong_on_some", "wrong on some triangles without area"},
     {"absolute_threshold", "present", "compares with an absolute number, so it depends on the unit of length"},
     {"absolute_threshold", "quaternions", "compares the length of a quaternion with an absolute number"},
+    {"slack", "early", "answers as if shapes were larger than they are"},
+    {"slack", "late", "answers as if shapes were smaller than they are"},
     {"range_window", "limited", "right only within a range of sizes"},
     {"subnormal_numbers", "flushed", "takes subnormal numbers for zero"},
     {"operation_order", "contracted", "fuses operations"},
@@ -150,7 +152,13 @@ std::string said_of(const PropertyStatement& property, const KernelStatement& ke
     return fmt::format("{}answers as {} does, see {}", has_others ? "otherwise " : "", value,
                        capabilities_of(find_predicate(kernel.question)).section_of_forms);
   for (const Peculiarity& known : peculiarities) {
-    if (property.name == known.property && value == known.value) return std::string(known.says);
+    if (property.name != known.property || value != known.value) continue;
+    // The sentence has the size, without which nobody can tell whether a slack matters.
+    if (property.name != "slack") return std::string(known.says);
+    std::string sentence = property.sentence;
+    if (sentence.ends_with('.')) sentence.pop_back();
+    if (sentence.starts_with("It has ")) sentence.erase(0, std::string_view("It has ").size());
+    return fmt::format("{}: {}", known.says, sentence);
   }
   return "";
 }

@@ -113,11 +113,24 @@ std::string verdict_outcome(const std::vector<LevelOutcome>& outcomes, const Ker
   return is_seen ? "" : skipped_element(why_skipped);
 }
 
-// A case for each level that is not checked: failed, or skipped where that is allowed.
+// A case for each level that is not checked: failed, or skipped where that is allowed. And a failed one for each level
+// with failures that no family shows.
 void add_unchecked(Suite& suite, const std::vector<LevelOutcome>& outcomes, const KernelRecord& kernel) {
   for (const LevelOutcome& outcome : outcomes) {
-    if (!outcome.is_of(kernel) || outcome.state != LevelState::not_checked) continue;
+    if (!outcome.is_of(kernel)) continue;
     const std::string name = "requirement " + outcome.asked.text;
+    std::string beside;
+    for (const Failure& failed : outcome.failures) {
+      if (failed.is_beside_families) beside += failed.text() + "\n";
+    }
+    if (!beside.empty()) {
+      suite.add(
+          name,
+          failure("requirement",
+                  fmt::format("requirement {} is not met: {}", outcome.asked.text, sentence_of(outcome.asked)), beside),
+          Json::object());
+    }
+    if (outcome.state != LevelState::not_checked) continue;
     if (outcome.is_allowed) suite.add(name, skipped_element(outcome.reason), Json::object());
     else suite.add(name, failure("not checked", outcome.text(), outcome.text()), Json::object());
   }

@@ -110,7 +110,8 @@ class Log {
       for (const RatchetFailure& failure : held_->failures) results.push_back(ratchet_result(failure));
     }
     for (const LevelOutcome& outcome : outcomes_) {
-      if (outcome.state == LevelState::not_checked) results.push_back(unchecked_result(outcome));
+      const bool is_beside_families = std::ranges::any_of(outcome.failures, &Failure::is_beside_families);
+      if (outcome.state == LevelState::not_checked || is_beside_families) results.push_back(unchecked_result(outcome));
     }
     for (const std::string& sentence : unjudged(record_)) results.push_back(unjudged_result(sentence));
     const Json invocation = {{"executionSuccessful", record_.complete}};

@@ -129,7 +129,8 @@ std::string Subject::list_of_families() const {
   X(early)                      \
   X(features)                   \
   X(normals)                    \
-  X(points)
+  X(points)                     \
+  X(no_slack)
 
 namespace axiscert {
 

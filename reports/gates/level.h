@@ -23,6 +23,7 @@ struct Failure {
   std::uint64_t count;                    // number of wrong verdicts, or of the cases that `what` names
   std::string what;                       // for example "missed contacts"
   std::string witness;                    // the deepest one that shows it; empty where none was stored
+  bool is_beside_families = false;        // of queries that no family made: `family` says which
 
   std::string text() const;
   static constexpr auto fields(auto&& visit) {
@@ -31,7 +32,8 @@ struct Failure {
         journalled(&Of::kernel), journalled(&Of::precision),
         field(&Of::family, {"family", "Empty for a kernel that could not be loaded."}),
         field(&Of::count, {"count", "Number of queries."}), field(&Of::what, {"what", "What is wrong with them."}),
-        field(&Of::witness, {"witness", "The deepest one, by its id in the record; empty where none was stored."}));
+        field(&Of::witness, {"witness", "The deepest one, by its id in the record; empty where none was stored."}),
+        journalled(&Of::is_beside_families));
   }
 };
 

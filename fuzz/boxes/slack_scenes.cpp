@@ -1,0 +1,193 @@
+#include "fuzz/boxes/slack_scenes.h"
+
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "fuzz/queries/random.h"
+#include "fuzz/sphere_triangle/slack_scenes.h"
+#include "kernel/boxes/box_triangle.h"
+#include "kernel/boxes/turned.h"
+
+namespace axiscert {
+namespace {
+
+using boxes::OrientedBox, boxes::TurnedBox;
+using slack::random_direction, slack::random_length;
+
+constexpr std::size_t scenes_of_kind = 64;
+constexpr double inset = 0.125;  // of the scene's size: how deep the two overlap at x = 0
+
+// A solid as its corners' directions see it: `part` of it is farthest in a direction.
+struct Solid {
+  TurnedBox<double> turned;
+  OrientedBox<double> box;
+};
+
+// Half extents from 1/2 to 3/2 of the size, turned anyhow or as the world is.
+Solid random_box(Stream& random, double size, bool is_turned) {
+  Solid made;
+  made.turned.centre =
+      ScenePoint{random.symmetric<double>(), random.symmetric<double>(), random.symmetric<double>()} * (size / 4);
+  for (double& half : made.turned.half) half = size * (0.5 + random.unit<double>());
+  made.turned.q = {1, 0, 0, 0};
+  if (is_turned) {
+    double square = 0;
+    while (square < 0.1) {
+      for (double& x : made.turned.q) x = random.symmetric<double>();
+      square = std::inner_product(made.turned.q.begin(), made.turned.q.end(), made.turned.q.begin(), 0.0);
+    }
+    for (double& x : made.turned.q) x /= std::sqrt(square);
+  }
+  made.box = {made.turned.centre, made.turned.half, boxes::with_matrix(made.turned).axis};
+  return made;
+}
+
+double sum_of(const std::array<double, 3>& half) { return half[0] + half[1] + half[2]; }
+// Half the box's extent along a direction of length 1.
+double reach(const OrientedBox<double>& box, const ScenePoint& n) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) sum += box.half[k] * std::abs(dot(box.axis[k], n));
+  return sum;
+}
+// A point that is farthest in the direction, from the centre: a corner; of the edges along axis `edge`, or on the facet
+// of axis `facet`, one at a random place of its middle half. Empty where another part is nearly as far.
+constexpr std::size_t no_axis = 3;
+std::optional<ScenePoint> farthest(Stream& random, const OrientedBox<double>& box, const ScenePoint& n,
+                                   std::size_t edge = no_axis, std::size_t facet = no_axis) {
+  ScenePoint at{0, 0, 0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double cosine = dot(box.axis[k], n);
+    const bool is_free = k == edge || (facet != no_axis && k != facet);
+    if (!is_free && std::abs(cosine) < 0.2) return std::nullopt;
+    const double share = is_free ? random.symmetric<double>() / 2 : cosine > 0 ? 1.0 : -1.0;
+    at = at + box.axis[k] * (share * box.half[k]);
+  }
+  return at;
+}
+
+double size_of(const OrientedBox<double>& box) { return greatest_of(box.centre) + sum_of(box.half); }
+
+void put_box(Numbers<double>& numbers, std::size_t first, const Solid& solid, bool as_quaternion) {
+  put(numbers, first, solid.box.centre);
+  for (std::size_t k = 0; k < 3; ++k) numbers[first + 3 + k] = solid.box.half[k];
+  for (std::size_t k = 0; k < 3 && !as_quaternion; ++k) put(numbers, first + 6 + 3 * k, solid.box.axis[k]);
+  for (std::size_t k = 0; k < 4 && as_quaternion; ++k) numbers[first + 6 + k] = solid.turned.q[k];
+}
+
+constexpr std::string_view on_any = "on any axis", on_edges = "on the product of two edges";
+
+// Boxes that touch in one point, on one axis; then B goes away along it.
+std::vector<SlackScene> of_two_boxes(std::size_t entry, Precision precision, std::uint64_t seed) {
+  const StreamName name(seed, name_hash("box-box/slack"), 1, precision);
+  const bool as_quaternion = entry == 1;
+  std::vector<SlackScene> scenes;
+  constexpr std::string_view facets = "on a facet", flat = "on the facet of a flat box";
+  constexpr std::string_view parts[] = {"on a facet of a", "on a facet of b", on_edges, flat};
+  std::uint64_t position = 0;
+  for (std::size_t kind = 0; kind < 4; ++kind) {
+    for (std::size_t made = 0; made < scenes_of_kind;) {
+      Stream random(name, position++);
+      const double size = random_length(random, -3, 4);
+      Solid a = random_box(random, size, true), b = random_box(random, size, true);
+      const std::size_t i = random.below(3), j = random.below(3);
+      const double side = random.coin() ? 1 : -1;
+      const bool is_of_b = kind == 1, is_of_edges = kind == 2;
+      if (kind == 3) a.turned.half[i] = a.box.half[i] = 0;
+      ScenePoint n = is_of_b ? b.box.axis[i] : a.box.axis[i];
+      if (is_of_edges) {
+        n = cross(a.box.axis[i], b.box.axis[j]);
+        if (length_of(n) < 0.5) continue;
+        n = unit_of(n);
+      }
+      n = n * side;  // from A to B
+      const auto of_a =
+          is_of_edges ? farthest(random, a.box, n, i) : farthest(random, a.box, n, no_axis, is_of_b ? no_axis : i);
+      const auto of_b = is_of_edges ? farthest(random, b.box, n * -1.0, j)
+                                    : farthest(random, b.box, n * -1.0, no_axis, is_of_b ? i : no_axis);
+      if (!of_a || !of_b) continue;
+      ++made;
+      b.box.centre = a.box.centre + *of_a - *of_b - n * (inset * size);
+      const std::size_t of_one = as_quaternion ? 10 : 15;
+      SlackScene scene{on_any, kind < 2 ? facets : parts[kind], parts[kind], zeros(2 * of_one), zeros(2 * of_one)};
+      put_box(scene.base, 0, a, as_quaternion);
+      put_box(scene.base, of_one, b, as_quaternion);
+      scene.unit = inset * size;
+      put(scene.step, of_one, n * scene.unit);
+      scene.turns_to_separated = true;
+      scene.scene = scene.apart = std::max(size_of(a.box), size_of(b.box));
+      scene.lengths = {{{"the half extents along the axis", reach(a.box, n) + reach(b.box, n)},
+                        {"the sum of a box's half extents", (sum_of(a.box.half) + sum_of(b.box.half)) / 2}}};
+      scenes.push_back(scene);
+    }
+  }
+  return scenes;
+}
+
+// A box and a triangle that touch in one point, on one axis; then the triangle goes away along it.
+std::vector<SlackScene> of_box_and_triangle(std::size_t entry, Precision precision, std::uint64_t seed) {
+  const StreamName name(seed, name_hash("box-triangle/slack"), 1, precision);
+  const bool is_turned = entry == 2, has_corners = entry == 1;
+  const std::size_t columns = is_turned ? 24 : 15, first_corner = columns - 9;
+  std::vector<SlackScene> scenes;
+  constexpr std::string_view kinds[] = {"on a facet of the box", "on the triangle's plane", on_edges};
+  std::uint64_t position = 0;
+  for (std::size_t kind = 0; kind < 3; ++kind) {
+    for (std::size_t made = 0; made < scenes_of_kind;) {
+      Stream random(name, position++);
+      const double size = random_length(random, -3, 4);
+      const Solid solid = random_box(random, size, is_turned);
+      const OrientedBox<double>& box = solid.box;
+      slack::SceneTriangle t = slack::random_triangle(random);
+      for (ScenePoint& corner : t.corner) corner = corner * size;
+      const std::size_t i = random.below(3), edge = random.below(3);
+      const ScenePoint along = t.along(edge);
+      ScenePoint n = kind == 0 ? box.axis[i] : kind == 1 ? t.normal : cross(box.axis[i], along);
+      if (kind == 2 && length_of(n) < 0.5 * length_of(along)) continue;
+      n = unit_of(n) * (random.coin() ? 1 : -1);  // from the box to the triangle
+      const auto of_box = kind == 0   ? farthest(random, box, n, no_axis, i)
+                          : kind == 1 ? farthest(random, box, n)
+                                      : farthest(random, box, n, i);
+      if (!of_box) continue;
+      // Of the triangle the corner, or the edge from corner `edge`, which is nearest to the box.
+      const double s = 0.25 + random.unit<double>() / 2, share = 0.25 + random.unit<double>() / 4;
+      const ScenePoint other = t.corner[(edge + 2) % 3];
+      ScenePoint at = t.corner[edge];
+      if (kind == 1) at = at + along * share + (other - at) * (share / 2);
+      if (kind == 2) at = at + along * s;
+      const double next_lift = dot(t.corner[(edge + 1) % 3] - at, n), other_lift = dot(other - at, n);
+      if (kind != 1 && other_lift < 0.2 * size) continue;
+      if (kind == 0 && next_lift < 0.2 * size) continue;
+      ++made;
+      SlackScene scene{on_any, kinds[kind], kinds[kind], zeros(columns), zeros(columns)};
+      if (is_turned) {
+        put_box(scene.base, 0, solid, false);
+      } else {
+        const ScenePoint half{box.half[0], box.half[1], box.half[2]};
+        put(scene.base, 0, has_corners ? box.centre - half : box.centre);
+        put(scene.base, 3, has_corners ? box.centre + half : half);
+      }
+      scene.unit = inset * size;
+      const ScenePoint by = box.centre + *of_box - at - n * scene.unit;
+      scene.scene = size_of(box);
+      for (std::size_t k = 0; k < 3; ++k) {
+        put(scene.base, first_corner + 3 * k, t.corner[k] + by);
+        put(scene.step, first_corner + 3 * k, n * scene.unit);
+        scene.scene = std::max(scene.scene, greatest_of(t.corner[k] + by));
+      }
+      scene.apart = scene.scene;
+      scene.turns_to_separated = true;
+      scene.lengths = {
+          {{"the half extents along the axis", reach(box, n)}, {"the sum of the half extents", sum_of(box.half)}}};
+      scenes.push_back(scene);
+    }
+  }
+  return scenes;
+}
+
+}  // namespace
+
+const SlackScenes box_box_slack_scenes = {of_two_boxes}, box_triangle_slack_scenes = {of_box_and_triangle};
+
+}  // namespace axiscert

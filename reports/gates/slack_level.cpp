@@ -1,0 +1,121 @@
+// The level no-slack: no length by which the kernel answers as if a shape or a motion were larger or smaller.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "fuzz/slack/slack.h"
+#include "kernel/base/error.h"
+#include "reports/gates/level.h"
+#include "reports/run_folder/run_folder.h"
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+namespace {
+
+// The queries' unit is taken for the metre where a size has a unit.
+struct LengthUnit {
+  std::string_view name;
+  double metres;
+};
+constexpr LengthUnit length_units[] = {{"m", 1},     {"cm", 1e-2},   {"mm", 1e-3},
+                                       {"um", 1e-6}, {"in", 0.0254}, {"ft", 0.3048}};
+
+struct SlackSize {
+  SlackKind kind;
+  double size;
+};
+
+SlackSize size_argument(const AskedLevel& asked) {
+  double size = 0;
+  const char* const end = asked.argument.data() + asked.argument.size();
+  const auto [stop, problem] = std::from_chars(asked.argument.data(), end, size);
+  const std::string_view unit(stop, static_cast<std::size_t>(end - stop));
+  const auto* known = std::ranges::find(length_units, unit, &LengthUnit::name);
+  const bool has_unit = known != std::end(length_units);
+  if (problem != std::errc() || !(size > 0 && size <= 1e6) || (!unit.empty() && !has_unit)) {
+    throw Error(fmt::format(
+        "requirement '{}': SIZE is a part of a length above 0, as in {}=1e-4, or a length in m, cm, mm, um, "
+        "in or ft, as in {}=1mm",
+        asked.text, asked.name, asked.name));
+  }
+  return has_unit ? SlackSize{SlackKind::absolute, size * known->metres} : SlackSize{SlackKind::relative, size};
+}
+
+std::string size_text(const SlackSize& size) {
+  return size.kind == SlackKind::relative ? fmt::format("{:.4g} of a length", size.size)
+                                          : fmt::format("{:.4g} of the queries' unit", size.size);
+}
+
+std::optional<double> least_seen(const SlackLook& look, SlackKind kind) {
+  return kind == SlackKind::relative ? look.least_relative : look.least_absolute;
+}
+
+// Why nothing is known; empty where a slack of the size would have been seen on some queries.
+std::string unseen_text(const Subject& subject, const SlackSize& size) {
+  const auto& slacks = subject.kernel().slack;
+  if (!slacks) {
+    return fmt::format("slacks were not looked for: {} has no scenes for them, or no kernel was run",
+                       predicate_of(subject.record().plan).id);
+  }
+  const auto least = size.kind == SlackKind::relative ? least_relative(*slacks) : least_absolute(*slacks);
+  if (!least) {
+    return fmt::format("the turn of the answer was bracketed on {} of {} queries, and {} of one kind are needed",
+                       slacks->bracketed, slacks->asked, least_bracketed);
+  }
+  if (*least <= size.size) return "";
+  return fmt::format("the least slack that would be seen is {}, and {} is required", size_text({size.kind, *least}),
+                     size_text(size));
+}
+
+LevelFindings judge_slack(const AskedLevel& asked, const Subject& subject) {
+  const SlackSize size = size_argument(asked);
+  LevelFindings found;
+  const KernelRecord& kernel = subject.kernel();
+  found.not_checked = unseen_text(subject, size);
+  if (!kernel.slack) return found;
+  for (const SlackRecord& slack : kernel.slack->found) {
+    const double here = slack.kind == size.kind ? slack.size : slack.in_units;
+    if (here <= size.size) continue;
+    found.failures.push_back({kernel.id, std::string(name(kernel.precision)), "slacks", slack.shown,
+                              fmt::format("{}, and {} is allowed; as on {}", slack_text(slack), size_text(size),
+                                          static_cast<const std::string&>(slack.witness)),
+                              "", true});
+  }
+  const SlackLook* finest = nullptr;
+  const SlackLook* coarsest = nullptr;
+  for (const SlackLook& look : kernel.slack->looks) {
+    const auto least = least_seen(look, size.kind);
+    if (!least) continue;
+    if (finest == nullptr || *least < *least_seen(*finest, size.kind)) finest = &look;
+    if (coarsest == nullptr || *least > *least_seen(*coarsest, size.kind)) coarsest = &look;
+  }
+  if (finest == nullptr) return found;
+  const auto of = [&](const SlackLook* look) {
+    return fmt::format("{} on queries {}", size_text({size.kind, *least_seen(*look, size.kind)}),
+                       static_cast<const std::string&>(look->where));
+  };
+  found.covers = fmt::format("{} queries whose turn is bracketed; the least slack that would be seen is {}, and {}",
+                             thousands(kernel.slack->bracketed), of(finest), of(coarsest));
+  found.leaves_out = "a slack on other queries than these, or of another size on each";
+  return found;
+}
+
+std::string slack_sentence(const AskedLevel& asked) {
+  return fmt::format("no slack above {}: the answers turn where the exact ones do, or not by one size",
+                     size_text(size_argument(asked)));
+}
+
+}  // namespace
+
+extern const GateLevel no_slack_level = {
+    .usage = "no-slack=SIZE",
+    .meaning =
+        "no answers as if a shape or motion were larger or smaller by more than SIZE, a part of a length, or of "
+        "the queries' unit where SIZE is in m, cm, mm, um, in or ft (the unit is taken for a metre)",
+    .check = [](const AskedLevel& asked) { size_argument(asked); },
+    .sentence = slack_sentence,
+    .judge = judge_slack,
+    .in_certificates = {}};  // a certificate has the diagnosis, whose property `slack` says it
+
+}  // namespace axiscert

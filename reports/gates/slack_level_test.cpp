@@ -1,0 +1,72 @@
+// The level no-slack: sizes with and without a unit, what was found, and what could not be seen.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "kernel/base/error.h"
+#include "reports/gates/requirement.h"
+#include "reports/testing/edited_record.h"
+#include "reports/testing/test_run.h"
+
+namespace axiscert {
+namespace {
+
+using testing::HasSubstr;
+
+// A record whose kernels have a slack of a part of r, of this size, on scenes on which one of `least` would be seen.
+Json with_slack(double size, double least) {
+  Json record = stored_record();
+  const Json look = {
+      {"where", "nearest to an edge"}, {"bracketed", 108}, {"least_relative", least}, {"least_absolute", least}};
+  Json found = Json::array();
+  if (size > 0) {
+    found.push_back({{"kind", "relative"},
+                     {"to", "r"},
+                     {"side", "early"},
+                     {"size", size},
+                     {"least", size},
+                     {"greatest", size},
+                     {"in_units", 2 * size},
+                     {"shown", 61},
+                     {"looked_at", 64},
+                     {"where", "nearest to an edge"},
+                     {"witness", Json::object()},
+                     {"said", "contact"}});
+  }
+  for (Json& kernel : record["kernels"])
+    kernel["slack"] = {{"asked", 110}, {"bracketed", 108}, {"answers", 6000}, {"looks", {look}}, {"found", found}};
+  return record;
+}
+const LevelOutcome& first(const std::vector<LevelOutcome>& outcomes) { return outcomes.front(); }
+
+TEST(SlackLevel, ASlackAboveTheSizeFailsWithItsSizeAndQueries) {
+  const auto failures = first(outcomes_at(with_slack(1e-3, 1e-5), "no-slack=1e-4")).failures;
+  ASSERT_FALSE(failures.empty());
+  EXPECT_THAT(failures.back().text(),
+              HasSubstr("contacts 0.001 of r too early on 61 of 64 queries nearest to an edge"));
+  EXPECT_TRUE(first(outcomes_at(with_slack(1e-3, 1e-5), "no-slack=1e-2")).failures.empty());
+}
+
+TEST(SlackLevel, ASizeWithAUnitIsALength) {
+  EXPECT_FALSE(first(outcomes_at(with_slack(1e-3, 1e-5), "no-slack=1mm")).failures.empty());
+  EXPECT_TRUE(first(outcomes_at(with_slack(4e-4, 1e-5), "no-slack=1mm")).failures.empty());
+  EXPECT_TRUE(first(outcomes_at(with_slack(1e-3, 1e-5), "no-slack=1in")).failures.empty());
+}
+
+TEST(SlackLevel, WhatCouldNotBeSeenIsNotChecked) {
+  const LevelOutcome blind = first(outcomes_at(with_slack(0, 1e-3), "no-slack=1e-4"));
+  EXPECT_EQ(blind.state, LevelState::not_checked);
+  EXPECT_THAT(blind.reason, HasSubstr("the least slack that would be seen is 0.001 of a length"));
+  Json none = stored_record();
+  for (Json& kernel : none["kernels"]) kernel["slack"] = nullptr;
+  const LevelOutcome unknown = first(outcomes_at(none, "no-slack=1e-4"));
+  EXPECT_EQ(unknown.state, LevelState::not_checked);
+  EXPECT_THAT(unknown.reason, HasSubstr("slacks were not looked for"));
+}
+
+TEST(SlackLevel, ASizeHasToBeALengthOrAPart) {
+  for (const char* level : {"no-slack=0", "no-slack=-1", "no-slack=1parsec", "no-slack=mm", "no-slack="})
+    EXPECT_THROW(parse_level(level), Error) << level;
+}
+
+}  // namespace
+}  // namespace axiscert
