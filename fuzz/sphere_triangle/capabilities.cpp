@@ -8,6 +8,7 @@
 #include "fuzz/sphere_triangle/diagnosis_scenes.h"
 #include "fuzz/sphere_triangle/mesh_queries.h"
 #include "fuzz/sphere_triangle/screen.h"
+#include "fuzz/sphere_triangle/traits.h"
 
 namespace axiscert {
 
@@ -26,6 +27,7 @@ const Capabilities& sphere_triangle_capabilities() {
       .screens = &sphere_triangle_screens(),
       .input_classes = &sphere_triangle_input_classes(),
       .nearest_features = &sphere_triangle_nearest_features(),
+      .traits = &sphere_triangle_traits(),
       .has_engine_queries = true,
       .quantities = &sphere_triangle_quantities(),
       .witness_sides = &sphere_triangle_witness_sides(),

@@ -1,0 +1,35 @@
+// Why a kernel is wrong: the kernel is asked again, and its wrong verdicts are put beside what the exact answers say.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fuzz/campaign/campaign.h"
+#include "fuzz/queries/source.h"
+#include "fuzz/record/cause_record.h"
+#include "fuzz/record/record.h"
+
+namespace axiscert {
+
+// A source of a run in one precision: its queries, and positions at which the run found wrong verdicts.
+struct CauseSource {
+  SeededSource asked;
+  std::uint64_t queries;
+  std::vector<std::uint64_t> wrong = {};
+};
+
+// Asks the kernel up to 32,768 clear queries of these sources, in their precision, and finds the traits of some 4,000.
+// Where it is right on all of them and has no reference, queries whose depth is above 64 u follow. Empty where it is
+// right on these too, or the predicate has no traits. Depends on the kernel, the sources and the seed alone. Throws
+// OracleDisagreement.
+std::optional<CauseRecord> cause_of(const Kernel& kernel, std::span<const CauseSource> sources,
+                                    const std::string& target);
+
+// The causes of the kernels of a run that have wrong verdicts; none where the answers are replies, or the run was
+// interrupted. A kernel that has a reference is asked only if more than rounding and the range make it wrong.
+void put_causes(Record& record, const Plan& plan, const CampaignResult& result);
+
+}  // namespace axiscert
