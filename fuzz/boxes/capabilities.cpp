@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "fuzz/boxes/families/situations.h"
+#include "fuzz/boxes/traits.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/meshes/mesh.h"
 #include "fuzz/queries/capabilities.h"
@@ -106,7 +107,8 @@ constexpr std::string_view section_of_forms = "docs/boxes.md#from-the-definition
 }  // namespace
 
 const Capabilities& box_box_capabilities() {
-  static const Capabilities all = {.section_of_forms = section_of_forms,
+  static const Capabilities all = {.traits = &box_box_traits(),
+                                   .section_of_forms = section_of_forms,
                                    .situations = &boxes::box_box_situation::all,
                                    .diagnosis_scenes = &box_scenes};
   return all;
@@ -114,6 +116,7 @@ const Capabilities& box_box_capabilities() {
 
 const Capabilities& box_triangle_capabilities() {
   static const Capabilities all = {.mesh = &box_triangle_mesh,
+                                   .traits = &box_triangle_traits(),
                                    .section_of_forms = section_of_forms,
                                    .situations = &boxes::box_triangle_situation::all,
                                    .diagnosis_scenes = &box_scenes};

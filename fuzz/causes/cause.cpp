@@ -129,7 +129,7 @@ class Probe {
     const SeededSource& of = sources_[asked.source].asked;
     return of.source.make<Real>(of.seed, asked.position);
   }
-  Case case_of(const Asked& asked) const { return {traits_.of(query(asked)) | trait_of(asked.truth), asked.is_wrong}; }
+  Case case_of(const Asked& asked) const { return {traits_.of(query(asked), kernel_.entry) | trait_of(asked.truth), asked.is_wrong}; }
 
   // Cases with the queries that they are.
   struct Cases {

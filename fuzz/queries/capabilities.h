@@ -53,10 +53,10 @@ class Traits {
   virtual std::string_view noun() const = 0;  // of several queries: "spheres"
   // At most most_traits, in the order in which a sentence has them: what is nearest first, then the shape, then sizes.
   virtual std::span<const Trait> all() const = 0;
-  // Those of a valid query, exactly: a threshold that a phrase states is a definition, and is compared without
+  // Those of a valid query in that entry of the predicate, exactly: a threshold that a phrase states is a definition, and is compared without
   // rounding.
-  virtual TraitSet of(const Numbers<float>& query) const = 0;
-  virtual TraitSet of(const Numbers<double>& query) const = 0;
+  virtual TraitSet of(const Numbers<float>& query, std::size_t entry) const = 0;
+  virtual TraitSet of(const Numbers<double>& query, std::size_t entry) const = 0;
 
  protected:
   ~Traits() = default;

@@ -240,8 +240,8 @@ class SphereTriangleTraits final : public Traits {
  public:
   std::string_view noun() const override { return "spheres"; }
   std::span<const Trait> all() const override { return {sphere_traits.begin(), sphere_traits.end()}; }
-  TraitSet of(const Numbers<float>& q) const override { return traits_of<float>(q); }
-  TraitSet of(const Numbers<double>& q) const override { return traits_of<double>(q); }
+  TraitSet of(const Numbers<float>& q, std::size_t) const override { return traits_of<float>(q); }
+  TraitSet of(const Numbers<double>& q, std::size_t) const override { return traits_of<double>(q); }
 };
 
 }  // namespace
