@@ -3,6 +3,7 @@
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/moving_sphere/families/situations.h"
 #include "fuzz/moving_sphere/mesh_motion.h"
+#include "fuzz/moving_sphere/traits.h"
 #include "fuzz/queries/image_groups.h"
 
 namespace axiscert {
@@ -20,6 +21,7 @@ const Capabilities& moving_sphere_capabilities() {
                                                               .second = "the motion"}};
   static const Capabilities all = {.image_groups = moving_sphere_image_groups(),
                                    .mesh = &moving_sphere_mesh,
+                                   .traits = &moving_sphere_traits(),
                                    .section_of_forms = moving_sphere::sweeps_over_reals,
                                    .situations = &moving_sphere::situation::all,
                                    .correct_forms = correct_forms,
