@@ -33,6 +33,8 @@ enum class Inner : std::uint8_t { narrower, own, wider };
 enum class RepeatedBatch : std::uint8_t { same, differs };
 // The same query in another place.
 enum class Place : std::uint8_t { independent, depends };
+// Clear queries that have a trait (fuzz/queries/capabilities.h).
+enum class ByTrait : std::uint8_t { right, wrong };
 
 }  // namespace axiscert::diagnosis
 
@@ -56,6 +58,7 @@ AXISCERT_VALUES(Order, 3, order_names, "left_to_right", "other_order", "contract
 AXISCERT_VALUES(Inner, 3, inner_names, "narrower", "own", "wider")
 AXISCERT_VALUES(RepeatedBatch, 2, repeated_names, "same", "differs")
 AXISCERT_VALUES(Place, 2, place_names, "independent", "depends")
+AXISCERT_VALUES(ByTrait, 2, by_trait_names, "right", "wrong")
 #undef AXISCERT_VALUES
 
 }  // namespace axiscert
@@ -96,5 +99,18 @@ template <class Real>
 ProbeFinding batch_length(Subject<Real>& subject);
 template <class Real>
 ProbeFinding neighbours(Subject<Real>& subject);
+// Probes of clear queries by their traits.
+template <class Real>
+ProbeFinding on_regions(Subject<Real>& subject);
+template <class Real>
+ProbeFinding on_triangle(Subject<Real>& subject);
+template <class Real>
+ProbeFinding on_obtuse(Subject<Real>& subject);
+template <class Real>
+ProbeFinding on_parallel(Subject<Real>& subject);
+template <class Real>
+ProbeFinding on_flat(Subject<Real>& subject);
+template <class Real>
+ProbeFinding on_aligned(Subject<Real>& subject);
 
 }  // namespace axiscert::diagnosis

@@ -70,12 +70,12 @@ namespace {
 
 // Of a motion without contact, nearest is meant where the centre comes nearest.
 constexpr EnumArray<MotionTrait, Trait> motion_traits = {{
-    {"vertex_a", "that meet or pass vertex a first"},
-    {"vertex_b", "that meet or pass vertex b first"},
-    {"vertex_c", "that meet or pass vertex c first"},
-    {"edge_ab", "that meet or pass edge ab first"},
-    {"edge_bc", "that meet or pass edge bc first"},
-    {"edge_ca", "that meet or pass edge ca first"},
+    {"vertex_a", "that meet or pass vertex a first", "regions"},
+    {"vertex_b", "that meet or pass vertex b first", "regions"},
+    {"vertex_c", "that meet or pass vertex c first", "regions"},
+    {"edge_ab", "that meet or pass edge ab first", "regions"},
+    {"edge_bc", "that meet or pass edge bc first", "regions"},
+    {"edge_ca", "that meet or pass edge ca first", "regions"},
     {"face", "that meet or pass the face first", "regions"},
     {"vertex", "that meet or pass a vertex first", "regions"},
     {"edge", "that meet or pass an edge first", "regions"},
