@@ -107,19 +107,19 @@ constexpr std::string_view section_of_forms = "docs/boxes.md#from-the-definition
 }  // namespace
 
 const Capabilities& box_box_capabilities() {
-  static const Capabilities all = {.traits = &box_box_traits(),
-                                   .section_of_forms = section_of_forms,
+  static const Capabilities all = {.section_of_forms = section_of_forms,
                                    .situations = &boxes::box_box_situation::all,
-                                   .diagnosis_scenes = &box_scenes};
+                                   .diagnosis_scenes = &box_scenes,
+                                   .traits = &box_box_traits()};
   return all;
 }
 
 const Capabilities& box_triangle_capabilities() {
   static const Capabilities all = {.mesh = &box_triangle_mesh,
-                                   .traits = &box_triangle_traits(),
                                    .section_of_forms = section_of_forms,
                                    .situations = &boxes::box_triangle_situation::all,
-                                   .diagnosis_scenes = &box_scenes};
+                                   .diagnosis_scenes = &box_scenes,
+                                   .traits = &box_triangle_traits()};
   return all;
 }
 

@@ -14,8 +14,9 @@ namespace axiscert {
 namespace causes {
 namespace {
 
-// A verdict is cheap to ask for and to judge by a clear query; the traits of a query are a hundred times as dear.
-constexpr std::uint64_t most_asked = 32768, most_judged_exactly = 4096;
+// A verdict is cheap to ask for and to judge by a clear query, but families of boxes and motions take longer to make
+// one. The traits of a query, and its truth by exact arithmetic, are the dearest.
+constexpr std::uint64_t most_asked = 32768, most_of_slow_families = 8192, most_judged_exactly = 4096;
 constexpr std::size_t first_cases = 2048, most_wrong_cases = 768, later_cases = 1024;
 constexpr std::size_t batch = 251;
 // Each costs a process its life or a time limit.
@@ -54,8 +55,10 @@ class Probe {
     basis_ = basis;
     asked_.clear();
     wrong_ = 0;
-    const bool is_cheap = basis == CauseBasis::clear || oracles_.has_filters();
-    each_ = std::max<std::uint64_t>(32, (is_cheap ? most_asked : most_judged_exactly) / sources_.size());
+    const std::uint64_t most = oracles_.has_filters()       ? most_asked
+                               : basis == CauseBasis::clear ? most_of_slow_families
+                                                            : most_judged_exactly;
+    each_ = std::max<std::uint64_t>(32, most / sources_.size());
     for (std::size_t s = 0; s < sources_.size(); ++s) {
       const CauseSource& of = sources_[s];
       const std::uint64_t size = std::min(of.queries, each_);
@@ -129,7 +132,9 @@ class Probe {
     const SeededSource& of = sources_[asked.source].asked;
     return of.source.make<Real>(of.seed, asked.position);
   }
-  Case case_of(const Asked& asked) const { return {traits_.of(query(asked), kernel_.entry) | trait_of(asked.truth), asked.is_wrong}; }
+  Case case_of(const Asked& asked) const {
+    return {traits_.of(query(asked), kernel_.entry) | trait_of(asked.truth), asked.is_wrong};
+  }
 
   // Cases with the queries that they are.
   struct Cases {

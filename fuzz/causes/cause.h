@@ -21,10 +21,10 @@ struct CauseSource {
   std::vector<std::uint64_t> wrong = {};
 };
 
-// Asks the kernel up to 32,768 clear queries of these sources, in their precision, and finds the traits of some 4,000.
-// Where it is right on all of them and has no reference, queries whose depth is above 64 u follow. Empty where it is
-// right on these too, or the predicate has no traits. Depends on the kernel, the sources and the seed alone. Throws
-// OracleDisagreement.
+// Asks the kernel clear queries among up to 32,768 of these sources (8,192 of a predicate without filters), in their
+// precision, and finds the traits of some 4,000. Where it is right on all of them and has no reference, queries whose
+// depth is above 64 u follow. Empty where it is right on these too, or the predicate has no traits. Depends on the
+// kernel, the sources and the seed alone. Throws OracleDisagreement.
 std::optional<CauseRecord> cause_of(const Kernel& kernel, std::span<const CauseSource> sources,
                                     const std::string& target);
 

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,7 +31,12 @@ std::optional<CauseRecord> cause(const Kernel& kernel, const std::vector<std::st
   return cause_of(kernel, asked, "scalar");
 }
 
-std::string sentence(const std::optional<CauseRecord>& found) { return found ? found->sentence() : "none"; }
+// Recorded too, so that a reader of the test's output sees the sentences.
+std::string sentence(const std::optional<CauseRecord>& found) {
+  const std::string text = found ? found->sentence() : "none";
+  std::cout << "  " << text << "\n";
+  return text;
+}
 
 TEST(Causes, ARightKernelHasNone) {
   EXPECT_EQ(sentence(cause(sphere_kernel("right", Slip::none), {"general", "ratio", "far"})), "none");
@@ -58,7 +64,7 @@ TEST(Causes, ATriangleWithAnObtuseCornerIsNamed) {
 
 TEST(Causes, ASlackBesideTheTriangleIsNamed) {
   const auto found = cause(sphere_kernel("slack", Slip::barycentric), {}, Precision::binary64);
-  EXPECT_THAT(sentence(found), HasSubstr("strip of 1 % beside the triangle"));
+  EXPECT_THAT(sentence(found), HasSubstr("0.1 % beside the triangle"));
 }
 
 TEST(Causes, OneSideIsNamed) {
@@ -74,7 +80,13 @@ TEST(Causes, AnAxisThatIsLeftOutIsNamed) {
 }
 
 TEST(Causes, ProductsOfParallelEdgesThatAreSkippedAreNamed) {
-  EXPECT_THAT(sentence(cause(skipping_box_kernel())), HasSubstr("edges alone"));
+  EXPECT_THAT(sentence(cause(skipping_box_kernel())), HasSubstr(" x b0 alone"));
+}
+
+TEST(Causes, MotionsAreNamedByHowTheyMove) {
+  EXPECT_THAT(sentence(cause(stopping_kernel())), HasSubstr("in the last 5 %"));
+  EXPECT_THAT(sentence(cause(one_way_kernel())), HasSubstr("motions in contact that move along the normal"));
+  EXPECT_THAT(sentence(cause(parallel_kernel())), HasSubstr("parallel to the face"));
 }
 
 TEST(Causes, AllThatIsWrongIsNotExplainedByASmallClass) {

@@ -75,7 +75,8 @@ class Search {
   void see(TraitSet traits, const Split& cases, int size) {
     const double wrong = weights_.wrong * count(cases.wrong), right = weights_.right * count(cases.right);
     if (wrong == 0) return;
-    const double score = wrong / (wrong_ + right) - 0.02 * (size - 1);
+    const double explains_most = 2 * wrong >= wrong_ ? 1 : 0;
+    const double score = explains_most + wrong / (wrong_ + right) - 0.05 * (size - 1);
     if (score <= best_score_) return;
     best_score_ = score;
     best_ = {traits, wrong / wrong_, wrong / (wrong + right), wrong_ / (wrong_ + right_)};
@@ -93,9 +94,9 @@ class Search {
 FoundClass best_class(std::span<const Case> cases, const Weights& weights) { return Search(cases, weights).best(); }
 
 std::string phrase_of(const Traits& traits, TraitSet found) {
-  std::string text(traits.noun());
+  std::string text((found & separated_trait) != 0 ? "separated " : "");
+  text += traits.noun();
   if ((found & contact_trait) != 0) text += " in contact";
-  if ((found & separated_trait) != 0) text += " that are separated";
   bool is_first = true;
   for_each_bit(found & ~(contact_trait | separated_trait), [&](std::size_t k) {
     text += is_first ? " " : ", ";

@@ -33,8 +33,9 @@ struct FoundClass {
   double share = 0, rate = 0, overall = 0;
 };
 
-// The conjunction with the least sum of queries that are right within it and wrong outside it, against those that are
-// wrong within; one trait less is worth 2 % of them, and among equals the first counts. There is a wrong case.
+// Of the conjunctions that explain at least half of the wrong verdicts, that with the greatest share: the wrong ones
+// within it, of these, the right ones within it and the wrong ones outside it; else of all conjunctions. One trait less
+// is worth 5 %, and among equals the first counts. There is a wrong case.
 FoundClass best_class(std::span<const Case> cases, const Weights& weights);
 
 // "spheres in contact nearest to vertex a, with an obtuse corner there".

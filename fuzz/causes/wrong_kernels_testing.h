@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "kernel/ask.h"
 #include "kernel/boxes/projected.h"
 #include "kernel/boxes/thirteen.h"
 #include "kernel/kernel.h"
@@ -110,6 +112,40 @@ inline Kernel skipping_box_kernel() {
 inline Kernel box_triangle_kernel(std::string id, std::size_t left_out) {
   return axes_kernel<boxes::CentreEntry, boxes::Thirteen>(
       std::move(id), [left_out](const auto&, std::size_t i) { return i == left_out; });
+}
+
+// A right kernel of motions, of which `changed` alters the query; where it gives none, the answer is separated.
+template <class Changed>
+Kernel motion_kernel(std::string id, Changed changed) {
+  return wrong_kernel(
+      moving_sphere_predicate(), MovingSphere::entry, std::move(id),
+      [changed]<class Real>(const Numbers<Real>& numbers) {
+        static const Implementation<double> right =
+            find_kernel("moving-sphere/twenty-nonstrict").on<double>(scalar_target);
+        const auto q = MovingSphere::problem<double>([&](std::size_t k) { return static_cast<double>(numbers[k]); });
+        const std::optional<MovingQuery<double>> asked = changed(q);
+        return asked ? ask(right, Numbers<double>(*asked)).verdicts[0] : Verdict::separated;
+      });
+}
+// The last twentieth of the way is not looked at.
+inline Kernel stopping_kernel() {
+  return motion_kernel("stopping", [](MovingQuery<double> q) {
+    q.d = q.d * 0.95;
+    return std::optional(q);
+  });
+}
+inline Kernel one_way_kernel() {
+  return motion_kernel("one-way", [](const MovingQuery<double>& q) {
+    const bool is_back = dot(q.d, cross(q.b - q.a, q.c - q.a)) > 0;
+    return is_back ? std::nullopt : std::optional(q);
+  });
+}
+inline Kernel parallel_kernel() {
+  return motion_kernel("parallel", [](const MovingQuery<double>& q) {
+    const portable::Vec3<double> n = cross(q.b - q.a, q.c - q.a);
+    const double along = dot(q.d, n);
+    return along * along < 1e-6 * dot(q.d, q.d) * dot(n, n) ? std::nullopt : std::optional(q);
+  });
 }
 
 }  // namespace axiscert::causes

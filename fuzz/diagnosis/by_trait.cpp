@@ -15,7 +15,7 @@ constexpr std::size_t most_looked_at = 1536, enough = 256, fewest = 20;
 constexpr std::uint64_t most_of_family = 512;
 
 template <class Real>
-struct ClearQuery {
+struct TraitQuery {
   Numbers<Real> numbers;
   TraitSet traits;
   Verdict truth;
@@ -23,11 +23,11 @@ struct ClearQuery {
 
 // Clear queries with one of these traits, position by position of every family.
 template <class Real>
-std::vector<ClearQuery<Real>> clear_queries(Subject<Real>& subject, const Traits& traits, TraitSet wanted) {
+std::vector<TraitQuery<Real>> clear_having(Subject<Real>& subject, const Traits& traits, TraitSet wanted) {
   const Kernel& kernel = subject.kernel();
   const Oracles& oracles = oracles_of(kernel);
   const std::vector<const Family*> families = families_of(*kernel.predicate, kernel.entry);
-  std::vector<ClearQuery<Real>> found;
+  std::vector<TraitQuery<Real>> found;
   std::size_t looked_at = 0;
   for (std::uint64_t position = 0; position < most_of_family; ++position) {
     for (const Family* family : families) {
@@ -67,14 +67,14 @@ ProbeFinding by_trait(Subject<Real>& subject, std::string_view property) {
     }
   }
   if (wanted == 0) return unasked("No query of this predicate has such a trait.");
-  const std::vector<ClearQuery<Real>> clear = clear_queries(subject, *traits, wanted);
+  const std::vector<TraitQuery<Real>> clear = clear_having(subject, *traits, wanted);
   if (clear.size() < fewest) {
     return unasked(fmt::format("{} clear {} have such a trait, among those that were looked at: too few to say.",
                                clear.size(), traits->noun()));
   }
 
   Queries<Real> queries;
-  for (const ClearQuery<Real>& one : clear) queries.push_back(one.numbers);
+  for (const TraitQuery<Real>& one : clear) queries.push_back(one.numbers);
   const std::vector<Verdict> said = subject.ask(queries);
   std::uint64_t decided = 0, wrong = 0;
   for (std::size_t i = 0; i < said.size(); ++i) {

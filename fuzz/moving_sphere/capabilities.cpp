@@ -21,11 +21,11 @@ const Capabilities& moving_sphere_capabilities() {
                                                               .second = "the motion"}};
   static const Capabilities all = {.image_groups = moving_sphere_image_groups(),
                                    .mesh = &moving_sphere_mesh,
-                                   .traits = &moving_sphere_traits(),
                                    .section_of_forms = moving_sphere::sweeps_over_reals,
                                    .situations = &moving_sphere::situation::all,
                                    .correct_forms = correct_forms,
-                                   .diagnosis_scenes = &scenes};
+                                   .diagnosis_scenes = &scenes,
+                                   .traits = &moving_sphere_traits()};
   return all;
 }
 

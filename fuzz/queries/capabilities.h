@@ -89,7 +89,6 @@ struct Capabilities {
   const Screens* screens = nullptr;                   // fuzz/campaign/stages.h: of a predicate with filters
   const InputClasses* input_classes = nullptr;        // above
   const NearestFeatures* nearest_features = nullptr;  // above
-  const Traits* traits = nullptr;                     // above
   bool has_engine_queries = false;                    // which the screen counts (fuzz/record/wrong_verdicts.h)
   const Quantities* quantities = nullptr;             // fuzz/confirm/absolute_size.h
   const WitnessSides* witness_sides = nullptr;        // fuzz/confirm/witness.h
@@ -105,6 +104,7 @@ struct Capabilities {
   const SearchMethod* search_method = nullptr;                       // fuzz/search/method.h
   const AimValues* aim_values = nullptr;                             // fuzz/search/confirm.h
   const ImageMaps* image_maps = nullptr;                             // fuzz/shrink/pair.h
+  const Traits* traits = nullptr;                                    // above
 };
 
 // Those of a predicate on the list of kernel/predicate_list.h: NAME_capabilities() of its room in fuzz/.

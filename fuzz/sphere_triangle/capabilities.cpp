@@ -27,7 +27,6 @@ const Capabilities& sphere_triangle_capabilities() {
       .screens = &sphere_triangle_screens(),
       .input_classes = &sphere_triangle_input_classes(),
       .nearest_features = &sphere_triangle_nearest_features(),
-      .traits = &sphere_triangle_traits(),
       .has_engine_queries = true,
       .quantities = &sphere_triangle_quantities(),
       .witness_sides = &sphere_triangle_witness_sides(),
@@ -39,6 +38,7 @@ const Capabilities& sphere_triangle_capabilities() {
       .search_method = &sphere_triangle_search(),
       .aim_values = &sphere_triangle_aim_values(),
       .image_maps = &sphere_triangle_image_maps(),
+      .traits = &sphere_triangle_traits(),
   };
   return all;
 }

@@ -88,6 +88,7 @@ enum class SphereTrait : std::uint8_t {
   on_triangle,
   in_plane,
   just_outside,
+  closely_outside,
   just_inside,
   front,
   behind,
@@ -111,7 +112,7 @@ enum class SphereTrait : std::uint8_t {
 
 }  // namespace
 template <>
-inline constexpr std::size_t enum_count<SphereTrait> = 31;
+inline constexpr std::size_t enum_count<SphereTrait> = 32;
 namespace {
 
 constexpr EnumArray<SphereTrait, Trait> sphere_traits = {{
@@ -127,6 +128,7 @@ constexpr EnumArray<SphereTrait, Trait> sphere_traits = {{
     {"on_triangle", "with the centre on the triangle", "on_triangle"},
     {"in_plane", "with the centre in the triangle's plane, beside it"},
     {"just_outside", "with the centre over a strip of 1 % beside the triangle"},
+    {"closely_outside", "with the centre over a strip of 0.1 % beside the triangle"},
     {"just_inside", "with the centre over a strip of 1 % within the triangle"},
     {"front", "with the centre in front"},
     {"behind", "with the centre behind"},
@@ -212,6 +214,7 @@ TraitSet traits_of(const Query<Real>& given) {
     const BinaryNumber least = *std::ranges::min_element(sides, [](const auto& x, const auto& y) { return x < y; });
     const bool is_near = magnitude(least) * hundred < triangle.squared_normal;
     found.put(just_outside, is_near && least.sign() < 0);
+    found.put(closely_outside, least.sign() < 0 && magnitude(least) * BinaryNumber(1000.0) < triangle.squared_normal);
     found.put(just_inside, is_near && least.sign() > 0);
   }
 
