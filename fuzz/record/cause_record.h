@@ -59,7 +59,6 @@ struct CauseRecord {
   std::uint64_t explained = 0, looked_at = 0;
   std::optional<CauseWitness> witness;
 
-  double share() const { return looked_at == 0 ? 0 : static_cast<double>(explained) / static_cast<double>(looked_at); }
   // "wrong on 206 of 212 spheres nearest to vertex a, with an obtuse corner there; right elsewhere (0 of 3,100)".
   std::string sentence() const;
 
@@ -87,7 +86,6 @@ struct CauseRecord {
         field(&Of::elsewhere_of, {"elsewhere_of", "Queries elsewhere that were asked."}),
         field(&Of::explained, {"explained", "Of all wrong verdicts that were looked at, those in the class."}),
         field(&Of::looked_at, {"looked_at", "Wrong verdicts that were looked at, with those that were looked for."}),
-        field(&Of::share, {"share", "The share of these that the class explains.", "1"}),
         field(&Of::witness, {"witness", "A wrong verdict of the class."}));
   }
 };
