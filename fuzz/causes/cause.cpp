@@ -173,7 +173,7 @@ class Probe {
     CauseRecord record;
     record.basis = basis_;
     record.phrase = phrase_of(traits_, found.traits);
-    for (const std::string& name : names_of(traits_, found.traits)) record.traits.push_back(Name(name));
+    for (const std::string& name : trait_names(traits_, found.traits)) record.traits.push_back(Name(name));
     bool has_missed = false, has_phantom = false;
     for (const Case& one : all) {
       if (!one.is_wrong) continue;
@@ -304,22 +304,28 @@ std::optional<CauseRecord> cause_of(const Kernel& kernel, std::span<const CauseS
              : causes::Probe<double>(kernel, sources, *traits, target).find();
 }
 
+std::optional<CauseRecord> cause_in_run(const Plan& plan, const CampaignResult& result, std::size_t kernel,
+                                        Precision precision) {
+  const Kernel& of = *plan.answerers.kernels[kernel];
+  std::vector<CauseSource> sources;
+  bool is_looked_for = false;
+  for (const CellResult& cell : result.cells) {
+    const Tally& tally = cell.tallies[kernel];
+    if (cell.precision != precision || tally.trials == 0) continue;
+    is_looked_for |= causes::has_unknown_cause(of, tally);
+    const Source& source = *plan.questions.sources[cell.source];
+    sources.push_back({{source, plan.questions.seed, precision}, cell.queries, causes::kept_wrong(tally)});
+  }
+  return is_looked_for ? cause_of(of, sources, plan.running.target) : std::nullopt;
+}
+
 void put_causes(Record& record, const Plan& plan, const CampaignResult& result) {
   if (plan.answerers.replies || !result.complete) return;
   for (KernelRecord& entry : record.kernels) {
     const auto& kernels = plan.answerers.kernels;
     const auto at = std::ranges::find_if(kernels, [&](const Kernel* kernel) { return entry.id == kernel->id; });
     if (at == kernels.end()) continue;
-    std::vector<CauseSource> sources;
-    bool is_looked_for = false;
-    for (const CellResult& cell : result.cells) {
-      const Tally& tally = cell.tallies[static_cast<std::size_t>(at - kernels.begin())];
-      if (cell.precision != entry.precision || tally.trials == 0) continue;
-      is_looked_for |= causes::has_unknown_cause(**at, tally);
-      const Source& source = *plan.questions.sources[cell.source];
-      sources.push_back({{source, plan.questions.seed, cell.precision}, cell.queries, causes::kept_wrong(tally)});
-    }
-    if (is_looked_for) entry.cause = cause_of(**at, sources, plan.running.target);
+    entry.cause = cause_in_run(plan, result, static_cast<std::size_t>(at - kernels.begin()), entry.precision);
   }
 }
 

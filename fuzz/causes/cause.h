@@ -28,8 +28,12 @@ struct CauseSource {
 std::optional<CauseRecord> cause_of(const Kernel& kernel, std::span<const CauseSource> sources,
                                     const std::string& target);
 
-// The causes of the kernels of a run that have wrong verdicts; none where the answers are replies, or the run was
-// interrupted. A kernel that has a reference is asked only if more than rounding and the range make it wrong.
+// The cause of one kernel of a run, by its number in the plan, on the run's sources in one precision; empty where it
+// has no wrong verdicts. A kernel that has a reference is asked only if more than rounding and the range make it wrong.
+std::optional<CauseRecord> cause_in_run(const Plan& plan, const CampaignResult& result, std::size_t kernel,
+                                        Precision precision);
+
+// Those of all kernels of a record; none where the answers are replies, or the run was interrupted.
 void put_causes(Record& record, const Plan& plan, const CampaignResult& result);
 
 }  // namespace axiscert

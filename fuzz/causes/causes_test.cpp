@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "exact/trait/oracles.h"
 #include "fuzz/causes/cause.h"
 #include "fuzz/causes/classes.h"
 #include "fuzz/causes/wrong_kernels_testing.h"
@@ -18,7 +19,8 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-// The cause on the first 4096 queries of these families; of all that have the kernel's entry, where none is named.
+// The cause on queries of these families; of all that have the kernel's entry, where none is named. Families of boxes
+// take long.
 std::optional<CauseRecord> cause(const Kernel& kernel, const std::vector<std::string>& names = {},
                                  Precision precision = Precision::binary32) {
   std::vector<SourcePtr> sources;
@@ -27,7 +29,8 @@ std::optional<CauseRecord> cause(const Kernel& kernel, const std::vector<std::st
       sources.push_back(family_source(*family));
   }
   std::vector<CauseSource> asked;
-  for (const SourcePtr& source : sources) asked.push_back({{*source, 1, precision}, 4096});
+  for (const SourcePtr& source : sources)
+    asked.push_back({{*source, 1, precision}, oracles_of(kernel).has_filters() ? 4096u : 512u});
   return cause_of(kernel, asked, "scalar");
 }
 

@@ -15,7 +15,7 @@ Cases both(const Cases& x, const Cases& y) {
   for (std::size_t i = 0; i < x.size(); ++i) of[i] = x[i] & y[i];
   return of;
 }
-double count(const Cases& cases) {
+double cases_in(const Cases& cases) {
   int sum = 0;
   for (const std::uint64_t word : cases) sum += std::popcount(word);
   return sum;
@@ -46,7 +46,7 @@ class Search {
     }
     // The exact answer first, of which a sentence without it says less; then the traits in their order.
     for (const std::size_t k : order()) {
-      if (count(of[k].wrong) == 0) continue;  // no class of wrong verdicts has it
+      if (cases_in(of[k].wrong) == 0) continue;  // no class of wrong verdicts has it
       trait_.push_back(k);
       having_.push_back(std::move(of[k]));
     }
@@ -73,7 +73,7 @@ class Search {
   TraitSet bit(std::size_t i) const { return one_bit<TraitSet>(trait_[i]); }
 
   void see(TraitSet traits, const Split& cases, int size) {
-    const double wrong = weights_.wrong * count(cases.wrong), right = weights_.right * count(cases.right);
+    const double wrong = weights_.wrong * cases_in(cases.wrong), right = weights_.right * cases_in(cases.right);
     if (wrong == 0) return;
     const double explains_most = 2 * wrong >= wrong_ ? 1 : 0;
     const double score = explains_most + wrong / (wrong_ + right) - 0.05 * (size - 1);
@@ -106,7 +106,7 @@ std::string phrase_of(const Traits& traits, TraitSet found) {
   return text;
 }
 
-std::vector<std::string> names_of(const Traits& traits, TraitSet found) {
+std::vector<std::string> trait_names(const Traits& traits, TraitSet found) {
   std::vector<std::string> names;
   if ((found & contact_trait) != 0) names.emplace_back("contact");
   if ((found & separated_trait) != 0) names.emplace_back("separated");

@@ -41,6 +41,6 @@ FoundClass best_class(std::span<const Case> cases, const Weights& weights);
 // "spheres in contact nearest to vertex a, with an obtuse corner there".
 std::string phrase_of(const Traits& traits, TraitSet found);
 // The names, in the order of the phrase.
-std::vector<std::string> names_of(const Traits& traits, TraitSet found);
+std::vector<std::string> trait_names(const Traits& traits, TraitSet found);
 
 }  // namespace axiscert::causes
