@@ -15,6 +15,7 @@
 #include "kernel/plugin/load.h"
 #include "fuzz/confirm/record.h"
 #include "kernel/registry/self_check.h"
+#include "fuzz/causes/cause.h"
 #include "reports/instrument/league_report.h"
 
 namespace axiscert {
@@ -130,6 +131,12 @@ int run_league(const LeagueOptions& options) {
   const std::atomic<bool> interrupted = false;
   const CampaignResult result = with_progress("league", [&](const ShowProgress& show) {
     CampaignResult found = run_campaign(plan, interrupted, show);
+    for (const Precision precision : questions.precisions) {
+      for (std::size_t k = 0; k < league.contenders; ++k) {
+        if (!league.kernels[k]->has(precision)) continue;
+        if (auto cause = cause_in_run(plan, found, k, precision)) league.causes[{precision, k}] = *std::move(cause);
+      }
+    }
     if (options.no_speed) return found;
     for (const Precision precision : questions.precisions) {
       if (precision == Precision::binary32) take_times<float>(league, show);

@@ -15,6 +15,7 @@
 #include "cli/running/run_output.h"
 #include "cli/running/shrunk.h"
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/causes/cause.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
@@ -183,6 +184,8 @@ RunFiles run_files(const Plan& plan, const CampaignResult& result, const OutputO
   progress.begin_stage("the witnesses are confirmed");
   RunFiles run{record_of(plan, result, output.required),
                run_info(plan, result, target_asked, iso_time(started), seconds)};
+  progress.begin_stage("the causes are looked for");
+  put_causes(run.record, plan, result);
   run.info.scale = std::move(scale);
   run.info.sources = source_places(plan.answerers.kernels, output.sources);
   return run;

@@ -32,8 +32,8 @@ std::vector<std::string> declared_differences(const KernelMaterial& stated, cons
   std::vector<std::string> differences;
   const Json entry = without_fractions(json_of(kernel_record(plugins, kernel, precision)));
   for (const auto& [member, here] : entry.items()) {
-    const bool is_elsewhere =
-        member == "id" || member == "precision" || member == "families" || member == "critical_radius";
+    const bool is_elsewhere = member == "id" || member == "precision" || member == "families" ||
+                              member == "critical_radius" || member == "cause";
     const Json* found = stated.declared.find(member);
     const Json said = found ? *found : Json();
     if (is_elsewhere || canonical_json(said) == canonical_json(here)) continue;

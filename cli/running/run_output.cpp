@@ -17,6 +17,7 @@
 #include "fuzz/slack/slack.h"
 #include "kernel/base/error.h"
 #include "reports/instrument/instrument.h"
+#include "reports/wording/causes.h"
 #include "reports/wording/classes.h"
 #include "reports/wording/depths.h"
 #include "reports/wording/evidence.h"
@@ -193,6 +194,17 @@ std::string classes_table(const std::vector<KernelRecord>& kernels) {
   return rows.empty() ? "" : aligned_table(columns, rows) + nearest;
 }
 
+// Why kernels are wrong, each in a sentence and with its shortest witness.
+std::string causes_text(const Record& record) {
+  std::string text;
+  for (const KernelRecord& kernel : record.kernels) {
+    const std::string line = cause_line(kernel), witness = cause_witness_line(kernel, record.plan);
+    if (!line.empty()) text += coloured(printable_line(line), TextColour::red) + "\n";
+    if (!witness.empty()) text += "  " + printable_line(witness) + "\n";
+  }
+  return text;
+}
+
 // The first contacts that the kernels report, in a predicate of motions.
 std::string motion_table(const std::vector<KernelRecord>& kernels) {
   std::vector<std::string> columns = {"kernel", "precision"};
@@ -231,6 +243,7 @@ std::string summary_text(const Record& record, double seconds) {
     if (!group.others.empty()) text += fmt::format("  {}\n", group.others_text());
     if (group.first->address) text += fmt::format("  {}\n", replay_command(*group.first, record.plan));
   }
+  text += causes_text(record);
   text += kernels_table(record.kernels);
   text += motion_table(record.kernels);
   text += depths_table(record.kernels);

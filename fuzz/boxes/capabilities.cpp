@@ -6,6 +6,7 @@
 #include "fuzz/boxes/families/situations.h"
 #include "fuzz/boxes/quantities.h"
 #include "fuzz/boxes/slack_scenes.h"
+#include "fuzz/boxes/traits.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/meshes/mesh.h"
 #include "fuzz/queries/capabilities.h"
@@ -117,7 +118,8 @@ const Capabilities& box_box_capabilities() {
                                    .section_of_forms = section_of_forms,
                                    .situations = &boxes::box_box_situation::all,
                                    .diagnosis_scenes = &box_scenes,
-                                   .slack_scenes = &box_box_slack_scenes};
+                                   .slack_scenes = &box_box_slack_scenes,
+                                   .traits = &box_box_traits()};
   return all;
 }
 
@@ -128,7 +130,8 @@ const Capabilities& box_triangle_capabilities() {
                                    .section_of_forms = section_of_forms,
                                    .situations = &boxes::box_triangle_situation::all,
                                    .diagnosis_scenes = &box_scenes,
-                                   .slack_scenes = &box_triangle_slack_scenes};
+                                   .slack_scenes = &box_triangle_slack_scenes,
+                                   .traits = &box_triangle_traits()};
   return all;
 }
 

@@ -55,6 +55,18 @@ const std::vector<Probe>& probes() {
                      batch_length),
       AXISCERT_PROBE("neighbours", "whether an answer depends on the other queries of the batch",
                      all_of_them(place_names), neighbours),
+      AXISCERT_PROBE("regions", "clear queries by the part that is nearest, or the axis that decides",
+                     all_of_them(by_trait_names), on_regions),
+      AXISCERT_PROBE("on_triangle", "clear queries with a centre or a vertex on the other body",
+                     all_of_them(by_trait_names), on_triangle),
+      AXISCERT_PROBE("obtuse", "clear queries of triangles with an obtuse corner", all_of_them(by_trait_names),
+                     on_obtuse),
+      AXISCERT_PROBE("parallel", "clear queries of parallel edges, or of motions parallel to a part",
+                     all_of_them(by_trait_names), on_parallel),
+      AXISCERT_PROBE("flat", "clear queries of triangles without area and boxes without volume",
+                     all_of_them(by_trait_names), on_flat),
+      AXISCERT_PROBE("aligned", "clear queries along the axes of the coordinates", all_of_them(by_trait_names),
+                     on_aligned),
       AXISCERT_PROBE("nearest_form", "the built-in kernel that it agrees with most", {}, nearest_form),
 #undef AXISCERT_PROBE
   };
@@ -72,7 +84,7 @@ void require_value(const PropertyKind& kind, const std::string& value) {
 // The values that answers without a verdict show, or for which one answer is enough.
 bool rests_on_few(std::string_view property, std::string_view value) {
   return property == "degenerate_triangles" || value == name(RepeatedBatch::differs) || value == name(Place::depends) ||
-         value == name(Threshold::present) || value == name(Threshold::quaternions);
+         value == name(Threshold::present) || value == name(Threshold::quaternions) || value == name(ByTrait::wrong);
 }
 
 // A property that rests on too little is not known, whatever its probe made of it.

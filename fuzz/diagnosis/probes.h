@@ -35,6 +35,8 @@ enum class RepeatedBatch : std::uint8_t { same, differs };
 enum class Place : std::uint8_t { independent, depends };
 // A length by which it answers as if a shape were larger, or smaller.
 enum class Slack : std::uint8_t { none_found, early, late };
+// Clear queries that have a trait (fuzz/queries/capabilities.h).
+enum class ByTrait : std::uint8_t { right, wrong };
 
 }  // namespace axiscert::diagnosis
 
@@ -59,6 +61,7 @@ AXISCERT_VALUES(Inner, 3, inner_names, "narrower", "own", "wider")
 AXISCERT_VALUES(RepeatedBatch, 2, repeated_names, "same", "differs")
 AXISCERT_VALUES(Place, 2, place_names, "independent", "depends")
 AXISCERT_VALUES(Slack, 3, slack_names, "none_found", "early", "late")
+AXISCERT_VALUES(ByTrait, 2, by_trait_names, "right", "wrong")
 #undef AXISCERT_VALUES
 
 }  // namespace axiscert
@@ -101,5 +104,18 @@ template <class Real>
 ProbeFinding batch_length(Subject<Real>& subject);
 template <class Real>
 ProbeFinding neighbours(Subject<Real>& subject);
+// Probes of clear queries by their traits.
+template <class Real>
+ProbeFinding on_regions(Subject<Real>& subject);
+template <class Real>
+ProbeFinding on_triangle(Subject<Real>& subject);
+template <class Real>
+ProbeFinding on_obtuse(Subject<Real>& subject);
+template <class Real>
+ProbeFinding on_parallel(Subject<Real>& subject);
+template <class Real>
+ProbeFinding on_flat(Subject<Real>& subject);
+template <class Real>
+ProbeFinding on_aligned(Subject<Real>& subject);
 
 }  // namespace axiscert::diagnosis

@@ -5,6 +5,7 @@
 #include "fuzz/moving_sphere/mesh_motion.h"
 #include "fuzz/moving_sphere/quantities.h"
 #include "fuzz/moving_sphere/slack_scenes.h"
+#include "fuzz/moving_sphere/traits.h"
 #include "fuzz/queries/image_groups.h"
 
 namespace axiscert {
@@ -27,7 +28,8 @@ const Capabilities& moving_sphere_capabilities() {
                                    .situations = &moving_sphere::situation::all,
                                    .correct_forms = correct_forms,
                                    .diagnosis_scenes = &scenes,
-                                   .slack_scenes = &moving_sphere_slack_scenes};
+                                   .slack_scenes = &moving_sphere_slack_scenes,
+                                   .traits = &moving_sphere_traits()};
   return all;
 }
 

@@ -2,6 +2,7 @@
 // the predicate has no such thing. Code asks for the capability that it needs, and never which predicate it is.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,6 +37,31 @@ class NearestFeatures {
   ~NearestFeatures() = default;
 };
 
+// What the exact answer says of a query, by definitions of its predicate's own: with a class of them a cause is named
+// (fuzz/causes).
+
+// One of them. The phrase follows the noun of its queries: "spheres", and "nearest to vertex a". Where a property of a
+// diagnosis asks about it, that property is named.
+struct Trait {
+  std::string_view name, phrase, property = {};
+};
+using TraitSet = std::uint64_t;  // bit k: all()[k]
+inline constexpr std::size_t most_traits = 62;
+
+class Traits {
+ public:
+  virtual std::string_view noun() const = 0;  // of several queries: "spheres"
+  // At most most_traits, in the order in which a sentence has them: what is nearest first, then the shape, then sizes.
+  virtual std::span<const Trait> all() const = 0;
+  // Those of a valid query in that entry of the predicate, exactly: a threshold that a phrase states is a definition,
+  // and is compared without rounding.
+  virtual TraitSet of(const Numbers<float>& query, std::size_t entry) const = 0;
+  virtual TraitSet of(const Numbers<double>& query, std::size_t entry) const = 0;
+
+ protected:
+  ~Traits() = default;
+};
+
 class AimValues;
 class ImageMaps;
 class InputClasses;
@@ -44,6 +70,7 @@ class ProvedBounds;
 class Quantities;
 class Screens;
 class SearchMethod;
+class Traits;
 class WitnessSides;
 struct CriticalRadiusDefaults;
 struct ImageGroup;
@@ -79,6 +106,7 @@ struct Capabilities {
   const AimValues* aim_values = nullptr;                             // fuzz/search/confirm.h
   const ImageMaps* image_maps = nullptr;                             // fuzz/shrink/pair.h
   const SlackScenes* slack_scenes = nullptr;                         // fuzz/slack/scenes.h
+  const Traits* traits = nullptr;                                    // above
 };
 
 // Those of a predicate on the list of kernel/predicate_list.h: NAME_capabilities() of its room in fuzz/.

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fuzz/record/cause_record.h"
 #include "fuzz/record/family_record.h"
 #include "fuzz/record/plan_record.h"
 #include "fuzz/record/slack_record.h"
@@ -116,6 +117,7 @@ struct KernelRecord {
   std::optional<std::vector<Name>> measures;
   std::optional<PolicyRecord> motion;
   std::optional<SlacksRecord> slack;
+  std::optional<CauseRecord> cause;
 
   static constexpr std::string_view about = "One kernel in one precision.";
   static constexpr auto fields(auto&& visit) {
@@ -165,7 +167,7 @@ struct KernelRecord {
                  "The names of the measures that it gives beside its verdict. Absent for a predicate without measures.",
              .may_be_absent = true}),
         field(&Of::motion, {.name = "motion", .about = PolicyRecord::about, .may_be_absent = true}),
-        field(&Of::slack, {"slack", SlacksRecord::about}));
+        field(&Of::slack, {"slack", SlacksRecord::about}), field(&Of::cause, {"cause", CauseRecord::about}));
   }
 };
 

@@ -9,6 +9,7 @@
 #include "fuzz/sphere_triangle/mesh_queries.h"
 #include "fuzz/sphere_triangle/screen.h"
 #include "fuzz/sphere_triangle/slack_scenes.h"
+#include "fuzz/sphere_triangle/traits.h"
 
 namespace axiscert {
 
@@ -39,6 +40,7 @@ const Capabilities& sphere_triangle_capabilities() {
       .aim_values = &sphere_triangle_aim_values(),
       .image_maps = &sphere_triangle_image_maps(),
       .slack_scenes = &sphere_triangle_slack_scenes,
+      .traits = &sphere_triangle_traits(),
   };
   return all;
 }

@@ -141,6 +141,25 @@ std::optional<Cause> deepest_cause(const Record& record, const KernelRecord& ker
                   (missed ? verdict.deepest_false_separation : verdict.deepest_false_contact).best());
 }
 
+// A class of queries within which the kernel is wrong and elsewhere right says more than any count.
+constexpr CauseWords of_traits = {"", "Look at the branch that such queries take: `axiscert check` the witness.",
+                                  "docs/error_model.md#the-cause"};
+
+std::optional<BreakStatement> break_of_traits(const Record& record, const std::string& kernel) {
+  for (const KernelRecord& entry : record.kernels) {
+    if (entry.id != kernel || !entry.cause || !entry.cause->is_known) continue;
+    const std::optional<FamilyRecord> total = all_families(entry);
+    if (!total) continue;
+    const VerdictTally& verdict = total->verdict;
+    const bool is_missed = entry.cause->direction != CauseDirection::phantom;
+    return break_by(entry.precision, is_missed ? "missed contact" : "phantom contact",
+                    {std::string(cause_of_traits), entry.cause->sentence(), of_traits.advice, of_traits.section,
+                     is_missed ? verdict.false_separation : verdict.false_contact,
+                     (is_missed ? verdict.deepest_false_separation : verdict.deepest_false_contact).best()});
+  }
+  return std::nullopt;
+}
+
 // The query alone, by the groups of its predicate's columns in whichever entry it is.
 Json query_of(const WitnessRecord& witness, const Predicate& predicate) {
   Json query = Json::object();
@@ -181,6 +200,7 @@ std::optional<BreakStatement> what_breaks_first(const Record& record, const std:
       return break_by(std::nullopt, "finding",
                       {"finding", finding_text(finding), of_finding.advice, of_finding.section, finding.count, 0});
   }
+  if (const auto by_traits = break_of_traits(record, kernel)) return by_traits;
   for (const bool missed : {true, false}) {
     std::optional<Cause> deepest;
     std::optional<Precision> precision;
@@ -215,7 +235,7 @@ std::vector<SituationStatement> where_it_is_wrong(const Record& record, const st
 }
 
 std::vector<std::string_view> advised_sections() {
-  std::vector<std::string_view> sections = {of_finding.section};
+  std::vector<std::string_view> sections = {of_finding.section, of_traits.section};
   for (const CauseWords& words : class_words) sections.push_back(words.section);
   for (const CauseWords& words : link_words) sections.push_back(words.section);
   return sections;

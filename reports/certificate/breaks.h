@@ -36,9 +36,12 @@ const WrongVerdicts* first_situation(const std::vector<WrongVerdicts>& situation
 
 // The fault of a kernel that matters first, and what to do about it; and the witnesses to paste.
 
-// The worst of a record about a kernel: a finding, else the cause of its missed contacts that goes deepest, else that
-// of its phantom contacts; of a kernel of another predicate that shows its verdict alone the situation that breaks
-// first.
+// What breaks by the traits of the queries has this as its cause.
+inline constexpr std::string_view cause_of_traits = "traits";
+
+// The worst of a record about a kernel: a finding, else the class of queries within which it is wrong, else the cause
+// of its missed contacts that goes deepest, else that of its phantom contacts; of a kernel of another predicate that
+// shows its verdict alone the situation that breaks first.
 std::optional<BreakStatement> what_breaks_first(const Record& record, const std::string& kernel);
 
 // The situations in which it is wrong.

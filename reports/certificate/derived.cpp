@@ -208,7 +208,8 @@ std::uint64_t broken_links(const VerdictTally& verdict, const std::string& link)
 // A link as the cause is known of a witness alone: then it is one of those that the counts have.
 bool breaks_by_link(const std::optional<BreakStatement>& stated, const std::optional<BreakStatement>& derived,
                     const Record& record, const std::string& kernel) {
-  if (derived && (derived->cause == "finding" || is_class(derived->cause))) return false;
+  if (derived && (derived->cause == "finding" || derived->cause == cause_of_traits || is_class(derived->cause)))
+    return false;
   bool is_any_missed = false, is_any_phantom = false, is_there = false;
   const bool is_missed = stated && stated->what == "missed contact";
   for (const KernelRecord* entry : entries_of(record, kernel)) {

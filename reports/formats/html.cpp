@@ -11,6 +11,7 @@
 #include "reports/run_folder/record_checks.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/page/page_template.h"
+#include "reports/wording/causes.h"
 #include "reports/wording/classes.h"
 #include "reports/wording/depths.h"
 #include "reports/wording/summary.h"
@@ -78,7 +79,7 @@ Json witness_card(const WitnessRecord& witness, const PlanRecord& plan) {
   return card;
 }
 
-Json kernel_data(const KernelRecord& kernel) {
+Json kernel_data(const KernelRecord& kernel, const PlanRecord& plan) {
   Json data = json_of(kernel);
   const auto limit = [&](const FamilyRecord& family) {
     const double per_million = zero_limit_per_million(kernel, family);
@@ -89,6 +90,8 @@ Json kernel_data(const KernelRecord& kernel) {
   data["touching_text"] = touching_text(kernel);
   data["limits_text"] = limits_text(kernel);
   data["classes"] = classes_data(kernel);
+  data["cause_text"] = kernel.cause ? Json(kernel.cause->sentence()) : Json(nullptr);
+  data["cause_witness_text"] = cause_witness_line(kernel, plan);
   data["all"] = nullptr;
   const std::optional<FamilyRecord> total = all_families(kernel);
   if (!total) return data;
@@ -164,7 +167,7 @@ Json page_data(const Run& run) {
                {"kernels", Json::array()}};
   data["plan"].erase("seed");  // 64 bits, while a number in a page holds 53; the facts have it as text
   for (std::size_t i = 0; i < link_count; ++i) data["links"][std::string(link_names[i])] = link_words[i].meaning;
-  for (const KernelRecord& kernel : record.kernels) data["kernels"].push_back(kernel_data(kernel));
+  for (const KernelRecord& kernel : record.kernels) data["kernels"].push_back(kernel_data(kernel, record.plan));
   data["findings"] = findings_data(record);
   data["not_judged"] = not_judged(record);
   data["unjudged"] = unjudged(record);

@@ -2,12 +2,24 @@
 
 #include <fmt/format.h>
 
+#include "reports/wording/causes.h"
 #include "reports/wording/classes.h"
 #include "reports/wording/depths.h"
 #include "reports/wording/markdown_text.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
+std::string causes_section(const Record& record) {
+  std::string text;
+  for (const KernelRecord& kernel : record.kernels) {
+    const std::string line = cause_line(kernel), witness = cause_witness_line(kernel, record.plan);
+    if (line.empty()) continue;
+    text += fmt::format("\n- **{}**", markdown_text(line, 2000));
+    if (!witness.empty()) text += fmt::format("; the shortest witness: {}", markdown_text(witness, 2000));
+  }
+  return text.empty() ? "" : text + "\n";
+}
+
 std::string classes_section(const Record& record) {
   Section section("Why, by the class of the input");
   section.add_line(

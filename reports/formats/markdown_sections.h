@@ -9,6 +9,10 @@
 #include "reports/gates/requirement.h"
 
 namespace axiscert {
+// On why kernels are wrong, by what the exact answers say: one sentence each. Empty where no cause was looked for or
+// nothing is wrong.
+std::string causes_section(const Record& record);
+
 // On why kernels are wrong whose links do not say it. Empty where no kernel of the record has a wrong verdict in a
 // class of input.
 std::string classes_section(const Record& record);

@@ -107,6 +107,11 @@ class LeagueReport {
         "distance. Time: verdicts alone on one core, median over repetitions of 2^17 distinct queries of family "
         "`general`, in the library's own process, without the cost of communicating with it.",
         "Zero wrong verdicts hold for these queries only: at most 3 in as many queries, at 95 %."};
+    // Why comes before how the figures are read.
+    std::vector<std::string> causes;
+    for (const auto& [of, cause] : league_.causes)
+      causes.push_back(fmt::format("{} {}: {}.", league_.kernels[of.second]->id, name(of.first), cause.sentence()));
+    all.insert(all.begin(), causes.begin(), causes.end());
     all.insert(all.end(), league_.not_checked.begin(), league_.not_checked.end());
     return all;
   }
@@ -263,6 +268,8 @@ class LeagueReport {
         entry.has_planted_fault = k >= league_.contenders;
         entry.ns = time(k, precision);
         if (k < league_.contenders) entry.worst = worst_data(league_, result_, k, precision);
+        if (const auto cause = league_.causes.find({precision, k}); cause != league_.causes.end())
+          entry.cause = cause->second;
         for (const TrustGroup group : groups_asked(league_.questions.sources)) {
           const Trust trust = trust_in(kernel, tally_of_group(league_, result_, k, precision, group));
           entry.trust.put(name(group)) = {trust.answer, trust.words};

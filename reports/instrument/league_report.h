@@ -10,6 +10,7 @@
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/fields/field.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/record/cause_record.h"
 #include "kernel/outcome.h"
 #include "reports/instrument/data.h"
 #include "reports/instrument/figures.h"
@@ -91,6 +92,7 @@ struct LeagueKernelData {
   bool may_decline = false, has_planted_fault = false;
   std::optional<double> ns;
   std::optional<WorstData> worst;
+  std::optional<CauseRecord> cause;
   NamedValues<TrustData> trust;
   NamedValues<LeagueFamilyData> families;
 
@@ -107,6 +109,7 @@ struct LeagueKernelData {
               {"has_planted_fault", "Whether it is a kernel with a fault, which should be caught."}),
         field(&Of::ns, {"ns", "Nanoseconds a query; null: not timed.", "ns"}),
         field(&Of::worst, {"worst", "Its deepest wrong verdict; null: none, among the decided queries of `families`."}),
+        field(&Of::cause, {"cause", CauseRecord::about}),
         field(&Of::trust,
               {"trust", "May it be trusted? By kind of input: thin, small, far, degenerate, resting, scene."}),
         field(&Of::families, {"families", "By family."}));
@@ -139,6 +142,8 @@ struct League {
   // Nanoseconds for each query, by precision and number of the kernel; absent where no time was taken.
   std::map<std::pair<Precision, std::size_t>, double> nanoseconds;
   std::vector<std::string> not_checked;  // one sentence each
+  // Why they are wrong, in the same way; absent where nothing is, or nobody looked.
+  std::map<std::pair<Precision, std::size_t>, CauseRecord> causes = {};
 };
 
 // Each contender and precision with no decided query, with its counts: of these nothing was looked at.

@@ -215,12 +215,20 @@ function more_facts(entry) {
   return el('details', '', el('summary', 'label', 'More about it'), facts);
 }
 
+// Why it is wrong, in one sentence before all figures.
+function cause_line(entry) {
+  if (entry.cause_text === null) return '';
+  const line = el('p', 'cause', el('strong', '', `${entry.cause_text}.`));
+  if (entry.cause_witness_text !== '') line.append(` The shortest witness: ${entry.cause_witness_text}.`);
+  return line;
+}
+
 function answer_card(data, entry) {
   const failures = failures_of(data, entry), outcomes = outcomes_of(data, entry);
   const total = entry.all;
   const chips = outcomes.length > 0 ? outcomes.map((o) => outcome_chip(data, o)) : [chip('nothing required')];
   const card = el('article', 'card', el('h3', '', el('span', 'name', entry.id), ' ', chip(entry.precision), ' ', ...chips),
-                  el('p', 'lead', entry.summary), outcome_list(outcomes));
+                  cause_line(entry), el('p', 'lead', entry.summary), outcome_list(outcomes));
   if (total === null) {
     card.append(el('p', 'empty', 'Not checked: no family ran.'));
     return card;

@@ -1,0 +1,46 @@
+// The class of queries within which a kernel is wrong, and elsewhere right: a conjunction of traits.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fuzz/queries/capabilities.h"
+#include "kernel/names.h"
+
+namespace axiscert::causes {
+
+// Beside a predicate's own traits, the exact answer is one.
+inline constexpr TraitSet contact_trait = TraitSet{1} << most_traits,
+                          separated_trait = TraitSet{1} << (most_traits + 1);
+constexpr TraitSet trait_of(Verdict truth) { return truth == Verdict::contact ? contact_trait : separated_trait; }
+
+// A query whose traits were found, and whether the kernel is wrong on it.
+struct Case {
+  TraitSet traits;
+  bool is_wrong;
+};
+
+// How many queries a wrong case and a right one stand for, where more of the one were looked for than of the other.
+struct Weights {
+  double wrong = 1, right = 1;
+};
+
+struct FoundClass {
+  TraitSet traits = 0;  // a query with all of these is in the class; at most three
+  // The share of the wrong verdicts that are in the class; of wrong ones among its queries, and among all.
+  double share = 0, rate = 0, overall = 0;
+};
+
+// Of the conjunctions that explain at least half of the wrong verdicts, that with the greatest share: the wrong ones
+// within it, of these, the right ones within it and the wrong ones outside it; else of all conjunctions. One trait less
+// is worth 5 %, and among equals the first counts. There is a wrong case.
+FoundClass best_class(std::span<const Case> cases, const Weights& weights);
+
+// "spheres in contact nearest to vertex a, with an obtuse corner there".
+std::string phrase_of(const Traits& traits, TraitSet found);
+// The names, in the order of the phrase.
+std::vector<std::string> trait_names(const Traits& traits, TraitSet found);
+
+}  // namespace axiscert::causes

@@ -1,0 +1,93 @@
+// Why a kernel is wrong, by what the exact answers say of the queries.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fuzz/fields/json_form.h"
+#include "fuzz/files/query_object.h"
+#include "fuzz/record/witness_record.h"
+#include "kernel/base/enums.h"
+#include "kernel/names.h"
+
+namespace axiscert {
+
+// The queries of which a cause speaks: clear ones, which a right method cannot get wrong, or those whose depth is not
+// within rounding.
+enum class CauseBasis : std::uint8_t { clear, deep };
+template <>
+inline constexpr std::size_t enum_count<CauseBasis> = 2;
+constexpr std::string_view name(CauseBasis basis) {
+  return EnumArray<CauseBasis, std::string_view>{"clear", "deep"}[basis];
+}
+
+// Which verdicts are wrong.
+enum class CauseDirection : std::uint8_t { missed, phantom, both };
+template <>
+inline constexpr std::size_t enum_count<CauseDirection> = 3;
+constexpr std::string_view name(CauseDirection direction) {
+  return EnumArray<CauseDirection, std::string_view>{"missed", "phantom", "both"}[direction];
+}
+
+struct CauseWitness {
+  std::string address;
+  QueryLine query;
+  std::vector<Digits> numbers;
+  Verdict answered = Verdict::unanswered, truth = Verdict::unanswered;
+
+  static constexpr std::string_view about = "The wrong verdict of the class whose numbers are the simplest.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = CauseWitness;
+    return visit(field(&Of::address, {"address", "Its address."}),
+                 field(&Of::query, {"query", "A line of a query file, in hexadecimal numbers."}),
+                 field(&Of::numbers, {"numbers", "The same numbers in decimal, in the order of the columns."}),
+                 field(&Of::answered, {"answered", "What the kernel said."}),
+                 field(&Of::truth, {"truth", "The exact answer."}));
+  }
+};
+
+struct CauseRecord {
+  bool is_known = false;
+  std::string phrase;
+  std::vector<Name> traits;
+  CauseBasis basis = CauseBasis::clear;
+  CauseDirection direction = CauseDirection::both;
+  std::uint64_t wrong = 0, of = 0, elsewhere_wrong = 0, elsewhere_of = 0;
+  std::uint64_t explained = 0, looked_at = 0;
+  std::optional<CauseWitness> witness;
+
+  // "wrong on 206 of 212 spheres nearest to vertex a, with an obtuse corner there; right elsewhere (0 of 3,100)".
+  std::string sentence() const;
+
+  static constexpr std::string_view about =
+      "Why it is wrong: the class of queries, by what the exact answers say of them, within which it is wrong and "
+      "elsewhere right. The probe asked the kernel again. Null where nothing was wrong, or no kernel could be asked.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = CauseRecord;
+    return visit(
+        field(&Of::sentence, {"sentence", "All of it in one sentence."}),
+        field(&Of::is_known,
+              {"known",
+               "Whether the class explains at least half of the wrong verdicts, and is wrong more often than others."}),
+        field(&Of::phrase, {"phrase", "The class in words."}),
+        field(&Of::traits,
+              {"traits", "The traits that its queries have in common; contact and separated are the exact answer."}),
+        field(&Of::basis,
+              {"basis",
+               "The queries that were asked: clear ones, which a right method cannot get wrong; or, where no clear one "
+               "is wrong, those whose depth is above 64 u."}),
+        field(&Of::direction, {"direction", "The wrong verdicts of the class: missed contacts, phantom ones or both."}),
+        field(&Of::wrong, {"wrong", "Wrong verdicts in the class."}),
+        field(&Of::of, {"of", "Queries of the class that were asked."}),
+        field(&Of::elsewhere_wrong, {"elsewhere_wrong", "Wrong verdicts elsewhere."}),
+        field(&Of::elsewhere_of, {"elsewhere_of", "Queries elsewhere that were asked."}),
+        field(&Of::explained, {"explained", "Of all wrong verdicts that were looked at, those in the class."}),
+        field(&Of::looked_at, {"looked_at", "Wrong verdicts that were looked at, with those that were looked for."}),
+        field(&Of::witness, {"witness", "A wrong verdict of the class."}));
+  }
+};
+
+}  // namespace axiscert
