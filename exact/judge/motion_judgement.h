@@ -41,8 +41,8 @@ struct MotionJudgement {
   double gap = 0;                // of an early time: distance - r at that time, relative to the scene
   // Empty where not given.
   std::optional<bool> feature_is_right;
-  // Of a wrong feature: how far the centre is, at the exact first contact, beyond a plane that bounds the region in which
-  // that part is nearest, relative to the scene; infinite where the number names no part.
+  // Of a wrong feature: how far the centre is, at the exact first contact, beyond a plane that bounds the region in
+  // which that part is nearest, relative to the scene; infinite where the number names no part.
   std::optional<double> feature_error;
   // At the exact first contact; both empty too where the distance is 0 then.
   std::optional<double> normal_angle;         // radians

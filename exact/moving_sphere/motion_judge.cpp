@@ -153,8 +153,8 @@ auto ContactJudge<Real>::known_place() -> const Place& {
   return *place_;
 }
 
-// A region of a triangle is where the centre is beyond the ends of the edges at a vertex; beside an edge, outside; above
-// or below the face.
+// A region of a triangle is where the centre is beyond the ends of the edges at a vertex; beside an edge, outside;
+// above or below the face.
 template <class Real>
 Rational ContactJudge<Real>::squared_beyond(Feature feature) {
   const Place& here = known_place();

@@ -94,11 +94,12 @@ struct FeatureTally {
         field(&FeatureTally::none, {"none", "Hits without one, those that overlap at the start not counted."}),
         field(&FeatureTally::wrong, {"wrong", "Those that name a part that is not nearest at the first contact."}),
         field(&FeatureTally::unnamed, {"unnamed", "Of the wrong ones, those whose number names no part."}),
-        field(&FeatureTally::largest_error,
-              {"largest_error",
-               "Greatest distance of the centre at the first contact beyond a plane that bounds the region in which the "
-               "part that is named is nearest, relative to the scene; of those that name one.",
-               "of the scene"}),
+        field(
+            &FeatureTally::largest_error,
+            {"largest_error",
+             "Greatest distance of the centre at the first contact beyond a plane that bounds the region in which the "
+             "part that is named is nearest, relative to the scene; of those that name one.",
+             "of the scene"}),
         journalled(&FeatureTally::first_wrong));
   }
 };
@@ -108,15 +109,15 @@ struct NormalTally {
   Leaders<double> largest_angle, largest_length_error;
 
   static constexpr auto fields(auto&& visit) {
-    return visit(field(&NormalTally::judged,
-                       {"judged", "Hits with a normal, on which the distance at the first contact is not 0."}),
-                 field(&NormalTally::none,
-                       {"none",
-                        "Hits without one, those that overlap at the start, or at the distance 0, not counted."}),
-                 field(&NormalTally::largest_angle,
-                       {"largest_angle", "Greatest angle between it and the exact one, in radians.", "radians"}),
-                 field(&NormalTally::largest_length_error,
-                       {"largest_length_error", "Greatest difference of its length from 1.", "of its length"}));
+    return visit(
+        field(&NormalTally::judged,
+              {"judged", "Hits with a normal, on which the distance at the first contact is not 0."}),
+        field(&NormalTally::none,
+              {"none", "Hits without one, those that overlap at the start, or at the distance 0, not counted."}),
+        field(&NormalTally::largest_angle,
+              {"largest_angle", "Greatest angle between it and the exact one, in radians.", "radians"}),
+        field(&NormalTally::largest_length_error,
+              {"largest_length_error", "Greatest difference of its length from 1.", "of its length"}));
   }
 };
 

@@ -145,7 +145,8 @@ bool shows_contact(const WitnessRecord& witness, const Cell& cell) {
     return is_figure(cell.member == "largest_angle" ? measures.normal_angle : measures.normal_length_error);
   if (cell.place == "point") return is_figure(measures.point_error);
   if (cell.member == "largest_error") return is_figure(measures.feature_error);
-  if (cell.place == "feature") return cell.member != "none" && measures.feature_is_right.value_or(std::nullopt) == false;
+  if (cell.place == "feature")
+    return cell.member != "none" && measures.feature_is_right.value_or(std::nullopt) == false;
   if (cell.member == "latest_u") return time == TimeVerdict::late;
   if (cell.member == "earliest_u") return time == TimeVerdict::early;
   if (cell.member != "through" && cell.member != "deepest_tunnel") return time && name(*time) == cell.member;

@@ -113,9 +113,9 @@ TEST(ContactLevels, AContactWithoutATimeFailsLogicAndWhatIncludesIt) {
 }
 
 // A kernel that is right, moving-sphere/rounded, whose numbers are changed after it gave them.
-using Change =
+using Edit =
     std::function<void(std::vector<std::vector<float>>& measures, const QueryColumns<float>& batch, std::size_t i)>;
-Kernel changed(const char* name, Change change) {
+Kernel with_edit(const char* name, Edit change) {
   const Kernel& right = find_kernel("moving-sphere/rounded");
   Kernel kernel = right;
   kernel.id = fmt::format("moving-sphere/rounded~{}", name);
@@ -142,7 +142,7 @@ TEST(ContactLevels, EachPlantedFaultIsSeenByItsLevelAlone) {
                         normal = moving_sphere::normal_measure, point = moving_sphere::point_measure;
   struct Planted {
     const char *name, *level;
-    Change change;
+    Edit change;
   };
   const auto scale_normal = [](Measures& m, std::size_t i, float by) {
     for (std::size_t k = 0; k < 3; ++k) m[normal + k][i] *= by;
@@ -172,7 +172,7 @@ TEST(ContactLevels, EachPlantedFaultIsSeenByItsLevelAlone) {
   };
   std::deque<Kernel> kernels;
   std::vector<const Kernel*> asked;
-  for (const Planted& planted : all) asked.push_back(&kernels.emplace_back(changed(planted.name, planted.change)));
+  for (const Planted& planted : all) asked.push_back(&kernels.emplace_back(with_edit(planted.name, planted.change)));
   MutationPlan plan;
   plan.families = {&find_family("moving-sphere/one_axis")};
   plan.seed = 3;
