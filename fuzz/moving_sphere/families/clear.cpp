@@ -46,7 +46,7 @@ Point towards(Stream& random, const Point& away) {
 template <class Real>
 MovingQuery<Real> to_region(Stream& random, std::size_t region, double r, bool is_reached) {
   const Target<Real> target(random);
-  const regions::Aim aim = regions::aim(random, target.exact, region, r / 2);
+  const regions::Aim aim = regions::aim(random, target.exact, region, r * 2);
   const Point way = towards(random, aim.away), at_contact = aim.at + aim.away * r;
   const double reach = 0.25 + random.unit<double>(), part = clear_part(random);
   return target.query(at_contact - way * reach, way * (reach * (is_reached ? 1 + part : 1 - part)), r);
@@ -73,7 +73,7 @@ Numbers<Real> starting(Stream& random, std::uint64_t position) {
   const Target<Real> target(random);
   const double r = radius_in_turn(random, position / regions::count / 5, 1, 8), part = clear_part(random),
                reach = 0.25 + random.unit<double>();
-  const regions::Aim aim = regions::aim(random, target.exact, position % regions::count, r / 2);
+  const regions::Aim aim = regions::aim(random, target.exact, position % regions::count, r * 2);
   const Point inwards = towards(random, aim.away);
   const double step = kind == 2 || kind == 3 ? 0 : kind == 4 ? reach : -reach;
   return target.query(aim.at + aim.away * (r * (in_contact ? 1 - part : 1 + part)), inwards * step, r);
@@ -99,7 +99,7 @@ Numbers<Real> alongside(Stream& random, std::uint64_t position) {
   const Target<Real> target(random);
   const bool is_face = which >= edge_regions, in_contact = round % 2 == 0;
   const double r = radius_in_turn(random, round / 2, 1, 8);
-  const regions::Aim aim = regions::aim(random, target.exact, is_face ? regions::count - 1 : 3 + which, r / 2);
+  const regions::Aim aim = regions::aim(random, target.exact, is_face ? regions::count - 1 : 3 + which, r * 2);
   const std::size_t edge = which % 3;
   const Point side = regions::at_unit_length(target.exact[shapes::next(edge)] - target.exact[edge]);
   const Point along = is_face && random.coin() ? regions::at_right_angles(random, aim.away) : side;
@@ -121,7 +121,7 @@ Numbers<Real> passing_far(Stream& random, std::uint64_t position) {
   const Target<Real> target(random);
   const double r = radius_in_turn(random, round / 34, 1, 4);
   const double far = std::ldexp(r, 4 + static_cast<int>(round / 2 % 17));
-  const regions::Aim aim = regions::aim(random, target.exact, position % regions::count, r / 2);
+  const regions::Aim aim = regions::aim(random, target.exact, position % regions::count, r * 2);
   return passing<Real>(random, target, aim, regions::at_right_angles(random, aim.away), far, r, round % 2 == 0);
 }
 
@@ -132,7 +132,7 @@ Numbers<Real> hardly_moving(Stream& random, std::uint64_t position) {
   const bool in_contact = round % 2 == 0;
   const Target<Real> target(random);
   const double r = radius_in_turn(random, round / 36, 1, 6), part = clear_part(random);
-  const regions::Aim aim = regions::aim(random, target.exact, position % regions::count, r / 2);
+  const regions::Aim aim = regions::aim(random, target.exact, position % regions::count, r * 2);
   Point way = shapes::in_cube<double>(random);
   if (dot(way, way) < 0x1p-16) way = {1, 0, 0};
   const double step = std::ldexp(r, -27 + static_cast<int>(round / 2 % 18));
