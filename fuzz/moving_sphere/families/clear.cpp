@@ -18,13 +18,14 @@ struct Target {
     const Corners corners = regions::with_corner(random, cosine, first, second);
     const auto vertex = random.below(3);
     for (std::size_t k = 0; k < 3; ++k) {
-      rounded[k] = regions::rounded<Real>(corners[(k + vertex) % 3]);
+      rounded[k] = regions::rounded_place<Real>(corners[(k + vertex) % 3]);
       exact[k] = regions::wide(rounded[k]);
     }
   }
   MovingQuery<Real> query(const Point& p, const Point& d, double r) const {
-    return {rounded[0],          rounded[1], rounded[2], regions::rounded<Real>(p), regions::rounded<Real>(d),
-            static_cast<Real>(r)};
+    return {
+        rounded[0],          rounded[1], rounded[2], regions::rounded_place<Real>(p), regions::rounded_place<Real>(d),
+        static_cast<Real>(r)};
   }
   std::array<Vec3<Real>, 3> rounded;
   Corners exact;
@@ -171,8 +172,8 @@ extern const Family moving_sphere_starts_family = moving_family<starting<float>,
 extern const Family moving_sphere_alongside_family = moving_family<alongside<float>, alongside<double>>(
     "moving-sphere/alongside", situation::parallel,
     "clear: along an edge or the face, exactly or by an angle of 2^-3 to 2^-12, nearer than r or farther");
-extern const Family moving_sphere_passes_family = moving_family<passing_far<float>, passing_far<double>>(
-    "moving-sphere/passes", situation::far, "clear: 2^4 to 2^20 radii past each region of a triangle in turn");
+extern const Family moving_sphere_far_past_family = moving_family<passing_far<float>, passing_far<double>>(
+    "moving-sphere/far_past", situation::far, "clear: 2^4 to 2^20 radii past each region of a triangle in turn");
 extern const Family moving_sphere_moves_family = moving_family<hardly_moving<float>, hardly_moving<double>>(
     "moving-sphere/moves", situation::no_motion,
     "clear: by 2^-27 to 2^-10 radii at each region of a triangle in turn; where the sphere is decides");

@@ -293,7 +293,8 @@ TYPED_TEST(MovingFamilies, OfClearMotionsHaveTheVerdictThatTheyMean) {
   const auto every_other_of = [](std::uint64_t regions) {
     return [regions](std::uint64_t position) { return position / regions % 2 == 0; };
   };
-  for (const char* name : {"reach", "passes", "moves", "ends_reach", "ends_passes"}) expect(name, every_other_of(13));
+  for (const char* name : {"reach", "far_past", "moves", "ends_reach", "ends_far_past"})
+    expect(name, every_other_of(13));
   for (const char* name : {"starts", "ends_starts"}) {
     expect(name, [](std::uint64_t position) { return position / region_count % 5 % 2 == 0; });
   }

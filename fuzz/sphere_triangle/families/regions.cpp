@@ -15,12 +15,12 @@ Query<Real> seen_from(Stream& random, const regions::Corners& corners, std::size
   shapes::Vertices<Real> v;
   regions::Corners exact;
   for (std::size_t k = 0; k < 3; ++k) {
-    v[k] = regions::rounded<Real>(corners[(k + first) % 3]);
+    v[k] = regions::rounded_place<Real>(corners[(k + first) % 3]);
     exact[k] = regions::wide(v[k]);
   }
   const regions::Aim aim = regions::aim(random, exact, region, distance * 2);
   const double part = regions::clear_part(random);
-  return shapes::query(v, regions::rounded<Real>(aim.at + aim.away * distance),
+  return shapes::query(v, regions::rounded_place<Real>(aim.at + aim.away * distance),
                        static_cast<Real>(distance * (in_contact ? 1 + part : 1 - part)));
 }
 

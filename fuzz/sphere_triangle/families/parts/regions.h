@@ -77,7 +77,7 @@ inline Corners with_corner(Stream& random, double cosine, double first, double s
 }
 
 template <class Real>
-Vec3<Real> rounded(const Point& p) {
+Vec3<Real> rounded_place(const Point& p) {
   return {static_cast<Real>(p.x), static_cast<Real>(p.y), static_cast<Real>(p.z)};
 }
 template <class Real>
