@@ -188,7 +188,7 @@ struct Slight {
       Pair straight = made.query;
       straight.b.q = {1, 0, 0, 0};
       const ClearScene scene = scene_of(BoxPair<double>{box_in_doubles(straight.a), box_in_doubles(straight.b)});
-      const double gap = gap_at(scene, box_in_doubles(straight.b.centre) - box_in_doubles(straight.a.centre));
+      const double gap = gap_at(scene, arrow_of(straight.b.centre) - arrow_of(straight.a.centre));
       if ((gap > 0) == (side == Side::apart)) made.worth = 0;
       return made;
     });
