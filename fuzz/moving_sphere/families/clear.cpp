@@ -90,7 +90,7 @@ Numbers<Real> passing(Stream& random, const Target<Real>& target, const regions:
 }
 
 // Along an edge beside it, or in the plane of the face above it: along an edge or anyhow. Every fourth round exactly,
-// but for roundings; the others by an angle of 2^-3 to 2^-12 in turn, away from where the sphere starts or towards
+// but for roundings; the others by 2^-3 to 2^-8 (binary64: 2^-20) in turn, away from where the sphere starts or towards
 // where it ends.
 template <class Real>
 Numbers<Real> alongside(Stream& random, std::uint64_t position) {
@@ -108,7 +108,8 @@ Numbers<Real> alongside(Stream& random, std::uint64_t position) {
   const Point way = is_back ? along * -1.0 : along;
   const double far = 0.5 + 3 * random.unit<double>();
   if (round / 2 % 4 == 3) return passing<Real>(random, target, aim, way, far, r, in_contact);
-  const double angle = std::ldexp(1.0, -3 - static_cast<int>(round / 8 % 10)), part = clear_part(random);
+  constexpr std::uint64_t angles = sizeof(Real) == 4 ? 6 : 18;
+  const double angle = std::ldexp(1.0, -3 - static_cast<int>(round / 8 % angles)), part = clear_part(random);
   const bool leaves = random.coin();
   const Point tilted = regions::at_unit_length(way + aim.away * (leaves ? angle : -angle)),
               nearest = aim.at + aim.away * (r * (in_contact ? 1 - part : 1 + part));
@@ -171,7 +172,7 @@ extern const Family moving_sphere_starts_family = moving_family<starting<float>,
     "clear: starts in contact or apart at each region in turn, and leaves, stands still or goes on");
 extern const Family moving_sphere_alongside_family = moving_family<alongside<float>, alongside<double>>(
     "moving-sphere/alongside", situation::parallel,
-    "clear: along an edge or the face, exactly or by an angle of 2^-3 to 2^-12, nearer than r or farther");
+    "clear: along an edge or the face, exactly or by an angle of 2^-3 to 2^-8 (2^-20), nearer than r or farther");
 extern const Family moving_sphere_far_past_family = moving_family<passing_far<float>, passing_far<double>>(
     "moving-sphere/far_past", situation::far, "clear: 2^4 to 2^20 radii past each region of a triangle in turn");
 extern const Family moving_sphere_moves_family = moving_family<hardly_moving<float>, hardly_moving<double>>(

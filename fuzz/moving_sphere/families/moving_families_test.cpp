@@ -274,7 +274,7 @@ TYPED_TEST(MovingFamilies, OfReachArriveFirstAtEachFeatureInTurn) {
   EXPECT_EQ(elsewhere, 0u) << "of " << queries;
 }
 
-// What each clear family means to make, and its verdicts; most of them are clear.
+// What each clear family means to make, and its verdicts; an eighth or more of them are clear.
 TYPED_TEST(MovingFamilies, OfClearMotionsHaveTheVerdictThatTheyMean) {
   const auto expect = [](const char* name, const auto& is_contact) {
     const Family& family = find_family(std::string("moving-sphere/") + name);
@@ -288,7 +288,7 @@ TYPED_TEST(MovingFamilies, OfClearMotionsHaveTheVerdictThatTheyMean) {
       wrong += (*verdict == Verdict::contact) != is_contact(position);
     }
     EXPECT_EQ(wrong, 0u) << name << ", of " << clear << " clear";
-    EXPECT_GT(clear, queries / 3) << name;
+    EXPECT_GT(clear, queries / 8) << name;
   };
   const auto every_other_of = [](std::uint64_t regions) {
     return [regions](std::uint64_t position) { return position / regions % 2 == 0; };
