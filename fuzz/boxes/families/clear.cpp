@@ -35,18 +35,18 @@ std::vector<Arrow> corners_of(const OrientedBox<double>& box) {
   return corners;
 }
 
-double length(const Arrow& v) { return std::sqrt(dot(v, v)); }
+double arrow_length(const Arrow& v) { return std::sqrt(dot(v, v)); }
 
 // Of length 1; 0 for a product of vectors whose angle is below a part in 2^40.
 Arrow unit_axis(const Arrow& v, double lengths) {
-  const double own = length(v);
+  const double own = arrow_length(v);
   return own > lengths * 0x1p-40 ? v / own : Arrow{0, 0, 0};
 }
 
 void set_size(ClearScene& scene) {
   scene.size = 0;
   for (const auto* body : {&scene.a, &scene.b}) {
-    for (const Arrow& corner : *body) scene.size = std::max(scene.size, length(corner));
+    for (const Arrow& corner : *body) scene.size = std::max(scene.size, arrow_length(corner));
   }
 }
 
@@ -69,7 +69,7 @@ Arrow farthest_point(Stream& random, const std::vector<Arrow>& corners, const Ar
 
 ClearScene scene_of(const BoxPair<double>& q) {
   ClearScene scene{corners_of(q.a), corners_of(q.b), {}, 0};
-  const auto edge = [&](std::size_t i) { return i < 3 ? length(q.a.axis[i]) : length(q.b.axis[i - 3]); };
+  const auto edge = [&](std::size_t i) { return i < 3 ? arrow_length(q.a.axis[i]) : arrow_length(q.b.axis[i - 3]); };
   for (std::size_t i = 0; i < axis_count; ++i) {
     const double lengths = i < 3   ? edge(next(i)) * edge(last(i))
                            : i < 6 ? edge(3 + next(i - 3)) * edge(3 + last(i - 3))
@@ -83,11 +83,11 @@ ClearScene scene_of(const BoxPair<double>& q) {
 ClearScene scene_of(const BoxAndTriangle<double>& q) {
   ClearScene scene{corners_of(q.box), {}, {}, 0};
   for (const Arrow& corner : q.corner) scene.b.push_back(corner - q.corner[0]);
-  const auto edge = [&](std::size_t j) { return length(triangle_edge(q.corner, j)); };
+  const auto edge = [&](std::size_t j) { return arrow_length(triangle_edge(q.corner, j)); };
   for (std::size_t i = 0; i < thirteen_count; ++i) {
-    const double lengths = i < 3             ? length(q.box.axis[next(i)]) * length(q.box.axis[last(i)])
+    const double lengths = i < 3             ? arrow_length(q.box.axis[next(i)]) * arrow_length(q.box.axis[last(i)])
                            : i == plane_axis ? edge(0) * edge(2)
-                                             : length(q.box.axis[(i - 4) / 3]) * edge((i - 4) % 3);
+                                             : arrow_length(q.box.axis[(i - 4) / 3]) * edge((i - 4) % 3);
     scene.axis.push_back(unit_axis(direction(q, i), lengths));
   }
   set_size(scene);

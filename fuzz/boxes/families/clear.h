@@ -68,7 +68,7 @@ auto best_of(Stream& random, int attempts, const Try& attempt) {
 }
 
 template <class Real>
-Arrow widened(const Vec3<Real>& v) {
+Arrow arrow_of(const Vec3<Real>& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 template <class Real>
@@ -78,17 +78,17 @@ Vec3<Real> rounded_arrow(const Arrow& v) {
 
 // A box in doubles, by its matrix in either entry.
 template <class Real>
-OrientedBox<double> widened(const OrientedBox<Real>& box) {
-  OrientedBox<double> wide{widened(box.centre), {}, {}};
+OrientedBox<double> box_in_doubles(const OrientedBox<Real>& box) {
+  OrientedBox<double> wide{arrow_of(box.centre), {}, {}};
   for (std::size_t k = 0; k < 3; ++k) {
     wide.half[k] = static_cast<double>(box.half[k]);
-    wide.axis[k] = widened(box.axis[k]);
+    wide.axis[k] = arrow_of(box.axis[k]);
   }
   return wide;
 }
 template <class Real>
-OrientedBox<double> widened(const TurnedBox<Real>& box) {
-  TurnedBox<double> wide{widened(box.centre), {}, {}};
+OrientedBox<double> box_in_doubles(const TurnedBox<Real>& box) {
+  TurnedBox<double> wide{arrow_of(box.centre), {}, {}};
   for (std::size_t k = 0; k < 3; ++k) wide.half[k] = static_cast<double>(box.half[k]);
   for (std::size_t k = 0; k < 4; ++k) wide.q[k] = static_cast<double>(box.q[k]);
   return with_matrix(wide);
@@ -114,10 +114,10 @@ inline double worth_of(const ClearPlace& place, const ClearScene& scene, const C
 
 // B of two boxes put where the axis decides.
 template <class Pair>
-Attempt<Pair> placed(Stream& random, Pair q, const ClearWish& wish) {
-  const ClearScene scene = scene_of(BoxPair<double>{widened(q.a), widened(q.b)});
+Attempt<Pair> placed_box(Stream& random, Pair q, const ClearWish& wish) {
+  const ClearScene scene = scene_of(BoxPair<double>{box_in_doubles(q.a), box_in_doubles(q.b)});
   const ClearPlace place = place_on_axis(random, scene, wish.axis, wish.side, scene.size * wish.most);
-  q.b.centre = rounded_arrow<RealOf<Pair>>(widened(q.a.centre) + place.by);
+  q.b.centre = rounded_arrow<RealOf<Pair>>(arrow_of(q.a.centre) + place.by);
   return {q, worth_of(place, scene, wish)};
 }
 

@@ -9,12 +9,12 @@ constexpr int box_attempts = 24;
 
 // Ordinary boxes, each turned by any rotation, where the wish is met.
 template <class Pair>
-Pair decided(Stream& random, std::uint64_t position, const ClearWish& wish) {
+Pair decided_boxes(Stream& random, std::uint64_t position, const ClearWish& wish) {
   return best_of(random, box_attempts, [&](Stream& from) {
     Pair q = of_ordinary_size<Pair>(from, position);
     turn_quickly(q.a, random_turn(from));
     turn_quickly(q.b, random_turn(from));
-    return placed(from, q, wish);
+    return placed_box(from, q, wish);
   });
 }
 
@@ -22,7 +22,7 @@ struct OneAxis {
   template <class Pair>
   static Pair make(Stream& random, std::uint64_t position) {
     const ClearWish wish = wish_in_turn<RealOf<Pair>>(random, position / axis_count, position % axis_count);
-    return decided<Pair>(random, position, wish);
+    return decided_boxes<Pair>(random, position, wish);
   }
 };
 
@@ -43,7 +43,7 @@ struct Spans {
       for (auto& s : q.b.half) s = std::ldexp(s, power);
       turn_quickly(q.a, random_turn(from));
       turn_quickly(q.b, random_turn(from));
-      return placed(from, q, wish);
+      return placed_box(from, q, wish);
     });
   }
 };
@@ -65,7 +65,7 @@ struct Plates {
       if (kind / 2 == 2) q.a.half[next(of_a)] *= thickness;
       turn_quickly(q.a, random_turn(from));
       turn_quickly(q.b, random_turn(from));
-      return placed(from, q, {axis, side, 0.25, 0.01});
+      return placed_box(from, q, {axis, side, 0.25, 0.01});
     });
   }
 };
@@ -91,7 +91,7 @@ Pair crossing(Stream& random, std::uint64_t position) {
     const double yaw = std::ldexp(2.0 + from.unit<double>(), flatness);
     turn_quickly(q.a, product(product(frame, on_an_edge), cycle[of_a]));
     turn_quickly(q.b, product(product(product(frame, {yaw, 0, 0, 1}), on_an_edge), cycle[of_b]));
-    return placed(from, q, wish);
+    return placed_box(from, q, wish);
   });
 }
 
@@ -107,7 +107,7 @@ Pair upright_pair(Stream& random, std::uint64_t position) {
     Pair q = of_ordinary_size<Pair>(from, position);
     turn_quickly(q.a, yaw_of(from, position / 18 % 2 == 0));
     turn_quickly(q.b, yaw_of(from, position / 36 % 2 == 0));
-    return placed(from, q, wish);
+    return placed_box(from, q, wish);
   });
 }
 
@@ -123,7 +123,7 @@ Pair nearly_aligned(Stream& random, std::uint64_t position) {
     const double x = from.symmetric<double>(), y = from.symmetric<double>(), z = from.symmetric<double>();
     turn_quickly(q.a, frame);
     turn_quickly(q.b, product(product(frame, by), {flatness, x, y, z}));
-    return placed(from, q, wish);
+    return placed_box(from, q, wish);
   });
 }
 
@@ -149,7 +149,7 @@ struct Lengths {
       Pair q = of_ordinary_size<Pair>(from, position);
       turn_at_length(from, which != 2 ? times : Real(1), q.a);
       turn_at_length(from, which != 1 ? times : Real(1), q.b);
-      return placed(from, q, wish);
+      return placed_box(from, q, wish);
     });
   }
 
@@ -184,11 +184,11 @@ struct Slight {
       const double w = from.coin() ? 1 : -1;
       q.b.q = {static_cast<Real>(w), static_cast<Real>(x * part), static_cast<Real>(y * part),
                static_cast<Real>(z * part)};
-      Attempt<Pair> made = placed(from, q, {facet_of_b(axis % 3), side, part / 4, part / 8});
+      Attempt<Pair> made = placed_box(from, q, {facet_of_b(axis % 3), side, part / 4, part / 8});
       Pair straight = made.query;
       straight.b.q = {1, 0, 0, 0};
-      const ClearScene scene = scene_of(BoxPair<double>{widened(straight.a), widened(straight.b)});
-      const double gap = gap_at(scene, widened(straight.b.centre) - widened(straight.a.centre));
+      const ClearScene scene = scene_of(BoxPair<double>{box_in_doubles(straight.a), box_in_doubles(straight.b)});
+      const double gap = gap_at(scene, arrow_of(straight.b.centre) - arrow_of(straight.a.centre));
       if ((gap > 0) == (side == Side::apart)) made.worth = 0;
       return made;
     });
@@ -199,7 +199,7 @@ struct Slight {
 template <class Pair>
 Numbers<RealOf<Pair>> unit_boxes(Stream& random, std::uint64_t base) {
   const Side side = (base + base / axis_count) % 3 == 2 ? Side::in_contact : Side::apart;
-  return numbers_of(decided<Pair>(random, 0, {base % axis_count, side}));
+  return numbers_of(decided_boxes<Pair>(random, 0, {base % axis_count, side}));
 }
 
 constexpr std::array<ImageGroup, 2> unit_groups_of_boxes = {unit_group_of(box_box_predicate, "box-box/units"),

@@ -18,13 +18,14 @@ struct Target {
     const Corners corners = regions::with_corner(random, cosine, first, second);
     const auto vertex = random.below(3);
     for (std::size_t k = 0; k < 3; ++k) {
-      rounded[k] = regions::rounded<Real>(corners[(k + vertex) % 3]);
+      rounded[k] = regions::rounded_place<Real>(corners[(k + vertex) % 3]);
       exact[k] = regions::wide(rounded[k]);
     }
   }
   MovingQuery<Real> query(const Point& p, const Point& d, double r) const {
-    return {rounded[0],          rounded[1], rounded[2], regions::rounded<Real>(p), regions::rounded<Real>(d),
-            static_cast<Real>(r)};
+    return {
+        rounded[0],          rounded[1], rounded[2], regions::rounded_place<Real>(p), regions::rounded_place<Real>(d),
+        static_cast<Real>(r)};
   }
   std::array<Vec3<Real>, 3> rounded;
   Corners exact;
@@ -46,7 +47,7 @@ Point towards(Stream& random, const Point& away) {
 template <class Real>
 MovingQuery<Real> to_region(Stream& random, std::size_t region, double r, bool is_reached) {
   const Target<Real> target(random);
-  const regions::Aim aim = regions::aim(random, target.exact, region, r / 2);
+  const regions::Aim aim = regions::aim(random, target.exact, region, r * 2);
   const Point way = towards(random, aim.away), at_contact = aim.at + aim.away * r;
   const double reach = 0.25 + random.unit<double>(), part = clear_part(random);
   return target.query(at_contact - way * reach, way * (reach * (is_reached ? 1 + part : 1 - part)), r);
@@ -73,7 +74,7 @@ Numbers<Real> starting(Stream& random, std::uint64_t position) {
   const Target<Real> target(random);
   const double r = radius_in_turn(random, position / regions::count / 5, 1, 8), part = clear_part(random),
                reach = 0.25 + random.unit<double>();
-  const regions::Aim aim = regions::aim(random, target.exact, position % regions::count, r / 2);
+  const regions::Aim aim = regions::aim(random, target.exact, position % regions::count, r * 2);
   const Point inwards = towards(random, aim.away);
   const double step = kind == 2 || kind == 3 ? 0 : kind == 4 ? reach : -reach;
   return target.query(aim.at + aim.away * (r * (in_contact ? 1 - part : 1 + part)), inwards * step, r);
@@ -89,7 +90,7 @@ Numbers<Real> passing(Stream& random, const Target<Real>& target, const regions:
 }
 
 // Along an edge beside it, or in the plane of the face above it: along an edge or anyhow. Every fourth round exactly,
-// but for roundings; the others by an angle of 2^-3 to 2^-12 in turn, away from where the sphere starts or towards
+// but for roundings; the others by 2^-3 to 2^-8 (binary64: 2^-20) in turn, away from where the sphere starts or towards
 // where it ends.
 template <class Real>
 Numbers<Real> alongside(Stream& random, std::uint64_t position) {
@@ -99,7 +100,7 @@ Numbers<Real> alongside(Stream& random, std::uint64_t position) {
   const Target<Real> target(random);
   const bool is_face = which >= edge_regions, in_contact = round % 2 == 0;
   const double r = radius_in_turn(random, round / 2, 1, 8);
-  const regions::Aim aim = regions::aim(random, target.exact, is_face ? regions::count - 1 : 3 + which, r / 2);
+  const regions::Aim aim = regions::aim(random, target.exact, is_face ? regions::count - 1 : 3 + which, r * 2);
   const std::size_t edge = which % 3;
   const Point side = regions::at_unit_length(target.exact[shapes::next(edge)] - target.exact[edge]);
   const Point along = is_face && random.coin() ? regions::at_right_angles(random, aim.away) : side;
@@ -107,7 +108,8 @@ Numbers<Real> alongside(Stream& random, std::uint64_t position) {
   const Point way = is_back ? along * -1.0 : along;
   const double far = 0.5 + 3 * random.unit<double>();
   if (round / 2 % 4 == 3) return passing<Real>(random, target, aim, way, far, r, in_contact);
-  const double angle = std::ldexp(1.0, -3 - static_cast<int>(round / 8 % 10)), part = clear_part(random);
+  constexpr std::uint64_t angles = sizeof(Real) == 4 ? 6 : 18;
+  const double angle = std::ldexp(1.0, -3 - static_cast<int>(round / 8 % angles)), part = clear_part(random);
   const bool leaves = random.coin();
   const Point tilted = regions::at_unit_length(way + aim.away * (leaves ? angle : -angle)),
               nearest = aim.at + aim.away * (r * (in_contact ? 1 - part : 1 + part));
@@ -121,7 +123,7 @@ Numbers<Real> passing_far(Stream& random, std::uint64_t position) {
   const Target<Real> target(random);
   const double r = radius_in_turn(random, round / 34, 1, 4);
   const double far = std::ldexp(r, 4 + static_cast<int>(round / 2 % 17));
-  const regions::Aim aim = regions::aim(random, target.exact, position % regions::count, r / 2);
+  const regions::Aim aim = regions::aim(random, target.exact, position % regions::count, r * 2);
   return passing<Real>(random, target, aim, regions::at_right_angles(random, aim.away), far, r, round % 2 == 0);
 }
 
@@ -132,7 +134,7 @@ Numbers<Real> hardly_moving(Stream& random, std::uint64_t position) {
   const bool in_contact = round % 2 == 0;
   const Target<Real> target(random);
   const double r = radius_in_turn(random, round / 36, 1, 6), part = clear_part(random);
-  const regions::Aim aim = regions::aim(random, target.exact, position % regions::count, r / 2);
+  const regions::Aim aim = regions::aim(random, target.exact, position % regions::count, r * 2);
   Point way = shapes::in_cube<double>(random);
   if (dot(way, way) < 0x1p-16) way = {1, 0, 0};
   const double step = std::ldexp(r, -27 + static_cast<int>(round / 2 % 18));
@@ -170,9 +172,9 @@ extern const Family moving_sphere_starts_family = moving_family<starting<float>,
     "clear: starts in contact or apart at each region in turn, and leaves, stands still or goes on");
 extern const Family moving_sphere_alongside_family = moving_family<alongside<float>, alongside<double>>(
     "moving-sphere/alongside", situation::parallel,
-    "clear: along an edge or the face, exactly or by an angle of 2^-3 to 2^-12, nearer than r or farther");
-extern const Family moving_sphere_passes_family = moving_family<passing_far<float>, passing_far<double>>(
-    "moving-sphere/passes", situation::far, "clear: 2^4 to 2^20 radii past each region of a triangle in turn");
+    "clear: along an edge or the face, exactly or by an angle of 2^-3 to 2^-8 (2^-20), nearer than r or farther");
+extern const Family moving_sphere_far_past_family = moving_family<passing_far<float>, passing_far<double>>(
+    "moving-sphere/far_past", situation::far, "clear: 2^4 to 2^20 radii past each region of a triangle in turn");
 extern const Family moving_sphere_moves_family = moving_family<hardly_moving<float>, hardly_moving<double>>(
     "moving-sphere/moves", situation::no_motion,
     "clear: by 2^-27 to 2^-10 radii at each region of a triangle in turn; where the sphere is decides");

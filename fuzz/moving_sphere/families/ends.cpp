@@ -9,7 +9,7 @@ extern const Family moving_sphere_general_family, moving_sphere_graze_family, mo
     moving_sphere_huge_d_family, moving_sphere_zero_d_family, moving_sphere_line_sweep_family,
     moving_sphere_point_family, moving_sphere_lattice_family, moving_sphere_scene_walk_family,
     moving_sphere_reach_family, moving_sphere_starts_family, moving_sphere_alongside_family,
-    moving_sphere_passes_family;
+    moving_sphere_far_past_family;
 
 namespace {
 
@@ -79,7 +79,7 @@ extern const Family moving_sphere_ends_starts_family =
     ends_family<moving_sphere_starts_family>("moving-sphere/ends_starts", situation::starts, "starts, by its ends");
 extern const Family moving_sphere_ends_alongside_family = ends_family<moving_sphere_alongside_family>(
     "moving-sphere/ends_alongside", situation::parallel, "alongside, by its ends");
-extern const Family moving_sphere_ends_passes_family =
-    ends_family<moving_sphere_passes_family>("moving-sphere/ends_passes", situation::far, "passes, by its ends");
+extern const Family moving_sphere_ends_far_past_family =
+    ends_family<moving_sphere_far_past_family>("moving-sphere/ends_far_past", situation::far, "far_past, by its ends");
 
 }  // namespace axiscert::moving_sphere

@@ -30,7 +30,7 @@
   X(reach)                          \
   X(starts)                         \
   X(alongside)                      \
-  X(passes)                         \
+  X(far_past)                       \
   X(moves)                          \
   X(edge_ends)                      \
   X(orders)                         \
@@ -55,7 +55,7 @@
   X(ends_reach)                     \
   X(ends_starts)                    \
   X(ends_alongside)                 \
-  X(ends_passes)
+  X(ends_far_past)
 
 namespace axiscert {
 namespace moving_sphere {

@@ -253,6 +253,55 @@ TYPED_TEST(MovingFamilies, OfOneAxisAreSeparatedByItAlone) {
   }
 }
 
+// Thirteen regions: the vertices, the edges in the middle and near either end, the face.
+constexpr std::size_t region_count = 13;
+moving_sphere::Feature feature_of_region(std::size_t region) {
+  using moving_sphere::Feature;
+  if (region == region_count - 1) return Feature::face;
+  return static_cast<Feature>(region < 3 ? region : 3 + region % 3);
+}
+
+// Every other round arrives, first at the feature in turn; the others stop short of it.
+TYPED_TEST(MovingFamilies, OfReachArriveFirstAtEachFeatureInTurn) {
+  const Family& family = find_family("moving-sphere/reach");
+  std::size_t elsewhere = 0;
+  const std::uint64_t queries = 20 * region_count;
+  for (std::uint64_t position = 0; position < queries; ++position) {
+    const auto contact = moving_sphere::first_contact(motion_of(family, family.make<TypeParam>(1, position)));
+    ASSERT_EQ(contact.has_value(), position / region_count % 2 == 0) << position;
+    if (contact) elsewhere += !contact->features.contains(feature_of_region(position % region_count));
+  }
+  EXPECT_EQ(elsewhere, 0u) << "of " << queries;
+}
+
+// What each clear family means to make, and its verdicts; an eighth or more of them are clear.
+TYPED_TEST(MovingFamilies, OfClearMotionsHaveTheVerdictThatTheyMean) {
+  const auto expect = [](const char* name, const auto& is_contact) {
+    const Family& family = find_family(std::string("moving-sphere/") + name);
+    const Oracles& oracles = oracles_of(moving_sphere_predicate(), family.entry);
+    std::uint64_t clear = 0, wrong = 0;
+    const std::uint64_t queries = 400;
+    for (std::uint64_t position = 0; position < queries; ++position) {
+      const std::optional<Verdict> verdict = oracles.clear_verdict(family.make<TypeParam>(1, position));
+      if (!verdict) continue;
+      ++clear;
+      wrong += (*verdict == Verdict::contact) != is_contact(position);
+    }
+    EXPECT_EQ(wrong, 0u) << name << ", of " << clear << " clear";
+    EXPECT_GT(clear, queries / 8) << name;
+  };
+  const auto every_other_of = [](std::uint64_t regions) {
+    return [regions](std::uint64_t position) { return position / regions % 2 == 0; };
+  };
+  for (const char* name : {"reach", "far_past", "moves", "ends_reach", "ends_far_past"})
+    expect(name, every_other_of(13));
+  for (const char* name : {"starts", "ends_starts"}) {
+    expect(name, [](std::uint64_t position) { return position / region_count % 5 % 2 == 0; });
+  }
+  for (const char* name : {"alongside", "ends_alongside"}) expect(name, every_other_of(14));
+  expect("edge_ends", every_other_of(9));
+}
+
 // The verdicts of the kernels on the lattice, where nothing is rounded: only the theorem is left.
 TEST(MovingSphereKernels, WhereNothingIsRoundedTheNonstrictAreRightAndTheStrictInventContacts) {
   Plan plan;

@@ -7,7 +7,7 @@
 namespace axiscert {
 namespace {
 
-// The vertices are rounded first, the centre is seen from the rounded ones. Edges near an end are met within half the
+// The vertices are rounded first, the centre is seen from the rounded ones. Edges near an end are met within twice the
 // distance: outside of two edges where the corner is obtuse, and yet nearest to one.
 template <class Real>
 Query<Real> seen_from(Stream& random, const regions::Corners& corners, std::size_t first, std::size_t region,
@@ -15,12 +15,12 @@ Query<Real> seen_from(Stream& random, const regions::Corners& corners, std::size
   shapes::Vertices<Real> v;
   regions::Corners exact;
   for (std::size_t k = 0; k < 3; ++k) {
-    v[k] = regions::rounded<Real>(corners[(k + first) % 3]);
+    v[k] = regions::rounded_place<Real>(corners[(k + first) % 3]);
     exact[k] = regions::wide(v[k]);
   }
-  const regions::Aim aim = regions::aim(random, exact, region, distance / 2);
+  const regions::Aim aim = regions::aim(random, exact, region, distance * 2);
   const double part = regions::clear_part(random);
-  return shapes::query(v, regions::rounded<Real>(aim.at + aim.away * distance),
+  return shapes::query(v, regions::rounded_place<Real>(aim.at + aim.away * distance),
                        static_cast<Real>(distance * (in_contact ? 1 + part : 1 - part)));
 }
 

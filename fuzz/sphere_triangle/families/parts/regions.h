@@ -33,7 +33,7 @@ inline Aim aim(Stream& random, const Corners& v, std::size_t region, double near
   const Point normal = at_unit_length(cross(v[1] - v[0], v[2] - v[0]));
   const double one = random.unit<double>() + 0x1p-4, other = random.unit<double>() + 0x1p-4,
                third = random.unit<double>() + 0x1p-4, up = random.symmetric<double>();
-  const bool is_level = random.below(4) == 0;
+  const bool is_level = random.coin();
   const Point rise = normal * (is_level ? 0 : up);
   const std::size_t i = region % 3;
   if (is_vertex(region)) {
@@ -51,8 +51,12 @@ inline Aim aim(Stream& random, const Corners& v, std::size_t region, double near
   return {v[i] + edge * along, at_unit_length(outwards(v, i) + rise)};
 }
 
-// A part of a length by which a sphere is clearly in contact, or clearly not: 1 to 30 in a hundred.
-inline double clear_part(Stream& random) { return 0.01 + 0.29 * random.unit<double>(); }
+// A part of a length by which a sphere is clearly in contact, or clearly not: 1 to 30 in a hundred, half of them
+// below 8.
+inline double clear_part(Stream& random) {
+  const double part = random.unit<double>();
+  return 0.01 + 0.29 * (part * part);
+}
 
 // A unit vector at right angles to one.
 inline Point at_right_angles(Stream& random, const Point& way) {
@@ -73,7 +77,7 @@ inline Corners with_corner(Stream& random, double cosine, double first, double s
 }
 
 template <class Real>
-Vec3<Real> rounded(const Point& p) {
+Vec3<Real> rounded_place(const Point& p) {
   return {static_cast<Real>(p.x), static_cast<Real>(p.y), static_cast<Real>(p.z)};
 }
 template <class Real>
