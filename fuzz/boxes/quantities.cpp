@@ -14,7 +14,7 @@ namespace {
 using Point = Vec3<double>;
 using Box = OrientedBox<double>;
 
-double length(const Point& v) { return std::sqrt(dot(v, v)); }
+double extent_of(const Point& v) { return std::sqrt(dot(v, v)); }
 
 // The half of a box's extent along L, where no half extent is less than `least`.
 double reach(const Box& box, const Point& l, double least) {
@@ -72,21 +72,21 @@ struct BoxWithTriangle {
 };
 
 // The greatest gap that an axis shows; where none separates, less than 0: the least overlap.
-double gap(const auto& scene, double least) {
+double gap_on_axes(const auto& scene, double least) {
   double greatest = -std::numeric_limits<double>::infinity();
-  for (const Point& l : scene.axes()) greatest = std::max(greatest, scene.apart(l, least) / length(l));
+  for (const Point& l : scene.axes()) greatest = std::max(greatest, scene.apart(l, least) / extent_of(l));
   return greatest;
 }
 
 // The size to which all half extents that are less have to be raised for contact; 0 where there is contact already.
 double size_of_contact(const auto& scene) {
-  const double apart = gap(scene, 0);
+  const double apart = gap_on_axes(scene, 0);
   if (!(apart > 0)) return 0;
   double low = 0, high = apart;
-  while (gap(scene, high) > 0) high *= 2;
+  while (gap_on_axes(scene, high) > 0) high *= 2;
   for (int step = 0; step < 24; ++step) {
     const double middle = (low + high) / 2;
-    (gap(scene, middle) > 0 ? low : high) = middle;
+    (gap_on_axes(scene, middle) > 0 ? low : high) = middle;
   }
   return high;
 }
@@ -96,7 +96,7 @@ void add_sizes_of_both(const auto& scene, std::vector<double>& values) {
   values.push_back(size_of_contact(scene));
   values.push_back(std::ranges::min(halves));
   values.push_back(std::ranges::max(halves));
-  values.push_back(std::abs(gap(scene, 0)));
+  values.push_back(std::abs(gap_on_axes(scene, 0)));
 }
 
 constexpr std::string_view raised = "the half extent to which all that are less have to be raised for contact",
@@ -122,7 +122,7 @@ double volume(const Box& box) { return 8 * box.half[0] * box.half[1] * box.half[
 std::vector<double> values_of(const TwoBoxes& q) {
   std::vector<double> values;
   add_sizes_of_both(q, values);
-  values.push_back(length(q.b.centre - q.a.centre));
+  values.push_back(extent_of(q.b.centre - q.a.centre));
   for (const Box* box : {&q.a, &q.b}) values.push_back(std::ranges::min(box->half));
   for (const Box* box : {&q.a, &q.b}) values.push_back(std::ranges::max(box->half));
   values.push_back(std::max(greatest_of(q.a.centre), greatest_of(q.b.centre)));
@@ -149,13 +149,13 @@ std::vector<double> values_of(const BoxWithTriangle& q) {
   std::array<double, 3> edges, vertices;
   double product = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 3; ++k) {
-    edges[k] = length(q.edge(k));
-    vertices[k] = length(q.corner[k]);
+    edges[k] = extent_of(q.edge(k));
+    vertices[k] = extent_of(q.corner[k]);
     for (const Point& axis : q.box.axis) {
-      if (const double size = length(cross(axis, q.edge(k))); size > 0) product = std::min(product, size);
+      if (const double size = extent_of(cross(axis, q.edge(k))); size > 0) product = std::min(product, size);
     }
   }
-  const double area = length(q.normal()), height = std::abs(dot(q.corner[0], q.normal()));
+  const double area = extent_of(q.normal()), height = std::abs(dot(q.corner[0], q.normal()));
   values.insert(values.end(), {std::ranges::min(edges), std::ranges::max(edges), product, area > 0 ? height / area : 0,
                                std::ranges::min(vertices), area, height, volume(q.box)});
   return values;

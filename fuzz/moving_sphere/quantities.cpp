@@ -35,7 +35,7 @@ constexpr Quantity names[] = {{"the motion |D|", 1},
                               {"BC", 1},
                               {"CA", 1}};
 
-double length(const Point& v) { return std::sqrt(dot(v, v)); }
+double extent_of(const Point& v) { return std::sqrt(dot(v, v)); }
 
 std::vector<double> values_of(const GivenMotion& q) {
   const Point d = q.displacement<double>([](double x) { return x; });
@@ -43,19 +43,19 @@ std::vector<double> values_of(const GivenMotion& q) {
   const Point normal = cross(edge[0], q.c - q.a);
   std::array<double, 3> edges, vertices, across, along, discriminants;
   for (std::size_t k = 0; k < 3; ++k) {
-    edges[k] = length(edge[k]);
-    vertices[k] = length(vertex[k]);
-    across[k] = length(cross(d, edge[k]));
+    edges[k] = extent_of(edge[k]);
+    vertices[k] = extent_of(vertex[k]);
+    across[k] = extent_of(cross(d, edge[k]));
     along[k] = std::abs(dot(d, edge[k]));
     discriminants[k] = std::abs(across[k] * across[k] - q.r * q.r * edges[k] * edges[k]);
   }
   double greatest = 0;
   for (const Point& point : {q.a, q.b, q.c, q.p})
     greatest = std::max({greatest, std::abs(point.x), std::abs(point.y), std::abs(point.z)});
-  const double least = std::sqrt(nearest<double>(least_distance(q).squared)), area = length(normal),
+  const double least = std::sqrt(nearest<double>(least_distance(q).squared)), area = extent_of(normal),
                height = std::abs(dot(vertex[0], normal));
   const auto [shortest, longest] = std::ranges::minmax(edges);
-  return {length(d),
+  return {extent_of(d),
           q.r,
           least,
           std::abs(least - q.r),

@@ -73,7 +73,7 @@ TEST(LevelsBesideADiagnosis, AreNotMetWhereItFoundANumberOfTheKernelsOwn) {
   const LevelStatement level = state_beside("present");
   EXPECT_EQ(level.state, LevelState::not_met);
   EXPECT_EQ(level.failure_count, 1u);
-  EXPECT_THAT(level.failures.at(0), testing::HasSubstr("change with the unit of length: the distance d near 0.01"));
+  EXPECT_THAT(level.failures.at(0), testing::HasSubstr("the diagnosis found otherwise: the distance d near 0.01"));
 }
 
 std::vector<std::string> not_met_beside(const std::string& goal, const std::string& depth) {
