@@ -11,82 +11,82 @@
 namespace axiscert::boxes {
 namespace {
 
-using Point = Vec3<double>;
-using Box = OrientedBox<double>;
+using Double3 = Vec3<double>;
+using DoubleBox = OrientedBox<double>;
 
-double length(const Point& v) { return std::sqrt(dot(v, v)); }
+double extent_of(const Double3& v) { return std::sqrt(dot(v, v)); }
 
 // The half of a box's extent along L, where no half extent is less than `least`.
-double reach(const Box& box, const Point& l, double least) {
+double reach(const DoubleBox& box, const Double3& l, double least) {
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) sum += std::max(box.half[k], least) * std::abs(dot(box.axis[k], l));
   return sum;
 }
 
 // Appends u x v, but where they are parallel, or so nearly that rounding makes the product.
-void add_product(std::vector<Point>& all, const Point& u, const Point& v) {
-  const Point product = cross(u, v);
+void add_product(std::vector<Double3>& all, const Double3& u, const Double3& v) {
+  const Double3 product = cross(u, v);
   if (dot(product, product) > 1e-20 * dot(u, u) * dot(v, v)) all.push_back(product);
 }
 
 struct TwoBoxes {
-  Box a, b;
+  DoubleBox a, b;
 
   std::vector<double> halves() const { return {a.half[0], a.half[1], a.half[2], b.half[0], b.half[1], b.half[2]}; }
-  double apart(const Point& l, double least) const {
+  double apart(const Double3& l, double least) const {
     return std::abs(dot(b.centre - a.centre, l)) - reach(a, l, least) - reach(b, l, least);
   }
-  std::vector<Point> axes() const {
-    std::vector<Point> all;
-    for (const Box* box : {&a, &b}) {
+  std::vector<Double3> axes() const {
+    std::vector<Double3> all;
+    for (const DoubleBox* box : {&a, &b}) {
       for (std::size_t k = 0; k < 3; ++k) add_product(all, box->axis[(k + 1) % 3], box->axis[(k + 2) % 3]);
     }
-    for (const Point& u : a.axis) {
-      for (const Point& v : b.axis) add_product(all, u, v);
+    for (const Double3& u : a.axis) {
+      for (const Double3& v : b.axis) add_product(all, u, v);
     }
     return all;
   }
 };
 
 struct BoxWithTriangle {
-  Box box;
-  std::array<Point, 3> corner;  // seen from the box's centre
+  DoubleBox box;
+  std::array<Double3, 3> corner;  // seen from the box's centre
 
   std::vector<double> halves() const { return {box.half.begin(), box.half.end()}; }
-  Point edge(std::size_t k) const { return corner[(k + 1) % 3] - corner[k]; }
-  Point normal() const { return cross(edge(0), edge(1)); }
-  double apart(const Point& l, double least) const {
+  Double3 edge(std::size_t k) const { return corner[(k + 1) % 3] - corner[k]; }
+  Double3 normal() const { return cross(edge(0), edge(1)); }
+  double apart(const Double3& l, double least) const {
     const std::array<double, 3> at = {dot(corner[0], l), dot(corner[1], l), dot(corner[2], l)};
     const auto [low, high] = std::ranges::minmax(at);
     return std::max(low, -high) - reach(box, l, least);
   }
-  std::vector<Point> axes() const {
-    std::vector<Point> all;
+  std::vector<Double3> axes() const {
+    std::vector<Double3> all;
     add_product(all, edge(0), edge(1));
     for (std::size_t k = 0; k < 3; ++k) {
       add_product(all, box.axis[(k + 1) % 3], box.axis[(k + 2) % 3]);
-      for (const Point& u : box.axis) add_product(all, u, edge(k));
+      for (const Double3& u : box.axis) add_product(all, u, edge(k));
     }
     return all;
   }
 };
 
 // The greatest gap that an axis shows; where none separates, less than 0: the least overlap.
-double gap(const auto& scene, double least) {
+double gap_on_axes(const auto& scene, double least) {
   double greatest = -std::numeric_limits<double>::infinity();
-  for (const Point& l : scene.axes()) greatest = std::max(greatest, scene.apart(l, least) / length(l));
+  for (const Double3& l : scene.axes()) greatest = std::max(greatest, scene.apart(l, least) / extent_of(l));
   return greatest;
 }
 
 // The size to which all half extents that are less have to be raised for contact; 0 where there is contact already.
 double size_of_contact(const auto& scene) {
-  const double apart = gap(scene, 0);
+  const double apart = gap_on_axes(scene, 0);
   if (!(apart > 0)) return 0;
   double low = 0, high = apart;
-  while (gap(scene, high) > 0) high *= 2;
+  while (gap_on_axes(scene, high) > 0) high *= 2;
   for (int step = 0; step < 24; ++step) {
     const double middle = (low + high) / 2;
-    (gap(scene, middle) > 0 ? low : high) = middle;
+    (gap_on_axes(scene, middle) > 0 ? low : high) = middle;
   }
   return high;
 }
@@ -96,7 +96,7 @@ void add_sizes_of_both(const auto& scene, std::vector<double>& values) {
   values.push_back(size_of_contact(scene));
   values.push_back(std::ranges::min(halves));
   values.push_back(std::ranges::max(halves));
-  values.push_back(std::abs(gap(scene, 0)));
+  values.push_back(std::abs(gap_on_axes(scene, 0)));
 }
 
 constexpr std::string_view raised = "the half extent to which all that are less have to be raised for contact",
@@ -116,17 +116,17 @@ constexpr Quantity names_of_boxes[] = {{raised, 1},
                                        {"the volume of A", 3},
                                        {"the volume of B", 3}};
 
-double greatest_of(const Point& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-double volume(const Box& box) { return 8 * box.half[0] * box.half[1] * box.half[2]; }
+double greatest_of(const Double3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+double volume(const DoubleBox& box) { return 8 * box.half[0] * box.half[1] * box.half[2]; }
 
 std::vector<double> values_of(const TwoBoxes& q) {
   std::vector<double> values;
   add_sizes_of_both(q, values);
-  values.push_back(length(q.b.centre - q.a.centre));
-  for (const Box* box : {&q.a, &q.b}) values.push_back(std::ranges::min(box->half));
-  for (const Box* box : {&q.a, &q.b}) values.push_back(std::ranges::max(box->half));
+  values.push_back(extent_of(q.b.centre - q.a.centre));
+  for (const DoubleBox* box : {&q.a, &q.b}) values.push_back(std::ranges::min(box->half));
+  for (const DoubleBox* box : {&q.a, &q.b}) values.push_back(std::ranges::max(box->half));
   values.push_back(std::max(greatest_of(q.a.centre), greatest_of(q.b.centre)));
-  for (const Box* box : {&q.a, &q.b}) values.push_back(volume(*box));
+  for (const DoubleBox* box : {&q.a, &q.b}) values.push_back(volume(*box));
   return values;
 }
 
@@ -149,20 +149,20 @@ std::vector<double> values_of(const BoxWithTriangle& q) {
   std::array<double, 3> edges, vertices;
   double product = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 3; ++k) {
-    edges[k] = length(q.edge(k));
-    vertices[k] = length(q.corner[k]);
-    for (const Point& axis : q.box.axis) {
-      if (const double size = length(cross(axis, q.edge(k))); size > 0) product = std::min(product, size);
+    edges[k] = extent_of(q.edge(k));
+    vertices[k] = extent_of(q.corner[k]);
+    for (const Double3& axis : q.box.axis) {
+      if (const double size = extent_of(cross(axis, q.edge(k))); size > 0) product = std::min(product, size);
     }
   }
-  const double area = length(q.normal()), height = std::abs(dot(q.corner[0], q.normal()));
+  const double area = extent_of(q.normal()), height = std::abs(dot(q.corner[0], q.normal()));
   values.insert(values.end(), {std::ranges::min(edges), std::ranges::max(edges), product, area > 0 ? height / area : 0,
                                std::ranges::min(vertices), area, height, volume(q.box)});
   return values;
 }
 
 // The axes of the box that a quaternion of any length turns.
-Box turned(const TurnedBox<double>& box) {
+DoubleBox turned(const TurnedBox<double>& box) {
   double squared = 0;
   for (const double x : box.q) squared += x * x;
   const double to_one = 1 / std::sqrt(squared), w = box.q[0] * to_one, x = box.q[1] * to_one, y = box.q[2] * to_one,
@@ -177,7 +177,7 @@ Box turned(const TurnedBox<double>& box) {
 template <class Entry>
 std::vector<double> values_with_triangle(const auto& load) {
   const BoxAndTriangle<double> q = oriented(Entry::template problem<double>(load));
-  const Point& from = q.box.centre;
+  const Double3& from = q.box.centre;
   return values_of(BoxWithTriangle{q.box, {q.corner[0] - from, q.corner[1] - from, q.corner[2] - from}});
 }
 

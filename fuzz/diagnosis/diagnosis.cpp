@@ -175,16 +175,13 @@ std::optional<std::size_t> importance_of(std::string_view property, std::string_
   return std::nullopt;  // nearest_form, which no value of is expected
 }
 
-const Property* Diagnosis::most_important() const {
-  const Property* first = nullptr;
-  std::size_t least = 0;
-  for (const Property& property : properties) {
-    const auto rank = importance_of(property.name, property.value);
-    if (!rank || (first && *rank >= least)) continue;
-    first = &property;
-    least = *rank;
-  }
-  return first;
+std::vector<const Property*> Diagnosis::most_important_first() const {
+  std::vector<const Property*> all;
+  for (const Property& property : properties) all.push_back(&property);
+  std::ranges::stable_sort(all, {}, [](const Property* property) {
+    return importance_of(property->name, property->value).value_or(property_kinds().size());
+  });
+  return all;
 }
 
 const Property* Diagnosis::find(std::string_view name) const {

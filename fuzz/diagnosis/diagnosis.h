@@ -86,8 +86,8 @@ struct Diagnosis {
 
   // Null where there is none of that name.
   const Property* find(std::string_view name) const;
-  // That which matters most, the first of equals; null where all is as expected, or not known.
-  const Property* most_important() const;
+  // Those that matter most first, and in their order those of equals and those that are as expected or not known.
+  std::vector<const Property*> most_important_first() const;
   // Over all properties. Where nothing was decided, nothing is known of the kernel.
   LookedAt looked_at() const;
   std::string predicate_id() const { return std::string(predicate->id); }

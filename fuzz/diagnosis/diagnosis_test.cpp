@@ -132,6 +132,23 @@ TEST(Diagnosis, DependsOnTheSeedAlone) {
   EXPECT_NE(json_of(diagnosis_of(kernel, single, 8)).dump(), first);
 }
 
+TEST(Diagnosis, SaysFirstWhatMattersMost) {
+  const Diagnosis diagnosis = {.kernel = "k",
+                               .properties = {{"touching", "open", "s"},
+                                              {"range_window", "limited", "s"},
+                                              {"nearest_form", "published", "s"},
+                                              {"absolute_threshold", "present", "s"},
+                                              {"regions", "wrong", "s"},
+                                              {"sides", "both", "s"},
+                                              {"repeated", "differs", "s"}}};
+  std::vector<std::string> names;
+  for (const Property* property : diagnosis.most_important_first()) names.push_back(property->name);
+  EXPECT_THAT(names, testing::ElementsAre("repeated", "regions", "absolute_threshold", "range_window", "touching",
+                                          "nearest_form", "sides"));
+  EXPECT_FALSE(importance_of("range_window", not_known));
+  EXPECT_LT(importance_of("absolute_threshold", "quaternions"), importance_of("range_window", "limited"));
+}
+
 TEST(Diagnosis, EndsWhereItIsInterrupted) {
   std::atomic<bool> interrupted = false;
   DiagnosisOptions options;

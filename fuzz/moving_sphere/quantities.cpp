@@ -14,7 +14,7 @@ namespace {
 using portable::cross;
 using portable::dot;
 using portable::Vec3;
-using Point = Vec3<double>;
+using Double3 = Vec3<double>;
 
 constexpr Quantity names[] = {{"the motion |D|", 1},
                               {"r", 1},
@@ -35,27 +35,27 @@ constexpr Quantity names[] = {{"the motion |D|", 1},
                               {"BC", 1},
                               {"CA", 1}};
 
-double length(const Point& v) { return std::sqrt(dot(v, v)); }
+double extent_of(const Double3& v) { return std::sqrt(dot(v, v)); }
 
 std::vector<double> values_of(const GivenMotion& q) {
-  const Point d = q.displacement<double>([](double x) { return x; });
-  const std::array<Point, 3> edge = {q.b - q.a, q.c - q.b, q.a - q.c}, vertex = {q.a - q.p, q.b - q.p, q.c - q.p};
-  const Point normal = cross(edge[0], q.c - q.a);
+  const Double3 d = q.displacement<double>([](double x) { return x; });
+  const std::array<Double3, 3> edge = {q.b - q.a, q.c - q.b, q.a - q.c}, vertex = {q.a - q.p, q.b - q.p, q.c - q.p};
+  const Double3 normal = cross(edge[0], q.c - q.a);
   std::array<double, 3> edges, vertices, across, along, discriminants;
   for (std::size_t k = 0; k < 3; ++k) {
-    edges[k] = length(edge[k]);
-    vertices[k] = length(vertex[k]);
-    across[k] = length(cross(d, edge[k]));
+    edges[k] = extent_of(edge[k]);
+    vertices[k] = extent_of(vertex[k]);
+    across[k] = extent_of(cross(d, edge[k]));
     along[k] = std::abs(dot(d, edge[k]));
     discriminants[k] = std::abs(across[k] * across[k] - q.r * q.r * edges[k] * edges[k]);
   }
   double greatest = 0;
-  for (const Point& point : {q.a, q.b, q.c, q.p})
+  for (const Double3& point : {q.a, q.b, q.c, q.p})
     greatest = std::max({greatest, std::abs(point.x), std::abs(point.y), std::abs(point.z)});
-  const double least = std::sqrt(nearest<double>(least_distance(q).squared)), area = length(normal),
+  const double least = std::sqrt(nearest<double>(least_distance(q).squared)), area = extent_of(normal),
                height = std::abs(dot(vertex[0], normal));
   const auto [shortest, longest] = std::ranges::minmax(edges);
-  return {length(d),
+  return {extent_of(d),
           q.r,
           least,
           std::abs(least - q.r),

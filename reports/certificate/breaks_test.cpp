@@ -259,7 +259,14 @@ TEST(Peculiarities, AreThoseThatAUserHasToKnow) {
   std::vector<PropertyStatement>& properties = predicate.diagnosis.precisions.emplace_back().properties;
   properties = {property("sides", "front_only"), property("repeated", "same"),
                 property("absolute_threshold", "present")};
-  EXPECT_THAT(peculiarities_note(predicate), HasSubstr("in binary32, one-sided: only from the front; compares with"));
+  // What matters most first: a number of its own before a convention. It limits the range too, and is said once.
+  properties.push_back(property("range_window", "limited"));
+  EXPECT_EQ(peculiarities_note(predicate),
+            "What it is like: in binary32, compares with an absolute number, so it depends on the unit of length; "
+            "one-sided: only from the front.");
+  properties = {property("range_window", "limited"), property("absolute_threshold", "quaternions")};
+  EXPECT_THAT(peculiarities_note(predicate),
+              HasSubstr("compares the length of a quaternion with an absolute number; right only within a range"));
   properties = {property("nearest_form", "moving-sphere/physx5")};
   EXPECT_THAT(peculiarities_note(predicate), HasSubstr("answers as moving-sphere/physx5 does, see docs/moving.md#"));
   properties.insert(properties.begin(), property("degenerate_triangles", "skipped"));

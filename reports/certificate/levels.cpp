@@ -8,7 +8,6 @@
 #include <optional>
 #include <string_view>
 
-#include "fuzz/queries/image_groups.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
 #include "reports/wording/evidence.h"
@@ -42,13 +41,13 @@ std::string contradiction(const AskedLevel& asked, const SearchedStatement* sear
   return missed.empty() ? of("phantom_contact", "phantom contact", allowed.phantom) : missed;
 }
 
-// How a diagnosis contradicts a level. It asks other queries in other units than the families of images do.
+// How a diagnosis contradicts a level.
 std::string contradiction(const AskedLevel& asked, const DiagnosedStatement* diagnosed) {
-  if (diagnosed == nullptr || asked.name != "invariant" || asked.argument != name(ImageKind::scale))
-    return "";
+  const auto is_denied_by = level_of(asked).is_denied_by;
+  if (diagnosed == nullptr || is_denied_by == nullptr) return "";
   for (const PropertyStatement& property : diagnosed->properties) {
-    if (property.name == "absolute_threshold" && property.value == "present")
-      return fmt::format("the diagnosis found verdicts that change with the unit of length: {}", property.sentence);
+    if (is_denied_by(asked, property.name, property.value))
+      return fmt::format("the diagnosis found otherwise: {}", property.sentence);
   }
   return "";
 }

@@ -58,6 +58,24 @@ std::map<std::string, LevelStatement> levels_beside(const std::string& goal = ""
   }
   return levels;
 }
+// A page does not say that a level of units is met, and that the kernel depends on the unit.
+TEST(LevelsBesideADiagnosis, AreNotMetWhereItFoundANumberOfTheKernelsOwn) {
+  const auto state_beside = [](const char* value) {
+    DiagnosedStatement like;
+    like.properties.push_back({"absolute_threshold", value, "the distance d near 0.01", 1});
+    std::vector<LevelStatement> found;
+    for (const LevelStatement& level : levels_of(edited(stored_record()), "published", {}, std::span(&like, 1))) {
+      if (level.level == "invariant=scale" && level.precision == Precision::binary32) found.push_back(level);
+    }
+    return found.at(0);
+  };
+  EXPECT_EQ(state_beside("none_found").failure_count, 0u);
+  const LevelStatement level = state_beside("present");
+  EXPECT_EQ(level.state, LevelState::not_met);
+  EXPECT_EQ(level.failure_count, 1u);
+  EXPECT_THAT(level.failures.at(0), testing::HasSubstr("the diagnosis found otherwise: the distance d near 0.01"));
+}
+
 std::vector<std::string> not_met_beside(const std::string& goal, const std::string& depth) {
   std::vector<std::string> not_met;
   for (const auto& [name, level] : levels_beside(goal, depth)) {

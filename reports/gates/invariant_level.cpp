@@ -180,6 +180,11 @@ extern const GateLevel invariant_level = {
           return fmt::format("the same verdict on the same query {}", kind_words[kind_of(asked)]);
         },
     .judge = judge_invariant,
+    // It asks other queries in other units than the families of images do.
+    .is_denied_by =
+        [](const AskedLevel& asked, std::string_view property, std::string_view value) {
+          return kind_of(asked) == ImageKind::scale && property == "absolute_threshold" && value == "present";
+        },
     .in_certificates = image_kind_names.values};
 
 }  // namespace axiscert

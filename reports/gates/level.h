@@ -156,6 +156,8 @@ struct GateLevel {
   // Of a level about wrong verdicts alone, whatever their cause; null for any other.
   AllowedDepths (*allowed)(const AskedLevel&) = nullptr;
   bool is_about_causes = false;  // of wrong verdicts: met where none is wrong
+  // Whether a value of a property of a diagnosis says that the level is not met; null where none can.
+  bool (*is_denied_by)(const AskedLevel&, std::string_view property, std::string_view value) = nullptr;
   // The share that each family has to decide for the other levels too. Throws Error that says what would be right.
   double (*decided_share)(const AskedLevel&) = nullptr;
   const char* breaking = "break it";  // what queries do that do not meet it: levels allow wrong answers

@@ -58,10 +58,8 @@ InstrumentReport diagnosis_report(const Diagnosis& diagnosis, const std::string&
     report.notes.push_back(std::move(faults));
   }
   report.command = command;
-  if (const Property* first = diagnosis.most_important())
-    report.notes.push_back(fmt::format("What matters most: {}. {}", first->name, first->sentence));
-  for (const Property& property : diagnosis.properties) {
-    report.notes.push_back(fmt::format("{}: {}. {}", property.name, property.value, property.sentence));
+  for (const Property* property : diagnosis.most_important_first()) {
+    report.notes.push_back(fmt::format("{}: {}. {}", property->name, property->value, property->sentence));
   }
   report.notes.push_back(
       "Only verdicts were looked at. A value is given where the answers decide it; not_known: they "

@@ -46,6 +46,19 @@ class Diagnose(Case):
         compared = {p["name"]: p for p in data["properties"]}["absolute_threshold"]["measured"]["compared"]
         self.assertTrue(any(c["degree"] == 1 and 0.0025 <= c["least"] <= c["greatest"] <= 0.04 for c in compared), compared)
 
+    def test_the_sentences_begin_with_the_number_of_its_own_which_is_named_once(self):
+        done = axiscert("diagnose", f"plugin:{BUILD}/absolute/least_area.so", "--progress", 0)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        sentences = [line for line in done.stdout.splitlines() if line.split(":")[0] in PROPERTIES]
+        self.assertTrue(sentences[0].startswith("absolute_threshold: present. "), sentences[0])
+        self.assertRegex(sentences[0], r"What explains them best: \|AB x AC\| (near|between) [0-9.e-]+( and [0-9.e-]+)?\.")
+
+    def test_a_kernel_without_errors_is_like_no_form(self):
+        data, values = self.diagnosed("certified")
+        self.assertEqual(values["nearest_form"], "not_known")
+        measured = {p["name"]: p for p in data["properties"]}["nearest_form"]["measured"]
+        self.assertEqual(measured["both_wrong"], 0)
+
     def test_the_precision_is_the_first_that_the_kernel_has(self):
         data, values = self.diagnosed("published+world-double")
         self.assertEqual(data["precision"], "binary64")
