@@ -137,7 +137,10 @@ class Finder {
         }
       }
     }
-    std::ranges::stable_sort(record_.found, {}, [](const SlackRecord& slack) { return slack.greatest / slack.least; });
+    // One size on many queries says the most.
+    std::ranges::stable_sort(record_.found, {}, [](const SlackRecord& slack) {
+      return std::pair(slack.greatest > 1.25 * slack.least, -static_cast<double>(slack.shown));
+    });
     return std::move(record_);
   }
 
