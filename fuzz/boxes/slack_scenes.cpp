@@ -11,6 +11,7 @@
 #include "kernel/boxes/turned.h"
 
 namespace axiscert {
+namespace box_slack {
 namespace {
 
 using boxes::OrientedBox, boxes::TurnedBox;
@@ -67,7 +68,7 @@ std::optional<ScenePoint> farthest(Stream& random, const OrientedBox<double>& bo
   return at;
 }
 
-double size_of(const OrientedBox<double>& box) { return greatest_of(box.centre) + sum_of(box.half); }
+double far_coordinate(const OrientedBox<double>& box) { return greatest_of(box.centre) + sum_of(box.half); }
 
 void put_box(Numbers<double>& numbers, std::size_t first, const Solid& solid, bool as_quaternion) {
   put(numbers, first, solid.box.centre);
@@ -98,7 +99,7 @@ std::vector<SlackScene> of_two_boxes(std::size_t entry, Precision precision, std
       ScenePoint n = is_of_b ? b.box.axis[i] : a.box.axis[i];
       if (is_of_edges) {
         n = cross(a.box.axis[i], b.box.axis[j]);
-        if (length_of(n) < 0.5) continue;
+        if (norm_of(n) < 0.5) continue;
         n = unit_of(n);
       }
       n = n * side;  // from A to B
@@ -116,7 +117,7 @@ std::vector<SlackScene> of_two_boxes(std::size_t entry, Precision precision, std
       scene.unit = inset * size;
       put(scene.step, of_one, n * scene.unit);
       scene.turns_to_separated = true;
-      scene.scene = scene.apart = std::max(size_of(a.box), size_of(b.box));
+      scene.scene = scene.apart = std::max(far_coordinate(a.box), far_coordinate(b.box));
       scene.lengths = {{{"the half extents along the axis", reach(a.box, n) + reach(b.box, n)},
                         {"the sum of a box's half extents", (sum_of(a.box.half) + sum_of(b.box.half)) / 2}}};
       scenes.push_back(scene);
@@ -144,7 +145,7 @@ std::vector<SlackScene> of_box_and_triangle(std::size_t entry, Precision precisi
       const std::size_t i = random.below(3), edge = random.below(3);
       const ScenePoint along = t.along(edge);
       ScenePoint n = kind == 0 ? box.axis[i] : kind == 1 ? t.normal : cross(box.axis[i], along);
-      if (kind == 2 && length_of(n) < 0.5 * length_of(along)) continue;
+      if (kind == 2 && norm_of(n) < 0.5 * norm_of(along)) continue;
       n = unit_of(n) * (random.coin() ? 1 : -1);  // from the box to the triangle
       const auto of_box = kind == 0   ? farthest(random, box, n, no_axis, i)
                           : kind == 1 ? farthest(random, box, n)
@@ -170,7 +171,7 @@ std::vector<SlackScene> of_box_and_triangle(std::size_t entry, Precision precisi
       }
       scene.unit = inset * size;
       const ScenePoint by = box.centre + *of_box - at - n * scene.unit;
-      scene.scene = size_of(box);
+      scene.scene = far_coordinate(box);
       for (std::size_t k = 0; k < 3; ++k) {
         put(scene.base, first_corner + 3 * k, t.corner[k] + by);
         put(scene.step, first_corner + 3 * k, n * scene.unit);
@@ -187,7 +188,9 @@ std::vector<SlackScene> of_box_and_triangle(std::size_t entry, Precision precisi
 }
 
 }  // namespace
+}  // namespace box_slack
 
-const SlackScenes box_box_slack_scenes = {of_two_boxes}, box_triangle_slack_scenes = {of_box_and_triangle};
+const SlackScenes box_box_slack_scenes = {box_slack::of_two_boxes},
+                  box_triangle_slack_scenes = {box_slack::of_box_and_triangle};
 
 }  // namespace axiscert

@@ -7,6 +7,7 @@
 #include "fuzz/sphere_triangle/slack_scenes.h"
 
 namespace axiscert {
+namespace motion_slack {
 namespace {
 
 using namespace slack;
@@ -92,7 +93,7 @@ class Maker {
         const SceneTriangle t = random_triangle(random);
         const NearestScene nearest = nearest_scene(random, t, feature, which);
         ScenePoint across = cross(nearest.away, random_direction(random));
-        while (length_of(across) < 0.5) across = cross(nearest.away, random_direction(random));
+        while (norm_of(across) < 0.5) across = cross(nearest.away, random_direction(random));
         const double r = random_length(random, -2, 5), way = random_length(random, -1, 5);
         const ScenePoint by = unit_of(across) * way;
         SlackScene scene = moving(t, nearest.point + nearest.away * r - by * 0.5, by);
@@ -131,7 +132,7 @@ class Maker {
         SlackScene scene = sliding(random, t, exponent, rim, t.outward(edge));
         scene.path = scene.kind = path;
         scene.part = parts[edge];
-        scene.lengths = {{{"the triangle's height", t.altitude(edge)}, {"the edge", length_of(t.along(edge))}}};
+        scene.lengths = {{{"the triangle's height", t.altitude(edge)}, {"the edge", norm_of(t.along(edge))}}};
         scenes_.push_back(scene);
       }
     }
@@ -152,7 +153,7 @@ class Maker {
         SlackScene scene = sliding(random, t, exponent, t.corner[is_end ? (edge + 1) % 3 : edge], away);
         scene.path = scene.kind = path;
         scene.part = parts[which];
-        scene.lengths[0] = {"the edge", length_of(t.along(edge))};
+        scene.lengths[0] = {"the edge", norm_of(t.along(edge))};
         scenes_.push_back(scene);
       }
     }
@@ -166,9 +167,10 @@ class Maker {
 };
 
 }  // namespace
+}  // namespace motion_slack
 
 const SlackScenes moving_sphere_slack_scenes = {[](std::size_t entry, Precision precision, std::uint64_t seed) {
-  return Maker(entry == 1, precision, seed).made();
+  return motion_slack::Maker(entry == 1, precision, seed).made();
 }};
 
 }  // namespace axiscert

@@ -97,7 +97,7 @@ struct SlacksRecord {
         field(&Of::answers, {"answers", "Answers that the kernel was asked for."}),
         field(&Of::looks, {"looks", "The same by kind of query, with what could have been seen."}),
         field(&Of::found,
-              {"found", "The slacks that were found, those whose sizes differ least first; none: an empty list."}));
+              {"found", "The slacks that were found, of one size on the most queries first; none: an empty list."}));
   }
 };
 

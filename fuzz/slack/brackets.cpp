@@ -38,11 +38,18 @@ bool turns_at_one(const Oracles& oracles, const SlackScene& scene) {
   return says(1 - off, below) && says(1 + off, above);
 }
 
+// The scene just where the two have a point in common: what a kernel declares of margins leaves that in.
+template <class Real>
+Numbers<Real> in_contact(const SlackScene& scene) {
+  const double off = rounding_of<Real>(scene) / scene.unit;
+  return query_at(scene, static_cast<Real>(scene.turns_to_separated ? 1 - off : 1 + off));
+}
+
 // The scenes of an entry whose exact turn is where it was put, by both sides of it. They depend on no kernel, and those
 // of the last ones are kept.
 template <class Real>
-std::shared_ptr<const std::vector<SlackScene>> scenes_of(const Predicate& predicate, std::size_t entry,
-                                                         std::uint64_t seed) {
+std::shared_ptr<const std::vector<SlackScene>> turning_scenes(const Predicate& predicate, std::size_t entry,
+                                                              std::uint64_t seed) {
   using Key = std::tuple<const Predicate*, std::size_t, std::uint64_t>;
   static std::mutex mutex;
   static std::map<Key, std::shared_ptr<const std::vector<SlackScene>>> kept;
@@ -59,7 +66,7 @@ std::shared_ptr<const std::vector<SlackScene>> scenes_of(const Predicate& predic
   return kept[key] = std::make_shared<const std::vector<SlackScene>>(std::move(scenes));
 }
 
-Verdict turned(Verdict said) {
+Verdict exchanged(Verdict said) {
   if (said == Verdict::contact) return Verdict::separated;
   return said == Verdict::separated ? Verdict::contact : said;
 }
@@ -79,7 +86,7 @@ Implementation<Real> on_paths(const Implementation<Real>& kernel, const std::vec
     kernel.verdicts(queries.columns(), out);
     answers += batch.size;
     for (std::size_t i = 0; i < batch.size; ++i) {
-      if (scene(i).turns_to_separated) out[i] = turned(out[i]);
+      if (scene(i).turns_to_separated) out[i] = exchanged(out[i]);
     }
   };
   return on;
@@ -103,8 +110,8 @@ Numbers<Real> query_at(const SlackScene& scene, Real x) {
 template <class Real>
 Brackets brackets_of(const Kernel& kernel, std::uint64_t seed, const std::string& target) {
   Brackets found;
-  for (const SlackScene& scene : *scenes_of<Real>(*kernel.predicate, kernel.entry, seed)) {
-    if (is_promised(kernel, query_at(scene, Real(1)))) found.scenes.push_back(scene);
+  for (const SlackScene& scene : *turning_scenes<Real>(*kernel.predicate, kernel.entry, seed)) {
+    if (is_promised(kernel, in_contact<Real>(scene))) found.scenes.push_back(scene);
   }
   if (found.scenes.empty()) return found;
   const Implementation<Real> implementation = kernel.on<Real>(target);

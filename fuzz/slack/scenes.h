@@ -45,8 +45,8 @@ struct SlackScenes {
 
 // Parts of scenes.
 using ScenePoint = portable::Vec3<double>;
-inline double length_of(const ScenePoint& v) { return std::sqrt(dot(v, v)); }
-inline ScenePoint unit_of(const ScenePoint& v) { return v / length_of(v); }
+inline double norm_of(const ScenePoint& v) { return std::sqrt(dot(v, v)); }
+inline ScenePoint unit_of(const ScenePoint& v) { return v / norm_of(v); }
 inline double greatest_of(const ScenePoint& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 inline void put(Numbers<double>& numbers, std::size_t first, const ScenePoint& v) {
   numbers[first] = v.x;

@@ -16,11 +16,11 @@
 namespace axiscert {
 namespace {
 
-constexpr double band = 2;         // sizes agree within this factor of their middle
-constexpr double resolution = 10;  // a size is seen above so many times the rounding
-constexpr double greatest = 0.05;  // of the scene's own length: what is more is no slack, but another answer
+constexpr double agreeing_factor = 2;    // sizes agree within this factor of their middle
+constexpr double seen_above = 10;        // a size is seen above so many times the rounding
+constexpr double most_of_length = 0.05;  // of the scene's own length: what is more is no slack, but another answer
 
-using Group = std::vector<const Bracket*>;
+using BracketGroup = std::vector<const Bracket*>;
 
 // The length that a size is a part of.
 struct Yardstick {
@@ -33,7 +33,7 @@ template <std::size_t which>
 double scene_length(const Bracket& one) {
   return one.scene->lengths[which].length;
 }
-std::vector<Yardstick> yardsticks_of(const Group& group) {
+std::vector<Yardstick> yardsticks_of(const BracketGroup& group) {
   std::vector<Yardstick> all = {{SlackKind::absolute, "the queries' unit", unit_length}};
   const auto& lengths = group.front()->scene->lengths;
   if (!lengths[0].name.empty()) all.push_back({SlackKind::relative, lengths[0].name, scene_length<0>});
@@ -41,7 +41,7 @@ std::vector<Yardstick> yardsticks_of(const Group& group) {
   return all;
 }
 
-double quantile(const std::vector<double>& sorted, double share) {
+double quantile_of(const std::vector<double>& sorted, double share) {
   return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
 }
 
@@ -54,18 +54,18 @@ struct Agreement {
 };
 
 // Whether the answers are off by more than a slack is.
-bool is_no_slack(const Group& group, double sign) {
+bool is_no_slack(const BracketGroup& group, double sign) {
   std::vector<double> parts;
   for (const Bracket* one : group) {
-    if (sign * one->early > resolution * one->rounding)
+    if (sign * one->early > seen_above * one->rounding)
       parts.push_back(sign * one->early / one->scene->lengths[0].length);
   }
   std::ranges::sort(parts);
-  return quantile(parts, 0.5) > greatest;
+  return quantile_of(parts, 0.5) > most_of_length;
 }
 
-std::optional<Agreement> agreement_by(const Yardstick& by, const Group& group) {
-  const auto is_seen = [](const Bracket& one) { return std::abs(one.early) > resolution * one.rounding; };
+std::optional<Agreement> agreement_by(const Yardstick& by, const BracketGroup& group) {
+  const auto is_seen = [](const Bracket& one) { return std::abs(one.early) > seen_above * one.rounding; };
   std::size_t early = 0, late = 0;
   for (const Bracket* one : group) {
     if (is_seen(*one)) ++(one->early > 0 ? early : late);
@@ -77,15 +77,15 @@ std::optional<Agreement> agreement_by(const Yardstick& by, const Group& group) {
   }
   if (sizes.size() < least_agreeing || is_no_slack(group, sign)) return std::nullopt;
   std::ranges::sort(sizes);
-  Agreement found{by, sign, quantile(sizes, 0.5), quantile(sizes, 0.9) / quantile(sizes, 0.1), {}, 0};
+  Agreement found{by, sign, quantile_of(sizes, 0.5), quantile_of(sizes, 0.9) / quantile_of(sizes, 0.1), {}, 0};
   // All that could show a slack of this size, and how many do.
   std::size_t contrary = 0;
   for (const Bracket* one : group) {
     const double length = by.length(*one), size = sign * one->early / length;
-    if (resolution * one->rounding >= found.middle * length) continue;
+    if (seen_above * one->rounding >= found.middle * length) continue;
     ++found.looked_at;
     contrary += is_seen(*one) && size < 0;
-    if (size >= found.middle / band && size <= found.middle * band) found.agreeing.push_back(one);
+    if (size >= found.middle / agreeing_factor && size <= found.middle * agreeing_factor) found.agreeing.push_back(one);
   }
   const bool is_one = found.looked_at >= least_bracketed && found.agreeing.size() >= least_agreeing &&
                       4 * found.agreeing.size() >= 3 * found.looked_at && 10 * contrary <= found.looked_at;
@@ -93,7 +93,7 @@ std::optional<Agreement> agreement_by(const Yardstick& by, const Group& group) {
 }
 
 // By the yardstick by which the sizes differ least: where two do nearly as well, by the first.
-std::optional<Agreement> agreement_of(const Group& group) {
+std::optional<Agreement> agreement_of(const BracketGroup& group) {
   std::optional<Agreement> best;
   if (group.size() < least_bracketed) return best;
   for (const Yardstick& by : yardsticks_of(group)) {
@@ -137,20 +137,23 @@ class Finder {
         }
       }
     }
-    std::ranges::stable_sort(record_.found, {}, [](const SlackRecord& slack) { return slack.greatest / slack.least; });
+    // One size on many queries says the most.
+    std::ranges::stable_sort(record_.found, {}, [](const SlackRecord& slack) {
+      return std::pair(slack.greatest > 1.25 * slack.least, -static_cast<double>(slack.shown));
+    });
     return std::move(record_);
   }
 
  private:
-  using Named = std::vector<std::pair<std::string_view, Group>>;
+  using Named = std::vector<std::pair<std::string_view, BracketGroup>>;
 
-  Group everything() const {
-    Group all;
+  BracketGroup everything() const {
+    BracketGroup all;
     for (const Bracket& one : brackets_.all) all.push_back(&one);
     return all;
   }
   template <class NameOf>
-  static Named groups(NameOf name_of, const Group& of) {
+  static Named groups(NameOf name_of, const BracketGroup& of) {
     Named found;
     for (const Bracket* one : of) {
       const std::string_view name = name_of(*one->scene);
@@ -160,13 +163,13 @@ class Finder {
     }
     return found;
   }
-  static std::string path_where(std::string_view path, const Group& of) {
+  static std::string path_where(std::string_view path, const BracketGroup& of) {
     const bool is_one_kind =
         std::ranges::all_of(of, [&](const Bracket* one) { return one->scene->kind == of.front()->scene->kind; });
     return std::string(is_one_kind ? of.front()->scene->kind : path);
   }
 
-  bool add(std::string_view where, const Group& of) {
+  bool add(std::string_view where, const BracketGroup& of) {
     record_.looks.push_back(look(where, of));
     const std::optional<Agreement> one = agreement_of(of);
     if (!one) return false;
@@ -182,7 +185,7 @@ class Finder {
     }
     std::ranges::sort(lengths);
     std::tie(slack.least, slack.greatest) = std::pair(std::ranges::min(sizes), std::ranges::max(sizes));
-    slack.in_units = quantile(lengths, 0.5);
+    slack.in_units = quantile_of(lengths, 0.5);
     slack.shown = one->agreeing.size();
     slack.looked_at = one->looked_at;
     slack.where = where;
@@ -193,12 +196,12 @@ class Finder {
   }
 
   // The least size that enough of the queries would show, were it there.
-  static SlackLook look(std::string_view where, const Group& of) {
+  static SlackLook look(std::string_view where, const BracketGroup& of) {
     SlackLook look{where, of.size(), std::nullopt, std::nullopt};
     if (of.size() < least_bracketed) return look;
     for (const Yardstick& by : yardsticks_of(of)) {
       std::vector<double> least;
-      for (const Bracket* one : of) least.push_back(resolution * one->rounding / by.length(*one));
+      for (const Bracket* one : of) least.push_back(seen_above * one->rounding / by.length(*one));
       std::ranges::sort(least);
       auto& into = by.kind == SlackKind::absolute ? look.least_absolute : look.least_relative;
       const double seen = least[least_bracketed - 1];

@@ -64,6 +64,7 @@ NearestScene nearest_scene(Stream& random, const SceneTriangle& t, Nearest featu
 
 }  // namespace slack
 
+namespace sphere_slack {
 namespace {
 
 using namespace slack;
@@ -152,7 +153,7 @@ class Maker {
         SlackScene scene = sliding(t, exponent, rim, t.outward(edge), random.coin());
         scene.path = scene.kind = path;
         scene.part = parts[edge];
-        scene.lengths = {{{"the triangle's height", t.altitude(edge)}, {"the edge", length_of(t.along(edge))}}};
+        scene.lengths = {{{"the triangle's height", t.altitude(edge)}, {"the edge", norm_of(t.along(edge))}}};
         scenes_.push_back(scene);
       }
     }
@@ -173,7 +174,7 @@ class Maker {
         SlackScene scene = sliding(t, exponent, t.corner[is_end ? (edge + 1) % 3 : edge], away, random.coin());
         scene.path = scene.kind = path;
         scene.part = parts[which];
-        scene.lengths[0] = {"the edge", length_of(t.along(edge))};
+        scene.lengths[0] = {"the edge", norm_of(t.along(edge))};
         scenes_.push_back(scene);
       }
     }
@@ -186,8 +187,9 @@ class Maker {
 };
 
 }  // namespace
+}  // namespace sphere_slack
 
 const SlackScenes sphere_triangle_slack_scenes = {
-    [](std::size_t, Precision precision, std::uint64_t seed) { return Maker(precision, seed).made(); }};
+    [](std::size_t, Precision precision, std::uint64_t seed) { return sphere_slack::Maker(precision, seed).made(); }};
 
 }  // namespace axiscert

@@ -314,8 +314,11 @@ TEST(GateLevels, HaveNamesAndSentencesOfTheirOwn) {
   for (const GateLevel* level : gate_levels()) {
     const std::string usage = level->usage, name(level->name());
     std::string argument;
-    for (const auto& [kind, example] :
-         {std::pair("=KERNEL", "=published"), {"=KIND", "=scale"}, {"=D", "=0.5"}, {"=SHARE", "=0.5"}}) {
+    for (const auto& [kind, example] : {std::pair("=KERNEL", "=published"),
+                                        {"=KIND", "=scale"},
+                                        {"=D", "=0.5"},
+                                        {"=SHARE", "=0.5"},
+                                        {"=SIZE", "=1mm"}}) {
       if (usage.find(kind) != usage.npos) argument = example;
     }
     const AskedLevel asked = parse_level(name + argument);
