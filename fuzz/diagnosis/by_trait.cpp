@@ -10,8 +10,9 @@
 namespace axiscert::diagnosis {
 namespace {
 
-// Traits are dear: so many clear queries are looked at, and so many that have one are enough. Fewer say nothing.
-constexpr std::size_t most_looked_at = 1536, enough = 256, fewest = 20;
+// So many clear queries are looked at, and so many that have a trait are enough; of predicates without filters, whose
+// families take longer to make a query, a quarter. Fewer than the least say nothing.
+constexpr std::size_t most_looked_at = 6144, enough = 1024, fewest = 20;
 constexpr std::uint64_t most_of_family = 512;
 
 template <class Real>
@@ -28,10 +29,11 @@ std::vector<TraitQuery<Real>> clear_having(Subject<Real>& subject, const Traits&
   const Oracles& oracles = oracles_of(kernel);
   const std::vector<const Family*> families = families_of(*kernel.predicate, kernel.entry);
   std::vector<TraitQuery<Real>> found;
+  const std::size_t part = oracles.has_filters() ? 1 : 4;
   std::size_t looked_at = 0;
   for (std::uint64_t position = 0; position < most_of_family; ++position) {
     for (const Family* family : families) {
-      if (looked_at == most_looked_at || found.size() == enough) return found;
+      if (looked_at == most_looked_at / part || found.size() == enough / part) return found;
       const Numbers<Real> q = family->make<Real>(subject.seed(), position);
       if (!oracles.is_valid(q) || !is_promised(kernel, q)) continue;
       const std::optional<Verdict> truth = oracles.clear_verdict(q);
