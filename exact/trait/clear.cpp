@@ -7,7 +7,7 @@ namespace {
 
 // The greatest |x| of the numbers in `group`, or of their differences from those of another.
 template <class Real>
-double greatest(const Numbers<Real>& q, const ColumnGroup& group, const ColumnGroup* other = nullptr) {
+double greatest_of(const Numbers<Real>& q, const ColumnGroup& group, const ColumnGroup* other = nullptr) {
   double found = 0;
   for (std::size_t i = 0; i < group.size; ++i) {
     const double from = other != nullptr ? static_cast<double>(q[other->first + i]) : 0;
@@ -53,12 +53,12 @@ SceneColumns::SceneColumns(const PredicateEntry& entry) {
 template <class Real>
 SceneLengths SceneColumns::lengths(const Numbers<Real>& q) const {
   SceneLengths scene;
-  for (const ColumnGroup& direction : directions_) scene.note(greatest(q, direction));
+  for (const ColumnGroup& direction : directions_) scene.note(greatest_of(q, direction));
   for (const std::size_t k : lengths_) scene.note(std::fabs(static_cast<double>(q[k])));
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    scene.farthest = std::max(scene.farthest, greatest(q, points_[i]));
+    scene.farthest = std::max(scene.farthest, greatest_of(q, points_[i]));
     for (std::size_t j = 0; j < i; ++j) {
-      if (points_[j].size == points_[i].size) scene.note(greatest(q, points_[i], &points_[j]));
+      if (points_[j].size == points_[i].size) scene.note(greatest_of(q, points_[i], &points_[j]));
     }
   }
   return scene;

@@ -116,7 +116,7 @@ constexpr Quantity names_of_boxes[] = {{raised, 1},
                                        {"the volume of A", 3},
                                        {"the volume of B", 3}};
 
-double greatest_of(const Double3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+double greatest_length(const Double3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 double volume(const DoubleBox& box) { return 8 * box.half[0] * box.half[1] * box.half[2]; }
 
 std::vector<double> values_of(const TwoBoxes& q) {
@@ -125,7 +125,7 @@ std::vector<double> values_of(const TwoBoxes& q) {
   values.push_back(extent_of(q.b.centre - q.a.centre));
   for (const DoubleBox* box : {&q.a, &q.b}) values.push_back(std::ranges::min(box->half));
   for (const DoubleBox* box : {&q.a, &q.b}) values.push_back(std::ranges::max(box->half));
-  values.push_back(std::max(greatest_of(q.a.centre), greatest_of(q.b.centre)));
+  values.push_back(std::max(greatest_length(q.a.centre), greatest_length(q.b.centre)));
   for (const DoubleBox* box : {&q.a, &q.b}) values.push_back(volume(*box));
   return values;
 }

@@ -70,7 +70,7 @@ std::optional<ScenePoint> farthest(Stream& random, const OrientedBox<double>& bo
 
 double far_coordinate(const OrientedBox<double>& box) { return greatest_of(box.centre) + sum_of(box.half); }
 
-void put_box(Numbers<double>& numbers, std::size_t first, const Solid& solid, bool as_quaternion) {
+void put_slack_box(Numbers<double>& numbers, std::size_t first, const Solid& solid, bool as_quaternion) {
   put(numbers, first, solid.box.centre);
   for (std::size_t k = 0; k < 3; ++k) numbers[first + 3 + k] = solid.box.half[k];
   for (std::size_t k = 0; k < 3 && !as_quaternion; ++k) put(numbers, first + 6 + 3 * k, solid.box.axis[k]);
@@ -112,8 +112,8 @@ std::vector<SlackScene> of_two_boxes(std::size_t entry, Precision precision, std
       b.box.centre = a.box.centre + *of_a - *of_b - n * (inset * size);
       const std::size_t of_one = as_quaternion ? 10 : 15;
       SlackScene scene{on_any, kind < 2 ? facets : parts[kind], parts[kind], zeros(2 * of_one), zeros(2 * of_one)};
-      put_box(scene.base, 0, a, as_quaternion);
-      put_box(scene.base, of_one, b, as_quaternion);
+      put_slack_box(scene.base, 0, a, as_quaternion);
+      put_slack_box(scene.base, of_one, b, as_quaternion);
       scene.unit = inset * size;
       put(scene.step, of_one, n * scene.unit);
       scene.turns_to_separated = true;
@@ -163,7 +163,7 @@ std::vector<SlackScene> of_box_and_triangle(std::size_t entry, Precision precisi
       ++made;
       SlackScene scene{on_any, kinds[kind], kinds[kind], zeros(columns), zeros(columns)};
       if (is_turned) {
-        put_box(scene.base, 0, solid, false);
+        put_slack_box(scene.base, 0, solid, false);
       } else {
         const ScenePoint half{box.half[0], box.half[1], box.half[2]};
         put(scene.base, 0, has_corners ? box.centre - half : box.centre);

@@ -3,7 +3,7 @@
 namespace axiscert {
 namespace {
 
-void count(ClearTally& tally, std::uint64_t position, Verdict said, Verdict right) {
+void count_answer(ClearTally& tally, std::uint64_t position, Verdict said, Verdict right) {
   ++tally.queries;
   if (said == right) return;
   switch (said) {
@@ -39,7 +39,7 @@ void look_at_clear(const Oracles& oracles, const MadeBatch<Real>& batch, KernelR
     for (KernelRun<Real>* run : looked_at) {
       const Kernel& kernel = run->kernel();
       if (is_promised(oracles, kernel.limits, kernel.motion, numbers))
-        count(*run->tally().verdict.clear, run->position(i), run->answer(i).verdict, *right);
+        count_answer(*run->tally().verdict.clear, run->position(i), run->answer(i).verdict, *right);
     }
   }
 }

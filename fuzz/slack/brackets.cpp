@@ -92,8 +92,8 @@ Implementation<Real> on_paths(const Implementation<Real>& kernel, const std::vec
   return on;
 }
 
-// The margin that a kernel declares, as a length by which its contacts may come early: no slack. None declares one yet.
-double declared_margin(const Kernel&) { return 0; }
+// The margin that a kernel declares, as a length by which its contacts may come early: no slack.
+double declared_margin(const Kernel& kernel) { return kernel.limits.margin; }
 
 }  // namespace
 
