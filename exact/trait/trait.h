@@ -14,6 +14,9 @@
 #include "kernel/predicate.h"
 
 namespace axiscert {
+
+struct Distance;  // exact/trait/oracles.h
+
 // A rational as a number type of the formulae (kernel/formulae_kernel.h). Every result is a number of this type, and
 // not an expression of GMP's that refers to its operands.
 

@@ -10,6 +10,10 @@
 #include "kernel/ask.h"
 #include "kernel/kernel.h"
 
+namespace axiscert {
+inline constexpr Precision single = Precision::binary32, twice = Precision::binary64;
+}
+
 namespace axiscert::made {
 
 template <class Real>

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/diagnosis/changed_kernels_testing.h"
 #include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/diagnosis/made_kernels_testing.h"
 
@@ -59,8 +60,6 @@ inline std::function<Kernel()> plugin(const std::string& file) {
   return id(fmt::format("plugin:{}/{}.so", BUILD_FOLDER, file));
 }
 inline std::function<Kernel()> made_by(Kernel (*make)()) { return make; }
-
-inline constexpr Precision single = Precision::binary32, twice = Precision::binary64;
 
 // Kernels that are so: `decided` is why the row is there.
 inline std::vector<Row> kernels_that_are_so() {

@@ -123,7 +123,6 @@ namespace {
 using testing::HasSubstr;
 using namespace made;
 
-constexpr Precision single = Precision::binary32, twice = Precision::binary64;
 
 // The value that a probe has to find of a kernel.
 struct Row {

@@ -87,7 +87,6 @@ namespace {
 using testing::HasSubstr;
 using namespace made;
 
-constexpr Precision single = Precision::binary32, twice = Precision::binary64;
 
 TEST(ExactImages, AreNotMadeWhereANumberIsLost) {
   const std::vector<std::size_t> all = {0, 1};
