@@ -15,17 +15,17 @@ namespace axiscert {
 namespace {
 
 // What an argument is, and the greatest that says anything.
-struct Bound {
+struct ContactBound {
   const char *letter, *what, *example;
   double least, most;
 };
 constexpr double pi_rounded_up = 3.1416;
-constexpr Bound displacement_bound = {"U", "a number of u of the displacement (u = 2^-24 or 2^-53), 1 or more", "64", 1,
-                                      1e300},
-                scene_bound = {"D", "a share of the scene, from 0 to 1", "0.001", 0, 1},
-                angle_bound = {"A", "an angle in radians, from 0 to pi", "0.001", 0, pi_rounded_up};
+constexpr ContactBound displacement_bound = {"U", "a number of u of the displacement (u = 2^-24 or 2^-53), 1 or more",
+                                             "64", 1, 1e300},
+                       scene_bound = {"D", "a share of the scene, from 0 to 1", "0.001", 0, 1},
+                       angle_bound = {"A", "an angle in radians, from 0 to pi", "0.001", 0, pi_rounded_up};
 
-double bound_of(const AskedLevel& asked, const Bound& bound) {
+double bound_of(const AskedLevel& asked, const ContactBound& bound) {
   double most = 0;
   const char* const end = asked.argument.data() + asked.argument.size();
   const auto [stop, problem] = std::from_chars(asked.argument.data(), end, most);
