@@ -14,7 +14,6 @@
 
 #include "cli/commands.h"
 #include "fuzz/files/query_file.h"
-#include "fuzz/slack/slack.h"
 #include "kernel/base/error.h"
 #include "reports/instrument/instrument.h"
 #include "reports/wording/causes.h"
@@ -220,20 +219,6 @@ std::string motion_table(const std::vector<KernelRecord>& kernels) {
   return rows.empty() ? "" : aligned_table(columns, rows);
 }
 
-// "KERNEL binary64: contacts 0.0001 of r too early on 61 of 64 queries nearest to the face: a slack"
-std::string slacks_text(const std::vector<KernelRecord>& kernels) {
-  constexpr std::size_t most = 3;
-  std::string text;
-  for (const KernelRecord& kernel : kernels) {
-    if (!kernel.slack) continue;
-    const std::vector<SlackRecord>& found = kernel.slack->found;
-    for (std::size_t i = 0; i < std::min(most, found.size()); ++i)
-      text += printable_line(fmt::format("{}: {}", kernel_text(kernel), slack_text(found[i]))) + "\n";
-    if (found.size() > most) text += fmt::format("  and {} more, in record.json\n", found.size() - most);
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string summary_text(const Record& record, double seconds) {
@@ -248,7 +233,6 @@ std::string summary_text(const Record& record, double seconds) {
   text += motion_table(record.kernels);
   text += depths_table(record.kernels);
   text += classes_table(record.kernels);
-  text += slacks_text(record.kernels);
   text += fmt::format("{}{:.1f} s\n", record.complete ? "" : "interrupted; ", seconds);
   return text;
 }

@@ -90,7 +90,8 @@ Json kernel_data(const KernelRecord& kernel, const PlanRecord& plan) {
   data["touching_text"] = touching_text(kernel);
   data["limits_text"] = limits_text(kernel);
   data["classes"] = classes_data(kernel);
-  data["cause_text"] = kernel.cause ? Json(kernel.cause->sentence()) : Json(nullptr);
+  const std::string cause = cause_sentence(kernel);
+  data["cause_text"] = cause.empty() ? Json(nullptr) : Json(cause);
   data["cause_witness_text"] = cause_witness_line(kernel, plan);
   data["all"] = nullptr;
   const std::optional<FamilyRecord> total = all_families(kernel);

@@ -2,13 +2,28 @@
 
 #include <fmt/format.h>
 
+#include "fuzz/slack/slack.h"
 #include "fuzz/text/json.h"
 #include "kernel/predicate.h"
 
 namespace axiscert {
 
+std::string cause_sentence(const KernelRecord& kernel) {
+  std::string sentence;
+  if (kernel.slack && !kernel.slack->found.empty()) {
+    const std::vector<SlackRecord>& found = kernel.slack->found;
+    sentence = slack_text(found.front());
+    if (found.size() > 1) sentence += fmt::format(", as queries of {} more kinds show", found.size() - 1);
+  }
+  // Beside a slack, a class that is none says nothing.
+  if (kernel.cause && (sentence.empty() || kernel.cause->is_known))
+    sentence += (sentence.empty() ? "" : "; ") + kernel.cause->sentence();
+  return sentence;
+}
+
 std::string cause_line(const KernelRecord& kernel) {
-  return kernel.cause ? fmt::format("{} {}: {}", kernel.id, name(kernel.precision), kernel.cause->sentence()) : "";
+  const std::string sentence = cause_sentence(kernel);
+  return sentence.empty() ? "" : fmt::format("{} {}: {}", kernel.id, name(kernel.precision), sentence);
 }
 
 namespace {

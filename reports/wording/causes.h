@@ -7,6 +7,9 @@
 
 namespace axiscert {
 
+// Why the kernel is wrong: its slack, where it has one, and the class of queries in which it is wrong. Empty where
+// neither was found.
+std::string cause_sentence(const KernelRecord& kernel);
 // "ID binary32: wrong on 206 of 212 spheres nearest to vertex a; right elsewhere (0 of 3,100)". Empty where the entry
 // has no cause.
 std::string cause_line(const KernelRecord& kernel);
