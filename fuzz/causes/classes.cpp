@@ -76,7 +76,8 @@ class Search {
     const double wrong = weights_.wrong * cases_in(cases.wrong), right = weights_.right * cases_in(cases.right);
     if (wrong == 0) return;
     const double explains_most = 2 * wrong >= wrong_ ? 1 : 0;
-    const double score = explains_most + wrong / (wrong_ + right) - 0.05 * (size - 1);
+    constexpr double worth[] = {1, 0.85, 0.85 * 0.85};  // by the number of traits
+    const double score = explains_most + worth[size - 1] * (wrong / (wrong_ + right));
     if (score <= best_score_) return;
     best_score_ = score;
     best_ = {traits, wrong / wrong_, wrong / (wrong + right), wrong_ / (wrong_ + right_)};

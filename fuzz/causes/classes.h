@@ -35,7 +35,7 @@ struct FoundClass {
 
 // Of the conjunctions that explain at least half of the wrong verdicts, that with the greatest share: the wrong ones
 // within it, of these, the right ones within it and the wrong ones outside it; else of all conjunctions. One trait less
-// is worth 5 %, and among equals the first counts. There is a wrong case.
+// is worth 15 % of it, and among equals the first counts. There is a wrong case.
 FoundClass best_class(std::span<const Case> cases, const Weights& weights);
 
 // "spheres in contact nearest to vertex a, with an obtuse corner there".

@@ -88,7 +88,7 @@ TYPED_TEST(RegionFamilies, SeeForgottenRegions) {
       }
       wrong[7] += differs(Forgotten::other_edges, 0);
     }
-    EXPECT_GT(clear, queries / 2) << name;
+    EXPECT_GT(clear, queries / 4) << name;  // of slivers in binary32 few are
     EXPECT_EQ(wrong[0], 0u) << name;
     for (std::size_t k = 1; k < 8; ++k) EXPECT_GT(wrong[k], 10u) << name << ", forgotten " << k;
   }

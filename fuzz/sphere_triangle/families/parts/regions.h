@@ -80,8 +80,9 @@ template <class Real>
 Vec3<Real> rounded_place(const Point& p) {
   return {static_cast<Real>(p.x), static_cast<Real>(p.y), static_cast<Real>(p.z)};
 }
+// Not inlined: g++ 12 with -O2 drops the rounding to float where it makes vectors of both conversions.
 template <class Real>
-Point wide(const Vec3<Real>& p) {
+[[gnu::noinline]] Point wide(const Vec3<Real>& p) {
   return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
 }
 
