@@ -205,7 +205,7 @@ TEST(LevelOutcome, LogicWithoutExactArithmeticIsNotChecked) {
   Json touching = of_verdicts();
   Json& lattice = families_in(touching)["lattice"];
   lattice["truth"]["touching"] = lattice["trials"];
-  expect_unchecked(touching, "logic", "no query of a family of exact arithmetic was decided");
+  expect_unchecked(touching, "logic", "no clear query was decided, and none of a family of exact arithmetic");
 }
 
 TEST(LevelOutcome, WithoutADecidedQueryNothingIsChecked) {
@@ -317,6 +317,8 @@ TEST(GateLevels, HaveNamesAndSentencesOfTheirOwn) {
     for (const auto& [kind, example] : {std::pair("=KERNEL", "=published"),
                                         {"=KIND", "=scale"},
                                         {"=D", "=0.5"},
+                                        {"=U", "=4"},
+                                        {"=A", "=0.001"},
                                         {"=SHARE", "=0.5"},
                                         {"=SIZE", "=1mm"}}) {
       if (usage.find(kind) != usage.npos) argument = example;
