@@ -72,7 +72,9 @@ Json no_counts(const KernelRecord& entry, const Predicate& predicate) {
   kernel.predicate = &predicate;
   if (has_limits(entry)) kernel.limits.least_radius = 1;
   if (entry.measures) kernel.measure_count = entry.measures->size();
+  if (entry.digest) kernel.file = "a file";  // it was asked again
   Json none = counts_json(kernel, empty_tally(predicate));
+  if (entry.reference.value_or(false)) none["verdict"]["clear"] = nullptr;
   none["critical_radius"]["largest_ulps"] = 0.0;
   if (none.contains("classes")) {
     for (const InputClass which : enumerators<InputClass>)
