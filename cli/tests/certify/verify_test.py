@@ -19,7 +19,7 @@ class Verify(CertifyCase):
     def test_it_begins_with_how_much_was_asked_of_what_and_by_whom(self):
         lines = self.verify(self.certificate_of("published")).stdout.splitlines()[:5]
         self.assertRegex(lines[2], "^certificate: made by axiscert .* with effort smoke, seed 1$")
-        self.assertRegex(lines[3], "^asked: [0-9,]+ queries of 2[0-9] families and files, in binary32 and binary64$")
+        self.assertRegex(lines[3], "^asked: [0-9,]+ queries of [23][0-9] families and files, in binary32 and binary64$")
         self.assertRegex(lines[4], "^answers: [0-9,]+ looked at; left out: nothing; [0-9,]+ are no query$")
 
     def test_a_recheck_says_what_it_runs_and_takes_the_sample_of_its_seed(self):
