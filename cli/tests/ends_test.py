@@ -40,7 +40,7 @@ class Ends(Case):
         record = self.run_ok("--kernel", SURE, "--kernel", ROUNDED, "--kernel", "moving-sphere/ends-rounded", "--trials", 60,
                              "--precision", "binary32")
         names = record["plan"]["families"]
-        self.assertEqual(len(names), 12)
+        self.assertEqual(len(names), 16)
         self.assertTrue(all(name.startswith("moving-sphere/ends_") for name in names), names)
         lattice = record["kernels"][0]["families"]["moving-sphere/ends_lattice"]["verdict"]
         self.assertEqual((lattice["false_separation"], lattice["false_contact"]), (0, 0))

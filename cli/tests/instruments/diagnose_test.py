@@ -8,7 +8,8 @@ import jsonschema
 from command import BUILD, Case, axiscert, schema_of
 
 PROPERTIES = ["touching", "sides", "overlap_at_start", "degenerate_triangles", "absolute_threshold", "slack", "range_window", "subnormal_numbers", "operation_order",
-              "inner_precision", "repeated", "position_in_batch", "batch_length", "neighbours", "nearest_form"]
+              "inner_precision", "repeated", "position_in_batch", "batch_length", "neighbours", "regions", "on_triangle", "obtuse", "parallel", "flat", "aligned",
+              "nearest_form"]
 
 
 class Diagnose(Case):

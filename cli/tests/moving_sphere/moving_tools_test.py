@@ -46,8 +46,9 @@ class ShrinkMotion(Case):
         wrong = {w["id"]: w for w in record["witnesses"] if w["flips"]}
         self.assertTrue(wrong)
         lines = (self.folder / "out/witnesses-shrunk.jsonl").read_text().splitlines()
-        self.assertEqual([json.loads(line)["before"]["id"] for line in lines], list(wrong))
-        for found in map(json.loads, lines):
+        found_by = {found["before"]["id"]: found for found in map(json.loads, lines)}
+        self.assertLessEqual(set(wrong), set(found_by))  # a wrong time, or a wrong feature, is kept too
+        for found in (found_by[id] for id in wrong):
             self.assertLess(found["bits"]["after"], found["bits"]["before"])
             (flip,) = checked(found, *ROUNDED)["flips"]
             self.assertEqual(flip["kind"], found["kept"]["kind"])
@@ -55,7 +56,7 @@ class ShrinkMotion(Case):
     def test_what_it_cannot_keep_is_said(self):
         self.refused("shrink", "-", stdin=FALLS, says=["'falls'", "moving-sphere/twenty is not wrong"])
         self.refused("shrink", "-", "--what", "asymmetry", stdin=FALLS,
-                     says=["--what asymmetry does not serve the predicate moving-sphere"])
+                     says=["query 'falls': --what asymmetry: give an address, or a witness, of a family of images"])
         self.refused("shrink", "-", "--what", "start.plane.radius:error", "--kernel", "moving-sphere/segment", stdin=FALLS,
                      says=["moving-sphere/segment has no measurable error there: it shows no sides"])
         self.refused("shrink", "-", "--what", "start.plain", stdin=FALLS, says=["did you mean 'start.plane'"])
