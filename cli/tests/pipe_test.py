@@ -19,12 +19,12 @@ REPLY = 16  # bytes, without measures
 
 
 def comparable(record):
-    """A record without the parts that a pipe cannot have: who answered, critical radii, and the sides with their errors."""
+    """A record without the parts that a pipe cannot have: who answered, critical radii, what is asked of a kernel again, and the sides with their errors."""
     record = copy.deepcopy(record)
     del record["plan"]["kernels"]
     record["plan"].pop("replies", None)
     for kernel in record["kernels"]:
-        for member in ("id", "summary", "exposes", "critical_radius"):
+        for member in ("id", "summary", "exposes", "critical_radius", "slack", "cause"):
             del kernel[member]
         for family in kernel["families"].values():
             del family["critical_radius"]
