@@ -26,9 +26,11 @@ def sealed(statement):
     return canonical(statement) + b"\n"
 
 
-def without_family(predicate, family="tangent"):
-    """Leaves a family out of the plan and of everything that is counted."""
+def without_family(predicate, family=None):
+    """Leaves a family, or one of which no critical radius was sampled, out of the plan and of everything that is counted."""
     materials = predicate["materials"]
+    sampled = {tally["of"].split()[0] for tally in materials["tallies"] if any("critical_radius" in counts for counts in tally["counts"])}
+    family = family or next(name for name in materials["plan"]["plan"]["families"] if name not in sampled)
     kept = [tally for tally in materials["tallies"] if not tally["of"].startswith(family + " ")]
     materials["tallies"] = [dict(tally, stretch=i) for i, tally in enumerate(kept)]
     plan = materials["plan"]["plan"]
