@@ -51,7 +51,6 @@ StoredQuery witness_of(const MapOptions& options) {
                             queries.size(), options.id.empty() ? "" : " of the id '" + options.id + "'"));
   }
   const StoredQuery& only = queries.front();
-  require_moves("map", *only.predicate, only.entry);
   const bool valid = std::visit(
       [&](const auto& q) { return oracles_of(*only.predicate, only.entry).truth(q).verdict != Verdict::invalid; },
       only.numbers);

@@ -116,6 +116,7 @@ AXISCERT_PLUGIN({real}, "published", one)
                     record = self.run_ok("--kernel", mine, "--kernel", "published", "--family", "sliver", "--trials", "3000",
                                          "--precision", precision)
                     ours, own = (family(record, "sliver", precision, kernel) for kernel in (mine, "published"))
+                    self.assertEqual(ours.pop("asked_again"), 1024)
                     self.assertEqual(without_errors(ours), without_errors(own))
                     self.assertEqual(record["findings"], [])
                     links = [flip["links"] for w in record["witnesses"] for flip in w["flips"]]
