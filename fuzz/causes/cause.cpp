@@ -43,14 +43,12 @@ class Probe {
 
   std::optional<CauseRecord> find() {
     gather(CauseBasis::clear);
-    if (wrong_ == 0 && !has_reference()) gather(CauseBasis::deep);
+    if (wrong_ == 0 && !has_reference(kernel_)) gather(CauseBasis::deep);
     if (wrong_ == 0) return std::nullopt;
     return cause();
   }
 
  private:
-  bool has_reference() const { return kernel_.is_reference && !kernel_.formulae.empty(); }
-
   void gather(CauseBasis basis) {
     basis_ = basis;
     asked_.clear();
@@ -115,10 +113,9 @@ class Probe {
     }
     for (std::size_t i = 0; i < truths.size(); ++i) {
       const Numbers<Real> q = queries[i];
-      if (!oracles_.is_valid(q)) continue;
       if (!filters) {
         truths[i] = oracles_.clear_verdict(q);
-      } else {
+      } else if (oracles_.is_valid(q)) {
         std::optional<Truth> truth = filters->known(i);
         if (!truth) truth = oracles_.about(q, Opinion::first)->truth();
         if (!truth->touching) truths[i] = truth->verdict;
@@ -286,7 +283,7 @@ std::vector<std::uint64_t> kept_wrong(const Tally& tally) {
 bool has_unknown_cause(const Kernel& kernel, const Tally& tally) {
   const VerdictTally& verdict = tally.verdict;
   const LinkCounts& links = verdict.links;
-  if (kernel.is_reference && !kernel.formulae.empty()) {
+  if (has_reference(kernel)) {
     return links[Link::specification] + links[Link::implementation] + links[Link::unattributed] != 0;
   }
   return verdict.false_separation + verdict.false_contact != 0;

@@ -35,9 +35,8 @@ std::vector<TraitQuery<Real>> clear_having(Subject<Real>& subject, const Traits&
     for (const Family* family : families) {
       if (looked_at == most_looked_at / part || found.size() == enough / part) return found;
       const Numbers<Real> q = family->make<Real>(subject.seed(), position);
-      if (!oracles.is_valid(q) || !is_promised(kernel, q)) continue;
       const std::optional<Verdict> truth = oracles.clear_verdict(q);
-      if (!truth) continue;
+      if (!truth || !is_promised(kernel, q)) continue;
       ++looked_at;
       const TraitSet has = traits.of(q, kernel.entry) & wanted;
       if (has != 0) found.push_back({q, has, *truth});

@@ -84,7 +84,7 @@ InputClass class_of_wrong(const Query<Real>& q, bool is_touching, DepthOf& depth
 
 bool has_input_classes(const Kernel& kernel) {
   const Capabilities& has = capabilities_of(*kernel.predicate);  // a screen counts them
-  return has.input_classes != nullptr && has.screens != nullptr && (kernel.formulae.empty() || !kernel.is_reference);
+  return has.input_classes != nullptr && has.screens != nullptr && !has_reference(kernel);
 }
 
 template <class Real>
