@@ -25,14 +25,23 @@ struct MotionTrait : Entry {
   using AllFormulae = FormulaeList<Twenty, TwentyNonstrict>;
   using ClearForms = FormulaeList<TwentyNonstrict>;  // right for a motion of zero too, whose sides are exactly 0
 
-  static GivenMotion query(const Numbers<double>& numbers) {
-    return Entry::template problem<double>([&](std::size_t k) { return numbers[k]; });
+  template <class Real>
+  static GivenMotion query(const Numbers<Real>& numbers) {
+    return Entry::template problem<double>([&](std::size_t k) { return static_cast<double>(numbers[k]); });
+  }
+  // The sphere before the motion, and the triangle.
+  template <class Real>
+  static axiscert::Query<Real> start_of(const GivenMotion& q) {
+    const auto point = [](const portable::Vec3<double>& v) {
+      return Vec3<Real>{static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z)};
+    };
+    return {point(q.a), point(q.b), point(q.c), point(q.p), static_cast<Real>(q.r)};
   }
 
   // Methods by roots lose b^2 - a c, a distance of L L / r where the path is L away from the triangle.
   template <class Real>
   static double moved_length(const Numbers<Real>& numbers) {
-    const auto q = Entry::template problem<double>([&](std::size_t k) { return static_cast<double>(numbers[k]); });
+    const GivenMotion q = query(numbers);
     double square = 0;
     for (const auto& corner : {q.a, q.b, q.c}) square = std::max(square, dot(corner - q.p, corner - q.p));
     return barycentric_length(q.a, q.b, q.c) + (q.r > 0 ? square / q.r : 0);
@@ -40,10 +49,8 @@ struct MotionTrait : Entry {
   // Where the sphere all but touches at the start, a method by roots may not see it.
   template <class Real>
   static bool is_clear_at_start(const Numbers<Real>& numbers) {
-    Numbers<Real> still(13);
-    std::copy_n(numbers.begin(), 12, still.begin());
-    still[12] = numbers[15];
-    return oracles_of(sphere_triangle_predicate()).clear_verdict(still).has_value();
+    const Numbers<Real> start = start_of<Real>(query(numbers));
+    return oracles_of(sphere_triangle_predicate()).clear_verdict(start).has_value();
   }
 
   static bool is_valid(const Numbers<double>& numbers) {
@@ -102,17 +109,7 @@ struct MotionTrait : Entry {
   // The sphere before the motion decides.
   template <class Real>
   static bool is_degenerate(const Numbers<double>& numbers) {
-    const GivenMotion q = query(numbers);
-    const auto point = [](const portable::Vec3<double>& v) {
-      return Vec3<Real>{static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z)};
-    };
-    return axiscert::is_degenerate(
-        axiscert::Query<Real>{point(q.a), point(q.b), point(q.c), point(q.p), static_cast<Real>(q.r)});
-  }
-
-  static Distance distance(const Numbers<double>& numbers) {
-    const GivenMotion q = query(numbers);
-    return {least_distance(q).squared, exact(q.r)};
+    return axiscert::is_degenerate(start_of<Real>(query(numbers)));
   }
 
   static bool is_promised(const MotionPolicy& policy, const Numbers<double>& numbers) {
