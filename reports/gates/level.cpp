@@ -15,6 +15,11 @@ std::string Failure::text() const {
   return fmt::format("{} {} on {}: {}: {}{}", kernel, precision, family, what, count, shown_by);
 }
 
+std::string list_of(const std::vector<std::string>& families) {
+  return families.size() > 4 ? fmt::format("{} families", families.size())
+                             : fmt::format("{}", fmt::join(families, ", "));
+}
+
 Subject::Basis Subject::basis() const {
   if (!kernel_.reference) return Basis::verdicts;
   return *kernel_.reference ? Basis::reference : Basis::formulae;
@@ -109,7 +114,7 @@ std::uint64_t Subject::decided() const { return evidence_of(kernel_).decided(); 
 std::string Subject::list_of_families() const {
   std::vector<std::string> names;
   for (const auto& [family, result] : families()) names.push_back(family);
-  return names.size() > 4 ? fmt::format("{} families", names.size()) : fmt::format("{}", fmt::join(names, ", "));
+  return list_of(names);
 }
 
 }  // namespace axiscert

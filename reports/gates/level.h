@@ -44,6 +44,9 @@ struct FamilyLook {
   std::uint64_t declined = 0;   // of pairs: those with an answer `undecided`; declined queries are in the evidence
 };
 
+// "general, tangent", or "26 families".
+std::string list_of(const std::vector<std::string>& families);
+
 class Subject {
  public:
   // `kernel` is one of the record's. Both have to outlive the subject.

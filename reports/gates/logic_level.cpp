@@ -58,11 +58,7 @@ struct Seen {
     queries += looked_at;
   }
 };
-std::string short_list(const std::vector<std::string>& families) {
-  if (families.empty()) return "no family";
-  if (families.size() > 4) return fmt::format("{} families", families.size());
-  return fmt::format("{}", fmt::join(families, ", "));
-}
+std::string names_of(const Seen& seen) { return seen.names.empty() ? "no family" : list_of(seen.names); }
 
 // Queries beside the same in another unit of length.
 struct Units {
@@ -183,7 +179,7 @@ LevelFindings logic_findings(const Subject& subject) {
       "verdicts on {} clear queries of {}, which no right method gets wrong, and on {} queries of {} that do not "
       "touch, "
       "where there is nothing to round",
-      thousands(clear.queries), short_list(clear.names), thousands(exact.queries), short_list(exact.names));
+      thousands(clear.queries), names_of(clear), thousands(exact.queries), names_of(exact));
   if (has_formulae)
     found.covers += fmt::format("; its formulae, exact, on {} queries of {}", queries, subject.list_of_families());
   const Units units = units_that_ran(subject);
