@@ -1,0 +1,222 @@
+#include "fuzz/boxes/traits.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <vector>
+
+#include "fuzz/boxes/trait_parts.h"
+#include "kernel/boxes/thirteen.h"
+
+namespace axiscert {
+namespace boxes {
+namespace {
+
+using namespace traits;
+
+enum class PairTrait : std::uint8_t {
+  a0,
+  a1,
+  a2,
+  b0,
+  b1,
+  b2,
+  a0b0,
+  a0b1,
+  a0b2,
+  a1b0,
+  a1b1,
+  a1b2,
+  a2b0,
+  a2b1,
+  a2b2,
+  facet_of_a,
+  facet_of_b,
+  facet,
+  edges,
+  several,
+  shallow_facet,
+  shallow_edges,
+  parallel,
+  nearly_parallel,
+  same_axes,
+  a_level,
+  b_level,
+  both_level,
+  flat,
+  thin,
+  larger,
+  inside,
+  same_centre,
+  short_quaternion,
+  long_quaternion,
+  other_norm,
+  tiny_w,
+  identity,
+  scaled_axes,
+  small,
+  large,
+  far,
+};
+
+}  // namespace
+}  // namespace boxes
+template <>
+inline constexpr std::size_t enum_count<boxes::PairTrait> = 42;
+namespace boxes {
+namespace {
+
+constexpr EnumArray<PairTrait, Trait> pair_traits = {{
+    {"a0_alone", "parted by a0 alone", "regions"},
+    {"a1_alone", "parted by a1 alone", "regions"},
+    {"a2_alone", "parted by a2 alone", "regions"},
+    {"b0_alone", "parted by b0 alone", "regions"},
+    {"b1_alone", "parted by b1 alone", "regions"},
+    {"b2_alone", "parted by b2 alone", "regions"},
+    {"a0b0_alone", "parted by a0 x b0 alone", "regions"},
+    {"a0b1_alone", "parted by a0 x b1 alone", "regions"},
+    {"a0b2_alone", "parted by a0 x b2 alone", "regions"},
+    {"a1b0_alone", "parted by a1 x b0 alone", "regions"},
+    {"a1b1_alone", "parted by a1 x b1 alone", "regions"},
+    {"a1b2_alone", "parted by a1 x b2 alone", "regions"},
+    {"a2b0_alone", "parted by a2 x b0 alone", "regions"},
+    {"a2b1_alone", "parted by a2 x b1 alone", "regions"},
+    {"a2b2_alone", "parted by a2 x b2 alone", "regions"},
+    {"facet_of_a_alone", "parted by one facet of A alone", "regions"},
+    {"facet_of_b_alone", "parted by one facet of B alone", "regions"},
+    {"facet_alone", "parted by one facet alone", "regions"},
+    {"edges_alone", "parted by one product of edges alone", "regions"},
+    {"several", "parted by several axes", "regions"},
+    {"shallow_facet", "least deep along a facet", "regions"},
+    {"shallow_edges", "least deep along a product of edges", "regions"},
+    {"parallel", "with parallel edges", "parallel"},
+    {"nearly_parallel", "with edges within 1 % of parallel", "parallel"},
+    {"same_axes", "with all edges parallel", "parallel"},
+    {"a_level", "with A along the axes", "aligned"},
+    {"b_level", "with B along the axes", "aligned"},
+    {"both_level", "with both along the axes", "aligned"},
+    {"flat", "with a box without volume", "flat"},
+    {"thin", "with a box less than a thousandth as thick as long", "flat"},
+    {"larger", "with one a hundred times as large as the other"},
+    {"inside", "with the centre of one inside the other"},
+    {"same_centre", "with the same centre"},
+    {"short_quaternion", "with a quaternion shorter than a thousandth"},
+    {"long_quaternion", "with a quaternion longer than a thousand"},
+    {"other_norm", "with a quaternion not within 1 % of length 1"},
+    {"tiny_w", "with w below a thousandth of its quaternion"},
+    {"identity", "with a quaternion that does not turn"},
+    {"scaled_axes", "with an axis not within 1 % of length 1"},
+    {"small", "with all numbers below 1e-3"},
+    {"large", "with a number of 1e4 or more"},
+    {"far", "with the origin 64 times as far away as the scene is long"},
+}};
+
+PairTrait pair_axis(std::size_t i) { return static_cast<PairTrait>(i); }
+
+// Whether a squared length is from 0.99^2 to 1.01^2.
+bool is_about_one(const Big& squared) { return squared >= Big(0.9801) && squared <= Big(1.0201); }
+
+void put_quaternion(TraitBits<PairTrait>& found, const TurnedBox<double>& box) {
+  using enum PairTrait;
+  Big square;
+  for (const double x : box.q) square = square + Big(x) * Big(x);
+  found.put(short_quaternion, square < Big(1e-6));
+  found.put(long_quaternion, square > Big(1e6));
+  found.put(other_norm, !is_about_one(square));
+  found.put(tiny_w, Big(box.q[0]) * Big(box.q[0]) * Big(1e6) < square);
+  found.put(identity, box.q[1] == 0 && box.q[2] == 0 && box.q[3] == 0);
+}
+void put_given(TraitBits<PairTrait>& found, const TurnedPair<double>& q) {
+  put_quaternion(found, q.a);
+  put_quaternion(found, q.b);
+}
+void put_given(TraitBits<PairTrait>& found, const BoxPair<double>& q) {
+  for (const OrientedBox<double>* box : {&q.a, &q.b}) {
+    for (const Vec3<double>& axis : box->axis)
+      found.put(PairTrait::scaled_axes, !is_about_one(squared_length(exact_vector(axis))));
+  }
+}
+
+template <class Given>
+TraitSet pair_traits_of(const Given& given) {
+  using enum PairTrait;
+  const BoxPair<Big> q = scaled<Big>(given);
+  const Vec3<Big> between = q.b.centre - q.a.centre;
+  TraitBits<PairTrait> found;
+  const DecidingAxes axes = deciding(axis_count, [&](std::size_t i) {
+    const Vec3<Big> along = direction(q, i);
+    return Rest{half_extent(q.a, along) + half_extent(q.b, along) - magnitude(dot(between, along)),
+                squared_length(along)};
+  });
+  if (std::popcount(axes.parting) == 1) {
+    const std::size_t i = first_bit(axes.parting);
+    found.put(pair_axis(i));
+    found.put(facet_of_a, i < 3);
+    found.put(facet_of_b, i >= 3 && i < 6);
+    found.put(facet, i < 6);
+    found.put(edges, i >= 6);
+  }
+  found.put(several, std::popcount(axes.parting) > 1);
+  found.put(shallow_facet, (axes.least & 0x3f) != 0);
+  found.put(shallow_edges, (axes.least & ~0x3fu) != 0);
+
+  std::size_t pairs = 0;
+  for (const Vec3<Big>& u : q.a.axis) {
+    for (const Vec3<Big>& v : q.b.axis) {
+      pairs += is_parallel(u, v);
+      found.put(nearly_parallel, is_nearly_parallel(u, v));
+    }
+  }
+  found.put(parallel, pairs != 0);
+  found.put(same_axes, pairs == 3);
+  found.put(a_level, is_level(q.a));
+  found.put(b_level, is_level(q.b));
+  found.put(both_level, is_level(q.a) && is_level(q.b));
+
+  found.put(flat, is_flat(q.a) || is_flat(q.b));
+  found.put(thin, is_thin(q.a) || is_thin(q.b));
+  const Big size_a = squared_size(q.a), size_b = squared_size(q.b);
+  found.put(larger, is_below(size_a, size_b, 1e4) || is_below(size_b, size_a, 1e4));
+  found.put(inside, is_inside(q.b.centre, q.a) || is_inside(q.a.centre, q.b));
+  found.put(same_centre, squared_length(between).is_zero());
+  put_given(found, given);
+  // Of the lengths and places, without the axes.
+  std::vector<double> sizes;
+  double extent = 0;
+  for (const auto* box : {&given.a, &given.b}) {
+    for (const double x : {box->centre.x, box->centre.y, box->centre.z}) sizes.push_back(x);
+    for (const double x : box->half) {
+      sizes.push_back(x);
+      extent = std::max(extent, x);
+    }
+  }
+  found.put(small, is_small_scene(sizes));
+  found.put(large, is_large_scene(sizes));
+  const std::array centres = {given.a.centre, given.b.centre};
+  found.put(far, is_far_away(centres, extent));
+  return found.bits();
+}
+
+class BoxBoxTraits final : public Traits {
+ public:
+  std::string_view noun() const override { return "pairs of boxes"; }
+  std::span<const Trait> all() const override { return {pair_traits.begin(), pair_traits.end()}; }
+  TraitSet of(const Numbers<float>& q, std::size_t entry) const override { return found(doubles(q), entry); }
+  TraitSet of(const Numbers<double>& q, std::size_t entry) const override { return found(doubles(q), entry); }
+
+ private:
+  static TraitSet found(const std::vector<double>& numbers, std::size_t entry) {
+    if (entry == MatrixBoxes::entry) return pair_traits_of(given_of<MatrixBoxes>(numbers));
+    return pair_traits_of(given_of<QuaternionBoxes>(numbers));
+  }
+};
+
+}  // namespace
+}  // namespace boxes
+
+const Traits& box_box_traits() {
+  static const boxes::BoxBoxTraits traits;
+  return traits;
+}
+
+}  // namespace axiscert
