@@ -85,7 +85,7 @@ struct NothingToKeep : Error {
   using Error::Error;
 };
 
-// What is wrong with a measure; where none is named, with the first that is.
+// The fault of a measure; where none is named, the first that there is.
 template <class Real>
 std::optional<Symptom> measure_fault(const Numbers<Real>& q, std::string_view measure, SymptomFinder<Real>& finder) {
   for (const Symptom& fault : finder.measure_faults(q)) {

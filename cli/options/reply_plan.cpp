@@ -76,7 +76,7 @@ bool is_id(const std::string& id) {
   });
 }
 
-// What it leaves open of the sides of a triangle, and within a margin.
+// Declares for the kernel which sides of a triangle it promises, and its margin.
 void promise(const ReplyOptions& options, Kernel& kernel) {
   const Predicate& predicate = *kernel.predicate;
   if (options.sides == name(SidesPolicy::front)) {

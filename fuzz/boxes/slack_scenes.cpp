@@ -151,7 +151,7 @@ std::vector<SlackScene> of_box_and_triangle(std::size_t entry, Precision precisi
                           : kind == 1 ? farthest(random, box, n)
                                       : farthest(random, box, n, i);
       if (!of_box) continue;
-      // Of the triangle the corner, or the edge from corner `edge`, which is nearest to the box.
+      // The corner of the triangle, or its edge from corner `edge`, that is nearest to the box.
       const double s = 0.25 + random.unit<double>() / 2, share = 0.25 + random.unit<double>() / 4;
       const ScenePoint other = t.corner[(edge + 2) % 3];
       ScenePoint at = t.corner[edge];

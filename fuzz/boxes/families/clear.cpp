@@ -37,7 +37,7 @@ std::vector<Arrow> corners_of(const OrientedBox<double>& box) {
 
 double arrow_length(const Arrow& v) { return std::sqrt(dot(v, v)); }
 
-// Of length 1; 0 for a product of vectors whose angle is below a part in 2^40.
+// The vector of length 1; 0 for a product of vectors whose angle is below a part in 2^40.
 Arrow unit_axis(const Arrow& v, double lengths) {
   const double own = arrow_length(v);
   return own > lengths * 0x1p-40 ? v / own : Arrow{0, 0, 0};
@@ -107,7 +107,7 @@ ClearPlace place_on_axis(Stream& random, const ClearScene& scene, std::size_t ax
   const double share = 0.25 + 0.25 * random.unit<double>();
   const Arrow of_a = farthest_point(random, scene.a, way, scene.size),
               of_b = farthest_point(random, scene.b, way * -1.0, scene.size), touching = of_a - of_b;
-  // What the other axes leave there. An axis that is the same but for roundings decides with it.
+  // The room that the other axes leave there. An axis that is the same but for roundings decides with it.
   double left = std::numeric_limits<double>::infinity();
   for (const Arrow& other : scene.axis) {
     const Arrow across = cross(other, way);

@@ -41,7 +41,7 @@ ClearPlace place_on_axis(Stream& random, const ClearScene& scene, std::size_t ax
 // The greatest gap over all axes with B's point there: positive apart, negative in contact.
 double gap_at(const ClearScene& scene, const Arrow& by);
 
-// What is wished of a scene, in parts of the size of its larger body.
+// A wish for a scene, in parts of the size of its larger body.
 struct ClearWish {
   std::size_t axis;
   Side side;
@@ -121,7 +121,7 @@ Attempt<Pair> placed_box(Stream& random, Pair q, const ClearWish& wish) {
   return {q, worth_of(place, scene, wish)};
 }
 
-// What the rounds of a family over all its axes wish, in turn: twice apart and once in contact, by a clear margin; and
+// The wishes of a family over all its axes, round by round: twice apart and once in contact, by a clear margin; and
 // either by 2^-7 to 2^-18 of the scene (binary64: 2^-42).
 template <class Real>
 ClearWish wish_in_turn(Stream& random, std::uint64_t round, std::size_t axis) {
