@@ -123,7 +123,6 @@ namespace {
 using testing::HasSubstr;
 using namespace made;
 
-
 // The value that a probe has to find of a kernel.
 struct Row {
   std::string property, value;

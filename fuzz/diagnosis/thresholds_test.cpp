@@ -87,7 +87,6 @@ namespace {
 using testing::HasSubstr;
 using namespace made;
 
-
 TEST(ExactImages, AreNotMadeWhereANumberIsLost) {
   const std::vector<std::size_t> all = {0, 1};
   const float least = std::numeric_limits<float>::denorm_min();
