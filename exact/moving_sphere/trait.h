@@ -112,6 +112,11 @@ struct MotionTrait : Entry {
     return axiscert::is_degenerate(start_of<Real>(query(numbers)));
   }
 
+  static Distance distance(const Numbers<double>& numbers) {
+    const GivenMotion q = query(numbers);
+    return {least_distance(q).squared, exact(q.r)};
+  }
+
   static bool is_promised(const MotionPolicy& policy, const Numbers<double>& numbers) {
     return moving_sphere::is_promised(policy, query(numbers));
   }
