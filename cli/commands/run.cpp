@@ -26,7 +26,8 @@ void add_run(CLI::App& app, Action& action) {
   command->callback([&action, options, planned] {
     action = [options, planned] {
       if (!planned->plan.empty()) return run_planned(*planned, *options);
-      return put_result(judge_run(plan_of(*options), *options, options->target), *options);
+      const RunOptions all = with_preset(*options);
+      return put_result(judge_run(plan_of(all), all, all.target), all);
     };
   });
 }

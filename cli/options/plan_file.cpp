@@ -75,11 +75,13 @@ void put_required(Json& options, const RunRequirements& required) {
   const std::vector<std::string>& levels = required.levels;
   options["require"] = levels.empty() ? Json("") : levels.size() == 1 ? Json(levels.front()) : Json(levels);
   if (!required.allow_unchecked.empty()) options["allow_unchecked"] = required.allow_unchecked;
+  if (!required.unit.empty()) options["unit"] = required.unit;
 }
 void get_required(const Json& options, RunRequirements& required) {
   if (!options.at("require").is_string()) get_member(options, "require", required.levels);
   else if (const std::string level = options["require"]; !level.empty()) required.levels = {level};
   if (options.contains("allow_unchecked")) get_member(options, "allow_unchecked", required.allow_unchecked);
+  if (options.contains("unit")) get_member(options, "unit", required.unit);
 }
 
 std::string digest_of(Json json) {

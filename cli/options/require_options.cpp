@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "cli/commands.h"
+#include "fuzz/text/length_unit.h"
 #include "kernel/base/error.h"
 #include "reports/gates/requirement.h"
 
@@ -13,8 +15,9 @@ namespace {
 // Any kernel meets a depth beyond the greatest; a record that requires one is read all the same.
 void require_depth_that_occurs(const AskedLevel& asked, const Predicate& predicate) {
   const GateLevel& level = level_of(asked);
-  if (!asked.has_argument || level.allowed == nullptr || !(level.allowed(asked).phantom > predicate.greatest_depth))
-    return;
+  if (!asked.has_argument || level.allowed == nullptr) return;
+  const AllowedDepths allowed = level.allowed(asked);
+  if (allowed.are_lengths || !(allowed.phantom > predicate.greatest_depth)) return;
   const bool is_optional = std::string_view(level.usage).find('[') != std::string_view::npos;
   throw Error(fmt::format(
       "--require {}: D is a depth, a share of the scene from 0 to {} in a predicate of {}, as in {}=0.001{}",
@@ -27,12 +30,19 @@ void require_depth_that_occurs(const AskedLevel& asked, const Predicate& predica
 void add_require_options(CLI::App& command, RunRequirements& required) {
   command
       .add_option("--require", required.levels,
-                  fmt::format("level, repeatable: exit 1 where it is not met or not checked; {}", levels_help()))
+                  fmt::format("LEVEL or 'LEVEL in FAMILY,...' (patterns with * too), repeatable: exit 1 where it is not met "
+                              "or not checked; {}",
+                              levels_help()))
       ->allow_extra_args(false);
   command
       .add_option("--allow-unchecked", required.allow_unchecked,
                   "level of --require that passes where these queries or this kernel cannot show it, repeatable")
       ->allow_extra_args(false);
+  command
+      .add_option("--unit", required.unit,
+                  "the unit of length of the queries' numbers, for lengths in levels and reports (families of scenes are "
+                  "in metres)")
+      ->check(one_of(length_unit_names()));
 }
 
 void check_required(const RunRequirements& required, const Plan& plan) {

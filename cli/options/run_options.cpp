@@ -29,14 +29,43 @@ namespace {
 
 struct Preset {
   const char* name;
-  std::uint64_t trials;  // per family and precision
+  const char* meaning;
+  void (*apply)(const Predicate& predicate, std::size_t entry, RunOptions& options);
 };
 
-// ci: every family and the corpus. Bounded by trials, so that the plan is the same everywhere; the trials are so few
-// that the default kernel takes no more than 20 s on two cores.
-constexpr Preset presets[] = {{"ci", std::uint64_t{1} << 14}};
+// Bounded by trials, so that the plan is the same everywhere; the trials are so few that the default kernel takes no
+// more than 20 s on two cores.
+void ask_everything(const Predicate& predicate, std::size_t, RunOptions& options) {
+  if (options.families.empty() && options.meshes.empty() && options.queries.empty()) options.families = {"all"};
+  // A corpus that states the exact answers in full is part of every run of the preset.
+  if (!options.corpus && oracles_of(predicate).has_squared_distance()) options.corpus = default_corpus_folder();
+  if (!options.trials) options.trials = std::uint64_t{1} << 14;
+}
 
-}  // namespace
+// Scenes of a game: a millimetre is no error that anybody sees.
+void ask_scenes(const Predicate& predicate, std::size_t entry, RunOptions& options) {
+  if (options.families.empty() && options.meshes.empty() && options.queries.empty()) {
+    for (const Family* family : families_of(predicate, entry)) {
+      if (family->trust_group == TrustGroup::scene) options.families.emplace_back(family->name);
+    }
+  }
+  if (options.families.empty() && options.meshes.empty() && options.queries.empty()) {
+    throw Error(fmt::format("--preset game: {} has no families of scenes in the entry {}; give your own with --mesh or "
+                            "--queries",
+                            predicate.id, predicate.entries[entry].name));
+  }
+  if (!options.trials) options.trials = std::uint64_t{1} << (has_filters(predicate) ? 16 : 13);
+  if (options.required.levels.empty()) {
+    options.required.levels = {"depth=1mm", "logic"};
+    options.required.allow_unchecked = {"logic"};  // a kernel with a reference, or own queries none of which is clear
+  }
+  if (options.required.unit.empty()) options.required.unit = "m";
+  options.is_brief = true;
+}
+
+constexpr Preset presets[] = {
+    {"ci", "all families and the corpus with 2^14 queries each", ask_everything},
+    {"game", "everyday scenes in metres, held to depth=1mm and logic, in ten lines", ask_scenes}};
 
 std::vector<std::string> preset_names() {
   std::vector<std::string> names;
@@ -44,13 +73,34 @@ std::vector<std::string> preset_names() {
   return names;
 }
 
-void apply_preset(const std::string& name, const Predicate& predicate, RunOptions& options) {
-  const auto preset =
-      std::find_if(std::begin(presets), std::end(presets), [&](const Preset& p) { return p.name == name; });
-  if (options.families.empty() && options.meshes.empty() && options.queries.empty()) options.families = {"all"};
-  // A corpus that states the exact answers in full is part of every run of the preset.
-  if (!options.corpus && oracles_of(predicate).has_squared_distance()) options.corpus = default_corpus_folder();
-  if (!options.trials) options.trials = preset->trials;
+std::string presets_text() {
+  std::string text;
+  for (const Preset& preset : presets) text += fmt::format("{}: {}; ", preset.name, preset.meaning);
+  return text + "other options override it";
+}
+
+std::vector<const Kernel*> kernels_of(const std::vector<std::string>& ids) {
+  std::vector<const Kernel*> kernels;
+  for (const std::string& id : ids) {
+    const Kernel* kernel = &find_kernel(id);
+    if (std::find(kernels.begin(), kernels.end(), kernel) == kernels.end() && !is_file_of(*kernel, kernels))
+      kernels.push_back(kernel);
+  }
+  return kernels;
+}
+
+}  // namespace
+
+RunOptions with_preset(const RunOptions& given) {
+  RunOptions options = given;
+  const auto preset = std::ranges::find_if(presets, [&](const Preset& one) { return one.name == given.preset; });
+  if (preset == std::end(presets)) return options;
+  const std::vector<const Kernel*> kernels = kernels_of(given.kernels);
+  const Predicate& predicate = predicate_of_kernels(given.predicate, kernels);
+  const std::size_t entry =
+      kernels.empty() ? entry_of_families(predicate, given.families) : kernels.front()->entry;
+  preset->apply(predicate, entry, options);
+  return options;
 }
 
 namespace {
@@ -232,8 +282,7 @@ void add_run_options(CLI::App& command, RunOptions& o) {
       ->check(one_of(std::vector<std::string>(filter_fault_names.begin(), filter_fault_names.end())))
       ->excludes("--exact-only");
   command
-      .add_option("--preset", o.preset,
-                  "ci: all families and the corpus with 2^14 queries each; other options override it")
+      .add_option("--preset", o.preset, presets_text())
       ->check(one_of(preset_names()));
   add_plugin_seconds(command);
   add_output_options(command, o);
@@ -294,8 +343,7 @@ int threads_of(int given) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-Plan plan_of(const RunOptions& given) {
-  RunOptions options = given;
+Plan plan_of(const RunOptions& options) {
   if (options.seconds) {
     // A run that is bounded by time has other queries on every machine.
     for (const auto& [name, value] : {std::pair("--preset", options.preset), {"--ratchet", options.ratchet}}) {
@@ -309,13 +357,8 @@ Plan plan_of(const RunOptions& given) {
   std::vector<const Kernel*>& kernels = answerers.kernels;
   questions.seed = options.seed;
   running.target = resolve_target(options.target);
-  for (const std::string& id : options.kernels) {
-    const Kernel* kernel = &find_kernel(id);
-    if (std::find(kernels.begin(), kernels.end(), kernel) != kernels.end()) continue;
-    if (is_file_of(*kernel, kernels)) continue;
-    kernels.push_back(kernel);
-    add_plugin(*kernel, answerers.plugins);
-  }
+  kernels = kernels_of(options.kernels);
+  for (const Kernel* kernel : kernels) add_plugin(*kernel, answerers.plugins);
   const Predicate& predicate = predicate_of_kernels(options.predicate, kernels);
   if (kernels.empty()) {
     const bool is_of_a_mesh = options.families.empty() && !options.meshes.empty();
@@ -325,7 +368,6 @@ Plan plan_of(const RunOptions& given) {
     kernels.push_back(&default_kernel(predicate, entry));
   }
   if (options.planted != RunOptions().planted) require_served("--plant", predicate, predicates_with(has_filters));
-  if (!options.preset.empty()) apply_preset(options.preset, predicate, options);
   if (options.precision.empty()) questions.precisions = {Precision::binary32, Precision::binary64};
   else questions.precisions = {parse_precision(options.precision)};
   drop_idle_precisions(questions.precisions, kernels, options.precision);
@@ -344,7 +386,7 @@ Plan plan_of(const RunOptions& given) {
   check_required(options.required, plan);
   // Only of files that were asked for: the corpus of a preset was not.
   std::vector<SourcePtr> asked = questions.sources;
-  if (!given.corpus) std::erase_if(asked, [](const SourcePtr& source) { return source->name() == "corpus"; });
+  if (!options.preset.empty()) std::erase_if(asked, [](const SourcePtr& source) { return source->name() == "corpus"; });
   print_left_out(asked, questions.precisions,
                  options.precision.empty() ? "no kernel of this run takes the" : "--precision leaves out");
   return plan;

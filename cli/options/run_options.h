@@ -32,6 +32,7 @@ struct OutputOptions {
   std::string format = "text";       // of what is printed at the end
   bool quiet = false;
   bool has_summary = true;   // printed at the end, and what came of the levels
+  bool is_brief = false;     // the summary is without tables, and ends with one verdict
   std::uint64_t shrink = 0;  // evaluations to make each witness smaller; 0: they stay as they are
   int threads = 0;           // 0: all cores
 };
@@ -69,12 +70,9 @@ int threads_of(int given);
 // Makes the plan: looks up every name and reads every file. Throws Error.
 Plan plan_of(const RunOptions& options);
 
-// Presets of `axiscert run`: plans with a name. A new one is a line in run_options.cpp.
-
-std::vector<std::string> preset_names();
-// Sets the options that were not given to the preset's values for a run of this predicate, which may have no corpus.
-// The name is one of preset_names().
-void apply_preset(const std::string& name, const Predicate& predicate, RunOptions& options);
+// The options with those of their preset that were not given: a plan with a name, for a run of the kernels' predicate.
+// A new preset is a line in run_options.cpp. Throws Error.
+RunOptions with_preset(const RunOptions& options);
 
 // The options that say what a run has to meet.
 

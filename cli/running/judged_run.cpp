@@ -17,6 +17,7 @@
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/causes/cause.h"
 #include "fuzz/confirm/record.h"
+#include "fuzz/diagnosis/range_window.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/base/text.h"
@@ -87,16 +88,18 @@ constexpr const char* shrunk_file = "witnesses-shrunk.jsonl";
 
 // Prints what came of each level: what is met, with what that says, on standard output; the rest on standard error.
 // Returns whether all pass.
-bool print_outcomes(const std::vector<LevelOutcome>& outcomes, bool quiet) {
+bool print_outcomes(const std::vector<LevelOutcome>& outcomes, bool quiet, bool is_brief) {
   for (const LevelOutcome& outcome : outcomes) {
     if (outcome.passes()) {
       const bool is_met = outcome.state == LevelState::met;
       if (!quiet) fmt::print("{}\n", coloured(outcome.text(), is_met ? TextColour::green : TextColour::yellow));
-      if (!quiet && is_met) fmt::print("  covers {}\n  leaves out {}\n", outcome.covers, outcome.leaves_out);
+      if (!quiet && is_met && !is_brief) fmt::print("  covers {}\n  leaves out {}\n", outcome.covers, outcome.leaves_out);
       continue;
     }
-    for (const Failure& failure : outcome.failures)
+    for (const Failure& failure : outcome.failures) {
+      if (is_brief) break;
       fmt::print(stderr, "axiscert: --require {}: {}\n", outcome.asked.text, failure.text());
+    }
     fmt::print(stderr, "axiscert: --require: {}\n", outcome.text());
   }
   return pass(outcomes);
@@ -186,6 +189,8 @@ RunFiles run_files(const Plan& plan, const CampaignResult& result, const OutputO
                run_info(plan, result, target_asked, iso_time(started), seconds)};
   progress.begin_stage("the causes are looked for");
   put_causes(run.record, plan, result);
+  progress.begin_stage("other units of length are asked");
+  put_windows(run.record, plan, result);
   run.info.scale = std::move(scale);
   run.info.sources = source_places(plan.answerers.kernels, output.sources);
   return run;
@@ -219,12 +224,16 @@ int put_result(JudgedRun run, const OutputOptions& output) {
     if (!is_on_one_screen) fmt::print(stderr, "axiscert: {}\n", sentence);
     if (!is_quiet) fmt::print("{}\n", coloured(sentence, TextColour::red));
   }
-  if (!is_quiet && output.has_summary) fmt::print("{}{}/report.html\n", summary_text(record, info.seconds), output.out);
+  if (!is_quiet && output.has_summary) 
+    fmt::print("{}{}/report.html\n", summary_text(record, info.seconds, output.is_brief), output.out);
   if (!output.quiet && output.format == "csv") fmt::print("{}", read_bytes(output.out + "/" + record_csv_file));
   if (!is_complete) return exit_interrupted;
   bool is_met = nothing.empty();
-  if (!print_outcomes(outcomes, is_quiet)) is_met = false;
+  if (!print_outcomes(outcomes, is_quiet, output.is_brief)) is_met = false;
   if (held && !print_ratchet_outcome(*held, output, is_quiet)) is_met = false;
+  if (output.is_brief && !is_quiet) {
+    fmt::print("{}\n", is_met ? coloured("verdict: met", TextColour::green) : coloured("verdict: not met", TextColour::red));
+  }
   return is_met ? exit_done : exit_requirement_failed;
 }
 

@@ -19,6 +19,7 @@
 #include "reports/wording/causes.h"
 #include "reports/wording/classes.h"
 #include "reports/wording/depths.h"
+#include "reports/wording/everyday.h"
 #include "reports/wording/evidence.h"
 #include "reports/wording/reproduce.h"
 #include "reports/wording/summary.h"
@@ -219,9 +220,19 @@ std::string motion_table(const std::vector<KernelRecord>& kernels) {
   return rows.empty() ? "" : aligned_table(columns, rows);
 }
 
+// Of each kernel what a user of it reads first.
+std::string first_text(const Record& record) {
+  std::string text;
+  for (const KernelRecord& kernel : record.kernels) {
+    text += kernel_text(kernel) + "\n";
+    for (const std::string& sentence : first_sentences(kernel, record.plan)) text += "  " + sentence + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
-std::string summary_text(const Record& record, double seconds) {
+std::string summary_text(const Record& record, double seconds, bool is_brief) {
   std::string text;
   for (const FindingGroup& group : finding_groups(record)) {
     text += finding_text(*group.first) + "\n";
@@ -229,10 +240,13 @@ std::string summary_text(const Record& record, double seconds) {
     if (group.first->address) text += fmt::format("  {}\n", replay_command(*group.first, record.plan));
   }
   text += causes_text(record);
-  text += kernels_table(record.kernels);
-  text += motion_table(record.kernels);
-  text += depths_table(record.kernels);
-  text += classes_table(record.kernels);
+  text += first_text(record);
+  if (!is_brief) {
+    text += kernels_table(record.kernels);
+    text += motion_table(record.kernels);
+    text += depths_table(record.kernels);
+    text += classes_table(record.kernels);
+  }
   text += fmt::format("{}{:.1f} s\n", record.complete ? "" : "interrupted; ", seconds);
   return text;
 }

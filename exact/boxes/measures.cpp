@@ -179,10 +179,10 @@ Rational squared_scene(const ExactPair& q) {
   return scene;
 }
 
-double depth_of(const ExactPair& q) {
+ExactDepth exact_depth(const ExactPair& q) {
   const Rational scene = squared_scene(q), distance = squared_distance(q);
-  if (scene == 0) return 0;
-  return nearest_sqrt<double>(Rational((distance > 0 ? distance : squared_penetration(q)) / scene));
+  if (scene == 0) return {0, 0, 1};
+  return {distance > 0 ? distance : squared_penetration(q), 0, scene};
 }
 
 namespace {
@@ -271,10 +271,10 @@ Rational squared_distance(const ExactBoxAndTriangle& q) {
   return squared_distance(corners_of(q.box), hull_of(q.corner));
 }
 
-double depth_of(const ExactBoxAndTriangle& q) {
+ExactDepth exact_depth(const ExactBoxAndTriangle& q) {
   const Rational scene = squared_scene(q), distance = squared_distance(q);
-  if (scene == 0) return 0;
-  return nearest_sqrt<double>(Rational((distance > 0 ? distance : squared_penetration(q)) / scene));
+  if (scene == 0) return {0, 0, 1};
+  return {distance > 0 ? distance : squared_penetration(q), 0, scene};
 }
 
 }  // namespace axiscert::boxes

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "exact/judge/depth.h"
 #include "exact/boxes/nearest.h"
 #include "exact/boxes/scaled.h"
 #include "kernel/boxes/thirteen.h"
@@ -33,7 +34,7 @@ Hull hull_of(const std::array<Point, 3>& corners);
 Rational squared_penetration(const ExactBoxAndTriangle& q);
 std::vector<std::string_view> deciding_axes(const ExactBoxAndTriangle& q);
 Rational squared_distance(const ExactBoxAndTriangle& q);
-double depth_of(const ExactBoxAndTriangle& q);
+ExactDepth exact_depth(const ExactBoxAndTriangle& q);
 
 // How deep two boxes are in contact, or how far apart: squares of lengths, exactly.
 
@@ -68,7 +69,7 @@ Rational orthonormality_defect(const ExactBox& box);
 // from the centre of their own box.
 Rational squared_scene(const ExactPair& q);
 
-// Penetration or distance relative to the scene, rounded once; 0 for two points in the same place.
-double depth_of(const ExactPair& q);
+// Penetration or distance relative to the scene; 0 for two points in the same place.
+ExactDepth exact_depth(const ExactPair& q);
 
 }  // namespace axiscert::boxes

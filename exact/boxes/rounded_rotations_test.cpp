@@ -149,7 +149,7 @@ RoundedRates rounded_rates(MakeRounded make, int queries) {
     const bool apart = are_apart(exact);
     const auto count = [&](Wrong& wrong, bool said_apart) {
       wrong.count(said_apart, apart);
-      if (said_apart && !apart) wrong.deepest_miss = std::max(wrong.deepest_miss, depth_of(exact));
+      if (said_apart && !apart) wrong.deepest_miss = std::max(wrong.deepest_miss, rounded_depth(exact_depth(exact)));
     };
     count(found.textbook, separates<Textbook, ExactNumber>(problem));
     count(found.cofactor, separates<Cofactor, ExactNumber>(problem));

@@ -59,7 +59,7 @@ struct BoxTrait : Boxes {
                             [&] { return scaled<DyadicNumber>(query(numbers)); });
   }
 
-  static double depth(const Numbers<double>& numbers) { return depth_of(exactly(numbers)); }
+  static ExactDepth exact_depth(const Numbers<double>& numbers) { return boxes::exact_depth(exactly(numbers)); }
   static Distance distance(const Numbers<double>& numbers) { return {squared_distance(exactly(numbers)), 0}; }
 
   // That of the half extent of A's first axis at which the boxes touch.

@@ -55,7 +55,7 @@ struct TriangleTrait : Entry {
                             [&] { return scaled<DyadicNumber>(query(numbers)); });
   }
 
-  static double depth(const Numbers<double>& numbers) { return depth_of(exactly(numbers)); }
+  static ExactDepth exact_depth(const Numbers<double>& numbers) { return boxes::exact_depth(exactly(numbers)); }
   static Distance distance(const Numbers<double>& numbers) { return {squared_distance(exactly(numbers)), 0}; }
   static bool is_in_front(const Numbers<double>& numbers) {
     const ExactBoxAndTriangle q = exactly(numbers);

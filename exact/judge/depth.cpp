@@ -55,8 +55,15 @@ int compare(const ExactDepth& x, const ExactDepth& y) {
   return sign_of((x.dd + x.r * x.r) * y.ss - (y.dd + y.r * y.r) * x.ss, -2 * x.r * y.ss, x.dd, 2 * y.r * x.ss, y.dd);
 }
 
+double rounded_length(const ExactDepth& depth) {
+  constexpr double most = std::numeric_limits<double>::max();
+  if (order_against(exact(most), depth.dd, depth.r, 1) >= 0) return most;
+  return rounded_depth({depth.dd, depth.r, 1});
+}
+
 double rounded_depth(const ExactDepth& depth) {
   const auto& [dd, r, ss] = depth;
+  if (sgn(r) == 0) return nearest_sqrt<double>(Rational(dd / ss));
   // The nearest double is the one whose adjacent midpoints enclose the value; a value on a midpoint goes to the even
   // one.
   double y = estimate(dd, r, ss);

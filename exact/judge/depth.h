@@ -11,8 +11,10 @@ namespace axiscert {
 struct ExactDepth {
   Rational dd, r, ss;
 };
-// Rounded once, to the nearest binary64.
+// Both rounded once, to the nearest binary64: the depth, and the length |sqrt(dd) - r| in the query's unit, which is
+// not above the greatest finite one.
 double rounded_depth(const ExactDepth& depth);
+double rounded_length(const ExactDepth& depth);
 // The sign of x - y.
 int compare(const ExactDepth& x, const ExactDepth& y);
 
@@ -25,6 +27,9 @@ class DepthOf {
   virtual double at_least() = 0;  // both certainly, of exactly() too
   virtual double at_most() = 0;
   virtual double exactly() = 0;  // rounded once, to the nearest binary64
+  // The distance from touching as a length in the query's unit: rounded once, and what it certainly does not exceed.
+  virtual double length() = 0;
+  virtual double length_at_most() = 0;
   virtual bool is_touching() = 0;
   // The depth above which a wrong verdict counts as one on an engine-like query; infinity where the query is not one,
   // and in a predicate for which no query is.

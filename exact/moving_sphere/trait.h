@@ -83,11 +83,10 @@ struct MotionTrait : Entry {
 
   // |dist - r| over the greatest of r and the distances of the prism's corners, A to C' = C - D, from P; dist is the
   // least distance of the motion.
-  static double depth(const Numbers<double>& numbers) {
+  static ExactDepth exact_depth(const Numbers<double>& numbers) {
     const GivenMotion q = query(numbers);
     const Rational scene = squared_scene(q);
-    if (scene == 0) return 0;
-    return rounded_depth({least_distance(q).squared, exact(q.r), scene});
+    return {least_distance(q).squared, exact(q.r), scene == 0 ? Rational(1) : scene};  // where it is 0, so are both
   }
 
   // `time`: the greatest number of the precision that is not later than the first contact. `features`: all that are

@@ -175,6 +175,12 @@ class OraclesOf final : public Oracles {
       return claim == nullptr ? nullptr : &claim->sides;
     }
     DepthOf& depth() override { return *this; }
+    std::optional<ExactDepth> exact_depth() override {
+      if constexpr (HasDepth<Trait>) {
+        if (!depth_) depth_ = Trait::exact_depth(widened(q_));
+      }
+      return depth_;
+    }
 
    private:
     struct EvaluatedFormulae {
@@ -205,10 +211,11 @@ class OraclesOf final : public Oracles {
     double at_most() override { return exactly(); }
     bool is_touching() override { return truth().touching; }
     double exactly() override {
-      if (is_touching()) return 0;
-      if (!depth_) depth_ = depth_of(q_).value_or(0);
-      return *depth_;
+      if (!rounded_) rounded_ = is_touching() || !exact_depth() ? 0 : rounded_depth(*exact_depth());
+      return *rounded_;
     }
+    double length() override { return is_touching() || !exact_depth() ? 0 : rounded_length(*exact_depth()); }
+    double length_at_most() override { return length(); }
 
     // Null for a kernel that claims nothing.
     template <class... F>
@@ -279,7 +286,8 @@ class OraclesOf final : public Oracles {
 
     const Numbers<Real> q_;
     std::optional<Truth> truth_;
-    std::optional<double> depth_;
+    std::optional<ExactDepth> depth_;
+    std::optional<double> rounded_;
     std::optional<ExactSigns> signs_;
     bool keeps_sides_ = false;
     std::optional<ExactSides> first_;  // of the first formulae
@@ -288,7 +296,7 @@ class OraclesOf final : public Oracles {
 
   template <class Real>
   static std::optional<double> depth_of(const Numbers<Real>& q) {
-    if constexpr (HasDepth<Trait>) return Trait::depth(widened(q));
+    if constexpr (HasDepth<Trait>) return rounded_depth(Trait::exact_depth(widened(q)));
     else return std::nullopt;
   }
   static std::size_t first_length() {

@@ -15,7 +15,8 @@
 
 namespace axiscert {
 
-struct Distance;  // exact/trait/oracles.h
+struct Distance;    // exact/trait/oracles.h
+struct ExactDepth;  // exact/judge/depth.h
 
 // A rational as a number type of the formulae (kernel/formulae_kernel.h). Every result is a number of this type, and
 // not an expression of GMP's that refers to its operands.
@@ -59,7 +60,7 @@ struct ExactNumber {
 //                      contradiction() is to know
 //   contradiction      the theorem that ties the first formulae to the geometry. `holds` and `ties` are their exact
 //                      signs, lhs > rhs and lhs == rhs; the result says what the theorem excludes, or is empty
-//   depth              optional: how far the query is from touching, relative to its scene: exact, rounded once
+//   exact_depth        optional: how far the query is from touching, relative to its scene
 //   squared_critical_length
 //                      optional: that of the entry's first length (CriticalLength::squared); numbers are finite
 //   critical_centre    optional: CriticalLength::centre
@@ -85,7 +86,7 @@ concept PredicateTrait = requires(const Numbers<double>& numbers, ComparisonBits
 
 template <class Trait>
 concept HasDepth = requires(const Numbers<double>& numbers) {
-  { Trait::depth(numbers) } -> std::same_as<double>;
+  { Trait::exact_depth(numbers) } -> std::same_as<ExactDepth>;
 };
 
 template <class Trait>

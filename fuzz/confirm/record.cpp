@@ -81,6 +81,7 @@ PlanRecord plan_record(const Plan& plan, const CampaignResult& result, const Run
   if (!required.allow_unchecked.empty())
     record.allow_unchecked.emplace(required.allow_unchecked.begin(), required.allow_unchecked.end());
   record.margin_queries = margin_queries;
+  if (!required.unit.empty()) record.unit = required.unit;
   if (answerers.replies) record.replies = replies_record(answerers);
   // Without a time limit the trials determine the units; an interrupted run did only some of them.
   if (questions.seconds || !result.complete) record.units_done = std::move(units);

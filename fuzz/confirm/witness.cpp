@@ -112,6 +112,8 @@ void WitnessWriter::add(const Kernel& kernel, const SeededSource& of, const Tall
   };
   note(tally.verdict.deepest_false_separation, [](const auto&) { return "deepest false_separation"; });
   note(tally.verdict.deepest_false_contact, [](const auto&) { return "deepest false_contact"; });
+  note(tally.verdict.farthest_false_separation, [](const auto&) { return "farthest false_separation"; });
+  note(tally.verdict.farthest_false_contact, [](const auto&) { return "farthest false_contact"; });
   for (std::size_t i = 0; i < link_count; ++i) {
     note(tally.verdict.deepest_by_link[i],
          [i](const auto&) { return fmt::format("deepest wrong verdict with a broken {} link", link_names[i]); });

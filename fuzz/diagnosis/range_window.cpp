@@ -1,10 +1,14 @@
 // The powers of two times which a kernel answers as at scale 1.
+#include "fuzz/diagnosis/range_window.h"
+
+#include <algorithm>
 #include <cmath>
 
 #include "fuzz/diagnosis/other_units.h"
 #include "fuzz/diagnosis/probes.h"
 
-namespace axiscert::diagnosis {
+namespace axiscert {
+namespace diagnosis {
 namespace {
 
 constexpr std::size_t window_count = 64;
@@ -144,4 +148,31 @@ ProbeFinding range_window(Subject<Real>& subject) {
 template ProbeFinding range_window(Subject<float>&);
 template ProbeFinding range_window(Subject<double>&);
 
-}  // namespace axiscert::diagnosis
+namespace {
+
+template <class Real>
+std::optional<WindowRecord> window_of(const Kernel& kernel, const DiagnosisOptions& options) {
+  Subject<Real> subject(kernel, options);
+  WindowScan<Real> scan(subject);
+  if (scan.size() == 0 || !scan.tells()) return std::nullopt;
+  const ExponentWindow scanned = scenes_of<Real>(subject.predicate()).scanned(precision_of<Real>);
+  return WindowRecord{scan.last(scanned.low).last, scan.last(scanned.high).last, scanned.low, scanned.high,
+                      scan.size()};
+}
+
+}  // namespace
+}  // namespace diagnosis
+
+void put_windows(Record& record, const Plan& plan, const CampaignResult& result) {
+  if (plan.answerers.replies || !result.complete) return;
+  for (KernelRecord& entry : record.kernels) {
+    const auto& kernels = plan.answerers.kernels;
+    const auto at = std::ranges::find_if(kernels, [&](const Kernel* kernel) { return entry.id == kernel->id; });
+    if (at == kernels.end()) continue;
+    const DiagnosisOptions options{entry.precision, plan.questions.seed, plan.running.target};
+    entry.window = entry.precision == Precision::binary32 ? diagnosis::window_of<float>(**at, options)
+                                                          : diagnosis::window_of<double>(**at, options);
+  }
+}
+
+}  // namespace axiscert

@@ -10,6 +10,7 @@
 #include "fuzz/record/family_record.h"
 #include "fuzz/record/plan_record.h"
 #include "fuzz/record/slack_record.h"
+#include "fuzz/record/window_record.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
@@ -118,6 +119,7 @@ struct KernelRecord {
   std::optional<PolicyRecord> motion;
   std::optional<SlacksRecord> slack;
   std::optional<CauseRecord> cause;
+  std::optional<WindowRecord> window;
 
   static constexpr std::string_view about = "One kernel in one precision.";
   static constexpr auto fields(auto&& visit) {
@@ -167,7 +169,8 @@ struct KernelRecord {
                  "The names of the measures that it gives beside its verdict. Absent for a predicate without measures.",
              .may_be_absent = true}),
         field(&Of::motion, {.name = "motion", .about = PolicyRecord::about, .may_be_absent = true}),
-        field(&Of::slack, {"slack", SlacksRecord::about}), field(&Of::cause, {"cause", CauseRecord::about}));
+        field(&Of::slack, {"slack", SlacksRecord::about}), field(&Of::cause, {"cause", CauseRecord::about}),
+        field(&Of::window, {"window", WindowRecord::about}));
   }
 };
 

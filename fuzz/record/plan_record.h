@@ -146,6 +146,7 @@ struct PlanRecord {
   std::optional<std::vector<LevelText>> allow_unchecked;
   std::uint64_t margin_queries = 0;
   std::optional<RepliesRecord> replies;
+  std::optional<Name> unit;
   std::optional<CountsByFamily> units_done;
 
   static constexpr std::string_view about =
@@ -185,6 +186,10 @@ struct PlanRecord {
               {"margin_queries",
                "The number of queries, the first of each family and precision, whose exact margins were counted."}),
         field(&Of::replies, {.name = "replies", .about = RepliesRecord::about, .may_be_absent = true}),
+        field(&Of::unit, {.name = "unit",
+                          .about = "The unit of length of the queries' numbers, as given to --unit. Absent: it was not "
+                                   "said, and levels take it for the metre, in which families of scenes are.",
+                          .may_be_absent = true}),
         field(&Of::units_done,
               {"units_done",
                "Units of 2^16 queries done, per family and precision, where the plan does not determine them: with "

@@ -43,6 +43,11 @@ void for_each_depth_leaders(Tally& tally, const Flip& flip, Visit&& visit) {
   for (const Link link : flip.links) visit(tally.deepest_by_link[link]);
 }
 
+template <class Tally>
+auto& length_leaders(Tally& tally, const Flip& flip) {
+  return flip.kind == FlipKind::false_separation ? tally.farthest_false_separation : tally.farthest_false_contact;
+}
+
 bool could_keep(const VerdictTally& tally, const Flip& flip, const Candidate<double>& at_most) {
   bool could = false;
   for_each_depth_leaders(tally, flip, [&](const Leaders<double>& leaders) { could |= leaders.could_keep(at_most); });
@@ -88,6 +93,10 @@ Tally empty_tally(const Predicate& predicate) {
 void count_depth(Tally& tally, std::uint64_t position, const Flip& flip, DepthOf& depth,
                  const StandingLeaders& standing) {
   count_depth(*tally.verdict.depths, *tally.verdict.engine, flip.kind, depth);
+  const Candidate<double> length_at_most{depth.length_at_most(), position};
+  Leaders<double>& lengths = length_leaders(tally.verdict, flip);
+  if (lengths.could_keep(length_at_most) && standing.could_keep_length(flip, length_at_most))
+    lengths.offer({depth.length(), position});
   const Candidate<double> at_most{depth.at_most(), position};
   if (!could_keep(tally.verdict, flip, at_most) || !standing.could_keep_depth(flip, at_most)) return;
   const Candidate<double> candidate{depth.exactly(), position};
@@ -163,11 +172,17 @@ bool StandingLeaders::could_keep_depth(const Flip& flip, const Candidate<double>
   return could_keep(verdict, flip, at_most);
 }
 
+bool StandingLeaders::could_keep_length(const Flip& flip, const Candidate<double>& at_most) const {
+  return length_leaders(verdict, flip).could_keep(at_most);
+}
+
 StandingLeaders standing_of(const Tally& tally) {
   StandingLeaders standing;
   for (const auto& [name, comparison] : tally.comparisons) standing.largest_error.push_back(comparison.largest_error);
   standing.verdict.deepest_false_separation = tally.verdict.deepest_false_separation;
   standing.verdict.deepest_false_contact = tally.verdict.deepest_false_contact;
+  standing.verdict.farthest_false_separation = tally.verdict.farthest_false_separation;
+  standing.verdict.farthest_false_contact = tally.verdict.farthest_false_contact;
   standing.verdict.deepest_by_link = tally.verdict.deepest_by_link;
   return standing;
 }

@@ -194,6 +194,7 @@ struct VerdictTally {
   std::uint64_t undecided_contact = 0, undecided_touching = 0;  // of undecided; touching is part of contact
   std::uint64_t invalid = 0, unanswered = 0;
   Leaders<double> deepest_false_separation{3}, deepest_false_contact{3};  // ranked by depth
+  Leaders<double> farthest_false_separation, farthest_false_contact;      // ranked by its length
   LinkCounts links{}, masked_links{};
   EnumArray<Link, FirstQuery> first_by_link{};
   std::uint64_t touching_flips = 0;
@@ -204,6 +205,7 @@ struct VerdictTally {
   std::optional<EngineTally> engine = EngineTally();
   EnumArray<Link, Leaders<double>> deepest_by_link;  // the deepest with that link broken
 
+  double farthest() const { return std::max(farthest_false_separation.best(), farthest_false_contact.best()); }
   double deepest() const { return std::max(deepest_false_separation.best(), deepest_false_contact.best()); }
 
   static constexpr std::string_view about =
@@ -236,6 +238,13 @@ struct VerdictTally {
               {"deepest_false_separation", "The same over missed contacts.", "of the scene"}),
         field(&VerdictTally::deepest_false_contact,
               {"deepest_false_contact", "The same over phantom contacts.", "of the scene"}),
+        field(&VerdictTally::farthest_false_separation,
+              {"farthest_false_separation",
+               "The greatest length by which a missed contact is off: from touching, in the queries' unit; 0 where there "
+               "is none.",
+               "length"}),
+        field(&VerdictTally::farthest_false_contact,
+              {"farthest_false_contact", "The same over phantom contacts.", "length"}),
         field(
             &VerdictTally::links,
             {"links",
@@ -319,6 +328,7 @@ struct StandingLeaders {
   VerdictTally verdict;                          // its leaders
 
   bool could_keep_depth(const Flip& flip, const Candidate<double>& at_most) const;
+  bool could_keep_length(const Flip& flip, const Candidate<double>& at_most) const;
 };
 StandingLeaders standing_of(const Tally& tally);
 

@@ -46,6 +46,8 @@ class PlantedDepth final : public DepthOf {
     ++asked;
     return depth_;
   }
+  double length() override { return depth_; }
+  double length_at_most() override { return high_; }
   bool is_touching() override { return depth_ == 0 && high_ == 0; }
   double engine_threshold() override { return threshold_; }
 

@@ -58,8 +58,7 @@ bool is_same(const PairSymptom& x, const PairSymptom& y) {
 template <class Real>
 Severity severity_of(const Kernel& kernel, const Numbers<Real>& q, const PairSymptom& symptom) {
   if (symptom.which) return {Rational(0), "no depth: the verdicts are the same"};
-  const Oracles& oracles = oracles_of(kernel);
-  return depth_severity(oracles, *oracles.about(q, Opinion::first), q);
+  return depth_severity(*oracles_of(kernel).about(q, Opinion::first));
 }
 
 // A query file may state anything as its address.

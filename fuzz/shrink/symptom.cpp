@@ -104,16 +104,11 @@ bool is_no_less(const Severity& now, const Severity& then) {
   return std::get<Decimal6>(now.exact) > std::get<Decimal6>(then.exact);
 }
 
-template <class Real>
-Severity depth_severity(const Oracles& oracles, AskedQuery& asked, const Numbers<Real>& q) {
+Severity depth_severity(AskedQuery& asked) {
   if (const std::optional<ExactDepth> exact = asked.exact_depth())
     return {*exact, fmt::format("{:.6g} of the scene", rounded_depth(*exact))};
-  if (const std::optional<double> rounded = oracles.depth(q))
-    return {RoundedDepth{*rounded}, fmt::format("{:.6g} of the scene", *rounded)};
   return {RoundedDepth{0}, "no depth: the predicate has none"};
 }
-template Severity depth_severity(const Oracles&, AskedQuery&, const Numbers<float>&);
-template Severity depth_severity(const Oracles&, AskedQuery&, const Numbers<double>&);
 
 template <class Real>
 Reply<Real> SymptomFinder<Real>::asked(const Numbers<Real>& q) {
@@ -210,7 +205,7 @@ std::optional<Severity> SymptomFinder<Real>::severity(const Numbers<Real>& q, co
     return std::nullopt;
   switch (symptom.level) {
     case Level::verdict:
-      return depth_severity(oracles, *about, q);
+      return depth_severity(*about);
     case Level::axis:
       return margin_severity(about->relative_margins(kernel_, symptom.predicate->clauses[symptom.index].comparisons));
     case Level::comparison:

@@ -48,9 +48,7 @@ struct Severity {
 // Only if certain: two rounded errors that are equal are not decisive, so the result is false. Two rounded depths that
 // are equal are no less: a scene at another scale has the same depth.
 bool is_no_less(const Severity& now, const Severity& then);
-// The depth of a valid query, about which the oracles are asked.
-template <class Real>
-Severity depth_severity(const Oracles& oracles, AskedQuery& asked, const Numbers<Real>& q);
+Severity depth_severity(AskedQuery& asked);  // of a valid query
 
 // Asks one kernel about queries of its predicate, by the predicate's oracles. A foreign kernel's process is begun once,
 // and again after a query that it did not answer.

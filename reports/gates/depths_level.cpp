@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "exact/trait/oracles.h"
+#include "fuzz/text/length_unit.h"
 #include "reports/gates/level.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
@@ -11,20 +12,30 @@ namespace {
 
 LevelFindings judge_depths(const Subject& subject, const AllowedDepths& allowed) {
   LevelFindings found;
+  const LengthUnit* const unit = unit_of(subject.record().plan);
   for (const auto& [family, result] : subject.families()) {
     const VerdictTally& verdict = result.verdict;
-    const auto check = [&, family = family](FlipKind kind, std::uint64_t count, double deepest, const std::string& what,
-                                            double most) {
-      if (deepest <= most) return;
-      const std::string how_deep =
-          most == no_wrong ? "" : fmt::format(", the deepest by {:.4g} of the scene: {} is allowed", deepest, most);
-      subject.add(found.failures, family, count, what + how_deep,
-                  [kind](const FlipRecord& flip) { return flip.kind == kind; });
+    const auto check = [&, family = family](FlipKind kind, std::uint64_t count, double deepest, double farthest,
+                                            const std::string& what, double most) {
+      const double metres = farthest * (unit == nullptr ? 1 : unit->metres);
+      if ((allowed.are_lengths && most != no_wrong ? metres : deepest) <= most) return;
+      std::string how_deep;
+      if (most != no_wrong) {
+        how_deep = fmt::format(", the worst by {}: {} is allowed",
+                               allowed.are_lengths ? metric_text(metres) : fmt::format("{:.4g} of the scene", deepest),
+                               DepthLimit{most, allowed.are_lengths}.text());
+      }
+      if (allowed.are_lengths) {
+        subject.add_shown(found.failures, family, count, what + how_deep, fmt::format("farthest {}", name(kind)));
+      } else {
+        subject.add(found.failures, family, count, what + how_deep,
+                    [kind](const FlipRecord& flip) { return flip.kind == kind; });
+      }
     };
     check(FlipKind::false_separation, verdict.false_separation, verdict.deepest_false_separation.best(),
-          "missed contacts", allowed.missed);
-    check(FlipKind::false_contact, verdict.false_contact, verdict.deepest_false_contact.best(), "phantom contacts",
-          allowed.phantom);
+          verdict.farthest_false_separation.best(), "missed contacts", allowed.missed);
+    check(FlipKind::false_contact, verdict.false_contact, verdict.deepest_false_contact.best(),
+          verdict.farthest_false_contact.best(), "phantom contacts", allowed.phantom);
     found.families[family] = subject.whole_look(result);
   }
   found.covers =
@@ -45,17 +56,19 @@ void check_conservative(const AskedLevel& asked) {
   if (asked.has_argument) depth_argument(asked);
 }
 AllowedDepths conservative_depths(const AskedLevel& asked) {
-  return {no_wrong, asked.has_argument ? depth_argument(asked) : any_depth};
+  if (!asked.has_argument) return {no_wrong, any_depth};
+  const DepthLimit limit = depth_argument(asked);
+  return {no_wrong, limit.most, limit.is_length};
 }
 
 AllowedDepths either_way(const AskedLevel& asked) {
-  const double most = depth_argument(asked);
-  return {most, most};
+  const DepthLimit limit = depth_argument(asked);
+  return {limit.most, limit.most, limit.is_length};
 }
 
 std::string conservative_sentence(const AskedLevel& asked) {
-  return "no missed contact" + (asked.has_argument ? fmt::format(", and no phantom contact deeper than {} of the scene",
-                                                                 depth_argument(asked))
+  return "no missed contact" + (asked.has_argument ? fmt::format(", and no phantom contact deeper than {}",
+                                                                 depth_argument(asked).text())
                                                    : "");
 }
 
@@ -94,11 +107,11 @@ extern const GateLevel conservative_level = {.usage = "conservative[=D]",
 
 extern const GateLevel depth_level = {
     .usage = "depth=D",
-    .meaning = "no wrong verdict deeper than D of the scene, either way",
+    .meaning = "no wrong verdict deeper than D, a share of the scene or a length such as 1mm, either way",
     .check = [](const AskedLevel& asked) { depth_argument(asked); },
     .sentence =
         [](const AskedLevel& asked) {
-          return fmt::format("no wrong verdict deeper than {} of the scene, either way", depth_argument(asked));
+          return fmt::format("no wrong verdict deeper than {}, either way", depth_argument(asked).text());
         },
     .judge = [](const AskedLevel& asked, const Subject& subject) { return judge_to_depth(subject, either_way(asked)); },
     .allowed = either_way,

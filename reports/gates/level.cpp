@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <fnmatch.h>
 
 #include <algorithm>
 #include <charconv>
 
+#include "fuzz/text/length_unit.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -162,15 +164,27 @@ std::string_view GateLevel::name() const {
   return text.substr(0, text.find_first_of("[="));
 }
 
-double depth_argument(const AskedLevel& asked) {
+bool AskedLevel::is_about(const std::string& family) const {
+  return families.empty() || std::ranges::any_of(families, [&](const std::string& pattern) {
+           return fnmatch(pattern.c_str(), family.c_str(), 0) == 0;
+         });
+}
+
+std::string DepthLimit::text() const {
+  return is_length ? metric_text(most) : fmt::format("{} of the scene", most);
+}
+
+DepthLimit depth_argument(const AskedLevel& asked) {
+  if (const auto length = length_in_metres(asked.argument)) return {*length, true};
   double depth = 0;
   const char* const end = asked.argument.data() + asked.argument.size();
   const auto [stop, problem] = std::from_chars(asked.argument.data(), end, depth);
   if (problem != std::errc() || stop != end || !(depth >= 0)) {
-    throw Error(fmt::format("requirement '{}': D is a depth, a share of the scene from 0 on, as in {}=0.001",
-                            asked.text, asked.name));
+    throw Error(fmt::format("requirement '{}': D is a depth, a share of the scene from 0 on, as in {}=0.001, or a length in "
+                            "{}, as in {}=1mm",
+                            asked.text, asked.name, fmt::join(length_unit_names(), ", "), asked.name));
   }
-  return depth;
+  return {depth};
 }
 
 void accept_no_argument(const AskedLevel&) {}

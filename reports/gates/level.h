@@ -107,17 +107,21 @@ class Subject {
 // A level of --require: its name, its sentence, and how one kernel in one precision is judged by it. A new one is a
 // file that defines a GateLevel, and a line in level.cpp.
 
-// A level as it was asked for. "depth=0.01" is the level `depth` with the argument "0.01".
+// A level as it was asked for. "depth=0.01 in scene-*,far" is the level `depth` with the argument "0.01", of families
+// whose names match one of these.
 struct AskedLevel {
   std::string text;           // whole
   std::string name;           // before the first '='
   std::string argument = {};  // after it; empty where there is none
   bool has_argument = false;
+  std::vector<std::string> families = {};  // patterns with *, ? and []; empty: all families
+
+  bool is_about(const std::string& family) const;
 
   static constexpr auto fields(auto&& visit) {
     using Of = AskedLevel;
     return visit(field(&Of::text, {"level", "The level as it was given."}), journalled(&Of::name),
-                 journalled(&Of::argument), journalled(&Of::has_argument));
+                 journalled(&Of::argument), journalled(&Of::has_argument), journalled(&Of::families));
   }
 };
 
@@ -131,9 +135,10 @@ struct LevelFindings {
   std::vector<std::string> unseen;  // families on which this kernel cannot be seen to fail the level
 };
 
-// The deepest wrong verdicts that are allowed, as shares of the scene; below 0: none.
+// The deepest wrong verdicts that are allowed, as shares of the scene or, `are_lengths`, in metres; below 0: none.
 struct AllowedDepths {
   double missed, phantom;
+  bool are_lengths = false;
 };
 inline constexpr double no_wrong = -1, any_depth = std::numeric_limits<double>::infinity();
 
@@ -159,6 +164,7 @@ struct GateLevel {
   // Of a level about wrong verdicts alone, whatever their cause; null for any other.
   AllowedDepths (*allowed)(const AskedLevel&) = nullptr;
   bool is_about_causes = false;  // of wrong verdicts: met where none is wrong
+  bool asks_itself = false;      // it looks at queries of its own, and at no family
   // Whether a value of a property of a diagnosis says that the level is not met; null where none can.
   bool (*is_denied_by)(const AskedLevel&, std::string_view property, std::string_view value) = nullptr;
   // The share that each family has to decide for the other levels too. Throws Error that says what would be right.
@@ -177,8 +183,15 @@ std::span<const GateLevel* const> gate_levels();
 // Those with a badge, of the lowest rank first.
 std::vector<const GateLevel*> badge_levels();
 
-// For levels that take a depth: the argument as a share of the scene. Throws Error that names the level.
-double depth_argument(const AskedLevel& asked);
+// For levels that take a depth: the argument, a share of the scene or a length in metres. Throws Error that names the
+// level.
+struct DepthLimit {
+  double most;
+  bool is_length = false;
+
+  std::string text() const;  // "0.001 of the scene", "1 mm"
+};
+DepthLimit depth_argument(const AskedLevel& asked);
 void accept_no_argument(const AskedLevel& asked);  // for levels that take none: the parser has refused it already
 
 }  // namespace axiscert

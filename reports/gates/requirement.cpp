@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 
 #include "kernel/base/error.h"
 #include "kernel/base/text.h"
@@ -40,10 +41,11 @@ Failure failure_of_finding(const FindingRecord& finding) {
 }
 
 // The failures that fail every level.
-std::vector<Failure> failures_anywhere(const Record& record, const Subject& subject) {
+std::vector<Failure> failures_anywhere(const Record& record, const Subject& subject, const AskedLevel& asked) {
   std::vector<Failure> failures;
   for (const FindingRecord& finding : record.findings) {
-    if (is_about(finding, subject.kernel())) failures.push_back(failure_of_finding(finding));
+    const bool is_here = !finding.family || asked.is_about(*finding.family);
+    if (is_here && is_about(finding, subject.kernel())) failures.push_back(failure_of_finding(finding));
   }
   const auto nothing = [](const FlipRecord&) { return false; };  // such an answer is not a flip
   for (const auto& [family, result] : subject.families()) {
@@ -64,7 +66,7 @@ std::vector<Failure> failures_anywhere(const Record& record, const Subject& subj
 bool is_file(const std::string& family) { return family.starts_with("queries/") || family == "corpus"; }
 
 // Why a kernel entry shows nothing, or not all that was asked for; empty where it does.
-std::string gap_of(const Record& record, const Subject& subject) {
+std::string gap_of(const Record& record, const Subject& subject, const AskedLevel& asked) {
   const Precision precision = subject.kernel().precision;
   if (!record.complete) return "the run was interrupted";
   if (subject.families().empty()) return fmt::format("no query of it was run in {}", name(precision));
@@ -74,6 +76,7 @@ std::string gap_of(const Record& record, const Subject& subject) {
   }
   std::vector<std::string> empty;
   for (const auto& [family, by_precision] : record.plan.trials) {
+    if (!asked.is_about(family)) continue;
     std::uint64_t queries = 0;
     for (const auto& [each, count] : by_precision) queries += count;
     const auto here = by_precision.find(precision);
@@ -184,10 +187,23 @@ std::string asked_again_text(const Subject& subject) {
   return again == 0 ? "" : fmt::format("; {} queries asked again, in another order or alone", thousands(again));
 }
 
-LevelOutcome outcome_of(const Record& record, const KernelRecord& kernel, const AskedLevel& asked, double share) {
+// The entry with those families alone that the level is about; empty where that is all.
+std::optional<KernelRecord> narrowed(const KernelRecord& kernel, const AskedLevel& asked) {
+  if (asked.families.empty()) return std::nullopt;
+  KernelRecord part = kernel;
+  part.families = {};
+  for (const auto& [family, result] : kernel.families) {
+    if (asked.is_about(family)) part.families.put(family) = result;
+  }
+  return part;
+}
+
+LevelOutcome outcome_of(const Record& record, const KernelRecord& whole, const AskedLevel& asked, double share) {
+  const std::optional<KernelRecord> part = narrowed(whole, asked);
+  const KernelRecord& kernel = part ? *part : whole;
   const Subject subject(record, kernel);
   LevelOutcome outcome{asked, kernel.id, std::string(name(kernel.precision))};
-  outcome.failures = failures_anywhere(record, subject);
+  outcome.failures = failures_anywhere(record, subject, asked);
   LevelFindings found = level_of(asked).judge(asked, subject);
   outcome.unseen = std::move(found.unseen);
   outcome.failures.insert(outcome.failures.end(), found.failures.begin(), found.failures.end());
@@ -197,7 +213,7 @@ LevelOutcome outcome_of(const Record& record, const KernelRecord& kernel, const 
     outcome.state = LevelState::not_met;
     return outcome;
   }
-  outcome.reason = gap_of(record, subject);
+  outcome.reason = gap_of(record, subject, asked);
   if (outcome.reason.empty()) outcome.reason = found.not_checked.empty() ? too_little : found.not_checked;
   if (!outcome.reason.empty()) {
     outcome.state = LevelState::not_checked;
@@ -295,12 +311,36 @@ std::string LevelOutcome::text() const {
   return reason.empty() ? text : text + ": " + reason;
 }
 
+namespace {
+
+void require_match(const std::string& level, const std::string& pattern, const std::vector<Name>& families) {
+  const AskedLevel one{level, level, {}, false, {pattern}};
+  std::vector<std::string_view> names;
+  for (const std::string& family : families) {
+    if (one.is_about(family)) return;
+    names.push_back(family);
+  }
+  throw Error(fmt::format("requirement '{}': no family of this run matches '{}'{} families: {}", level, pattern,
+                          did_you_mean(pattern, names), fmt::join(most_alike_first(pattern, names), ", ")));
+}
+
+}  // namespace
+
 const GateLevel& level_of(const AskedLevel& asked) { return *find_level(asked.name); }
 
 AskedLevel parse_level(const std::string& text) {
-  AskedLevel asked{text, text.substr(0, text.find('='))};
-  asked.has_argument = asked.name.size() != text.size();
-  if (asked.has_argument) asked.argument = text.substr(asked.name.size() + 1);
+  constexpr std::string_view in = " in ";
+  const std::size_t of_families = text.find(in);
+  const std::string level_text = text.substr(0, of_families);
+  AskedLevel asked{text, level_text.substr(0, level_text.find('='))};
+  asked.has_argument = asked.name.size() != level_text.size();
+  if (asked.has_argument) asked.argument = level_text.substr(asked.name.size() + 1);
+  if (of_families != text.npos) {
+    std::istringstream patterns(text.substr(of_families + in.size()));
+    for (std::string pattern; std::getline(patterns >> std::ws, pattern, ',');) asked.families.push_back(pattern);
+    if (asked.families.empty())
+      throw Error(fmt::format("requirement '{}': name families after `in`, as in `exact in scene-*,far`", text));
+  }
   const GateLevel* level = find_level(asked.name);
   if (level == nullptr) {
     throw Error(fmt::format("unknown requirement '{}'{} levels: {}", text, did_you_mean(asked.name, gate_level_names()),
@@ -310,6 +350,9 @@ AskedLevel parse_level(const std::string& text) {
   const bool takes_one = usage.find('=') != usage.npos, has_to = takes_one && usage.find('[') == usage.npos;
   if (asked.has_argument ? !takes_one : has_to)
     throw Error(fmt::format("requirement '{}': it is written {}", text, usage));
+  if (!asked.families.empty() && level->asks_itself)
+    throw Error(fmt::format("requirement '{}': {} looks at queries of its own, not at families; leave out `in {}`", text,
+                            asked.name, fmt::join(asked.families, ",")));
   level->check(asked);
   return asked;
 }
@@ -329,7 +372,10 @@ std::string levels_help() {
 
 Requirements requirements_of(const PlanRecord& plan) {
   Requirements required;
-  for (const std::string& level : plan.require.levels) required.levels.push_back(parse_level(level));
+  for (const std::string& level : plan.require.levels) {
+    required.levels.push_back(parse_level(level));
+    for (const std::string& pattern : required.levels.back().families) require_match(level, pattern, plan.families);
+  }
   for (const std::string& name : plan.allow_unchecked.value_or(std::vector<LevelText>())) {
     const bool is_required = std::any_of(required.levels.begin(), required.levels.end(), [&](const AskedLevel& asked) {
       return asked.text == name || asked.name == name;

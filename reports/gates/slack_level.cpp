@@ -1,10 +1,12 @@
 // The level no-slack: no length by which the kernel answers as if a shape or a motion were larger or smaller.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
 
 #include "fuzz/slack/slack.h"
+#include "fuzz/text/length_unit.h"
 #include "kernel/base/error.h"
 #include "reports/gates/level.h"
 #include "reports/run_folder/run_folder.h"
@@ -13,33 +15,23 @@
 namespace axiscert {
 namespace {
 
-// The queries' unit is taken for the metre where a size has a unit.
-struct LengthUnit {
-  std::string_view name;
-  double metres;
-};
-constexpr LengthUnit length_units[] = {{"m", 1},     {"cm", 1e-2},   {"mm", 1e-3},
-                                       {"um", 1e-6}, {"in", 0.0254}, {"ft", 0.3048}};
-
+// An absolute one is in metres as it is asked for, and in the queries' unit of length as it is found.
 struct SlackSize {
   SlackKind kind;
   double size;
 };
 
 SlackSize size_argument(const AskedLevel& asked) {
+  if (const auto length = length_in_metres(asked.argument)) return {SlackKind::absolute, *length};
   double size = 0;
   const char* const end = asked.argument.data() + asked.argument.size();
   const auto [stop, problem] = std::from_chars(asked.argument.data(), end, size);
-  const std::string_view unit(stop, static_cast<std::size_t>(end - stop));
-  const auto* known = std::ranges::find(length_units, unit, &LengthUnit::name);
-  const bool has_unit = known != std::end(length_units);
-  if (problem != std::errc() || !(size > 0 && size <= 1e6) || (!unit.empty() && !has_unit)) {
-    throw Error(fmt::format(
-        "requirement '{}': SIZE is a part of a length above 0, as in {}=1e-4, or a length in m, cm, mm, um, "
-        "in or ft, as in {}=1mm",
-        asked.text, asked.name, asked.name));
+  if (problem != std::errc() || stop != end || !(size > 0 && size <= 1e6)) {
+    throw Error(fmt::format("requirement '{}': SIZE is a part of a length above 0, as in {}=1e-4, or a length in {}, as in "
+                            "{}=1mm",
+                            asked.text, asked.name, fmt::join(length_unit_names(), ", "), asked.name));
   }
-  return has_unit ? SlackSize{SlackKind::absolute, size * known->metres} : SlackSize{SlackKind::relative, size};
+  return {SlackKind::relative, size};
 }
 
 std::string size_text(const SlackSize& size) {
@@ -69,7 +61,9 @@ std::string unseen_text(const Subject& subject, const SlackSize& size) {
 }
 
 LevelFindings judge_slack(const AskedLevel& asked, const Subject& subject) {
-  const SlackSize size = size_argument(asked);
+  SlackSize size = size_argument(asked);
+  const LengthUnit* const unit = unit_of(subject.record().plan);
+  if (size.kind == SlackKind::absolute && unit != nullptr) size.size /= unit->metres;
   LevelFindings found;
   const KernelRecord& kernel = subject.kernel();
   found.not_checked = unseen_text(subject, size);
@@ -102,8 +96,9 @@ LevelFindings judge_slack(const AskedLevel& asked, const Subject& subject) {
 }
 
 std::string slack_sentence(const AskedLevel& asked) {
+  const SlackSize size = size_argument(asked);
   return fmt::format("no slack above {}: the answers turn where the exact ones do, or not by one size",
-                     size_text(size_argument(asked)));
+                     size.kind == SlackKind::absolute ? metric_text(size.size) : size_text(size));
 }
 
 }  // namespace
@@ -116,6 +111,7 @@ extern const GateLevel no_slack_level = {
     .check = [](const AskedLevel& asked) { size_argument(asked); },
     .sentence = slack_sentence,
     .judge = judge_slack,
+    .asks_itself = true,
     .in_certificates = {}};  // a certificate has the diagnosis, whose property `slack` says it
 
 }  // namespace axiscert

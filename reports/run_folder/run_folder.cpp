@@ -284,6 +284,10 @@ RunInfo read_run_info(const Json& info, const std::string& name) { return read_f
 
 const Predicate& predicate_of(const PlanRecord& plan) { return find_predicate(plan.predicate); }
 
+const LengthUnit* unit_of(const PlanRecord& plan) {
+  return plan.unit ? find_length_unit(static_cast<const std::string&>(*plan.unit)) : nullptr;
+}
+
 Json read_json(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;

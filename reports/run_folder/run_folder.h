@@ -12,6 +12,7 @@
 #include "fuzz/record/record.h"
 #include "fuzz/record/run_info.h"
 #include "fuzz/text/json.h"
+#include "fuzz/text/length_unit.h"
 #include "kernel/predicate.h"
 
 namespace axiscert {
@@ -111,6 +112,8 @@ struct Run {
 
 // The predicate that a record's plan is about. Throws Error where there is no such predicate.
 const Predicate& predicate_of(const PlanRecord& plan);
+// That of the queries' numbers; null where the plan does not say it.
+const LengthUnit* unit_of(const PlanRecord& plan);
 
 // Whether a kernel of a record states limits of its promise: by numbers, or of motions.
 bool has_limits(const KernelRecord& kernel);

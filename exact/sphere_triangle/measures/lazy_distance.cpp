@@ -1,5 +1,7 @@
 #include "exact/sphere_triangle/measures/lazy_distance.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "exact/sphere_triangle/measures/input_class.h"
@@ -41,6 +43,20 @@ double LazyDistance<Real>::exactly() {
   if (!depth_ && !exact_only_) depth_ = depth_on_grid(query_);
   if (!depth_) depth_ = depth(query_, squared());
   return *depth_;
+}
+template <class Real>
+double LazyDistance<Real>::length() {
+  return is_touching_ ? 0 : rounded_length(exact_depth(query_, squared()));
+}
+template <class Real>
+double LazyDistance<Real>::length_at_most() {
+  // The scene is r, or a vertex away from P: at most sqrt(3) times the greatest difference of coordinates. The three
+  // roundings, each of 2^-53 or less, and that of the depth are far below what 1.8 leaves.
+  double greatest = std::fabs(static_cast<double>(query_.r));
+  const auto apart = [](Real x, Real y) { return std::fabs(static_cast<double>(x) - static_cast<double>(y)); };
+  for (const Vec3<Real>* v : {&query_.a, &query_.b, &query_.c})
+    greatest = std::max({greatest, apart(v->x, query_.p.x), apart(v->y, query_.p.y), apart(v->z, query_.p.z)});
+  return is_touching_ ? 0 : at_most() * greatest * 1.8 + std::numeric_limits<double>::denorm_min();
 }
 template <class Real>
 void LazyDistance<Real>::set_touching() {

@@ -20,6 +20,8 @@ class LazyDistance final : public DepthOf {
   double at_least() override;
   double at_most() override;
   double exactly() override;
+  double length() override;
+  double length_at_most() override;
   double engine_threshold() override;
   bool is_touching() override { return is_touching_; }
   void set_touching();

@@ -40,7 +40,7 @@ BoundedDepth bounded_depth(const ExactPair& exact, double u) {
   const bool contact = squared_distance(exact) <= 0;
   const double defect = std::max(orthonormality_defect(exact.a), orthonormality_defect(exact.b)).get_d();
   const CofactorBound bound = cofactor_bound(u, defect);
-  return {contact, defect, depth_of(exact), contact ? bound.missed : bound.phantom};
+  return {contact, defect, rounded_depth(exact_depth(exact)), contact ? bound.missed : bound.phantom};
 }
 
 template <class F, class Real>

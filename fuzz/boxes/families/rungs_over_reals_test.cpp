@@ -29,7 +29,7 @@ void count_rungs(const BoxPair<ExactNumber>& problem, const ExactPair& exact, bo
     Wrong& wrong = counts.wrong[k++];
     const bool said_apart = separates<Rung, ExactNumber>(problem);
     wrong.count(said_apart, apart);
-    if (said_apart && !apart) wrong.deepest_miss = std::max(wrong.deepest_miss, depth_of(exact));
+    if (said_apart && !apart) wrong.deepest_miss = std::max(wrong.deepest_miss, rounded_depth(exact_depth(exact)));
   };
   (one.template operator()<F>(), ...);
 }
