@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "cli/commands.h"
+#include "cli/usage.h"
 #include "fuzz/text/length_unit.h"
 #include "kernel/base/error.h"
 #include "reports/gates/requirement.h"
@@ -28,21 +28,24 @@ void require_depth_that_occurs(const AskedLevel& asked, const Predicate& predica
 }  // namespace
 
 void add_require_options(CLI::App& command, RunRequirements& required) {
+  const std::vector<std::string_view> names = length_unit_names();
   command
-      .add_option("--require", required.levels,
-                  fmt::format("LEVEL or 'LEVEL in FAMILY,...' (patterns with * too), repeatable: exit 1 where it is not met "
-                              "or not checked; {}",
-                              levels_help()))
+      .add_option(
+          "--require", required.levels,
+          fmt::format("LEVEL or 'LEVEL in FAMILY,...' (patterns with * too), repeatable: exit 1 where it is not met "
+                      "or not checked; {}",
+                      levels_help()))
       ->allow_extra_args(false);
   command
       .add_option("--allow-unchecked", required.allow_unchecked,
                   "level of --require that passes where these queries or this kernel cannot show it, repeatable")
       ->allow_extra_args(false);
   command
-      .add_option("--unit", required.unit,
-                  "the unit of length of the queries' numbers, for lengths in levels and reports (families of scenes are "
-                  "in metres)")
-      ->check(one_of(length_unit_names()));
+      .add_option(
+          "--unit", required.unit,
+          "the unit of length of the queries' numbers, for lengths in levels and reports (families of scenes are "
+          "in metres)")
+      ->check(one_of({names.begin(), names.end()}));
 }
 
 void check_required(const RunRequirements& required, const Plan& plan) {

@@ -27,84 +27,6 @@
 namespace axiscert {
 namespace {
 
-struct Preset {
-  const char* name;
-  const char* meaning;
-  void (*apply)(const Predicate& predicate, std::size_t entry, RunOptions& options);
-};
-
-// Bounded by trials, so that the plan is the same everywhere; the trials are so few that the default kernel takes no
-// more than 20 s on two cores.
-void ask_everything(const Predicate& predicate, std::size_t, RunOptions& options) {
-  if (options.families.empty() && options.meshes.empty() && options.queries.empty()) options.families = {"all"};
-  // A corpus that states the exact answers in full is part of every run of the preset.
-  if (!options.corpus && oracles_of(predicate).has_squared_distance()) options.corpus = default_corpus_folder();
-  if (!options.trials) options.trials = std::uint64_t{1} << 14;
-}
-
-// Scenes of a game: a millimetre is no error that anybody sees.
-void ask_scenes(const Predicate& predicate, std::size_t entry, RunOptions& options) {
-  if (options.families.empty() && options.meshes.empty() && options.queries.empty()) {
-    for (const Family* family : families_of(predicate, entry)) {
-      if (family->trust_group == TrustGroup::scene) options.families.emplace_back(family->name);
-    }
-  }
-  if (options.families.empty() && options.meshes.empty() && options.queries.empty()) {
-    throw Error(fmt::format("--preset game: {} has no families of scenes in the entry {}; give your own with --mesh or "
-                            "--queries",
-                            predicate.id, predicate.entries[entry].name));
-  }
-  if (!options.trials) options.trials = std::uint64_t{1} << (has_filters(predicate) ? 16 : 13);
-  if (options.required.levels.empty()) {
-    options.required.levels = {"depth=1mm", "logic"};
-    options.required.allow_unchecked = {"logic"};  // a kernel with a reference, or own queries none of which is clear
-  }
-  if (options.required.unit.empty()) options.required.unit = "m";
-  options.is_brief = true;
-}
-
-constexpr Preset presets[] = {
-    {"ci", "all families and the corpus with 2^14 queries each", ask_everything},
-    {"game", "everyday scenes in metres, held to depth=1mm and logic, in ten lines", ask_scenes}};
-
-std::vector<std::string> preset_names() {
-  std::vector<std::string> names;
-  for (const Preset& preset : presets) names.emplace_back(preset.name);
-  return names;
-}
-
-std::string presets_text() {
-  std::string text;
-  for (const Preset& preset : presets) text += fmt::format("{}: {}; ", preset.name, preset.meaning);
-  return text + "other options override it";
-}
-
-std::vector<const Kernel*> kernels_of(const std::vector<std::string>& ids) {
-  std::vector<const Kernel*> kernels;
-  for (const std::string& id : ids) {
-    const Kernel* kernel = &find_kernel(id);
-    if (std::find(kernels.begin(), kernels.end(), kernel) == kernels.end() && !is_file_of(*kernel, kernels))
-      kernels.push_back(kernel);
-  }
-  return kernels;
-}
-
-}  // namespace
-
-RunOptions with_preset(const RunOptions& given) {
-  RunOptions options = given;
-  const auto preset = std::ranges::find_if(presets, [&](const Preset& one) { return one.name == given.preset; });
-  if (preset == std::end(presets)) return options;
-  const std::vector<const Kernel*> kernels = kernels_of(given.kernels);
-  const Predicate& predicate = predicate_of_kernels(given.predicate, kernels);
-  const std::size_t entry =
-      kernels.empty() ? entry_of_families(predicate, given.families) : kernels.front()->entry;
-  preset->apply(predicate, entry, options);
-  return options;
-}
-
-namespace {
-
 // The binary logarithms of the queries per family: fewer in binary64, where exact arithmetic costs more, and fewest
 // where no filter decides before it, at a hundred times the cost.
 constexpr int trials_of_binary32 = 18, trials_of_binary64 = 16, trials_without_filters = 12;
@@ -186,6 +108,16 @@ bool is_file_of(const Kernel& kernel, const std::vector<const Kernel*>& kernels)
     return true;
   }
   return false;
+}
+
+std::vector<const Kernel*> kernels_of(const std::vector<std::string>& ids) {
+  std::vector<const Kernel*> kernels;
+  for (const std::string& id : ids) {
+    const Kernel* kernel = &find_kernel(id);
+    if (std::find(kernels.begin(), kernels.end(), kernel) == kernels.end() && !is_file_of(*kernel, kernels))
+      kernels.push_back(kernel);
+  }
+  return kernels;
 }
 
 // A precision in which no kernel exists is left out of the plan; one that was requested by name is an error for each
@@ -281,9 +213,7 @@ void add_run_options(CLI::App& command, RunOptions& o) {
   command.add_option("--plant", o.planted, "break the filter on purpose, to test that this is caught: exit 3")
       ->check(one_of(std::vector<std::string>(filter_fault_names.begin(), filter_fault_names.end())))
       ->excludes("--exact-only");
-  command
-      .add_option("--preset", o.preset, presets_text())
-      ->check(one_of(preset_names()));
+  command.add_option("--preset", o.preset, presets_text())->check(one_of(preset_names()));
   add_plugin_seconds(command);
   add_output_options(command, o);
 }

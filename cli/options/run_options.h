@@ -71,8 +71,10 @@ int threads_of(int given);
 Plan plan_of(const RunOptions& options);
 
 // The options with those of their preset that were not given: a plan with a name, for a run of the kernels' predicate.
-// A new preset is a line in run_options.cpp. Throws Error.
+// Throws Error.
 RunOptions with_preset(const RunOptions& options);
+std::vector<std::string> preset_names();
+std::string presets_text();  // each with its meaning
 
 // The options that say what a run has to meet.
 

@@ -224,8 +224,8 @@ std::string motion_table(const std::vector<KernelRecord>& kernels) {
 std::string first_text(const Record& record) {
   std::string text;
   for (const KernelRecord& kernel : record.kernels) {
-    text += kernel_text(kernel) + "\n";
-    for (const std::string& sentence : first_sentences(kernel, record.plan)) text += "  " + sentence + "\n";
+    for (const std::string& sentence : first_sentences(kernel, record.plan))
+      text += fmt::format("{}: {}\n", kernel_text(kernel), sentence);
   }
   return text;
 }
@@ -241,6 +241,7 @@ std::string summary_text(const Record& record, double seconds, bool is_brief) {
   }
   text += causes_text(record);
   text += first_text(record);
+  if (is_brief && record.complete) return text;
   if (!is_brief) {
     text += kernels_table(record.kernels);
     text += motion_table(record.kernels);

@@ -2,6 +2,7 @@
 
 #include <mpfr.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -48,6 +49,9 @@ double estimate(const Rational& dd, const Rational& r, const Rational& ss) {
   return result;
 }
 
+// The double before the greatest.
+const double below_most = std::nextafter(std::numeric_limits<double>::max(), 0.0);
+
 }  // namespace
 
 // Compares the squares (dd + r^2 - 2 r sqrt(dd)) / ss over the common denominator.
@@ -56,8 +60,8 @@ int compare(const ExactDepth& x, const ExactDepth& y) {
 }
 
 double rounded_length(const ExactDepth& depth) {
-  constexpr double most = std::numeric_limits<double>::max();
-  if (order_against(exact(most), depth.dd, depth.r, 1) >= 0) return most;
+  const double most = std::numeric_limits<double>::max();
+  if (order_against((exact(below_most) + exact(most)) / 2, depth.dd, depth.r, 1) >= 0) return most;
   return rounded_depth({depth.dd, depth.r, 1});
 }
 
@@ -66,7 +70,7 @@ double rounded_depth(const ExactDepth& depth) {
   if (sgn(r) == 0) return nearest_sqrt<double>(Rational(dd / ss));
   // The nearest double is the one whose adjacent midpoints enclose the value; a value on a midpoint goes to the even
   // one.
-  double y = estimate(dd, r, ss);
+  double y = std::min(estimate(dd, r, ss), below_most);  // lengths that may round to more do not come here
   for (;;) {
     const double up = std::nextafter(y, INFINITY), down = std::nextafter(y, 0.0);
     const bool odd = (std::bit_cast<std::uint64_t>(y) & 1) != 0;

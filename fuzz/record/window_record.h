@@ -10,14 +10,15 @@ namespace axiscert {
 
 // Exponents of powers of two, by which every length of a query is multiplied.
 struct WindowRecord {
-  std::int64_t low = 0, high = 0, scanned_low = 0, scanned_high = 0;
+  int low = 0, high = 0, scanned_low = 0, scanned_high = 0;
   std::uint64_t queries = 0;
 
   bool is_whole() const { return low == scanned_low && high == scanned_high; }
 
   static constexpr std::string_view about =
       "The powers of two times which the kernel answers as at scale 1, on clear queries that this scales exactly. Null "
-      "where it was not asked: answers of a program, an interrupted run, a predicate without such queries, a kernel that "
+      "where it was not asked: answers of a program, an interrupted run, a predicate without such queries, a kernel "
+      "that "
       "does not give both answers to them.";
   static constexpr auto fields(auto&& visit) {
     using Of = WindowRecord;

@@ -10,19 +10,19 @@
 namespace axiscert {
 namespace {
 
-constexpr LengthUnit units[] = {{"m", 1},     {"cm", 1e-2},   {"mm", 1e-3},  {"um", 1e-6},
-                                {"km", 1000}, {"in", 0.0254}, {"ft", 0.3048}};
+constexpr LengthUnit all_units[] = {{"m", 1},     {"cm", 1e-2},   {"mm", 1e-3},  {"um", 1e-6},
+                                    {"km", 1000}, {"in", 0.0254}, {"ft", 0.3048}};
 
 }  // namespace
 
 const LengthUnit* find_length_unit(std::string_view name) {
-  const auto* const found = std::ranges::find(units, name, &LengthUnit::name);
-  return found == std::end(units) ? nullptr : found;
+  const auto* const found = std::ranges::find(all_units, name, &LengthUnit::name);
+  return found == std::end(all_units) ? nullptr : found;
 }
 
 std::vector<std::string_view> length_unit_names() {
   std::vector<std::string_view> names;
-  for (const LengthUnit& unit : units) names.push_back(unit.name);
+  for (const LengthUnit& unit : all_units) names.push_back(unit.name);
   return names;
 }
 

@@ -66,6 +66,43 @@ TEST(Requirement, ExactAsksForNoWrongVerdict) {
                                       "<script> binary32 on lattice: phantom contacts: 1 (witness w5)"}));
 }
 
+TEST(Requirement, ADepthMayBeALengthInTheQueriesUnit) {
+  Json record = stored_record();
+  record["kernels"].erase(1);
+  Json& verdict = tangent_counts(record)["verdict"];
+  verdict["farthest_false_separation"] = 0.0;
+  verdict["farthest_false_contact"] = 0.166;
+  EXPECT_TRUE(unmet(record, "depth=17cm").empty());
+  EXPECT_THAT(texts(record, "depth=16.5cm"),
+              testing::ElementsAre(HasSubstr("phantom contacts, the worst by 16.6 cm: 16.5 cm is allowed: 20")));
+  record["plan"]["unit"] = "cm";
+  EXPECT_TRUE(unmet(record, "depth=2mm").empty());
+  EXPECT_EQ(unmet(record, "depth=1mm").size(), 1u);
+  EXPECT_EQ(unmet(record, "conservative=1mm").size(), 2u) << "a missed contact of any depth";
+  for (const char* wrong : {"depth=1mile", "depth=-1mm", "depth=mm"}) EXPECT_THROW(parse_level(wrong), Error) << wrong;
+}
+
+TEST(Requirement, ALevelMayBeAboutSomeFamilies) {
+  EXPECT_TRUE(unmet(stored_record(), "exact in mesh/*").empty());
+  const std::vector<std::string> on_lattice = texts(stored_record(), "exact in latt*");
+  EXPECT_EQ(on_lattice, (std::vector<std::string>{"<script> binary32 on lattice: answers `invalid` to valid queries: 1",
+                                                  "<script> binary32 on lattice: missed contacts: 4 (witness w4)",
+                                                  "<script> binary32 on lattice: phantom contacts: 1 (witness w5)"}));
+  EXPECT_EQ(texts(stored_record(), "exact in tangent, lattice"), texts(stored_record(), "exact"));
+  for (const LevelOutcome& outcome : outcomes_at(stored_record(), "exact in lattice")) EXPECT_EQ(outcome.families, 1u);
+
+  Json record = stored_record();
+  record["plan"]["require"] = "exact in tangnt";
+  try {
+    outcomes_of(record);
+    ADD_FAILURE() << "a pattern that matches nothing";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no family of this run matches 'tangnt'; did you mean 'tangent'?"));
+  }
+  EXPECT_THROW(parse_level("exact in "), Error);
+  EXPECT_THROW(parse_level("no-slack=1mm in lattice"), Error) << "it asks no family";
+}
+
 TEST(Requirement, ConservativeAllowsPhantomContactsUpToItsDepth) {
   Json record = stored_record();
   record["kernels"].erase(1);

@@ -125,7 +125,9 @@ inline Json without_errors(Json record) {
     Json& verdict = family["verdict"];
     for (const char* member : {"false_separation", "false_contact", "undecided", "invalid", "unanswered"})
       verdict[member] = 0;
-    for (const char* member : {"deepest", "deepest_false_separation", "deepest_false_contact"}) verdict[member] = 0.0;
+    for (const char* member : {"deepest", "deepest_false_separation", "deepest_false_contact",
+                               "farthest_false_separation", "farthest_false_contact"})
+      verdict[member] = 0.0;
     for (Json& comparison : family["comparisons"]) {
       for (const char* member : {"false_separation", "missed_separation", "tolerance_failures"}) {
         if (!comparison[member].is_null()) comparison[member] = 0;

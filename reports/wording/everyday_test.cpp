@@ -1,0 +1,76 @@
+// What is said first of a kernel: scenes with lengths, then what nothing rounds, then all others, then units.
+#include "reports/wording/everyday.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace axiscert {
+namespace {
+
+using testing::ElementsAre;
+
+// 600 contacts and 400 separations.
+FamilyRecord family_of(std::uint64_t missed, double farthest_missed, std::uint64_t invented, double farthest_invented) {
+  FamilyRecord family;
+  family.trials = 1000;
+  family.truth = {400, 600, 0, 0};
+  family.verdict.outside_limits.reset();
+  family.verdict.false_separation = missed;
+  family.verdict.false_contact = invented;
+  if (missed != 0) {
+    family.verdict.farthest_false_separation.offer({farthest_missed, 0});
+    family.verdict.deepest_false_separation.offer({0.25, 0});
+  }
+  if (invented != 0) {
+    family.verdict.farthest_false_contact.offer({farthest_invented, 0});
+    family.verdict.deepest_false_contact.offer({0.125, 0});
+  }
+  return family;
+}
+
+KernelRecord kernel_of(std::initializer_list<std::pair<const char*, FamilyRecord>> families) {
+  KernelRecord kernel;
+  for (const auto& [name, family] : families) kernel.families.put(name) = family;
+  return kernel;
+}
+
+TEST(Everyday, ComesFirstInMetres) {
+  const KernelRecord kernel = kernel_of({{"tangent", family_of(5, 1e30, 0, 0)},
+                                         {"lattice", family_of(0, 0, 0, 0)},
+                                         {"scene-walk", family_of(0, 0, 20, 0.166)},
+                                         {"scene-edge", family_of(0, 0, 7, 0.01)},
+                                         {"mesh/a.obj", family_of(1, 0.5, 0, 0)}});
+  PlanRecord plan;
+  EXPECT_THAT(
+      first_sentences(kernel, plan),
+      ElementsAre("2,000 everyday scenes: 27 contacts invented, worst 16.6 cm, 0.125 of the scene (scene-walk); "
+                  "none missed",
+                  "1,000 of your own queries: 1 contact missed, worst 0.5 units, 0.25 of the scene (mesh/a.obj); "
+                  "none invented",
+                  "1,000 queries that nothing rounds: no wrong verdict",
+                  "1,000 hard queries (touching, degenerate, huge, tiny): 5 contacts missed, worst 0.25 of the "
+                  "scene (tangent); none invented"));
+  plan.unit = Name("cm");
+  EXPECT_THAT(first_sentences(kernel, plan)[1], testing::HasSubstr("worst 5 mm"));
+}
+
+TEST(Everyday, SaysNothingOfAGroupThatWasNotAsked) {
+  EXPECT_TRUE(first_sentences(KernelRecord(), PlanRecord()).empty());
+  FamilyRecord none = family_of(0, 0, 0, 0);
+  none.truth = {0, 0, 0, 1000};
+  EXPECT_TRUE(first_sentences(kernel_of({{"scene-walk", none}}), PlanRecord()).empty());
+}
+
+TEST(Everyday, SaysTheUnitsInWhichItAnswersAlike) {
+  KernelRecord kernel;
+  kernel.window = WindowRecord{-24, 20, -140, 125, 100};
+  EXPECT_THAT(
+      first_sentences(kernel, PlanRecord()),
+      ElementsAre("in other units: as in this one only from 2^-24 to 2^20 times it (2^-140 to 2^125 were asked)"));
+  kernel.window = WindowRecord{-140, 125, -140, 125, 100};
+  EXPECT_THAT(first_sentences(kernel, PlanRecord()),
+              ElementsAre("in other units: as in this one, times 2^-140 to 2^125"));
+}
+
+}  // namespace
+}  // namespace axiscert
