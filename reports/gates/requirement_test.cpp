@@ -137,8 +137,8 @@ TEST(Requirement, DepthHasToBeANumberFromZeroOn) {
   for (const std::string level : {"conservative", "depth"}) {
     for (const char* argument : {"=", "=-1", "=nan", "=0.1x", "= 1"})
       EXPECT_THROW(parse_level(level + argument), Error) << level << argument;
-    EXPECT_EQ(depth_argument(parse_level(level + "=1e-3")), 0.001);
-    EXPECT_EQ(depth_argument(parse_level(level + "=0")), 0);
+    EXPECT_EQ(depth_argument(parse_level(level + "=1e-3")).most, 0.001);
+    EXPECT_EQ(depth_argument(parse_level(level + "=0")).most, 0);
   }
   EXPECT_THROW(parse_level("depth"), Error);
   EXPECT_THROW(parse_level("logic=1"), Error);
