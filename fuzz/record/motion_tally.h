@@ -39,9 +39,10 @@ struct TimeErrors {
              "none.",
              "ulps"}),
         field(&TimeErrors::largest_in_u, {"largest_in_u", "The same in u = 2^-24 or 2^-53 of the displacement.", "u"}),
-        field(&TimeErrors::largest_share, {"largest_share", "The same as a share of the way.", "of the way"}),
+        field(&TimeErrors::largest_share,
+              {"largest_share", "Greatest distance from the first contact, as a share of the way.", "of the way"}),
         field(&TimeErrors::largest_length,
-              {"largest_length", "The greatest times |D|: how far the centre is from the first contact.", "length"}),
+              {"largest_length", "Greatest distance of the centre from where it is at the first contact.", "length"}),
         field(&TimeErrors::by_power, {"by_power", {}}));
   }
 };
