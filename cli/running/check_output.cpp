@@ -89,11 +89,11 @@ std::string time_text(const MotionJudgement& motion) {
     case TimeVerdict::invalid:
       return "no time in [0, 1]";
     case TimeVerdict::early:
-      return fmt::format("early by {} ulps, {} u", motion.ulps.text(), motion.in_u.text());
+      return fmt::format("early by {}", time_error_text(motion.ulps, motion.share, motion.length));
     case TimeVerdict::best:
       return "the best time";
     case TimeVerdict::late:
-      return fmt::format("late by {} ulps, {} u, tunnel {}", motion.ulps.text(), motion.in_u.text(),
+      return fmt::format("late by {}, tunnel {}", time_error_text(motion.ulps, motion.share, motion.length),
                          motion.tunnel->depth.text());
   }
   return "";

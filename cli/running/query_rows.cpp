@@ -54,6 +54,8 @@ std::optional<MeasuresRecord> stand_in_measures(const Kernel& kernel, bool has_c
   record.time.emplace(TimeVerdict::early);
   record.ulps.emplace();
   record.in_u.emplace();
+  record.share.emplace(stand_in_depth);
+  record.length.emplace(stand_in_depth);
   record.gap.emplace(stand_in_depth);
   record.feature_is_right.emplace(true);
   record.feature_error.emplace(stand_in_depth);

@@ -37,6 +37,7 @@ struct MotionJudgement {
   std::optional<TimeVerdict> time;  // empty: the kernel gives no times
   // Early or late: |t^ - t*| in units in the last place of the best number, and in u = 2^-24 or 2^-53; rounded up.
   Decimal6 ulps, in_u;
+  double share = 0, length = 0;  // the same of the way, and times |D|: nearest of binary64, at most the greatest
   std::optional<Tunnel> tunnel;  // of a late time
   double gap = 0;                // of an early time: distance - r at that time, relative to the scene
   // Empty where not given.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace axiscert::moving_sphere {
 namespace {
@@ -103,6 +104,30 @@ Rational apart(const RootTime& t, const Rational& s) {
   const Rational rest = t.rest - s, root = root_below(t.square);
   if (rest <= 0) return root - rest;
   return abs(Rational(rest * rest - t.square)) / (rest + root);
+}
+
+double rounded_apart(const RootTime& t, const Rational& s, const Rational& about, const Rational& squared_length) {
+  // 2^-240 exceeds the error of `about`, and of four roundings: where both bounds round alike, so does the exact
+  // number.
+  MPFR_DECL_INIT(size, 256);
+  MPFR_DECL_INIT(other, 256);
+  mpfr_set_q(size, about.get_mpq_t(), MPFR_RNDN);
+  mpfr_set_q(other, squared_length.get_mpq_t(), MPFR_RNDN);
+  mpfr_sqrt(other, other, MPFR_RNDN);
+  mpfr_mul(size, size, other, MPFR_RNDN);
+  const auto rounded = [&](long sign) {
+    mpfr_mul_2si(other, size, -240, MPFR_RNDN);
+    mpfr_mul_si(other, other, sign, MPFR_RNDN);
+    mpfr_add(other, size, other, MPFR_RNDN);
+    return std::min(mpfr_get_d(other, MPFR_RNDN), std::numeric_limits<double>::max());
+  };
+  const double low = rounded(-1), high = rounded(1);
+  if (low == high) return low;
+  // Neighbours, between which their middle decides, by squares: (rest - root)^2 = rest^2 + square - 2 rest root.
+  const Rational middle = (exact(low) + exact(high)) / 2, rest = t.rest - s;
+  const int order =
+      sign_at({0, t.square}, squared_length * (rest * rest + t.square) - middle * middle, 2 * rest * squared_length);
+  return order < 0 ? low : order > 0 ? high : nearest<double>(middle);
 }
 
 Tunnel tunnel_of(const Rational& r, const Rational& least_squared) {

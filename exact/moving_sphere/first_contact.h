@@ -62,6 +62,9 @@ Rational root_below(const Rational& q);
 // |t - s|, and t >= 0 itself, relatively to 2^-250: nothing cancels.
 Rational apart(const RootTime& t, const Rational& s);
 inline Rational approximate(const RootTime& t) { return apart(t, 0); }
+// |t - s| times a length whose square is given, rounded once to the nearest binary64; at most the greatest. `about` is
+// apart(t, s).
+double rounded_apart(const RootTime& t, const Rational& s, const Rational& about, const Rational& squared_length);
 
 // The tunnel of a motion whose least squared distance is given, at most r^2.
 Tunnel tunnel_of(const Rational& r, const Rational& least_squared);

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
+#include "exact/judge/depth.h"
 #include "exact/moving_sphere/motion_distance.h"
 #include "exact/moving_sphere/moving_sphere_testing.h"
 
@@ -92,6 +94,51 @@ TEST(RootTime, SignsAreThoseOfTheNumber) {
   EXPECT_EQ(sign_at(t, -3, 0), -1);
   EXPECT_EQ(compare({Rational(1, 4), 0}, Rational(1, 4)), 0);
   EXPECT_EQ(compare({3, 4}, 1), 0);
+}
+
+TEST(RootTime, AnErrorIsRoundedOnceToTheNearest) {
+  const auto rounded = [](const RootTime& t, const Rational& s, const Rational& squared = 1) {
+    return rounded_apart(t, s, apart(t, s), squared);
+  };
+  const auto of = [&](const Rational& t, const Rational& squared = 1) { return rounded({t, 0}, 0, squared); };
+  const Rational half_ulp = exact(0x1p-53), tiny = exact(0x1p-600);
+  EXPECT_EQ(of(1 + half_ulp), 1) << "a tie goes to the even one";
+  EXPECT_EQ(of(1 + 3 * half_ulp), 1 + 0x1p-51);
+  EXPECT_EQ(of(1 + half_ulp + tiny), 1 + 0x1p-52);
+  EXPECT_EQ(of(1 + half_ulp - tiny), 1);
+  EXPECT_EQ(of(1 + half_ulp, exact(0x1p60)), 0x1p30) << "the same tie in another unit";
+  EXPECT_EQ(of(1, 2), std::sqrt(2.0));
+  EXPECT_EQ(of(exact(0x1p-1074) / 2), 0);
+  EXPECT_EQ(of(exact(0x1p-1074) / 2 + tiny * tiny), 0x1p-1074);
+  EXPECT_EQ(of(1, exact(0x1p1023) * exact(0x1p1023) * 9), std::numeric_limits<double>::max());
+  EXPECT_EQ(rounded({2, 2}, 2, 2), 2) << "sqrt(2) sqrt(2), on the far side of `rest`";
+  // Roots that make |rest - root| the middle of 1 and the next number, and less and more than it by about 2^-900.
+  const Rational x = 1 + half_ulp, change = exact(0x1p-900);
+  for (const int rest : {0, 4, -1}) {
+    const Rational root = rest > 0 ? Rational(rest - x) : Rational(rest + x), square = root * root;
+    const Rational away = rest > 0 ? Rational(-change) : change;
+    EXPECT_EQ(rounded({rest, square - away}, 0), 1) << rest;
+    EXPECT_EQ(rounded({rest, square}, 0), 1) << rest;
+    EXPECT_EQ(rounded({rest, square + away}, 0), 1 + 0x1p-52) << rest;
+  }
+}
+
+// rounded_depth divides the same difference by a length, and knows `rest` - s >= 0 alone.
+TEST(RootTime, AnErrorIsRoundedAsADepthIs) {
+  constexpr std::uint64_t seed = 23;
+  std::mt19937_64 random(seed);
+  int compared = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const MovingQuery<double> q = small_query(random, 1 + i % 4);
+    const std::optional<FirstContact> found = first_contact(q);
+    const Rational squared = dot(q.d, q.d), s = exact(static_cast<double>(random() % 64) / 64);
+    if (!found || squared == 0 || found->time.rest < s) continue;
+    ++compared;
+    EXPECT_EQ(rounded_apart(found->time, s, apart(found->time, s), squared),
+              rounded_depth({found->time.square, found->time.rest - s, 1 / squared}))
+        << "seed " << seed << ", query " << i;
+  }
+  EXPECT_GT(compared, 100);
 }
 
 // A contact at or before s is a contact of the motion s D, which is exact here: D is of small integers, s of 24 bits.

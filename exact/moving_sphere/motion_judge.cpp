@@ -111,6 +111,9 @@ void ContactJudge<Real>::measure_time(double time, MotionJudgement& out) const {
   const auto best = static_cast<double>(rounded_down<Real>(contact_.time));
   out.ulps = round_up(Rational(error / (next_above<Real>(best) - exact(best))));
   out.in_u = round_up(scaled(error, std::numeric_limits<Real>::digits));
+  out.share = rounded_apart(contact_.time, t, error, 1);
+  out.length =
+      rounded_apart(contact_.time, t, error, scaled(Rational(dot(motion_.d, motion_.d)), 2 * motion_.exponent));
   if (out.time == TimeVerdict::late) out.tunnel = tunnel_of(r_, least_squared(t));
   else if (sgn(scene_) != 0) out.gap = rounded_depth({squared_distance(t), r_, scene_});
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -57,6 +58,30 @@ TEST(ContactJudge, ErrorsAreInUlpsOfTheBestTimeAndInU) {
   EXPECT_EQ(early.ulps.value(), 0.5);
   EXPECT_EQ(early.in_u.value(), 0.5);
   EXPECT_EQ(judged(falling(1), {1}).ulps.value(), 8.38861e6) << "2^23 ulps, rounded up to six digits";
+}
+
+// The digits of passing's times: 1/2 -+ sqrt(3)/8.
+TEST(ContactJudge, ErrorsAreAShareOfTheWayAndALengthToo) {
+  const auto off = [](const MovingQuery<double>& q, double time) {
+    const MotionJudgement found = judged(q, {time});
+    return std::array{found.share, found.length};
+  };
+  EXPECT_EQ(off(falling(1), 1), (std::array{0.5, 2.0}));
+  EXPECT_EQ(off(falling(1), 0.125), (std::array{0.375, 1.5})) << "early";
+  EXPECT_EQ(off(falling(1), above(0.5f)), (std::array{0x1p-24, 0x1p-22}));
+  EXPECT_EQ(off(falling(1), 0.5), (std::array{0.0, 0.0})) << "the best";
+  EXPECT_EQ(off(passing, 1), (std::array{0.71650635094610966169093079268823, 2.8660254037844386467637231707529}));
+  EXPECT_EQ(off(passing, 0), (std::array{0.28349364905389033830906920731177, 1.1339745962155613532362768292471}));
+  MovingQuery<double> slanted = falling(1);
+  slanted.d = {1, 1, -4};
+  EXPECT_EQ(off(slanted, 1), (std::array{0.5, 2.1213203435596425732025330863145})) << "half of sqrt(18)";
+  slanted.d = {0, 0, 0};
+  slanted.r = 4;
+  EXPECT_EQ(off(slanted, 0.75), (std::array{0.75, 0.0})) << "a motion that stands still";
+  // By its ends: D = 1 - 2^60, which is no double, and the contact is a unit before the end.
+  const EndsQuery<double> ends{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0x1p60}, {1, 1, 1}, 2};
+  const std::vector<double> end = {1};
+  EXPECT_EQ(ContactJudge<double>(ends).judge_hit(end).length, 1);
 }
 
 TEST(ContactJudge, ATunnelIsHowFarTheSphereGoesInBefore) {

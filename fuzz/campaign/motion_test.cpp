@@ -140,6 +140,7 @@ TEST(Motion, OneUlpTooLateIsLate) {
   EXPECT_EQ(found.time->late_errors.by_power[0], found.time->late) << "by at most one ulp";
   EXPECT_GT(found.time->late_errors.largest_ulps.best().value(), 0.9);
   EXPECT_LE(found.time->late_errors.largest_ulps.best().value(), 1);
+  EXPECT_LE(found.time->late_errors.largest_share.best(), 0x1p-24) << "an ulp below 1, of the way";
   EXPECT_GT(found.time->late_tunnels.through, 0u) << "of points";
 }
 
@@ -155,6 +156,9 @@ TEST(Motion, TheEndOfTheMotionTunnels) {
   const MotionTally found = tallied(PLANTED(of_the_end));
   EXPECT_EQ(found.time->late + found.time->best, found.hits);
   EXPECT_GT(found.time->late_tunnels.deepest.best().value(), 0.1);
+  EXPECT_GT(found.time->late_errors.largest_share.best(), 0.1);
+  EXPECT_GT(found.time->late_errors.largest_length.best(), 0);
+  EXPECT_EQ(found.time->early_errors.largest_share.best(), 0);
 }
 
 TEST(Motion, WhatIsNoTimeIsCountedApart) {
@@ -213,7 +217,10 @@ TEST(Motion, TheRecordHasTheWorstAndItsWitness) {
   const Json& motion = entry["families"]["moving-sphere/general"]["motion"];
   EXPECT_EQ(motion["time"]["late"], motion["time"]["late_errors"]["by_power"]["0"]);
   EXPECT_TRUE(motion["normal"].is_null());
-  bool is_shown = false;
+  bool is_shown = false, is_length_shown = false;
+  const auto motion_of = [&](const Json& witness) {
+    return entry["families"][witness["family"].get<std::string>()]["motion"]["time"];
+  };
   for (const Json& witness : record["witnesses"]) {
     const Json& measures = witness["measures"];
     ASSERT_TRUE(measures["given"].contains("time")) << witness.dump();
@@ -226,10 +233,14 @@ TEST(Motion, TheRecordHasTheWorstAndItsWitness) {
       is_shown = true;
       EXPECT_EQ(measures["time"], "late");
       EXPECT_FALSE(measures["ulps"].is_null());
+      EXPECT_FALSE(measures["share"].is_null());
+      if (reason.get<std::string>().ends_with(" in length")) {
+        is_length_shown |= measures["length"] == motion_of(witness)["late_errors"]["largest_length"];
+      }
       EXPECT_FALSE(measures["tunnel"].is_null());
     }
   }
-  EXPECT_TRUE(is_shown);
+  EXPECT_TRUE(is_shown && is_length_shown);
 }
 
 }  // namespace

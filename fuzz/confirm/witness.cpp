@@ -40,6 +40,8 @@ std::optional<MeasuresRecord> measures_of(const Predicate& predicate, const Exam
   record.time.emplace(motion.time);
   record.ulps.emplace(is_off ? std::optional(error_number(motion.ulps)) : std::nullopt);
   record.in_u.emplace(is_off ? std::optional(error_number(motion.in_u)) : std::nullopt);
+  record.share.emplace(is_off ? std::optional(motion.share) : std::nullopt);
+  record.length.emplace(is_off ? std::optional(motion.length) : std::nullopt);
   record.gap.emplace(motion.time == TimeVerdict::early ? std::optional(motion.gap) : std::nullopt);
   record.feature_is_right.emplace(motion.feature_is_right);
   const bool is_finite = motion.feature_error && std::isfinite(*motion.feature_error);
@@ -193,14 +195,21 @@ void WitnessWriter::note_motion(const MotionTally& motion, ShownReasons& shown) 
   const auto largest = [](const char* what, const char* unit) {
     return [=](double size) { return fmt::format("{}: {:.6g}{}", what, size, unit); };
   };
+  // More ulps than say anything are left out; the number stands in the witness.
+  const auto note_errors = [&](const TimeErrors& errors, const char* what) {
+    note(errors.largest_ulps, [what](const Decimal6& ulps) {
+      return is_told_in_ulps(ulps) ? fmt::format("{}: {} ulps", what, ulps.text()) : fmt::format("{} in ulps", what);
+    });
+    note(errors.largest_in_u, worst(what, " u of the displacement"));
+    note(errors.largest_share, largest(what, " of the way"));
+    note(errors.largest_length, largest(what, " in length"));
+  };
   const TimeTally& time = *motion.time;
   note(time.no_time, [](bool given) { return given ? "a time outside [0, 1]" : "a contact without a time"; });
-  note(time.late_errors.largest_ulps, worst("latest time", " ulps"));
-  note(time.late_errors.largest_in_u, worst("latest time", " u of the displacement"));
+  note_errors(time.late_errors, "latest time");
   note(time.late_tunnels.deepest, worst("deepest tunnel of a late time", ""));
   note(motion.missed.deepest, worst("deepest tunnel of a missed contact", ""));
-  note(time.early_errors.largest_ulps, worst("earliest time", " ulps"));
-  note(time.early_errors.largest_in_u, worst("earliest time", " u of the displacement"));
+  note_errors(time.early_errors, "earliest time");
   note(time.largest_gap, largest("largest gap of an early time", " of the scene"));
   note(motion.feature->first_wrong, [](bool) { return "a feature that is not touched first"; });
   note(motion.feature->largest_error, largest("wrong feature farthest from its region", " of the scene"));

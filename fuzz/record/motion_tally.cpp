@@ -1,5 +1,7 @@
 #include "fuzz/record/motion_tally.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +17,8 @@ void count_error(TimeErrors& errors, std::uint64_t position, const MotionJudgeme
   ++errors.by_power[ulp_power(judgement.ulps)];
   errors.largest_ulps.offer({judgement.ulps, position});
   errors.largest_in_u.offer({judgement.in_u, position});
+  if (judgement.share != 0) errors.largest_share.offer({judgement.share, position});
+  if (judgement.length != 0) errors.largest_length.offer({judgement.length, position});
 }
 
 }  // namespace
@@ -24,6 +28,30 @@ std::size_t ulp_power(const Decimal6& ulps) {
   std::size_t power = 0;
   for (double bound = 1; power + 1 < ulp_powers && size > bound; bound *= 2) ++power;
   return power;
+}
+
+bool is_told_in_ulps(const Decimal6& ulps) {
+  constexpr double most_ulps = 0x1p13;  // an ulp is at most 2^-23, that of 1 in binary32
+  return ulps.value() <= most_ulps;
+}
+
+std::string way_text(double share, double length) {
+  constexpr double least_percent = 1e-3;
+  const std::string of_way =
+      share < least_percent ? fmt::format("{:.3g}", share) : fmt::format("{:.3g} %", 100 * share);
+  return fmt::format("{} of the way, length {:.3g}", of_way, length);
+}
+
+std::string time_error_text(const Decimal6& ulps, double share, double length) {
+  return is_told_in_ulps(ulps) ? ulps.text() + " ulps" : way_text(share, length);
+}
+
+std::string way_text(const TimeErrors& errors) {
+  return way_text(errors.largest_share.best(), errors.largest_length.best());
+}
+
+std::string time_error_text(const TimeErrors& errors) {
+  return time_error_text(errors.largest_ulps.best(), errors.largest_share.best(), errors.largest_length.best());
 }
 
 void count_hit(MotionTally& tally, std::uint64_t position, const MotionJudgement& judgement) {

@@ -26,6 +26,7 @@ using UlpCounts = SparseCounts<UlpPowers>;
 // Times on one side of the best one.
 struct TimeErrors {
   Leaders<Decimal6> largest_ulps, largest_in_u;
+  Leaders<double> largest_share, largest_length;
   UlpCounts by_power{};
 
   static constexpr std::string_view about = "Errors of times on one side of the best one.";
@@ -38,9 +39,22 @@ struct TimeErrors {
              "none.",
              "ulps"}),
         field(&TimeErrors::largest_in_u, {"largest_in_u", "The same in u = 2^-24 or 2^-53 of the displacement.", "u"}),
+        field(&TimeErrors::largest_share,
+              {"largest_share", "Greatest distance from the first contact, as a share of the way.", "of the way"}),
+        field(&TimeErrors::largest_length,
+              {"largest_length", "Greatest distance of the centre from where it is at the first contact.", "length"}),
         field(&TimeErrors::by_power, {"by_power", {}}));
   }
 };
+
+// An error of a time in words: "2.5 ulps" up to 2^13 of them, at most 2^-10 of the way. More of them say nothing: then
+// "12 % of the way, length 1.4", in the queries' unit.
+std::string time_error_text(const Decimal6& ulps, double share, double length);
+std::string way_text(double share, double length);
+bool is_told_in_ulps(const Decimal6& ulps);
+// The greatest of each: in ulps where all are told in them; of the way and in length.
+std::string time_error_text(const TimeErrors& errors);
+std::string way_text(const TimeErrors& errors);
 
 // Tunnels that late hits make, or misses.
 struct TunnelTally {

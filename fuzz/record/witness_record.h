@@ -117,7 +117,7 @@ struct MeasuresRecord {
   // Absent together, where nothing of the motion was judged; null each where the kernel does not give it.
   std::optional<std::optional<TimeVerdict>> time;
   std::optional<std::optional<ErrorNumber>> ulps, in_u;
-  std::optional<std::optional<double>> gap;
+  std::optional<std::optional<double>> share, length, gap;
   std::optional<std::optional<bool>> feature_is_right;
   std::optional<std::optional<double>> feature_error, normal_angle, normal_length_error, point_error;
 
@@ -142,6 +142,14 @@ struct MeasuresRecord {
                .may_be_absent = true}),
         field(&Of::in_u,
               {.name = "in_u", .about = "The same in u of the displacement.", .unit = "u", .may_be_absent = true}),
+        field(&Of::share, {.name = "share",
+                           .about = "The error of an early or late time as a share of the way.",
+                           .unit = "of the way",
+                           .may_be_absent = true}),
+        field(&Of::length, {.name = "length",
+                            .about = "How far the centre then is from where it is at the first contact.",
+                            .unit = "length",
+                            .may_be_absent = true}),
         field(&Of::gap, {.name = "gap",
                          .about = "Of an early time, relative to the scene.",
                          .unit = "of the scene",

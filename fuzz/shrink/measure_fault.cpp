@@ -5,13 +5,16 @@
 #include <cmath>
 #include <limits>
 
+#include "fuzz/record/motion_tally.h"
+
 namespace axiscert {
 namespace {
 
 std::optional<MeasureError> time_error(const MotionJudgement& judgement, TimeVerdict which) {
   if (judgement.time != which) return std::nullopt;
-  return MeasureError{judgement.in_u.value(),
-                      fmt::format("{} by {} u of the displacement", name(which), judgement.in_u.text())};
+  return MeasureError{
+      judgement.in_u.value(),
+      fmt::format("{} by {}", name(which), time_error_text(judgement.ulps, judgement.share, judgement.length))};
 }
 
 std::optional<MeasureError> above_zero(const std::optional<double>& error, std::string_view unit) {

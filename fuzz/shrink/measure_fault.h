@@ -26,7 +26,7 @@ std::string_view measure_of(MeasureFault which);
 // shares of the scene.
 struct MeasureError {
   double size;
-  std::string text;  // "late by 2.5 u of the displacement"
+  std::string text;  // "late by 2.5 ulps"
 };
 // Empty where the judgement does not have the fault.
 std::optional<MeasureError> measure_error(const MotionJudgement& judgement, MeasureFault which);

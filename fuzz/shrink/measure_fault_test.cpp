@@ -19,6 +19,10 @@ TEST(MeasureFault, EachIsOfItsMeasureAndHasItsSize) {
   judgement.time = TimeVerdict::late;
   EXPECT_FALSE(measure_error(judgement, MeasureFault::no_time) || measure_error(judgement, MeasureFault::early_time));
   EXPECT_TRUE(measure_error(judgement, MeasureFault::late_time));
+  judgement.ulps = round_up(Rational(1000000));
+  judgement.share = 0.125;
+  judgement.length = 1.5;
+  EXPECT_EQ(measure_error(judgement, MeasureFault::late_time)->text, "late by 12.5 % of the way, length 1.5");
   judgement.feature_is_right = true;
   EXPECT_FALSE(measure_error(judgement, MeasureFault::feature));
   judgement.feature_is_right = false;

@@ -90,8 +90,8 @@ LevelFindings judge_early(const AskedLevel& asked, const Subject& subject) {
     if (const Decimal6 earliest = time.early_errors.largest_in_u.best(); earliest.value() > most) {
       subject.add_shown(
           found.failures, family, time.early,
-          fmt::format("times before the best one, the earliest by {} u of the displacement: {} is allowed",
-                      error_amount(earliest), most),
+          fmt::format("times before the best one, the earliest by {} u of the displacement, {}: {} u is allowed",
+                      error_amount(earliest), way_text(time.early_errors), most),
           "earliest time");
     }
   }

@@ -26,6 +26,8 @@ Json numbers(double earliest_u, std::uint64_t wrong, double region, double angle
              std::uint64_t none = 0) {
   Json found = contacts(0, 0, 0);
   found["time"]["early_errors"]["largest_in_u"] = earliest_u;
+  found["time"]["early_errors"]["largest_share"] = std::ldexp(earliest_u, -24);
+  found["time"]["early_errors"]["largest_length"] = std::ldexp(earliest_u, -5);
   found["feature"] = {
       {"judged", 900 - none}, {"none", none}, {"wrong", wrong}, {"unnamed", 0}, {"largest_error", region}};
   found["normal"] = {
@@ -46,8 +48,10 @@ std::string first_failure(const Json& on_tangent, const char* level) {
 TEST(ContactLevels, EachHasABoundInTheUnitOfTheRecord) {
   const Json found = numbers(16, 3, 0.25, 0.5, 0.125, 0.0625);
   EXPECT_EQ(first_failure(found, "early=16"), "");
-  EXPECT_EQ(first_failure(found, "early=15"),
-            "times before the best one, the earliest by 16 u of the displacement: 15 is allowed");
+  EXPECT_EQ(
+      first_failure(found, "early=15"),
+      "times before the best one, the earliest by 16 u of the displacement, 9.54e-07 of the way, length 0.5: 15 u "
+      "is allowed");
   EXPECT_EQ(first_failure(found, "features"), "features that are not touched first");
   EXPECT_EQ(first_failure(found, "features=0.25"), "");
   EXPECT_EQ(first_failure(found, "features=0.2"),

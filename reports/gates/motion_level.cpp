@@ -65,6 +65,12 @@ std::string hits_covered(const Subject& subject) {
                      subject.list_of_families());
 }
 
+// "2.5 ulps, 1.5e-07 of the way, length 6e-07".
+std::string lateness(const TimeErrors& errors) {
+  const Decimal6 ulps = errors.largest_ulps.best();
+  return (is_told_in_ulps(ulps) ? ulps.text() + " ulps, " : "") + way_text(errors);
+}
+
 LevelFindings judge_never_late(const AskedLevel&, const Subject& subject) {
   LevelFindings found;
   found.not_checked = times_unseen(subject);
@@ -74,9 +80,7 @@ LevelFindings judge_never_late(const AskedLevel&, const Subject& subject) {
   for (const auto& [family, result] : subject.families()) {
     const TimeTally& time = *result.motion->time;
     subject.add_shown(found.failures, family, time.late,
-                      fmt::format("times after the first contact, the latest by {} u of the displacement",
-                                  error_amount(time.late_errors.largest_in_u.best())),
-                      "latest time");
+                      "times after the first contact, the latest by " + lateness(time.late_errors), "latest time");
   }
   found.covers = hits_covered(subject);
   found.leaves_out = "missed contacts, which no-tunnel and conservative ask about";
@@ -92,21 +96,25 @@ LevelFindings judge_no_tunnel(const AskedLevel& asked, const Subject& subject) {
   look_at_contacts(subject, true, found);
   for (const auto& [family, result] : subject.families()) {
     const auto check = [&, family = family](const TunnelTally& tunnels, const char* many, const char* one,
-                                            const char* shown) {
+                                            const std::string& beside, const char* shown) {
       const double deepest = tunnels.deepest.best().value();
       if (deepest < most) return;
       // The record counts those that go through; of the others it has the deepest.
       if (most == whole_radius) {
         subject.add_shown(found.failures, family, tunnels.through,
-                          fmt::format("{} with which the centre comes to the triangle", many), shown);
+                          fmt::format("{} with which the centre comes to the triangle{}", many, beside), shown);
         return;
       }
       subject.add_shown(
           found.failures, family, 1,
-          fmt::format("{} goes in by {:.6g} of the radius, and less than {} is allowed", one, deepest, most), shown);
+          fmt::format("{} goes in by {:.6g} of the radius, and less than {} is allowed{}", one, deepest, most, beside),
+          shown);
     };
-    check(result.motion->missed, "missed contacts", "the deepest missed contact", "deepest tunnel of a missed contact");
-    check(result.motion->time->late_tunnels, "late times", "the deepest late time", "deepest tunnel of a late time");
+    const TimeTally& time = *result.motion->time;
+    check(result.motion->missed, "missed contacts", "the deepest missed contact", "",
+          "deepest tunnel of a missed contact");
+    check(time.late_tunnels, "late times", "the deepest late time", "; the latest is by " + lateness(time.late_errors),
+          "deepest tunnel of a late time");
   }
   found.covers = hits_covered(subject) + ", and every missed contact";
   found.leaves_out = "queries that these families do not make";

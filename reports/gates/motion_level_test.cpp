@@ -26,8 +26,13 @@ TEST(MotionLevels, NeverLateRefusesOneLateTime) {
   const auto failures = unmet(motions(contacts(1, 1e-7, 0)), "never-late");
   ASSERT_EQ(failures.size(), 1u);
   EXPECT_EQ(failures[0].text(),
-            "<script> binary32 on tangent: times after the first contact, the latest by 2.5 u of the displacement: 1 "
-            "(witness late)");
+            "<script> binary32 on tangent: times after the first contact, the latest by 2.5 ulps, 1.5e-07 of the way, "
+            "length 0.25: 1 (witness late)");
+  Json gross = contacts(1, 0.5, 0);
+  gross["time"]["late_errors"]["largest_ulps"] = 1e44;
+  gross["time"]["late_errors"]["largest_share"] = 0.125;
+  EXPECT_EQ(unmet(motions(gross), "never-late")[0].what,
+            "times after the first contact, the latest by 12.5 % of the way, length 0.25");
   const LevelOutcome met = outcomes_at(motions(contacts(0, 0, 0)), "never-late")[0];
   EXPECT_EQ(met.state, LevelState::met);
   EXPECT_THAT(met.covers, HasSubstr("1,800 contacts of"));
@@ -45,7 +50,9 @@ TEST(MotionLevels, NoTunnelRefusesWhatGoesInAsDeepAsItsNumber) {
   EXPECT_TRUE(refused(0, 0.3, "no-tunnel=0.25"));
   const Failure through = unmet(motions(contacts(5, 1, 0)), "no-tunnel")[0];
   EXPECT_EQ(through.count, 3u);
-  EXPECT_EQ(through.what, "late times with which the centre comes to the triangle");
+  EXPECT_EQ(through.what,
+            "late times with which the centre comes to the triangle; the latest is by 2.5 ulps, 1.5e-07 of the way, "
+            "length 0.25");
   EXPECT_EQ(unmet(motions(contacts(5, 0, 0.5)), "no-tunnel=0.25")[0].what,
             "the deepest missed contact goes in by 0.5 of the radius, and less than 0.25 is allowed");
 }

@@ -144,9 +144,17 @@ inline Json contacts(std::uint64_t late, double late_tunnel, double missed_tunne
   const auto tunnels = [](double deepest) {
     return Json{{"through", deepest == 1 ? 3 : 0}, {"deepest_tunnel", deepest}};
   };
-  const Json none = {{"largest_ulps", 0}, {"largest_in_u", 0}, {"by_power", Json::object()}};
+  const Json none = {{"largest_ulps", 0},
+                     {"largest_in_u", 0},
+                     {"largest_share", 0.0},
+                     {"largest_length", 0.0},
+                     {"by_power", Json::object()}};
   Json errors = none;
-  errors["largest_in_u"] = late == 0 ? 0.0 : 2.5;
+  if (late != 0) {
+    errors["largest_ulps"] = errors["largest_in_u"] = 2.5;
+    errors["largest_share"] = 1.5e-7;
+    errors["largest_length"] = 0.25;
+  }
   return {{"hits", 900},
           {"missed", tunnels(missed_tunnel)},
           {"time",

@@ -80,12 +80,15 @@ std::string bias_text(const FamilyRecord& family) {
 const char* const motion_note =
     "Late is after the exact first contact, early before the best time, the greatest number that is not late. A tunnel "
     "is how far the sphere goes in until a late time, or in a missed contact, as a share of its radius; with 1 its "
-    "centre comes to the triangle. Angles are in radians, errors of points shares of the scene.";
+    "centre comes to the triangle. Times are off by ulps of the best one, or where these are many by a share of the "
+    "way "
+    "and a length in the queries' unit, the greatest of each. Angles are in radians, errors of points shares of the "
+    "scene.";
 
 const std::vector<std::string>& motion_columns() {
   static const std::vector<std::string> columns = {
-      "contacts", "late",    "by ulps",        "by u",          "tunnel",       "early",           "by ulps",
-      "by u",     "no time", "wrong features", "normal off by", "point off by", "missed, through", "missed, tunnel"};
+      "contacts", "late",           "late by",       "tunnel",       "early",           "early by",
+      "no time",  "wrong features", "normal off by", "point off by", "missed, through", "missed, tunnel"};
   return columns;
 }
 
@@ -95,13 +98,12 @@ std::vector<std::string> motion_cells(const FamilyRecord& family) {
   if (!motion.time && motion.missed.deepest.best().is_zero()) return {};
   std::vector<std::string> cells = {thousands(motion.hits)};
   if (!motion.time) {
-    cells.resize(9, "-");
+    cells.resize(7, "-");
   } else {
     const TimeTally& time = *motion.time;
     const auto put_side = [&](std::uint64_t count, const TimeErrors& errors) {
       cells.push_back(thousands(count));
-      cells.push_back(error_amount(errors.largest_ulps.best()));
-      cells.push_back(error_amount(errors.largest_in_u.best()));
+      cells.push_back(time_error_text(errors));
     };
     put_side(time.late, time.late_errors);
     cells.push_back(error_amount(time.late_tunnels.deepest.best()));

@@ -12,8 +12,12 @@ using testing::ElementsAre;
 TunnelTally tunnels(double deepest) {
   return read_as<TunnelTally>({{"through", deepest == 1 ? 2 : 0}, {"deepest_tunnel", deepest}});
 }
-TimeErrors time_errors(const Json& ulps, double in_u) {
-  return read_as<TimeErrors>({{"largest_ulps", ulps}, {"largest_in_u", in_u}, {"by_power", Json::object()}});
+TimeErrors time_errors(const Json& ulps, double share, double length) {
+  return read_as<TimeErrors>({{"largest_ulps", ulps},
+                              {"largest_in_u", 1},
+                              {"largest_share", share},
+                              {"largest_length", length},
+                              {"by_power", Json::object()}});
 }
 
 FamilyRecord family_of(std::optional<TimeTally> time, double missed) {
@@ -37,19 +41,19 @@ TEST(MotionWords, ARowHasACellForEachColumn) {
   time.early = 30;
   time.best = 1100;
   time.late = 67;
-  time.late_errors = time_errors("1.5e+320", 8);
+  time.late_errors = time_errors("1.5e+320", 0.125, 2.5);
   time.late_tunnels = tunnels(0.5);
-  time.early_errors = time_errors(3.5, 0.125);
+  time.early_errors = time_errors(3.5, 1e-8, 1e-7);
   const auto cells = motion_cells(family_of(time, 1));
   EXPECT_EQ(cells.size(), motion_columns().size());
-  EXPECT_THAT(
-      cells, ElementsAre("1,200", "67", "1.5e+320", "8", "0.5", "30", "3.5", "0.125", "3", "-", "0.25", "-", "2", "1"));
+  EXPECT_THAT(cells, ElementsAre("1,200", "67", "12.5 % of the way, length 2.5", "0.5", "30", "3.5 ulps", "3", "-",
+                                 "0.25", "-", "2", "1"));
 }
 
 TEST(MotionWords, AKernelWithoutTimesHasARowWhereItMisses) {
   EXPECT_TRUE(motion_cells(family_of(std::nullopt, 0)).empty());
   EXPECT_THAT(motion_cells(family_of(std::nullopt, 0.75)),
-              ElementsAre("1,200", "-", "-", "-", "-", "-", "-", "-", "-", "-", "0.25", "-", "0", "0.75"));
+              ElementsAre("1,200", "-", "-", "-", "-", "-", "-", "-", "0.25", "-", "0", "0.75"));
   EXPECT_TRUE(motion_cells(FamilyRecord()).empty()) << "a predicate without measures";
 }
 

@@ -30,9 +30,15 @@ function vector_cell(values) {
     : values.map((value) => el('small', 'coordinate', Number.isFinite(value) ? signed_amount(value, 9) : String(value)));
 }
 
-function time_judged({time, ulps, in_u, tunnel, gap}) {
+// As fuzz/record/motion_tally.h tells it: in ulps up to 2^13 of them, else of the way and as a length.
+function time_error_text({ulps, share, length}) {
+  if (typeof ulps === 'number' && ulps <= 8192) return `${amount(ulps)} ulps`;
+  return `${share < 1e-3 ? amount(share, 3) : `${amount(100 * share, 3)} %`} of the way, length ${amount(length, 3)}`;
+}
+
+function time_judged({time, ulps, share, length, tunnel, gap}) {
   const parts = [];
-  if (ulps !== null && ulps !== undefined) parts.push(`by ${error_amount(ulps)} ulps, ${error_amount(in_u)} u of D`);
+  if (ulps !== null && ulps !== undefined) parts.push(`by ${time_error_text({ulps, share, length})}`);
   if (tunnel !== null && tunnel !== undefined) parts.push(`tunnel ${error_amount(tunnel)}`);
   if (gap !== null && gap !== undefined) parts.push(`gap ${amount(gap, 6)} of the scene`);
   const [words, kind] = time_chips[time] ?? [];

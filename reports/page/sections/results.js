@@ -92,6 +92,8 @@ function motion_table(data, rows) {
     time('times', (t) => t[name], 'count', {group: name, alarm}),
     size('largest, ulps', (t) => t[`${name}_errors`].largest_ulps, {group: name}),
     size('largest, u', (t) => t[`${name}_errors`].largest_in_u, {group: name}),
+    time('of the way', (t) => t[`${name}_errors`].largest_share, 'amount', {digits: 3, group: name}),
+    time('length', (t) => t[`${name}_errors`].largest_length, 'amount', {digits: 3, group: name}),
   ];
   const of = (measure, member, type, label, more) => column[type](label,
     (row) => row.result.motion[measure] && row.result.motion[measure][member], {...none, ...more});

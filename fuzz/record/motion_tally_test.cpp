@@ -1,0 +1,61 @@
+// The errors of times: the greatest of each measure with its query, in a journal, merged, and in words.
+#include "fuzz/record/motion_tally.h"
+
+#include <gtest/gtest.h>
+
+#include "fuzz/campaign/parts/stretch.h"
+#include "kernel/moving_sphere/moving_sphere.h"
+
+namespace axiscert {
+namespace {
+
+MotionJudgement judged(TimeVerdict time, int ulps, double share, double length) {
+  MotionJudgement judgement;
+  judgement.time = time;
+  judgement.ulps = judgement.in_u = round_up(Rational(ulps));
+  judgement.share = share;
+  judgement.length = length;
+  if (time == TimeVerdict::late) judgement.tunnel = Tunnel{};
+  return judgement;
+}
+
+template <class Rank>
+std::uint64_t position_of(const Leaders<Rank>& leaders) {
+  return leaders.candidates().at(0).position;
+}
+
+TEST(MotionTally, TheGreatestOfEachMeasureHasItsQueryInAnyOrderAndInAJournal) {
+  const Predicate& predicate = moving_sphere_predicate();
+  Tally first = empty_tally(predicate), second = first;
+  count_hit(first.motion, 3, judged(TimeVerdict::late, 9, 0.25, 0.5));
+  count_hit(first.motion, 4, judged(TimeVerdict::late, 2, 0.125, 8));
+  count_hit(first.motion, 5, judged(TimeVerdict::early, 1, 0.75, 0));
+  count_hit(second.motion, 1, judged(TimeVerdict::late, 1, 0.25, 4));
+  Tally forward = decode_tally(encode(first), predicate), backward = decode_tally(encode(second), predicate);
+  forward.merge(second);
+  backward.merge(first);
+  EXPECT_EQ(encode(forward), encode(backward));
+  const TimeTally& time = *forward.motion.time;
+  EXPECT_EQ(position_of(time.late_errors.largest_ulps), 3u);
+  EXPECT_EQ(time.late_errors.largest_share.best(), 0.25);
+  EXPECT_EQ(position_of(time.late_errors.largest_share), 1u) << "of two the earlier";
+  EXPECT_EQ(time.late_errors.largest_length.best(), 8);
+  EXPECT_EQ(position_of(time.late_errors.largest_length), 4u);
+  EXPECT_EQ(position_of(time.early_errors.largest_share), 5u);
+  EXPECT_TRUE(time.early_errors.largest_length.candidates().empty()) << "0 is no error";
+}
+
+TEST(MotionTally, AnErrorIsToldInUlpsWhileTheseAreFew) {
+  const auto text = [](int ulps, double share, double length) {
+    return time_error_text(round_up(Rational(ulps)), share, length);
+  };
+  EXPECT_EQ(text(3, 0x1p-22, 1e-6), "3 ulps");
+  EXPECT_EQ(text(8192, 0x1p-10, 1), "8192 ulps");
+  EXPECT_EQ(text(8193, 0.12, 1.4), "12 % of the way, length 1.4");
+  EXPECT_EQ(text(1000000, 1, 0), "100 % of the way, length 0");
+  EXPECT_EQ(text(1000000, 1e-3, 2e6), "0.1 % of the way, length 2e+06");
+  EXPECT_EQ(text(1000000, 1.5e-5, 0.25), "1.5e-05 of the way, length 0.25") << "near the start an ulp is small";
+}
+
+}  // namespace
+}  // namespace axiscert
