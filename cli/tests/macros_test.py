@@ -2,6 +2,7 @@
 """The macros of axiscert/plugin.h that make a kernel of a function of one query: of each predicate and entry, in C99 and C++11, in float and
 double, a right function is judged right and a wrong one wrong."""
 import json
+import re
 import subprocess
 import unittest
 
@@ -219,6 +220,16 @@ class Macros(Case):
                                         self.compiled("listed", "c", "float", 0, line)).stdout)["kernels"]
         self.assertEqual((listed["predicate"], listed["entry"], listed["summary"], listed["findings"]), ("box-box", "matrix", "x: shown", []))
         self.assertEqual(listed["source"], f"{self.folder}/listed.c:{KERNELS.count(chr(10)) + 1}")
+
+    def test_the_page_has_these_lines(self):
+        """With the words that each may end in."""
+        rows = re.findall(r"^\| [^|]+ \| `(\w+)\(float, \"mine\", f(.*?)\)` \| (.*) ?\|$", (ROOT / "docs/plugins.md").read_text(), re.M)
+        words = {macro: set(re.findall(r"\w+", f"{first} {more}")) for macro, first, more in rows}
+        here = {}
+        for line, _, _ in MACROS:
+            macro, more = re.match(r'(\w+)\(real, "x", \w+(.*)\)', line).groups()
+            here.setdefault(macro, set()).update(re.findall(r"\w+", more))
+        self.assertEqual(words, {macro: more for macro, more in here.items() if not macro.endswith("_OF")})
 
     def test_a_word_that_no_entry_has_does_not_compile(self):
         for line in ('AXISCERT_BOX_PLUGIN(real, "x", box_box_matrix, matrices)', 'AXISCERT_MOTION_PLUGIN(real, "x", time_d, displacement, times)',
