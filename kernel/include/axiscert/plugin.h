@@ -216,7 +216,8 @@ AXISCERT_EXPORT const axiscert_kernel* axiscert_plugin(uint32_t index);
 
 /* All that those can be, and more. `predicate` is TRIANGLE (whose entry is vertices), MOTION, BOX or BOX_TRIANGLE.
  * `gives` is none, time, all, or comparisons: then the last argument of the function is a `uint64_t* comparisons`, 0
- * before, whose bits it sets. `declarations` are any number of AXISCERT_DECLARE(member, value), of axiscert_kernel:
+ * before, whose bits it sets, and a kernel of another predicate than sphere-triangle declares formulae or conforms_to.
+ * `declarations` are any number of AXISCERT_DECLARE(member, value), of axiscert_kernel:
  *     AXISCERT_PLUGIN_OF(float, "my-boxes", my_boxes, BOX, matrix, comparisons,
  *                        AXISCERT_DECLARE(conforms_to, "box-box/cofactor"))
  */
