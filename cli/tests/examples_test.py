@@ -12,7 +12,7 @@ from pathlib import Path
 from command import BUILD, DIVISOR, ROOT, family
 
 EXAMPLES = ROOT / "examples" / "plugin"
-EXAMPLE_KERNELS = {"c": [32], "cpp": [32, 64]}
+EXAMPLE_KERNELS = {"boxes": [32], "c": [32], "cpp": [32, 64]}
 if DIVISOR == 1:  # a program without one cannot load a library with a sanitizer in it
     EXAMPLE_KERNELS["certified"] = [32, 64]
 
