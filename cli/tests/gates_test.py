@@ -15,13 +15,8 @@ COMPARISON = "return squared > r * r ?"
 PLUGIN = 'AXISCERT_PLUGIN(float, "my-kernel", my_kernel)'
 assert COMPARISON in SOURCE and PLUGIN in SOURCE
 # The same with members of axiscert_kernel that the macro leaves out.
-PROMISING = """AXISCERT_BATCH(my_batch, float, my_kernel)
-static const axiscert_limits my_limits = {.size = sizeof(axiscert_limits), %s};
-const axiscert_kernel* axiscert_plugin(uint32_t index) {
-  static const axiscert_kernel kernel = {.abi = AXISCERT_PLUGIN_ABI, .precision = 32, .size = sizeof(axiscert_kernel), .name = "my-kernel",
-                                         .column_count = 13, .run = my_batch, .limits = &my_limits, .may_decline = %d};
-  return index == 0 ? &kernel : NULL;
-}"""
+PROMISING = """static const axiscert_limits my_limits = {.size = sizeof(axiscert_limits), %s};
+AXISCERT_PLUGIN_OF(float, "my-kernel", my_kernel, TRIANGLE, vertices, none, AXISCERT_DECLARE(limits, &my_limits) AXISCERT_DECLARE(may_decline, %d))"""
 # Undecided where the margin makes phantom contacts.
 DECLINES = "if (squared > r * r && squared <= r * r * 1.1f) return AXISCERT_UNDECIDED;"
 ROWS = {row[0]: row[1:] for row in re.findall(r"^\| ([^|]+) \| (\d)[:,]? ?([^|]*) \| (\d)[:,]? ?([^|]*) \|$",

@@ -46,19 +46,8 @@ static int kernel(const real a[3], const real b[3], const real c[3], const real 
   if (h > 0 && s[0] >= 0 && s[1] >= 0 && s[2] >= 0) d = min2(d, dot(v[0], n) * (dot(v[0], n) / h));
   return d RELATION r * r ? AXISCERT_SEPARATED : AXISCERT_CONTACT;
 }
-AXISCERT_BATCH(run, real, kernel)
-const axiscert_kernel *axiscert_plugin(uint32_t index) {
-  static axiscert_kernel k;
-  if (index) return NULL;
-  k.abi = AXISCERT_PLUGIN_ABI;
-  k.precision = 8 * sizeof(real);
-  k.size = sizeof k;
-  k.name = "other-form";
-  k.column_count = 13;
-  k.run = run;
-  MORE
-  return &k;
-}
+static const axiscert_limits limits = {.size = sizeof(axiscert_limits), .greatest_coordinate = 100, .least_radius = 0x1p-20};
+AXISCERT_PLUGIN_OF(real, "other-form", kernel, TRIANGLE, vertices, none, MORE)
 """
 
 
@@ -90,7 +79,7 @@ def uses_of(name):
 
 class Plugins(Case):
     def compiled(self, name, *flags, real="float", relation=">", more="", fault=("", "")):
-        """`more`: statements that set members of the kernel; `fault`: a text and its replacement."""
+        """`more`: declarations of the kernel; `fault`: a text and its replacement."""
         source, plugin = self.folder / f"{name}.c", self.folder / f"{name}.so"
         source.write_text(OTHER_FORMS.replace(*fault))
         subprocess.run(["cc", "-O2", "-shared", "-fPIC", f"-I{ROOT}", f"-Dreal={real}", f"-DRELATION={relation}",
@@ -212,10 +201,10 @@ class Plugins(Case):
     def test_touching_is_judged_by_what_the_plugin_says(self):
         touching = '{"id":"q","precision":"binary32","a":[2,0,0],"b":[3,0,0],"c":[2,1,0],"p":[0,0,0],"r":2}\n'
         for relation, more, right in ((">", "", True), (">=", "", False),
-                                      (">=", "k.touching=AXISCERT_TOUCHING_IS_SEPARATED;", True),
-                                      (">", "k.touching=AXISCERT_TOUCHING_IS_SEPARATED;", False),
-                                      (">", "k.touching=AXISCERT_TOUCHING_IS_EITHER;", True),
-                                      (">=", "k.touching=AXISCERT_TOUCHING_IS_EITHER;", True)):
+                                      (">=", "AXISCERT_DECLARE(touching, AXISCERT_TOUCHING_IS_SEPARATED)", True),
+                                      (">", "AXISCERT_DECLARE(touching, AXISCERT_TOUCHING_IS_SEPARATED)", False),
+                                      (">", "AXISCERT_DECLARE(touching, AXISCERT_TOUCHING_IS_EITHER)", True),
+                                      (">=", "AXISCERT_DECLARE(touching, AXISCERT_TOUCHING_IS_EITHER)", True)):
             with self.subTest(relation=relation, more=more):
                 kernel = self.compiled(f"touching{len(more)}{len(relation)}", relation=relation, more=more)
                 done = axiscert("check", "-", "--kernel", kernel, "--format", "jsonl", stdin=touching)
@@ -223,9 +212,7 @@ class Plugins(Case):
                 self.assertEqual(json.loads(done.stdout)["flips"] == [], right)
 
     def test_wrong_answers_outside_its_limits_fail_nothing(self):
-        limits = ("static axiscert_limits l;l.size=sizeof l;l.greatest_coordinate=100;l.least_radius=0x1p-20;"
-                  "k.limits=&l;")
-        for more, code in (("", 1), (limits, 0)):
+        for more, code in (("", 1), ("AXISCERT_DECLARE(limits, &limits)", 0)):
             kernel = self.compiled(f"limits{code}", more=more, real="float")
             done = axiscert("run", "--kernel", kernel, "--family", "scale", "--trials", "3000", "--precision", "binary32",
                             "--require", "conservative=0.01", "--out", self.folder / "out")

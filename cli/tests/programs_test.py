@@ -18,7 +18,8 @@ PYTHON_PROGRAM = ROOT / "kernel/plugin/programs/published.py"
 QUICK = ("--plugin-seconds", "0.5")
 COMPILERS = {"published_c.json": ["cc", "-std=c99", "-O2", "-ffp-contract=off", "-o", "published", "published.c"],
              "published_rust.json": ["rustc", "--edition", "2021", "-O", "-o", "published_rust", "published.rs"],
-             "published_go.json": ["go", "build", "-o", "published_go", "published.go"]}
+             "published_go.json": ["go", "build", "-o", "published_go", "published.go"],
+             "published_node.json": ["node", "--check", "published.mjs"]}
 
 
 def without_id(record):
@@ -103,7 +104,7 @@ AXISCERT_PLUGIN({real}, "published", one)
             self.assertEqual(without_id(program), without_id(self.run_ok("--kernel", self.plugin(real), *plan)), command)
 
     def test_programs_of_the_examples_have_the_record_of_the_built_in_kernel(self):
-        """In each language whose compiler is here. They show comparisons, and claim to conform."""
+        """In each language whose compiler is here. They claim to conform, and all but one show comparisons."""
         for name, command in COMPILERS.items():
             with self.subTest(name):
                 if not shutil.which(command[0]):
@@ -117,10 +118,38 @@ AXISCERT_PLUGIN({real}, "published", one)
                                          "--precision", precision)
                     ours, own = (family(record, "sliver", precision, kernel) for kernel in (mine, "published"))
                     self.assertEqual(ours.pop("asked_again"), 1024)
-                    self.assertEqual(without_errors(ours), without_errors(own))
+                    if "exposes" in manifest:
+                        self.assertEqual(without_errors(ours), without_errors(own))
+                    self.assertEqual(ours["verdict"], own["verdict"])
                     self.assertEqual(record["findings"], [])
                     links = [flip["links"] for w in record["witnesses"] for flip in w["flips"]]
                     self.assertFalse(any("implementation" in each for each in links))
+
+    def test_a_template_answers_another_question_by_the_names_of_its_columns(self):
+        """The box of a triangle in the place of the triangle: no contact is missed, and some are invented."""
+        apart = {"py": "    return np.any([(np.minimum(np.minimum(q['a' + k], q['b' + k]), q['c' + k]) > q['box.max' + k]) |\n"
+                       "                   (np.maximum(np.maximum(q['a' + k], q['b' + k]), q['c' + k]) < q['box.min' + k]) for k in 'xyz'], axis=0), []\n",
+                 "mjs": "  return ['x', 'y', 'z'].some((k) => Math.min(q['a' + k], q['b' + k], q['c' + k]) > q['box.max' + k] ||\n"
+                        "    Math.max(q['a' + k], q['b' + k], q['c' + k]) < q['box.min' + k]);\n"}
+        for kind, interpreter in (("py", sys.executable), ("mjs", "node")):
+            with self.subTest(kind):
+                if not shutil.which(interpreter):
+                    self.skipTest(f"{interpreter} is not installed")
+                text = (EXAMPLES / f"published.{kind}").read_text()
+                # The beginning of the function goes before its own, which is not reached.
+                for old, new in (("sphere-triangle", "box-triangle"), ("vertices", "minmax"), ("ax ay az bx by bz cx cy cz px py pz r", "box.minx box.miny box.minz "
+                                  "box.maxx box.maxy box.maxz ax ay az bx by bz cx cy cz"), ("separated(q):\n", f"separated(q):\n{apart['py']}"),
+                                 ("separated(q) {\n", f"separated(q) {{\n{apart['mjs']}")):
+                    text = text.replace(old, new)
+                (self.folder / f"mine.{kind}").write_text(text)
+                mine = self.manifest(interpreter, f"mine.{kind}", predicate="box-triangle", entry="minmax")
+                record = self.run_ok("--kernel", mine, "--family", "box-triangle/lattice_minmax", "--trials", "500", "--precision", "binary32")
+                verdict = family(record, "box-triangle/lattice_minmax", kernel=mine)["verdict"]
+                self.assertEqual((verdict["false_separation"], record["findings"]), (0, []))
+                self.assertGreater(verdict["false_contact"], 0)
+                mine = self.manifest(interpreter, f"mine.{kind}", predicate="box-triangle", entry="centre")
+                done = axiscert("run", "--kernel", mine, "--family", "box-triangle/lattice", "--trials", "5", "--precision", "binary32", "--out", self.folder / "out")
+                self.assertIn("the stream asks box-triangle, entry centre; this program answers box-triangle, entry minmax", done.stderr)
 
     def test_a_program_is_known_by_its_name_and_by_the_digests_of_its_files(self):
         (self.folder / "package-lock.json").write_text("{}\n")

@@ -24,7 +24,7 @@ OTHERS = [("plug-in interface", "kernel/include/axiscert/plugin.h", r"#define AX
           ("stream of the pipe", "kernel/peers/npm/asking.py", r"^VERSION, REPLY = (\d+), 16"),
           ("stream of the pipe", "docs/pipe.md", r"^## Format, version (\d+)"),
           ("stream of the pipe", "docs/pipe.md", r"`version` \| (\d+), unsigned"),
-          *(("stream of the pipe", f"examples/pipe/published.{kind}", r"version != (\d+)") for kind in ("c", "go", "py", "rs")),
+          *(("stream of the pipe", f"examples/pipe/published.{kind}", r"version !==? (\d+)") for kind in ("c", "go", "mjs", "py", "rs")),
           ("`certificate`, its predicateType", "reports/certificate/statement/certificate_data.h", r'"urn:axiscert:certificate:(\d+)"')]
 REFUSING = re.compile(r"_test\.(cpp|py)$|^cli/tests/|^fuzz/targets/seeds\.py$|^docs/checks/formats_test\.py$|^CHANGELOG\.md$")
 

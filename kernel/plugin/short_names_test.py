@@ -64,7 +64,27 @@ def as_types():
         PLUGIN.format("axiscert_test")
 
 
-SOURCES = [as_functions, as_functions_with_comparisons, as_batch_functions, as_variables, as_types]
+def as_motions():
+    """Every name is a function that gives all that there is of a motion's contact."""
+    numbers = ", ".join(["const float*"] * 5 + ["float"] + ["float*"] * 4)
+    text = HEADERS + "".join(f"int {name}({numbers});\nAXISCERT_BATCH_OF(axiscert_run_{name}, float, {name}, MOTION, displacement, all)\n" for name in NAMES)
+    return text + "void axiscert_use(void);\nvoid axiscert_use(void) {" + "".join(f"(void)axiscert_run_{name};" for name in NAMES) + "}\n"
+
+
+def as_macros():
+    """The words of the macros are macros of the author's."""
+    words = "TRIANGLE MOTION BOX BOX_TRIANGLE vertices displacement endpoints matrix quaternion centre minmax none time all".split()
+    text = HEADERS + "".join(f"#define {word} 1 +\n" for word in words)
+    for number, (line, points, rest) in enumerate((("PLUGIN(float, \"x\", {})", 4, ", float"), ("MOTION_PLUGIN(float, \"x\", {}, endpoints, time)", 5, ", float, float*"),
+                                                   ("BOX_PLUGIN(float, \"x\", {}, matrix)", 6, ""), ("BOX_TRIANGLE_PLUGIN(float, \"x\", {}, centre)", 5, ""),
+                                                   ("PLUGIN_OF(float, \"x\", {}, BOX, quaternion, comparisons, )", 6, ", uint64_t*"))):
+        names = "".join(f"#undef {name}\n#define {name} {name}_{number}\n" for name in ("axiscert_plugin", "axiscert_i_run"))
+        text += f"{names}const axiscert_kernel* axiscert_plugin(uint32_t);\nint axiscert_{number}({', '.join(['const float*'] * points)}{rest});\n"
+        text += f"AXISCERT_{line.format(f'axiscert_{number}')}\n"
+    return text
+
+
+SOURCES = [as_functions, as_functions_with_comparisons, as_batch_functions, as_variables, as_types, as_motions, as_macros]
 STANDARDS = {"c": ["c99", "c11"], "c++": ["c++11", "c++17", "c++20"]}
 
 

@@ -1,28 +1,23 @@
 /* Two boxes by fifteen axes, for somebody's own engine: the textbook with the cofactors of R where it has R's entries in
  * B's radius on the nine edge axes. It needs no epsilon. Equals axiscert's kernel box-box/cofactor, bit for bit, where
- * the compiler fuses nothing (-ffp-contract=off).
- *
- * A box: centre, half extents, and the three axes one after the other (the columns of its rotation). */
+ * the compiler fuses nothing (-ffp-contract=off). */
 #include <axiscert/plugin.h>
 #include <math.h>
 
-typedef struct box {
-  float centre[3], half[3], axis[3][3];
-} box;
-
 static float dot(const float u[3], const float v[3]) { return (u[0] * v[0] + u[1] * v[1]) + u[2] * v[2]; }
 
-/* The axes that separate: bits 0 to 2 are A's normals, 3 to 5 B's, 6 + 3 i + j the edges i of A and j of B. */
-static uint64_t separating(const box *a, const box *b) {
-  const float between[3] = {b->centre[0] - a->centre[0], b->centre[1] - a->centre[1], b->centre[2] - a->centre[2]};
-  const float *s = a->half, *h = b->half;
+/* A has the half extents s and the axes `a` one after the other, B has h and b. Sets the bit of each axis that separates:
+ * 0 to 2 A's normals, 3 to 5 B's, 6 + 3 i + j the edges i of A and j of B. */
+static int box_kernel(const float a_centre[3], const float s[3], const float a[9], const float b_centre[3],
+                      const float h[3], const float b[9], uint64_t *comparisons) {
+  const float between[3] = {b_centre[0] - a_centre[0], b_centre[1] - a_centre[1], b_centre[2] - a_centre[2]};
   float t[3], R[3][3], size[3][3];
   uint64_t bits = 0;
   int i, j;
   for (i = 0; i < 3; ++i) {
-    t[i] = dot(a->axis[i], between);
+    t[i] = dot(a + 3 * i, between);
     for (j = 0; j < 3; ++j) {
-      R[i][j] = dot(a->axis[i], b->axis[j]);
+      R[i][j] = dot(a + 3 * i, b + 3 * j);
       size[i][j] = fabsf(R[i][j]);
     }
   }
@@ -50,46 +45,9 @@ static uint64_t separating(const box *a, const box *b) {
       if (fabsf(along) > of_a + of_b) bits |= UINT64_C(1) << (6 + 3 * i + j);
     }
   }
-  return bits;
+  *comparisons = bits;
+  return bits != 0 ? AXISCERT_SEPARATED : AXISCERT_CONTACT;
 }
 
-static box box_of(const axiscert_batch *batch, size_t query, size_t first) {
-  float v[15];
-  box out;
-  int k;
-  for (k = 0; k < 15; ++k) v[k] = ((const float *)batch->column[first + (size_t)k])[query];
-  for (k = 0; k < 3; ++k) {
-    int i;
-    out.centre[k] = v[k];
-    out.half[k] = v[3 + k];
-    for (i = 0; i < 3; ++i) out.axis[k][i] = v[6 + 3 * k + i];
-  }
-  return out;
-}
-
-static void run(const axiscert_batch *batch, const axiscert_answers *answers) {
-  size_t i;
-  for (i = 0; i < batch->count; ++i) {
-    const box a = box_of(batch, i, 0), b = box_of(batch, i, 15);
-    const uint64_t bits = separating(&a, &b);
-    answers->verdict[i] = bits != 0 ? AXISCERT_SEPARATED : AXISCERT_CONTACT;
-    if (answers->comparisons) answers->comparisons[i] = bits;
-  }
-}
-
-const axiscert_kernel *axiscert_plugin(uint32_t index) {
-  static axiscert_kernel kernel;
-  if (index != 0) return NULL;
-  kernel.abi = AXISCERT_PLUGIN_ABI;
-  kernel.precision = 32;
-  kernel.size = sizeof kernel;
-  kernel.name = "box-kernel";
-  kernel.column_count = 30;
-  kernel.run = run;
-  kernel.predicate = "box-box";
-  kernel.entry = "matrix";
-  kernel.source = AXISCERT_SOURCE;
-  kernel.exposes = AXISCERT_COMPARISONS;
-  kernel.conforms_to = "box-box/cofactor";
-  return &kernel;
-}
+AXISCERT_PLUGIN_OF(float, "box-kernel", box_kernel, BOX, matrix, comparisons,
+                   AXISCERT_DECLARE(conforms_to, "box-box/cofactor"))

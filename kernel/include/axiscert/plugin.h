@@ -2,10 +2,41 @@
  *
  * A plug-in is a shared object that exports one function, axiscert_plugin, which hands out kernels: at most one in each
  * precision. This header is all that it needs: C99, or C++11; no library to link. The smallest plug-in is a function of
- * one query and one line:
+ * one query, which returns an axiscert_verdict, and one line:
  *
  *     static int my_test(const float a[3], const float b[3], const float c[3], const float p[3], float r) { ... }
  *     AXISCERT_PLUGIN(float, "my-test", my_test)
+ *
+ * There is a line for each predicate (`axiscert predicates`). `real` is float or double, and every array is const:
+ *
+ *   sphere-triangle: the triangle abc, and the sphere of centre p and radius r
+ *       AXISCERT_PLUGIN(real, "NAME", f)
+ *           f(real a[3], real b[3], real c[3], real p[3], real r)
+ *   moving-sphere: the same, where the centre goes from p to p + d, or to the end e
+ *       AXISCERT_MOTION_PLUGIN(real, "NAME", f, displacement, MEASURES)
+ *           f(real a[3], real b[3], real c[3], real p[3], real d[3], real r)
+ *       AXISCERT_MOTION_PLUGIN(real, "NAME", f, endpoints, MEASURES)
+ *           f(real a[3], real b[3], real c[3], real p[3], real e[3], real r)
+ *       MEASURES is what f says of the first contact, in arguments that it writes and that say "not given" before:
+ *           none   nothing
+ *           time   f(..., real* time)
+ *           all    f(..., real* time, real* feature, real normal[3], real point[3])
+ *   box-box: each box by its centre, half extents, and its axes, 0 1 2 one after the other, or a quaternion w x y z
+ *       AXISCERT_BOX_PLUGIN(real, "NAME", f, matrix)
+ *           f(real a_centre[3], real a_half[3], real a_axes[9], real b_centre[3], real b_half[3], real b_axes[9])
+ *       AXISCERT_BOX_PLUGIN(real, "NAME", f, quaternion)
+ *           f(real a_centre[3], real a_half[3], real a_turn[4], real b_centre[3], real b_half[3], real b_turn[4])
+ *   box-triangle: a box along the world's axes, by its centre or by its two corners, or an oriented one, and abc
+ *       AXISCERT_BOX_TRIANGLE_PLUGIN(real, "NAME", f, centre)
+ *           f(real centre[3], real half[3], real a[3], real b[3], real c[3])
+ *       AXISCERT_BOX_TRIANGLE_PLUGIN(real, "NAME", f, minmax)
+ *           f(real low[3], real high[3], real a[3], real b[3], real c[3])
+ *       AXISCERT_BOX_TRIANGLE_PLUGIN(real, "NAME", f, matrix)
+ *           f(real centre[3], real half[3], real axes[9], real a[3], real b[3], real c[3])
+ *
+ * Such a kernel shows its verdicts, and touching is contact. One that shows its comparisons or declares more is a line
+ * of AXISCERT_PLUGIN_OF; one that takes whole batches, or both precisions, fills in axiscert_kernel itself. Both are
+ * below.
  *
  * axiscert runs a plug-in in a process of its own. What it does wrong there beside a wrong answer (a crash, a hang, an
  * access outside its arrays, answers that change from call to call or with a query's place in the batch, a changed
@@ -171,59 +202,111 @@ AXISCERT_EXPORT const axiscert_kernel* axiscert_plugin(uint32_t index);
 #define AXISCERT_I_TEXT(line) AXISCERT_I_TEXT_OF(line)
 #define AXISCERT_I_TEXT_OF(line) #line
 
-/* The macros below are for sphere-triangle. Names that they define begin with axiscert_i_. */
+/* Kernels from a function of one query. Names that these macros define begin with axiscert_i_; their words (matrix,
+ * time and so on) are not taken for macros of the user's. */
+#define AXISCERT_PLUGIN(real, kernel_name, one_query) \
+  AXISCERT_PLUGIN_OF(real, kernel_name, one_query, TRIANGLE, vertices, none, )
+#define AXISCERT_MOTION_PLUGIN(real, kernel_name, one_query, entry, measures)                                \
+  AXISCERT_I_PLUGIN(real, kernel_name, one_query, AXISCERT_I_GIVE_##measures, AXISCERT_I_DECLARE_##measures, \
+                    AXISCERT_I_MOTION_##entry)
+#define AXISCERT_BOX_PLUGIN(real, kernel_name, one_query, entry) \
+  AXISCERT_I_PLUGIN(real, kernel_name, one_query, AXISCERT_I_GIVE_none, , AXISCERT_I_BOX_##entry)
+#define AXISCERT_BOX_TRIANGLE_PLUGIN(real, kernel_name, one_query, entry) \
+  AXISCERT_I_PLUGIN(real, kernel_name, one_query, AXISCERT_I_GIVE_none, , AXISCERT_I_BOX_TRIANGLE_##entry)
 
-/* Defines `static void batch_function(batch, answers)`, for axiscert_kernel.run, from a function of one query:
- *     int one_query(const real a[3], const real b[3], const real c[3], const real p[3], real r)
- * which returns an axiscert_verdict. `real` is float or double. */
-#define AXISCERT_BATCH(batch_function, real, one_query)                                                            \
+/* All that those can be, and more. `predicate` is TRIANGLE (whose entry is vertices), MOTION, BOX or BOX_TRIANGLE.
+ * `gives` is none, time, all, or comparisons: then the last argument of the function is a `uint64_t* comparisons`, 0
+ * before, whose bits it sets, and a kernel of another predicate than sphere-triangle declares formulae or conforms_to.
+ * `declarations` are any number of AXISCERT_DECLARE(member, value), of axiscert_kernel:
+ *     AXISCERT_PLUGIN_OF(float, "my-boxes", my_boxes, BOX, matrix, comparisons,
+ *                        AXISCERT_DECLARE(conforms_to, "box-box/cofactor"))
+ */
+#define AXISCERT_PLUGIN_OF(real, kernel_name, one_query, predicate, entry, gives, declarations)                     \
+  AXISCERT_I_PLUGIN(real, kernel_name, one_query, AXISCERT_I_GIVE_##gives, AXISCERT_I_DECLARE_##gives declarations, \
+                    AXISCERT_I_##predicate##_##entry)
+#define AXISCERT_DECLARE(member, value) axiscert_i_kernel.member = (value);
+
+/* `static void batch_function(batch, answers)` alone, for axiscert_kernel.run, with the words of AXISCERT_PLUGIN_OF;
+ * and the two of sphere-triangle. */
+#define AXISCERT_BATCH_OF(batch_function, real, one_query, predicate, entry, gives) \
+  AXISCERT_I_BATCH(batch_function, real, one_query, AXISCERT_I_GIVE_##gives, AXISCERT_I_##predicate##_##entry)
+#define AXISCERT_BATCH(batch_function, real, one_query) \
+  AXISCERT_BATCH_OF(batch_function, real, one_query, TRIANGLE, vertices, none)
+#define AXISCERT_BATCH_WITH_COMPARISONS(batch_function, real, one_query) \
+  AXISCERT_BATCH_OF(batch_function, real, one_query, TRIANGLE, vertices, comparisons)
+
+/* Each entry: its predicate, its name, its columns, and the arguments that are made of the numbers of a query. */
+#define AXISCERT_I_TRIANGLE_vertices \
+  "sphere-triangle", "vertices", 13, AXISCERT_I_CORNERS(0), axiscert_i_v + 9, axiscert_i_v[12]
+#define AXISCERT_I_MOTION_displacement "moving-sphere", "displacement", AXISCERT_I_MOTION
+#define AXISCERT_I_MOTION_endpoints "moving-sphere", "endpoints", AXISCERT_I_MOTION
+#define AXISCERT_I_MOTION 16, AXISCERT_I_CORNERS(0), axiscert_i_v + 9, axiscert_i_v + 12, axiscert_i_v[15]
+#define AXISCERT_I_BOX_matrix "box-box", "matrix", 30, AXISCERT_I_TURNED(0), AXISCERT_I_TURNED(15)
+#define AXISCERT_I_BOX_quaternion "box-box", "quaternion", 20, AXISCERT_I_TURNED(0), AXISCERT_I_TURNED(10)
+#define AXISCERT_I_BOX_TRIANGLE_centre "box-triangle", "centre", AXISCERT_I_UPRIGHT
+#define AXISCERT_I_BOX_TRIANGLE_minmax "box-triangle", "minmax", AXISCERT_I_UPRIGHT
+#define AXISCERT_I_UPRIGHT 15, axiscert_i_v, axiscert_i_v + 3, AXISCERT_I_CORNERS(6)
+#define AXISCERT_I_BOX_TRIANGLE_matrix "box-triangle", "matrix", 24, AXISCERT_I_TURNED(0), AXISCERT_I_CORNERS(15)
+#define AXISCERT_I_TURNED(first) axiscert_i_v + first, axiscert_i_v + first + 3, axiscert_i_v + first + 6
+#define AXISCERT_I_CORNERS(first) AXISCERT_I_TURNED(first) /* three points */
+
+/* The call, and what is done with what the function gives. All bits 1 is a NaN: not given. */
+#define AXISCERT_I_GIVE_none(real, one_query, ...) \
+  axiscert_i_answers->verdict[axiscert_i_i] = (uint8_t)(one_query)(__VA_ARGS__)
+#define AXISCERT_I_GIVE_comparisons(real, one_query, ...)               \
+  uint64_t axiscert_i_bits = 0;                                         \
+  AXISCERT_I_GIVE_none(real, one_query, __VA_ARGS__, &axiscert_i_bits); \
+  if (axiscert_i_answers->comparisons) axiscert_i_answers->comparisons[axiscert_i_i] = axiscert_i_bits
+#define AXISCERT_I_GIVE_time(real, one_query, ...) AXISCERT_I_MEASURED(real, one_query, __VA_ARGS__, axiscert_i_m)
+#define AXISCERT_I_GIVE_all(real, one_query, ...) \
+  AXISCERT_I_MEASURED(real, one_query, __VA_ARGS__, axiscert_i_m, axiscert_i_m + 1, axiscert_i_m + 2, axiscert_i_m + 5)
+#define AXISCERT_I_MEASURED(real, one_query, ...)                                                  \
+  real axiscert_i_m[8];                                                                            \
+  for (axiscert_i_k = 0; axiscert_i_k < sizeof axiscert_i_m; ++axiscert_i_k) {                     \
+    ((unsigned char*)axiscert_i_m)[axiscert_i_k] = 0xff;                                           \
+  }                                                                                                \
+  AXISCERT_I_GIVE_none(real, one_query, __VA_ARGS__);                                              \
+  for (axiscert_i_k = 0; axiscert_i_k < axiscert_i_answers->measure_count; ++axiscert_i_k) {       \
+    ((real*)axiscert_i_answers->measure[axiscert_i_k])[axiscert_i_i] = axiscert_i_m[axiscert_i_k]; \
+  }
+
+#define AXISCERT_I_DECLARE_none
+#define AXISCERT_I_DECLARE_comparisons AXISCERT_DECLARE(exposes, AXISCERT_COMPARISONS)
+#define AXISCERT_I_DECLARE_time AXISCERT_DECLARE(measure_count, 1)
+#define AXISCERT_I_DECLARE_all AXISCERT_DECLARE(measure_count, 8)
+
+/* The batch function, and the kernel around it; the last arguments are those of an entry. */
+#define AXISCERT_I_BATCH(batch_function, real, one_query, give, ...) \
+  AXISCERT_I_BATCH_OF(batch_function, real, one_query, give, __VA_ARGS__)
+#define AXISCERT_I_BATCH_OF(batch_function, real, one_query, give, id, entry, columns, ...)                        \
   static void batch_function(const axiscert_batch* axiscert_i_batch, const axiscert_answers* axiscert_i_answers) { \
-    size_t axiscert_i_i;                                                                                           \
-    AXISCERT_I_FOR_EACH_QUERY {                                                                                    \
-      AXISCERT_I_GATHER(real)                                                                                      \
-      axiscert_i_answers->verdict[axiscert_i_i] = (uint8_t)(one_query)(AXISCERT_I_ARGUMENTS);                      \
+    size_t axiscert_i_i, axiscert_i_k;                                                                             \
+    for (axiscert_i_i = 0; axiscert_i_i < axiscert_i_batch->count; ++axiscert_i_i) {                               \
+      real axiscert_i_v[columns];                                                                                  \
+      for (axiscert_i_k = 0; axiscert_i_k < columns; ++axiscert_i_k) {                                             \
+        axiscert_i_v[axiscert_i_k] = ((const real*)axiscert_i_batch->column[axiscert_i_k])[axiscert_i_i];          \
+      }                                                                                                            \
+      give(real, one_query, __VA_ARGS__);                                                                          \
     }                                                                                                              \
   }
-
-/* The same for a function that also gives the sixteen comparison bits; for a kernel that exposes comparisons:
- *     int one_query(const real a[3], const real b[3], const real c[3], const real p[3], real r, uint64_t *comparisons)
- */
-#define AXISCERT_BATCH_WITH_COMPARISONS(batch_function, real, one_query)                                           \
-  static void batch_function(const axiscert_batch* axiscert_i_batch, const axiscert_answers* axiscert_i_answers) { \
-    size_t axiscert_i_i;                                                                                           \
-    AXISCERT_I_FOR_EACH_QUERY {                                                                                    \
-      uint64_t axiscert_i_bits = 0;                                                                                \
-      AXISCERT_I_GATHER(real)                                                                                      \
-      axiscert_i_answers->verdict[axiscert_i_i] = (uint8_t)(one_query)(AXISCERT_I_ARGUMENTS, &axiscert_i_bits);    \
-      if (axiscert_i_answers->comparisons) axiscert_i_answers->comparisons[axiscert_i_i] = axiscert_i_bits;        \
-    }                                                                                                              \
-  }
-
-/* Parts of both: the loop, the numbers of query axiscert_i_i, and these numbers as arguments. */
-#define AXISCERT_I_FOR_EACH_QUERY for (axiscert_i_i = 0; axiscert_i_i < axiscert_i_batch->count; ++axiscert_i_i)
-#define AXISCERT_I_GATHER(real)                                                                       \
-  real axiscert_i_v[13];                                                                              \
-  int axiscert_i_k;                                                                                   \
-  for (axiscert_i_k = 0; axiscert_i_k < 13; ++axiscert_i_k) {                                         \
-    axiscert_i_v[axiscert_i_k] = ((const real*)axiscert_i_batch->column[axiscert_i_k])[axiscert_i_i]; \
-  }
-#define AXISCERT_I_ARGUMENTS axiscert_i_v, axiscert_i_v + 3, axiscert_i_v + 6, axiscert_i_v + 9, axiscert_i_v[12]
-
-/* A whole plug-in from a function of one query, as for AXISCERT_BATCH: one kernel, verdicts only, touching is contact.
- */
-#define AXISCERT_PLUGIN(real, kernel_name, one_query)                 \
-  AXISCERT_BATCH(axiscert_i_run, real, one_query)                     \
-  const axiscert_kernel* axiscert_plugin(uint32_t axiscert_i_index) { \
-    static axiscert_kernel axiscert_i_kernel;                         \
-    if (axiscert_i_index != 0) return NULL;                           \
-    axiscert_i_kernel.abi = AXISCERT_PLUGIN_ABI;                      \
-    axiscert_i_kernel.precision = 8 * (uint32_t)sizeof(real);         \
-    axiscert_i_kernel.size = sizeof(axiscert_kernel);                 \
-    axiscert_i_kernel.name = (kernel_name);                           \
-    axiscert_i_kernel.column_count = 13;                              \
-    axiscert_i_kernel.run = axiscert_i_run;                           \
-    axiscert_i_kernel.source = AXISCERT_SOURCE;                       \
-    return &axiscert_i_kernel;                                        \
+#define AXISCERT_I_PLUGIN(real, kernel_name, one_query, give, declarations, ...) \
+  AXISCERT_I_BATCH_OF(axiscert_i_run, real, one_query, give, __VA_ARGS__)        \
+  AXISCERT_I_EXPORT(real, kernel_name, declarations, __VA_ARGS__)
+#define AXISCERT_I_EXPORT(real, kernel_name, declarations, id, its_entry, columns, ...) \
+  const axiscert_kernel* axiscert_plugin(uint32_t axiscert_i_index) {                   \
+    static axiscert_kernel axiscert_i_kernel;                                           \
+    if (axiscert_i_index != 0) return NULL;                                             \
+    axiscert_i_kernel.abi = AXISCERT_PLUGIN_ABI;                                        \
+    axiscert_i_kernel.precision = 8 * (uint32_t)sizeof(real);                           \
+    axiscert_i_kernel.size = sizeof(axiscert_kernel);                                   \
+    axiscert_i_kernel.name = (kernel_name);                                             \
+    axiscert_i_kernel.column_count = columns;                                           \
+    axiscert_i_kernel.run = axiscert_i_run;                                             \
+    axiscert_i_kernel.predicate = id;                                                   \
+    axiscert_i_kernel.entry = its_entry;                                                \
+    axiscert_i_kernel.source = AXISCERT_SOURCE;                                         \
+    { declarations }                                                                    \
+    return &axiscert_i_kernel;                                                          \
   }
 
 #ifdef __cplusplus

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The library as a user takes it. Package: installed and moved elsewhere, found by CMake and by pkg-config, used from C and C++; and
-the Debian packages, unpacked. Included: by FetchContent and by add_subdirectory, shared and static, and the static one installed.
+the Debian packages, unpacked. Both: the lines of docs/certified.md that link it. Included: by FetchContent and by add_subdirectory, shared and static, and the static one installed.
 Usage: package_test.py BUILD_FOLDER Package|Included"""
 import os
 import re
@@ -16,6 +16,23 @@ EXAMPLE = ROOT / "examples" / "certified"
 VERSION = re.search(r"^CMAKE_PROJECT_VERSION:STATIC=(\S+)$", (BUILD / "CMakeCache.txt").read_text(), re.M)[1]
 TOUCHES = "touching, closed sphere: contact\ntouching, open sphere: separated\nan ulp smaller: separated\n"
 HITS = "3\n4\n"
+
+
+# The fences of these lines in the page are marked as held by this test.
+LINES = [line for fence in re.findall(r"<!-- held by kernel/sphere_triangle/certified/tests/package_test.py -->\n```\n(.*?)```",
+                                      (ROOT / "docs/certified.md").read_text(), re.DOTALL) for line in fence.splitlines()]
+
+
+def run_lines(lines, folder, **places):
+    """Runs the lines of the page in a folder in which the tree and these places have the names that the page gives them."""
+    for name, place in {"kernel": ROOT / "kernel", "examples": ROOT / "examples", **places}.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).symlink_to(place)
+    for line in lines:
+        program = re.search(r" -o (\w+)", line)[1]
+        done("bash", "-c", line, cwd=folder)
+        assert done(folder / program) == {"touches": TOUCHES, "hits": HITS}[program], line
+        (folder / program).unlink()
 
 
 def done(*command, **options):
@@ -49,6 +66,11 @@ class Package(unittest.TestCase):
             program = self.folder / source.split(".")[0]
             done(*compiler, "-pedantic-errors", "-Wall", "-Wextra", "-Werror", EXAMPLE / source, "-o", program, *flags)
             self.assertEqual(done(program, env=environment), said)
+
+    def test_the_lines_of_the_page_link_the_shared_library(self):
+        lines = [line for line in LINES if "-laxiscert" in line]
+        self.assertEqual(len(lines), 2)
+        run_lines(lines, self.folder / "lines", **{"build/release": BUILD, "P": self.prefix})
 
     def test_it_exports_its_functions_and_needs_no_exact_library(self):
         library = self.prefix / "lib/libaxiscert.so"
@@ -135,6 +157,9 @@ class Included(unittest.TestCase):
                      env={**os.environ, "PKG_CONFIG_PATH": str(prefix / "lib/pkgconfig")}).split()
         done("cc", "-std=c99", EXAMPLE / "touches.c", "-o", self.folder / "touches", *flags)
         self.assertEqual(done(self.folder / "touches"), TOUCHES)
+        lines = [line for line in LINES if "libaxiscert.a" in line]
+        self.assertEqual(len(lines), 3)
+        run_lines(lines, self.folder / "lines", **{"build/static": self.build / "_deps/axiscert-build", "S": prefix})
 
 
 if __name__ == "__main__":
