@@ -146,7 +146,7 @@ struct PlanRecord {
   std::optional<std::vector<LevelText>> allow_unchecked;
   std::uint64_t margin_queries = 0;
   std::optional<RepliesRecord> replies;
-  std::optional<CountsByFamily> units_done;
+  std::optional<CountsByFamily> planned, units_done;
 
   static constexpr std::string_view about =
       "The plan of the run: together with the files and this version of axiscert, enough to make the record again.";
@@ -185,6 +185,10 @@ struct PlanRecord {
               {"margin_queries",
                "The number of queries, the first of each family and precision, whose exact margins were counted."}),
         field(&Of::replies, {.name = "replies", .about = RepliesRecord::about, .may_be_absent = true}),
+        field(&Of::planned, {.name = "planned",
+                             .about = "Of how many queries `trials` are those that were asked, per family and precision. "
+                                      "Absent where these were all, and with --time.",
+                             .may_be_absent = true}),
         field(&Of::units_done,
               {"units_done",
                "Units of 2^16 queries done, per family and precision, where the plan does not determine them: with "

@@ -161,6 +161,7 @@ Json steps(const RunInfo& info) {
 Json page_data(const Run& run) {
   const Record& record = run.record;
   Json data = {{"complete", record.complete},
+               {"interrupted", record.complete ? "" : interrupted_text(record)},
                {"plan", json_of(record.plan)},
                {"requirement", requirement_data(record)},
                {"links", Json::object()},
