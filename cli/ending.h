@@ -8,8 +8,9 @@
 #include <vector>
 
 namespace axiscert {
-// The words of the command line after the program's name. From here on an interrupt, SIGINT or SIGTERM, ends the process
-// at once, with a sentence and the status interrupted_code(). A limit on the size of files is a write that fails.
+// The words of the command line after the program's name. From here on an interrupt, SIGINT or SIGTERM, ends the
+// process at once, with a sentence and the status interrupted_code(). A limit on the size of files is a write that
+// fails.
 void begin_command(const std::vector<std::string>& words);
 
 // From here on, the first interrupt sets the flag: work under way is finished and reported. The second one ends the

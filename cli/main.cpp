@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", fmt::format("axiscert {} (revision {})", axiscert_version, axiscert_revision));
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done; 1 a requirement failed; 2 bad usage or input, or a target this machine lacks;\n"
+      "Exit codes: 0 done; 1 a requirement failed; 2 bad usage or input, a target this machine lacks, a full disk;\n"
       "3 the oracles disagree, or the harness found a fault in itself; 130 interrupted, 143 by SIGTERM.");
   set_query_notes([](const std::string& note) { fmt::print(stderr, "axiscert: {}\n", note); });
   Action action;

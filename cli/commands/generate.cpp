@@ -61,8 +61,7 @@ class Output {
     std::error_code none;
     const bool is_whole_at_once = !std::filesystem::exists(path, none) || std::filesystem::is_regular_file(path, none);
     part_ = is_whole_at_once ? path + ".part" : "";
-    descriptor_ =
-        open(is_whole_at_once ? part_.c_str() : path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    descriptor_ = open(is_whole_at_once ? part_.c_str() : path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor_ < 0) throw cannot_write();
   }
   ~Output() {

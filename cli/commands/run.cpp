@@ -114,8 +114,9 @@ void print_unfinished_shards(const MergeOptions& options, const PlanFile& file, 
     const Selection is_selected = shard_of(name);
     if (std::ranges::none_of(missing, is_selected)) continue;
     const auto found = folders.find(name);
-    const std::string out = found != folders.end() ? found->second
-                                                   : (fs::path(options.folders.front()).parent_path() / std::to_string(i)).string();
+    const std::string out = found != folders.end()
+                                ? found->second
+                                : (fs::path(options.folders.front()).parent_path() / std::to_string(i)).string();
     fmt::print(stderr, "axiscert: shard {} {}; this {}:\n  axiscert run --plan {} --shard {} --out {} --resume\n", name,
                found != folders.end() ? printable_line("is not done in " + out) : "is in none of these folders",
                found != folders.end() ? "goes on" : "does it", shell_word(file.path), name, shell_word(out));

@@ -89,7 +89,8 @@ int print_and_write_instrument(const InstrumentReport& report, const InstrumentO
   write_files(options.out, {{report.name + ".json", data_text(report.data, "json")},
                             {report.name + ".csv", data_text(report.data, "csv")},
                             {report.name + ".html", instrument_page(report)}});
-  if (options.format == "text") fmt::print("{}\n", (std::filesystem::path(options.out) / (report.name + ".html")).string());
+  if (options.format == "text")
+    fmt::print("{}\n", (std::filesystem::path(options.out) / (report.name + ".html")).string());
   return exit_done;
 }
 

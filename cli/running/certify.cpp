@@ -162,9 +162,10 @@ int write_certificate(const CertificateMaterial& judged, const std::optional<Sig
 
 // --time is over before the plan is: there is nothing to sign yet.
 int print_unfinished(const CertifyOptions& options, std::uint64_t done, std::uint64_t stretches) {
-  fmt::print(stderr,
-             "axiscert: {} of the plan's {} stretches are done, and a certificate has all of them: none is written in {}\n",
-             done, stretches, options.out);
+  fmt::print(
+      stderr,
+      "axiscert: {} of the plan's {} stretches are done, and a certificate has all of them: none is written in {}\n",
+      done, stretches, options.out);
   print_how_to_go_on();
   return exit_requirement_failed;
 }

@@ -185,10 +185,11 @@ struct PlanRecord {
               {"margin_queries",
                "The number of queries, the first of each family and precision, whose exact margins were counted."}),
         field(&Of::replies, {.name = "replies", .about = RepliesRecord::about, .may_be_absent = true}),
-        field(&Of::planned, {.name = "planned",
-                             .about = "Of how many queries `trials` are those that were asked, per family and precision. "
-                                      "Absent where these were all, and with --time.",
-                             .may_be_absent = true}),
+        field(&Of::planned,
+              {.name = "planned",
+               .about = "Of how many queries `trials` are those that were asked, per family and precision. "
+                        "Absent where these were all, and with --time.",
+               .may_be_absent = true}),
         field(&Of::units_done,
               {"units_done",
                "Units of 2^16 queries done, per family and precision, where the plan does not determine them: with "

@@ -25,8 +25,8 @@ struct Unwritable : Error {
   Unwritable(const std::string& path, int system_error, std::optional<std::uint64_t> size);
 };
 
-// The last part of the path, as a printable line: all that a record contains about a file's location. Throws Error if it
-// is not UTF-8.
+// The last part of the path, as a printable line: all that a record contains about a file's location. Throws Error if
+// it is not UTF-8.
 std::string base_name(const std::string& path);
 
 }  // namespace axiscert

@@ -64,15 +64,16 @@ std::string printable_line(std::string_view text) {
     at += character.size();
     if (size == 0) line += fmt::format("\\x{:02x}", static_cast<unsigned char>(character[0]));
     else if (const std::uint32_t point = code_point(character); !is_obeyed(point)) line += character;
-    else line += point == '\n' ? "\\n" : point == '\t' ? "\\t" : point == '\r' ? "\\r" : fmt::format("\\u{:04x}", point);
+    else
+      line += point == '\n' ? "\\n" : point == '\t' ? "\\t" : point == '\r' ? "\\r" : fmt::format("\\u{:04x}", point);
   }
   return line;
 }
 
 void require_utf8(std::string_view name, std::string_view what) {
   if (is_utf8(name)) return;
-  throw Error(fmt::format("{} '{}': its name is not UTF-8, which a record, being JSON, has to be; rename it", what,
-                          name));
+  throw Error(
+      fmt::format("{} '{}': its name is not UTF-8, which a record, being JSON, has to be; rename it", what, name));
 }
 
 namespace {

@@ -6,11 +6,12 @@
 #include <vector>
 
 namespace axiscert {
-// The text as one line of UTF-8 without a character that a terminal, a browser or an editor would obey: "\n", "\u001b" or
+// The text as one line of UTF-8 without a character that a terminal, a browser or an editor would obey: "\n", "\u001b"
+// or
 // "\u202e" in place of control characters, of the separators of lines, and of those that turn the direction of text;
-// "\xff" in place of a byte that is not UTF-8. Nothing else changes, so that it may be applied again. All text of foreign
-// origin comes through here where it enters: what a kernel says of itself, a manifest, the name of a file, the id of a
-// query, the texts of a record.
+// "\xff" in place of a byte that is not UTF-8. Nothing else changes, so that it may be applied again. All text of
+// foreign origin comes through here where it enters: what a kernel says of itself, a manifest, the name of a file, the
+// id of a query, the texts of a record.
 std::string printable_line(std::string_view text);
 
 // Names in UTF-8, which JSON requires. Names that a user types or a file system holds are arbitrary bytes.

@@ -125,7 +125,8 @@ void claim(const Description& d, Kernel& kernel) {
     require_same_question("conforms_to", own, kernel);
     if (!own.is_reference) refuse(fmt::format("it conforms_to '{}', whose bits depend on its target", own.id));
   } else if (d.has_formulae || (kernel.exposes != Exposure::verdict && !kernel.predicate->usual_formulae.empty())) {
-    const std::string named = d.has_formulae ? printable_line(d.formulae) : std::string(kernel.predicate->usual_formulae);
+    const std::string named =
+        d.has_formulae ? printable_line(d.formulae) : std::string(kernel.predicate->usual_formulae);
     const Kernel& own = builtin("formulae", named, precision);
     kernel.formulae = own.formulae;
     kernel.strictness = own.strictness;
@@ -169,7 +170,8 @@ void add_declared(const Description& d, std::uint32_t index, const HostedPlugin&
   require_touching_within_margin(described);
   described.motion = motion_of(d, *described.predicate);
   described.may_decline = may_decline(d);
-  described.summary = d.summary[0] != 0 ? fmt::format("{}: {}", printable_line(d.name), printable_line(d.summary)) : printable_line(d.name);
+  described.summary = d.summary[0] != 0 ? fmt::format("{}: {}", printable_line(d.name), printable_line(d.summary))
+                                        : printable_line(d.name);
   if (d.name[0] == 0) refuse("it has no name");
   described.declared_name = kernel.declared_name.empty() ? printable_line(d.name) : kernel.declared_name;
   claim(d, described);

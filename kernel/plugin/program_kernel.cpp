@@ -221,9 +221,8 @@ Kernel load_program(const std::string& id, const std::string& path) {
   } catch (const Error& unknown) {
     throw Error(fmt::format("{}: {}", path, unknown.what()));
   }
-  const auto out =
-      std::make_shared<TryOut>(kernel.id, hosted, Subject{kernel.predicate, kernel.entry, kernel.measure_count},
-                               manifest.precisions.front());
+  const auto out = std::make_shared<TryOut>(
+      kernel.id, hosted, Subject{kernel.predicate, kernel.entry, kernel.measure_count}, manifest.precisions.front());
   try_first<float>(out, kernel.binary32);
   try_first<double>(out, kernel.binary64);
   return kernel;
