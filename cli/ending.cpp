@@ -38,7 +38,7 @@ std::atomic<int> signal_given = 0;
 constexpr std::string_view first_text =
     "\naxiscert: interrupted: what is under way is finished and reported; a second interrupt ends at once\n";
 
-void write_text(std::string_view text) {
+void tell(std::string_view text) {
   if (ending().is_silent || getpid() != ending().process) return;  // a child says nothing
   if (isatty(STDERR_FILENO) == 0 && text.starts_with('\n')) text.remove_prefix(1);
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
@@ -48,10 +48,10 @@ void on_interrupt(int which) {
   const int before = errno;
   signal_given = which;
   if (!is_watched || is_interrupted.exchange(true)) {
-    write_text(*text_at_once);
+    tell(*text_at_once);
     _exit(128 + which);
   }
-  write_text(first_text);
+  tell(first_text);
   errno = before;
 }
 
@@ -60,7 +60,7 @@ std::string how_to_go_on() {
                      ending().has_kept ? "goes on" : "begins it again", ending().command);
 }
 
-void put(bool has_kept, const std::string& sentence, const std::string& command) {
+void set_ending(bool has_kept, const std::string& sentence, const std::string& command) {
   static std::deque<std::string> texts;
   Ending& one = ending();
   one.has_kept = has_kept;
@@ -96,8 +96,8 @@ std::string own_command(std::string_view option) {
   return command;
 }
 
-void keep_work(const std::string& kept, const std::string& command) { put(true, kept, command); }
-void keep_nothing(const std::string& why) { put(false, why, own_command()); }
+void keep_work(const std::string& kept, const std::string& command) { set_ending(true, kept, command); }
+void keep_nothing(const std::string& why) { set_ending(false, why, own_command()); }
 void leave_ending_to_another() { ending().is_silent = true; }
 
 void print_how_to_go_on() { fmt::print(stderr, "{}", how_to_go_on()); }

@@ -159,7 +159,8 @@ JudgedRun judge_run(const Plan& plan, const OutputOptions& output, const std::st
   source_places(plan.answerers.kernels, output.sources);  // refuses what cannot be one, before anything runs
   std::optional<Ratchet> ratchet = ratchet_of(output, plan);
   OutputFolder folder(output.out);
-  keep_nothing("a run without --plan keeps no journal to go on from");
+  keep_nothing(plan.answerers.replies ? "replies are judged in one go"
+                                      : "a run without --plan keeps no journal to go on from");
   for (const std::string& target : targets_of(plan.answerers.kernels, plan.running.target))
     require_uncontracted(target);
   if (!plan.answerers.replies) print_first_look(plan.answerers.kernels);

@@ -125,6 +125,7 @@ class RecordCheck {
 
   void check_plan() const {
     require(!plan_.kernels.empty(), "/plan/kernels", "has no kernel");
+    require(!plan_.planned || !record_.complete, "/plan/planned", "is of a run that was interrupted");
     require_once(plan_.kernels, "/plan/kernels");
     require_once(plan_.precisions, "/plan/precisions");
     require_once(plan_.families, "/plan/families");

@@ -1,4 +1,5 @@
-/* Says of itself what a terminal, a browser or an editor would obey: it forges a line, colours, and turns text around. */
+/* Says of itself what a terminal, a browser or an editor would obey: it forges a line, colours, and turns text around.
+ */
 #include "kernel/plugin/misbehaving/right.h"
 
 #undef AXISCERT_SOURCE
@@ -9,4 +10,7 @@ static void run(const axiscert_batch* batch, const axiscert_answers* answers) {
     answers->verdict[i] = misbehaves(radius(batch, i)) ? 7 : right(batch, i);
   }
 }
-MISBEHAVING("evil\x1b[2J\nother binary32: exact: met\xe2\x80\xae", run, .summary = "\x9b" "31m\x07 <b>|`]]>&\" \xe2\x81\xa6turned\r")
+MISBEHAVING("evil\x1b[2J\nother binary32: exact: met\xe2\x80\xae", run,
+            .summary =
+                "\x9b"
+                "31m\x07 <b>|`]]>&\" \xe2\x81\xa6turned\r")

@@ -9,45 +9,53 @@ import subprocess
 import time
 import unittest
 
-from command import BUILD, Case, axiscert
+from command import BUILD, fewer
 from plan_case import PlanCase
 
 ENDLESS = str(1 << 34)  # queries: the interrupt comes long before
 
 
-def ignored(*_):
-    """In place of Python's own, so that SIGXFSZ of a child is what the command makes of it."""
-    signal.signal(signal.SIGXFSZ, signal.SIG_DFL)
-
-
 class EndingCase(PlanCase):
     families = ["general", "lattice", "scale"]
 
-    def begun(self, *args):
-        return subprocess.Popen([BUILD / "axiscert", *map(str, args)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-
-    def interrupted(self, process, ready, which=signal.SIGINT, times=1):
-        """Sends the signal once `ready` says that there is something to lose; returns what it printed."""
-        end = time.monotonic() + 60
-        while process.poll() is None and not ready() and time.monotonic() < end:
-            time.sleep(0.01)
-        for _ in range(times):
+    def interrupted(self, *args, ready=None, which=signal.SIGINT, times=1):
+        """Sends the signal once the command shows progress, and `ready` says that there is something to lose; returns what it printed."""
+        errors = self.folder / "errors"
+        with open(errors, "w", encoding="utf-8") as to:
+            process = subprocess.Popen([BUILD / "axiscert", *map(str, args), "--progress", "0.05"], stdout=subprocess.PIPE, stderr=to, text=True)
+        self.come_to(process, lambda: errors.stat().st_size > 0 and (ready is None or ready()))
+        process.send_signal(which)
+        if times == 2:
+            self.come_to(process, lambda: "a second interrupt" in errors.read_text())
             process.send_signal(which)
-        out, err = process.communicate(timeout=120)
+        out, _ = process.communicate(timeout=120)
+        err = errors.read_text()
         self.assertEqual(process.returncode, {signal.SIGINT: 130, signal.SIGTERM: 143}[which], err)
         return out, err
+
+    @staticmethod
+    def come_to(process, ready):
+        end = time.monotonic() + 100
+        while process.poll() is None and not ready() and time.monotonic() < end:
+            time.sleep(0.01)
+
+    def command_of(self, err):
+        """The words of the last line, but for the pace of progress."""
+        words = shlex.split(err.splitlines()[-1])
+        at = words.index("--progress") if "--progress" in words else len(words)
+        return words[:at] + words[at + 2:]
 
     def goes_on(self, err, says="this goes on"):
         """The command of the last line, which is done."""
         self.assertIn(says, err)
-        words = shlex.split(err.splitlines()[-1])
+        words = self.command_of(err)
         self.assertEqual(words[0], "axiscert", err)
         return self.ok(*words[1:])
 
     def limited(self, size, *args, code=2):
         """No file may become longer than so many bytes, as on a disk that is full."""
         def limit():
-            ignored()
+            signal.signal(signal.SIGXFSZ, signal.SIG_DFL)  # which Python ignores
             resource.setrlimit(resource.RLIMIT_FSIZE, (size, resource.RLIM_INFINITY))
         done = subprocess.run([BUILD / "axiscert", *map(str, args)], capture_output=True, text=True, preexec_fn=limit)
         self.assertEqual(done.returncode, code, done.stderr)
@@ -58,18 +66,13 @@ class EndingCase(PlanCase):
 
 
 class Interrupted(EndingCase):
-    def has_grown(self, file, size):
-        path = self.folder / file
-        return lambda: path.exists() and path.stat().st_size > size
-
-    def after(self, seconds):
-        end = time.monotonic() + seconds
-        return lambda: time.monotonic() > end
+    trials = fewer(300000)
+    families = ["general", "lattice"]
 
     def test_a_run_says_of_how_many_and_meets_nothing(self):
         for which in (signal.SIGINT, signal.SIGTERM):
             run = ("run", "--family", "general", "--precision", "binary32", "--trials", ENDLESS, "--require", "exact", "--out", self.folder / "out")
-            out, err = self.interrupted(self.begun(*run), self.after(1), which)
+            out, err = self.interrupted(*run, which=which)
             record = json.loads((self.folder / "out/record.json").read_text())
             asked = record["plan"]["trials"]["general"]["binary32"]
             self.assertFalse(record["complete"])
@@ -77,41 +80,38 @@ class Interrupted(EndingCase):
             text = f"interrupted after {asked:,} of {int(ENDLESS):,} queries"
             self.assertIn(text, out)
             self.assertIn(f"NOT CHECKED: {text}", err)
-            for file in ("report.md", "junit.xml", "report.html"):
-                self.assertIn("INCOMPLETE" if file == "report.md" else "interrupted", (self.folder / "out" / file).read_text())
+            for file, says in (("report.md", f"**INCOMPLETE**: {text}"), ("junit.xml", text)):
+                self.assertIn(says, (self.folder / "out" / file).read_text())
             self.assertIn("a run without --plan keeps no journal to go on from; this begins it again", err)
-            self.assertEqual(shlex.split(err.splitlines()[-1]), ["axiscert", *map(str, run)])
+            self.assertEqual(self.command_of(err), ["axiscert", *map(str, run)])
 
     def test_a_second_one_ends_at_once(self):
-        run = self.begun("run", "--family", "general", "--trials", ENDLESS, "--out", self.folder / "out")
-        _, err = self.interrupted(run, self.after(1), times=2)
-        self.assertEqual(err.splitlines()[-1], f"  axiscert run --family general --trials {ENDLESS} --out {self.folder}/out")
+        run = ("run", "--family", "general", "--trials", ENDLESS, "--out", self.folder / "out")
+        _, err = self.interrupted(*run, times=2)
+        self.assertEqual(self.command_of(err), ["axiscert", *map(str, run)])
 
     def test_a_plan_goes_on_by_its_last_line(self):
-        run = self.begun("run", "--plan", self.plan, "--threads", 1, "--out", self.folder / "out")
-        try:
-            _, err = self.interrupted(run, self.has_grown("out/journal", 1500))
-        except AssertionError:
-            self.assertEqual(run.returncode, 0)  # it was done before
-            return
+        journal = self.folder / "out/journal"
+        _, err = self.interrupted("run", "--plan", self.plan, "--threads", 1, "--out", self.folder / "out",
+                                  ready=lambda: journal.exists() and journal.stat().st_size > 1500)
         self.assertFalse(json.loads(self.record())["complete"])
         self.goes_on(err)
         self.assertEqual(self.record(), self.uninterrupted())
 
     def test_a_search_goes_on_with_what_it_found(self):
         search = ("search", "--precision", "binary32", "--evaluations", 1 << 30, "--threads", 1)
-        out, err = self.interrupted(self.begun(*search, "--out", self.folder / "out"), self.after(2))
-        self.assertIn("--resume", err.splitlines()[-1])
+        out, err = self.interrupted(*search, "--out", self.folder / "out")
+        self.assertEqual(self.command_of(err), ["axiscert", *map(str, search), "--out", f"{self.folder}/out", "--resume"])
         self.assertIn("interrupted", out)
         self.assertTrue((self.folder / "out/search.state").exists())
-        _, err = self.interrupted(self.begun(*search), self.after(1))
+        _, err = self.interrupted(*search)
         self.assertIn("without --out keeps no state", err)
 
     def test_what_keeps_nothing_says_so(self):
         for command in (("precision",), ("league", "--no-engines"), ("generate", "--trials", ENDLESS, "-o", self.folder / "q.jsonl")):
-            _, err = self.interrupted(self.begun(*command), self.after(0.3))
+            _, err = self.interrupted(*command)
             self.assertIn("this begins it again", err)
-            self.assertEqual(shlex.split(err.splitlines()[-1]), ["axiscert", *map(str, command)])
+            self.assertEqual(self.command_of(err), ["axiscert", *map(str, command)])
         self.assertFalse((self.folder / "q.jsonl").exists())
 
 
