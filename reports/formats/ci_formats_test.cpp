@@ -52,7 +52,8 @@ TEST(Sarif, NamesComeBackAndResultsStandAtTheirWitness) {
   bool is_named = false;
   for (const Json& result : log["runs"][0]["results"]) {
     const Json& place = result["locations"][0];
-    is_named |= place["logicalLocations"][0]["fullyQualifiedName"].get<std::string>().starts_with(printable_line(evil) + "/binary32/");
+    is_named |= place["logicalLocations"][0]["fullyQualifiedName"].get<std::string>().starts_with(printable_line(evil) +
+                                                                                                  "/binary32/");
     if (result["message"]["text"].get<std::string>().find("Reproduced by") == std::string::npos) continue;
     const std::size_t line = place["physicalLocation"]["region"]["startLine"];
     ASSERT_LE(line, record["witnesses"].size());
