@@ -6,9 +6,14 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <new>
+#include <system_error>
 
+#include "cli/ending.h"
 #include "cli/usage.h"
 #include "exact/judge/judge.h"
+#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/supervisor.h"
 #include "reports/formats/schemas.h"
@@ -34,19 +39,34 @@ int print_failure(const std::exception_ptr& thrown) {
   } catch (const HarnessFault& fault) {
     fmt::print(stderr, "axiscert: {}\n", fault.what());
     return exit_harness_fault;
+  } catch (const Unwritable& unwritable) {
+    fmt::print(stderr, "axiscert: {}\n", unwritable.what());
+    print_how_to_go_on();
   } catch (const Error& error) {
     fmt::print(stderr, "axiscert: {}\n", error.what());
-    return exit_bad_input;
+    print_what_is_kept();
+  } catch (const std::system_error& refused) {  // by the system: a pipe, a folder, a thread
+    fmt::print(stderr, "axiscert: {}\n", printable_line(refused.what()));
+    print_how_to_go_on();
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "axiscert: there is not enough memory; with fewer --threads it needs less\n");
+    print_how_to_go_on();
   } catch (const std::exception& unexpected) {
-    fmt::print(stderr, "axiscert: unexpected: {}\n", unexpected.what());
+    fmt::print(stderr, "axiscert: unexpected: {}\n", printable_line(unexpected.what()));
     return exit_harness_fault;
   }
+  return exit_bad_input;
 }
 
 void make_folder(const std::string& path) {
-  std::error_code failed;
-  std::filesystem::create_directories(path, failed);
-  if (failed) throw Error(fmt::format("--out {}: {}", path, failed.message()));
+  std::error_code problem;
+  std::filesystem::create_directories(path, problem);
+  const auto probe = std::filesystem::path(path) / ".writable";
+  if (problem || !std::ofstream(probe)) {
+    throw Error(fmt::format("--out {}: cannot write there{}; give a folder that can be made or written", path,
+                            problem ? ": " + problem.message() : ""));
+  }
+  std::filesystem::remove(probe, problem);
 }
 
 void add_plugin_seconds(CLI::App& command) {

@@ -17,7 +17,8 @@ enum ExitCode {
   exit_requirement_failed = 1,  // or something that was to be judged or compared was not
   exit_bad_input = 2,
   exit_harness_fault = 3,
-  exit_interrupted = 130
+  exit_interrupted = 130,
+  exit_terminated = 143
 };
 
 // Runs the chosen subcommand and returns an ExitCode. Throws Error and HarnessFault.
@@ -56,7 +57,7 @@ void add_man(CLI::App& app, Action& action);
 // Prints on standard error what an action threw, and returns its ExitCode.
 int print_failure(const std::exception_ptr& thrown);
 
-// Creates the folder of `--out` where it does not exist yet. Throws Error.
+// Creates the folder of `--out` where it does not exist yet. Throws Error where nothing can be written there.
 void make_folder(const std::string& path);
 
 // Adds the `--format` option of the commands that also write for programs: text, or one of `machine_formats`.

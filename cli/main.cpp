@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/ending.h"
 #include "cli/usage.h"
 #include "fuzz/files/query_file.h"
 #include "kernel/base/version.h"
@@ -24,8 +25,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", fmt::format("axiscert {} (revision {})", axiscert_version, axiscert_revision));
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done; 1 a requirement failed; 2 bad usage or input, or a target this machine lacks;\n"
-      "3 the oracles disagree, or the harness found a fault in itself; 130 interrupted.");
+      "Exit codes: 0 done; 1 a requirement failed; 2 bad usage or input, a target this machine lacks, a full disk;\n"
+      "3 the oracles disagree, or the harness found a fault in itself; 130 interrupted, 143 by SIGTERM.");
   set_query_notes([](const std::string& note) { fmt::print(stderr, "axiscert: {}\n", note); });
   Action action;
   // Each subcommand, under what its user wants; `man` stays hidden.
@@ -50,10 +51,14 @@ int main(int argc, char** argv) {
   }
   add_man(app, action);
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  begin_command(words);
   try {
     app.parse(argc, argv);
     require_values(app, words);
-    return action();
+    const int code = action();
+    finish_output();
+    if (code == exit_interrupted || code == exit_terminated) print_how_to_go_on();
+    return code;
   } catch (const CLI::ParseError& usage) {
     return print_usage(app, usage, words);
   } catch (...) {

@@ -70,7 +70,7 @@ TrustedPlugins trusted_kernels(const CompareOptions& options, const Record& reco
 
 int compare(const CompareOptions& options) {
   const Run before = read_run(options.before), after = read_run(options.after);
-  require_same_predicate(before.record, after.record, as_utf8(options.before), as_utf8(options.after));
+  require_same_predicate(before.record, after.record, options.before, options.after);
   const TrustedPlugins trusted = trusted_kernels(options, before.record);
   std::optional<ProgressLine> progress(std::in_place, "compare", options.quiet);
   progress->begin_stage("the witnesses are evaluated again");

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "cli/commands.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
+#include "reports/run_folder/run_folder.h"
 
 namespace axiscert {
 namespace {
@@ -69,10 +70,9 @@ int add(const CorpusOptions& options) {
                     "a power of two",
                     options.file, same->stored.id, same->file, same->stored.line));
   }
-  std::ofstream file(entry.file, std::ios::app | std::ios::binary);
-  file << corpus_line(entry) << "\n";
-  file.close();
-  if (!file) throw Error(fmt::format("{}: cannot be written", entry.file));
+  std::error_code none;
+  const std::string before = std::filesystem::exists(entry.file, none) ? read_bytes(entry.file) : "";
+  write_files({}, {{entry.file, before + corpus_line(entry) + "\n"}});
   fmt::print("{}: {}\n", entry.file, corpus_line(entry));
   return exit_done;
 }

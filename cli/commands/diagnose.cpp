@@ -2,6 +2,7 @@
 
 #include <atomic>
 
+#include "cli/ending.h"
 #include "cli/first_look.h"
 #include "cli/options/instrument_options.h"
 #include "cli/progress_line.h"
@@ -51,7 +52,7 @@ int diagnose_kernel(const DiagnoseOptions& options) {
   const std::string command =
       fmt::format("axiscert diagnose {} --precision {} --seed {}", kernel.id, name(asked.precision), options.seed);
   const int done = print_and_write_instrument(diagnosis_report(diagnosis, command), output);
-  if (!diagnosis.complete) return exit_interrupted;
+  if (!diagnosis.complete) return interrupted_code();
   return diagnosis.looked_at().decided == 0 ? exit_requirement_failed : done;
 }
 

@@ -4,7 +4,7 @@
 
 #include <cerrno>
 #include <csignal>
-#include <cstring>
+#include <cstdio>
 #include <filesystem>
 
 #include "cli/commands.h"
@@ -14,6 +14,7 @@
 #include "cli/progress_line.h"
 #include "fuzz/pipe/streams.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -51,16 +52,21 @@ struct GenerateOptions : SourceOptions {
 // Thrown when the reader of a pipe has closed it: it had enough, or it failed, which it reports itself.
 struct ReaderLeft {};
 
-// A file or standard output, by descriptor: a stream would not report a failed write until the end.
+// A file or standard output, by descriptor: a stream would not report a failed write until the end. A file has another
+// name until finish(), unless it is there and no regular one, as a pipe.
 class Output {
  public:
   explicit Output(const std::string& path) : name_(path == "-" ? "standard output" : path) {
     if (path == "-") return;
-    descriptor_ = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    std::error_code none;
+    const bool is_whole_at_once = !std::filesystem::exists(path, none) || std::filesystem::is_regular_file(path, none);
+    part_ = is_whole_at_once ? path + ".part" : "";
+    descriptor_ = open(is_whole_at_once ? part_.c_str() : path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor_ < 0) throw cannot_write();
   }
   ~Output() {
     if (descriptor_ != STDOUT_FILENO) close(descriptor_);
+    if (!part_.empty()) unlink(part_.c_str());  // after finish() there is none
   }
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
@@ -75,11 +81,14 @@ class Output {
       else if (errno != EINTR) throw cannot_write();
     }
   }
+  void finish() const {
+    if (!part_.empty() && std::rename(part_.c_str(), name_.c_str()) != 0) throw cannot_write();
+  }
 
  private:
-  Error cannot_write() const { return Error(fmt::format("{}: cannot be written: {}", name_, std::strerror(errno))); }
+  Unwritable cannot_write() const { return {name_, errno, std::nullopt}; }
 
-  std::string name_;
+  std::string name_, part_;
   int descriptor_ = STDOUT_FILENO;
 };
 
@@ -130,6 +139,7 @@ int generate(const GenerateOptions& options) {
       output.write(bytes);
       progress.begin_stage(fmt::format("{} bytes written", written += bytes.size()));
     });
+    output.finish();
   } catch (const ReaderLeft&) {
   }
   return exit_done;

@@ -44,7 +44,7 @@ std::size_t default_size(const StoredQuery& witness) {
 StoredQuery witness_of(const MapOptions& options) {
   std::vector<StoredQuery> queries = queries_given({options.query}, options.precision, options.files);
   if (!options.id.empty()) {
-    std::erase_if(queries, [&](const StoredQuery& q) { return q.id != options.id; });
+    std::erase_if(queries, [&](const StoredQuery& q) { return q.id != printable_line(options.id); });
   }
   if (queries.size() != 1) {
     throw Error(fmt::format("{}: {} queries{}; a map is drawn around one query: choose it with --id", options.query,

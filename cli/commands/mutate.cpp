@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "cli/ending.h"
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/predicate_options.h"
@@ -104,7 +105,7 @@ int print_and_write_score(const MutateOptions& options, const std::optional<Outp
     folder->write_text(whole.name + ".md", instrument_markdown(whole));
     folder->write_text(whole.name + ".html", instrument_page(whole));
   }
-  if (!complete) return exit_interrupted;
+  if (!complete) return interrupted_code();
   if (!faults.empty()) throw HarnessFault(fmt::format("{}", fmt::join(faults, "\n")));
   return exit_done;
 }

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "cli/commands.h"
 #include "cli/options/plan_file.h"
@@ -12,8 +14,10 @@
 #include "cli/usage.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
+#include "kernel/base/text.h"
 #include "reports/formats/format.h"
 #include "reports/run_folder/run_folder.h"
+#include "reports/wording/reproduce.h"
 
 namespace axiscert {
 void add_run(CLI::App& app, Action& action) {
@@ -89,6 +93,38 @@ void require_same_plan(const PlanFile& file, const std::string& folder) {
   throw Error(fmt::format("{}: part of another plan than {}: there {}", folder, file.path, differs));
 }
 
+// Says of each shard that these folders leave unfinished, or do not have, how it goes on.
+void print_unfinished_shards(const MergeOptions& options, const PlanFile& file, const GatheredStretches& gathered) {
+  const std::vector<std::uint64_t> missing = gathered.missing();
+  std::map<std::string, std::string> folders;  // by shard, "I/N"
+  std::string parts;                           // "/N", where all folders state the same
+  for (const std::string& folder : options.folders) {
+    std::error_code none;
+    if (!fs::exists(in(folder, shard_file), none)) return;
+    const std::string shard = read_bytes(in(folder, shard_file)), name = shard.substr(0, shard.find('\n'));
+    shard_of(name);  // throws where it is none
+    folders[name] = folder;
+    const std::string its_parts = name.substr(name.find('/'));
+    if (parts.empty()) parts = its_parts;
+    if (parts != its_parts) return;
+  }
+  const std::uint64_t shards = std::stoull(parts.substr(1));
+  std::size_t shown = 0;
+  for (std::uint64_t i = 1; i <= shards && shown < most_parts; ++i) {
+    const std::string name = fmt::format("{}{}", i, parts);
+    const Selection is_selected = shard_of(name);
+    if (std::ranges::none_of(missing, is_selected)) continue;
+    const auto found = folders.find(name);
+    const std::string out = found != folders.end()
+                                ? found->second
+                                : (fs::path(options.folders.front()).parent_path() / std::to_string(i)).string();
+    fmt::print(stderr, "axiscert: shard {} {}; this {}:\n  axiscert run --plan {} --shard {} --out {} --resume\n", name,
+               found != folders.end() ? printable_line("is not done in " + out) : "is in none of these folders",
+               found != folders.end() ? "goes on" : "does it", shell_word(file.path), name, shell_word(out));
+    ++shown;
+  }
+}
+
 void require_shard(const std::string& folder) {
   std::error_code ignored;
   if (fs::exists(in(folder, plan_copy), ignored)) return;
@@ -133,6 +169,7 @@ int merge(const MergeOptions& options) {
   }
   reading.reset();
   if (const auto missing = gathered.missing(); !missing.empty()) {
+    print_unfinished_shards(options, file, gathered);
     throw Error(
         fmt::format("{} of the plan's {} units are missing: {}; run their shards with --resume, or name their "
                     "folders too",

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <filesystem>
 
+#include "cli/ending.h"
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/search_plan.h"
@@ -46,6 +47,9 @@ int search(const SearchOptions& options) {
   }
   std::optional<OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);  // checked before anything runs
+  const std::string kept = fmt::format("what was found is in {}", options.out);
+  if (state) keep_work(kept, own_command("--resume"));
+  else keep_nothing(folder ? "its state is not written yet" : "a search without --out keeps no state to go on from");
   require_uncontracted(plan.target);
 
   const std::atomic<bool>& interrupted = watch_for_interrupts();
@@ -60,12 +64,13 @@ int search(const SearchOptions& options) {
   if (folder) {
     folder->write_text(state_file, result.state);
     folder->write_text("witnesses.jsonl", search_witnesses(result));
+    keep_work(kept, own_command("--resume"));
   }
   InstrumentOptions output;
   output.format = options.format;
   output.out = options.out;
   const int done = print_and_write_instrument(search_report(plan, result, command_of(options, plan, result)), output);
-  if (!result.complete) return exit_interrupted;
+  if (!result.complete) return interrupted_code();
   return search_looked_at(result).decided == 0 ? exit_requirement_failed : done;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "cli/first_look.h"
 #include "cli/options/run_options.h"
@@ -14,19 +13,9 @@
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
 #include "fuzz/confirm/record.h"
+#include "reports/run_folder/run_folder.h"
 
 namespace axiscert {
-namespace {
-
-void write_file(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw Error(fmt::format("{}: cannot be written", path.string()));
-}
-
-}  // namespace
-
 void add_instrument_options(CLI::App& command, InstrumentOptions& o, std::uint64_t trials) {
   o.command = command.get_name();
   o.trials = trials;
@@ -75,6 +64,7 @@ std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, 
 
 std::vector<SourcePtr> instrument_sources(const InstrumentOptions& options, std::vector<std::string> defaults,
                                           const std::vector<const Predicate*>& served) {
+  if (!options.out.empty()) make_folder(options.out);  // refused before anything runs
   std::vector<SourcePtr> sources;
   for (const std::string& name : options.families.empty() ? defaults : options.families) {
     const Family& family = find_family(name);
@@ -96,11 +86,11 @@ int print_and_write_instrument(const InstrumentReport& report, const InstrumentO
   fmt::print("{}", options.format == "text" ? instrument_text(report) : data_text(report.data, options.format));
   if (options.out.empty()) return exit_done;
   make_folder(options.out);
-  const std::filesystem::path folder = options.out;
-  write_file(folder / (report.name + ".json"), data_text(report.data, "json"));
-  write_file(folder / (report.name + ".csv"), data_text(report.data, "csv"));
-  write_file(folder / (report.name + ".html"), instrument_page(report));
-  if (options.format == "text") fmt::print("{}\n", (folder / (report.name + ".html")).string());
+  write_files(options.out, {{report.name + ".json", data_text(report.data, "json")},
+                            {report.name + ".csv", data_text(report.data, "csv")},
+                            {report.name + ".html", instrument_page(report)}});
+  if (options.format == "text")
+    fmt::print("{}\n", (std::filesystem::path(options.out) / (report.name + ".html")).string());
   return exit_done;
 }
 

@@ -93,7 +93,7 @@ std::string digest_of(Json json) {
 // Replaces each file that does not exist by the file of the same base name next to the plan, where that exists.
 void look_beside(const std::string& plan_path, std::vector<std::string>& files) {
   for (std::string& file : files) {
-    const auto beside = std::filesystem::path(plan_path).parent_path() / base_name(file);
+    const auto beside = std::filesystem::path(plan_path).parent_path() / std::filesystem::path(file).filename();
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored) && std::filesystem::exists(beside, ignored)) file = beside.string();
   }

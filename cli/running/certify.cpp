@@ -6,6 +6,7 @@
 #include <map>
 
 #include "cli/commands.h"
+#include "cli/ending.h"
 #include "cli/progress_line.h"
 #include "cli/running/judged_run.h"
 #include "cli/running/planned_run.h"
@@ -161,16 +162,12 @@ int write_certificate(const CertificateMaterial& judged, const std::optional<Sig
 
 // --time is over before the plan is: there is nothing to sign yet.
 int print_unfinished(const CertifyOptions& options, std::uint64_t done, std::uint64_t stretches) {
-  fmt::print(stderr,
-             "axiscert: {} of the plan's {} stretches are done, and a certificate has all of them: none is written; "
-             "`certify` with --resume finishes it in {}\n",
-             done, stretches, options.out);
+  fmt::print(
+      stderr,
+      "axiscert: {} of the plan's {} stretches are done, and a certificate has all of them: none is written in {}\n",
+      done, stretches, options.out);
+  print_how_to_go_on();
   return exit_requirement_failed;
-}
-
-int print_interrupted(const CertifyOptions& options) {
-  fmt::print(stderr, "axiscert: interrupted; `certify` with --resume continues in {}\n", options.out);
-  return exit_interrupted;
 }
 
 std::string run_folder_of(const CertifyOptions& options) { return (fs::path(options.out) / "run").string(); }
@@ -196,7 +193,7 @@ int certify_kernel(const CertifyOptions& options, const std::optional<SigningKey
   planned.resume = is_begun;
   const std::atomic<bool>& interrupted = watch_for_interrupts();
   planned.after = [&](int code) -> int {
-    if (interrupted) return print_interrupted(options);
+    if (interrupted) return interrupted_code();
     if (code == exit_harness_fault || code == exit_bad_input) return code;
     const Plan plan = plan_of(file);
     const Stretches stretches(plan.questions, file.units_each);
@@ -217,10 +214,11 @@ int certify_kernel(const CertifyOptions& options, const std::optional<SigningKey
     });
     if (judged.tallies.size() != stretches.count())
       return print_unfinished(options, judged.tallies.size(), stretches.count());
+    keep_work(fmt::format("the run, and what is done of the stages, are in {}", options.out), own_command("--resume"));
     try {
       return write_certificate(judged, key);
     } catch (const StageInterrupted&) {
-      return print_interrupted(options);
+      return interrupted_code();
     }
   };
   return run_planned(planned, run);
@@ -251,7 +249,7 @@ int certify_replies(const CertifyOptions& options, const std::optional<SigningKe
   } catch (const OracleDisagreement& disagreement) {
     throw save_disagreement(folder, disagreement);
   }
-  if (interrupted) return exit_interrupted;
+  if (interrupted) return interrupted_code();
   OutputOptions output;
   output.out = run_folder_of(options);
   output.quiet = options.quiet;
@@ -261,7 +259,7 @@ int certify_replies(const CertifyOptions& options, const std::optional<SigningKe
   try {
     return write_certificate(judged, key);
   } catch (const StageInterrupted&) {
-    return exit_interrupted;
+    return interrupted_code();
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "cli/options/search_plan.h"
 #include "cli/options/predicate_options.h"
+#include "cli/ending.h"
 #include "cli/progress_line.h"
 #include "fuzz/certify/safe_margin.h"
 #include "fuzz/diagnosis/diagnosis.h"

@@ -11,6 +11,7 @@
 
 #include "cli/first_look.h"
 #include "cli/commands.h"
+#include "cli/ending.h"
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"
 #include "cli/running/shrunk.h"
@@ -26,6 +27,8 @@
 #include "reports/gates/ratchet.h"
 #include "reports/gates/requirement.h"
 #include "reports/run_folder/run_folder.h"
+#include "reports/wording/reproduce.h"
+#include "reports/wording/summary.h"
 
 namespace axiscert {
 namespace {
@@ -69,7 +72,7 @@ SourcePlaces source_places(const std::vector<const Kernel*>& kernels, const std:
     const auto place = place_of(where);
     if (!place) {
       throw Error(fmt::format(
-          "--source {}: give FILE:LINE, as in src/my_kernel.c:12, or KERNEL=FILE:LINE for one kernel", as_utf8(value)));
+          "--source {}: give FILE:LINE, as in src/my_kernel.c:12, or KERNEL=FILE:LINE for one kernel", value));
     }
     if (!fs::is_regular_file(where.substr(0, where.rfind(':')))) {
       throw Error(
@@ -159,6 +162,8 @@ JudgedRun judge_run(const Plan& plan, const OutputOptions& output, const std::st
   source_places(plan.answerers.kernels, output.sources);  // refuses what cannot be one, before anything runs
   std::optional<Ratchet> ratchet = ratchet_of(output, plan);
   OutputFolder folder(output.out);
+  keep_nothing(plan.answerers.replies ? "replies are judged in one go"
+                                      : "a run without --plan keeps no journal to go on from");
   for (const std::string& target : targets_of(plan.answerers.kernels, plan.running.target))
     require_uncontracted(target);
   if (!plan.answerers.replies) print_first_look(plan.answerers.kernels);
@@ -213,7 +218,13 @@ int put_result(JudgedRun run, const OutputOptions& output) {
   if (output.shrink != 0 && is_complete)
     folder.write_text(shrunk_file, shrunk_witnesses(record, info.target.dispatched, output.shrink, progress->report()));
   progress->begin_stage("the reports are written");
-  render_reports(output.out);
+  try {
+    render_reports(output.out);
+  } catch (const Unwritable&) {
+    if (is_complete)
+      keep_work(fmt::format("{}/record.json is whole", output.out), "axiscert report " + shell_word(output.out));
+    throw;
+  }
   progress.reset();  // before the summary
 
   // First, and where standard output goes elsewhere on standard error too.
@@ -227,10 +238,12 @@ int put_result(JudgedRun run, const OutputOptions& output) {
   if (!is_quiet && output.has_summary) 
     fmt::print("{}{}/report.html\n", summary_text(record, info.seconds, output.is_brief), output.out);
   if (!output.quiet && output.format == "csv") fmt::print("{}", read_bytes(output.out + "/" + record_csv_file));
-  if (!is_complete) return exit_interrupted;
   bool is_met = nothing.empty();
   if (!print_outcomes(outcomes, is_quiet, output.is_brief)) is_met = false;
   if (held && !print_ratchet_outcome(*held, output, is_quiet)) is_met = false;
+  if (run.ratchet && !held)
+    fmt::print(stderr, "axiscert: --ratchet {}: NOT CHECKED: {}\n", output.ratchet, interrupted_text(record));
+  if (!is_complete) return interrupted_code();
   if (output.is_brief && !is_quiet) {
     fmt::print("{}\n", is_met ? coloured("verdict: met", TextColour::green) : coloured("verdict: not met", TextColour::red));
   }

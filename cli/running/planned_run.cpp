@@ -8,6 +8,7 @@
 
 #include "cli/first_look.h"
 #include "cli/commands.h"
+#include "cli/ending.h"
 #include "cli/progress_line.h"
 #include "cli/running/judged_run.h"
 #include "cli/running/run_output.h"
@@ -36,15 +37,6 @@ void run_stretches(const Plan& plan, const Stretches& stretches, const std::vect
                    }});
 }
 
-namespace {
-
-namespace fs = std::filesystem;
-
-// Seconds between syncs of the journal to the disk itself: a kill loses nothing that was appended, a power cut at most
-// what was appended since the last sync.
-constexpr double seconds_between_syncs = 10;
-
-// "I/N": every N-th stretch, beginning with the I-th.
 Selection shard_of(const std::string& given) {
   std::uint64_t shard = 0, shards = 0;
   char slash = 0;
@@ -56,6 +48,14 @@ Selection shard_of(const std::string& given) {
   }
   return [=](std::uint64_t stretch) { return stretch % shards == shard - 1; };
 }
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Seconds between syncs of the journal to the disk itself: a kill loses nothing that was appended, a power cut at most
+// what was appended since the last sync.
+constexpr double seconds_between_syncs = 10;
 
 Selection listed_in(const std::string& file, std::uint64_t count) {
   std::istringstream text(read_bytes(file));
@@ -81,6 +81,7 @@ class Lead {
         ratchet_(ratchet_of(output, plan)),
         folder_(output.out),
         gathered_(plan.questions, plan.answerers.kernels.size(), stretches),
+        ranks_(ranks),
         distributor_(crew, ranks),
         is_whole_(options.shard.empty() && options.stretches.empty()),
         is_selected_([](std::uint64_t) { return true; }) {
@@ -124,7 +125,11 @@ class Lead {
       throw Error(fmt::format("{}: already exists; --resume continues it, or give another folder", journal));
     }
     journal_.emplace(journal, file_.digest, [this](std::string_view content) { gathered_.replay(content); });
+    // What is appended stays; a launcher starts all ranks again.
+    const std::string launcher = ranks_ != nullptr ? fmt::format("mpirun -n {} ", ranks_->size()) : "";
+    keep_work(fmt::format("the stretches that are done are in {}", journal), launcher + own_command("--resume"));
     folder_.write_text(plan_copy, file_.text());
+    if (!options_.shard.empty()) folder_.write_text(shard_file, options_.shard + "\n");
     if (journal_->torn() != 0) {
       fmt::print(stderr,
                  "axiscert: {}: its last entry was cut off while it was being written: {} bytes dropped, and done "
@@ -190,7 +195,7 @@ class Lead {
   int print_part() const {
     fmt::print("{}: {} of the plan's {} units; `axiscert merge` joins the parts\n", path(journal_file),
                gathered_.units(), stretches_.units());
-    if (interrupted_) return exit_interrupted;
+    if (interrupted_) return interrupted_code();
     int code = exit_done;
     for (const Kernel* kernel : plan_.answerers.kernels) {
       if (!is_unloadable(*kernel)) continue;
@@ -208,6 +213,7 @@ class Lead {
   std::optional<Ratchet> ratchet_;
   OutputFolder folder_;
   GatheredStretches gathered_;
+  Ranks* ranks_;
   Distributor distributor_;
   bool is_whole_;
   Selection is_selected_;
@@ -234,7 +240,8 @@ int run_as(Ranks* ranks, const PlannedOptions& options, const RunOptions& run) {
   Crew crew(plan.running.threads,
             [&](Task task) { return encode(run_stretch(is_again(task) ? again : plan, stretches, stretch_of(task))); });
   if (ranks && ranks->rank() != 0) {
-    watch_for_interrupts();  // rank 0 decides when to stop
+    watch_for_interrupts();  // rank 0 decides when to stop, and says so
+    leave_ending_to_another();
     serve(crew, *ranks);
     return exit_done;
   }

@@ -41,8 +41,12 @@ struct PlannedOptions {
 inline constexpr const char* journal_file = "journal";
 inline constexpr const char* plan_copy = "plan.json";
 
+inline constexpr const char* shard_file = "shard";  // "I/N", of a folder with a shard
+
 // The stretches that are requested.
 using Selection = std::function<bool(std::uint64_t)>;
+// Those of the shard "I/N": every N-th stretch, beginning with the I-th. Throws Error.
+Selection shard_of(const std::string& given);
 
 // Adds --plan and the options that go with it; options of `run` that a plan determines are refused next to it.
 void add_planned_options(CLI::App& command, PlannedOptions& options);

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "cli/options/plan_file.h"
+#include "cli/ending.h"
 #include "cli/progress_line.h"
 #include "cli/running/planned_run.h"
 #include "cli/running/run_output.h"
@@ -252,7 +253,7 @@ double recheck_share(const std::string& given) {
   return share;
 }
 
-void recheck_certificate(const Certificate& certificate, const VerifyOptions& options, const std::string& id) {
+bool recheck_certificate(const Certificate& certificate, const VerifyOptions& options, const std::string& id) {
   const CertificatePredicate& predicate = certificate.predicate();
   const std::vector<TallyMaterial>& tallies = predicate.materials.tallies;
   const std::uint64_t nonce = options.recheck_seed ? *options.recheck_seed : std::random_device()();
@@ -284,8 +285,10 @@ void recheck_certificate(const Certificate& certificate, const VerifyOptions& op
       ++done;
     });
   }
-  if (done != sample.size())
-    throw Error(fmt::format("--recheck: interrupted after {} of {} stretches", done, sample.size()));
+  if (done != sample.size()) {
+    fmt::print(stderr, "axiscert: --recheck: interrupted after {} of {} stretches\n", done, sample.size());
+    return false;
+  }
   std::sort(differences.begin(), differences.end());
   if (differences.empty()) images = recheck_images(predicate, here.plan, stretches, sample, differences);
   if (is_whole && differences.empty())
@@ -298,6 +301,7 @@ void recheck_certificate(const Certificate& certificate, const VerifyOptions& op
   }
   fmt::print("recheck: {} stretches judged again, every tally the same{} (--recheck-seed {})\n", sample.size(),
              images == 0 ? "" : fmt::format(", and the images of {} families in a precision", images), nonce);
+  return true;
 }
 
 }  // namespace axiscert

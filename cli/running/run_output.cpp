@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -16,6 +15,7 @@
 #include "fuzz/files/query_file.h"
 #include "kernel/base/error.h"
 #include "reports/instrument/instrument.h"
+#include "reports/run_folder/run_folder.h"
 #include "reports/wording/causes.h"
 #include "reports/wording/classes.h"
 #include "reports/wording/depths.h"
@@ -38,25 +38,11 @@ std::string coloured(const std::string& text, TextColour colour) {
   return fmt::format("\x1b[{}m{}\x1b[0m{}", code, text.substr(0, text.size() - has_end), has_end ? "\n" : "");
 }
 
-OutputFolder::OutputFolder(const std::string& path) : path_(path) {
-  std::error_code problem;
-  std::filesystem::create_directories(path_, problem);
-  const auto probe = path_ / ".writable";
-  if (problem || !std::ofstream(probe)) {
-    throw Error(fmt::format("--out {}: cannot write there{}; give a folder that can be made or written", path,
-                            problem ? ": " + problem.message() : ""));
-  }
-  std::filesystem::remove(probe);
-}
+OutputFolder::OutputFolder(const std::string& path) : path_(path) { make_folder(path); }
 
 void OutputFolder::write_text(const std::string& file, const std::string& text) const {
-  const auto target = path_ / file, part = path_ / (file + ".part");
-  std::filesystem::create_directories(target.parent_path());
-  std::ofstream out(part, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw Error(fmt::format("{}: cannot write; is the disk full?", part.string()));
-  std::filesystem::rename(part, target);
+  std::filesystem::create_directories((path_ / file).parent_path());
+  write_files(path_, {{file, text}});
 }
 
 void OutputFolder::remove(const std::string& file) const {
@@ -77,16 +63,6 @@ std::string OutputFolder::save(const OracleDisagreement& d) const {
   if (d.precision == Precision::binary32) stored.numbers = numbers(float());
   write_text("disagreement.jsonl", query_line(stored) + "\n");
   return (path_ / "disagreement.jsonl").string();
-}
-
-const std::atomic<bool>& watch_for_interrupts() {
-  static std::atomic<bool> interrupted = false;
-  const auto on_interrupt = [](int) {
-    if (interrupted.exchange(true)) _exit(exit_interrupted);
-  };
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
-  return interrupted;
 }
 
 std::string iso_time(std::chrono::system_clock::time_point time) {
@@ -188,7 +164,7 @@ std::string classes_table(const std::vector<KernelRecord>& kernels) {
                       thousands(row.missed), amount(row.deepest, 3), thousands(row.phantom), row.witness});
     }
     if (const std::string sentence = nearest_sentence(kernel); !sentence.empty()) {
-      nearest += printable_line(fmt::format("{}: {}", kernel_text(kernel), sentence)) + "\n";
+      nearest += fmt::format("{}: {}\n", kernel_text(kernel), sentence);
     }
   }
   return rows.empty() ? "" : aligned_table(columns, rows) + nearest;
@@ -199,8 +175,8 @@ std::string causes_text(const Record& record) {
   std::string text;
   for (const KernelRecord& kernel : record.kernels) {
     const std::string line = cause_line(kernel), witness = cause_witness_line(kernel, record.plan);
-    if (!line.empty()) text += coloured(printable_line(line), TextColour::red) + "\n";
-    if (!witness.empty()) text += "  " + printable_line(witness) + "\n";
+    if (!line.empty()) text += coloured(line, TextColour::red) + "\n";
+    if (!witness.empty()) text += "  " + witness + "\n";
   }
   return text;
 }
@@ -248,7 +224,7 @@ std::string summary_text(const Record& record, double seconds, bool is_brief) {
     text += depths_table(record.kernels);
     text += classes_table(record.kernels);
   }
-  text += fmt::format("{}{:.1f} s\n", record.complete ? "" : "interrupted; ", seconds);
+  text += fmt::format("{}{:.1f} s\n", record.complete ? "" : interrupted_text(record) + "; ", seconds);
   return text;
 }
 

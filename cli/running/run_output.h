@@ -1,7 +1,6 @@
 // The output of `axiscert run`: the run folder, the summary.
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -36,9 +35,6 @@ class OutputFolder {
  private:
   std::filesystem::path path_;
 };
-
-// Set by the first Ctrl-C, after which work under way is finished and reported; the second one exits at once.
-const std::atomic<bool>& watch_for_interrupts();
 
 std::string iso_time(std::chrono::system_clock::time_point time);
 // The final output of `run`: findings first, each with the command that reproduces it, then causes and the sentences

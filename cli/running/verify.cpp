@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "cli/commands.h"
+#include "cli/ending.h"
 #include "cli/options/plan_file.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/text/number_text.h"
@@ -301,7 +302,7 @@ int verify_or_throw(const VerifyOptions& options) {
       throw Error(fmt::format("--recheck: give the kernel that is to be run, {}, with --kernel",
                               axiscert::shown(predicate.kernel.id)));
     }
-    recheck_certificate(certificate, options, id);
+    if (!recheck_certificate(certificate, options, id)) return interrupted_code();
   }
   for (const GateLevel* each : badge_levels()) {
     const std::string level(each->name());

@@ -40,7 +40,7 @@ double recheck_share(const std::string& given);
 // every stretch is done again, the medians of the critical radius are compared too, and nothing is left that was made
 // of the run's counts. `id` is the kernel's here. Throws NotValid for a difference, Error where the plan cannot be run
 // here.
-void recheck_certificate(const Certificate& certificate, const VerifyOptions& options, const std::string& id);
+bool recheck_certificate(const Certificate& certificate, const VerifyOptions& options, const std::string& id);
 
 // Compares what a certificate states of its kernels with what the kernels here declare.
 

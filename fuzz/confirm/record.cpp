@@ -67,15 +67,18 @@ PlanRecord plan_record(const Plan& plan, const CampaignResult& result, const Run
     if (const auto file = source->file()) record.files.push_back(file_record(*file));
   }
   for (const FileInfo& file : answerers.plugins) record.files.push_back(file_record(file));
-  CountsByFamily units;
-  for (std::size_t s = 0; s < questions.sources.size(); ++s) {
-    for (const CellResult& cell : result.cells) {
-      if (cell.source != s) continue;
-      const std::string family = questions.sources[s]->name();
-      record.trials.put(family)[cell.precision] = cell.queries;
-      units.put(family)[cell.precision] = cell.units_done;
+  const auto put_counts = [&](const CampaignResult& of, CountsByFamily& counts, auto member) {
+    for (std::size_t s = 0; s < questions.sources.size(); ++s) {
+      for (const CellResult& cell : of.cells) {
+        if (cell.source == s) counts.put(questions.sources[s]->name())[cell.precision] = cell.*member;
+      }
     }
-  }
+  };
+  put_counts(result, record.trials, &CellResult::queries);
+  if (!result.complete && !questions.seconds)
+    put_counts(planned(questions), record.planned.emplace(), &CellResult::queries);
+  // Without a time limit the trials determine the units; an interrupted run did only some of them.
+  if (!result.complete || questions.seconds) put_counts(result, record.units_done.emplace(), &CellResult::units_done);
   for (const auto& [comparison, tolerance] : plan.judging.tolerance_texts) record.tolerance.put(comparison) = tolerance;
   for (const std::string& level : required.levels) record.require.levels.push_back(level);
   if (!required.allow_unchecked.empty())
@@ -83,8 +86,6 @@ PlanRecord plan_record(const Plan& plan, const CampaignResult& result, const Run
   record.margin_queries = margin_queries;
   if (!required.unit.empty()) record.unit = required.unit;
   if (answerers.replies) record.replies = replies_record(answerers);
-  // Without a time limit the trials determine the units; an interrupted run did only some of them.
-  if (questions.seconds || !result.complete) record.units_done = std::move(units);
   return record;
 }
 

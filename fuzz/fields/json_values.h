@@ -23,6 +23,7 @@
 #include "fuzz/text/number_text.h"
 #include "kernel/base/enums.h"
 #include "kernel/base/error.h"
+#include "kernel/base/text.h"
 
 namespace axiscert {
 
@@ -211,7 +212,7 @@ struct JsonForm<Text<Rule>> {
   static void read(const JsonPlace& place, Text<Rule>& into) {
     static const std::regex compiled{std::string(pattern())};
     check_text(place, Rule::longest, may_be_empty, pattern().empty() ? nullptr : &compiled, pattern());
-    into = place.value().template get<std::string>();
+    into = printable_line(place.value().template get_ref<const std::string&>());
   }
   static Json schema() { return text_schema(Rule::longest, may_be_empty, pattern()); }
 };
@@ -221,7 +222,7 @@ struct JsonForm<std::string> {
   static Json write(const std::string& value) { return value; }
   static void read(const JsonPlace& place, std::string& into) {
     place.require_type(place.value().is_string(), "string");
-    into = place.value();
+    into = printable_line(place.value().get_ref<const std::string&>());
   }
   static Json schema() { return {{"type", "string"}}; }
 };
@@ -345,7 +346,7 @@ struct JsonForm<NamedValues<T>> {
   static void read(const JsonPlace& place, NamedValues<T>& into) {
     place.require_type(place.value().is_object(), "object");
     into = {};
-    for (const auto& [name, value] : place.value().items()) read_json(place.at(name), into.put(name));
+    for (const auto& [name, value] : place.value().items()) read_json(place.at(name), into.put(printable_line(name)));
   }
   static Json schema() { return {{"type", "object"}, {"additionalProperties", json_schema_of<T>()}}; }
 };

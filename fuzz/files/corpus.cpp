@@ -89,7 +89,7 @@ class EntryReader {
   std::string text(const json& from, const char* name) const {
     const json& value = member(from, name);
     if (!value.is_string()) place_.fail(name, "a string belongs here");
-    return value.get<std::string>();
+    return printable_line(value.get<std::string>());
   }
   Rational fraction(const std::string& given) const {
     Rational value;

@@ -157,7 +157,7 @@ StoredQuery query_of_csv(std::string_view line, const CsvHeader& header, Precisi
     numbers.push_back({std::string(column.name), "", std::string(cells[first + numbers.size()])});
   }
   std::string id = header.has_id && !cells[0].empty() ? std::string(cells[0]) : place.default_id();
-  return stored_query(std::move(id), precision, header.of, numbers, place);
+  return stored_query(id, precision, header.of, numbers, place);
 }
 
 }  // namespace axiscert

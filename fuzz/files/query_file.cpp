@@ -64,9 +64,9 @@ void Place::fail(std::string_view field, std::string_view what) const {
   throw Error(fmt::format("{}:{}: field '{}': {}", file, line, shown(field), what));
 }
 
-StoredQuery stored_query(std::string id, Precision precision, const EntryOfPredicate& of,
+StoredQuery stored_query(std::string_view id, Precision precision, const EntryOfPredicate& of,
                          const std::vector<NumberText>& numbers, const Place& place) {
-  StoredQuery stored{std::move(id), precision, {}, of.predicate, of.entry, place.line};
+  StoredQuery stored{printable_line(id), precision, {}, of.predicate, of.entry, place.line};
   switch (precision) {
     case Precision::binary32:
       stored.numbers = numbers_of<float>(numbers, place);

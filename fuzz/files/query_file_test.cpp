@@ -241,7 +241,7 @@ TEST(QueryFile, AbsurdInputIsRefusedInOneShortLine) {
 }
 
 TEST(QueryFile, MessageAboutMalformedJsonHasNoControlCharacters) {
-  expect_message(refusal(with("r", "\"\x7f\xff\"")), place(1, "r"), "last read: '\"?");
+  expect_message(refusal(with("r", "\"\x7f\xff\"")), place(1, "r"), "last read: '\"\\u007f");
   EXPECT_EQ(refusal(with("r", "\"\x7f\xff\"")).find('\x7f'), std::string::npos);
 }
 

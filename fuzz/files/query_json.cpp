@@ -51,7 +51,7 @@ class QueryOfMembers {
     StoredQuery stored =
         stored_query(id.kind == JsonKind::string ? id.text : place_.default_id(), precision, of, numbers, place_);
     if (const JsonValue& address = given_.at("address").value; address.kind == JsonKind::string) {
-      stored.address = address.text;
+      stored.address = printable_line(address.text);
     }
     if (unread != nullptr) unread->insert(unread->end(), unread_here.begin(), unread_here.end());
     return stored;

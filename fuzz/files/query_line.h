@@ -40,7 +40,7 @@ struct NumberText {
   std::string field, element, text;
 };
 // `numbers` are as many as the entry has columns.
-StoredQuery stored_query(std::string id, Precision precision, const EntryOfPredicate& of,
+StoredQuery stored_query(std::string_view id, Precision precision, const EntryOfPredicate& of,
                          const std::vector<NumberText>& numbers, const Place& place);
 
 // The name of a member that is neither the query's nor one that axiscert writes beside it, and the member that may have

@@ -147,7 +147,7 @@ struct PlanRecord {
   std::uint64_t margin_queries = 0;
   std::optional<RepliesRecord> replies;
   std::optional<Name> unit;
-  std::optional<CountsByFamily> units_done;
+  std::optional<CountsByFamily> planned, units_done;
 
   static constexpr std::string_view about =
       "The plan of the run: together with the files and this version of axiscert, enough to make the record again.";
@@ -190,6 +190,11 @@ struct PlanRecord {
                           .about = "The unit of length of the queries' numbers, as given to --unit. Absent: it was not "
                                    "said, and levels take it for the metre, in which families of scenes are.",
                           .may_be_absent = true}),
+        field(&Of::planned,
+              {.name = "planned",
+               .about = "Of how many queries `trials` are those that were asked, per family and precision. "
+                        "Absent where these were all, and with --time.",
+               .may_be_absent = true}),
         field(&Of::units_done,
               {"units_done",
                "Units of 2^16 queries done, per family and precision, where the plan does not determine them: with "

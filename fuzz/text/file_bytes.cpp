@@ -51,10 +51,15 @@ std::string read_bytes(const std::string& path) {
   return read_bytes(file, path);
 }
 
+Unwritable::Unwritable(const std::string& path, int system_error, std::optional<std::uint64_t> size)
+    : Error(fmt::format("{}: cannot be written: {}{}", path,
+                        system_error != 0 ? std::strerror(system_error) : "output error",
+                        size ? fmt::format("; it has {} bytes", *size) : "")) {}
+
 std::string base_name(const std::string& path) {
   const std::string name = std::filesystem::path(path).filename().string();
   require_utf8(name, "file");
-  return name;
+  return printable_line(name);
 }
 
 }  // namespace axiscert

@@ -6,23 +6,18 @@
 #include <vector>
 
 namespace axiscert {
-// The text with each control character, which a terminal would obey, replaced by a question mark. The result is one
-// line.
-inline std::string printable_line(std::string_view text) {
-  std::string line(text);
-  for (char& c : line) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  }
-  return line;
-}
+// The text as one line of UTF-8 without a character that a terminal, a browser or an editor would obey: "\n", "\u001b"
+// or
+// "\u202e" in place of control characters, of the separators of lines, and of those that turn the direction of text;
+// "\xff" in place of a byte that is not UTF-8. Nothing else changes, so that it may be applied again. All text of
+// foreign origin comes through here where it enters: what a kernel says of itself, a manifest, the name of a file, the
+// id of a query, the texts of a record.
+std::string printable_line(std::string_view text);
 
 // Names in UTF-8, which JSON requires. Names that a user types or a file system holds are arbitrary bytes.
 
 // Whether these bytes are well-formed UTF-8 (RFC 3629: no overlong form, no surrogate, at most U+10FFFF).
 bool is_utf8(std::string_view bytes);
-// The bytes unchanged if they are UTF-8; otherwise, for display, with "\xff" in place of each byte that is not part of
-// a character.
-std::string as_utf8(std::string_view bytes);
 // Throws Error unless a name is UTF-8. `what` says what kind of thing it names; the message shows both.
 void require_utf8(std::string_view name, std::string_view what);
 

@@ -56,8 +56,8 @@ void check_sizes(const Description& d) {
 // The predicate and entry of the kernel. Refuses unknown ones, and counts that differ from theirs.
 void describe_subject(const Description& d, Kernel& kernel) {
   try {
-    kernel.predicate = &predicate_named(text_of(d.predicate));
-    kernel.entry = find_entry(*kernel.predicate, text_of(d.entry));
+    kernel.predicate = &predicate_named(printable_line(d.predicate));
+    kernel.entry = find_entry(*kernel.predicate, printable_line(d.entry));
   } catch (const Error& unknown) {
     refuse(fmt::format("what it answers: {}; `axiscert predicates` lists them", unknown.what()));
   }
@@ -118,14 +118,15 @@ void claim(const Description& d, Kernel& kernel) {
   const Precision precision = d.precision == 32 ? Precision::binary32 : Precision::binary64;
   kernel.is_reference = d.has_conforms_to;
   if (d.has_conforms_to) {
-    const Kernel& own = builtin("conforms_to", text_of(d.conforms_to), precision);
+    const Kernel& own = builtin("conforms_to", printable_line(d.conforms_to), precision);
     kernel.formulae = own.formulae;
     kernel.strictness = own.strictness;
     kernel.arithmetic = own.arithmetic;
     require_same_question("conforms_to", own, kernel);
     if (!own.is_reference) refuse(fmt::format("it conforms_to '{}', whose bits depend on its target", own.id));
   } else if (d.has_formulae || (kernel.exposes != Exposure::verdict && !kernel.predicate->usual_formulae.empty())) {
-    const std::string named = d.has_formulae ? text_of(d.formulae) : std::string(kernel.predicate->usual_formulae);
+    const std::string named =
+        d.has_formulae ? printable_line(d.formulae) : std::string(kernel.predicate->usual_formulae);
     const Kernel& own = builtin("formulae", named, precision);
     kernel.formulae = own.formulae;
     kernel.strictness = own.strictness;
@@ -133,7 +134,7 @@ void claim(const Description& d, Kernel& kernel) {
   }
   if (kernel.is_reference && kernel.touching != TouchingPolicy::contact) {
     refuse(fmt::format("it conforms_to '{}', for which touching is contact, and says that for it touching is '{}'",
-                       text_of(d.conforms_to), name(kernel.touching)));
+                       printable_line(d.conforms_to), name(kernel.touching)));
   }
   if (kernel.exposes != Exposure::verdict && !has_comparisons(kernel)) {
     refuse(
@@ -149,15 +150,6 @@ void claim(const Description& d, Kernel& kernel) {
 
 void refuse(std::string detail) { throw RefusedClaim{FindingKind::load, std::move(detail)}; }
 
-std::string text_of(const char* text) {
-  std::string clean = text;
-  for (char& c : clean) {
-    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-    else if (static_cast<unsigned char>(c) > 0x7e) c = '?';
-  }
-  return clean;
-}
-
 void add_declared(const Description& d, std::uint32_t index, const HostedPlugin& hosted, Kernel& kernel) {
   if (d.abi != AXISCERT_PLUGIN_ABI) {
     throw RefusedClaim{FindingKind::abi,
@@ -171,16 +163,17 @@ void add_declared(const Description& d, std::uint32_t index, const HostedPlugin&
   if (d.is_truncated) refuse("one of its texts is too long");
   Kernel described;
   describe_subject(d, described);
-  described.source = text_of(d.source);
+  described.source = printable_line(d.source);
   described.exposes = one_of<Exposure>(d.exposes, exposure_names.size(), "exposure");
   described.touching = one_of<TouchingPolicy>(d.touching, touching_names.size(), "touching convention");
   described.limits = limits_of(d, *described.predicate);
   require_touching_within_margin(described);
   described.motion = motion_of(d, *described.predicate);
   described.may_decline = may_decline(d);
-  described.summary = d.summary[0] != 0 ? fmt::format("{}: {}", text_of(d.name), text_of(d.summary)) : text_of(d.name);
+  described.summary = d.summary[0] != 0 ? fmt::format("{}: {}", printable_line(d.name), printable_line(d.summary))
+                                        : printable_line(d.name);
   if (d.name[0] == 0) refuse("it has no name");
-  described.declared_name = kernel.declared_name.empty() ? text_of(d.name) : kernel.declared_name;
+  described.declared_name = kernel.declared_name.empty() ? printable_line(d.name) : kernel.declared_name;
   claim(d, described);
   const bool is_first = !kernel.binary32 && !kernel.binary64;
   if (!is_first && (described.exposes != kernel.exposes || described.touching != kernel.touching ||

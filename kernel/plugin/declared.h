@@ -16,9 +16,6 @@ struct RefusedClaim {
 };
 [[noreturn]] void refuse(std::string detail);
 
-// Texts are shown in reports: one line of printable ASCII, a question mark for any other byte.
-std::string text_of(const char* text);
-
 // Adds to `kernel` its form in one precision, which is number `index` of what is hosted. Throws Refused.
 void add_declared(const Description& d, std::uint32_t index, const HostedPlugin& hosted, Kernel& kernel);
 

@@ -184,7 +184,7 @@ std::optional<Stop> HostProcess::call_program(const Request& request, Reply& rep
   if (auto stop = receive(request.seconds + request.start_seconds + reserve_seconds, reply)) return stop;
   if (!reply.stopped) return std::nullopt;
   const ProgramStop& why = control_->stop;
-  return Stop{static_cast<FindingKind>(why.kind), printable_line(as_utf8(why.detail)), why.replies};
+  return Stop{static_cast<FindingKind>(why.kind), printable_line(why.detail), why.replies};
 }
 
 void HostProcess::write_headers() {
@@ -248,6 +248,8 @@ Stop HostProcess::how_it_died() {
   const char* const abbreviation = sigabbrev_np(signal);  // none for real-time signals
   std::string detail = abbreviation ? fmt::format("SIG{} ({})", abbreviation, strsignal(signal))
                                     : fmt::format("signal {} ({})", signal, strsignal(signal));
+  // Nothing that a plug-in does to memory sends it.
+  if (signal == SIGKILL) detail += ", which the system sends where memory runs out";
   if (signal == fault.signal && fault.at_null) detail += " at a null pointer";
   if (signal == fault.signal && fault.out_of_stack) detail += ", out of stack";
   return {FindingKind::crash, detail, std::nullopt};

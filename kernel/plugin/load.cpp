@@ -73,13 +73,13 @@ std::string misnamed_path(std::string_view id) {
   return id.find('/') != id.npos && std::filesystem::exists(id, ignored) ? std::string(id) : "";
 }
 
-Kernel load_plugin(std::string id, const std::string& path) {
+Kernel load_plugin(const std::string& id, const std::string& path) {
   require_utf8(id, "kernel");
   require_file(id, path);
   // With a slash, so that it is this file and not one of that name in the library path.
   const HostedPlugin hosted{std::filesystem::absolute(path).string(), {}};
   Kernel kernel;
-  kernel.id = id;
+  kernel.id = printable_line(id);
   kernel.file = path;
   try {
     HostProcess host(hosted);
@@ -88,7 +88,7 @@ Kernel load_plugin(std::string id, const std::string& path) {
     if (stop || control.load_error[0] != 0) {
       if (const std::string instead = what_it_is_instead(hosted.path); !instead.empty()) refuse(instead);
       if (stop) throw RefusedClaim{stop->kind, "while it was loaded: " + stop->detail};
-      refuse(text_of(control.load_error));
+      refuse(printable_line(control.load_error));
     }
     if (control.kernel_count == 0) refuse("its axiscert_plugin(0) gives no kernel");
     if (control.kernel_count > most_kernels) refuse(fmt::format("it has more than {} kernels", most_kernels));
@@ -101,7 +101,7 @@ Kernel load_plugin(std::string id, const std::string& path) {
     }
   } catch (const RefusedClaim& refused) {
     Kernel unusable;
-    unusable.id = std::move(id);
+    unusable.id = kernel.id;
     unusable.file = path;
     unusable.summary = "not loaded";
     unusable.predicate = &predicate_named("");

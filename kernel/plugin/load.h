@@ -15,13 +15,13 @@ inline constexpr std::string_view by_manifest = "program:";  // and of a program
 
 // The kernel of the shared object at `path`, under the id as given. What is wrong with it is among its findings, and it
 // then exists in no precision. Throws Error where there is no such file.
-Kernel load_plugin(std::string id, const std::string& path);
+Kernel load_plugin(const std::string& id, const std::string& path);
 
 // The kernel of the program whose manifest is at `path`. Nothing is started: that is done when it is first asked.
 // Throws Error, in one line, where the file is no manifest, declares what cannot be true, or names a program that is
 // not there; and so does the kernel itself, when it is first asked, where the program fails before it has answered
 // anything.
-Kernel load_program(std::string id, const std::string& path);
+Kernel load_program(const std::string& id, const std::string& path);
 
 // Whether an id's file is a manifest, and not a shared object.
 bool is_program(std::string_view id, std::string_view file);

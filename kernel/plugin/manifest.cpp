@@ -166,7 +166,7 @@ class ManifestReader {
     const auto found = json_.find(member);
     if (found == json_.end() || found->is_null()) return "";
     check_text(member, *found);
-    return found->get<std::string>();
+    return printable_line(found->get<std::string>());
   }
 
   std::vector<std::string> words(const char* member) const {

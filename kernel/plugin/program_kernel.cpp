@@ -196,7 +196,7 @@ std::vector<KernelFile> files_of(const Kernel& kernel) {
   return files;
 }
 
-Kernel load_program(std::string id, const std::string& path) {
+Kernel load_program(const std::string& id, const std::string& path) {
   require_utf8(id, "kernel");
   require_manifest(id, path);
   const Manifest manifest = read_manifest(manifest_text(path), path);
@@ -209,7 +209,7 @@ Kernel load_program(std::string id, const std::string& path) {
     }
   }
   Kernel kernel;
-  kernel.id = id;
+  kernel.id = printable_line(id);
   kernel.file = path;
   const HostedPlugin hosted{folder, manifest.command};
   try {
@@ -221,9 +221,8 @@ Kernel load_program(std::string id, const std::string& path) {
   } catch (const Error& unknown) {
     throw Error(fmt::format("{}: {}", path, unknown.what()));
   }
-  const auto out =
-      std::make_shared<TryOut>(std::move(id), hosted, Subject{kernel.predicate, kernel.entry, kernel.measure_count},
-                               manifest.precisions.front());
+  const auto out = std::make_shared<TryOut>(
+      kernel.id, hosted, Subject{kernel.predicate, kernel.entry, kernel.measure_count}, manifest.precisions.front());
   try_first<float>(out, kernel.binary32);
   try_first<double>(out, kernel.binary64);
   return kernel;

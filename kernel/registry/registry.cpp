@@ -164,7 +164,7 @@ const Kernel& find_kernel(std::string_view id) {
   if (const Kernel* kernel = registered(id)) return *kernel;
   if (const auto at = call_in(id)) return found_as_called(id.substr(0, *at), id.substr(*at + 1));
   if (const auto path = plugin::plugin_path(id))
-    return kept(id, [&] {
+    return kept(printable_line(id), [&] {
       return plugin::is_program(id, *path) ? plugin::load_program(std::string(id), *path)
                                            : plugin::load_plugin(std::string(id), *path);
     });

@@ -167,7 +167,7 @@ InstrumentTable witness_table(const ComparedRuns& runs, const RunComparison& com
 
 std::string run_text(const char* which, const std::string& folder, const Record& record) {
   const std::string& version = record.plan.axiscert;
-  return fmt::format("{}: {}, axiscert {}, seed {}{}", which, as_utf8(folder), version, record.plan.seed.value,
+  return fmt::format("{}: {}, axiscert {}, seed {}{}", which, printable_line(folder), version, record.plan.seed.value,
                      record.complete ? "" : ", INTERRUPTED");
 }
 
@@ -270,7 +270,7 @@ std::string comparison_markdown(const ComparedRuns& runs, const RunComparison& c
 
 Json comparison_json(const ComparedRuns& runs, const RunComparison& comparison) {
   const auto run = [](const std::string& folder, const Record& record) {
-    return ComparedRunData{as_utf8(folder), record.plan.axiscert, {record.plan.seed.value}, record.complete};
+    return ComparedRunData{printable_line(folder), record.plan.axiscert, {record.plan.seed.value}, record.complete};
   };
   ComparisonData data{.schema = {},
                       .before = run(runs.before_name, runs.before),

@@ -160,11 +160,9 @@ Json steps(const RunInfo& info) {
 
 Json page_data(const Run& run) {
   const Record& record = run.record;
-  Json data = {{"complete", record.complete},
-               {"plan", json_of(record.plan)},
-               {"requirement", requirement_data(record)},
-               {"links", Json::object()},
-               {"notes", notes()},
+  Json data = {{"complete", record.complete},  {"interrupted", record.complete ? "" : interrupted_text(record)},
+               {"plan", json_of(record.plan)}, {"requirement", requirement_data(record)},
+               {"links", Json::object()},      {"notes", notes()},
                {"kernels", Json::array()}};
   data["plan"].erase("seed");  // 64 bits, while a number in a page holds 53; the facts have it as text
   for (std::size_t i = 0; i < link_count; ++i) data["links"][std::string(link_names[i])] = link_words[i].meaning;

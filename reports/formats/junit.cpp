@@ -214,7 +214,7 @@ Suite suite_of(const Run& run, const KernelRecord& kernel, const std::vector<Lev
   if (kernel.exposes == std::vector{Exposure::verdict})
     suite.add("comparisons", skipped_element("the kernel shows only verdicts"), Json::object());
   if (!record.complete) {
-    const std::string message = "the run was interrupted; the results cover only the queries that were run";
+    const std::string message = interrupted_text(record) + "; the results cover only the queries that were run";
     suite.add("complete", failure("interrupted", message, message), Json::object());
   }
   return suite;

@@ -49,7 +49,8 @@ class MarkdownReport {
   std::string text() const {
     std::string text = "# axiscert report\n";
     if (!record_.complete) {
-      text += "\n> **INCOMPLETE**: the run was interrupted. The figures below cover only the queries that were run.\n";
+      text += fmt::format("\n> **INCOMPLETE**: {}. The figures below cover only the queries that were run.\n",
+                          interrupted_text(record_));
     }
     for (const std::string& sentence : unjudged(record_))
       text += fmt::format("\n> **{}**\n", markdown_text(sentence, 2000));

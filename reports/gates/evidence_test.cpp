@@ -208,7 +208,9 @@ TEST(LookedAt, HalfOfTheContactsAndOfTheSeparationsOfEachFamilyHaveToBeDecided) 
 TEST(LookedAt, AnInterruptedRunMeetsNothing) {
   Json record = right_kernel();
   record["complete"] = false;
-  expect_at_each(record, LevelState::not_checked, "the run was interrupted");
+  expect_at_each(record, LevelState::not_checked, "interrupted after 4,500 queries");
+  record["plan"]["planned"] = {{"general", {{"binary32", 5000}}}, {"lattice", {{"binary32", 7345}}}};
+  expect_at_each(record, LevelState::not_checked, "interrupted after 4,500 of 12,345 queries");
 }
 
 TEST(LookedAt, ImagesThatWereDeclinedAreNotLookedAt) {

@@ -193,7 +193,7 @@ TEST(Ratchet, NamesWithSpacesAndControlCharactersComeBack) {
   Json record = Json::parse(replaced(stored_record().dump(), "a|b.obj", "my \\\"mesh\\n# x.obj"));
   record["kernels"][0]["families"]["mesh/my \"mesh\n# x.obj"]["verdict"]["false_contact"] = 5;
   const std::string text = replaced(ratchet_text(record), " EXPIRY OWNER REASON\n", " never mk why\n");
-  EXPECT_THAT(text, HasSubstr("\nfamily: binary32 \"mesh/my \\\"mesh\\n# x.obj\"\nverdict false_contact=5"));
+  EXPECT_THAT(text, HasSubstr("\nfamily: binary32 \"mesh/my \\\"mesh\\\\n# x.obj\"\nverdict false_contact=5"));
   EXPECT_THAT(hold_against(parse_ratchet(text, "r.txt"), record, today).failures, IsEmpty());
 }
 

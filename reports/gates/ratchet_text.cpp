@@ -273,7 +273,7 @@ Ratchet read_ratchet(const std::string& path) {
     throw Error(fmt::format("{}: cannot be read: {}; a run without --ratchet writes a first one as ratchet.txt", path,
                             std::strerror(errno)));
   }
-  return parse_ratchet(text.view(), as_utf8(path));
+  return parse_ratchet(text.view(), printable_line(path));
 }
 
 std::string ratchet_file(const std::string& plan, const Predicate& predicate, const std::vector<HeldPromise>& promises,

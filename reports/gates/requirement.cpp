@@ -68,7 +68,7 @@ bool is_file(const std::string& family) { return family.starts_with("queries/") 
 // Why a kernel entry shows nothing, or not all that was asked for; empty where it does.
 std::string gap_of(const Record& record, const Subject& subject, const AskedLevel& asked) {
   const Precision precision = subject.kernel().precision;
-  if (!record.complete) return "the run was interrupted";
+  if (!record.complete) return interrupted_text(record);
   if (subject.families().empty()) return fmt::format("no query of it was run in {}", name(precision));
   if (const Evidence all = evidence_of(subject.kernel()); all.decided() == 0) {
     return all.promised() == 0 && all.outside != 0 ? "every valid query is outside the limits that it declares"

@@ -12,6 +12,7 @@
 #include <tuple>
 #include <vector>
 
+#include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/names.h"
@@ -124,6 +125,7 @@ class RecordCheck {
 
   void check_plan() const {
     require(!plan_.kernels.empty(), "/plan/kernels", "has no kernel");
+    require(!plan_.planned || !record_.complete, "/plan/planned", "is of a run that was interrupted");
     require_once(plan_.kernels, "/plan/kernels");
     require_once(plan_.precisions, "/plan/precisions");
     require_once(plan_.families, "/plan/families");
@@ -337,20 +339,16 @@ void write_files(const std::filesystem::path& folder, const std::map<std::string
   parts.reserve(texts.size());  // a Part that moved would remove its file
   for (const auto& [file, text] : texts) {
     Part& part = parts.emplace_back(Part{folder / (file + ".part"), folder / file});
+    errno = 0;
     std::ofstream out(part.path, std::ios::binary);
     out << text;
     out.close();
-    if (!out) {
-      throw Error(fmt::format("{}: cannot be written: {}; reports go into the run's own folder", part.path.string(),
-                              std::strerror(errno)));
-    }
+    if (!out) throw Unwritable(part.target.string(), errno, text.size());
   }
   for (const Part& part : parts) {
     std::error_code problem;
     std::filesystem::rename(part.path, part.target, problem);
-    if (problem) {
-      throw Error(fmt::format("{}: cannot be replaced: {}", part.target.string(), problem.message()));
-    }
+    if (problem) throw Unwritable(part.target.string(), problem.value(), std::nullopt);
   }
 }
 

@@ -127,7 +127,8 @@ Run read_run(const std::filesystem::path& folder);
 Record read_record(const Json& record, const std::string& name);
 RunInfo read_run_info(const Json& info, const std::string& name);
 
-// Replaces the named files of the folder: every text is on disk before the first file changes. Throws Error.
+// Replaces the named files of the folder: every text is on disk before the first file changes. Throws Unwritable, and
+// leaves no half-written file.
 void write_files(const std::filesystem::path& folder, const std::map<std::string, std::string>& texts);
 
 }  // namespace axiscert

@@ -63,6 +63,19 @@ std::optional<FamilyRecord> all_families(const KernelRecord& kernel) {
   return total;
 }
 
+std::string interrupted_text(const Record& record) {
+  const auto sum = [](const CountsByFamily& counts) {
+    std::uint64_t all = 0;
+    for (const auto& [family, by_precision] : counts) {
+      for (const auto& [precision, count] : by_precision) all += count;
+    }
+    return all;
+  };
+  const PlanRecord& plan = record.plan;
+  const std::string of = plan.planned ? fmt::format(" of {}", thousands(sum(*plan.planned))) : "";
+  return fmt::format("interrupted after {}{} queries", thousands(sum(plan.trials)), of);
+}
+
 double per_million(std::uint64_t count, const FamilyCounts& family) {
   const std::uint64_t n = valid_queries(family);
   return n == 0 ? 0 : 1e6 * static_cast<double>(count) / static_cast<double>(n);

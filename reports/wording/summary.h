@@ -20,6 +20,9 @@ extern const EnumArray<Link, CauseWords> link_words;
 // The families of a kernel combined: what adds up, and the kernel's critical radius. Empty where no family ran.
 std::optional<FamilyRecord> all_families(const KernelRecord& kernel);
 
+// "interrupted after 1,234 of 5,678 queries", of a record that is not complete.
+std::string interrupted_text(const Record& record);
+
 // Per million valid queries within the limits; 0 where there are none.
 double per_million(std::uint64_t count, const FamilyCounts& family);
 

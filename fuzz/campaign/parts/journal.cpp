@@ -162,9 +162,7 @@ void Journal::write(std::string_view bytes) {
     const ssize_t written = ::write(file_, bytes.data() + done, bytes.size() - done);
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) {
-      throw Error(
-          fmt::format("{}: cannot be written: {}; finished work is kept in it: make room, and run with --resume", path_,
-                      std::strerror(errno)));
+      throw Unwritable(path_, errno, std::nullopt);
     }
     done += static_cast<std::size_t>(written);
   }
@@ -179,7 +177,7 @@ void Journal::append(std::string_view content) {
 
 void Journal::sync() {
   if (fdatasync(file_) != 0) {
-    throw Error(fmt::format("{}: cannot be flushed to disk: {}", path_, std::strerror(errno)));
+    throw Unwritable(path_, errno, std::nullopt);
   }
 }
 

@@ -67,7 +67,7 @@ TEST_F(JournalTest, RefusalHasNoControlCharacters) {
     read();
     ADD_FAILURE() << "accepted";
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("it begins with \"?[31m? is no journal\""));
+    EXPECT_THAT(error.what(), testing::HasSubstr("it begins with \"\\u001b[31m\\u007f is no journal\""));
   }
 }
 

@@ -259,7 +259,7 @@ function show_answer(data) {
   document.getElementById('status').append(status_chip(data));
   if (!data.complete) {
     document.getElementById('banner').append(el('p', 'banner warn', el('strong', '', 'Incomplete. '),
-      'The run was interrupted before its plan was done: the figures below cover only the queries that were run.'));
+      `The run was ${data.interrupted}: the figures below cover only these.`));
   }
   for (const sentence of data.unjudged) {
     document.getElementById('banner').append(el('p', 'banner bad', `${sentence}.`));
