@@ -1,0 +1,114 @@
+// Two boxes of a game, in metres: crates on ramps and planks, and crates, characters and doors at walls. One body's
+// farthest points in a direction lie on the other's, or as far from there as a solver leaves them: then the direction
+// decides.
+#include "fuzz/boxes/families/everyday.h"
+
+namespace axiscert::boxes {
+namespace {
+
+// B's centre where its foot, the farthest point against `up`, is `gap` above the farthest of A along it. Of an edge or
+// a facet of A across `up` B's centre is above any point, unless its foot were beyond the end.
+template <class Pair>
+void lay_on(Stream& random, Pair& q, const Arrow& up, double gap) {
+  const OrientedBox<double> a = box_in_doubles(q.a), b = box_in_doubles(q.b);
+  const Arrow foot = farthest(random, b, up * -1.0);
+  Arrow at = a.centre;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double slope = dot(up, a.axis[k]), any = random.symmetric<double>(), half = a.half[k];
+    const double below_centre = std::clamp(any * half + dot(foot, a.axis[k]), -half, half);
+    at = at + a.axis[k] * (is_across(slope) ? below_centre : slope > 0 ? half : -half);
+  }
+  q.b.centre = rounded_arrow<RealOf<Pair>>(at + (up * gap - foot));
+}
+
+// The unit normal of A's facets on its axis k, to the side of that axis or to the other.
+template <class Pair>
+Arrow facet_of(const Pair& q, std::size_t k, bool is_other) {
+  const Arrow normal = scenes::at_unit_length(facet_normal(box_in_doubles(q.a), k));
+  return is_other ? normal * -1.0 : normal;
+}
+
+template <class Pair>
+void in_any_order(Stream& random, Pair& q) {
+  if (random.coin()) std::swap(q.a, q.b);
+}
+
+// On a plank or a slab of 10 to 50 m that rises by 5 to 45 degrees, in turn: along it, at any yaw on it, and upright.
+struct Ramp {
+  template <class Pair>
+  static Pair make(Stream& random, std::uint64_t position) {
+    using Real = RealOf<Pair>;
+    constexpr std::uint64_t kinds = 3;
+    const std::uint64_t kind = position / gap_count % kinds;
+    Pair q{};
+    const bool is_slab = random.coin(), rises = random.coin();
+    const Real x = random.unit<Real>(), y = random.unit<Real>(), z = random.unit<Real>();
+    if (is_slab) q.a.half = {5 + 20 * x, Real(0.1) + Real(0.4) * y, 5 + 20 * z};
+    else q.a.half = {1 + 4 * x, Real(0.01) + Real(0.09) * y, Real(0.5) + z};
+    set_crate(random, q.b.half);
+    q.a.centre = rounded_arrow<Real>(scenes::place(random, position / (kinds * gap_count)));
+
+    const Quaternion yaw = any_yaw(random), of_crate = any_yaw(random), left = disturbance(random);
+    const auto slope = static_cast<double>(random.integer(90, 848));  // the tangent of half the angle times 2048
+    const Quaternion frame = product(yaw, {2048, 0, 0, rises ? slope : -slope});
+    turn_in_floats(q.a, unit_quaternion<Real>(frame));
+    const Quaternion on_it = kind == 0 ? frame : product(frame, of_crate);
+    turn_in_floats(q.b, unit_quaternion<Real>(kind == 2 ? of_crate : product(on_it, left)));
+    const double gap = gap_in_turn(random, position);
+    lay_on(random, q, facet_of(q, 1, false), gap);
+    in_any_order(random, q);
+    return q;
+  }
+};
+
+// All upright on one floor, along the world's axes every other time. In turn at a wall of 3 to 50 m: a crate or a
+// character along it, exactly or but for a small yaw; one at any yaw; one whose side meets the wall's end; and the leaf
+// of a door there.
+struct Corridor {
+  template <class Pair>
+  static Pair make(Stream& random, std::uint64_t position) {
+    using Real = RealOf<Pair>;
+    constexpr std::uint64_t kinds = 4;
+    const std::uint64_t kind = position / gap_count % kinds;
+    Pair q{};
+    const Real x = random.unit<Real>(), y = random.unit<Real>(), z = random.unit<Real>();
+    q.a.half = {Real(1.5) + Real(23.5) * x * x, Real(1.25) + Real(0.75) * y, Real(0.05) + Real(0.15) * z};
+    set_body(random, q.b.half);
+    if (kind == 3) q.b.half = {Real(0.45), 1, Real(0.02)};
+    q.a.centre = rounded_arrow<Real>(scenes::place(random, position / (kinds * gap_count)));
+
+    const bool is_aligned = random.coin(), is_along = random.coin(), is_behind = random.coin(),
+               by_first = random.coin();
+    const Quaternion any = any_yaw(random), of_body = any_yaw(random), left = disturbance(random);
+    const Quaternion yaw = is_aligned ? Quaternion{1, 0, 0, 0} : any;
+    const Quaternion along = is_along ? yaw : product(yaw, {left[0], 0, left[2], 0});
+    turn_in_floats(q.a, unit_quaternion<Real>(yaw));
+    turn_in_floats(q.b, unit_quaternion<Real>(kind == 0 ? along : of_body));
+    const double gap = gap_in_turn(random, position);
+    if (kind == 2) {
+      const Arrow side = box_in_doubles(q.b).axis[by_first ? 0 : 2];
+      lay_on(random, q, scenes::at_unit_length(is_behind ? side * -1.0 : side), gap);
+    } else {
+      lay_on(random, q, facet_of(q, kind == 3 ? 0 : 2, is_behind), gap);
+    }
+    q.b.centre.y = q.a.centre.y + (q.b.half[1] - q.a.half[1]);
+    in_any_order(random, q);
+    return q;
+  }
+};
+
+}  // namespace
+
+extern const Family box_box_ramp_family =
+    in_metres(matrix_family<Ramp>("box-box/ramp", box_box_situation::everyday,
+                                  "metres: crates on inclined planks and slabs of up to 50 m, along them, yawed or "
+                                  "upright, half within 1 cm of resting"));
+extern const Family box_box_corridor_family = in_metres(matrix_family<Corridor>(
+    "box-box/corridor", box_box_situation::everyday,
+    "metres: crates, characters and doors on a level floor at a wall of up to 50 m, half within 1 cm of touching"));
+extern const Family box_box_ramp_turned_family =
+    in_metres(turned_family<Ramp>("box-box/ramp_turned", box_box_situation::everyday, "ramp, as quaternions"));
+extern const Family box_box_corridor_turned_family = in_metres(
+    turned_family<Corridor>("box-box/corridor_turned", box_box_situation::everyday, "corridor, as quaternions"));
+
+}  // namespace axiscert::boxes
