@@ -55,11 +55,11 @@ inline Quaternion disturbance(Stream& random) {
 }
 
 // How far two bodies are from touching, in metres, negative in contact. In turn: at rest, but for roundings; as a
-// solver leaves them, from a micrometre to a centimetre to either side; apart by 2 cm to 1 m; in contact by 2 to 10 cm.
+// solver leaves them, from a micrometre to 8 mm to either side; apart by 2 to 64 cm; in contact by 2 to 8 cm.
 inline constexpr std::uint64_t gap_count = 4;
 inline double gap_in_turn(Stream& random, std::uint64_t turn) {
-  const double slop = scenes::length(random, 0x1p-20, 14, 0.01), apart = scenes::length(random, 0.02, 6, 1);
-  const double deep = scenes::length(random, 0.02, 3, 0.1);
+  const double slop = scenes::length(random, 1e-6, 13, 0.01), apart = scenes::length(random, 0.02, 5, 1);
+  const double deep = scenes::length(random, 0.02, 2, 0.1);
   const bool is_apart = random.coin();
   switch (turn % gap_count) {
     case 0:
@@ -71,6 +71,11 @@ inline double gap_in_turn(Stream& random, std::uint64_t turn) {
     default:
       return -deep;
   }
+}
+
+// The unit normal of the box's facets on its axis k, which is that axis but for what the matrix lacks of a rotation.
+inline Arrow unit_facet(const OrientedBox<double>& box, std::size_t k) {
+  return scenes::at_unit_length(facet_normal(box, k));
 }
 
 // Whether an axis of length 1 is at right angles to a direction, but for the roundings of a product of doubles.

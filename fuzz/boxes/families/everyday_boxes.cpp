@@ -21,13 +21,6 @@ void lay_on(Stream& random, Pair& q, const Arrow& up, double gap) {
   q.b.centre = rounded_arrow<RealOf<Pair>>(at + (up * gap - foot));
 }
 
-// The unit normal of A's facets on its axis k, to the side of that axis or to the other.
-template <class Pair>
-Arrow facet_of(const Pair& q, std::size_t k, bool is_other) {
-  const Arrow normal = scenes::at_unit_length(facet_normal(box_in_doubles(q.a), k));
-  return is_other ? normal * -1.0 : normal;
-}
-
 template <class Pair>
 void in_any_order(Stream& random, Pair& q) {
   if (random.coin()) std::swap(q.a, q.b);
@@ -55,7 +48,7 @@ struct Ramp {
     const Quaternion on_it = kind == 0 ? frame : product(frame, of_crate);
     turn_in_floats(q.b, unit_quaternion<Real>(kind == 2 ? of_crate : product(on_it, left)));
     const double gap = gap_in_turn(random, position);
-    lay_on(random, q, facet_of(q, 1, false), gap);
+    lay_on(random, q, unit_facet(box_in_doubles(q.a), 1), gap);
     in_any_order(random, q);
     return q;
   }
@@ -85,12 +78,9 @@ struct Corridor {
     turn_in_floats(q.a, unit_quaternion<Real>(yaw));
     turn_in_floats(q.b, unit_quaternion<Real>(kind == 0 ? along : of_body));
     const double gap = gap_in_turn(random, position);
-    if (kind == 2) {
-      const Arrow side = box_in_doubles(q.b).axis[by_first ? 0 : 2];
-      lay_on(random, q, scenes::at_unit_length(is_behind ? side * -1.0 : side), gap);
-    } else {
-      lay_on(random, q, facet_of(q, kind == 3 ? 0 : 2, is_behind), gap);
-    }
+    const Arrow of_wall = unit_facet(box_in_doubles(q.a), kind == 3 ? 0 : 2);
+    const Arrow side = kind == 2 ? unit_facet(box_in_doubles(q.b), by_first ? 0 : 2) : of_wall;
+    lay_on(random, q, is_behind ? side * -1.0 : side, gap);
     q.b.centre.y = q.a.centre.y + (q.b.half[1] - q.a.half[1]);
     in_any_order(random, q);
     return q;

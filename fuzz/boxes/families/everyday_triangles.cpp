@@ -55,7 +55,7 @@ Arrow contact_direction(Stream& random, std::uint64_t turn, const OrientedBox<do
   const auto edge = random.below(3), axis = random.below(3);
   const Arrow product = cross(box.axis[axis], corner[next(edge)] - corner[edge]);
   Arrow along = normal;
-  if (turn % contact_count == 1) along = box.axis[axis];
+  if (turn % contact_count == 1) along = facet_normal(box, axis);
   if (turn % contact_count == 2 && dot(product, product) > 0x1p-20) along = product;
   const Arrow unit = scenes::at_unit_length(along);
   return dot(unit, normal) < 0 ? unit * -1.0 : unit;
