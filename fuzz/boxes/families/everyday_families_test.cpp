@@ -35,8 +35,10 @@ struct EverydayFamily {
 };
 constexpr EverydayFamily everyday_families[] = {
     {"box-box/ramp", metres_apart_of<MatrixBoxes>},
+    {"box-box/beams", metres_apart_of<MatrixBoxes>},
     {"box-box/corridor", metres_apart_of<MatrixBoxes>},
     {"box-box/ramp_turned", metres_apart_of<QuaternionBoxes>},
+    {"box-box/beams_turned", metres_apart_of<QuaternionBoxes>},
     {"box-box/corridor_turned", metres_apart_of<QuaternionBoxes>},
     {"box-triangle/terrain", metres_apart_of<CentreEntry>},
     {"box-triangle/ramp", metres_apart_of<CentreEntry>},
@@ -123,32 +125,45 @@ EverydayErrors errors_of(const char* kernel, const char* family_name, std::uint6
   return errors;
 }
 
+// Roundings of the places. Two corners lose more of them: their centre is rounded where the box is, far from the
+// origin.
 TEST(BoxKernelsOnEverydayFamilies, RightFormsAreWrongByRoundingsAlone) {
-  constexpr std::pair<const char*, const char*> right[] = {
+  struct RightForm {
+    const char *kernel, *family;
+    double most = 1e-6;
+  };
+  constexpr double of_corners = 2e-5;
+  constexpr RightForm right[] = {
       {"box-box/cofactor", "box-box/ramp"},
+      {"box-box/cofactor", "box-box/beams"},
       {"box-box/cofactor", "box-box/corridor"},
       {"box-box/cofactor-turned", "box-box/ramp_turned"},
+      {"box-box/cofactor-turned", "box-box/beams_turned"},
       {"box-box/cofactor-turned", "box-box/corridor_turned"},
       {"box-triangle/textbook", "box-triangle/terrain"},
       {"box-triangle/textbook", "box-triangle/ramp"},
       {"box-triangle/textbook", "box-triangle/level_voxel"},
-      {"box-triangle/thirteen-minmax", "box-triangle/terrain_minmax"},
-      {"box-triangle/thirteen-minmax", "box-triangle/ramp_minmax"},
-      {"box-triangle/thirteen-minmax", "box-triangle/level_voxel_minmax"},
+      {"box-triangle/thirteen-minmax", "box-triangle/terrain_minmax", of_corners},
+      {"box-triangle/thirteen-minmax", "box-triangle/ramp_minmax", of_corners},
+      {"box-triangle/thirteen-minmax", "box-triangle/level_voxel_minmax", of_corners},
       {"box-triangle/thirteen-oriented", "box-triangle/terrain_oriented"},
       {"box-triangle/thirteen-oriented", "box-triangle/ramp_oriented"},
   };
-  for (const auto& [kernel, family] : right) {
-    EXPECT_LT(errors_of(kernel, family, 600).deepest, 1e-6) << kernel << " on " << family;
+  for (const RightForm& form : right) {
+    EXPECT_LT(errors_of(form.kernel, form.family, 600).deepest, form.most) << form.kernel << " on " << form.family;
   }
 }
 
-// A crate that lies along a plank: the textbook misses it, and an epsilon holds one that is apart.
+// A crate that lies flush on a plank: the textbook misses it. Beams nearly along one another: an epsilon holds what is
+// apart.
 TEST(BoxKernelsOnEverydayFamilies, TheTextbookAndAnEpsilonAreWrongByWhatIsSeen) {
   const EverydayErrors textbook = errors_of("box-box/textbook", "box-box/ramp", 1200);
-  EXPECT_GT(textbook.missed, 0u);
-  EXPECT_GT(textbook.deepest, 1e-5);
-  EXPECT_GT(errors_of("box-box/gottschalk", "box-box/ramp", 1200).invented, 0u);
+  EXPECT_GT(textbook.missed, 10u);
+  EXPECT_GT(textbook.deepest, 1e-4);
+  const EverydayErrors epsilon = errors_of("box-box/gottschalk", "box-box/beams", 1200);
+  EXPECT_GT(epsilon.invented, 60u);
+  EXPECT_GT(epsilon.deepest, 1e-5);
+  EXPECT_EQ(epsilon.missed, 0u);
 }
 
 }  // namespace

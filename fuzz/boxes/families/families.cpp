@@ -21,6 +21,7 @@
   X(stack)                       \
   X(pile)                        \
   X(ramp)                        \
+  X(beams)                       \
   X(corridor)                    \
   X(int_scaled)                  \
   X(one_axis)                    \
@@ -40,6 +41,7 @@
   X(stack_turned)                \
   X(pile_turned)                 \
   X(ramp_turned)                 \
+  X(beams_turned)                \
   X(corridor_turned)             \
   X(one_axis_turned)             \
   X(units_turned)                \
