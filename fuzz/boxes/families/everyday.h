@@ -82,7 +82,7 @@ inline Arrow unit_facet(const OrientedBox<double>& box, std::size_t k) {
 inline bool is_across(double slope) { return std::fabs(slope) < 0x1p-40; }
 
 // The point of the box farthest along `direction`, from its centre. Of an edge or a facet across it, any point.
-inline Arrow farthest(Stream& random, const OrientedBox<double>& box, const Arrow& direction) {
+inline Arrow farthest_of_box(Stream& random, const OrientedBox<double>& box, const Arrow& direction) {
   Arrow sum{0, 0, 0};
   for (std::size_t k = 0; k < 3; ++k) {
     const double slope = dot(direction, box.axis[k]), any = random.symmetric<double>();

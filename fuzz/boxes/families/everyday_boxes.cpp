@@ -11,7 +11,7 @@ namespace {
 template <class Pair>
 void lay_on(Stream& random, Pair& q, const Arrow& up, double gap) {
   const OrientedBox<double> a = box_in_doubles(q.a), b = box_in_doubles(q.b);
-  const Arrow foot = farthest(random, b, up * -1.0);
+  const Arrow foot = farthest_of_box(random, b, up * -1.0);
   Arrow at = a.centre;
   for (std::size_t k = 0; k < 3; ++k) {
     const double slope = dot(up, a.axis[k]), any = random.symmetric<double>(), half = a.half[k];

@@ -31,7 +31,7 @@ void put_body(BoxAndTriangle<Real>& q, const std::array<Real, 3>& half, const Qu
 }
 
 // The point of the triangle farthest along `direction`; of an edge or a face across it, any point.
-Arrow farthest(Stream& random, const Corners& corner, const Arrow& direction) {
+Arrow farthest_of_triangle(Stream& random, const Corners& corner, const Arrow& direction) {
   constexpr double level = 0x1p-30;  // metres
   std::array<double, 3> at;
   for (std::size_t k = 0; k < 3; ++k) at[k] = dot(direction, corner[k]);
@@ -64,7 +64,8 @@ Arrow contact_direction(Stream& random, std::uint64_t turn, const OrientedBox<do
 // Where the box's centre is, so that its foot is `gap` beyond the triangle along `direction`.
 Arrow centre_beyond(Stream& random, const OrientedBox<double>& box, const Corners& corner, const Arrow& direction,
                     double gap) {
-  const Arrow foot = farthest(random, box, direction * -1.0), at = farthest(random, corner, direction);
+  const Arrow foot = farthest_of_box(random, box, direction * -1.0),
+              at = farthest_of_triangle(random, corner, direction);
   return at + (direction * gap - foot);
 }
 
