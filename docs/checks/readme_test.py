@@ -189,8 +189,16 @@ def box_axes(commands, old):
     return with_rows(old, rows)
 
 
+def box_everyday(commands, old):
+    kernels = "projected textbook rtcd gottschalk bullet cofactor peer/ode peer/fcl-obb peer/bullet".split()
+    families = tuple(f"box-box/{f}" for f in "stack pile ramp beams corridor".split())
+    verdicts = box_verdicts(commands, tuple(f"box-box/{k}" for k in kernels), families, "4096")
+    return with_rows(old, [[f"`{kernel}`", *(f"{count_and_depth(v, 'false_separation')} / {count_and_depth(v, 'false_contact')}" for v in of_kernel)]
+                           for kernel, of_kernel in zip(kernels, verdicts)])
+
+
 def box_triangle(commands, old):
-    families = "general_minmax touching_minmax lattice_minmax voxel".split()
+    families = "general_minmax touching_minmax lattice_minmax terrain_minmax ramp_minmax level_voxel_minmax voxel".split()
     verdicts = box_verdicts(commands, tuple(f"box-triangle/{k}" for k in ("textbook-minmax", "akenine-moller-minmax", "thirteen-minmax", "peer/cgal-epick", "peer/cgal-double")),
                             tuple(f"box-triangle/{f}" for f in families), "2000")
     return with_rows(old, [[f"`{family}`", *(f"{v[i]['false_separation']}, {v[i]['false_contact']}" for v in verdicts)]
@@ -248,6 +256,7 @@ TABLES = {
     "box-peers-missed": ("docs/boxes.md", box_peers("false_separation"), "long"),
     "box-peers-phantom": ("docs/boxes.md", box_peers("false_contact"), "long"),
     "box-axes": ("docs/boxes.md", box_axes, "long"),
+    "box-everyday": ("docs/boxes.md", box_everyday, "long"),
     "box-triangle": ("docs/boxes.md", box_triangle, "long"),
     "box-engines": ("docs/boxes.md", engines("box-box", BOX_ENTRIES, "300"), "long"),
     "box-triangle-engines": ("docs/boxes.md", engines("box-triangle", CELL_ENTRIES, "300"), "long"),

@@ -49,7 +49,8 @@ inline constexpr std::string_view shrink_small_integers =
 template <class Real>
 using Fill = void (*)(const StreamName& name, std::uint64_t first, const MutableColumns<Real>& out);
 
-// The kinds of input of which the league says whether a kernel may be trusted with them.
+// The kinds of input of which the league says whether a kernel may be trusted with them. Scenes are what a game asks
+// every day, in metres: of any predicate, and where a kernel that is wrong by more than a rounding is seen at once.
 enum class TrustGroup : std::uint8_t { thin, small, far, degenerate, resting, scene };
 template <>
 inline constexpr std::size_t enum_count<TrustGroup> = 6;
@@ -91,6 +92,12 @@ struct Family {
     return filled_numbers<Real>(column_count(), [&](const MutableColumns<Real>& one) { fill(seed, position, one); });
   }
 };
+
+// The family as one of scenes.
+constexpr Family in_metres(Family family) {
+  family.trust_group = TrustGroup::scene;
+  return family;
+}
 
 // The families of all predicates, and those of one.
 std::span<const Family* const> families();

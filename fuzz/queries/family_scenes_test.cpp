@@ -135,5 +135,21 @@ TYPED_TEST(SceneFamilies, EdgeAsksTheSameSphereOfTwoTrianglesThatShareAnEdge) {
   }
 }
 
+// A kernel that takes its numbers in any entry can be asked about a game; and what a wrong verdict there says is known.
+TEST(SceneFamiliesOfAll, AreThereInEveryEntryAndAreEveryday) {
+  for (const Predicate* predicate : predicates()) {
+    for (std::size_t entry = 0; entry < predicate->entries.size(); ++entry) {
+      std::size_t scenes = 0;
+      for (const Family* family : families_of(*predicate, entry)) {
+        if (family->trust_group != TrustGroup::scene) continue;
+        ++scenes;
+        if (family->situation != nullptr) EXPECT_EQ(family->situation->name, "everyday") << family->name;
+      }
+      EXPECT_GT(scenes, 0u) << predicate->id << ", entry " << predicate->entries[entry].name
+                            << ": has no family of scenes, whose trust_group is `scene`";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace axiscert

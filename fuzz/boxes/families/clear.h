@@ -14,8 +14,6 @@
 
 namespace axiscert::boxes {
 
-using Arrow = Vec3<double>;
-
 // Two convex bodies by their corners, A from the centre of its box and B from a point of its own, and the unit vectors
 // of all axes, 0 where two edges are parallel.
 struct ClearScene {
@@ -65,33 +63,6 @@ auto best_of(Stream& random, int attempts, const Try& attempt) {
     if (next.worth > best.worth) best = next;
   }
   return best.query;
-}
-
-template <class Real>
-Arrow arrow_of(const Vec3<Real>& v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-}
-template <class Real>
-Vec3<Real> rounded_arrow(const Arrow& v) {
-  return {static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z)};
-}
-
-// A box in doubles, by its matrix in either entry.
-template <class Real>
-OrientedBox<double> box_in_doubles(const OrientedBox<Real>& box) {
-  OrientedBox<double> wide{arrow_of(box.centre), {}, {}};
-  for (std::size_t k = 0; k < 3; ++k) {
-    wide.half[k] = static_cast<double>(box.half[k]);
-    wide.axis[k] = arrow_of(box.axis[k]);
-  }
-  return wide;
-}
-template <class Real>
-OrientedBox<double> box_in_doubles(const TurnedBox<Real>& box) {
-  TurnedBox<double> wide{arrow_of(box.centre), {}, {}};
-  for (std::size_t k = 0; k < 3; ++k) wide.half[k] = static_cast<double>(box.half[k]);
-  for (std::size_t k = 0; k < 4; ++k) wide.q[k] = static_cast<double>(box.q[k]);
-  return with_matrix(wide);
 }
 
 // A rotation for a scene that is drawn several times: its matrix in doubles, each entry rounded once; its quaternion

@@ -8,25 +8,6 @@ namespace {
 
 constexpr int triangle_attempts = 24;
 
-template <class Real>
-std::array<Arrow, 3> corners_in_doubles(const std::array<Vec3<Real>, 3>& corner) {
-  return {arrow_of(corner[0]), arrow_of(corner[1]), arrow_of(corner[2])};
-}
-template <class Real>
-BoxAndTriangle<double> wide_query(const BoxAndTriangle<Real>& q) {
-  return {box_in_doubles(q.box), corners_in_doubles(q.corner)};
-}
-template <class Real>
-BoxAndTriangle<double> wide_query(const CentredAndTriangle<Real>& q) {
-  const Arrow half = arrow_of(Vec3<Real>{q.half[0], q.half[1], q.half[2]});
-  return oriented(
-      CentredAndTriangle<double>{arrow_of(q.centre), {half.x, half.y, half.z}, corners_in_doubles(q.corner)});
-}
-template <class Real>
-BoxAndTriangle<double> wide_query(const CornersAndTriangle<Real>& q) {
-  return oriented(CornersAndTriangle<double>{arrow_of(q.low), arrow_of(q.high), corners_in_doubles(q.corner)});
-}
-
 // The triangle, of the shape that it has, moved to where the axis decides.
 template <class Query>
 Attempt<Query> moved_triangle(Stream& random, Query q, const ClearWish& wish) {

@@ -71,7 +71,7 @@ template <class F, class Real>
 BoundUse bound_use(std::uint64_t queries) {
   BoundUse use;
   for (const char* name : {"general", "tangent", "stacked", "resting", "crossed", "edge_edge", "vertex_face",
-                           "parallel", "thin", "flat", "far", "stack", "pile"}) {
+                           "parallel", "thin", "flat", "far", "stack", "pile", "ramp", "beams", "corridor"}) {
     add_use<F, Real>(find_family(std::string("box-box/") + name), queries, use);
   }
   return use;

@@ -20,6 +20,9 @@
   X(bits)                        \
   X(stack)                       \
   X(pile)                        \
+  X(ramp)                        \
+  X(beams)                       \
+  X(corridor)                    \
   X(int_scaled)                  \
   X(one_axis)                    \
   X(units)                       \
@@ -37,6 +40,9 @@
   X(parallel_turned)             \
   X(stack_turned)                \
   X(pile_turned)                 \
+  X(ramp_turned)                 \
+  X(beams_turned)                \
+  X(corridor_turned)             \
   X(one_axis_turned)             \
   X(units_turned)                \
   X(spans_turned)                \
@@ -50,6 +56,9 @@
   X(touching)                         \
   X(lattice)                          \
   X(degenerate)                       \
+  X(terrain)                          \
+  X(ramp)                             \
+  X(level_voxel)                      \
   X(one_axis)                         \
   X(units)                            \
   X(spans)                            \
@@ -59,6 +68,9 @@
   X(touching_minmax)                  \
   X(lattice_minmax)                   \
   X(voxel)                            \
+  X(terrain_minmax)                   \
+  X(ramp_minmax)                      \
+  X(level_voxel_minmax)               \
   X(one_axis_minmax)                  \
   X(units_minmax)                     \
   X(spans_minmax)                     \
@@ -67,6 +79,8 @@
   X(general_oriented)                 \
   X(touching_oriented)                \
   X(lattice_oriented)                 \
+  X(terrain_oriented)                 \
+  X(ramp_oriented)                    \
   X(one_axis_oriented)                \
   X(units_oriented)                   \
   X(spans_oriented)                   \

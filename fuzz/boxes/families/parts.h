@@ -83,6 +83,36 @@ Vec3<Real> rounded_point(const Point& p) {
   return {nearest<Real>(p.x), nearest<Real>(p.y), nearest<Real>(p.z)};
 }
 
+// The same in doubles, of what is proposed and not solved.
+using Arrow = Vec3<double>;
+
+template <class Real>
+Arrow arrow_of(const Vec3<Real>& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+template <class Real>
+Vec3<Real> rounded_arrow(const Arrow& v) {
+  return {static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z)};
+}
+
+// A box in doubles, by its matrix in either entry.
+template <class Real>
+OrientedBox<double> box_in_doubles(const OrientedBox<Real>& box) {
+  OrientedBox<double> wide{arrow_of(box.centre), {}, {}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    wide.half[k] = static_cast<double>(box.half[k]);
+    wide.axis[k] = arrow_of(box.axis[k]);
+  }
+  return wide;
+}
+template <class Real>
+OrientedBox<double> box_in_doubles(const TurnedBox<Real>& box) {
+  TurnedBox<double> wide{arrow_of(box.centre), {}, {}};
+  for (std::size_t k = 0; k < 3; ++k) wide.half[k] = static_cast<double>(box.half[k]);
+  for (std::size_t k = 0; k < 4; ++k) wide.q[k] = static_cast<double>(box.q[k]);
+  return with_matrix(wide);
+}
+
 // An offset of B in A's frame: a multiple of 2^-23 from -most to most.
 inline Rational offset(Stream& random, const Rational& most) {
   Rational x(random.integer(-(1 << 23), 1 << 23), 1 << 23);

@@ -2,53 +2,16 @@
 // quaternion that was brought to length 1 in floats, as after a step; a matrix is made of it in floats.
 #include <algorithm>
 
-#include "fuzz/boxes/families/parts.h"
+#include "fuzz/boxes/families/everyday.h"
 
 namespace axiscert::boxes {
 namespace {
 
-// q in floats, divided by its length in floats.
-template <class Real>
-Quaternion unit_quaternion(const Quaternion& q) {
-  std::array<Real, 4> v;
-  Real square = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    v[k] = static_cast<Real>(q[k]);
-    square += v[k] * v[k];
-  }
-  const Real length = std::sqrt(square);
-  Quaternion unit;
-  for (std::size_t k = 0; k < 4; ++k) unit[k] = static_cast<double>(v[k] / length);
-  return unit;
-}
-
-// Half extents of 0.1 to 1 m, of a cube every other time; the world is 128 m wide and 32 m high.
-template <class Real>
-void set_crate(Stream& random, std::array<Real, 3>& half) {
-  const bool is_cube = random.coin();
-  for (Real& s : half) s = Real(0.1) + Real(0.9) * random.unit<Real>();
-  if (is_cube) half[1] = half[2] = half[0];
-}
+// The world is 128 m wide and 32 m high.
 template <class Real>
 Vec3<Real> place_in_world(Stream& random) {
   const Real x = random.symmetric<Real>(), y = random.unit<Real>(), z = random.symmetric<Real>();
   return {x * 64, y * 32, z * 64};
-}
-
-// About the vertical, any angle: of a half turn times a fraction of 2^-12.
-Quaternion any_yaw(Stream& random) {
-  const auto w = static_cast<double>(random.integer(-2048, 2048)), y = static_cast<double>(random.integer(1, 2048));
-  return {w, 0, y, 0};
-}
-// So little that a solver leaves it: yaw and tilts of 2^-4 to 2^-24 each.
-Quaternion disturbance(Stream& random) {
-  const auto small = [&] {
-    const auto exponent = static_cast<int>(random.integer(5, 25));
-    const bool is_negative = random.coin();
-    return std::ldexp(is_negative ? -1.0 : 1.0, 25 - exponent);
-  };
-  const double x = small(), y = small(), z = small();
-  return {0x1p25, x, y, z};
 }
 
 // The gap that a solver leaves between two crates: sunk in by up to a hundredth of a metre, seldom apart by as much.
@@ -139,18 +102,18 @@ struct IntScaled {
 
 }  // namespace
 
-extern const Family box_box_stack_family = matrix_family<Stack>(
+extern const Family box_box_stack_family = in_metres(matrix_family<Stack>(
     "box-box/stack", box_box_situation::everyday,
-    "crates in metres as a solver leaves them: on another, on a floor, in a wall, and one between");
+    "crates in metres as a solver leaves them: on another, on a floor, in a wall, and one between"));
 extern const Family box_box_pile_family =
-    matrix_family<Pile>("box-box/pile", box_box_situation::everyday,
-                        "crates in metres that lean on each other at any angle, sunk in by up to 1 cm");
+    in_metres(matrix_family<Pile>("box-box/pile", box_box_situation::everyday,
+                                  "crates in metres that lean on each other at any angle, sunk in by up to 1 cm"));
 extern const Family box_box_int_scaled_family = matrix_family<IntScaled>(
     "box-box/int_scaled", box_box_situation::no_rotation,
     "integer columns at right angles that are not of length 1: the textbook is wrong by itself");
 extern const Family box_box_stack_turned_family =
-    turned_family<Stack>("box-box/stack_turned", box_box_situation::everyday, "stack, as quaternions");
+    in_metres(turned_family<Stack>("box-box/stack_turned", box_box_situation::everyday, "stack, as quaternions"));
 extern const Family box_box_pile_turned_family =
-    turned_family<Pile>("box-box/pile_turned", box_box_situation::everyday, "pile, as quaternions");
+    in_metres(turned_family<Pile>("box-box/pile_turned", box_box_situation::everyday, "pile, as quaternions"));
 
 }  // namespace axiscert::boxes

@@ -12,7 +12,7 @@ inline constexpr std::string_view by_epsilon = "docs/boxes.md#the-price-of-an-ep
 namespace box_box_situation {
 
 inline constexpr Situation everyday = {
-    "everyday", "boxes of everyday sizes at any angle, and crates in metres as a solver leaves them",
+    "everyday", "boxes of everyday sizes at any angle, and crates, beams and walls in metres",
     "Do not build on it as it stands: take another predicate, as box-box/cofactor, and ask both about your own boxes "
     "(`axiscert run --queries`).",
     box_libraries};
@@ -58,7 +58,7 @@ inline constexpr Situations all = {in_order, of_own_queries("the queries of file
 namespace box_triangle_situation {
 
 inline constexpr Situation everyday = {"everyday",
-                                       "boxes and triangles of everyday sizes, and cells of a grid as a voxelizer asks",
+                                       "boxes and triangles of everyday sizes, crates and cells of a grid in a level",
                                        "Do not build on it as it stands: take another predicate, as "
                                        "box-triangle/thirteen, and ask both about your own mesh "
                                        "(`axiscert run --mesh`).",

@@ -195,9 +195,9 @@ extern const Family box_triangle_touching_minmax_family = triangle_family<Touchi
 extern const Family box_triangle_lattice_minmax_family =
     triangle_family<LatticeTriangle, MinmaxEntry>("box-triangle/lattice_minmax", box_triangle_situation::small_integers,
                                                   "small integers, the box by two corners: nothing is rounded", true);
-extern const Family box_triangle_voxel_family = triangle_family<Voxel, MinmaxEntry>(
+extern const Family box_triangle_voxel_family = in_metres(triangle_family<Voxel, MinmaxEntry>(
     "box-triangle/voxel", box_triangle_situation::everyday,
-    "a cell of a grid, and a triangle in a plane through a corner of the cell, of a few cells", false, 2);
+    "a cell of a grid, and a triangle in a plane through a corner of the cell, of a few cells", false, 2));
 
 extern const Family box_triangle_general_oriented_family =
     triangle_family<GeneralTriangle, OrientedEntry>("box-triangle/general_oriented", box_triangle_situation::everyday,

@@ -19,6 +19,26 @@ struct RealOfPair<BoxAndTriangle<Real>> {
   using type = Real;
 };
 
+// A query of any entry in doubles.
+template <class Real>
+std::array<Arrow, 3> corners_in_doubles(const std::array<Vec3<Real>, 3>& corner) {
+  return {arrow_of(corner[0]), arrow_of(corner[1]), arrow_of(corner[2])};
+}
+template <class Real>
+BoxAndTriangle<double> wide_query(const BoxAndTriangle<Real>& q) {
+  return {box_in_doubles(q.box), corners_in_doubles(q.corner)};
+}
+template <class Real>
+BoxAndTriangle<double> wide_query(const CentredAndTriangle<Real>& q) {
+  const Arrow half = arrow_of(Vec3<Real>{q.half[0], q.half[1], q.half[2]});
+  return oriented(
+      CentredAndTriangle<double>{arrow_of(q.centre), {half.x, half.y, half.z}, corners_in_doubles(q.corner)});
+}
+template <class Real>
+BoxAndTriangle<double> wide_query(const CornersAndTriangle<Real>& q) {
+  return oriented(CornersAndTriangle<double>{arrow_of(q.low), arrow_of(q.high), corners_in_doubles(q.corner)});
+}
+
 template <class Real>
 Vec3<Real> point_in_cube(Stream& random) {
   const Real x = random.symmetric<Real>(), y = random.symmetric<Real>(), z = random.symmetric<Real>();

@@ -71,8 +71,8 @@ extern const Family moving_sphere_ends_point_family =
 extern const Family moving_sphere_ends_lattice_family =
     ends_family<moving_sphere_lattice_family>("moving-sphere/ends_lattice", situation::small_integers,
                                               "lattice, by its ends: every operation of ends-twenty is exact", true);
-extern const Family moving_sphere_ends_walk_family = ends_family<moving_sphere_scene_walk_family>(
-    "moving-sphere/ends_walk", situation::everyday, "scene_walk, by its ends, in metres");
+extern const Family moving_sphere_ends_walk_family = in_metres(ends_family<moving_sphere_scene_walk_family>(
+    "moving-sphere/ends_walk", situation::everyday, "scene_walk, by its ends, in metres"));
 extern const Family moving_sphere_ends_reach_family =
     ends_family<moving_sphere_reach_family>("moving-sphere/ends_reach", situation::everyday, "reach, by its ends");
 extern const Family moving_sphere_ends_starts_family =

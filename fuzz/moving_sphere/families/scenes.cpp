@@ -100,17 +100,17 @@ Numbers<Real> shaking(Stream& random, std::uint64_t position) {
 
 }  // namespace
 
-extern const Family moving_sphere_scene_walk_family = moving_family<walking<float>, walking<double>>(
+extern const Family moving_sphere_scene_walk_family = in_metres(moving_family<walking<float>, walking<double>>(
     "moving-sphere/scene_walk", situation::everyday,
-    "metres: a character's step of a frame along a floor or ramp, within 1 cm of resting");
-extern const Family moving_sphere_scene_fall_family = moving_family<falling<float>, falling<double>>(
+    "metres: a character's step of a frame along a floor or ramp, within 1 cm of resting"));
+extern const Family moving_sphere_scene_fall_family = in_metres(moving_family<falling<float>, falling<double>>(
     "moving-sphere/scene_fall", situation::everyday,
-    "metres: a ball that falls by up to 2 m on the face, a seam or a corner");
-extern const Family moving_sphere_scene_bullet_family =
+    "metres: a ball that falls by up to 2 m on the face, a seam or a corner"));
+extern const Family moving_sphere_scene_bullet_family = in_metres(
     moving_family<shot<float>, shot<double>>("moving-sphere/scene_bullet", situation::everyday,
-                                             "metres: a point or a bullet of millimetres, 1 to 17 m in a frame");
-extern const Family moving_sphere_scene_shake_family = moving_family<shaking<float>, shaking<double>>(
+                                             "metres: a point or a bullet of millimetres, 1 to 17 m in a frame"));
+extern const Family moving_sphere_scene_shake_family = in_metres(moving_family<shaking<float>, shaking<double>>(
     "moving-sphere/scene_shake", situation::everyday,
-    "metres: a camera that moves by a micrometre to a millimetre at a wall");
+    "metres: a camera that moves by a micrometre to a millimetre at a wall"));
 
 }  // namespace axiscert::moving_sphere
