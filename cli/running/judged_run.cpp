@@ -96,7 +96,8 @@ bool print_outcomes(const std::vector<LevelOutcome>& outcomes, bool quiet, bool 
     if (outcome.passes()) {
       const bool is_met = outcome.state == LevelState::met;
       if (!quiet) fmt::print("{}\n", coloured(outcome.text(), is_met ? TextColour::green : TextColour::yellow));
-      if (!quiet && is_met && !is_brief) fmt::print("  covers {}\n  leaves out {}\n", outcome.covers, outcome.leaves_out);
+      if (!quiet && is_met && !is_brief)
+        fmt::print("  covers {}\n  leaves out {}\n", outcome.covers, outcome.leaves_out);
       continue;
     }
     for (const Failure& failure : outcome.failures) {
@@ -235,7 +236,7 @@ int put_result(JudgedRun run, const OutputOptions& output) {
     if (!is_on_one_screen) fmt::print(stderr, "axiscert: {}\n", sentence);
     if (!is_quiet) fmt::print("{}\n", coloured(sentence, TextColour::red));
   }
-  if (!is_quiet && output.has_summary) 
+  if (!is_quiet && output.has_summary)
     fmt::print("{}{}/report.html\n", summary_text(record, info.seconds, output.is_brief), output.out);
   if (!output.quiet && output.format == "csv") fmt::print("{}", read_bytes(output.out + "/" + record_csv_file));
   bool is_met = nothing.empty();
@@ -245,7 +246,8 @@ int put_result(JudgedRun run, const OutputOptions& output) {
     fmt::print(stderr, "axiscert: --ratchet {}: NOT CHECKED: {}\n", output.ratchet, interrupted_text(record));
   if (!is_complete) return interrupted_code();
   if (output.is_brief && !is_quiet) {
-    fmt::print("{}\n", is_met ? coloured("verdict: met", TextColour::green) : coloured("verdict: not met", TextColour::red));
+    fmt::print("{}\n",
+               is_met ? coloured("verdict: met", TextColour::green) : coloured("verdict: not met", TextColour::red));
   }
   return is_met ? exit_done : exit_requirement_failed;
 }

@@ -238,11 +238,12 @@ struct VerdictTally {
               {"deepest_false_separation", "The same over missed contacts.", "of the scene"}),
         field(&VerdictTally::deepest_false_contact,
               {"deepest_false_contact", "The same over phantom contacts.", "of the scene"}),
-        field(&VerdictTally::farthest_false_separation,
-              {"farthest_false_separation",
-               "The greatest length by which a missed contact is off: from touching, in the queries' unit; 0 where there "
-               "is none.",
-               "length"}),
+        field(
+            &VerdictTally::farthest_false_separation,
+            {"farthest_false_separation",
+             "The greatest length by which a missed contact is off: from touching, in the queries' unit; 0 where there "
+             "is none.",
+             "length"}),
         field(&VerdictTally::farthest_false_contact,
               {"farthest_false_contact", "The same over phantom contacts.", "length"}),
         field(

@@ -67,9 +67,9 @@ AllowedDepths either_way(const AskedLevel& asked) {
 }
 
 std::string conservative_sentence(const AskedLevel& asked) {
-  return "no missed contact" + (asked.has_argument ? fmt::format(", and no phantom contact deeper than {}",
-                                                                 depth_argument(asked).text())
-                                                   : "");
+  return "no missed contact" +
+         (asked.has_argument ? fmt::format(", and no phantom contact deeper than {}", depth_argument(asked).text())
+                             : "");
 }
 
 }  // namespace

@@ -170,9 +170,7 @@ bool AskedLevel::is_about(const std::string& family) const {
          });
 }
 
-std::string DepthLimit::text() const {
-  return is_length ? metric_text(most) : fmt::format("{} of the scene", most);
-}
+std::string DepthLimit::text() const { return is_length ? metric_text(most) : fmt::format("{} of the scene", most); }
 
 DepthLimit depth_argument(const AskedLevel& asked) {
   if (const auto length = length_in_metres(asked.argument)) return {*length, true};
@@ -180,9 +178,10 @@ DepthLimit depth_argument(const AskedLevel& asked) {
   const char* const end = asked.argument.data() + asked.argument.size();
   const auto [stop, problem] = std::from_chars(asked.argument.data(), end, depth);
   if (problem != std::errc() || stop != end || !(depth >= 0)) {
-    throw Error(fmt::format("requirement '{}': D is a depth, a share of the scene from 0 on, as in {}=0.001, or a length in "
-                            "{}, as in {}=1mm",
-                            asked.text, asked.name, fmt::join(length_unit_names(), ", "), asked.name));
+    throw Error(
+        fmt::format("requirement '{}': D is a depth, a share of the scene from 0 on, as in {}=0.001, or a length in "
+                    "{}, as in {}=1mm",
+                    asked.text, asked.name, fmt::join(length_unit_names(), ", "), asked.name));
   }
   return {depth};
 }

@@ -351,8 +351,8 @@ AskedLevel parse_level(const std::string& text) {
   if (asked.has_argument ? !takes_one : has_to)
     throw Error(fmt::format("requirement '{}': it is written {}", text, usage));
   if (!asked.families.empty() && level->asks_itself)
-    throw Error(fmt::format("requirement '{}': {} looks at queries of its own, not at families; leave out `in {}`", text,
-                            asked.name, fmt::join(asked.families, ",")));
+    throw Error(fmt::format("requirement '{}': {} looks at queries of its own, not at families; leave out `in {}`",
+                            text, asked.name, fmt::join(asked.families, ",")));
   level->check(asked);
   return asked;
 }

@@ -27,9 +27,10 @@ SlackSize size_argument(const AskedLevel& asked) {
   const char* const end = asked.argument.data() + asked.argument.size();
   const auto [stop, problem] = std::from_chars(asked.argument.data(), end, size);
   if (problem != std::errc() || stop != end || !(size > 0 && size <= 1e6)) {
-    throw Error(fmt::format("requirement '{}': SIZE is a part of a length above 0, as in {}=1e-4, or a length in {}, as in "
-                            "{}=1mm",
-                            asked.text, asked.name, fmt::join(length_unit_names(), ", "), asked.name));
+    throw Error(
+        fmt::format("requirement '{}': SIZE is a part of a length above 0, as in {}=1e-4, or a length in {}, as in "
+                    "{}=1mm",
+                    asked.text, asked.name, fmt::join(length_unit_names(), ", "), asked.name));
   }
   return {SlackKind::relative, size};
 }

@@ -12,9 +12,9 @@
 namespace axiscert {
 namespace {
 
-constexpr EnumArray<FamilyGroup, std::string_view> asked_words = {
-    "everyday scenes", "of your own queries", "queries that nothing rounds",
-    "hard queries (touching, degenerate, huge, tiny)"};
+constexpr EnumArray<FamilyGroup, std::string_view> asked_words = {"everyday scenes", "of your own queries",
+                                                                  "queries that nothing rounds",
+                                                                  "hard queries (touching, degenerate, huge, tiny)"};
 
 // "27 contacts invented, worst 16.6 cm (scene-edge)", or "none invented".
 std::string side_text(std::uint64_t count, const char* what, const std::string& worst, const std::string& family) {
@@ -32,9 +32,9 @@ std::string size_text(FamilyGroup group, double length, double depth, const Leng
 }
 
 std::string group_text(FamilyGroup group, const GroupResult& result, const LengthUnit* unit) {
-  const std::string missed = side_text(result.missed, "missed",
-                                       size_text(group, result.worst_missed, result.deepest_missed, unit),
-                                       result.missed_in),
+  const std::string missed =
+                        side_text(result.missed, "missed",
+                                  size_text(group, result.worst_missed, result.deepest_missed, unit), result.missed_in),
                     invented = side_text(result.invented, "invented",
                                          size_text(group, result.worst_invented, result.deepest_invented, unit),
                                          result.invented_in);

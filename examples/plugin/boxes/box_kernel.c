@@ -1,15 +1,15 @@
-/* Two boxes by fifteen axes, for somebody's own engine: the textbook with the cofactors of R where it has R's entries in
- * B's radius on the nine edge axes. It needs no epsilon. Equals axiscert's kernel box-box/cofactor, bit for bit, where
- * the compiler fuses nothing (-ffp-contract=off). */
+/* Two boxes by fifteen axes, for somebody's own engine: the textbook with the cofactors of R where it has R's entries
+ * in B's radius on the nine edge axes. It needs no epsilon. Equals axiscert's kernel box-box/cofactor, bit for bit,
+ * where the compiler fuses nothing (-ffp-contract=off). */
 #include <axiscert/plugin.h>
 #include <math.h>
 
 static float dot(const float u[3], const float v[3]) { return (u[0] * v[0] + u[1] * v[1]) + u[2] * v[2]; }
 
-/* A has the half extents s and the axes `a` one after the other, B has h and b. Sets the bit of each axis that separates:
- * 0 to 2 A's normals, 3 to 5 B's, 6 + 3 i + j the edges i of A and j of B. */
+/* A has the half extents s and the axes `a` one after the other, B has h and b. Sets the bit of each axis that
+ * separates: 0 to 2 A's normals, 3 to 5 B's, 6 + 3 i + j the edges i of A and j of B. */
 static int box_kernel(const float a_centre[3], const float s[3], const float a[9], const float b_centre[3],
-                      const float h[3], const float b[9], uint64_t *comparisons) {
+                      const float h[3], const float b[9], uint64_t* comparisons) {
   const float between[3] = {b_centre[0] - a_centre[0], b_centre[1] - a_centre[1], b_centre[2] - a_centre[2]};
   float t[3], R[3][3], size[3][3];
   uint64_t bits = 0;
