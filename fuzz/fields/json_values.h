@@ -227,6 +227,21 @@ struct JsonForm<std::string> {
   static Json schema() { return {{"type", "string"}}; }
 };
 
+// Text of our own that has more than one line: it is read as it is.
+struct Lines : std::string {
+  using std::string::string;
+  using std::string::operator=;
+};
+template <>
+struct JsonForm<Lines> {
+  static Json write(const Lines& value) { return static_cast<const std::string&>(value); }
+  static void read(const JsonPlace& place, Lines& into) {
+    place.require_type(place.value().is_string(), "string");
+    into = place.value().get_ref<const std::string&>();
+  }
+  static Json schema() { return {{"type", "string"}}; }
+};
+
 // Any JSON.
 template <>
 struct JsonForm<Json> {

@@ -151,8 +151,8 @@ TEST(Requirement, DepthAllowsWrongVerdictsUpToItEitherWay) {
   EXPECT_TRUE(unmet(record, "depth=0.25").empty());
   EXPECT_EQ(
       texts(record, "depth=0.2"),
-      std::vector<std::string>{"published binary32 on tangent: missed contacts, the deepest by 0.25 of the scene: "
-                               "0.2 is allowed: 40 (witness w2)"});
+      std::vector<std::string>{"published binary32 on tangent: missed contacts, the worst by 0.25 of the scene: "
+                               "0.2 of the scene is allowed: 40 (witness w2)"});
   EXPECT_EQ(unmet(record, "depth=0.1").size(), 2u) << "phantom contacts too";
 }
 

@@ -39,6 +39,7 @@ std::string group_text(FamilyGroup group, const GroupResult& result, const Lengt
                                          size_text(group, result.worst_invented, result.deepest_invented, unit),
                                          result.invented_in);
   std::string text = fmt::format("{} {}: ", thousands(result.looked_at), asked_words[group]);
+  if (result.no_answer == result.looked_at) return text + "no verdict";
   if (result.missed + result.invented == 0) text += "no wrong verdict";
   else text += result.missed == 0 && result.invented != 0 ? invented + "; " + missed : missed + "; " + invented;
   if (result.no_answer != 0) text += fmt::format("; {} without a verdict", thousands(result.no_answer));

@@ -52,10 +52,10 @@ struct PointBoxTrait : PointBox {
                        truth.touching, holds, ties);
   }
 
-  static double depth(const Numbers<double>& q) {
+  static ExactDepth exact_depth(const Numbers<double>& q) {
     const Squares found = squares(q);
-    if (found.scene == 0) return 0;
-    return nearest_sqrt<double>(Rational((found.outside != 0 ? found.outside : found.to_surface) / found.scene));
+    if (found.scene == 0) return {0, 0, 1};
+    return {found.outside != 0 ? found.outside : found.to_surface, 0, found.scene};
   }
 };
 
