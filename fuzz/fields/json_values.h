@@ -228,14 +228,14 @@ struct JsonForm<std::string> {
 };
 
 // Text of our own that has more than one line: it is read as it is.
-struct Lines : std::string {
+struct WholeText : std::string {
   using std::string::string;
   using std::string::operator=;
 };
 template <>
-struct JsonForm<Lines> {
-  static Json write(const Lines& value) { return static_cast<const std::string&>(value); }
-  static void read(const JsonPlace& place, Lines& into) {
+struct JsonForm<WholeText> {
+  static Json write(const WholeText& value) { return static_cast<const std::string&>(value); }
+  static void read(const JsonPlace& place, WholeText& into) {
     place.require_type(place.value().is_string(), "string");
     into = place.value().get_ref<const std::string&>();
   }

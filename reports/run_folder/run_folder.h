@@ -74,7 +74,7 @@ struct RatchetOutcome {
   std::vector<RatchetFailure> failures;
   std::vector<std::string> better, changed;
   std::vector<WaivedCells> held;
-  Lines accepted;
+  WholeText accepted;
 
   static constexpr std::string_view format = "axiscert-held/3",
                                     title = "What a run was held to, and where it falls short";
