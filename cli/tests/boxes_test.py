@@ -84,7 +84,7 @@ class BoxBox(Case):
                              "--kernel", "box-box/cofactor", "--kernel", "box-box/gottschalk")
         self.assertEqual(record["plan"]["predicate"], "box-box")
         by = {kernel["id"]: kernel["families"] for kernel in record["kernels"]}
-        self.assertEqual(len(by["box-box/textbook"]), 24)
+        self.assertEqual(len(by["box-box/textbook"]), 27)
         resting = {id: families["box-box/resting"]["verdict"] for id, families in by.items()}
         self.assertGreater(resting["box-box/textbook"]["links"]["specification"], 3)
         self.assertEqual(resting["box-box/cofactor"]["false_separation"], 0)
@@ -186,7 +186,8 @@ class BoxTriangle(Case):
     def test_a_run_is_of_one_entry(self):
         record = self.run_ok("--predicate", "box-triangle", "--trials", "40", "--precision", "binary32")
         self.assertEqual(set(record["kernels"][0]["families"]),
-                         {f"box-triangle/{name}" for name in ("general", "touching", "lattice", "degenerate", "one_axis", "units", "spans", "thin", "aligned")})
+                         {f"box-triangle/{name}" for name in ("general", "touching", "lattice", "degenerate", "terrain", "ramp", "level_voxel",
+                                                      "one_axis", "units", "spans", "thin", "aligned")})
         record = self.run_ok("--kernel", "box-triangle/textbook-minmax", "--kernel", "box-triangle/thirteen-minmax", "--trials", "200",
                              "--precision", "binary32", out="minmax")
         for kernel in record["kernels"]:
