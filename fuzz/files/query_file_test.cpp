@@ -114,7 +114,7 @@ TEST(QueryFile, AnErrorNamesFileLineAndField) {
       {with("r", "\"NaN\""), "r", "'NaN' is not a number"},
       {with("r", "\"\""), "r", "'' is not a number"},
       {with("r", "\" 1\""), "r", "' 1' is not a number"},
-      {with("r", "\"1\\n\""), "r", "'1?' is not a number"},
+      {with("r", "\"1\\n\""), "r", "'1\\n' is not a number"},
       {with("r", "NaN"), "r", "malformed JSON"},
       {with("r", "0x1p-3"), "r", "malformed JSON"},
       {with("r", "01"), "r", "malformed JSON"},
