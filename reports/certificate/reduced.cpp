@@ -307,7 +307,8 @@ std::vector<KernelMaterial> kernels_of_record(const Record& record) {
   for (const KernelRecord& kernel : record.kernels) {
     KernelRecord said = kernel;
     said.families = {};
-    said.slack.reset();  // the diagnosis states it
+    said.slack.reset();  // the diagnosis states them
+    said.window.reset();
     if (said.id == record.plan.kernels.front()) said.id = portable_id;
     KernelMaterial& entry = kernels.emplace_back(read_as<KernelMaterial>(without_fractions(json_of(said))));
     for (const auto& [family, result] : kernel.families) {

@@ -49,13 +49,15 @@ std::string group_text(FamilyGroup group, const GroupResult& result, const Lengt
 std::string window_text(const WindowRecord& window) {
   const std::string asked = fmt::format("2^{} to 2^{}", window.scanned_low, window.scanned_high);
   if (window.is_whole()) return fmt::format("in other units: as in this one, times {}", asked);
+  if (window.low == 0 && window.high == 0)
+    return fmt::format("in other units: other answers at half the unit and at twice it ({} were asked)", asked);
   return fmt::format("in other units: as in this one only from 2^{} to 2^{} times it ({} were asked)", window.low,
                      window.high, asked);
 }
 
 }  // namespace
 
-FamilyGroup group_of(std::string_view name) {
+FamilyGroup family_group(std::string_view name) {
   if (name.starts_with("mesh/") || name.starts_with("queries/")) return FamilyGroup::own;
   for (const Family* family : families()) {
     if (family->name != name) continue;
@@ -65,10 +67,10 @@ FamilyGroup group_of(std::string_view name) {
   return FamilyGroup::hard;
 }
 
-GroupResult result_of(const KernelRecord& kernel, FamilyGroup group) {
+GroupResult group_result(const KernelRecord& kernel, FamilyGroup group) {
   GroupResult out;
   for (const auto& [family, result] : kernel.families) {
-    if (group_of(family) != group) continue;
+    if (family_group(family) != group) continue;
     const VerdictTally& verdict = result.verdict;
     const Evidence evidence = evidence_of(kernel, result);
     if (evidence.promised() == 0) continue;
@@ -98,7 +100,7 @@ GroupResult result_of(const KernelRecord& kernel, FamilyGroup group) {
 std::vector<std::string> first_sentences(const KernelRecord& kernel, const PlanRecord& plan) {
   std::vector<std::string> sentences;
   for (const FamilyGroup group : enumerators<FamilyGroup>) {
-    const GroupResult result = result_of(kernel, group);
+    const GroupResult result = group_result(kernel, group);
     if (result.families != 0) sentences.push_back(group_text(group, result, unit_of(plan)));
   }
   if (kernel.window) sentences.push_back(window_text(*kernel.window));

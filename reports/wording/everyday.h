@@ -20,7 +20,7 @@ enum class FamilyGroup : std::uint8_t {
 };
 template <>
 inline constexpr std::size_t enum_count<FamilyGroup> = 4;
-FamilyGroup group_of(std::string_view family);
+FamilyGroup family_group(std::string_view family);
 inline constexpr EnumArray<FamilyGroup, std::string_view> family_group_names = {"everyday", "own", "exact", "hard"};
 constexpr std::string_view name(FamilyGroup group) { return family_group_names[group]; }
 
@@ -33,7 +33,7 @@ struct GroupResult {
   std::string missed_in, invented_in;               // the families of the worst lengths
   std::size_t families = 0;
 };
-GroupResult result_of(const KernelRecord& kernel, FamilyGroup group);
+GroupResult group_result(const KernelRecord& kernel, FamilyGroup group);
 
 // "in 131,072 everyday scenes: 27 contacts invented, worst 16.6 cm (scene-edge); none missed"; of the other groups
 // alike, of those with a query. Then "in other units: as at scale 1 from 2^-24 to 2^20 (asked 2^-140 to 2^125)".
