@@ -23,6 +23,7 @@ struct Examination {
   std::optional<Rational> squared_distance;
   Judgement judgement;
   std::optional<double> depth;            // of the query, if the verdict is wrong and the predicate has a depth
+  std::optional<double> length;           // the same as a length in the query's unit
   std::optional<ShownSides> sides;        // as computed, if the kernel exposes them and was asked now
   std::vector<double> measures;           // that the kernel gave, the first of the predicate's
   std::optional<MotionJudgement> motion;  // of these, beside a contact that is right

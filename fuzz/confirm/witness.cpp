@@ -245,6 +245,7 @@ void WitnessWriter::write(const Kernel& kernel, const SeededSource& of, const Sh
     witness.computed = found.answer.verdict;
     witness.touching = found.truth.touching;
     witness.depth = found.depth;
+    witness.length = found.length;
     if (has_input_classes(kernel) && found.judgement.verdict_flip) {
       witness.input_class = class_of_wrong(predicate, numbers, what.input_class);
     }

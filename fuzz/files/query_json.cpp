@@ -20,7 +20,7 @@ namespace {
 constexpr std::string_view written_beside_queries[] = {
     "kernel",        "family",      "address",       "truth",
     "computed",      "touching",    "depth",         "exact_comparisons",
-    "shows",         "flips",       "sides",         "provenance",
+    "length",        "shows",         "flips",       "sides",         "provenance",
     "note",          "expected",    "exact",         "computed_comparisons",
     "errors",        "findings",    "within_limits", "severity",
     "bits",          "nonzero",     "kept",          "before",

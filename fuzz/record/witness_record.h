@@ -228,7 +228,7 @@ struct WitnessRecord {
   Name kernel, family, address;
   Verdict truth = Verdict::contact, computed = Verdict::contact;
   bool touching = false;
-  std::optional<double> depth;
+  std::optional<double> depth, length;
   std::optional<InputClass> input_class;
   std::optional<BitText> exact_comparisons, computed_comparisons;
   std::vector<std::string> shows;
@@ -252,6 +252,10 @@ struct WitnessRecord {
         field(&Of::computed, {"computed", "The kernel's verdict."}),
         field(&Of::touching, {"touching", "Whether the exact distance equals r."}),
         field(&Of::depth, {"depth", "The depth of a wrong verdict; null where the verdict is right.", "of the scene"}),
+        field(&Of::length, {.name = "length",
+                            .about = "The same as a length, in the queries' unit; absent where there is none.",
+                            .unit = "length",
+                            .may_be_absent = true}),
         field(&Of::input_class,
               {.name = "class",
                .about = "The class of the input of a wrong verdict; absent for a kernel without family.classes.",

@@ -14,13 +14,14 @@
 #include "reports/wording/causes.h"
 #include "reports/wording/classes.h"
 #include "reports/wording/depths.h"
+#include "reports/wording/everyday.h"
 #include "reports/wording/summary.h"
 #include "reports/formats/format.h"
 #include "reports/formats/witness_order.h"
 #include "reports/page/encoding.h"
 #include "reports/wording/reproduce.h"
 #include "reports/wording/evidence.h"
-#include "reports/gates/requirement.h"
+#include "reports/gates/first_levels.h"
 
 namespace axiscert {
 namespace {
@@ -76,6 +77,7 @@ Json witness_card(const WitnessRecord& witness, const PlanRecord& plan) {
   if (const std::string_view written = written_name(predicate); !written.empty()) card["predicate"] = written;
   if (&entry != &predicate.entries.front()) card["entry"] = entry.name;
   card["command"] = replay_command(witness, plan);
+  card["length_text"] = length_words(witness.family, witness.length.value_or(0), plan);
   return card;
 }
 
@@ -85,8 +87,15 @@ Json kernel_data(const KernelRecord& kernel, const PlanRecord& plan) {
     const double per_million = zero_limit_per_million(kernel, family);
     return per_million < 0 ? Json(nullptr) : Json(per_million);
   };
-  for (const auto& [family, result] : kernel.families)
-    data["families"][family]["zero_limit_per_million"] = limit(result);
+  for (const auto& [family, result] : kernel.families) {
+    Json& shown = data["families"][family];
+    shown["zero_limit_per_million"] = limit(result);
+    const VerdictTally& verdict = result.verdict;
+    shown["lengths"] = {
+        {"false_separation", length_words(family, verdict.farthest_false_separation.best(), plan)},
+        {"false_contact", length_words(family, verdict.farthest_false_contact.best(), plan)}};
+  }
+  data["sentences"] = first_sentences(kernel, plan);
   data["touching_text"] = touching_text(kernel);
   data["limits_text"] = limits_text(kernel);
   data["classes"] = classes_data(kernel);
@@ -144,6 +153,43 @@ Json requirement_data(const Record& record) {
   return data;
 }
 
+// What the page begins with.
+Json first_data(const Record& record) {
+  const FirstLevels levels = first_levels(record);
+  Json data = {{"lead", levels.lead}, {"levels", Json::array()}, {"worst", nullptr}};
+  for (const LevelOutcome& outcome : levels.outcomes) {
+    data["levels"].push_back({{"level", outcome.claim()},
+                              {"kernel", outcome.kernel},
+                              {"precision", outcome.precision},
+                              {"state", name(outcome.state)},
+                              {"allowed", outcome.is_allowed},
+                              {"looked_at", outcome.looked_text()},
+                              {"reason", reason_text(outcome)},
+                              {"witness", outcome.failures.empty() ? "" : outcome.failures.front().witness}});
+  }
+  if (const WitnessRecord* worst = worst_scene(record))
+    data["worst"] = {{"id", worst->id},
+                     {"kernel", worst->kernel},
+                     {"precision", worst->precision},
+                     {"family", worst->family},
+                     {"group", name(group_of(worst->family))},
+                     {"words", scene_words(*worst, record.plan)}};
+  return data;
+}
+
+// The families of the plan by what a wrong answer on them says.
+Json groups_data(const PlanRecord& plan) {
+  Json data = Json::array();
+  for (const FamilyGroup group : enumerators<FamilyGroup>) {
+    std::vector<std::string> families;
+    for (const std::string& family : plan.families) {
+      if (group_of(family) == group) families.push_back(family);
+    }
+    if (!families.empty()) data.push_back({{"heading", family_group_headings[group]}, {"families", families}});
+  }
+  return data;
+}
+
 Json cards(const Record& record, std::size_t limit, const std::set<std::string>& named) {
   Json data = {{"total", record.witnesses.size()}, {"cards", Json::array()}};
   for (const WitnessRecord* witness : shown_witnesses(record, limit, named))
@@ -160,9 +206,14 @@ Json steps(const RunInfo& info) {
 
 Json page_data(const Run& run) {
   const Record& record = run.record;
-  Json data = {{"complete", record.complete},  {"interrupted", record.complete ? "" : interrupted_text(record)},
-               {"plan", json_of(record.plan)}, {"requirement", requirement_data(record)},
-               {"links", Json::object()},      {"notes", notes()},
+  Json data = {{"complete", record.complete},
+               {"interrupted", record.complete ? "" : interrupted_text(record)},
+               {"plan", json_of(record.plan)},
+               {"first", first_data(record)},
+               {"groups", groups_data(record.plan)},
+               {"requirement", requirement_data(record)},
+               {"links", Json::object()},
+               {"notes", notes()},
                {"kernels", Json::array()}};
   data["plan"].erase("seed");  // 64 bits, while a number in a page holds 53; the facts have it as text
   for (std::size_t i = 0; i < link_count; ++i) data["links"][std::string(link_names[i])] = link_words[i].meaning;
@@ -193,7 +244,7 @@ Json page_data(const Run& run) {
 std::string scripts() {
   using namespace embedded;
   const std::string scenes = scene_scripts();
-  const std::string_view all[] = {chart_min_js, chart_js,    table_js,     answer_js,  next_js,     classes_js,
+  const std::string_view all[] = {chart_min_js, chart_js,    table_js,     first_js,   answer_js,   next_js,   classes_js,
                                   heat_js,      bounds_js,   origins_js,   maps_js,    margins_js,  scenes,
                                   snippets_js,  contacts_js, witnesses_js, results_js, appendix_js, report_js};
   return fmt::format("{}", fmt::join(all, "\n"));
@@ -206,10 +257,9 @@ std::string render_html(const Run& run) {
         {"/*CSS*/", css}, {"/*DATA*/", data}, {"/*WITNESSES*/", std::move(witnesses)}, {"/*JS*/", js}};
     return filled(embedded::report_html, places);
   };
-  std::set<std::string> named;  // where a level is not met
-  if (!requirements_of(run.record.plan).levels.empty()) {
-    for (const Failure& failure : failures_of(outcomes_of(run.record))) named.insert(failure.witness);
-  }
+  std::set<std::string> named;  // where a level is not met, and what the page begins with
+  for (const Failure& failure : failures_of(first_levels(run.record).outcomes)) named.insert(failure.witness);
+  if (const WitnessRecord* worst = worst_scene(run.record)) named.insert(worst->id);
   const std::size_t taken = with("").size(), room = page_bytes - std::min(page_bytes, taken);
   for (std::size_t limit = page_witnesses;;) {
     std::string witnesses = packed(cards(run.record, limit, named).dump());

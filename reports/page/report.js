@@ -43,7 +43,7 @@ function show_reproduction(data) {
     column.count('generator version', (family) => plan.generators[family]?.version ?? null),
     ...per_precision('trials', plan.trials),
     ...(plan.units_done === null ? [] : per_precision('units done', plan.units_done)),
-  ], plan.families));
+  ], plan.families, {groups: by_group(data, plan.families, (family) => family)}));
   if (data.throughput.length === 0) {
     document.getElementById('speed-title').remove();
     return;
@@ -55,7 +55,7 @@ function show_reproduction(data) {
     column.amount('seconds of core', (row) => row.seconds_of_core, {digits: 3}),
     column.amount('queries a second and core', (row) => row.queries_per_second_and_core,
                   {digits: 3, none: 'not measured'}),
-  ], data.throughput));
+  ], data.throughput, grouped(data, data.throughput)));
 }
 
 // The commands whose files this folder could hold and does not, with what each would add to the page; those that serve the
@@ -103,6 +103,7 @@ async function show_report() {
     return;
   }
   data.not_checked.push(...missing_parts(data));
+  show_first(data);
   show_findings(data);
   show_answer(data);
   show_next(data);
@@ -118,5 +119,20 @@ async function show_report() {
   show_reproduction(data);
   document.body.classList.add('ready');
 }
+
+// On paper nothing is folded but the witnesses' cards, of which each has its line.
+const folded = 'details:not(.witness):not([open])';
+addEventListener('beforeprint', () => {
+  for (const fold of document.querySelectorAll(folded)) {
+    fold.open = true;
+    fold.dataset.folded = '';
+  }
+});
+addEventListener('afterprint', () => {
+  for (const fold of document.querySelectorAll('[data-folded]')) {
+    fold.open = false;
+    delete fold.dataset.folded;
+  }
+});
 
 show_report();

@@ -39,10 +39,10 @@ function rate(n, family) {
   return ['0', `(< ${amount(family.zero_limit_per_million, 3)} per million, 95 %)`];
 }
 
-// A record's name, which may wrap after an underscore or a slash.
-function breakable(name) {
+// A record's name, which may wrap after an underscore or a slash, or elsewhere.
+function breakable(name, places = /(?<=[_/])/) {
   const node = el('span');
-  name.split(/(?<=[_/])/).forEach((part, i) => node.append(...(i ? [el('wbr'), part] : [part])));
+  name.split(places).forEach((part, i) => node.append(...(i ? [el('wbr'), part] : [part])));
   return node;
 }
 
@@ -68,7 +68,7 @@ const column = {
   rate: (label, get, family, more) => ({label, get, numeric: true, ...more, cell: (td, value, row) => {
     const [number, limit] = rate(value, family(row));
     td.append(number, el('small', '', limit));
-    td.classList.add(value > 0 ? more?.alarm ?? 'bad' : 'zero');
+    td.classList.add('rate', value > 0 ? more?.alarm ?? 'bad' : 'zero');
   }}),
 };
 
@@ -107,11 +107,37 @@ function scroll_table(caption, className, ...parts) {
   return scroll;
 }
 
-// A table whose header cells sort it: numbers largest first, then smallest first; texts the other way round.
-function table(caption, columns, rows, row_class) {
+// The families of the plan by group: [heading, what the list has of them], without empty groups and in the page's order.
+// What is of no family comes first, without a heading.
+function by_group(data, list, family_of) {
+  const of = (families) => list.filter((each) => families.includes(family_of(each)));
+  const known = new Set(data.groups.flatMap(({families}) => families));
+  return [['', list.filter((each) => !known.has(family_of(each)))],
+          ...data.groups.map(({heading, families}) => [heading, of(families)])].filter(([, some]) => some.length > 0);
+}
+
+function heading_row(heading, columns) {
+  const th = el('th', '', heading);
+  th.colSpan = columns;
+  th.scope = 'rowgroup';
+  return el('tr', 'heading', th);
+}
+
+// Lists of columns that fit on a page side by side.
+function parts_of(columns, most) {
+  const parts = Math.ceil(columns.length / most), size = Math.ceil(columns.length / parts);
+  return Array.from({length: parts}, (_, i) => columns.slice(i * size, (i + 1) * size));
+}
+
+// A table whose header cells sort it: numbers largest first, then smallest first; texts the other way round. `groups`, from
+// by_group, puts rows under headings until they are sorted. A column that `may_go` does so where it is 0 in every row.
+function table(caption, all_columns, rows, {row_class, groups} = {}) {
+  const columns = all_columns.filter((c) => !c.may_go || rows.some((row) => c.get(row)));
+  const gone = all_columns.filter((c) => !columns.includes(c));
   const body = el('tbody');
   const fill = (ordered) => {
     body.replaceChildren(...ordered.map((row) => {
+      if (row.is_heading) return heading_row(row.heading, columns.length);
       const tr = el('tr', row_class ? row_class(row) : '');
       columns.forEach((c, i) => {
         const cell = el(i === 0 ? 'th' : 'td', c.numeric && !c.left ? 'n' : '');
@@ -132,8 +158,11 @@ function table(caption, columns, rows, row_class) {
     const order = (x, y) => (key(x) < key(y) ? -1 : key(x) > key(y) ? 1 : 0);
     fill([...rows].sort((x, y) => (descending ? order(y, x) : order(x, y))));
   }));
-  fill(rows);
-  return scroll_table(caption, '', head, body);
+  fill(groups ? groups.flatMap(([heading, some]) => (heading === '' ? some : [{heading, is_heading: true}, ...some])) : rows);
+  const scroll = scroll_table(caption, '', head, body);
+  if (gone.length === 0) return scroll;
+  const names = gone.map(({label, group}) => (group ? `${label} (${group})` : label));
+  return el('div', '', scroll, el('p', 'label', `0, or not checked, in every row, and left out: ${names.join(', ')}.`));
 }
 
 // A labelled choice; `change` is called with the index of the chosen option.

@@ -23,12 +23,17 @@ std::string side_text(std::uint64_t count, const char* what, const std::string& 
                      family);
 }
 
+// Families of scenes are in metres where nothing else is said.
+std::string length_in(FamilyGroup group, double length, const LengthUnit* unit) {
+  return length_text(length, unit == nullptr && group == FamilyGroup::everyday ? find_length_unit("m") : unit);
+}
+
+bool has_lengths(FamilyGroup group) { return group == FamilyGroup::everyday || group == FamilyGroup::own; }
+
 // A length where one has a meaning; else a share.
 std::string size_text(FamilyGroup group, double length, double depth, const LengthUnit* unit) {
   const std::string share = fmt::format("{} of the scene", amount(depth, 3));
-  if (group == FamilyGroup::everyday)
-    return length_text(length, unit != nullptr ? unit : find_length_unit("m")) + ", " + share;
-  return group == FamilyGroup::own ? length_text(length, unit) + ", " + share : share;
+  return has_lengths(group) ? length_in(group, length, unit) + ", " + share : share;
 }
 
 std::string group_text(FamilyGroup group, const GroupResult& result, const LengthUnit* unit) {
@@ -105,6 +110,44 @@ std::vector<std::string> first_sentences(const KernelRecord& kernel, const PlanR
   }
   if (kernel.window) sentences.push_back(window_text(*kernel.window));
   return sentences;
+}
+
+std::string length_words(std::string_view family, double length, const PlanRecord& plan) {
+  const FamilyGroup group = group_of(family);
+  return has_lengths(group) && length > 0 ? length_in(group, length, unit_of(plan)) : "";
+}
+
+const WitnessRecord* worst_scene(const Record& record) {
+  const auto worst = [&](auto&& is_meant, auto&& size) {
+    const WitnessRecord* found = nullptr;
+    for (const WitnessRecord& witness : record.witnesses) {
+      if (witness.depth && is_meant(witness) && (found == nullptr || size(witness) > size(*found))) found = &witness;
+    }
+    return found;
+  };
+  for (const FamilyGroup group : {FamilyGroup::everyday, FamilyGroup::own}) {
+    const auto is_farthest = [&](const WitnessRecord& witness) {
+      return group_of(witness.family) == group && std::ranges::any_of(witness.shows, [](const std::string& reason) {
+               return reason.starts_with("farthest ");
+             });
+    };
+    if (const auto* found = worst(is_farthest, [](const auto& witness) { return witness.length.value_or(0); }))
+      return found;
+  }
+  return worst([](const auto&) { return true; }, [](const auto& witness) { return *witness.depth; });
+}
+
+std::string scene_words(const WitnessRecord& witness, const PlanRecord& plan) {
+  const double depth = witness.depth.value_or(0), length = witness.length.value_or(0);
+  const bool is_missed = witness.computed == Verdict::separated;
+  const std::string what = is_missed ? "misses a contact" : "invents a contact";
+  if (depth == 0) return what + " where the two only touch";
+  const std::string share = fmt::format("{} of the scene", amount(depth, 3));
+  const std::string size = length_words(witness.family, length, plan);
+  if (size.empty()) return fmt::format("{}, by {}", what, share);
+  return fmt::format("{} {} in a scene of {}: {}", what,
+                     is_missed ? size + " deep" : fmt::format("across a gap of {}", size),
+                     length_words(witness.family, length / depth, plan), share);
 }
 
 }  // namespace axiscert

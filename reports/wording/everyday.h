@@ -8,6 +8,7 @@
 
 #include "fuzz/record/kernel_record.h"
 #include "fuzz/record/plan_record.h"
+#include "fuzz/record/record.h"
 
 namespace axiscert {
 
@@ -23,6 +24,13 @@ inline constexpr std::size_t enum_count<FamilyGroup> = 4;
 FamilyGroup family_group(std::string_view family);
 inline constexpr EnumArray<FamilyGroup, std::string_view> family_group_names = {"everyday", "own", "exact", "hard"};
 constexpr std::string_view name(FamilyGroup group) { return family_group_names[group]; }
+// Above the families of a group, in tables.
+inline constexpr EnumArray<FamilyGroup, std::string_view> family_group_headings = {
+    "Everyday scenes, in metres", "Your own", "Exact: nothing is rounded",
+    "Hard: touching, degenerate, huge, tiny"};
+
+// "16.6 cm": a length of a family's queries as people read it. Empty where it has no meaning, and where it is 0.
+std::string length_words(std::string_view family, double length, const PlanRecord& plan);
 
 // The results on the families of one group, merged.
 struct GroupResult {
@@ -38,5 +46,11 @@ GroupResult group_result(const KernelRecord& kernel, FamilyGroup group);
 // "in 131,072 everyday scenes: 27 contacts invented, worst 16.6 cm (scene-edge); none missed"; of the other groups
 // alike, of those with a query. Then "in other units: as at scale 1 from 2^-24 to 2^20 (asked 2^-140 to 2^125)".
 std::vector<std::string> first_sentences(const KernelRecord& kernel, const PlanRecord& plan);
+
+// The wrong verdict that a page draws first: the farthest off in length on an everyday scene, else on the user's own
+// queries, else the deepest of all. Null where none is wrong.
+const WitnessRecord* worst_scene(const Record& record);
+// "misses a contact 16.6 cm deep, in a scene of 13.5 m (0.0123 of it)", without the family.
+std::string scene_words(const WitnessRecord& witness, const PlanRecord& plan);
 
 }  // namespace axiscert

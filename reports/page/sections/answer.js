@@ -86,7 +86,8 @@ function metric(data, entry, label, member, alarm) {
   const [number, limit] = rate(total.verdict[member], total);
   const deepest = total.verdict[`deepest_${member}`];
   const witness = deepest_witness(data, entry, member);
-  const depth = el('small', '', deepest > 0 ? `deepest ${amount(deepest, 4)} of the scene` : 'deepest: 0');
+  const depth = el('small', '', deepest > 0 ? `deepest ${amount(deepest, 4)} of the scene` : 'deepest: 0',
+                   witness?.depth === deepest && witness.length_text ? `, ${witness.length_text}` : '');
   if (witness) depth.append(', witness ', witness_link(data, witness.id));
   return el('div', `metric ${total.verdict[member] > 0 ? alarm : ''}`, el('span', 'label', label),
             el('strong', '', number), el('small', '', limit), depth);
@@ -265,7 +266,7 @@ function show_answer(data) {
     document.getElementById('banner').append(el('p', 'banner bad', `${sentence}.`));
   }
   if (data.requirement) {
-    document.getElementById('answer-title').after(...data.requirement.levels.map(({level, sentence}) =>
+    document.getElementById('asked-levels').append(...data.requirement.levels.map(({level, sentence}) =>
       el('p', 'lead', 'Required: ', el('strong', '', level), `, ${sentence}.`)));
   }
   document.getElementById('answer-cards').append(...data.not_judged.map((id) => not_judged_card(data, id)),

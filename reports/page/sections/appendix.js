@@ -105,9 +105,10 @@ function show_filters(data) {
   const names = Object.keys(data.steps[0].queries);
   const total = (row) => Object.values(row.queries).reduce((x, y) => x + y, 0);
   const nanoseconds = Object.keys(data.steps[0].nanoseconds_per_query);
-  place.append(table('Queries decided by each step, and nanoseconds a query', [
-    column.text('family', (row) => row.family, {cell: (th, value) => th.append(el('span', 'name', value))}),
-    column.text('precision', (row) => row.precision),
+  const family = column.text('family', (row) => row.family, {cell: (th, value, row) =>
+    th.append(el('span', 'name', value), el('small', '', row.precision))});
+  place.append(table('Queries decided by each step', [
+    family,
     column.text('share of each step', (row) => row.queries[names[0]] / (total(row) || 1), {numeric: true, left: true, cell: (td, value, row) => {
       td.classList.add('wide');
       const bar = el('div', 'bar steps');
@@ -121,10 +122,12 @@ function show_filters(data) {
       });
       td.append(bar);
     }}),
-    ...names.map((name) => column.count(name, (row) => row.queries[name], {group: 'queries decided by'})),
-    column.count('checked again', (row) => row.checked), column.count('by CGAL itself', (row) => row.decided_by_cgal),
-    ...nanoseconds.map((name) => column.amount(name, (row) => row.nanoseconds_per_query[name], {digits: 3, group: 'ns a query'})),
-  ], data.steps));
+    ...names.map((name) => column.count(name, (row) => row.queries[name], {group: 'queries decided by', may_go: true})),
+    column.count('checked again', (row) => row.checked, {may_go: true}),
+    column.count('by CGAL itself', (row) => row.decided_by_cgal, {may_go: true}),
+  ], data.steps, grouped(data, data.steps)), el('details', '', el('summary', 'label', 'Time of each step'),
+    table('Nanoseconds a query', [family, ...nanoseconds.map((name) =>
+      column.amount(name, (row) => row.nanoseconds_per_query[name], {digits: 3, may_go: true}))], data.steps, grouped(data, data.steps))));
 }
 
 function show_appendix(data) {

@@ -30,7 +30,7 @@ function classes_box(data, entry) {
 }
 
 // Classes against families, shaded like the heat tables: for a kernel without comparisons to show there.
-function class_heat_table(entry) {
+function class_heat_table(data, entry) {
   const families = Object.entries(entry.families).filter(([, result]) => Object.keys(result.classes ?? {}).length > 0);
   if (families.length === 0) return el('p', 'empty', `${entry_name(entry)} shows only verdicts, and none of them is wrong.`);
   const wrong = (tally) => (tally ? tally.false_separation + tally.false_contact : 0);
@@ -41,18 +41,10 @@ function class_heat_table(entry) {
       (n === 0 ? '' : `, deepest ${amount(result.classes[name].deepest, 4)} of the scene`);
     return td;
   };
-  const heads = families.map(([family]) => {
-    const th = el('th', 'heat-name', el('span', '', breakable(family)));
-    th.scope = 'col';
-    return th;
-  });
-  const body = el('tbody', '', ...entry.classes.rows.map((row) => {
-    const th = el('th', '', el('span', 'name', row.class));
-    th.scope = 'row';
-    return el('tr', '', th, ...families.map(([family, result]) => cell(row.class, family, result)));
-  }));
+  const names = entry.classes.rows.map((row) => row.class);
+  const body = heat_rows(data, families, names.length, (family, result) => names.map((name) => cell(name, family, result)));
   const caption = `Classes of input by family: wrong verdicts, ${entry_name(entry)}`;
-  return scroll_table(caption, 'heat-table', el('thead', '', el('tr', '', el('th', '', 'class'), ...heads)), body);
+  return scroll_table(caption, 'heat-table', heat_head('family', names), el('tbody', '', ...body));
 }
 
 // How far the verdicts of a kernel without sides are off: the deepest of each class, as bars on a logarithmic scale.

@@ -63,23 +63,36 @@ function heat_cell(data, {entry, family, result, name, tally, figure}) {
   return cell;
 }
 
-function heat_table(data, entry, level, figure) {
-  const families = Object.entries(entry.families);
-  const columns = [[null, entry.all], ...families];
-  const head = el('tr', '', el('th', '', level === 'axes' ? 'axis' : 'comparison'),
-                  ...columns.map(([family]) => {
-                    const th = el('th', family === null ? 'heat-name all' : 'heat-name', el('span', '', breakable(family ?? 'all families')));
-                    th.scope = 'col';
-                    return th;
-                  }));
-  const body = el('tbody', '', ...Object.keys(entry.all[level]).map((name) => {
-    const th = el('th', '', el('span', 'name', name));
-    th.scope = 'row';
-    return el('tr', '', th, ...columns.map(([family, result]) =>
+// Rows of a heat table: all families together where there is such a row, then the families under their headings.
+function heat_rows(data, families, columns, cells_of) {
+  return by_group(data, families, ([family]) => family ?? '').flatMap(([heading, some]) => [
+    ...(heading === '' ? [] : [heading_row(heading, columns + 1)]),
+    ...some.map(([family, result]) => {
+      const th = el('th', '', el('span', 'name', family ?? 'all families'));
+      th.scope = 'row';
+      return el('tr', family === null ? 'total' : '', th, ...cells_of(family, result));
+    })]);
+}
+
+function heat_head(corner, names) {
+  return el('thead', '', el('tr', '', el('th', '', corner), ...names.map((name) => {
+    const th = el('th', '', breakable(name, names.length > 7 ? /(?<=[._])/ : /(?<=[.])/));
+    th.scope = 'col';
+    return th;
+  })));
+}
+
+const heat_columns = 16;  // that fit side by side
+
+function heat_tables(data, entry, level, figure) {
+  const names = Object.keys(entry.all[level]), parts = parts_of(names, heat_columns);
+  const rows = [[null, entry.all], ...Object.entries(entry.families)];
+  return parts.map((part, i) => {
+    const body = heat_rows(data, rows, part.length, (family, result) => part.map((name) =>
       heat_cell(data, {entry, family, result, name, tally: result[level][name], figure})));
-  }));
-  const caption = `${Object.keys(entry.all[level]).length} ${level} by family: ${figure[0]}, ${entry_name(entry)}`;
-  return scroll_table(caption, 'heat-table', el('thead', '', head), body);
+    const caption = `${names.length} ${level} by family: ${figure[0]}, ${entry_name(entry)}${parts.length > 1 ? `, ${i + 1} of ${parts.length}` : ''}`;
+    return scroll_table(caption, 'heat-table', heat_head('family', part), el('tbody', '', ...body));
+  });
 }
 
 function heat_legend() {
@@ -96,13 +109,13 @@ function show_heat(data) {
     document.getElementById('heat').append(
       el('p', 'lead', `${silent.map(entry_name).join('; ')}: only verdicts are shown, so no comparison can be named.` +
                       (with_classes.length > 0 ? ' By the class of the input:' : '')),
-      ...with_classes.map(class_heat_table));
+      ...with_classes.map((entry) => class_heat_table(data, entry)));
   }
   if (shown.length === 0) return;
   let entry = shown[0];
   let figure = heat_figures[0];
-  const show = () => place.replaceChildren(heat_table(data, entry, 'comparisons', figure), heat_legend(),
-                                           heat_table(data, entry, 'axes', figure));
+  const show = () => place.replaceChildren(...heat_tables(data, entry, 'comparisons', figure), heat_legend(),
+                                           ...heat_tables(data, entry, 'axes', figure));
   document.getElementById('heat-controls').append(
     choice('Kernel', shown.map(entry_name), (index) => { entry = shown[index]; show(); }),
     toggle('Count', heat_figures.map(([label]) => label), (index) => { figure = heat_figures[index]; show(); }));

@@ -73,14 +73,21 @@ function margin_histogram(entry, row, bins, most) {
   return el('figure', 'margin', el('figcaption', '', el('span', 'name', row.name), ` ${margin_words(row, band)}`), plot, ticks);
 }
 
-function margin_table(rows, bins) {
+// A row for each power of two: how many, and below how many of these have the wrong sign.
+function margin_tables(rows, bins) {
   const range = (key) => (key === 'tie' ? 'tie' : `2^${key} u`);
   const used = bins.filter((key) => rows.some((row) => (row.margins.right[key] ?? 0) + (row.margins.wrong[key] ?? 0) > 0));
-  return el('details', '', el('summary', '', 'The figures'), table('Margins above each power of two: all, and of these wrong', [
-    column.text('comparison', (row) => row.name, {cell: (th, value) => th.append(el('span', 'name', value))}),
-    ...used.flatMap((key) => [
-      column.count('all', (row) => (row.margins.right[key] ?? 0) + (row.margins.wrong[key] ?? 0), {group: range(key)}),
-      column.count('wrong', (row) => row.margins.wrong[key] ?? 0, {group: range(key), alarm: 'bad'})])], rows));
+  const parts = parts_of(rows, 16);
+  return el('details', '', el('summary', '', 'The figures'), ...parts.map((part) =>
+    table('Margins above each power of two: all, and below of these wrong', [
+      column.text('margin', range),
+      ...part.map((row) => column.text(row.name.replace('.', '. '), (key) => (row.margins.right[key] ?? 0) + (row.margins.wrong[key] ?? 0), {numeric: true, cell: (td, value, key) => {
+        const wrong = row.margins.wrong[key] ?? 0;
+        td.append(short_count(value));
+        td.title = `${count(value)}, ${count(wrong)} wrong`;
+        if (value === 0) td.classList.add('zero');
+        if (wrong > 0) td.append(el('small', 'wrong-count', short_count(wrong)));
+      }}))], used)));
 }
 
 function has_margin({margins}) { return sum(margins.right) + sum(margins.wrong) > 0; }
@@ -102,7 +109,7 @@ function show_margins(data) {
     const rows = Object.entries(result.comparisons).map(([name, tally]) => ({name, ...tally}));
     const bins = margin_bins(rows, entry.precision);
     const most = Math.max(1, ...rows.flatMap((row) => bins.map((key) => (row.margins.right[key] ?? 0) + (row.margins.wrong[key] ?? 0))));
-    place.replaceChildren(el('div', 'margins', ...rows.map((row) => margin_histogram(entry, row, bins, most))), margin_table(rows, bins));
+    place.replaceChildren(el('div', 'margins', ...rows.map((row) => margin_histogram(entry, row, bins, most))), margin_tables(rows, bins));
   };
   const families = () => choice('Family', ['all families', ...Object.keys(entry.families)], (index) =>
     draw(index === 0 ? entry.all : Object.values(entry.families)[index - 1]));

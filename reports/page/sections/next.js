@@ -1,4 +1,4 @@
-// Three things to do, by what the run found. Before the cards, so that it is seen first.
+// Three things to do, by what the run found, below the levels and before the cards.
 
 // The kernel that a reader wants to hear of: the first that fails what was required, otherwise the first that is wrong.
 function kernel_to_mend(data) {
@@ -12,10 +12,11 @@ function look_step(data, entry) {
     return el('li', '', 'Nothing was wrong on these queries. Look for the worst there is: ',
               el('code', '', `axiscert search --kernel ${data.plan.kernels[0]}`), '.');
   }
-  const [witness] = [...wrong_witnesses(data, entry, 'false_separation'), ...wrong_witnesses(data, entry, 'false_contact')];
+  const wrong = [...wrong_witnesses(data, entry, 'false_separation'), ...wrong_witnesses(data, entry, 'false_contact')];
+  const witness = wrong.find(({id}) => id === data.first.worst?.id) ?? wrong[0];
   if (!witness) return el('li', '', 'Look at where ', el('span', 'name', entry.id), ' is wrong, below.');
   return el('li', '', 'Look at a wrong verdict of ', el('span', 'name', entry.id), ': ', witness_link(data, witness.id),
-            witness.depth > 0 ? `, wrong by ${amount(witness.depth, 3)} of the scene` : '', '.');
+            witness.depth > 0 ? `, wrong by ${depth_text(witness, 3)}` : '', '.');
 }
 
 // Advice: a fault to mend, or a level to require.

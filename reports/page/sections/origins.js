@@ -1,6 +1,6 @@
 // Where errors come from: broken links by family; the cost of each form of the predicate; flips against precision.
 
-function origins_table(entry) {
+function origins_table(data, entry) {
   const rows = Object.entries(entry.families).map(([family, result]) => ({family, result}));
   const wrong = ({result}) => result.verdict.false_separation + result.verdict.false_contact;
   const most = Math.max(1, ...rows.map(wrong));
@@ -20,7 +20,7 @@ function origins_table(entry) {
                                  cell: (td, value, row) => td.append(link_chips(row.result.verdict.links))}),
     column.text('breaks that cancelled', (row) => Object.values(row.result.verdict.masked_links).reduce((x, y) => x + y, 0),
                 {numeric: true, left: true, cell: (td, value, row) => td.append(link_chips(row.result.verdict.masked_links))}),
-  ], rows);
+  ], rows, grouped(data, rows));
 }
 
 function plot(canvas, datasets, x, y) {
@@ -149,8 +149,8 @@ function show_origins(data) {
       const entry = shown[index];
       const has_other_links = Object.entries(entry.all.verdict.links).some(([link, n]) => link !== 'unattributed' && n > 0);
       // Where no link says why, a table of links would say `unattributed` in every row.
-      if (entry.classes === null) place.replaceChildren(origins_table(entry));
-      else place.replaceChildren(classes_box(data, entry), ...(has_other_links ? [origins_table(entry)] : []));
+      if (entry.classes === null) place.replaceChildren(origins_table(data, entry));
+      else place.replaceChildren(classes_box(data, entry), ...(has_other_links ? [origins_table(data, entry)] : []));
     };
     document.getElementById('links-controls').append(choice('Kernel', shown.map(entry_name), show));
     show(0);

@@ -6,64 +6,82 @@ function family_rows(entries) {
     Object.entries(entry.families).map(([family, result]) => ({entry, family, result})));
 }
 
-function family_columns() {
+function grouped(data, rows) { return {groups: by_group(data, rows, (row) => row.family)}; }
+
+// The kernel's column only where there is more than one.
+function family_columns(rows) {
+  const kernel = column.text('kernel', (row) => entry_name(row.entry), {cell: (td, value, row) =>
+    td.append(el('span', 'name', row.entry.id), el('small', '', row.entry.precision))});
   return [
-    column.text('family', (row) => row.family, {cell: (th, value, row) => {
-      th.append(el('span', 'name', value));
-      if (row.result.exact_arithmetic) th.append(el('small', '', 'exact_arithmetic'));
-    }}),
-    column.text('kernel', (row) => entry_name(row.entry), {cell: (td, value, row) =>
-      td.append(el('span', 'name', row.entry.id), el('small', '', row.entry.precision))}),
+    column.text('family', (row) => row.family, {cell: (th, value) => th.append(el('span', 'name', value))}),
+    ...(new Set(rows.map((row) => row.entry)).size > 1 ? [kernel] : []),
   ];
+}
+
+// Shares of the scene with the farthest length below, where the family's queries have a unit.
+function depth_column(label, member, more) {
+  return column.text(label, (row) => row.result.verdict[`deepest_${member}`], {numeric: true, ...more, cell: (td, value, row) => {
+    td.append(amount(value, 4));
+    td.title = String(value);
+    if (value === 0) td.classList.add('zero');
+    if (row.result.lengths[member]) td.append(el('small', '', row.result.lengths[member]));
+  }});
 }
 
 function families_table(data, rows) {
   const {truth, verdict, family} = data.notes;
   const truth_count = (member) =>
-    column.count(member, (row) => row.result.truth[member], {group: 'truth', note: truth[member]});
+    column.count(member, (row) => row.result.truth[member], {group: 'truth', note: truth[member], may_go: true});
   const wrong = (member, group, alarm) => [
     column.rate(member, (row) => row.result.verdict[member], (row) => row.result,
                 {group, alarm, note: verdict[member]}),
-    column.amount('deepest', (row) => row.result.verdict[`deepest_${member}`],
-                  {group, digits: 4, note: verdict[`deepest_${member}`]}),
+    depth_column('deepest', member, {group, note: verdict[`deepest_${member}`]}),
   ];
   const answers = (member, label, alarm) => column.count(label ?? member, (row) => row.result.verdict[member],
-                                                         {group: 'other verdicts', note: verdict[member], alarm});
-  const limited = rows.some((row) => row.result.verdict.outside_limits !== null);
-  const outside = !limited ? [] : ['trials', 'false_separation', 'false_contact', 'unanswered'].map((member) =>
-    column.count(member, (row) => row.result.verdict.outside_limits?.[member] ?? null,
-                 {group: 'outside its limits', note: data.notes.outside_limits[member], none: 'no limits'}));
-  const imaged = rows.some((row) => row.result.asymmetry);
-  const asymmetry = !imaged ? [] : ['images', 'verdicts', 'comparisons'].map((member) =>
-    column.count(member, (row) => row.result.asymmetry?.[member] ?? null,
-                 {group: 'asymmetry: other answers to images', note: data.notes.asymmetry[member], none: 'no images',
-                  alarm: member === 'images' ? undefined : 'warn'}));
+                                                         {group: 'other verdicts', note: verdict[member], alarm, may_go: true});
   return table('Verdicts by family', [
-    ...family_columns(),
+    ...family_columns(rows),
     column.count('trials', (row) => row.result.trials, {note: family.trials}),
     ...['separated', 'contact', 'touching', 'invalid'].map(truth_count),
     ...wrong('false_separation', 'missed contacts', 'bad'),
     ...wrong('false_contact', 'phantom contacts', 'warn'),
     answers('touching_flips', null, 'warn'), answers('undecided'), answers('invalid', 'invalid answers', 'warn'),
     answers('unanswered', 'no answer', 'bad'),
-    ...outside,
-    ...asymmetry,
     column.text('broken links', (row) => Object.values(row.result.verdict.links).reduce((x, y) => x + y, 0),
                 {numeric: true, left: true, note: verdict.links,
                  cell: (td, value, row) => td.append(link_chips(row.result.verdict.links))}),
-  ], rows);
+  ], rows, grouped(data, rows));
+}
+
+// Counted apart: queries outside the limits that a kernel declares, and answers to images of queries.
+function apart_tables(data, rows) {
+  const made = [];
+  const limited = rows.filter((row) => row.result.verdict.outside_limits !== null);
+  if (limited.length > 0) {
+    made.push(el('h3', '', 'Outside its limits'), table('Outside its limits', [...family_columns(rows),
+      ...['trials', 'false_separation', 'false_contact', 'unanswered'].map((member) => column.count(
+        member, (row) => row.result.verdict.outside_limits[member], {note: data.notes.outside_limits[member]}))], limited, grouped(data, limited)));
+  }
+  const imaged = rows.filter((row) => row.result.asymmetry);
+  if (imaged.length > 0) {
+    made.push(el('h3', '', 'Asymmetry'), table('Asymmetry: other answers to images of queries', [...family_columns(rows),
+      ...['images', 'verdicts', 'comparisons'].map((member) => column.count(member, (row) => row.result.asymmetry[member],
+        {note: data.notes.asymmetry[member], alarm: member === 'images' ? undefined : 'warn'}))], imaged, grouped(data, imaged)));
+  }
+  return el('div', '', ...made);
 }
 
 function link_counts_table(data, rows) {
   const links = Object.keys(data.links);
   const group = (label, member) => links.map((link) => column.count(link, (row) => row.result.verdict[member][link], {
-    group: label, note: data.links[link], alarm: member === 'links' ? 'bad' : undefined}));
+    group: label, note: data.links[link], alarm: member === 'links' ? 'bad' : undefined, may_go: true}));
   return table('Broken links', [
-    ...family_columns(), ...group('wrong verdicts', 'links'),
-    ...links.map((link) => column.count(link, (row) => row.result.verdict.first_by_link[link],
-      {group: 'first query with it', note: data.notes.verdict.first_by_link, none: 'none'})),
+    ...family_columns(rows), ...group('wrong verdicts', 'links'),
+    ...links.filter((link) => rows.some((row) => row.result.verdict.links[link] > 0)).map((link) =>
+      column.count(link, (row) => row.result.verdict.first_by_link[link],
+                   {group: 'first query with it', note: data.notes.verdict.first_by_link, none: 'none'})),
     ...group('cancelled: the verdict is right', 'masked_links'),
-  ], rows);
+  ], rows, grouped(data, rows));
 }
 
 function radius_table(data, entries) {
@@ -74,10 +92,11 @@ function radius_table(data, entries) {
   const of = (member, type, more) =>
     column[type](member, (row) => row.result.critical_radius[member], {note: note[member], ...more});
   return table('Critical radius error, in ulps', [
-    ...family_columns(), of('sampled', 'count'), of('median_ulps', 'amount', {digits: 6}),
-    of('largest_ulps', 'amount', {digits: 6}), of('unbounded', 'count', {alarm: 'warn'}),
-    of('unanswered', 'count', {alarm: 'bad'}), of('undecided', 'count'), of('invalid', 'count', {alarm: 'bad'}),
-  ], rows, (row) => (row.total ? 'total' : ''));
+    ...family_columns(rows), of('sampled', 'count'), of('median_ulps', 'amount', {digits: 6}),
+    of('largest_ulps', 'amount', {digits: 6}), of('unbounded', 'count', {alarm: 'warn', may_go: true}),
+    of('unanswered', 'count', {alarm: 'bad', may_go: true}), of('undecided', 'count', {may_go: true}),
+    of('invalid', 'count', {alarm: 'bad', may_go: true}),
+  ], rows, {row_class: (row) => (row.total ? 'total' : ''), ...grouped(data, rows)});
 }
 
 // The first contacts that kernels of a predicate of motions report; nothing for any other predicate.
@@ -98,19 +117,21 @@ function motion_table(data, rows) {
   const of = (measure, member, type, label, more) => column[type](label,
     (row) => row.result.motion[measure] && row.result.motion[measure][member], {...none, ...more});
   return el('div', '', el('h3', '', 'First contacts'), el('p', 'lead', data.motion_note), table('First contacts', [
-    ...family_columns(),
+    ...family_columns(told),
     column.count('contacts', (row) => row.result.motion.hits),
     ...side('late', 'bad'),
     size('tunnel', (t) => t.late_tunnels.deepest_tunnel, {group: 'late'}),
     ...side('early'),
     time('no time', (t) => t.none + t.invalid, 'count', {alarm: 'bad'}),
+  ], told, grouped(data, told)), table('Where contacts are, and missed contacts', [
+    ...family_columns(told),
     of('feature', 'wrong', 'count', 'wrong features', {alarm: 'warn'}),
     of('normal', 'largest_angle', 'amount', 'normal off by', {digits: 3}),
     of('point', 'largest_error', 'amount', 'point off by', {digits: 3}),
     of('missed', 'through', 'count', 'through', {group: 'missed contacts', alarm: 'bad'}),
     column.text('tunnel', (row) => row.result.motion.missed.deepest_tunnel, {numeric: true, key: magnitude, group: 'missed contacts',
       cell: (td, value) => td.append(error_amount(value))}),
-  ], told));
+  ], told, grouped(data, told)));
 }
 
 // For one kernel entry, or for all.
@@ -120,7 +141,7 @@ function show_families(data) {
   const show = (index) => {
     const chosen = index < kernels.length ? [kernels[index]] : kernels;
     const rows = family_rows(chosen);
-    for (const [id, made] of [['families-table', families_table(data, rows)], ['motion-table', motion_table(data, rows)],
+    for (const [id, made] of [['families-table', families_table(data, rows)], ['apart-tables', apart_tables(data, rows)], ['motion-table', motion_table(data, rows)],
                               ['link-counts', link_counts_table(data, rows)],
                               ['radius-table', radius_table(data, chosen)]]) {
       document.getElementById(id).replaceChildren(made);
@@ -133,7 +154,7 @@ function show_families(data) {
 function sign_columns(notes, level) {
   const of = (member, more) => column.count(member, (row) => row.tally[member], {note: notes[level][member], ...more});
   const links = Object.keys(notes.formula_links).map((link) =>
-    column.count(link, (row) => row.tally.links[link], {group: 'links broken by flips', note: notes.formula_links[link]}));
+    column.count(link, (row) => row.tally.links[link], {group: 'links broken by flips', note: notes.formula_links[link], may_go: true}));
   return [
     column.text(level, (row) => row.name, {cell: (th, value) => th.append(el('span', 'name', value))}),
     of('false_separation', {group: 'flips', alarm: 'bad'}), of('missed_separation', {group: 'flips', alarm: 'warn'}),
@@ -146,9 +167,9 @@ function error_columns(notes, level) {
   const group = 'error, in u';
   return [
     column.count('tolerance_failures', (row) => row.tally.tolerance_failures,
-                 {group, alarm: 'bad', note: notes[level].tolerance_failures}),
-    ...['max_error_u', 'smallest_passing_tolerance'].map((member) =>
-      column.error(member, (row) => row.tally[member], {group, note: notes[level][member]})),
+                 {group, alarm: 'bad', note: notes[level].tolerance_failures, may_go: true}),
+    // It is the smallest tolerance that passes, too.
+    column.error('max_error_u', (row) => row.tally.max_error_u, {group, note: notes[level].max_error_u}),
   ];
 }
 
@@ -176,11 +197,12 @@ function show_signs(data) {
     ], rows_of('axes', result)));
     comparisons.replaceChildren(table(`Comparisons: ${title}`, [
       ...sign_columns(data.notes, 'comparison'),
-      column.text('tolerance', (row) => data.plan.tolerance[row.name] ?? 'not given',
-                  {group: 'error, in u', numeric: true, key: (value) => Number(value) || 0}),
+      column.text('tolerance', (row) => data.plan.tolerance[row.name],
+                  {group: 'error, in u', numeric: true, key: (value) => Number(value) || 0, may_go: true,
+                   cell: (td, value) => td.append(value ?? 'not given')}),
       ...error_columns(data.notes, 'comparison'),
       ...['ties', 'range_events', 'error_without_scale'].map((member) =>
-        column.count(member, (row) => row.tally[member], {group: 'events', note: data.notes.comparison[member]})),
+        column.count(member, (row) => row.tally[member], {group: 'events', note: data.notes.comparison[member], may_go: true})),
     ], rows_of('comparisons', result)));
   };
   const choose_family = () => choice('Family', family_names(), (index) => { family = index; show(); });

@@ -9,40 +9,41 @@ function inputs_table(witness) {
   const body = el('tbody', '', ...groups.map((group) => {
     const [hex, decimal] = [[witness[group]].flat(), [witness.decimal[group]].flat()];
     const tr = el('tr', '', el('th', '', hex.length === 1 ? group : group.toUpperCase()));
-    hex.forEach((value, i) => tr.append(el('td', 'n', el('code', '', value), el('small', '', decimal[i]))));
+    hex.forEach((value, i) => tr.append(el('td', 'n', el('code', '', decimal[i]), el('small', '', value))));
     return tr;
   }));
-  return el('div', 'scroll', el('table', 'inputs', el('caption', '', 'Inputs, hex and decimal'), body));
+  return el('div', 'scroll', el('table', 'inputs', el('caption', '', 'Inputs, decimal and hex'), body));
 }
+
+const bits_at_once = 16;
 
 // The bits of the comparisons under their names, exact above computed; `clauses` has the axis of each.
 function bits_table(witness, clauses) {
   if (witness.exact_comparisons === null || witness.computed_comparisons === null) {
     return el('p', 'empty', 'Comparisons: not exposed, or none on an invalid query.');
   }
+  const differs = (i) => witness.exact_comparisons[i] !== witness.computed_comparisons[i];
+  const every = Object.entries(clauses).map(([name, axis], i) => ({name, axis, i}));
+  const differing = every.filter(({i}) => differs(i));
+  const all = every.length <= bits_at_once ? every : differing.slice(0, bits_at_once);
+  if (all.length === 0) return el('p', 'empty', `Comparisons: all ${every.length} are as in exact arithmetic.`);
   const axes = el('tr', 'groups', el('th'));
   const kinds = el('tr', '', el('th'));
-  const line = ([label, bits]) => {
-    const tr = el('tr', '', el('th', '', label));
-    tr.append(...[...bits].map((bit, i) => {
-      const differs = witness.exact_comparisons[i] !== witness.computed_comparisons[i];
-      return el('td', differs ? 'bit bad' : 'bit', bit);
-    }));
-    return tr;
-  };
+  const line = ([label, bits]) => el('tr', '', el('th', '', label),
+    ...all.map(({i}) => el('td', differs(i) ? 'bit bad' : 'bit', bits[i])));
   const lines = [['exact', witness.exact_comparisons], ['computed', witness.computed_comparisons]].map(line);
   const marks = el('tr', 'marks', el('th', '', 'differs'));
-  Object.entries(clauses).forEach(([name, axis], i, all) => {
-    if (i === 0 || all[i - 1][1] !== axis) {
+  all.forEach(({name, axis, i}, at) => {
+    if (at === 0 || all[at - 1].axis !== axis) {
       const th = el('th', 'group', axis);
-      th.colSpan = all.filter(([, other]) => other === axis).length;
+      th.colSpan = all.filter((other) => other.axis === axis).length;
       axes.append(th);
     }
     kinds.append(el('th', 'bit', name.startsWith(`${axis}.`) ? name.slice(axis.length + 1) : name));
-    marks.append(el('td', 'bit', witness.exact_comparisons[i] === witness.computed_comparisons[i] ? '' : '≠'));
+    marks.append(el('td', 'bit', differs(i) ? '≠' : ''));
   });
   return el('div', 'scroll', el('table', 'bits', el('caption', '', 'Comparisons: the kernel\'s own formulae in exact ' +
-    'arithmetic, and as computed'), el('thead', '', axes, kinds), el('tbody', '', ...lines, marks)));
+    'arithmetic, and as computed' + (all.length < every.length ? `; ${all.length} of the ${differing.length} that differ, of ${every.length}` : '')), el('thead', '', axes, kinds), el('tbody', '', ...lines, marks)));
 }
 
 function computed_side(text) {
@@ -96,7 +97,7 @@ function witness_body(witness, clauses) {
   const fact = (label, text) => facts.append(el('dt', '', label), el('dd', '', text));
   fact('truth', witness.truth + (witness.touching ? ', touching' : ''));
   fact('computed', witness.computed);
-  fact('depth', witness.depth === null ? 'none: the verdict is right' : String(witness.depth));
+  fact('depth', witness.depth === null ? 'none: the verdict is right' : depth_text(witness));
   fact('address', el('code', '', witness.address));
   fact('kept for', witness.shows.join('; '));
   return el('div', 'body',
@@ -105,9 +106,15 @@ function witness_body(witness, clauses) {
     el('p', 'label', 'Reproduce it and judge it'), command(witness.command), snippets(witness));
 }
 
+// A wrong verdict's share of the scene and, on an everyday scene and on one's own queries, its length.
+function depth_text({depth, length_text}, digits) {
+  return `${amount(depth, digits)} of the scene${length_text ? `, ${length_text}` : ''}`;
+}
+
 // How deep a wrong verdict is, or how deep the sphere goes in until a late time.
-function depth_words({depth, measures}) {
-  if (depth !== null) return `depth ${amount(depth, 4)}`;
+function depth_words(witness) {
+  const {depth, measures} = witness;
+  if (depth !== null) return depth_text(witness, 4);
   return measures?.tunnel ? `tunnel ${error_amount(measures.tunnel)}` : '';
 }
 
@@ -151,8 +158,8 @@ function show_witnesses(data) {
   const clauses = data.comparisons;
   const left_out = total - cards.length;
   document.getElementById('witnesses-count').textContent = total === 0 ? 'None were kept.'
-    : `${count(cards.length)} of ${count(total)} are in this file: first one of each cause and class of input, then the deepest; ordinary numbers ` +
-      'before exotic ones. ' +
+    : `${count(cards.length)} of ${count(total)} are in this file: first the shortest of each cause and class of input, then the deepest; ordinary ` +
+      'numbers before exotic ones. ' +
       (left_out > 0 ? `${count(left_out)} are left out for its size: the deepest of each kernel, family and kind stay, and one for each ` +
         'place of a flip. ' : '') + `witnesses.jsonl next to it has all ${count(total)}, as a query file.`;
   const list = document.getElementById('witnesses-list');
