@@ -148,7 +148,7 @@ int write_certificate(const CertificateMaterial& judged, const std::optional<Sig
     predicate.signed_by = key->id();
   }
   predicate.digest = digest_without_itself(json_of(statement));
-  const InstrumentReport report = certificate_report(statement, command_of(options));
+  const InstrumentReport report = certificate_report(statement, command_of(options), &run.record);
   const std::string words = certificate_words(report);
   folder.write_text("certificate.json", certificate_text(statement, key ? &*key : nullptr));
   folder.write_text("certificate.html", instrument_page(report));

@@ -14,6 +14,7 @@
 #include "fuzz/queries/family.h"
 #include "reports/certificate/statement/statement.h"
 #include "reports/run_folder/run_folder.h"
+#include "reports/wording/everyday.h"
 #include "reports/wording/classes.h"
 #include "reports/wording/reproduce.h"
 #include "reports/wording/summary.h"
@@ -247,15 +248,19 @@ std::vector<CertificateWitness> worst_of_certificate(const Record& record, const
   std::erase_if(own.witnesses, [&](const WitnessRecord& witness) { return witness.kernel != kernel; });
   std::vector<CertificateWitness> worst;
   std::set<std::string> families;
+  std::vector<const WitnessRecord*> ordered = worst_witnesses(own, own.witnesses.size());
+  if (const WitnessRecord* first = worst_scene(own)) ordered.insert(ordered.begin(), first);
   for (const bool another_family : {true, false}) {
-    for (const WitnessRecord* witness : worst_witnesses(own, own.witnesses.size())) {
+    for (const WitnessRecord* witness : ordered) {
       if (worst.size() == most) return worst;
       const bool is_there = std::ranges::any_of(worst, [&](const auto& w) { return w.address == witness->address; });
       if (is_there || (another_family && !families.insert(witness->family).second)) continue;
       const Json query = query_of(*witness, predicate_of(record.plan));
       const std::string_view truth = witness->touching ? "touching" : name(witness->truth);
-      const std::string depth =
+      std::string depth =
           witness->depth ? fmt::format(", {} of the scene deep", amount(*witness->depth, 3)) : std::string();
+      const std::string length = length_words(witness->family, witness->length.value_or(0), record.plan);
+      if (!length.empty()) depth += ", " + length;
       worst.push_back({fmt::format("{} {}, family {}", kernel, name(witness->precision), witness->family),
                        fmt::format("The truth is {}, the kernel says {}{}. Address {}.", truth, name(witness->computed),
                                    depth, witness->address),

@@ -10,6 +10,7 @@
 #include "kernel/base/text.h"
 #include "reports/certificate/margin.h"
 #include "reports/gates/level.h"
+#include "reports/wording/everyday.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -20,8 +21,8 @@ std::string cell(Precision precision) { return std::string(name(precision)); }
 
 class CertificatePage {
  public:
-  explicit CertificatePage(const CertificateStatement& statement)
-      : statement_(statement), predicate_(statement.predicate) {}
+  CertificatePage(const CertificateStatement& statement, const Record* record)
+      : statement_(statement), predicate_(statement.predicate), record_(record) {}
 
   InstrumentReport report(const std::string& command) const {
     InstrumentReport report;
@@ -30,6 +31,7 @@ class CertificatePage {
     report.title = fmt::format("Certificate of {}, {}{}{}", predicate_.kernel.id, predicate_.kernel.question,
                                no_answers.empty() ? "" : ": ", no_answers);
     report.command = command;
+    report.first = first();
     report.notes_heading = "In short";
     report.notes = {sentence(made_sentence(predicate_) + "; " + signer_sentence(predicate_)),
                     sentence("asked: " + asked_sentence(predicate_)), sentence(looked_sentence(predicate_)),
@@ -71,9 +73,48 @@ class CertificatePage {
                        list(LevelState::not_met), list(LevelState::not_checked));
   }
 
+  InstrumentFirst first() const {
+    InstrumentFirst first{states_table(), {}, {}};
+    if (!predicate_.witnesses.empty()) {
+      first.worst = scene_of(predicate_.witnesses.front());
+      first.worst->title = "The worst: " + first.worst->title;
+    }
+    if (record_ == nullptr) return first;
+    for (const KernelRecord& kernel : record_->kernels) {
+      if (kernel.id != predicate_.kernel.id) continue;
+      for (const std::string& told : first_sentences(kernel, record_->plan))
+        first.sentences.push_back(fmt::format("{}: {}.", name(kernel.precision), told));
+    }
+    return first;
+  }
+
+  // What came of every level, and of how many queries.
+  InstrumentTable states_table() const {
+    InstrumentTable table{"The answer", {"level"}, {}};
+    for (const Precision precision : predicate_.kernel.precisions)
+      table.columns.insert(table.columns.end(), {cell(precision), "how much was looked at"});
+    for (const LevelState state : {LevelState::not_met, LevelState::met, LevelState::not_checked}) {
+      for (const LevelStatement& level : predicate_.levels) {
+        const auto is_there = [&](const auto& row) { return row[0] == level.level; };
+        if (state_of_level(predicate_, level.level) != state || std::ranges::any_of(table.rows, is_there)) continue;
+        std::vector<std::string> row = {level.level};
+        for (const Precision precision : predicate_.kernel.precisions) {
+          const LevelStatement* entry = find(level.level, precision);
+          row.emplace_back(entry ? name(entry->state) : "-");
+          row.push_back(entry == nullptr            ? "-"
+                        : !entry->looked_at.empty() ? std::string(entry->looked_at)
+                                                    : std::string(entry->reason.value_or("-")));
+        }
+        table.rows.push_back(std::move(row));
+      }
+    }
+    return table;
+  }
+
   // One row a level, a column a precision.
   InstrumentTable levels_table() const {
     InstrumentTable table{"Levels", {"level"}, {}};
+    table.is_folded = true;
     for (const Precision precision : predicate_.kernel.precisions) table.columns.push_back(cell(precision));
     table.columns.insert(table.columns.end(), {"what it says", "what that rests on, or why not"});
     std::vector<std::string> done;
@@ -124,6 +165,7 @@ class CertificatePage {
 
   InstrumentTable unchecked_table() const {
     InstrumentTable table{"Levels that were NOT CHECKED", {"level", "why"}, {}};
+    table.is_folded = true;
     for (const LevelStatement& level : predicate_.levels) {
       const auto is_there = [&](const auto& row) { return row[0] == level.level; };
       if (!is_unchecked(level.level) || std::ranges::any_of(table.rows, is_there)) continue;
@@ -136,14 +178,18 @@ class CertificatePage {
     InstrumentTable table{"Witnesses", {"what", "address"}, {}};
     for (const CertificateWitness& witness : predicate_.witnesses) {
       table.rows.push_back({witness.title, witness.address});
-      InstrumentScene scene;
-      scene.title = witness.title;
-      scene.sentence = witness.sentence;
-      scene.command = witness.command;
-      scene.query = witness.query.json;
-      table.scenes.push_back(std::move(scene));
+      table.scenes.push_back(scene_of(witness));
     }
     return table;
+  }
+
+  static InstrumentScene scene_of(const CertificateWitness& witness) {
+    InstrumentScene scene;
+    scene.title = witness.title;
+    scene.sentence = witness.sentence;
+    scene.command = witness.command;
+    scene.query = witness.query.json;
+    return scene;
   }
 
   InstrumentTable limits_table() const {
@@ -203,6 +249,7 @@ class CertificatePage {
 
   InstrumentTable materials_table() const {
     InstrumentTable table{"Made from", {"what", "name", "SHA-256"}, {}};
+    table.is_folded = true;
     for (const SubjectStatement& subject : statement_.subject)
       table.rows.push_back({"subject: " + subject.annotations.what, subject.name, subject.digest.sha256});
     const MaterialsStatement& materials = predicate_.materials;
@@ -218,6 +265,7 @@ class CertificatePage {
 
   const CertificateStatement& statement_;
   const CertificatePredicate& predicate_;
+  const Record* const record_;
 };
 
 std::string escaped(const std::string& text) {
@@ -234,8 +282,9 @@ std::string escaped(const std::string& text) {
 
 }  // namespace
 
-InstrumentReport certificate_report(const CertificateStatement& statement, const std::string& command) {
-  return CertificatePage(statement).report(command);
+InstrumentReport certificate_report(const CertificateStatement& statement, const std::string& command,
+                                    const Record* record) {
+  return CertificatePage(statement, record).report(command);
 }
 
 std::string certificate_badge(const CertificateStatement& statement) {
@@ -333,6 +382,9 @@ std::string table_words(const InstrumentTable& table) {
 std::string certificate_words(const InstrumentReport& report) {
   std::string text = wrapped(report.title, 0);
   for (const std::string& note : report.notes) text += wrapped(note, 0);
+  if (report.first) {
+    for (const std::string& sentence : report.first->sentences) text += wrapped(sentence, 0);
+  }
   for (const InstrumentTable& table : report.tables) {
     text += "\n" + table_words(table);
     for (const InstrumentScene& scene : table.scenes)

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/record/record.h"
 #include "reports/certificate/statement/certificate_data.h"
 #include "reports/instrument/instrument.h"
 
@@ -44,8 +45,9 @@ std::string peculiarities_note(const CertificatePredicate& predicate);
 // classes.
 InstrumentTable situations_table(const CertificatePredicate& predicate);
 
-// `command` is what made it.
-InstrumentReport certificate_report(const CertificateStatement& statement, const std::string& command);
+// `command` is what made it. `record`, of the same kernel, says the sentences with which the page begins; null: none.
+InstrumentReport certificate_report(const CertificateStatement& statement, const std::string& command,
+                                    const Record* record = nullptr);
 
 // The same for a terminal: sentences are wrapped at 110 columns.
 std::string certificate_words(const InstrumentReport& report);

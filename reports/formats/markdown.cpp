@@ -8,6 +8,7 @@
 #include "reports/formats/format.h"
 #include "reports/formats/markdown_sections.h"
 #include "reports/wording/markdown_text.h"
+#include "reports/wording/everyday.h"
 #include "reports/wording/reproduce.h"
 #include "reports/wording/evidence.h"
 #include "reports/gates/requirement.h"
@@ -54,10 +55,10 @@ class MarkdownReport {
     }
     for (const std::string& sentence : unjudged(record_))
       text += fmt::format("\n> **{}**\n", markdown_text(sentence, 2000));
-    return text + causes_section(record_) + ratchet() + findings() + requirements_section(record_, outcomes_) +
-           summary() + motion_section(record_) + classes_section(record_) + depths_section(record_) + families() +
+    return text + answer_section(record_) + causes_section(record_) + ratchet() + findings() +
+           requirements_section(record_, outcomes_) + summary() + motion_section(record_) + classes_section(record_) + depths_section(record_) + families() +
            outside() + asymmetries() + axes_section(record_, totals_) + comparisons_section(record_, totals_) +
-           broken_links() + witnesses() + critical_radius() + reproduce();
+           broken_links() + witnesses() + critical_radius() + words() + reproduce();
   }
 
  private:
@@ -126,8 +127,13 @@ class MarkdownReport {
       section.add_line(fmt::format("\n{} {} declares: {}; limits: {}.", markdown_text(kernel.id),
                                    name(kernel.precision), touching_text(kernel), limits_text(kernel)));
     }
+    return section.text();
+  }
+
+  std::string words() const {
+    Section section("Words");
     section.add_line(
-        "\nDepth, how far a wrong verdict is from being right, is a share of the scene: |d - r| / max(|A-P|, |B-P|, "
+        "Depth, how far a wrong verdict is from being right, is a share of the scene: |d - r| / max(|A-P|, |B-P|, "
         "|C-P|, r); `axiscert explain WORD` says what any word here means. A limit for zero failures holds for "
         "this generator only. What a broken link of a wrong verdict means:\n");
     for (std::size_t i = 0; i < link_count; ++i)
@@ -148,23 +154,52 @@ class MarkdownReport {
 
   std::string families() const {
     Section section("Kernels and families");
-    section.add_head(
-        {"kernel", "precision", "family", "broken links", "trials", "separated", "contact", "touching", "invalid",
-         "false_separation", "deepest", "false_contact", "deepest", "touching flips", "undecided", "no answer"},
-        4);
-    for_each_family([&](std::vector<std::string> cells, const KernelRecord& kernel, const FamilyRecord& result) {
-      const TruthCounts& truth = result.truth;
-      const VerdictTally& verdict = result.verdict;
-      if (result.exact_arithmetic) cells.back() += " (exact arithmetic)";
-      cells.insert(cells.end(),
-                   {links(verdict.links), thousands(result.trials), thousands(truth.separated),
-                    thousands(truth.contact), thousands(truth.touching), thousands(truth.invalid),
-                    with_rate(verdict.false_separation, kernel, result), depth(verdict.deepest_false_separation.best()),
-                    with_rate(verdict.false_contact, kernel, result), depth(verdict.deepest_false_contact.best()),
-                    thousands(verdict.touching_flips), thousands(verdict.undecided), thousands(verdict.unanswered)});
-      section.add_row(cells);
-    });
+    for (const FamilyGroup group : enumerators<FamilyGroup>) add_families(section, group);
     return section.text();
+  }
+
+  void add_families(Section& section, FamilyGroup group) const {
+    bool is_first = true;
+    for (const KernelRecord& kernel : record_.kernels) {
+      for (const auto& [family, result] : kernel.families) {
+        if (group_of(family) != group) continue;
+        if (is_first) {
+          section.add_line(fmt::format("\n### {}\n", family_group_headings[group]));
+          section.add_head({"kernel", "precision", "family", "broken links", "trials", "separated", "contact",
+                            "touching", "invalid", "false_separation", "deepest", "false_contact", "deepest",
+                            "touching flips", "undecided", "no answer"},
+                           4);
+        }
+        is_first = false;
+        section.add_row(family_cells(kernel, family, result));
+      }
+    }
+  }
+
+  std::vector<std::string> family_cells(const KernelRecord& kernel, const std::string& family,
+                                        const FamilyRecord& result) const {
+    const TruthCounts& truth = result.truth;
+    const VerdictTally& verdict = result.verdict;
+    const auto deepest = [&](const Leaders<double>& by_depth, const Leaders<double>& by_length) {
+      const std::string length = length_words(family, by_length.best(), plan_);
+      return depth(by_depth.best()) + (length.empty() ? "" : ", " + length);
+    };
+    return {markdown_text(kernel.id),
+            std::string(name(kernel.precision)),
+            markdown_text(family) + (result.exact_arithmetic ? " (exact arithmetic)" : ""),
+            links(verdict.links),
+            thousands(result.trials),
+            thousands(truth.separated),
+            thousands(truth.contact),
+            thousands(truth.touching),
+            thousands(truth.invalid),
+            with_rate(verdict.false_separation, kernel, result),
+            deepest(verdict.deepest_false_separation, verdict.farthest_false_separation),
+            with_rate(verdict.false_contact, kernel, result),
+            deepest(verdict.deepest_false_contact, verdict.farthest_false_contact),
+            thousands(verdict.touching_flips),
+            thousands(verdict.undecided),
+            thousands(verdict.unanswered)};
   }
 
   std::string outside() const {
@@ -233,7 +268,9 @@ class MarkdownReport {
                                  worst.size(), record_.witnesses.size()));
     for (std::size_t i = 0; i < worst.size(); ++i) {
       const WitnessRecord& w = *worst[i];
-      const std::string depth_text = w.depth ? fmt::format(", depth {}", depth(*w.depth)) : "";
+      std::string depth_text = w.depth ? fmt::format(", depth {}", depth(*w.depth)) : "";
+      if (const std::string length = length_words(w.family, w.length.value_or(0), plan_); !length.empty())
+        depth_text += ", " + length;
       section.add(fmt::format("\n{}. {}: {} {} on {}: {} computed, {}{} exact{}\n\n{}", i + 1, markdown_text(w.id),
                               markdown_text(w.kernel), name(w.precision), markdown_text(w.family), name(w.computed),
                               name(w.truth), w.touching ? " (touching)" : "", depth_text,

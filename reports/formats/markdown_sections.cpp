@@ -4,8 +4,11 @@
 
 #include "reports/wording/causes.h"
 #include "reports/wording/classes.h"
+#include "reports/gates/first_levels.h"
 #include "reports/wording/depths.h"
+#include "reports/wording/everyday.h"
 #include "reports/wording/markdown_text.h"
+#include "reports/wording/reproduce.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -132,7 +135,7 @@ std::string meaning_of(const LevelOutcome& outcome) {
       return fmt::format("covers {}; leaves out {}", markdown_text(outcome.covers, 2000),
                          markdown_text(outcome.leaves_out, 2000));
     case LevelState::not_met:
-      return fmt::format("{} ways in which it falls short, below", thousands(outcome.failures.size()));
+      return markdown_text(reason_text(outcome), 2000);
     case LevelState::not_checked:
       break;
   }
@@ -140,6 +143,31 @@ std::string meaning_of(const LevelOutcome& outcome) {
 }
 
 }  // namespace
+
+std::string answer_section(const Record& record) {
+  Section section("The answer");
+  const FirstLevels first = first_levels(record);
+  section.add_line(first.lead + "\n");
+  if (!first.outcomes.empty())
+    section.add_head({"level", "kernel", "precision", "state", "how much was looked at", "what that says"}, 6);
+  for (const LevelOutcome& outcome : first.outcomes) {
+    const std::string state(state_text(&outcome));
+    section.add_row({markdown_text(outcome.claim()), markdown_text(outcome.kernel), outcome.precision,
+                     outcome.passes() ? state : fmt::format("**{}**", state), outcome.looked_text(),
+                     meaning_of(outcome)});
+  }
+  if (const WitnessRecord* worst = worst_scene(record)) {
+    section.add(fmt::format("\nThe worst: {} {} {}. Family {}, witness {}.\n\n{}", markdown_text(worst->kernel),
+                            name(worst->precision), scene_words(*worst, record.plan), markdown_text(worst->family),
+                            markdown_text(worst->id), code_block(replay_command(*worst, record.plan))));
+  }
+  for (const KernelRecord& kernel : record.kernels) {
+    section.add_line(fmt::format("\n{} {}:\n", markdown_text(kernel.id), name(kernel.precision)));
+    for (const std::string& sentence : first_sentences(kernel, record.plan))
+      section.add_line("- " + markdown_text(sentence, 2000));
+  }
+  return section.text();
+}
 
 std::string requirements_section(const Record& record, const std::vector<LevelOutcome>& outcomes) {
   const Requirements required = requirements_of(record.plan);
@@ -149,14 +177,6 @@ std::string requirements_section(const Record& record, const std::vector<LevelOu
     section.add_line(
         fmt::format("Requirement `{}`: {}.\n", markdown_text(asked.text), markdown_text(sentence_of(asked), 2000)));
   section.add_line(pass(outcomes) ? "The gate passes.\n" : "**The gate fails**: what is not checked does not pass.\n");
-  section.add_head({"level", "kernel", "precision", "state", "how much was looked at", "what that says"}, 6);
-  for (const LevelOutcome& outcome : outcomes) {
-    const std::string state(state_text(&outcome));
-    section.add_row({markdown_text(outcome.claim()), markdown_text(outcome.kernel), outcome.precision,
-                     outcome.passes() ? state : fmt::format("**{}**", state), outcome.looked_text(),
-                     meaning_of(outcome)});
-  }
-  section.add_line("");
   for (const Failure& failure : failures_of(outcomes)) section.add_line(failure_line(failure));
   return section.text();
 }

@@ -23,7 +23,10 @@ std::string depths_section(const Record& record);
 // On the first contacts that kernels report. Empty for a predicate without measures, and where there is nothing to say.
 std::string motion_section(const Record& record);
 
-// On what was required and what came of it. Empty where nothing is required.
+// What the report begins with: the levels, the worst wrong verdict, and each kernel in a few sentences.
+std::string answer_section(const Record& record);
+
+// On what was required, and where that is not met. Empty where nothing is required.
 std::string requirements_section(const Record& record, const std::vector<LevelOutcome>& outcomes);
 
 // The axes or the comparisons of each kernel over all families, those with a flip first. `totals`: all_families() of

@@ -1,5 +1,7 @@
 #include "reports/formats/witness_order.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -43,14 +45,27 @@ PagePlace page_place_of(const WitnessRecord& witness, const PlanRecord& plan, bo
   return {part, !is_ordinary(witness, plan), -witness.depth.value_or(-1)};
 }
 
-// One witness of each cause: an ordinary one where there is one, the deepest of these.
+// The digits of its numbers, in their shortest decimal form.
+std::size_t digits_of(const WitnessRecord& witness) {
+  std::size_t digits = 0;
+  for (const auto& [group, numbers] : witness.numbers) {
+    for (const std::string& number : numbers.numbers) {
+      digits += witness.precision == Precision::binary32 ? fmt::formatted_size("{}", parse_number<float>(number))
+                                                         : fmt::formatted_size("{}", parse_number<double>(number));
+    }
+  }
+  return digits;
+}
+
+// One witness of each cause: an ordinary one where there is one, the shortest of these.
 std::set<const WitnessRecord*> firsts_of_causes(const Record& record) {
   using Cause = std::tuple<std::string, Precision, FlipKind, std::vector<Link>, std::optional<InputClass>>;
-  std::map<Cause, std::pair<PagePlace, const WitnessRecord*>> first;
+  using Shortness = std::tuple<bool, std::size_t, double>;
+  std::map<Cause, std::pair<Shortness, const WitnessRecord*>> first;
   for (const WitnessRecord& witness : record.witnesses) {
     const FlipRecord* flip = verdict_flip(witness);
     if (flip == nullptr) continue;
-    const PagePlace place = page_place_of(witness, record.plan, true);
+    const Shortness place = {!is_ordinary(witness, record.plan), digits_of(witness), -witness.depth.value_or(-1)};
     const auto [found, is_new] = first.try_emplace(
         {witness.kernel, witness.precision, flip->kind, flip->links, witness.input_class}, place, &witness);
     if (!is_new && place < found->second.first) found->second = {place, &witness};

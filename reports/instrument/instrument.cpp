@@ -97,7 +97,7 @@ std::string cells(const std::vector<std::string>& row, const char* tag) {
     const char* element = i == 0 ? "th" : tag;
     // Sentences, names of sections and paths are wrapped: a table of advice, or of kernels by their files, has to fit
     // on the page.
-    const bool is_long = row[i].size() > 24 && row[i].find_first_of(" #/") != std::string::npos;
+    const bool is_long = row[i].size() > 16 && row[i].find_first_of(" #/") != std::string::npos;
     const char* const look = is_long ? " class=\"words\"" : i != 0 && is_number(row[i]) ? " class=\"n\"" : "";
     html += fmt::format("<{0}{1}>{2}</{0}>", element, look, is_long ? wrapped_html(row[i]) : html_text(row[i]));
   }
@@ -121,15 +121,82 @@ std::string scene_html(const InstrumentScene& scene) {
       paste_html("Judge it here", scene.command));
 }
 
-std::string table_html(const InstrumentTable& table) {
+std::string grid_html(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows) {
   std::string html = fmt::format(
-      "<section><h2>{}</h2>\n<div class=\"scroll\" tabindex=\"0\"><table><thead><tr>{}</tr></thead>"
-      "<tbody>\n",
-      html_text(table.caption), cells(table.columns, "th"));
-  for (const auto& row : table.rows) html += fmt::format("<tr>{}</tr>\n", cells(row, "td"));
-  html += "</tbody></table></div>\n";
+      "<div class=\"scroll\" tabindex=\"0\"><table><thead><tr>{}</tr></thead><tbody>\n", cells(columns, "th"));
+  for (const auto& row : rows) html += fmt::format("<tr>{}</tr>\n", cells(row, "td"));
+  return html + "</tbody></table></div>\n";
+}
+
+constexpr std::size_t columns_side_by_side = 10;
+
+// The rows with these columns alone; a row may end early.
+std::string part_html(const InstrumentTable& table, const std::vector<std::size_t>& places) {
+  const auto part = [&](const std::vector<std::string>& row) {
+    std::vector<std::string> some;
+    for (const std::size_t i : places) some.push_back(i < row.size() ? row[i] : "");
+    return some;
+  };
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& row : table.rows) rows.push_back(part(row));
+  return grid_html(part(table.columns), rows);
+}
+
+std::string grids_html(const InstrumentTable& table) {
+  if (table.headings.empty()) return grid_html(table.columns, table.rows);
+  const auto places_of = [&](std::size_t heading) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      if (table.heading_of[i] == heading) places.push_back(i);
+    }
+    return places;
+  };
+  const std::vector<std::size_t> common = places_of(0);
+  std::string html;
+  for (std::size_t heading = 1; heading <= table.headings.size(); ++heading) {
+    const std::vector<std::size_t> own = places_of(heading);
+    if (!own.empty()) html += fmt::format("<h3>{}</h3>\n", html_text(table.headings[heading - 1]));
+    for (std::size_t first = 0; first < own.size(); first += columns_side_by_side) {
+      std::vector<std::size_t> shown = common;
+      const std::size_t end = std::min(own.size(), first + columns_side_by_side);
+      shown.insert(shown.end(), own.begin() + static_cast<std::ptrdiff_t>(first),
+                   own.begin() + static_cast<std::ptrdiff_t>(end));
+      html += part_html(table, shown);
+    }
+  }
+  return html;
+}
+
+std::string table_html(const InstrumentTable& table) {
+  std::string html = grids_html(table);
   for (const InstrumentScene& scene : table.scenes) html += scene_html(scene);
-  return html + "</section>\n";
+  const std::string caption = html_text(table.caption);
+  if (table.is_folded)
+    return fmt::format("<section><details><summary><h2>{}</h2></summary>\n{}</details></section>\n", caption, html);
+  return fmt::format("<section><h2>{}</h2>\n{}</section>\n", caption, html);
+}
+
+std::string first_html(const InstrumentFirst& first) {
+  std::string sentences, worst;
+  for (const std::string& sentence : first.sentences) sentences += fmt::format("<li>{}</li>\n", html_text(sentence));
+  if (first.worst) {
+    worst = fmt::format(
+        "<article class=\"worst\"><h3>{}</h3>\n<p>{}</p>\n<div class=\"picture\"></div></article>\n",
+        html_text(first.worst->title), html_text(first.worst->sentence));
+  }
+  return fmt::format(
+      "<section id=\"answer\"><h2>{}</h2>\n<div class=\"first\"><div>{}<ul class=\"sentences\">{}</ul></div>{}</div>"
+      "</section>\n",
+      html_text(first.table.caption), grids_html(first.table), sentences, worst);
+}
+
+std::string notes_html(const InstrumentReport& report) {
+  std::string notes;
+  for (const std::string& note : report.notes) notes += fmt::format("<p class=\"lead\">{}</p>\n", html_text(note));
+  const std::string heading = html_text(report.notes_heading);
+  if (!report.are_notes_last) return fmt::format("<section><h2>{}</h2>\n{}</section>\n", heading, notes);
+  return fmt::format("<section id=\"words\"><details><summary><h2>{}</h2></summary>\n{}</details></section>\n", heading,
+                     notes);
 }
 
 // The figures of a plot, for a reader who does not see the plot.
@@ -169,26 +236,27 @@ Json plot_data(const InstrumentPlot& plot) {
 }  // namespace
 
 std::string instrument_page(const InstrumentReport& report) {
-  std::string notes, body;
-  for (const std::string& note : report.notes) notes += fmt::format("<p class=\"lead\">{}</p>\n", html_text(note));
+  const std::string notes = notes_html(report);
+  std::string body = report.are_notes_last ? "" : notes, folded;
   Json plots = Json::array();
   for (const InstrumentPlot& plot : report.plots) {
     body += plot_html(plot);
     plots.push_back(plot_data(plot));
   }
-  Json scenes = Json::array();
+  Json scenes = Json::array(), of_folded = Json::array();  // in the order of the page
+  if (report.first && report.first->worst) scenes.push_back(report.first->worst->query);
   for (const InstrumentTable& table : report.tables) {
-    body += table_html(table);
-    for (const InstrumentScene& scene : table.scenes) scenes.push_back(scene.query);
+    (table.is_folded ? folded : body) += table_html(table);
+    for (const InstrumentScene& scene : table.scenes) (table.is_folded ? of_folded : scenes).push_back(scene.query);
   }
+  scenes.insert(scenes.end(), of_folded.begin(), of_folded.end());
+  if (report.are_notes_last) folded += notes;
   const std::pair<std::string_view, std::string> places[] = {
       {"<!--TITLE-->", html_text(report.title)},
       {"/*CSS*/", std::string(embedded::report_css)},
       {"<!--HEADING-->", html_text(report.title)},
       {"<!--COMMAND-->", html_text(report.command)},
-      {"<!--NOTES_HEADING-->", html_text(report.notes_heading)},
-      {"<!--NOTES-->", notes},
-      {"<!--BODY-->", body},
+      {"<!--BODY-->", (report.first ? first_html(*report.first) : "") + body + folded},
       {"/*DATA*/", inert_json(plots)},
       {"/*SCENES*/", inert_json(scenes)},
       {"/*JS*/", fmt::format("{}\n{}\n{}\n{}\n{}", embedded::chart_min_js, embedded::chart_js, embedded::table_js,

@@ -32,6 +32,18 @@ struct InstrumentTable {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
   std::vector<InstrumentScene> scenes{};  // below the table on a page; in text, after all tables, those with code
+  // A page has a table for each heading, or more of ten columns each. `heading_of` has for each column 1 + the place of
+  // its heading; 0: it is in every table. Empty: one table.
+  std::vector<std::string> headings{};
+  std::vector<std::size_t> heading_of{};
+  bool is_folded = false;  // on a page, after all others
+};
+
+// What a page begins with. In text the notes and the tables say it.
+struct InstrumentFirst {
+  InstrumentTable table;
+  std::optional<InstrumentScene> worst;
+  std::vector<std::string> sentences;
 };
 
 struct InstrumentSeries {
@@ -58,6 +70,8 @@ struct InstrumentReport {
   std::vector<InstrumentPlot> plots;
   Json data;                                        // every figure, by name
   std::string notes_heading = "What was measured";  // of the notes on the page
+  std::optional<InstrumentFirst> first = {};
+  bool are_notes_last = false;  // on the page, folded: they say what words mean
 };
 
 // The tables as aligned columns, and the notes.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "reports/instrument/figures.h"
+#include "reports/wording/everyday.h"
 
 namespace axiscert {
 namespace {
@@ -64,6 +65,9 @@ class LeagueReport {
 
   InstrumentReport report(const std::string& command) const {
     InstrumentReport report{"league", title(), command, notes(), {}, {}, data(command)};
+    report.first = league_first(league_, result_);
+    report.notes_heading = "What the words mean, and what was left out";
+    report.are_notes_last = true;
     for (const Precision precision : league_.questions.precisions)
       report.tables.push_back(trust_table(league_, result_, precision));
     report.tables.push_back(worst_table(league_, result_));
@@ -74,7 +78,8 @@ class LeagueReport {
     for (const Precision precision : league_.questions.precisions) {
       if (league_.contenders < league_.kernels.size()) report.tables.push_back(faults(precision));
     }
-    if (InstrumentTable found = findings(); !found.rows.empty()) report.tables.push_back(std::move(found));
+    for (InstrumentTable table : {findings(), causes()})
+      if (!table.rows.empty()) report.tables.push_back(std::move(table));
     return report;
   }
 
@@ -107,13 +112,23 @@ class LeagueReport {
         "distance. Time: verdicts alone on one core, median over repetitions of 2^17 distinct queries of family "
         "`general`, in the library's own process, without the cost of communicating with it.",
         "Zero wrong verdicts hold for these queries only: at most 3 in as many queries, at 95 %."};
-    // Why comes before how the figures are read.
-    std::vector<std::string> causes;
-    for (const auto& [of, cause] : league_.causes)
-      causes.push_back(fmt::format("{} {}: {}.", league_.kernels[of.second]->id, name(of.first), cause.sentence()));
-    all.insert(all.begin(), causes.begin(), causes.end());
     all.insert(all.end(), league_.not_checked.begin(), league_.not_checked.end());
     return all;
+  }
+
+  InstrumentTable causes() const {
+    InstrumentTable table{"Why they are wrong", {"kernel", "precision", "why"}, {}};
+    for (const auto& [of, cause] : league_.causes)
+      table.rows.push_back({league_.kernels[of.second]->id, std::string(name(of.first)), cause.sentence()});
+    return table;
+  }
+
+  // Puts the columns of families, which follow `first` others, under headings.
+  void put_headings(InstrumentTable& table, std::size_t first) const {
+    table.headings.assign(family_group_headings.begin(), family_group_headings.end());
+    table.heading_of.assign(first, 0);
+    for (const SourcePtr& source : league_.questions.sources)
+      table.heading_of.push_back(1 + static_cast<std::size_t>(group_of(source->name())));
   }
 
   template <class Visit>
@@ -138,6 +153,7 @@ class LeagueReport {
   InstrumentTable by_family(Precision precision) const {
     InstrumentTable table{
         fmt::format("{}: missed/phantom contacts per million, by family", name(precision)), families({"kernel"}), {}};
+    put_headings(table, 1);
     for_each_contender(precision, [&](std::size_t k) {
       auto& row = table.rows.emplace_back(std::vector<std::string>{league_.kernels[k]->id});
       for_each_cell(k, precision, [&](const Source&, const Tally& tally) { row.push_back(family_cell(tally)); });
@@ -154,6 +170,10 @@ class LeagueReport {
     if (!league_.nanoseconds.empty()) table.columns.emplace_back("ns a query");
     const std::optional<double> certified = time_of_certified(precision);
     if (certified) table.columns.emplace_back("where certified takes 1");
+    table.headings = {"Verdicts", "Critical radius, findings and time"};
+    table.heading_of.assign(table.columns.size(), 2);
+    table.heading_of[0] = 0;
+    std::fill_n(table.heading_of.begin() + 1, 9, 1);
     for_each_contender(precision, [&](std::size_t k) {
       const Tally all = sum(k, precision);
       const std::uint64_t said = decided(all);
@@ -207,6 +227,7 @@ class LeagueReport {
             name(precision)),
         families({"kernel", "first caught by"}),
         {}};
+    put_headings(table, 2);
     for (std::size_t k = league_.contenders; k < league_.kernels.size(); ++k) {
       if (!league_.kernels[k]->has(precision)) continue;
       std::vector<std::string> cells;

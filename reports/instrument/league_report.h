@@ -180,6 +180,10 @@ Tally tally_of_group(const League& league, const CampaignResult& result, std::si
 // A row for each contender that exists in the precision, a column for each kind of which a family was asked.
 InstrumentTable trust_table(const League& league, const CampaignResult& result, Precision precision);
 
+// Whether each contender may be trusted with scenes, and with all families, as a page begins: the table, the worst scene
+// and, for each precision, who is right.
+InstrumentFirst league_first(const League& league, const CampaignResult& result);
+
 // "0.25"; "none of 4,096" where none was wrong; "not measured" where none was decided.
 std::string depth_text(std::uint64_t wrong, std::uint64_t decided, double deepest);
 
@@ -192,6 +196,7 @@ struct WorstQuery {
   std::uint64_t position;
   bool is_missed;  // its deepest missed contact; else, where it misses none, its deepest invented one
   double depth;    // a share of the scene, as everywhere
+  bool is_everyday() const;  // of a family of scenes, which are in metres
 
   std::string address(std::uint64_t seed) const;
 };
@@ -200,7 +205,11 @@ struct WorstQuery {
 std::optional<WorstQuery> worst_of(const League& league, const CampaignResult& result, std::size_t k,
                                    Precision precision);
 
-// "misses a contact 0.43 deep, where r is 0.98: 0.36 of the scene": the lengths in the query's own units, rounded.
+// The worst of all contenders: the farthest off in length on a scene, else the deepest.
+std::optional<WorstQuery> worst_scene_of(const League& league, const CampaignResult& result);
+
+// "misses a contact 0.43 deep, where r is 0.98: 0.36 of the scene": the lengths in the query's own units, rounded; on
+// scenes "16.6 cm".
 std::string worst_sentence(const WorstQuery& worst, std::uint64_t seed);
 
 // The query as a picture, the sentence, and the code with its numbers: that of a program's manifest, or the commands

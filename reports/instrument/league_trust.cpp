@@ -1,10 +1,14 @@
 #include "reports/instrument/league_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 
 #include "fuzz/record/looked_at.h"
+#include "fuzz/text/length_unit.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -13,7 +17,7 @@ namespace {
 constexpr std::uint64_t rare = 1000;  // queries, of which less than one is wrong
 
 // None for queries of a file.
-std::optional<TrustGroup> group_of(const SourcePtr& source) {
+std::optional<TrustGroup> trust_group_of(const SourcePtr& source) {
   const std::string name = source->name();
   for (const Family* family : families()) {
     if (family->name == name) return family->trust_group;
@@ -89,7 +93,7 @@ Tally tally_of_group(const League& league, const CampaignResult& result, std::si
   Tally all = empty_tally(*league.kernels[k]->predicate);
   for (const CellResult& cell : result.cells) {
     if (cell.precision != precision) continue;
-    if (!group || group_of(league.questions.sources[cell.source]) == group) all.merge(cell.tallies[k]);
+    if (!group || trust_group_of(league.questions.sources[cell.source]) == group) all.merge(cell.tallies[k]);
   }
   return all;
 }
@@ -97,7 +101,7 @@ Tally tally_of_group(const League& league, const CampaignResult& result, std::si
 std::vector<TrustGroup> groups_asked(const std::vector<SourcePtr>& sources) {
   std::vector<TrustGroup> groups;
   for (const TrustGroup group : enumerators<TrustGroup>) {
-    const auto is_asked = [&](const SourcePtr& source) { return group_of(source) == group; };
+    const auto is_asked = [&](const SourcePtr& source) { return trust_group_of(source) == group; };
     if (std::any_of(sources.begin(), sources.end(), is_asked)) groups.push_back(group);
   }
   return groups;
@@ -119,6 +123,49 @@ InstrumentTable trust_table(const League& league, const CampaignResult& result, 
     row.push_back(depth_text(all.verdict.false_separation, decided(all), all.verdict.deepest_false_separation.best()));
   }
   return table;
+}
+
+InstrumentFirst league_first(const League& league, const CampaignResult& result) {
+  InstrumentFirst first{{"May I trust it?", {"kernel"}, {}}, {}, {}};
+  const std::vector<TrustGroup> asked = groups_asked(league.questions.sources);
+  const bool has_scenes = std::ranges::find(asked, TrustGroup::scene) != asked.end();
+  std::vector<std::pair<std::optional<TrustGroup>, std::string>> kinds;
+  if (has_scenes) kinds.emplace_back(TrustGroup::scene, "everyday scenes");
+  kinds.emplace_back(std::nullopt, "all families");
+  for (const auto& [group, words] : kinds) {
+    for (const Precision precision : league.questions.precisions) {
+      first.table.columns.push_back(fmt::format("{}, {}", words, name(precision)));
+      std::map<std::string, std::vector<std::string>> by_answer;
+      for (std::size_t k = 0; k < league.contenders; ++k) {
+        const Kernel& kernel = *league.kernels[k];
+        if (first.table.rows.size() <= k) first.table.rows.push_back({kernel.id});
+        std::string cell = "-";
+        if (kernel.has(precision)) {
+          const Tally tally = tally_of_group(league, result, k, precision, group);
+          const Trust trust = trust_in(kernel, tally);
+          cell = trust.text();
+          if (const double farthest = tally.verdict.farthest(); group && farthest > 0)
+            cell += fmt::format("; worst {}", metric_text(farthest));
+          by_answer[trust.answer].push_back(kernel.id);
+        }
+        first.table.rows[k].push_back(std::move(cell));
+      }
+      std::string told = fmt::format("{}, {}: ", words, name(precision));
+      told[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(told[0])));
+      const std::vector<std::string>& right = by_answer["yes"];
+      first.sentences.push_back(told + (right.empty() ? "nobody is right throughout"
+                                                      : fmt::format("right throughout: {}", fmt::join(right, ", "))) +
+                                (by_answer["rarely"].empty()
+                                     ? "."
+                                     : fmt::format("; rarely wrong: {}.", fmt::join(by_answer["rarely"], ", "))));
+    }
+  }
+  if (const std::optional<WorstQuery> worst = worst_scene_of(league, result)) {
+    first.worst = worst_scene(*worst, league.questions.seed);
+    first.worst->title =
+        fmt::format("{}: {}", worst->is_everyday() ? "The worst everyday scene" : "The deepest", first.worst->title);
+  }
+  return first;
 }
 
 std::string depth_text(std::uint64_t wrong, std::uint64_t decided, double deepest) {

@@ -11,6 +11,8 @@
 #include "kernel/base/text.h"
 #include "kernel/plugin/load.h"
 #include "kernel/plugin/manifest.h"
+#include "fuzz/text/length_unit.h"
+#include "reports/wording/everyday.h"
 #include "reports/wording/reproduce.h"
 #include "reports/wording/summary.h"
 
@@ -69,18 +71,49 @@ std::optional<WorstQuery> worst_of(const League& league, const CampaignResult& r
   return missed ? missed : invented;
 }
 
+bool WorstQuery::is_everyday() const { return group_of(source->name()) == FamilyGroup::everyday; }
+
+std::optional<WorstQuery> worst_scene_of(const League& league, const CampaignResult& result) {
+  std::optional<WorstQuery> worst, deepest;
+  double greatest = -1;
+  for (std::size_t k = 0; k < league.contenders; ++k) {
+    for (const Precision precision : league.questions.precisions) {
+      const std::optional<WorstQuery> found = worst_of(league, result, k, precision);
+      if (found && (!deepest || found->depth > deepest->depth)) deepest = found;
+    }
+    for (const CellResult& cell : result.cells) {
+      const Source& source = *league.questions.sources[cell.source];
+      if (group_of(source.name()) != FamilyGroup::everyday) continue;
+      const VerdictTally& verdict = cell.tallies[k].verdict;
+      for (const bool is_missed : {true, false}) {
+        const auto& farthest = (is_missed ? verdict.farthest_false_separation : verdict.farthest_false_contact).candidates();
+        if (farthest.empty() || farthest.front().rank <= greatest) continue;
+        greatest = farthest.front().rank;
+        worst = WorstQuery{league.kernels[k], &source, cell.precision, farthest.front().position, is_missed, 0};
+      }
+    }
+  }
+  if (!worst) return deepest;
+  const auto of_scene = with_query(*worst, league.questions.seed, [](const auto& q) { return size_of_scene(q); });
+  worst->depth = static_cast<double>(greatest / of_scene);
+  return worst;
+}
+
 std::string worst_sentence(const WorstQuery& worst, std::uint64_t seed) {
   const auto [size, r] = with_query(
       worst, seed, [](const auto& q) { return std::pair(size_of_scene(q), static_cast<long double>(q[12])); });
-  const std::string radius = fmt::format("r is {:.3g}", r);
+  const auto length = [&](long double x) {
+    return worst.is_everyday() ? metric_text(static_cast<double>(x)) : fmt::format("{:.3g}", x);
+  };
+  const std::string radius = fmt::format("r is {}", length(r));
   if (worst.depth == 0) {
     return fmt::format("{} at a distance of exactly r, where {}",
                        worst.is_missed ? "misses a contact" : "invents a contact", radius);
   }
   const long double off = worst.depth * size;
   return worst.is_missed
-             ? fmt::format("misses a contact {:.3g} deep, where {}: {:.3g} of the scene", off, radius, worst.depth)
-             : fmt::format("invents a contact across a gap of {:.3g}, where {}: {:.3g} of the scene", off, radius,
+             ? fmt::format("misses a contact {} deep, where {}: {:.3g} of the scene", length(off), radius, worst.depth)
+             : fmt::format("invents a contact across a gap of {}, where {}: {:.3g} of the scene", length(off), radius,
                            worst.depth);
 }
 

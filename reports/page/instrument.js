@@ -43,4 +43,5 @@ function drawScenes() {
 
 drawPlots();
 drawScenes();
+unfold_on_paper('details');
 dark_scheme.addEventListener('change', drawPlots);

@@ -120,19 +120,6 @@ async function show_report() {
   document.body.classList.add('ready');
 }
 
-// On paper nothing is folded but the witnesses' cards, of which each has its line.
-const folded = 'details:not(.witness):not([open])';
-addEventListener('beforeprint', () => {
-  for (const fold of document.querySelectorAll(folded)) {
-    fold.open = true;
-    fold.dataset.folded = '';
-  }
-});
-addEventListener('afterprint', () => {
-  for (const fold of document.querySelectorAll('[data-folded]')) {
-    fold.open = false;
-    delete fold.dataset.folded;
-  }
-});
-
+// The witnesses' cards stay folded: each has its line.
+unfold_on_paper('details:not(.witness)');
 show_report();

@@ -200,3 +200,13 @@ function shell_word(text) {
 function command(text) { return el('div', 'command', el('pre', '', el('code', '', text)), copy_button(text)); }
 
 function chip(text, kind) { return el('span', `chip ${kind ?? ''}`, text); }
+
+// On paper nothing that `folds` selects is folded.
+function unfold_on_paper(folds) {
+  let opened = [];
+  addEventListener('beforeprint', () => {
+    opened = [...document.querySelectorAll(folds)].filter((fold) => !fold.open);
+    for (const fold of opened) fold.open = true;
+  });
+  addEventListener('afterprint', () => { for (const fold of opened) fold.open = false; });
+}

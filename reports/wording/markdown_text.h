@@ -14,7 +14,7 @@
 
 namespace axiscert {
 
-inline constexpr std::size_t section_limit = 68 * 1024;  // bytes; at most fifteen sections: 1 MiB
+inline constexpr std::size_t section_limit = 56 * 1024;  // bytes; at most eighteen sections: 1 MiB
 
 // A text that is safe at any place of a document: one line, cut short, with nothing that Markdown or HTML would
 // interpret, or that a forge would take for a mention, an issue or an address.

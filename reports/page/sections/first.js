@@ -28,12 +28,14 @@ function worst_box(data) {
   const witness = data.witnesses.cards.find(({id}) => id === worst.id);
   const words = el('p', '', el('span', 'name', worst.kernel), ` ${worst.precision} ${worst.words}. Family `, el('span', 'name', worst.family),
                    ', witness ', witness_link(data, worst.id), '.');
-  return el('div', 'worst-box', el('h3', '', worst_headings[worst.group]), words, witness ? scene_figure(witness) : '');
+  const figure = witness ? scene_figure(witness) : '';
+  if (witness) [...figure.querySelectorAll('button')].find(({textContent}) => textContent === 'Whole')?.click();
+  return el('div', 'worst-box', el('h3', '', worst_headings[worst.group]), words, figure);
 }
 
 function sentences_list(data) {
   return data.kernels.flatMap((entry) => [el('h3', '', el('span', 'name', entry.id), ` ${entry.precision}`),
-    el('ul', 'sentences', ...entry.sentences.map((sentence) => el('li', '', `${sentence}.`)))]);
+    el('ul', 'sentences', ...entry.sentences.map((sentence) => el('li', '', `${sentence[0].toUpperCase()}${sentence.slice(1)}.`)))]);
 }
 
 const kernels_at_once = 4;  // whose sentences are not folded
