@@ -49,13 +49,14 @@ def verdict_table(rows):
                       with_rate(count["verdict.false_separation"]), amount(float(row["verdict.deepest_false_separation"]), 4),
                       with_rate(count["verdict.false_contact"]), amount(float(row["verdict.deepest_false_contact"]), 4),
                       *(f"{count[f'verdict.{what}']:,}" for what in ("touching_flips", "undecided", "unanswered"))])
-    return table
+    return sorted(table)
 
 
 def table_of(markdown, heading):
+    """The rows of all tables of a section, sorted."""
     section = re.search(rf"^## {heading}\n(.*?)(?=^## |\Z)", markdown, re.M | re.S)[1]
     lines = [[cell.strip() for cell in line.strip("|").split("|")] for line in section.splitlines() if line.startswith("|")]
-    return lines[2:]  # after the names and the rule
+    return sorted(line for line in lines if line[0] != "kernel" and not line[0].startswith("---"))
 
 
 def value_at(figures, path):

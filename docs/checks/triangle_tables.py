@@ -88,8 +88,10 @@ def main_job(commands, old):
 
 def main_job_rows(commands, old):
     report, rows = main_job_run(commands)[2], {}
-    head = "| kernel | precision | family | broken links | trials |"
-    for line in report[report.index(head):].split("\n\n", 1)[0].splitlines()[2:]:
+    section = report[report.index("## Kernels and families"):].split("\n## ", 1)[0]
+    for line in section.splitlines():
+        if not line.startswith("| ") or line.startswith(("| kernel |", "| --- |")):
+            continue
         kernel, precision, family, links, trials, _, _, _, _, missed, deepest, phantom, deepest_phantom, *_ = cells_of(line)
         if precision == "binary32":
             rows[kernel, family] = (trials, missed, deepest, phantom, deepest_phantom, links)

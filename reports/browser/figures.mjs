@@ -13,7 +13,40 @@ test('opens from disk without a network, an error or an empty section', async ()
     sections.filter((section) => section.textContent.trim().length < 60).map((section) => section.id));
   assert.deepEqual(empty, []);
   const order = await page.$$eval('main > section', (sections) => sections.map((section) => section.id));
-  assert.deepEqual(order, ['findings', 'answer', 'heat', 'bounds', 'origins', 'maps', 'witnesses', 'counts', 'others', 'reproduce', 'not-checked-part']);
+  assert.deepEqual(order, ['answer', 'findings', 'kernels', 'heat', 'bounds', 'origins', 'maps', 'witnesses', 'counts', 'others', 'reproduce', 'not-checked-part', 'words']);
+  await close();
+});
+
+test('begins with the levels, the worst everyday scene and a few sentences', async () => {
+  const {page, close} = await opened(real);
+  const record = record_of(real);
+  const rows = await page.locator('#first table tbody tr').allInnerTexts();
+  assert.equal(rows.length, record.kernels.length);
+  for (const row of rows) assert.match(row, /logic[^]*(not met|met|NOT CHECKED)[^]*[0-9,]+ of [0-9,]+ promised queries looked at/);
+  // The farthest of the everyday scenes, drawn, with its length.
+  const everyday = record.witnesses.filter(({family, shows}) => family.startsWith('scene-') && shows.some((why) => why.startsWith('farthest ')));
+  const worst = everyday.reduce((x, y) => (y.length > x.length ? y : x));
+  const words = await page.locator('.worst-box > p').innerText();
+  assert.match(words, /(misses|invents) a contact .* (um|mm|cm|m)\b.* in a scene of [0-9.]+ (cm|m|km): [0-9.e-]+ of the scene/);
+  assert.ok(words.includes(`witness ${worst.id}.`), `${words} for ${worst.id}`);
+  assert.equal(await page.locator('.worst-box svg .triangle').count(), 1);
+  const sentences = await page.locator('#first .sentences').first().locator('li').allInnerTexts();
+  assert.match(sentences[0], /^[0-9,]+ everyday scenes: /);
+  assert.ok(sentences.length >= 3);
+  // What words mean comes after all results.
+  assert.equal(await page.locator('#words #meanings').count(), 1);
+  assert.equal(await page.locator('#words details').evaluate((fold) => fold.open), false);
+  await close();
+});
+
+test('puts families under headings, with lengths where these mean something', async () => {
+  const {page, close} = await opened(real);
+  const rows = await page.locator('#families-table tbody tr').evaluateAll((all) => all.map((row) => [row.className, row.innerText.replaceAll('\t', ' ')]));
+  assert.deepEqual(rows.filter(([kind]) => kind === 'heading').map(([, text]) => text.split(/[,:]/)[0].trim()), ['Everyday scenes', 'Exact', 'Hard']);
+  assert.match(rows[1][1], /^scene-edge/);
+  assert.match(rows[1][1], / (um|mm|cm|m)\b/);
+  assert.doesNotMatch(rows.find(([, text]) => text.startsWith('sliver'))[1], /[0-9] (um|mm|cm|m)\b/);
+  assert.match(await page.locator('#families-table').innerText(), /0, or not checked, in every row, and left out: .*no answer/);
   await close();
 });
 
@@ -21,7 +54,7 @@ test('says first what to do: look at one that is wrong, mend what was required, 
   const {page, close} = await opened(real);
   const steps = await page.locator('#next li').allInnerTexts();
   assert.equal(steps.length, 3);
-  assert.match(steps[0], /Look at a wrong verdict of \S+: \S+, wrong by \S+ of the scene\./);
+  assert.match(steps[0], /Look at a wrong verdict of \S+: \S+, wrong by \S+ of the scene(, [0-9.]+ \S+)?\./);
   assert.match(steps[1], /Mend what the requirement names first|Say what has to hold|What was required is met/);
   assert.match(steps[2], /axiscert league --kernel \S+ --kernel \S+/);
   const link = page.locator('#next li a').first();
@@ -65,7 +98,8 @@ test('lists first one witness of each cause, ordinary numbers before exotic ones
 test('sorts a table by pointer and by keyboard', async () => {
   const {page, close} = await opened(real);
   const header = page.locator('#families-table th:has(button)', {hasText: 'false_separation'}).first();
-  const column = () => page.$$eval('#families-table tbody tr', (rows) => rows.map((row) => Number(row.cells[7].firstChild.textContent.replace(/,/g, ''))));
+  const place = (await page.locator('#families-table thead tr').last().locator('th').allInnerTexts()).findIndex((name) => name.includes('separation'));
+  const column = () => page.$$eval('#families-table tbody tr', (rows, at) => rows.map((row) => Number(row.cells[at].firstChild.textContent.replace(/,/g, ''))), place);
   await header.locator('button').click();
   assert.equal(await header.getAttribute('aria-sort'), 'descending');
   const descending = await column();
@@ -79,16 +113,15 @@ test('sorts a table by pointer and by keyboard', async () => {
 });
 
 // The full text of the heat table's cell for a comparison and a family.
-const heat_words = (page, name, place) => page.locator('#heat-tables table').first().locator('tr', {hasText: name})
-  .locator('td').nth(place).evaluate((cell) => (cell.querySelector('button') ?? cell).title);
+const heat_words = (page, name, family) => page.locator('#heat-tables table').first().evaluate((table, [of, on]) =>
+  [...table.querySelectorAll('td')].map((cell) => (cell.querySelector('button') ?? cell).title).find((words) => words.startsWith(`${of} on ${on}: `)), [name, family]);
 
 test('toggles the heat table between figures and kernels', async () => {
   const {page, close} = await opened(real);
   const kernels = record_of(real).kernels;
   const tallies = kernels.map((kernel) => kernel.families.sliver.comparisons['plane.radius']);
-  const place = 1 + Object.keys(kernels[0].families).indexOf('sliver');
   const shows = async (figure, n) => {
-    const words = await heat_words(page, 'plane.radius', place);
+    const words = await heat_words(page, 'plane.radius', 'sliver');
     assert.match(words, new RegExp(`^plane.radius on sliver: ${figure} ${n.toLocaleString('en-US')} of 2,000 `));
   };
   assert.ok(tallies[0].masked > 0 && tallies[0].decisive > 0);
@@ -141,7 +174,7 @@ test('draws the margins of each comparison with the band that errors reach', asy
     return {right, wrong};
   };
   const all = await shown(Object.values(kernel.families));
-  assert.ok(all.wrong > 0 && all.right + all.wrong <= 6 * record.plan.margin_queries);
+  assert.ok(all.wrong > 0 && all.right + all.wrong <= 8 * record.plan.margin_queries);
   await page.locator('#margins-controls select').nth(1).selectOption('general');
   assert.equal((await shown([kernel.families.general])).right, record.plan.margin_queries);
   // The band ends where the largest error does: its share of the axis, from the tie's bin on.
@@ -150,7 +183,7 @@ test('draws the margins of each comparison with the band that errors reach', asy
   const error = kernel.families.sliver.comparisons['plane.radius'].max_error_u;
   assert.ok(Math.abs(band - 100 * Math.min(1, (1 + Math.log2(error) + bins - 25) / bins)) < 0.01, `${band} of ${bins} for ${error}`);
   await page.locator('#margins details summary').click();
-  assert.equal(await page.locator('#margins table tbody tr').count(), 16);
+  assert.equal(await page.locator('#margins table thead th').count(), 1 + 16);
   assert.doesNotMatch(await page.locator('#not-checked').innerText(), /margins/);
   await close();
 });
@@ -179,7 +212,8 @@ test('says by the class of the input why a kernel is wrong that shows only verdi
   for (const part of ['near_tie', 'sliver', 'ordinary', 'rounding alone may explain it', 'published, wrong on 60 % of the queries']) assert.ok(why.includes(part), `${part}: ${why}`);
   assert.equal(await page.locator('#links-table a[href="#witness-w5"]').count(), 1);
   const where = page.locator('#heat table');
-  assert.match(await where.locator('tr', {hasText: 'ordinary'}).innerText(), /0\s+2/);
+  const names = await where.locator('thead th').allInnerTexts();
+  assert.equal(await where.locator('tbody tr', {hasText: 'lattice'}).locator('td').nth(names.indexOf('ordinary') - 1).innerText(), '2');
   assert.match(await page.locator('#bounds table').innerText(), /sliver\s+0.001/);
   for (const section of ['#heat', '#bounds', '#origins']) assert.doesNotMatch(await page.locator(section).innerText(), /unattributed/);
   await close();

@@ -48,7 +48,7 @@ export function render(into) { execFileSync(axiscert, ['report', into], {stdio: 
 // A real run: three kernels, and families that break every link but the implementation's.
 const plan = ['--kernel', 'published', '--kernel', 'nonstrict', '--kernel', 'published+fma', '--precision', 'binary32',
               '--trials', '2000', '--seed', '8', '--tolerance', '50', '--require', 'logic'];
-const families = ['general', 'tangent', 'sliver', 'repeated', 'scale', 'nonfinite'].flatMap((name) => ['--family', name]);
+const families = ['general', 'tangent', 'sliver', 'repeated', 'scale', 'nonfinite', 'lattice', 'scene-edge'].flatMap((name) => ['--family', name]);
 
 // The browser, and the folder of the real run: set before the first test.
 export let browser, real;

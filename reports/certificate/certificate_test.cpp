@@ -1,6 +1,8 @@
 // Certificates that are read and refused: each way to break one has its message.
 #include "reports/certificate/statement/statement.h"
 
+#include <set>
+
 #include "kernel/base/temporary_folder.h"
 #include "reports/certificate/page.h"
 #include "reports/certificate/statement/canonical.h"
@@ -167,6 +169,14 @@ TEST(CertificatePage, ShowsEveryLevelMarginAndLimit) {
     EXPECT_THAT(page, HasSubstr(part));
   }
   EXPECT_THAT(page, HasSubstr("<h2>In short</h2>"));
+  // The levels stand first, and what each says is folded at the end.
+  EXPECT_LT(page.find("<section id=\"answer\">"), page.find("<h2>In short</h2>"));
+  EXPECT_LT(page.find("What this does not say"), page.find("<details><summary><h2>Levels</h2>"));
+  ASSERT_TRUE(report.first);
+  std::set<std::string> shown, stated;
+  for (const auto& row : report.first->table.rows) shown.insert(row[0]);
+  for (const LevelStatement& level : certificate_of(stored_statement()).predicate.levels) stated.insert(level.level);
+  EXPECT_EQ(shown, stated);
 }
 
 TEST(CertificatePage, ABadgeSaysTheStrongestLevelThatIsMetAndHowMuchWasAsked) {

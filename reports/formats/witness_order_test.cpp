@@ -39,6 +39,12 @@ TEST(WitnessOrder, BeginsWithOneOfEachCause) {
             (Ids{"r1", "s1", "r2", "s2"}));
 }
 
+TEST(WitnessOrder, BeginsWithTheShortestOfEachCause) {
+  const Json rounding = Json::array({"rounding"});
+  EXPECT_EQ(ids_of({wrong("deep", 0.9, rounding, "0x1.23456p-1"), wrong("short", 0.1, rounding)}),
+            (Ids{"short", "deep"}));
+}
+
 TEST(WitnessOrder, BeginsWithOneOfEachClassOfInput) {
   const Json unknown = Json::array({"unattributed"});
   Json sliver = wrong("sliver", 0.1, unknown), deep = wrong("deep", 0.9, unknown),

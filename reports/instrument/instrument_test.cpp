@@ -60,6 +60,48 @@ TEST(InstrumentPage, KeepsWhatItIsGivenAsText) {
   EXPECT_NE(page.find("drawPlots();"), std::string::npos) << "the script is in its own place";
 }
 
+TEST(InstrumentPage, BeginsWithTheAnswerAndEndsWithWords) {
+  InstrumentReport report = hostile_report();
+  InstrumentScene scene;
+  scene.title = "first";
+  scene.query = {{"r", "0x1p+0"}};
+  report.first = {{"The answer", {"level"}, {{"met"}}}, scene, {"All is well."}};
+  report.are_notes_last = true;
+  report.tables.push_back({"Made from", {"what"}, {{"<x>"}}});
+  report.tables.back().is_folded = true;
+  const std::string page = instrument_page(report);
+  std::size_t at = 0;
+  for (const char* part : {"<section id=\"answer\"><h2>The answer</h2>", "<th>met</th>", "<li>All is well.</li>", "<h3>first</h3>",
+                           "<h2>Errors &lt;u&gt;</h2>", "<details><summary><h2>Made from</h2></summary>",
+                           "<section id=\"words\"><details>", "In ulps; &lt;/section&gt; is text."}) {
+    const std::size_t found = page.find(part, at);
+    ASSERT_NE(found, page.npos) << part;
+    at = found;
+  }
+  EXPECT_NE(page.find("id=\"scenes\" type=\"application/json\">[{\"r\":\"0x1p+0\"},{\"r\""), page.npos)
+      << "pictures are in the order of the page";
+}
+
+// No table is wider than a page: its columns are in one for each heading, and those that every one has come first.
+TEST(InstrumentPage, HasATableForEachHeading) {
+  InstrumentReport report;
+  InstrumentTable table{"By family", {"kernel"}, {{"k"}}};
+  table.headings = {"Everyday", "Own", "Hard"};
+  table.heading_of = {0};
+  for (int i = 0; i < 13; ++i) {
+    table.columns.push_back("f" + std::to_string(i));
+    table.rows[0].push_back("c" + std::to_string(i));
+    table.heading_of.push_back(i == 12 ? 1 : 3);
+  }
+  report.tables = {table};
+  const std::string page = instrument_page(report);
+  const auto row = [&](const std::string& cells) { return page.find("<tr><th>k</th>" + cells + "</tr>"); };
+  ASSERT_NE(row("<td>c12</td>"), page.npos);
+  EXPECT_LT(page.find("<h3>Everyday</h3>"), row("<td>c12</td>"));
+  EXPECT_EQ(page.find("<h3>Own</h3>"), page.npos);
+  EXPECT_NE(row("<td>c10</td><td>c11</td>"), page.npos) << "ten columns are as many as fit";
+}
+
 TEST(InstrumentPage, NeedsNothingFromANetwork) {
   const std::string page = instrument_page(hostile_report());
   EXPECT_EQ(page.find("src="), std::string::npos);

@@ -157,6 +157,29 @@ TEST(LeagueWorst, IsTheDeepestMissBeforeAnyInventedContact) {
   EXPECT_EQ(undecided_contenders(run.league, run.result).size(), 1u);
 }
 
+// A scene in metres comes before any depth.
+TEST(LeagueFirst, IsTheFarthestSceneAndWhoIsRight) {
+  WorstRun run(find_kernel("published"));
+  run.league.questions.sources[0] = family_source(find_family("scene-walk"));
+  EXPECT_EQ(worst_scene_of(run.league, run.result)->position, 5u) << "no scene is wrong: the deepest";
+  const InstrumentFirst right = league_first(run.league, run.result);
+  EXPECT_EQ(right.table.rows, (std::vector<std::vector<std::string>>{
+                                  {"published", "yes: 0 of 64 wrong", "no: 2 of 128 missed, 1 invented"}}));
+  EXPECT_EQ(right.sentences, (std::vector<std::string>{"Everyday scenes, binary32: right throughout: published.",
+                                                       "All families, binary32: nobody is right throughout."}));
+  VerdictTally& scenes = run.result.cells[0].tallies[0].verdict;
+  scenes.false_contact = 1;
+  scenes.farthest_false_contact.offer({0.166, 7});
+  const auto worst = worst_scene_of(run.league, run.result);
+  EXPECT_EQ(worst->position, 7u);
+  EXPECT_FALSE(worst->is_missed);
+  EXPECT_GT(worst->depth, 0);
+  const InstrumentFirst wrong = league_first(run.league, run.result);
+  EXPECT_EQ(wrong.table.rows[0][1], "no: 1 of 64 invented; worst 16.6 cm");
+  EXPECT_THAT(wrong.worst->title, testing::StartsWith("The worst everyday scene: published"));
+  EXPECT_THAT(wrong.worst->sentence, testing::HasSubstr("invents a contact across a gap of 16.6 cm, where r is "));
+}
+
 TEST(LeagueWorst, HasTheCodeOfAProgramsManifestWithNumbersThatReadBackExactly) {
   TestFolder folder;
   folder.write("m.json", R"({"format":"axiscert-program/2","name":"m","command":["sh"],"precisions":["binary32"],)"
