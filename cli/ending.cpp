@@ -75,7 +75,7 @@ void set_ending(bool has_kept, const std::string& sentence, const std::string& c
 void begin_command(const std::vector<std::string>& words) {
   ending().words = words;
   ending().process = getpid();
-  keep_nothing("nothing of it is kept");
+  keep_nothing("it keeps nothing to go on from");
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
