@@ -15,7 +15,7 @@ Json witness(const char* id, const char* family, double depth, double length, co
   return made;
 }
 
-Record record_with(const std::vector<Json>& witnesses) {
+Record record_of_witnesses(const std::vector<Json>& witnesses) {
   Json record = stored_record();
   record["witnesses"] = witnesses;
   return read_as<Record>(record);
@@ -27,18 +27,18 @@ TEST(WorstScene, IsTheFarthestOfTheEverydayOnes) {
              far = witness("far", "scene-walk", 0.25, 0.5, farthest), own = witness("own", "mesh/a.obj", 0.9, 8, farthest),
              hard = witness("hard", "tangent", 1, 1e30, farthest),
              deepest = witness("deepest", "scene-walk", 1, 9, "deepest false_separation");
-  EXPECT_EQ(worst_scene(record_with({near, hard, own, deepest, far}))->id, "far");
-  EXPECT_EQ(worst_scene(record_with({hard, own}))->id, "own");
-  EXPECT_EQ(worst_scene(record_with({witness("less", "tangent", 0.5, 1, farthest), hard}))->id, "hard");
-  EXPECT_EQ(worst_scene(record_with({})), nullptr);
+  EXPECT_EQ(worst_scene(record_of_witnesses({near, hard, own, deepest, far}))->id, "far");
+  EXPECT_EQ(worst_scene(record_of_witnesses({hard, own}))->id, "own");
+  EXPECT_EQ(worst_scene(record_of_witnesses({witness("less", "tangent", 0.5, 1, farthest), hard}))->id, "hard");
+  EXPECT_EQ(worst_scene(record_of_witnesses({})), nullptr);
   Json right = near;
   right["depth"] = nullptr;
-  EXPECT_EQ(worst_scene(record_with({right})), nullptr);
+  EXPECT_EQ(worst_scene(record_of_witnesses({right})), nullptr);
 }
 
 TEST(WorstScene, HasItsSizeInMetres) {
   const auto words = [](Json made, const char* unit = nullptr) {
-    Record record = record_with({std::move(made)});
+    Record record = record_of_witnesses({std::move(made)});
     if (unit != nullptr) record.plan.unit = Name(unit);
     return scene_words(record.witnesses[0], record.plan);
   };
