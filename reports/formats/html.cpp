@@ -172,7 +172,7 @@ Json first_data(const Record& record) {
                      {"kernel", worst->kernel},
                      {"precision", worst->precision},
                      {"family", worst->family},
-                     {"group", name(group_of(worst->family))},
+                     {"group", name(family_group(worst->family))},
                      {"words", scene_words(*worst, record.plan)}};
   return data;
 }
@@ -183,7 +183,7 @@ Json groups_data(const PlanRecord& plan) {
   for (const FamilyGroup group : enumerators<FamilyGroup>) {
     std::vector<std::string> families;
     for (const std::string& family : plan.families) {
-      if (group_of(family) == group) families.push_back(family);
+      if (family_group(family) == group) families.push_back(family);
     }
     if (!families.empty()) data.push_back({{"heading", family_group_headings[group]}, {"families", families}});
   }

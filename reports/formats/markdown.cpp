@@ -162,7 +162,7 @@ class MarkdownReport {
     bool is_first = true;
     for (const KernelRecord& kernel : record_.kernels) {
       for (const auto& [family, result] : kernel.families) {
-        if (group_of(family) != group) continue;
+        if (family_group(family) != group) continue;
         if (is_first) {
           section.add_line(fmt::format("\n### {}\n", family_group_headings[group]));
           section.add_head({"kernel", "precision", "family", "broken links", "trials", "separated", "contact",

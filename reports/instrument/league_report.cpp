@@ -128,7 +128,7 @@ class LeagueReport {
     table.headings.assign(family_group_headings.begin(), family_group_headings.end());
     table.heading_of.assign(first, 0);
     for (const SourcePtr& source : league_.questions.sources)
-      table.heading_of.push_back(1 + static_cast<std::size_t>(group_of(source->name())));
+      table.heading_of.push_back(1 + static_cast<std::size_t>(family_group(source->name())));
   }
 
   template <class Visit>

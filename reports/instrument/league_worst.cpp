@@ -71,7 +71,7 @@ std::optional<WorstQuery> worst_of(const League& league, const CampaignResult& r
   return missed ? missed : invented;
 }
 
-bool WorstQuery::is_everyday() const { return group_of(source->name()) == FamilyGroup::everyday; }
+bool WorstQuery::is_everyday() const { return family_group(source->name()) == FamilyGroup::everyday; }
 
 std::optional<WorstQuery> worst_scene_of(const League& league, const CampaignResult& result) {
   std::optional<WorstQuery> worst, deepest;
@@ -83,7 +83,7 @@ std::optional<WorstQuery> worst_scene_of(const League& league, const CampaignRes
     }
     for (const CellResult& cell : result.cells) {
       const Source& source = *league.questions.sources[cell.source];
-      if (group_of(source.name()) != FamilyGroup::everyday) continue;
+      if (family_group(source.name()) != FamilyGroup::everyday) continue;
       const VerdictTally& verdict = cell.tallies[k].verdict;
       for (const bool is_missed : {true, false}) {
         const auto& farthest = (is_missed ? verdict.farthest_false_separation : verdict.farthest_false_contact).candidates();

@@ -113,7 +113,7 @@ std::vector<std::string> first_sentences(const KernelRecord& kernel, const PlanR
 }
 
 std::string length_words(std::string_view family, double length, const PlanRecord& plan) {
-  const FamilyGroup group = group_of(family);
+  const FamilyGroup group = family_group(family);
   return has_lengths(group) && length > 0 ? length_in(group, length, unit_of(plan)) : "";
 }
 
@@ -127,7 +127,7 @@ const WitnessRecord* worst_scene(const Record& record) {
   };
   for (const FamilyGroup group : {FamilyGroup::everyday, FamilyGroup::own}) {
     const auto is_farthest = [&](const WitnessRecord& witness) {
-      return group_of(witness.family) == group && std::ranges::any_of(witness.shows, [](const std::string& reason) {
+      return family_group(witness.family) == group && std::ranges::any_of(witness.shows, [](const std::string& reason) {
                return reason.starts_with("farthest ");
              });
     };
