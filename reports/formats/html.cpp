@@ -91,9 +91,8 @@ Json kernel_data(const KernelRecord& kernel, const PlanRecord& plan) {
     Json& shown = data["families"][family];
     shown["zero_limit_per_million"] = limit(result);
     const VerdictTally& verdict = result.verdict;
-    shown["lengths"] = {
-        {"false_separation", length_words(family, verdict.farthest_false_separation.best(), plan)},
-        {"false_contact", length_words(family, verdict.farthest_false_contact.best(), plan)}};
+    shown["lengths"] = {{"false_separation", length_words(family, verdict.farthest_false_separation.best(), plan)},
+                        {"false_contact", length_words(family, verdict.farthest_false_contact.best(), plan)}};
   }
   data["sentences"] = first_sentences(kernel, plan);
   data["touching_text"] = touching_text(kernel);
@@ -244,9 +243,9 @@ Json page_data(const Run& run) {
 std::string scripts() {
   using namespace embedded;
   const std::string scenes = scene_scripts();
-  const std::string_view all[] = {chart_min_js, chart_js,    table_js,     first_js,   answer_js,   next_js,   classes_js,
-                                  heat_js,      bounds_js,   origins_js,   maps_js,    margins_js,  scenes,
-                                  snippets_js,  contacts_js, witnesses_js, results_js, appendix_js, report_js};
+  const std::string_view all[] = {chart_min_js, chart_js,     table_js,   first_js,    answer_js,  next_js, classes_js,
+                                  heat_js,      bounds_js,    origins_js, maps_js,     margins_js, scenes,  snippets_js,
+                                  contacts_js,  witnesses_js, results_js, appendix_js, report_js};
   return fmt::format("{}", fmt::join(all, "\n"));
 }
 

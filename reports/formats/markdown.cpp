@@ -56,9 +56,10 @@ class MarkdownReport {
     for (const std::string& sentence : unjudged(record_))
       text += fmt::format("\n> **{}**\n", markdown_text(sentence, 2000));
     return text + answer_section(record_) + causes_section(record_) + ratchet() + findings() +
-           requirements_section(record_, outcomes_) + summary() + motion_section(record_) + classes_section(record_) + depths_section(record_) + families() +
-           outside() + asymmetries() + axes_section(record_, totals_) + comparisons_section(record_, totals_) +
-           broken_links() + witnesses() + critical_radius() + words() + reproduce();
+           requirements_section(record_, outcomes_) + summary() + motion_section(record_) + classes_section(record_) +
+           depths_section(record_) + families() + outside() + asymmetries() + axes_section(record_, totals_) +
+           comparisons_section(record_, totals_) + broken_links() + witnesses() + critical_radius() + words() +
+           reproduce();
   }
 
  private:
@@ -165,10 +166,10 @@ class MarkdownReport {
         if (family_group(family) != group) continue;
         if (is_first) {
           section.add_line(fmt::format("\n### {}\n", family_group_headings[group]));
-          section.add_head({"kernel", "precision", "family", "broken links", "trials", "separated", "contact",
-                            "touching", "invalid", "false_separation", "deepest", "false_contact", "deepest",
-                            "touching flips", "undecided", "no answer"},
-                           4);
+          section.add_head(
+              {"kernel", "precision", "family", "broken links", "trials", "separated", "contact", "touching", "invalid",
+               "false_separation", "deepest", "false_contact", "deepest", "touching flips", "undecided", "no answer"},
+              4);
         }
         is_first = false;
         section.add_row(family_cells(kernel, family, result));

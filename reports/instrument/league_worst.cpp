@@ -86,7 +86,8 @@ std::optional<WorstQuery> worst_scene_of(const League& league, const CampaignRes
       if (family_group(source.name()) != FamilyGroup::everyday) continue;
       const VerdictTally& verdict = cell.tallies[k].verdict;
       for (const bool is_missed : {true, false}) {
-        const auto& farthest = (is_missed ? verdict.farthest_false_separation : verdict.farthest_false_contact).candidates();
+        const auto& farthest =
+            (is_missed ? verdict.farthest_false_separation : verdict.farthest_false_contact).candidates();
         if (farthest.empty() || farthest.front().rank <= greatest) continue;
         greatest = farthest.front().rank;
         worst = WorstQuery{league.kernels[k], &source, cell.precision, farthest.front().position, is_missed, 0};
