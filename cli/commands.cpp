@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "cli/ending.h"
+#include "cli/help.h"
 #include "cli/usage.h"
 #include "exact/judge/judge.h"
 #include "fuzz/text/file_bytes.h"
@@ -26,7 +27,8 @@ CLI::Option* add_format(CLI::App& command, std::string& format, const std::vecto
   return command
       .add_option("--format", format, fmt::format("text, or {} for programs", fmt::join(machine_formats, " or ")))
       ->check(one_of(words))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(output_group);
 }
 
 std::string data_text(const Json& data, const std::string& format) {
@@ -75,7 +77,8 @@ void add_plugin_seconds(CLI::App& command) {
           "--plugin-seconds", plugin::batch_seconds,
           "processor time that a plug-in or program may take for a batch of 1024 queries before it counts as hung")
       ->check(number_between(1e-3, 1e6))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(running_group);
 }
 
 }  // namespace axiscert

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "cli/help.h"
 #include "cli/usage.h"
 
 namespace axiscert {
@@ -24,7 +25,8 @@ void add_progress(CLI::App& command) {
       .add_option("--progress", seconds_between_lines,
                   "seconds between lines of progress where standard error is no terminal; 0: no progress at all")
       ->check(number_between(0, 1e6))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(running_group);
 }
 
 std::string progress_text(const Progress& p) {

@@ -16,17 +16,17 @@
 #include "kernel/plugin/load.h"
 
 namespace axiscert {
+
+std::string full_name(const CLI::App& command) {
+  return command.get_parent() == nullptr ? "axiscert" : full_name(*command.get_parent()) + " " + command.get_name();
+}
+
 namespace {
 
 // The subcommand that was reached: the innermost one that the command line names.
 const CLI::App& reached(const CLI::App& app) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   return chosen.empty() ? app : reached(*chosen.front());
-}
-
-// "axiscert corpus add".
-std::string full_name(const CLI::App& command) {
-  return command.get_parent() == nullptr ? "axiscert" : full_name(*command.get_parent()) + " " + command.get_name();
 }
 
 std::vector<std::string> option_names(const CLI::App& command) {

@@ -10,6 +10,9 @@
 #include <vector>
 
 namespace axiscert {
+// "axiscert corpus add".
+std::string full_name(const CLI::App& command);
+
 // The message for a command line, of these words after the program's name, that the parser refused.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& refused, const std::vector<std::string>& words);
 

@@ -2,7 +2,9 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/options/run_options.h"
+#include "cli/options/shared_options.h"
 #include "cli/progress_line.h"
 #include "cli/running/certify.h"
 #include "cli/running/verify.h"
@@ -15,15 +17,16 @@ void add_certify(CLI::App& app, Action& action) {
       "certify", "Ask a kernel everything, and write a certificate of what it is, which others can check");
   auto options = std::make_shared<CertifyOptions>();
   CertifyOptions& o = *options;
-  auto* kernel = command->add_option(
-      "KERNEL", o.kernel, "kernel id: built-in, plugin:FILE, program:MANIFEST, peer/NAME (axiscert kernels)");
+  const KernelArguments kernel = add_kernel(*command, o.kernel, "kernel to certify");
   command
       ->add_option(
           "--replies", o.replies.replies,
           "in place of a kernel: a file of a program's replies to `generate --binary`, one for each precision, "
           "repeatable")
       ->allow_extra_args(false)
-      ->excludes(kernel);
+      ->excludes(kernel.named)
+      ->excludes(kernel.argument)
+      ->group(asked_group);
   add_reply_options(*command, o.replies);
   command
       ->add_option("--effort", o.effort,
@@ -31,22 +34,24 @@ void add_certify(CLI::App& app, Action& action) {
                    "deep takes an hour and a half; smoke takes seconds, to try a workflow")
       ->check(one_of(std::vector<std::string>(effort_names.begin(), effort_names.end())))
       ->capture_default_str();
-  command->add_option("--seed", o.seed, "seed of every family, of the search and of the diagnosis")
-      ->check(whole_number())
-      ->capture_default_str();
+  add_seed(*command, o.seed);
   command
       ->add_option(
           "--time", o.seconds,
           "seconds after which the run of the plan begins no further stretch; the certificate lists those done")
       ->check(number_above_zero());
   command->add_option("--key", o.key, "private Ed25519 key in PEM that signs the certificate, with the time");
-  command->add_option("--out", o.out, "folder for certificate.json, its page, text and badge, and the run")
-      ->capture_default_str();
+  add_out(*command, o.out, "certificate.json, its page, text and badge, and the run");
   command->add_flag("--resume", o.resume, "continue in the folder of --out");
-  command->add_flag("--quiet", o.quiet, "print only errors");
+  add_quiet(*command, o.quiet, "print only errors");
   add_thread_option(*command, o.threads);
   add_plugin_seconds(*command);
   add_progress(*command);
+  add_examples(
+      *command,
+      {{"The least that is a certificate, in seconds", "axiscert certify published --effort smoke --out certificate"},
+       {"A kernel of one's own, signed", "axiscert certify plugin:./my_kernel.so --effort standard --key signing.pem"},
+       {"Go on after an interruption", "axiscert certify published --out certificate --resume"}});
   command->callback([&action, options, command] {
     options->is_of_replies = command->count("--replies") != 0;
     options->meshes = options->replies.meshes;
@@ -62,10 +67,10 @@ void add_verify(CLI::App& app, Action& action) {
   auto options = std::make_shared<VerifyOptions>();
   VerifyOptions& o = *options;
   o.replies.replies.clear();
-  command->add_option("CERT", o.certificate, "certificate.json")->required();
+  command->add_option("CERT", o.certificate, "certificate.json")->required()->check(no_kernel());
   command->add_option("--key", o.key, "public Ed25519 key in PEM that has to have signed it");
-  command->add_option("--kernel", o.kernel,
-                      "kernel that it has to be about: the file of a plug-in, a program's manifest, or an id");
+  add_kernel(*command, o.kernel,
+             "kernel that it has to be about: the file of a plug-in, a program's manifest, or an id");
   auto* recheck =
       command->add_option("--recheck", o.recheck,
                           "share of its stretches, as 1%, that the kernel is run on again: the tallies have to be "
@@ -79,6 +84,11 @@ void add_verify(CLI::App& app, Action& action) {
   add_thread_option(*command, o.threads);
   add_plugin_seconds(*command);
   add_progress(*command);
+  add_examples(*command,
+               {{"Is it whole?", "axiscert verify certificate/certificate.json"},
+                {"Is it about this kernel?", "axiscert verify certificate/certificate.json plugin:./my_kernel.so"},
+                {"Do a hundredth of its stretches come out the same here?",
+                 "axiscert verify certificate/certificate.json --recheck 1%"}});
   command->callback([&action, options] { action = [options] { return verify(*options); }; });
 }
 

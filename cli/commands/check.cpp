@@ -9,9 +9,13 @@
 #include "cli/running/query_rows.h"
 #include "cli/progress_line.h"
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/options/address_query.h"
 #include "cli/options/predicate_options.h"
+#include "cli/options/query_parts.h"
+#include "cli/options/shared_options.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/files/file_parts.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/confirm/record.h"
 
@@ -106,6 +110,24 @@ int check_range(const CheckOptions& options) {
   return exit_done;  // whatever it found
 }
 
+// What one kernel was asked of a file, which may have queries of several predicates.
+struct CheckedByOne {
+  CheckedByOne(const Kernel& kernel, const std::string& target) : examiner(kernel, target) {}
+  Examiner examiner;
+  StandingCounts standings;
+  std::size_t queries = 0;
+};
+
+// Of those given: with one a query of another predicate or entry is refused in its words.
+const Kernel& kernel_checked(const StoredQuery& stored, const std::vector<const Kernel*>& given,
+                             const std::string& file) {
+  const std::string what = fmt::format("{}: query '{}'", file, stored.id);
+  const Kernel& kernel =
+      given.size() == 1 ? *given.front() : kernel_for_query(given, *stored.predicate, stored.entry, what);
+  require_query_of(kernel, *stored.predicate, stored.entry, stored.precision, what + " is");
+  return kernel;
+}
+
 int check(const CheckOptions& options) {
   if (is_address(options.file)) return check_range(options);
   if (options.format == "csv")
@@ -113,22 +135,23 @@ int check(const CheckOptions& options) {
         fmt::format("--format csv: has the rows of addresses, SEED:NAME:VERSION:PRECISION:UNIT:FIRST-LAST; the "
                     "queries of {} are printed as text or jsonl",
                     options.file));
-  if (options.kernels.size() > 1) throw Error("--kernel: the queries of a file are judged by one kernel");
-  const std::vector<const Kernel*> kernels = kernels_given(options);
-  const Kernel* const given = kernels.empty() ? nullptr : kernels.front();
+  const std::vector<const Kernel*> given = kernels_given(options);
   const std::string target = resolve_target(options.target);
-  const auto queries = read_query_file(options.file, parse_precision(options.precision));
-  const Kernel& kernel = given != nullptr  ? *given
-                         : queries.empty() ? default_kernel(default_predicate())
-                                           : default_kernel(*queries.front().predicate, queries.front().entry);
-  Examiner examiner(kernel, target);
+  const Precision csv_precision = parse_precision(options.precision);
+  const auto queries = read_query_file(options.file, csv_precision);
+  if (const auto parts = counts_of(queries); parts.size() > 1)
+    fmt::print(stderr, "axiscert: {}: {}\n", options.file == "-" ? "stdin" : options.file, parts_text(parts));
+  std::vector<const Kernel*> kernels;  // of each query
+  for (const StoredQuery& stored : queries) kernels.push_back(&kernel_checked(stored, given, options.file));
+  std::map<std::string_view, CheckedByOne> asked;
   ProgressLine progress("check");
   const ShowProgress show = progress.report();
   ProgressCount count(show, queries.size());
-  StandingCounts standings;
-  for (const StoredQuery& stored : queries) {
-    require_query_of(kernel, *stored.predicate, stored.entry, stored.precision,
-                     fmt::format("{}: query '{}' is", options.file, stored.id));
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const StoredQuery& stored = queries[i];
+    const Kernel& kernel = *kernels[i];
+    auto& [examiner, standings, asked_of_it] = asked.try_emplace(kernel.id, kernel, target).first->second;
+    ++asked_of_it;
     const CheckResult found = std::visit([&](const auto& q) { return check_query(examiner, q); }, stored.numbers);
     ++standings[standing_of(kernel, found)];
     count.finish_unit();
@@ -142,7 +165,8 @@ int check(const CheckOptions& options) {
       fmt::print("{}\n", json_of(line).dump());
     }
   }
-  print_if_nothing_decided(kernel, queries.size(), standings);
+  for (const auto& [id, checked] : asked)
+    print_if_nothing_decided(checked.examiner.kernel(), checked.queries, checked.standings);
   return exit_done;  // whatever it found
 }
 
@@ -156,19 +180,20 @@ void add_check(CLI::App& app, Action& action) {
       ->add_option("FILE", options->file,
                    "query file, JSON Lines or CSV; - reads standard input; or a range of addresses, "
                    "SEED:NAME:VERSION:PRECISION:UNIT:FIRST-LAST, whose rows --format csv and jsonl print")
-      ->required();
-  command
-      ->add_option("--kernel", options->kernels,
-                   "kernel id, for a range repeatable (default: the first of the predicate of the queries)")
-      ->allow_extra_args(false);
+      ->required()
+      ->check(no_kernel());
+  add_kernels(*command, options->kernels, "kernel that is asked", "the first of the predicate of the query");
   add_address_files(*command, options->files);
-  command->add_option("--target", options->target, "instruction set, or auto")->capture_default_str();
-  command->add_option("--precision", options->precision, "precision of a CSV file, which does not state it")
-      ->capture_default_str();
+  add_target(*command, options->target);
+  add_precision(*command, options->precision, of_csv_files);
   command->add_flag("--errors", options->errors, "also print the errors of the computed sides, in u, exactly");
   add_plugin_seconds(*command);
   add_progress(*command);
   add_format(*command, options->format, {"jsonl", "csv"});
+  add_examples(*command, {{"Each query of a file: exact, computed, how wrong", "axiscert check mine.jsonl published"},
+                          {"The same for a program", "axiscert check mine.jsonl published --format jsonl"},
+                          {"A row for each of a hundred queries of a family and each of two kernels",
+                           "axiscert check 1:tangent:2:binary32:0:0-99 published certified --format csv"}});
   command->callback([&action, options] { action = [options] { return check(*options); }; });
 }
 

@@ -7,7 +7,9 @@
 
 #include "cli/first_look.h"
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/progress_line.h"
+#include "cli/options/shared_options.h"
 #include "cli/usage.h"
 #include "cli/running/run_output.h"
 #include "kernel/base/error.h"
@@ -55,7 +57,8 @@ std::string named_kernel(const std::string& given, const CompareOptions& options
     }
   }
   throw Error(fmt::format(
-      "--kernel {}: not in {}, which has: {}{}", given, options.before, fmt::join(known, ", "),
+      "--kernel {}: not in {}, which has: {}{}", given, options.before,
+      fmt::join(most_alike_first(given, {known.begin(), known.end()}), ", "),
       declares.empty() ? "" : fmt::format("; it declares the name '{}', which none of them does", declares)));
 }
 
@@ -109,18 +112,13 @@ void add_compare(CLI::App& app, Action& action) {
       "Compare two runs: what is new, worse, better, fixed; exit 1 where anything is new or worse, where a "
       "kernel promises less, or where something of OLD was not compared");
   auto options = std::make_shared<CompareOptions>();
-  command->add_option("OLD", options->before, "the folder of the earlier run")->required();
-  command->add_option("NEW", options->after, "the folder of the later run")->required();
-  command->add_option("--format", options->format, "format of the output: text, json or markdown")
-      ->check(one_of({"text", "json", "markdown"}))
-      ->capture_default_str();
-  command->add_option("--out", options->out, "folder for compare.md, compare.json and compare.html");
-  command
-      ->add_option(
-          "--kernel", options->kernels,
-          "plugin:PATH.so or program:MANIFEST.json of OLD, or one that declares the same name, which is loaded "
-          "to evaluate the witnesses of OLD again; none that a record names is loaded without it; repeatable")
-      ->allow_extra_args(false);
+  command->add_option("OLD", options->before, "the folder of the earlier run")->required()->check(no_kernel());
+  command->add_option("NEW", options->after, "the folder of the later run")->required()->check(no_kernel());
+  add_format(*command, options->format, {"json", "markdown"});
+  add_out(*command, options->out, "compare.md, compare.json and compare.html");
+  add_kernels(*command, options->kernels,
+              "plugin:PATH.so or program:MANIFEST.json of OLD, or one that declares the same name, which is loaded "
+              "to evaluate the witnesses of OLD again; none that a record names is loaded without it");
   command
       ->add_option("--allow-not-compared", options->allowed,
                    "what need not be compared: a kernel, a family, or what the table NOT COMPARED names; repeatable")
@@ -128,7 +126,11 @@ void add_compare(CLI::App& app, Action& action) {
   command->add_flag("--no-replay", options->no_replay, "do not evaluate the witnesses of OLD again");
   add_plugin_seconds(*command);
   add_progress(*command);
-  command->add_flag("--quiet", options->quiet, "print only errors: the exit code is the answer");
+  add_quiet(*command, options->quiet, "print only errors: the exit code is the answer");
+  add_examples(*command, {{"What is new, worse, better, fixed?", "axiscert compare out-before out"},
+                          {"The same for a pull request", "axiscert compare out-before out --format markdown"},
+                          {"Ask a plug-in the witnesses of the earlier run again",
+                           "axiscert compare out-before out plugin:./my_kernel.so"}});
   command->callback([&action, options] { action = [options] { return compare(*options); }; });
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/glossary.h"
 #include "cli/usage.h"
 #include "fuzz/queries/family.h"
@@ -25,7 +26,7 @@ struct CommandWords {
   std::string description;
   std::vector<OptionWords> options;
   std::vector<std::pair<std::string, std::string>> parts;  // the subcommands and what they do
-  std::vector<std::string> words;  // known words that may stand without an option; without any, it may be a file
+  std::vector<std::string> words;  // known ones of the first argument; without any, it may be a file
 };
 
 std::vector<std::string> kernel_words() {
@@ -77,10 +78,11 @@ OptionWords words_of(const CLI::Option& option) {
 
 void add_commands(const CLI::App& app, const std::vector<std::string>& path, std::vector<CommandWords>& all) {
   CommandWords words{path, app.get_description(), {}, {}, {}};
+  const CLI::Option* first = nullptr;  // of the arguments, whose words are offered
   for (const CLI::Option* option : app.get_options()) {
     if (option->get_group().empty()) continue;
     if (option->nonpositional()) words.options.push_back(words_of(*option));
-    else words.words = words_of(*option).values;
+    else if (first == nullptr) words.words = words_of(*(first = option)).values;
   }
   std::vector<const CLI::App*> parts;
   for (const CLI::App* part : app.get_subcommands({})) {
@@ -243,6 +245,8 @@ void add_completion(CLI::App& app, Action& action) {
       "completion", "Print the completion of this command line for a shell: source <(axiscert completion bash)");
   auto shell = std::make_shared<std::string>();
   command->add_option("SHELL", *shell, "bash, zsh or fish")->required()->check(one_of({"bash", "zsh", "fish"}));
+  add_examples(*command, {{"For this shell alone", "axiscert completion bash > axiscert.bash"},
+                          {"For fish", "axiscert completion fish > axiscert.fish"}});
   command->callback([&app, &action, shell] {
     action = [&app, shell] {
       std::vector<CommandWords> commands;

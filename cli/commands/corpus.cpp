@@ -5,6 +5,8 @@
 #include <filesystem>
 
 #include "cli/commands.h"
+#include "cli/help.h"
+#include "cli/options/shared_options.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
@@ -87,9 +89,13 @@ void add_corpus(CLI::App& app, Action& action) {
   const auto add_folder = [&](CLI::App& to) {
     to.add_option("--folder", options->folder, "the corpus (default: the one supplied with axiscert)");
   };
+  add_examples(*command, {{"What is there", "axiscert corpus list"},
+                          {"One more", "axiscert corpus add mine.jsonl --name two-points --provenance made:me"}});
   auto* listing = command->add_subcommand("list", "Every entry: name, exact verdict, where it came from");
   add_folder(*listing);
   add_format(*listing, options->format, {"jsonl"});
+  add_examples(*listing, {{"The one that comes with axiscert", "axiscert corpus list"},
+                          {"Its lines", "axiscert corpus list --format jsonl"}});
   listing->callback([&action, options] { action = [options] { return list(*options); }; });
 
   auto* adding = command->add_subcommand(
@@ -101,9 +107,13 @@ void add_corpus(CLI::App& app, Action& action) {
       ->required();
   adding->add_option("--about", options->about, "the subject of a report: static, sweep or other");
   adding->add_option("--note", options->note, "a sentence on why the query is hard");
-  adding->add_option("--precision", options->precision, "precision of a CSV file, which does not state it")
-      ->capture_default_str();
+  add_precision(*adding, options->precision, of_csv_files);
   add_folder(*adding);
+  add_examples(*adding, {{"A query of one's own",
+                          "axiscert corpus add mine.jsonl --name two-points --provenance made:me --folder corpus"},
+                         {"A query that a search found",
+                          "axiscert corpus add mine.jsonl --name worst --provenance "
+                          "search:published --note sliver --folder corpus"}});
   adding->callback([&action, options] { action = [options] { return add(*options); }; });
 }
 

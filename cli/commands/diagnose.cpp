@@ -5,6 +5,8 @@
 #include "cli/ending.h"
 #include "cli/first_look.h"
 #include "cli/options/instrument_options.h"
+#include "cli/options/shared_options.h"
+#include "cli/help.h"
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"
 #include "cli/usage.h"
@@ -63,14 +65,20 @@ void add_diagnose(CLI::App& app, Action& action) {
       "diagnose", "Say what a kernel is like by its verdicts: open or closed, one-sided, thresholds, order, precision");
   auto options = std::make_shared<DiagnoseOptions>();
   DiagnoseOptions& o = *options;
-  command->add_option("KERNEL", o.kernel, "kernel id")->required();
-  command->add_option("--precision", o.precision, "binary32 or binary64 (default: the first that the kernel has)");
-  command->add_option("--seed", o.seed, "seed of all random choices")->check(whole_number())->capture_default_str();
+  add_kernel(*command, o.kernel, "kernel that is asked");
+  add_precision(*command, o.precision, "", "the first that the kernel has");
+  add_seed(*command, o.seed);
   add_plugin_seconds(*command);
   add_progress(*command);
   add_format(*command, o.format, data_formats);
-  command->add_option("--out", o.out, "folder for diagnosis.json, diagnosis.csv, diagnosis.html and witnesses.jsonl");
-  command->callback([&action, options] { action = [options] { return diagnose_kernel(*options); }; });
+  add_out(*command, o.out, "diagnosis.json, diagnosis.csv, diagnosis.html and witnesses.jsonl");
+  add_examples(*command, {{"What is my kernel like?", "axiscert diagnose plugin:./my_kernel.so"},
+                          {"With a page and the queries that show it",
+                           "axiscert diagnose published --precision binary64 --out diagnosis"}});
+  command->callback([&action, options] {
+    if (options->kernel.empty()) throw CLI::RequiredError("KERNEL");
+    action = [options] { return diagnose_kernel(*options); };
+  });
 }
 
 }  // namespace axiscert

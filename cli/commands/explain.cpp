@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/glossary.h"
 #include "cli/usage.h"
 #include "fuzz/record/record.h"
@@ -52,6 +53,9 @@ void add_figures(const Json& schema, const std::string& place, const std::string
   }
 }
 
+  add_examples(*command, {{"A word of a report", "axiscert explain missed contact"},
+                          {"A figure of record.json", "axiscert explain max_error_u"},
+                          {"The schema of a file", "axiscert explain --schema record"}});
 // "kernels.families.trials: Number of queries: ...", a line for each sentence; empty where no member has that name, or
 // that path.
 std::string figure_text(std::string name) {

@@ -8,9 +8,11 @@
 #include <filesystem>
 
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/options/address_query.h"
 #include "cli/options/predicate_options.h"
 #include "cli/options/run_options.h"
+#include "cli/options/shared_options.h"
 #include "cli/progress_line.h"
 #include "fuzz/pipe/streams.h"
 #include "fuzz/queries/source.h"
@@ -27,6 +29,9 @@ void add_query(CLI::App& app, Action& action) {
   auto options = std::make_shared<Options>();
   command->add_option("ADDRESS", options->address, "SEED:NAME:VERSION:PRECISION:UNIT:INDEX")->required();
   add_address_files(*command, options->files);
+  add_examples(*command, {{"A query of a family", "axiscert query 1:tangent:2:binary32:0:9107"},
+                          {"A query of a file, by the address that a report has",
+                           "axiscert query 1:queries-SHA256:1:binary32:0:0 --queries mine.jsonl"}});
   command->callback([&action, options] {
     action = [options] {
       std::error_code ignored;
@@ -152,8 +157,7 @@ void add_generate(CLI::App& app, Action& action) {
       "generate", "Write queries, as a query file or (--binary) for a program whose replies `axiscert judge` takes");
   auto options = std::make_shared<GenerateOptions>();
   add_source_options(*command, *options);
-  command->add_option("--precision", options->precision, "binary32 or binary64; also the precision of CSV files")
-      ->capture_default_str();
+  add_precision(*command, options->precision, of_csv_files);
   auto* binary =
       command->add_flag("--binary", options->binary, "the query stream of docs/pipe.md instead of JSON Lines");
   command
@@ -162,10 +166,12 @@ void add_generate(CLI::App& app, Action& action) {
           "the program gives so many of the predicate's measures beside each verdict, from the first on (`axiscert "
           "predicates`)")
       ->needs(binary);
-  command->add_option("-o,--out-file", options->out_file, "file to write, - for standard output")
-      ->capture_default_str();
+  add_out_file(*command, options->out_file, "the queries, - for standard output");
   add_thread_option(*command, options->threads);
   add_progress(*command);
+  add_examples(*command, {{"A query file", "axiscert generate --family tangent --trials 100 -o queries.jsonl"},
+                          {"For a program, whose replies are judged",
+                           "axiscert generate --binary --family tangent | ./my_program | axiscert judge"}});
   command->callback([&action, options] { action = [options] { return generate(*options); }; });
 }
 

@@ -7,6 +7,7 @@
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/predicate_options.h"
+#include "cli/help.h"
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"
 #include "fuzz/queries/source.h"
@@ -44,7 +45,7 @@ std::vector<std::string> default_families() {
   return names;
 }
 
-void add_kernel(League& league, const std::string& id) {
+void add_to_league(League& league, const std::string& id) {
   const Kernel& kernel = find_kernel(id);
   require_served("league", *kernel.predicate, {&league_predicate()});
   if (std::find(league.kernels.begin(), league.kernels.end(), &kernel) != league.kernels.end()) return;
@@ -54,13 +55,13 @@ void add_kernel(League& league, const std::string& id) {
 // Our own kernels and every peer, those from npm only with `engines`; every kernel with a planted fault is kept apart
 // from them.
 void add_all_kernels(League& league, bool engines) {
-  for (const std::string& id : own_kernels) add_kernel(league, id);
+  for (const std::string& id : own_kernels) add_to_league(league, id);
   for (const plugin::ShippedPlugins& shipped : plugin::shipped_plugins()) {
     if (shipped.predicate != &league_predicate()) continue;
     const bool competes = shipped.prefix == "peer/";
     for (const std::string& name : shipped.names) {
       const std::string id = shipped.prefix + name;
-      if (engines || !plugin::is_program(find_kernel(id))) add_kernel(league, id);
+      if (engines || !plugin::is_program(find_kernel(id))) add_to_league(league, id);
     }
     if (competes) league.contenders = league.kernels.size();
     if (shipped.names.empty()) {
@@ -104,7 +105,7 @@ int run_league(const LeagueOptions& options) {
   if (options.kernels.empty()) {
     add_all_kernels(league, !options.no_engines);
   } else {
-    for (const std::string& id : options.kernels) add_kernel(league, id);
+    for (const std::string& id : options.kernels) add_to_league(league, id);
     league.contenders = league.kernels.size();
   }
   questions.sources = instrument_sources(options, default_families());
@@ -162,6 +163,9 @@ void add_league(CLI::App& app, Action& action) {
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);
   command->add_flag("--no-speed", options->no_speed, "measure no times");
   command->add_flag("--no-engines", options->no_engines, "leave out the engines from npm, installed or not");
+  add_examples(*command,
+               {{"My kernel beside others", "axiscert league plugin:./my_kernel.so published --trials 256 --no-speed"},
+                {"Every library that is here, with a page", "axiscert league --out league"}});
   command->callback([&action, options] { action = [options] { return run_league(*options); }; });
 }
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/options/predicate_options.h"
+#include "cli/options/shared_options.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/queries/family.h"
 #include "kernel/kernel.h"
@@ -190,12 +192,12 @@ void add_kernels(CLI::App& app, Action& action) {
   auto format = std::make_shared<std::string>("text");
   add_format(*command, *format, data_formats);
   auto ids = std::make_shared<std::vector<std::string>>();
-  command
-      ->add_option("--kernel", *ids, "list this kernel alone, with its predicate and where its source is; repeatable")
-      ->allow_extra_args(false);
+  add_kernels(*command, *ids, "list this kernel alone, with its predicate and where its source is");
   auto predicate = std::make_shared<std::string>();
-  add_predicate_option(*command, *predicate,
-                       fmt::format("predicate whose kernels are listed (default: {})", default_predicate().id));
+  add_predicate(*command, *predicate, "predicate whose kernels are listed", std::string(default_predicate().id));
+  add_examples(*command, {{"All of the usual predicate", "axiscert kernels"},
+                          {"Two, with their predicate and entry", "axiscert kernels published certified"},
+                          {"For a program", "axiscert kernels --format json"}});
   command->callback([&action, format, ids, predicate] {
     action = [format, ids, predicate] { return list_kernels(*format, *ids, *predicate); };
   });
@@ -226,8 +228,9 @@ void add_families(CLI::App& app, Action& action) {
   auto format = std::make_shared<std::string>("text");
   add_format(*command, *format, data_formats);
   auto predicate = std::make_shared<std::string>();
-  add_predicate_option(*command, *predicate,
-                       fmt::format("predicate whose families are listed (default: {})", default_predicate().id));
+  add_predicate(*command, *predicate, "predicate whose families are listed", std::string(default_predicate().id));
+  add_examples(*command, {{"All of the usual predicate", "axiscert families"},
+                          {"For a spreadsheet", "axiscert families --format csv"}});
   command->callback([&action, format, predicate] {
     action = [format, predicate] { return print_families(*format, predicate_given(*predicate)); };
   });
@@ -342,6 +345,7 @@ void add_predicates(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("predicates", "List the predicates: columns, comparisons, clauses, measures");
   auto format = std::make_shared<std::string>("text");
   add_format(*command, *format, data_formats);
+  add_examples(*command, {{"All", "axiscert predicates"}, {"For a program", "axiscert predicates --format json"}});
   command->callback([&action, format] { action = [format] { return list_predicates(*format); }; });
 }
 

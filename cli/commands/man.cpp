@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "kernel/base/version.h"
 
 namespace axiscert {
@@ -51,6 +52,8 @@ std::string options_of(const CLI::App& app) {
 
 std::string command_section(const CLI::App& command, const std::string& name) {
   std::string text = fmt::format(".SS {}\n{}\n{}", roff(name), roff(command.get_description()), options_of(command));
+  for (const Example& example : examples_of(command))
+    text += fmt::format(".PP\n{}:\n.nf\n{}\n.fi\n", roff(example.about), roff(example.line));
   for (const CLI::App* part : command.get_subcommands({})) {
     if (!part->get_group().empty()) text += command_section(*part, name + " " + part->get_name());
   }

@@ -7,7 +7,9 @@
 #include "cli/first_look.h"
 #include "cli/options/address_query.h"
 #include "cli/options/predicate_options.h"
+#include "cli/options/shared_options.h"
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/progress_line.h"
 #include "cli/usage.h"
 #include "cli/running/run_output.h"
@@ -40,10 +42,23 @@ std::size_t default_size(const StoredQuery& witness) {
   return has_filters(*witness.predicate, witness.entry) ? filtered_size : exact_size;
 }
 
+// Throws Error that names the most alike of the ids.
+void require_id(const MapOptions& options, const std::vector<StoredQuery>& queries) {
+  std::vector<std::string_view> ids;
+  for (const StoredQuery& query : queries) ids.push_back(query.id);
+  if (std::find(ids.begin(), ids.end(), options.id) != ids.end()) return;
+  constexpr std::size_t most_ids = 8;
+  std::vector<std::string_view> nearest = most_alike_first(options.id, ids);
+  nearest.resize(std::min(nearest.size(), most_ids));
+  throw Error(fmt::format("--id {}: unknown{} of the {} ids of {} the nearest are: {}", options.id,
+                          did_you_mean(options.id, ids), ids.size(), options.query, fmt::join(nearest, ", ")));
+}
+
 // The query of the file, or the one that --id chooses.
 StoredQuery witness_of(const MapOptions& options) {
   std::vector<StoredQuery> queries = queries_given({options.query}, options.precision, options.files);
   if (!options.id.empty()) {
+    require_id(options, queries);
     std::erase_if(queries, [&](const StoredQuery& q) { return q.id != printable_line(options.id); });
   }
   if (queries.size() != 1) {
@@ -172,10 +187,9 @@ void add_map(CLI::App& app, Action& action) {
       "Draw where a kernel is wrong around a query: a plane through query space, one ulp or exponent for each pixel");
   auto options = std::make_shared<MapOptions>();
   MapOptions& o = *options;
-  command->add_option("QUERY", o.query, "query file (- for standard input) or address")->required();
+  command->add_option("QUERY", o.query, "query file (- for standard input) or address")->required()->check(no_kernel());
   command->add_option("--id", o.id, "id of the query in the file");
-  command->add_option("--kernel", o.kernel,
-                      "kernel id (default: published, or the first of the query's predicate and entry)");
+  add_kernel(*command, o.kernel, "kernel that is asked", "the first of the query's predicate and entry");
   command->add_option(
       "--along", o.along,
       "the number that changes to the right: a.x ... p.z, d.x ... d.z, r, of boxes a.m.x ... b.s.z (default: the "
@@ -197,14 +211,17 @@ void add_map(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   command->add_option("--name", o.name, "name of the map: its pictures are OUT/maps/NAME-WHAT.png")
       ->capture_default_str();
-  command->add_option("--target", o.target, "instruction set, or auto")->capture_default_str();
-  command->add_option("--precision", o.precision, "precision of a CSV file, which does not state it")
-      ->capture_default_str();
+  add_target(*command, o.target);
+  add_precision(*command, o.precision, of_csv_files);
   add_address_files(*command, o.files);
   add_plugin_seconds(*command);
   add_progress(*command);
   add_format(*command, o.format, data_formats);
-  command->add_option("--out", o.out, "folder in which maps/ is written")->capture_default_str();
+  add_out(*command, o.out, "maps/, where the pictures are");
+  add_examples(*command, {{"The first number of A to the right, the radius upwards",
+                           "axiscert map mine.jsonl published --along a.x --across r --size 32"},
+                          {"Over which scales is the verdict right?",
+                           "axiscert map mine.jsonl published --exponents --what verdict"}});
   command->callback([&action, options] { action = [options] { return draw(*options); }; });
 }
 

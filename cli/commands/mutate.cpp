@@ -9,6 +9,8 @@
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/predicate_options.h"
+#include "cli/options/shared_options.h"
+#include "cli/help.h"
 #include "cli/progress_line.h"
 #include "cli/usage.h"
 #include "cli/running/run_output.h"
@@ -221,10 +223,8 @@ int mutate(const MutateOptions& given) {
   plan.base = options.kernel;
   if (options.list) return print_mutants(plan);
   const Kernel& base = find_kernel(plan.base);
-  for (const std::string& name : options.families) {
-    plan.families.push_back(&find_family(name));
-    require_one_predicate({&base}, {family_source(*plan.families.back())});
-  }
+  plan.families = families_named(options.families, *base.predicate, base.entry);
+  for (const Family* family : plan.families) require_one_predicate({&base}, {family_source(*family)});
   if (plan.families.empty()) plan.families = families_of(*base.predicate, base.entry);
   if (options.precision.empty()) plan.precisions = {Precision::binary32, Precision::binary64};
   else plan.precisions = {parse_precision(options.precision)};
@@ -263,24 +263,19 @@ void add_mutate(CLI::App& app, Action& action) {
       "mutate", "Plant one fault after the other in a correct kernel, and show which are caught, and how soon");
   auto options = std::make_shared<MutateOptions>();
   MutateOptions& o = *options;
-  add_predicate_option(*command, o.predicate,
-                       "predicate whose first such kernel the mutants are made from (axiscert predicates)");
-  command->add_option(
-      "--kernel", o.kernel,
-      fmt::format("kernel that the mutants are made from: {} (default: the first of the predicate); or {}, "
-                  "each of whose steps is judged by itself",
-                  fmt::join(mutants::bases, ", "), certified_kernel));
+  add_predicate(*command, o.predicate,
+                "predicate whose first such kernel the mutants are made from (axiscert predicates)");
+  add_kernel(*command, o.kernel,
+             fmt::format("kernel that the mutants are made from: {}; or {}, each of whose steps is judged by itself",
+                         fmt::join(mutants::bases, ", "), certified_kernel),
+             "the first of the predicate");
   command->add_option("--mutant", o.mutants, "id or fault, repeatable (default: all)")->allow_extra_args(false);
-  command->add_option("--family", o.families, "family, repeatable (default: all)")->allow_extra_args(false);
-  command
-      ->add_option(
-          "--trials", o.trials,
-          fmt::format("queries per family and precision (default: {}, with --verdict-only {}; of a predicate other "
-                      "than {} an eighth)",
-                      trials_by_formulae, trials_by_verdict, ids_of(predicates_with(has_filters))))
-      ->check(whole_number(1, std::uint64_t{1} << 48));
-  command->add_option("--seed", o.seed, "seed of every family")->check(whole_number())->capture_default_str();
-  command->add_option("--precision", o.precision, "binary32 or binary64")->default_str("both");
+  add_families(*command, o.families, "all");
+  add_trials(*command, o.trials,
+             fmt::format("{}, with --verdict-only {}; of a predicate other than {} an eighth", trials_by_formulae,
+                         trials_by_verdict, ids_of(predicates_with(has_filters))));
+  add_seed(*command, o.seed);
+  add_precision(*command, o.precision, "", "both");
   auto* verdict_only = command->add_flag(
       "--verdict-only", o.verdict_only,
       "judge each mutant by its verdict alone, as a plug-in that shows nothing else, and plant epsilons, clamps, "
@@ -297,8 +292,11 @@ void add_mutate(CLI::App& app, Action& action) {
   add_thread_option(*command, o.threads);
   add_progress(*command);
   add_format(*command, o.format, data_formats);
-  command->add_option("--out", o.out,
-                      "folder for mutation.json, .csv, .md and .html (with --verdict-only mutation-by-verdict.*)");
+  add_out(*command, o.out, "mutation.json, .csv, .md and .html (with --verdict-only mutation-by-verdict.*)");
+  add_examples(*command,
+               {{"Which faults are there?", "axiscert mutate --list"},
+                {"Which does a family catch?", "axiscert mutate nonstrict --family lattice --trials 64 --no-controls"},
+                {"Which by the verdict alone?", "axiscert mutate nonstrict --verdict-only --out mutation"}});
   command->callback([&action, options] { action = [options] { return mutate(*options); }; });
 }
 

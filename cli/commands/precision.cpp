@@ -3,9 +3,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "cli/options/instrument_options.h"
 #include "cli/options/predicate_options.h"
+#include "cli/options/query_parts.h"
+#include "cli/options/run_options.h"
+#include "cli/options/shared_options.h"
+#include "cli/help.h"
 #include "cli/progress_line.h"
 #include "cli/usage.h"
 #include "exact/sphere_triangle/unbounded/unbounded.h"
@@ -80,6 +85,9 @@ void add_ladder(CLI::App& app, Action& action) {
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);
   command->add_flag("--no-speed", options->no_speed,
                     "measure no times: the rest of the output is the same in every run");
+  add_examples(*command, {{"Four steps, without times",
+                           "axiscert ladder ladder-0 ladder-3 ladder-6 published --trials 256 --no-speed"},
+                          {"All of the figures, with a page", "axiscert ladder --out ladder"}});
   command->callback([&action, options] { action = [options] { return ladder(*options); }; });
 }
 
@@ -129,6 +137,9 @@ void add_precision(CLI::App& app, Action& action) {
   add_instrument_options(*command, *options, std::uint64_t{1} << 11);
   command->add_option("--bits", options->bits, "bits of precision, repeatable (default: 26 values from 8 to 256)")
       ->allow_extra_args(false);
+  add_examples(*command,
+               {{"At the bits of the two precisions", "axiscert precision published --bits 24 --bits 53 --trials 64"},
+                {"Another family, with a page", "axiscert precision reduced --family needle --out precision"}});
   command->callback([&action, options] { action = [options] { return measure(*options); }; });
 }
 
@@ -177,6 +188,8 @@ void add_condition(CLI::App& app, Action& action) {
   command->add_option("--sample", options->sample, "queries per family that are evaluated where nothing flipped")
       ->check(count)
       ->capture_default_str();
+  add_examples(*command, {{"One kernel on one family", "axiscert condition published --family tangent --trials 256"},
+                          {"All of the figures, with a page", "axiscert condition --out condition"}});
   command->callback([&action, options] { action = [options] { return measure(*options); }; });
 }
 
@@ -196,20 +209,9 @@ CriticalRadiusDefaults defaults_of(const Predicate& predicate, std::size_t entry
   return all;
 }
 
-// The predicate and the entry of the kernels or the families that are given; the first where neither are.
-std::pair<const Predicate*, std::size_t> asked_of(const InstrumentOptions& options) {
-  std::vector<const Kernel*> kernels;
-  for (const std::string& id : options.kernels) kernels.push_back(&find_kernel(id));
-  if (kernels.empty() && !options.families.empty()) {
-    const Family& first = find_family(options.families.front());
-    return {&first.predicate(), first.entry};
-  }
-  return {&predicate_of_kernels("", kernels), kernels.empty() ? 0 : kernels.front()->entry};
-}
-
-int measure(const InstrumentOptions& options) {
+int measure_part(const InstrumentOptions& options) {
   const std::vector<const Predicate*> served = predicates_with(has_critical_length);
-  const auto [predicate, entry] = asked_of(options);
+  const auto [predicate, entry] = entry_asked(options);
   require_capability(has_critical_length, options.command, *predicate, entry);
   const CriticalRadiusDefaults defaults = defaults_of(*predicate, entry);
   const CriticalRadiusPlan plan{instrument_kernels(options, defaults.kernels, Measures::verdicts, served),
@@ -219,11 +221,30 @@ int measure(const InstrumentOptions& options) {
                                 options.seed,
                                 options.threads};
   require_one_predicate(plan.kernels, plan.sources);
+  print_left_out(plan.sources, {plan.precision});
   const auto result =
       with_progress("critical-radius", [&](const ShowProgress& show) { return measure_critical_radii(plan, show); });
   const int done = print_and_write_instrument(
       critical_radius_report(plan, result, instrument_command("critical-radius", options)), options);
   return unmeasured_kernels(plan, result).empty() ? done : exit_requirement_failed;
+}
+
+// Each predicate and entry of the query files by itself, in a folder of its own where there are several.
+int measure_radii(const InstrumentOptions& options) {
+  const std::vector<QueryPart> parts =
+      query_parts(options.queries, parse_precision(options.precision), "", options.kernels);
+  if (parts.empty()) return measure_part(options);
+  if (parts.size() > 1 && !options.families.empty())
+    throw Error(fmt::format("--family is of one predicate, and the queries are of {}", parts.size()));
+  int code = exit_done;
+  for (const QueryPart& part : parts) {
+    InstrumentOptions own = options;
+    if (parts.size() > 1) own.kernels = part.kernels;
+    if (own.kernels.empty()) own.kernels = defaults_of(*part.predicate, part.entry).kernels;
+    if (parts.size() > 1 && !own.out.empty()) own.out = (std::filesystem::path(own.out) / part.folder()).string();
+    code = std::max(code, measure_part(own));
+  }
+  return code;
 }
 
 }  // namespace
@@ -235,7 +256,12 @@ void add_critical_radius(CLI::App& app, Action& action) {
       "error");
   auto options = std::make_shared<InstrumentOptions>();
   add_instrument_options(*command, *options, std::uint64_t{1} << 12);
-  command->callback([&action, options] { action = [options] { return measure(*options); }; });
+  add_query_files(*command, options->queries);
+  add_examples(*command,
+               {{"Two kernels", "axiscert critical-radius published certified --trials 64"},
+                {"One family, with a page", "axiscert critical-radius certified --family far --trials 64 --out radii"},
+                {"My own queries", "axiscert critical-radius published --queries mine.jsonl"}});
+  command->callback([&action, options] { action = [options] { return measure_radii(*options); }; });
 }
 
 }  // namespace axiscert

@@ -8,7 +8,9 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/options/instrument_options.h"
+#include "cli/options/shared_options.h"
 #include "proofs/bounds.h"
 #include "proofs/checkers.h"
 #include "proofs/emit/emit.h"
@@ -146,12 +148,14 @@ void add_prove(CLI::App& app, Action& action) {
       "prove", "Check the proofs of the rounding errors with Gappa and Coq, and report what they prove");
   auto options = std::make_shared<ProveOptions>();
   ProveOptions& o = *options;
-  command->add_option("--precision", o.precision, "binary32 or binary64 (default: both)");
+  add_precision(*command, o.precision, "", "both");
   command->add_option("--proofs", o.proofs, "folder with coq/formulae/Ranges.v")->capture_default_str();
   command->add_flag("--without-coq", o.without_coq, "Gappa alone, which takes a minute less; nothing counts as proved");
   add_progress(*command);
   add_format(*command, o.format, data_formats);
-  command->add_option("--out", o.out, "folder for proofs.json and for Gappa's scripts");
+  add_out(*command, o.out, "proofs.json and for Gappa's scripts");
+  add_examples(*command, {{"Every bound of binary32", "axiscert prove --precision binary32"},
+                          {"Gappa's alone, a minute less", "axiscert prove --without-coq --out proofs"}});
   command->callback([&action, options] { action = [options] { return prove(*options); }; });
 }
 

@@ -5,9 +5,13 @@
 #include <map>
 
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/options/plan_file.h"
+#include "cli/options/predicate_options.h"
+#include "cli/options/query_parts.h"
 #include "cli/options/reply_plan.h"
 #include "cli/options/run_options.h"
+#include "cli/options/shared_options.h"
 #include "cli/progress_line.h"
 #include "cli/running/judged_run.h"
 #include "cli/running/planned_run.h"
@@ -20,6 +24,50 @@
 #include "reports/wording/reproduce.h"
 
 namespace axiscert {
+namespace {
+
+// The options of each run that query files with several predicates ask for: its kernels, its folder. One where they
+// have queries of one predicate and entry, as the files of most runs. Throws Error for what can be of one predicate
+// alone.
+std::vector<RunOptions> parts_of_run(const RunOptions& options) {
+  const Precision csv_precision = options.precision.empty() ? Precision::binary32 : parse_precision(options.precision);
+  const std::vector<QueryPart> parts = query_parts(options.queries, csv_precision, options.predicate, options.kernels);
+  if (parts.size() < 2) return {options};
+  for (const auto& [name, is_given] : {std::pair("--family", !options.families.empty()),
+                                       {"--mesh", !options.meshes.empty()},
+                                       {"--corpus", options.corpus.has_value()},
+                                       {"--preset", !options.preset.empty()},
+                                       {"--ratchet", !options.ratchet.empty()},
+                                       {"--format csv", options.format == "csv"}}) {
+    if (!is_given) continue;
+    throw Error(fmt::format("{} is of one predicate, and the queries are of {}; choose one with --predicate", name,
+                            parts.size()));
+  }
+  std::vector<RunOptions> runs;
+  for (const QueryPart& part : parts) {
+    RunOptions& run = runs.emplace_back(options);
+    run.predicate = part.predicate->id;
+    run.kernels = part.kernels;
+    if (run.kernels.empty()) run.kernels = {default_kernel(*part.predicate, part.entry).id};
+    run.is_part = true;
+    run.out = (std::filesystem::path(options.out) / part.folder()).string();
+  }
+  return runs;
+}
+
+// One run after the other; the levels have to hold in each.
+int run_parts(const RunOptions& options) {
+  const std::vector<RunOptions> runs = parts_of_run(options);
+  std::vector<Plan> plans;  // all of them are looked up before the first is begun
+  for (const RunOptions& run : runs) plans.push_back(plan_of(run));
+  int code = exit_done;
+  for (std::size_t i = 0; i < runs.size() && code < exit_interrupted; ++i)
+    code = std::max(code, put_result(judge_run(plans[i], runs[i], runs[i].target), runs[i]));
+  return code;
+}
+
+}  // namespace
+
 void add_run(CLI::App& app, Action& action) {
   auto* command =
       app.add_subcommand("run", "Run kernels over families, meshes and query files, judge them and write a report");
@@ -27,11 +75,18 @@ void add_run(CLI::App& app, Action& action) {
   auto planned = std::make_shared<PlannedOptions>();
   add_run_options(*command, *options);
   add_planned_options(*command, *planned);
+  for (const char* name : {"--plan", "--resume", "--shard", "--stretches", "--recheck", "--recheck-seed",
+                           "--recheck-target", "--recheck-with"})
+    command->get_option(name)->group("A plan in parts");
+  add_examples(*command,
+               {{"Is the method of my kernel right?", "axiscert run plugin:./my_kernel.so --require logic"},
+                {"Two kernels on two families",
+                 "axiscert run published certified --family tangent --family sliver --trials 1000"},
+                {"My own queries, with a report in out/", "axiscert run published --queries mine.jsonl --out out"}});
   command->callback([&action, options, planned] {
     action = [options, planned] {
       if (!planned->plan.empty()) return run_planned(*planned, *options);
-      const RunOptions all = with_preset(*options);
-      return put_result(judge_run(plan_of(all), all, all.target), all);
+      return run_parts(with_preset(*options));
     };
   });
 }
@@ -66,7 +121,10 @@ void add_plan(CLI::App& app, Action& action) {
                    "units handed out, journalled and repeated together (default: 1 in small plans, 16 in others, more "
                    "where the journal would have more than 2^22 entries)")
       ->check(whole_number(1, std::uint64_t{1} << 40));
-  command->add_option("--out", options->file, "the file")->capture_default_str();
+  add_out_file(*command, options->file, "the plan");
+  add_examples(*command,
+               {{"A long run", "axiscert plan published certified --family all --trials 1000000 -o plan.json"},
+                {"What it has to meet is a part of it", "axiscert plan certified --require exact -o plan.json"}});
   command->callback([&action, options] { action = [options] { return plan(*options); }; });
 }
 
@@ -191,8 +249,11 @@ void add_merge(CLI::App& app, Action& action) {
   command->add_option("FOLDER", options->folders, "folders that `run --plan --shard --out` wrote, in any order")
       ->required();
   command->add_option("--plan", options->plan, "present path of the plan (default: the first folder's copy of it)");
-  command->add_option("--out", options->out, "folder for record, reports and witnesses")->capture_default_str();
+  add_out(*command, options->out, "record, reports and witnesses");
   add_progress(*command);
+  add_examples(*command,
+               {{"Two shards", "axiscert merge shard-1 shard-2 --out merged"},
+                {"The plan's file is elsewhere", "axiscert merge shard-1 shard-2 --plan plan.json --out merged"}});
   command->callback([&action, options] { action = [options] { return merge(*options); }; });
 }
 
@@ -219,6 +280,9 @@ void add_judge(CLI::App& app, Action& action) {
       ->capture_default_str();
   add_reply_options(*command, *options);
   add_output_options(*command, *options);
+  add_examples(*command, {{"A file of replies", "axiscert judge replies.bin --as my-engine --require logic"},
+                          {"A program in a pipe",
+                           "axiscert generate --binary --family tangent | ./my_program | axiscert judge - --out out"}});
   command->callback([&action, options] { action = [options] { return judge_replies(*options); }; });
 }
 
@@ -228,6 +292,8 @@ void add_report(CLI::App& app, Action& action) {
   command->add_option("DIR", *folder, "the folder that `run --out` wrote")->required();
   add_format(*command, *format, {"csv"});
   add_progress(*command);
+  add_examples(*command, {{"The page and the texts, again", "axiscert report out"},
+                          {"The counts, for a spreadsheet", "axiscert report out --format csv"}});
   command->callback([&action, folder, format] {
     action = [folder, format] {
       {

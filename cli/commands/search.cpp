@@ -9,6 +9,8 @@
 #include "cli/options/run_options.h"
 #include "cli/options/search_plan.h"
 #include "cli/options/predicate_options.h"
+#include "cli/options/shared_options.h"
+#include "cli/help.h"
 #include "cli/progress_line.h"
 #include "cli/usage.h"
 #include "cli/running/run_output.h"
@@ -82,15 +84,13 @@ void add_search(CLI::App& app, Action& action) {
                                      "verdicts, the scales where range fails");
   auto options = std::make_shared<SearchOptions>();
   SearchOptions& o = *options;
-  add_predicate_option(
-      *command, o.predicate,
-      fmt::format("the predicate of which the kernel is (default: {}, or that of --kernel)", default_predicate().id));
-  command->add_option("--kernel", o.kernel, "kernel id (default: the first of the predicate)");
-  command->add_option("--precision", o.precision, "binary32 or binary64")->capture_default_str();
+  add_predicate(*command, o.predicate, "predicate of the kernel",
+                fmt::format("{}, or that of --kernel", default_predicate().id));
+  add_kernel(*command, o.kernel, "kernel that is asked", "the first of the predicate");
+  add_precision(*command, o.precision);
   command->add_option("--comparison", o.comparisons, "comparison, repeatable (default: all, and the verdict)")
       ->allow_extra_args(false);
-  command->add_option("--family", o.families, "family from which the search starts, repeatable")
-      ->allow_extra_args(false);
+  add_families(*command, o.families, "those from which a search of the predicate starts");
   auto* evaluations =
       command
           ->add_option(
@@ -102,14 +102,18 @@ void add_search(CLI::App& app, Action& action) {
   command->add_option("--time", o.seconds, "seconds to search instead")
       ->check(number_above_zero())
       ->excludes(evaluations);
-  command->add_option("--seed", o.seed, "seed of all random choices")->check(whole_number())->capture_default_str();
+  add_seed(*command, o.seed);
   command->add_flag("--resume", o.resume, "continue from the state in the folder of --out");
-  command->add_option("--target", o.target, "instruction set, or auto")->capture_default_str();
+  add_target(*command, o.target);
   add_thread_option(*command, o.threads);
   add_plugin_seconds(*command);
   add_progress(*command);
   add_format(*command, o.format, data_formats);
-  command->add_option("--out", o.out, "folder for search.json, search.csv, search.html, witnesses.jsonl and the state");
+  add_out(*command, o.out, "search.json, search.csv, search.html, witnesses.jsonl and the state");
+  add_examples(*command, {{"A minute, to be continued", "axiscert search published --time 60 --out found"},
+                          {"Continued", "axiscert search published --evaluations 1000000 --out found --resume"},
+                          {"The error of one comparison",
+                           "axiscert search published --comparison plane.radius --evaluations 1000"}});
   command->callback([&action, options] { action = [options] { return search(*options); }; });
 }
 

@@ -7,7 +7,10 @@
 #include "cli/first_look.h"
 #include "cli/options/address_query.h"
 #include "cli/options/predicate_options.h"
+#include "cli/options/query_parts.h"
+#include "cli/options/shared_options.h"
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/progress_line.h"
 #include "cli/usage.h"
 #include "cli/running/shrunk.h"
@@ -22,7 +25,8 @@ namespace {
 
 struct ShrinkOptions {
   std::vector<std::string> queries;
-  std::string kernel, target = "auto", precision = "binary32", what, format = "text";
+  std::vector<std::string> kernels;
+  std::string target = "auto", precision = "binary32", what, format = "text";
   std::uint64_t evaluations = 1000000;
   bool any_class = false;
   AddressFiles files;
@@ -255,42 +259,38 @@ void shrink_one(const Numbers<Real>& q, const StoredQuery& stored, const ShrinkO
   std::fflush(stdout);
 }
 
-// The kernel that was given; else that of the queries' predicate.
-const Kernel& kernel_for(const ShrinkOptions& options, const std::vector<StoredQuery>& queries) {
-  if (!options.kernel.empty()) return find_kernel(options.kernel);
-  if (queries.empty()) return default_kernel(default_predicate());
-  return default_kernel(*queries.front().predicate, queries.front().entry);
-}
-
-void require_queries_of(const Kernel& kernel, const std::vector<StoredQuery>& queries) {
-  for (const StoredQuery& stored : queries) {
-    if (stored.predicate != kernel.predicate || stored.entry != kernel.entry) {
-      throw Error(fmt::format("query '{}' is of the predicate {}, entry {}, and kernel {} of {}, {}", stored.id,
-                              stored.predicate->id, stored.columns().name, kernel.id, kernel.predicate->id,
-                              kernel.predicate->entries[kernel.entry].name));
-    }
-    if (!kernel.has(stored.precision)) {
-      throw Error(fmt::format("query '{}' is in {}, in which kernel {} does not exist", stored.id,
-                              name(stored.precision), kernel.id));
-    }
+// The kernel that a query is asked of, which has to take it. Of several given the one of its predicate and entry.
+const Kernel& kernel_for(const StoredQuery& stored, const std::vector<const Kernel*>& given) {
+  const Kernel& kernel = given.size() == 1 ? *given.front()
+                                           : kernel_for_query(given, *stored.predicate, stored.entry,
+                                                              fmt::format("query '{}'", stored.id));
+  if (stored.predicate != kernel.predicate || stored.entry != kernel.entry) {
+    throw Error(fmt::format("query '{}' is of the predicate {}, entry {}, and kernel {} of {}, {}", stored.id,
+                            stored.predicate->id, stored.columns().name, kernel.id, kernel.predicate->id,
+                            kernel.predicate->entries[kernel.entry].name));
   }
+  if (!kernel.has(stored.precision)) {
+    throw Error(fmt::format("query '{}' is in {}, in which kernel {} does not exist", stored.id, name(stored.precision),
+                            kernel.id));
+  }
+  return kernel;
 }
 
 int shrink_all(const ShrinkOptions& options) {
   // Before queries are read, which may be long.
-  if (!options.kernel.empty()) require_known(find_kernel(options.kernel), options.what);
+  std::vector<const Kernel*> given;
+  for (const std::string& id : options.kernels) require_known(*given.emplace_back(&find_kernel(id)), options.what);
   const auto queries = queries_given(options.queries, options.precision, options.files);
-  const Kernel& kernel = kernel_for(options, queries);
-  require_known(kernel, options.what);
-  require_loaded(kernel);
-  print_first_look(kernel);
+  for (const Kernel* kernel : given) require_loaded(*kernel);
+  print_first_look(given);
   const std::string target = resolve_target(options.target);
-  require_queries_of(kernel, queries);
+  for (const StoredQuery& stored : queries) require_known(kernel_for(stored, given), options.what);
   // A query that shows nothing to keep does not stop the others, but is an error where it is the only one.
   std::size_t shrunk = 0;
   ProgressLine progress("shrink");
   for (std::size_t i = 0; i < queries.size(); ++i) {
     const StoredQuery& stored = queries[i];
+    const Kernel& kernel = kernel_for(stored, given);
     const Progress at{i, queries.size(), 0, 0};
     try {
       std::visit([&](const auto& q) { shrink_one(q, stored, options, kernel, target, progress, at); }, stored.numbers);
@@ -312,11 +312,13 @@ void add_shrink(CLI::App& app, Action& action) {
       "shrink",
       "Make queries on which a kernel is wrong smaller and easier to read, with the same fault, no less severe");
   auto options = std::make_shared<ShrinkOptions>();
-  command->add_option("QUERY", options->queries, "query files (- for standard input) and addresses")->required();
-  command->add_option("--kernel", options->kernel, "kernel id (default: the first of the queries' predicate)");
-  command->add_option("--target", options->target, "instruction set, or auto")->capture_default_str();
-  command->add_option("--precision", options->precision, "precision of a CSV file, which does not state it")
-      ->capture_default_str();
+  command->add_option("QUERY", options->queries, "query files (- for standard input) and addresses")
+      ->required()
+      ->check(no_kernel());
+  add_kernels(*command, options->kernels, "kernel that is asked, one of a predicate",
+              "the first of the query's predicate");
+  add_target(*command, options->target);
+  add_precision(*command, options->precision, of_csv_files);
   command->add_option("--what", options->what,
                       fmt::format("what to keep: verdict, an axis or a comparison that is wrong, COMPARISON:error, of "
                                   "motions time, feature, normal or point, or asymmetry: another answer to an image of "
@@ -335,6 +337,8 @@ void add_shrink(CLI::App& app, Action& action) {
   add_plugin_seconds(*command);
   add_progress(*command);
   add_format(*command, options->format, {"jsonl"});
+  add_examples(*command, {{"Every witness of a run", "axiscert shrink out/witnesses.jsonl"},
+                          {"A query of a family", "axiscert shrink 1:sliver:2:binary32:0:9107 published"}});
   command->callback([&action, options] { action = [options] { return shrink_all(*options); }; });
 }
 

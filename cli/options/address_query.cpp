@@ -7,6 +7,7 @@
 
 #include "cli/options/predicate_options.h"
 #include "fuzz/files/corpus.h"
+#include "fuzz/files/file_parts.h"
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
 
@@ -35,6 +36,14 @@ SourcePtr corpus_of(const Address& address, const std::string& folder) {
   return corpus_source(folder, default_predicate());
 }
 
+// The part of a query file that has this address; the first where none has.
+SourcePtr part_named(const std::string& path, const Address& address) {
+  const std::vector<SourcePtr> parts = query_file_sources(path, address.precision);
+  const auto named =
+      std::ranges::find_if(parts, [&](const SourcePtr& part) { return part->address_name() == address.name; });
+  return named == parts.end() ? parts.front() : *named;
+}
+
 // The source that an address names: a family, or the given file if its SHA-256 is the address's.
 SourcePtr source_of(const Address& address, const AddressFiles& files) {
   // A mesh has queries of several predicates, [PREDICATE/]mesh-SHA256.
@@ -58,7 +67,7 @@ SourcePtr source_of(const Address& address, const AddressFiles& files) {
   const std::string place = is_corpus && path.empty() ? default_corpus_folder() : path;
   const SourcePtr source = is_mesh     ? mesh_source(place, *predicate)
                            : is_corpus ? corpus_of(address, place)
-                                       : query_file_source(place, address.precision);
+                                       : part_named(place, address);
   if (source->address_name() != address.name) {
     throw Error(
         fmt::format("{} {} is {}, but the address names {}", option, place, source->address_name(), address.name));

@@ -7,9 +7,12 @@
 #include "cli/first_look.h"
 #include "cli/options/run_options.h"
 #include "cli/options/predicate_options.h"
+#include "cli/options/shared_options.h"
 #include "cli/progress_line.h"
 #include "cli/usage.h"
+#include "fuzz/files/file_parts.h"
 #include "fuzz/queries/source.h"
+#include "reports/wording/reproduce.h"
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
 #include "fuzz/confirm/record.h"
@@ -19,20 +22,16 @@ namespace axiscert {
 void add_instrument_options(CLI::App& command, InstrumentOptions& o, std::uint64_t trials) {
   o.command = command.get_name();
   o.trials = trials;
-  command.add_option("--kernel", o.kernels, "kernel id, repeatable")->allow_extra_args(false);
-  command.add_option("--family", o.families, "family, repeatable")->allow_extra_args(false);
-  command.add_option("--trials", o.trials, "queries per family")
-      ->check(whole_number(1, std::uint64_t{1} << 48))
-      ->capture_default_str();
-  command.add_option("--seed", o.seed, "seed of every family")->check(whole_number())->capture_default_str();
-  auto* precision = command.add_option("--precision", o.precision, "binary32 or binary64");
-  if (o.precision.empty()) precision->default_str("both");
-  else precision->capture_default_str();
+  add_kernels(command, o.kernels, "kernel that is measured", "those that the documents show");
+  add_families(command, o.families, "those that the documents show");
+  add_trials(command, o.trials);
+  add_seed(command, o.seed);
+  add_precision(command, o.precision, "", o.precision.empty() ? "both" : "");
   add_thread_option(command, o.threads);
   add_plugin_seconds(command);
   add_progress(command);
   add_format(command, o.format, data_formats);
-  command.add_option("--out", o.out, "folder for the figures as JSON, as CSV and as a page");
+  add_out(command, o.out, "the figures as JSON, as CSV and as a page");
 }
 
 std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, std::vector<std::string> defaults,
@@ -62,14 +61,34 @@ std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, 
   return kernels;
 }
 
+EntryAsked entry_asked(const InstrumentOptions& options) {
+  std::vector<const Kernel*> kernels;
+  for (const std::string& id : options.kernels) kernels.push_back(&find_kernel(id));
+  if (!kernels.empty()) return {&predicate_of_kernels("", kernels), kernels.front()->entry};
+  for (const std::string& name : options.families) {
+    if (name == "all") continue;
+    const Family& family = find_family(name);
+    return {&family.predicate(), family.entry};
+  }
+  return {&default_predicate(), 0};
+}
+
 std::vector<SourcePtr> instrument_sources(const InstrumentOptions& options, std::vector<std::string> defaults,
                                           const std::vector<const Predicate*>& served) {
   if (!options.out.empty()) make_folder(options.out);  // refused before anything runs
+  const auto [predicate, entry] = entry_asked(options);
   std::vector<SourcePtr> sources;
-  for (const std::string& name : options.families.empty() ? defaults : options.families) {
-    const Family& family = find_family(name);
-    require_served(options.command, family.predicate(), served);
-    sources.push_back(family_source(family));
+  const Precision csv_precision = parse_precision(options.precision.empty() ? "binary32" : options.precision);
+  for (const std::string& file : options.queries) {
+    for (const SourcePtr& part : query_file_sources(file, csv_precision)) {
+      if (&part->predicate() == predicate && part->entry() == entry) sources.push_back(part);
+    }
+  }
+  if (!sources.empty() && options.families.empty()) return sources;
+  for (const Family* family :
+       families_named(options.families.empty() ? defaults : options.families, *predicate, entry)) {
+    require_served(options.command, family->predicate(), served);
+    sources.push_back(family_source(*family));
   }
   return sources;
 }
@@ -78,6 +97,7 @@ std::string instrument_command(const std::string& name, const InstrumentOptions&
   std::string command = "axiscert " + name;
   for (const std::string& kernel : options.kernels) command += " --kernel " + kernel;
   for (const std::string& family : options.families) command += " --family " + family;
+  for (const std::string& file : options.queries) command += " --queries " + shell_word(file);
   command += fmt::format(" --trials {} --seed {}", options.trials, options.seed);
   return options.precision.empty() ? command : command + " --precision " + options.precision;
 }

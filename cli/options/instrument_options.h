@@ -12,12 +12,13 @@ namespace axiscert {
 struct InstrumentOptions {
   std::string command;                         // its name, for messages
   std::vector<std::string> kernels, families;  // as given; empty: the subcommand's defaults
+  std::vector<std::string> queries = {};       // files, of a subcommand that takes them
   std::uint64_t trials = 0, seed = 1;
   std::string precision = "binary32", format = "text", out;
   int threads = 0;  // 0: all cores
 };
 
-// Adds --kernel, --family, --trials, --seed, --precision, --threads, --progress, --format text|json|csv and --out;
+// Adds the kernels, --family, --trials, --seed, --precision, --threads, --progress, --format text|json|csv and --out;
 // `trials` is the default.
 void add_instrument_options(CLI::App& command, InstrumentOptions& options, std::uint64_t trials);
 
@@ -28,6 +29,12 @@ enum class Measures { verdicts, formulae };
 std::vector<const Kernel*> instrument_kernels(
     const InstrumentOptions& options, std::vector<std::string> defaults, Measures measures,
     const std::vector<const Predicate*>& served = predicates_with(has_formulae));
+// The predicate and the entry of the kernels or the families that are given; the first where neither are.
+struct EntryAsked {
+  const Predicate* predicate;
+  std::size_t entry;
+};
+EntryAsked entry_asked(const InstrumentOptions& options);
 // The families given by the options, or `defaults`. Throws Error for one of a predicate that is none of `served`.
 std::vector<SourcePtr> instrument_sources(const InstrumentOptions& options, std::vector<std::string> defaults,
                                           const std::vector<const Predicate*>& served = predicates_with(has_formulae));

@@ -143,12 +143,12 @@ PlanFile read_plan_file(const std::string& path) {
   }
   const Json& json = file.json;
   if (!json.is_object() || !json.contains("schema")) {
-    throw Error(fmt::format("{}: not a plan, or cut off: `axiscert plan --out {}` writes one", path, path));
+    throw Error(fmt::format("{}: not a plan, or cut off: `axiscert plan -o {}` writes one", path, path));
   }
   if (json["schema"] != plan_schema) {
-    throw Error(fmt::format(
-        "{}: its schema is {}, but this axiscert reads \"{}\"; write it again with `axiscert plan --out {}`", path,
-        shown(json["schema"].dump()), plan_schema, path));
+    throw Error(
+        fmt::format("{}: its schema is {}, but this axiscert reads \"{}\"; write it again with `axiscert plan -o {}`",
+                    path, shown(json["schema"].dump()), plan_schema, path));
   }
   file.digest = digest_of(json);
   if (const Json digest = json.value("digest", Json()); digest != file.digest) {

@@ -21,10 +21,6 @@ std::string_view entry_name(const Predicate& predicate, std::size_t entry) { ret
 
 }  // namespace
 
-CLI::Option* add_predicate_option(CLI::App& command, std::string& predicate, const std::string& use) {
-  return command.add_option("--predicate", predicate, use);
-}
-
 const Predicate& default_predicate() { return predicate_named(""); }
 
 const Predicate& predicate_given(const std::string& predicate) {
@@ -64,6 +60,16 @@ std::size_t entry_of_families(const Predicate& predicate, const std::vector<std:
     if (const Family& family = find_family(name); &family.predicate() == &predicate) return family.entry;
   }
   return 0;
+}
+
+std::vector<const Family*> families_named(const std::vector<std::string>& names, const Predicate& predicate,
+                                          std::size_t entry) {
+  std::vector<const Family*> named;
+  for (const std::string& name : names) {
+    if (name != "all") named.push_back(&find_family(name));
+    else std::ranges::copy(families_of(predicate, entry), std::back_inserter(named));
+  }
+  return named;
 }
 
 void require_one_predicate(const std::vector<const Kernel*>& kernels, const std::vector<SourcePtr>& sources) {

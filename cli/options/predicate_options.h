@@ -1,8 +1,6 @@
-// The predicate of a command: `--predicate`, kernels and queries that have to be of one predicate, and what commands
-// need of a predicate.
+// The predicate of a command: kernels and queries that have to be of one predicate, and what commands need of a
+// predicate.
 #pragma once
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 #include <vector>
@@ -12,8 +10,6 @@
 
 namespace axiscert {
 
-// Adds --predicate; `use` says what the command does with it.
-CLI::Option* add_predicate_option(CLI::App& command, std::string& predicate, const std::string& use);
 // The predicate of a command that names none, neither itself nor by a kernel or queries.
 const Predicate& default_predicate();
 // The predicate that --predicate names; the default where it was not given. Throws Error that lists the predicates.
@@ -26,6 +22,9 @@ const Predicate& predicate_of_kernels(const std::string& predicate, const std::v
 const Kernel& default_kernel(const Predicate& predicate, std::size_t entry = 0);
 // The entry of the first of these families that is of the predicate; of none, the predicate's first.
 std::size_t entry_of_families(const Predicate& predicate, const std::vector<std::string>& families);
+// The families of these names; `all` are those of an entry of a predicate.
+std::vector<const Family*> families_named(const std::vector<std::string>& names, const Predicate& predicate,
+                                          std::size_t entry);
 // Throws Error that names a kernel and a source of different predicates, or of different entries of one predicate.
 void require_one_predicate(const std::vector<const Kernel*>& kernels, const std::vector<SourcePtr>& sources);
 // The predicate that --predicate names; where it was not given that of the first source. Throws Error that names a

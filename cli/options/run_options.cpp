@@ -10,11 +10,13 @@
 
 #include "cli/commands.h"
 #include "cli/options/predicate_options.h"
+#include "cli/options/shared_options.h"
 #include "cli/progress_line.h"
 #include "cli/usage.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/certify/effort.h"
 #include "fuzz/files/corpus.h"
+#include "fuzz/files/file_parts.h"
 #include "fuzz/meshes/mesh.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/source.h"
@@ -141,58 +143,58 @@ bool is_unloadable(const Kernel& kernel) {
 }
 
 CLI::Option* add_source_options(CLI::App& command, SourceOptions& o) {
-  add_predicate_option(
+  add_predicate(
       command, o.predicate,
-      fmt::format("predicate whose kernels and families are the defaults, and of which all others have to be; "
-                  "see `axiscert predicates` (default: that of the kernels and families given, or {})",
-                  default_predicate().id));
-  command.add_option("--family", o.families, "family, repeatable, or all (default: all unless files are given)")
-      ->allow_extra_args(false);
-  command.add_option("--mesh", o.meshes, "mesh file of any format assimp reads, repeatable")->allow_extra_args(false);
-  command.add_option("--queries", o.queries, "query file, JSON Lines or CSV, - for standard input, repeatable")
-      ->allow_extra_args(false);
-  command.add_option("--seed", o.seed, "seed of every family")->check(whole_number())->capture_default_str();
-  return command
-      .add_option("--trials", o.trials,
-                  fmt::format("queries per family and precision (default: {})", default_trials_text()))
-      ->check(whole_number(1, std::uint64_t{1} << 48));
+      "predicate whose kernels and families are the defaults, and of which all others have to be; see `axiscert "
+      "predicates`",
+      fmt::format("that of the kernels and families given, or {}", default_predicate().id));
+  add_families(command, o.families, "all unless files are given");
+  command.add_option("--mesh", o.meshes, "mesh file of any format assimp reads, repeatable")
+      ->allow_extra_args(false)
+      ->group(asked_group);
+  add_query_files(command, o.queries);
+  add_seed(command, o.seed);
+  return add_trials(command, o.trials, default_trials_text());
 }
 
 void add_thread_option(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "worker threads (default: all cores)")->check(whole_number(1, 4096));
+  command.add_option("--threads", threads, "worker threads (default: all cores)")
+      ->check(whole_number(1, 4096))
+      ->group(running_group);
 }
 
 void add_output_options(CLI::App& command, OutputOptions& o) {
   add_thread_option(command, o.threads);
   add_require_options(command, o.required);
-  command.add_option(
-      "--ratchet", o.ratchet,
-      "file of accepted errors, as a run writes it: exit 1 where anything is worse or a waiver has expired");
+  for (const char* name : {"--require", "--allow-unchecked"}) command.get_option(name)->group(required_group);
+  command
+      .add_option("--ratchet", o.ratchet,
+                  "file of accepted errors, as a run writes it: exit 1 where anything is worse or a waiver has expired")
+      ->group(required_group);
   command
       .add_option("--source", o.sources,
                   "[KERNEL=]FILE:LINE, where a kernel is written: the location of the results in report.sarif "
                   "(default: as a plug-in says of itself); repeatable")
-      ->allow_extra_args(false);
-  command.add_option("--out", o.out, "folder for record, reports and witnesses")->capture_default_str();
+      ->allow_extra_args(false)
+      ->group(output_group);
+  add_out(command, o.out, "record, reports and witnesses");
   add_format(command, o.format, {"csv"});
-  command.add_flag("--quiet", o.quiet, "print only errors and failures");
+  add_quiet(command, o.quiet, "print only errors and failures");
   add_progress(command);
 }
 
 CLI::Option* add_plan_options(CLI::App& command, RunOptions& o) {
-  command
-      .add_option("--kernel", o.kernels,
-                  "kernel id, or KERNEL@CALL for another way to call it (see `axiscert kernels`), repeatable (default: "
-                  "published)")
-      ->allow_extra_args(false);
+  add_kernels(command, o.kernels, "kernel id, or KERNEL@CALL for another way to call it, see `axiscert kernels`",
+              "the first of the predicate");
   CLI::Option* trials = add_source_options(command, o);
   command.add_option("--corpus", o.corpus, "also run the corpus, from this folder or the one supplied with axiscert")
       ->expected(0, 1)
-      ->default_str(default_corpus_folder());
-  command.add_option("--precision", o.precision,
-                     "binary32 or binary64 (default: both); also the precision of CSV files");
+      ->default_str(default_corpus_folder())
+      ->group(asked_group);
+  add_precision(command, o.precision, of_csv_files, "both");
   command.add_option("--tolerance", o.tolerances, "[COMPARISON=]T: count errors above T u, repeatable")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->group(required_group);
   return trials;
 }
 
@@ -202,8 +204,9 @@ void add_run_options(CLI::App& command, RunOptions& o) {
       .add_option("--time", o.seconds,
                   "seconds to run instead of a number of trials; units that were begun are finished")
       ->check(number_above_zero())
-      ->excludes(trials);
-  command.add_option("--target", o.target, "instruction set, see `axiscert kernels`")->capture_default_str();
+      ->excludes(trials)
+      ->group(asked_group);
+  add_target(command, o.target);
   command.add_option("--shrink", o.shrink, "also make the witnesses smaller, with at most this many evaluations each")
       ->expected(0, 1)
       ->default_str("1000")
@@ -217,6 +220,30 @@ void add_run_options(CLI::App& command, RunOptions& o) {
   add_plugin_seconds(command);
   add_output_options(command, o);
 }
+
+namespace {
+
+// The file's queries of this entry of the predicate. Others are left out, and said to be, where the predicate is given;
+// else a file with several parts is refused. Of a file with one part that one, whatever it is of.
+SourcePtr part_of_file(const std::string& path, Precision csv_precision, const SourceOptions& options,
+                       const Predicate& predicate, std::size_t entry) {
+  const std::vector<SourcePtr> parts = query_file_sources(path, csv_precision);
+  if (parts.size() == 1) return parts.front();
+  const std::string where = path == "-" ? "stdin" : path;
+  const auto own = std::ranges::find_if(
+      parts, [&](const SourcePtr& part) { return &part->predicate() == &predicate && part->entry() == entry; });
+  if (own == parts.end() || options.predicate.empty()) {
+    throw Error(
+        fmt::format("{}: it has {}; `axiscert run` judges each by itself, elsewhere choose one with --predicate", where,
+                    parts_text(counts_of(parts))));
+  }
+  if (!options.is_part)
+    fmt::print(stderr, "axiscert: {}: it has {}; those of {}, entry {}, are taken\n", where,
+               parts_text(counts_of(parts)), predicate.id, predicate.entries[entry].name);
+  return *own;
+}
+
+}  // namespace
 
 std::vector<SourcePtr> sources_of(const SourceOptions& options, const Predicate& predicate, std::size_t entry,
                                   Precision csv_precision) {
@@ -242,7 +269,7 @@ std::vector<SourcePtr> sources_of(const SourceOptions& options, const Predicate&
     if (name != "all") add(family_source(find_family(name)));
   }
   for (const std::string& path : options.meshes) add(mesh_source(path, predicate));
-  for (const std::string& path : options.queries) add(query_file_source(path, csv_precision));
+  for (const std::string& path : options.queries) add(part_of_file(path, csv_precision, options, predicate, entry));
   if (options.corpus) add(corpus_source(*options.corpus, predicate, entry));
   return sources;
 }

@@ -17,6 +17,7 @@ namespace axiscert {
 struct SourceOptions {
   std::string predicate;  // its id; empty: that of the kernels
   std::vector<std::string> families, meshes, queries;
+  bool is_part = false;               // of query files with queries of several predicates, of those of one alone
   std::optional<std::string> corpus;  // its folder
   std::optional<std::uint64_t> trials;
   std::uint64_t seed = 1;

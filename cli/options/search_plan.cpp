@@ -40,10 +40,9 @@ std::vector<SourcePtr> beginning_sources(const SearchOptions& options, const Ker
                                          const SearchDefaults& defaults) {
   const std::vector<std::string>& names = options.families.empty() ? defaults.families : options.families;
   std::vector<SourcePtr> sources;
-  for (const std::string& name : names) sources.push_back(family_source(find_family(name)));
-  if (names.empty()) {
-    for (const Family* family : families_of(*kernel.predicate, kernel.entry)) sources.push_back(family_source(*family));
-  }
+  const std::vector<std::string> all = {"all"};
+  for (const Family* family : families_named(names.empty() ? all : names, *kernel.predicate, kernel.entry))
+    sources.push_back(family_source(*family));
   require_one_predicate({&kernel}, sources);
   return sources;
 }

@@ -1,6 +1,7 @@
 #include "cli/running/judged_run.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -75,10 +76,11 @@ SourcePlaces source_places(const std::vector<const Kernel*>& kernels, const std:
           "--source {}: give FILE:LINE, as in src/my_kernel.c:12, or KERNEL=FILE:LINE for one kernel", value));
     }
     if (!fs::is_regular_file(where.substr(0, where.rfind(':')))) {
-      throw Error(
-          fmt::format("--source {}: there is no file {}; give a path from the folder in which axiscert runs, or "
-                      "KERNEL=FILE:LINE with a kernel of this run",
-                      value, where.substr(0, where.rfind(':'))));
+      throw Error(fmt::format(
+          "--source {}: there is no file {}; give a path from the folder in which axiscert runs, or "
+          "KERNEL=FILE:LINE with a kernel of this run: {}",
+          value, where.substr(0, where.rfind(':')),
+          fmt::join(most_alike_first(where.substr(0, where.find('=')), {about.begin(), about.end()}), ", ")));
     }
     for (const std::string& id : about) places.put(id) = *place;
   }

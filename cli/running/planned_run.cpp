@@ -260,8 +260,8 @@ void add_planned_options(CLI::App& command, PlannedOptions& o) {
                          "plan file of `axiscert plan` to run, by all ranks where mpirun starts several; finished "
                          "stretches are kept in the folder's journal");
   for (const char* settled :
-       {"--predicate", "--kernel", "--family", "--mesh", "--queries", "--corpus", "--seed", "--trials", "--time",
-        "--precision", "--tolerance", "--require", "--allow-unchecked", "--plant", "--preset"}) {
+       {"--predicate", "--kernel", "KERNEL", "--family", "--mesh", "--queries", "--corpus", "--seed", "--trials",
+        "--time", "--precision", "--tolerance", "--require", "--allow-unchecked", "--plant", "--preset"}) {
     plan->excludes(command.get_option(settled));
   }
   command.add_flag("--resume", o.resume, "continue the folder's journal, where there is one")->needs(plan);

@@ -12,6 +12,7 @@
 #include "fuzz/queries/source.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
+#include "kernel/base/text.h"
 #include "kernel/base/version.h"
 #include "kernel/plugin/load.h"
 #include "reports/certificate/statement/statement.h"
@@ -45,10 +46,12 @@ std::vector<SubjectStatement> subjects_given(const std::string& given, std::stri
   else if (std::filesystem::is_regular_file(given, ignored))
     id = std::string(given.ends_with(".json") ? plugin::by_manifest : plugin::by_path) + given;
   else {
+    std::vector<std::string_view> ids;
+    for (const Kernel& kernel : kernels()) ids.push_back(kernel.id);
     throw Error(
-        fmt::format("--kernel {}: is no file, and no kernel; give the kernel's file, or its id as `axiscert "
+        fmt::format("--kernel {}: is no file, and no kernel{} give the kernel's file, or its id as `axiscert "
                     "kernels` has it",
-                    given));
+                    given, did_you_mean(given, ids)));
   }
   if (plugin::is_program(id, path)) return subjects_of(plugin::load_program(id, path));  // which starts nothing
   return {file_subject(path, "plugin")};

@@ -46,7 +46,7 @@ class Tests(Case):
                          axiscert("generate", "--predicate", "sphere-triangle", *options).stdout)
         for name, predicate in (("without", []), ("with", ["--predicate", "sphere-triangle"])):
             self.run_ok(*options, *predicate, out=name)
-            self.assertEqual(axiscert("plan", *options, *predicate, "--out", self.folder / f"{name}.json").returncode, 0)
+            self.assertEqual(axiscert("plan", *options, *predicate, "-o", self.folder / f"{name}.json").returncode, 0)
         for file in ("record.json", "witnesses.jsonl", "ratchet.txt"):
             self.assertEqual((self.folder / "without" / file).read_bytes(), (self.folder / "with" / file).read_bytes(), file)
         self.assertEqual((self.folder / "without.json").read_bytes(), (self.folder / "with.json").read_bytes())

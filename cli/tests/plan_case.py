@@ -19,7 +19,7 @@ class PlanCase(Case):
     def setUp(self):
         super().setUp()
         self.plan = self.folder / "plan.json"
-        self.ok("plan", *self.options, "--out", self.plan)
+        self.ok("plan", *self.options, "-o", self.plan)
 
     def ok(self, *args, code=0):
         done = axiscert(*args)

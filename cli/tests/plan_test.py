@@ -48,7 +48,7 @@ class Plan(PlanCase):
         run = ["run", "--out", self.folder / "out", "--plan"]
         broken = self.folder / "broken.json"
         for wrong, says in ((text[:-20], ["not a plan, or cut off"]), ("{}", ["not a plan"]),
-                            (text.replace("axiscert-plan/2", "axiscert-plan/1"), ['its schema is "axiscert-plan/1"', 'reads "axiscert-plan/2"', "`axiscert plan --out "]),
+                            (text.replace("axiscert-plan/2", "axiscert-plan/1"), ['its schema is "axiscert-plan/1"', 'reads "axiscert-plan/2"', "`axiscert plan -o "]),
                             (text.replace('"seed": 1', '"seed": 2'), ["changed after it was written", "digest"])):
             broken.write_text(wrong)
             self.refused(*run, broken, says=["broken.json", *says])
@@ -73,7 +73,7 @@ class Plan(PlanCase):
     def test_a_mesh_that_has_changed_is_told_and_one_that_has_moved_is_found(self):
         mesh = self.folder / "mesh.obj"
         mesh.write_bytes((MODELS / "OBJ/spider.obj").read_bytes())
-        self.ok("plan", "--mesh", mesh, "--trials", 100, "--out", self.plan)
+        self.ok("plan", "--mesh", mesh, "--trials", 100, "-o", self.plan)
         (self.folder / "elsewhere").mkdir()
         moved = self.folder / "elsewhere/plan.json"
         moved.write_bytes(self.plan.read_bytes())
@@ -85,7 +85,7 @@ class Plan(PlanCase):
         self.refused("run", "--plan", moved, "--out", self.folder / "out2", says=["sha256", ", not "])
 
     def test_a_requirement_is_the_plans(self):
-        self.ok("plan", "--family", "repeated", "--trials", 500, "--require", "logic", "--out", self.plan)
+        self.ok("plan", "--family", "repeated", "--trials", 500, "--require", "logic", "-o", self.plan)
         self.run_plan(code=1)
         self.assertEqual(json.loads(self.record())["plan"]["require"], "logic")
 
@@ -192,7 +192,7 @@ class Shards(PlanCase):
         self.assertIn("give each part once", self.merge(*folders, folders[1], code=2).stderr)
 
         other = self.folder / "other.json"
-        self.ok("plan", *self.options, "--seed", 2, "--out", other)
+        self.ok("plan", *self.options, "--seed", 2, "-o", other)
         self.ok("run", "--plan", other, "--shard", "2/3", "--out", self.folder / "seed-2")
         said = self.merge(folders[0], self.folder / "seed-2", folders[2], code=2).stderr
         self.assertIn("there seed is 2, not 1", said)
@@ -220,7 +220,7 @@ class Shards(PlanCase):
         self.assertIn("journal", self.merge(*folders, code=2).stderr)
 
     def test_the_missing_units_are_listed(self):
-        self.ok("plan", "--family", "general", "--precision", "binary32", "--trials", 65536 * 5 // DIVISOR, "--out",
+        self.ok("plan", "--family", "general", "--precision", "binary32", "--trials", 65536 * 5 // DIVISOR, "-o",
                 self.plan)
         if DIVISOR == 1:
             self.run_plan("--shard", "2/2", out="half")

@@ -285,7 +285,7 @@ class PredicateCase(Case):
                 yield Told(one["id"], [Query(self.description, one)], [(one["expected"]["verdict"], one["expected"]["touching"])], list)
 
     def ask_plan(self):
-        self.said("plan", "--kernel", self.kernel, "--family", self.plan.family, "--trials", 48, "--out", self.folder / "plan.json")
+        self.said("plan", "--kernel", self.kernel, "--family", self.plan.family, "--trials", 48, "-o", self.folder / "plan.json")
         self.assertEqual(json.loads((self.folder / "plan.json").read_text())["options"]["kernels"], [self.kernel])
         yield from ()
 

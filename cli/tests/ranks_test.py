@@ -42,7 +42,7 @@ class Ranks(MpiCase):
 
     def test_the_record_of_motions_on_1_to_3_ranks(self):
         self.ok("run", *MOTIONS, "--threads", 1, "--out", self.folder / "alone")
-        self.ok("plan", *MOTIONS, "--units-per-stretch", 1, "--out", self.plan)
+        self.ok("plan", *MOTIONS, "--units-per-stretch", 1, "-o", self.plan)
         for ranks in range(1, 4):
             self.mpi_ok(ranks, "--out", self.folder / f"ranks-{ranks}")
             self.assertEqual(self.record(f"ranks-{ranks}"), self.record("alone"), ranks)

@@ -14,6 +14,7 @@
 #include "fuzz/text/number_text.h"
 #include "fuzz/files/query_line.h"
 #include "fuzz/queries/capabilities.h"
+#include "kernel/base/text.h"
 
 namespace axiscert {
 namespace {
@@ -33,11 +34,11 @@ std::optional<Wrong> fault(const Provenance& p) {
     return std::find(known.begin(), known.end(), given) != known.end();
   };
   if (!is_one_of(kinds, p.kind)) {
-    return Wrong{"kind", fmt::format("unknown kind '{}'; kinds: {}", p.kind, fmt::join(kinds, ", "))};
+    return Wrong{"kind", unknown_name("kind", "kinds", p.kind, {kinds.begin(), kinds.end()})};
   }
   if (p.where.empty()) return Wrong{"where", "empty; an address, a command, or the report's URL belongs here"};
   if (p.kind == "report" && !is_one_of(subjects, p.about)) {
-    return Wrong{"about", fmt::format("'{}'; for a report, one of: {}", p.about, fmt::join(subjects, ", "))};
+    return Wrong{"about", unknown_name("subject of a report", "subjects", p.about, {subjects.begin(), subjects.end()})};
   }
   if (p.kind != "report" && !p.about.empty()) return Wrong{"about", "only a report has this member"};
   return std::nullopt;

@@ -8,6 +8,7 @@
 
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"
+#include "fuzz/files/file_parts.h"
 #include "fuzz/files/query_line.h"
 #include "kernel/base/error.h"
 
@@ -113,7 +114,7 @@ std::vector<StoredQuery> read_queries(std::istream& in, std::string_view name, P
 }
 
 std::vector<StoredQuery> read_query_file(const std::string& path, Precision csv_precision) {
-  if (path == "-") return read_queries(std::cin, "stdin", csv_precision);
+  if (path == "-") return parse_queries(standard_input(), "stdin", csv_precision);
   return parse_queries(read_bytes(path), path, csv_precision);
 }
 

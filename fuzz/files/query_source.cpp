@@ -7,6 +7,7 @@
 #include <set>
 
 #include "fuzz/files/corpus.h"
+#include "fuzz/files/file_parts.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/sha256.h"
 #include "fuzz/queries/source.h"
@@ -46,30 +47,20 @@ std::uint64_t distinct(const Rows<Real>& queries, std::size_t columns) {
   return found.size();
 }
 
-std::string query_text_of(const StoredQuery& stored) {
-  return stored.entry == 0 ? std::string(stored.predicate->id)
-                           : fmt::format("{}, entry {}", stored.predicate->id, stored.columns().name);
-}
-
 class QueryFileSource final : public ColumnSource<QueryFileSource> {
  public:
-  // `kind` is "queries", or "corpus", of which there is only one; the hash is that of `bytes`. There is a query.
-  QueryFileSource(const char* kind, const FileInfo& file, const std::string& bytes,
+  // `kind` is "queries", or "corpus", of which there is only one; the hash is that of `bytes`, and the address that of
+  // `addressed`. There is a query, and all are of one predicate and entry.
+  QueryFileSource(const char* kind, const FileInfo& file, const std::string& bytes, const std::string& addressed,
                   const std::vector<StoredQuery>& queries)
       : kind_(kind),
+        addressed_(hash_of(addressed)),
         predicate_(*queries.front().predicate),
         entry_(queries.front().entry),
         binary32_(queries.front().columns().columns.size()),
         binary64_(queries.front().columns().columns.size()),
         file_(file) {
     for (const StoredQuery& stored : queries) {
-      if (stored.predicate != &predicate_ || stored.entry != entry_) {
-        throw Error(fmt::format(
-            "{}:{}: a query of {}, but those before it are of {}; the queries of a file have one predicate and "
-            "one entry",
-            file.path == "-" ? "stdin" : file.path, stored.line, query_text_of(stored),
-            query_text_of(queries.front())));
-      }
       switch (stored.precision) {
         case Precision::binary32:
           binary32_.push_back(std::get<Numbers<float>>(stored.numbers));
@@ -84,12 +75,12 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
     independent32_ = distinct(binary32_, columns);
     independent64_ = distinct(binary64_, columns);
     file_.kind = "queries";
-    file_.sha256 = sha256_hex(std::as_bytes(std::span(bytes)));
+    file_.sha256 = hash_of(bytes);
     file_.queries = binary32_.size() + binary64_.size();
   }
 
   std::string name() const override { return kind_ == "corpus" ? kind_ : kind_ + "/" + file_.name; }
-  std::string address_name() const override { return kind_ + "-" + file_.sha256; }
+  std::string address_name() const override { return kind_ + "-" + addressed_; }
   std::string purpose() const override {
     return kind_ == "corpus" ? "queries that were hard once: public reports, degenerate classics, witnesses"
                              : "the queries of a file, as they stand";
@@ -130,7 +121,9 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
     else return binary64_;
   }
 
-  std::string kind_;
+  static std::string hash_of(const std::string& bytes) { return sha256_hex(std::as_bytes(std::span(bytes))); }
+
+  std::string kind_, addressed_;
   const Predicate& predicate_;
   std::size_t entry_;
   Rows<float> binary32_;
@@ -141,11 +134,73 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
 
 }  // namespace
 
-SourcePtr query_file_source(const std::string& path, Precision csv_precision, std::span<const Predicate* const> known) {
+std::vector<SourcePtr> query_file_sources(const std::string& path, Precision csv_precision,
+                                          std::span<const Predicate* const> known) {
   const bool piped = path == "-";
-  const std::string where = piped ? "stdin" : path, bytes = piped ? read_bytes(std::cin, where) : read_bytes(path);
-  return std::make_shared<QueryFileSource>("queries", FileInfo{path, base_name(where)}, bytes,
-                                           parse_queries(bytes, where, csv_precision, known));
+  const std::string where = piped ? "stdin" : path;
+  const std::string bytes = piped ? standard_input() : read_bytes(path);
+  std::vector<std::vector<StoredQuery>> parts;
+  for (StoredQuery& query : parse_queries(bytes, where, csv_precision, known)) {
+    auto part = std::ranges::find_if(parts, [&](const std::vector<StoredQuery>& other) {
+      return other.front().predicate == query.predicate && other.front().entry == query.entry;
+    });
+    if (part == parts.end()) part = parts.insert(part, std::vector<StoredQuery>());
+    part->push_back(std::move(query));
+  }
+  std::vector<SourcePtr> sources;
+  for (const std::vector<StoredQuery>& part : parts) {
+    // A part of a file has an address of its own, which says of which file and which part.
+    const std::string name = part_text(*part.front().predicate, part.front().entry);
+    const std::string addressed = parts.size() == 1 ? bytes : name + "\n" + bytes;
+    sources.push_back(
+        std::make_shared<QueryFileSource>("queries", FileInfo{path, base_name(where)}, bytes, addressed, part));
+  }
+  return sources;
+}
+
+std::vector<PartCount> counts_of(const std::vector<SourcePtr>& parts) {
+  std::vector<PartCount> counts;
+  for (const SourcePtr& part : parts) counts.push_back({&part->predicate(), part->entry(), part->file()->queries});
+  return counts;
+}
+
+std::vector<PartCount> counts_of(const std::vector<StoredQuery>& queries) {
+  std::vector<PartCount> counts;
+  for (const StoredQuery& query : queries) {
+    auto count = std::ranges::find_if(counts, [&](const PartCount& other) {
+      return other.predicate == query.predicate && other.entry == query.entry;
+    });
+    if (count == counts.end()) count = counts.insert(count, {query.predicate, query.entry, 0});
+    ++count->queries;
+  }
+  return counts;
+}
+
+std::string part_text(const Predicate& predicate, std::size_t entry) {
+  return entry == 0 ? std::string(predicate.id)
+                    : fmt::format("{}, entry {}", predicate.id, predicate.entries[entry].name);
+}
+
+std::string parts_text(const std::vector<PartCount>& parts) {
+  std::string text;
+  for (const PartCount& part : parts) {
+    const char* what = !text.empty() ? "" : part.queries == 1 ? " query" : " queries";
+    text += fmt::format("{}{}{} of {}", text.empty() ? "" : ", ", part.queries, what,
+                        part_text(*part.predicate, part.entry));
+  }
+  return text;
+}
+
+const std::string& standard_input() {
+  static const std::string bytes = read_bytes(std::cin, "stdin");
+  return bytes;
+}
+
+SourcePtr query_file_source(const std::string& path, Precision csv_precision, std::span<const Predicate* const> known) {
+  const std::vector<SourcePtr> parts = query_file_sources(path, csv_precision, known);
+  if (parts.size() == 1) return parts.front();
+  throw Error(fmt::format("{}: it has {}, and here the queries of a file have one predicate and one entry",
+                          path == "-" ? "stdin" : path, parts_text(counts_of(parts))));
 }
 
 SourcePtr corpus_source(const std::string& folder, const Predicate& predicate, std::size_t entry) {
@@ -160,7 +215,7 @@ SourcePtr corpus_source(const std::string& folder, const Predicate& predicate, s
     throw Error(fmt::format("{}: the corpus has no query of the predicate {}, entry {}", folder, predicate.id,
                             predicate.entries[entry].name));
   }
-  return std::make_shared<QueryFileSource>("corpus", FileInfo{folder, "corpus"}, lines, queries);
+  return std::make_shared<QueryFileSource>("corpus", FileInfo{folder, "corpus"}, lines, lines, queries);
 }
 
 }  // namespace axiscert

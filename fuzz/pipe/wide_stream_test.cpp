@@ -200,8 +200,8 @@ TEST_F(WideStream, AFileOfTwoPredicatesIsNoSource) {
   std::ofstream(path_, std::ios::app) << R"({"precision":"binary32","predicate":"wide","y":1})"
                                       << "\n";
   EXPECT_THAT([&] { plan(); }, testing::ThrowsMessage<Error>(
-                                   path_ + ":3: a query of wide, but those before it are of wide, entry numbers; "
-                                           "the queries of a file have one predicate and one entry"));
+                                   path_ + ": it has 2 queries of wide, entry numbers, 1 of wide, and here the "
+                                           "queries of a file have one predicate and one entry"));
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ class CertifiedFiles(CertifyCase):
         self.verify(cert, "--kernel", other, code=1, says=["NOT VALID", "it is about another kernel: the plugin of", "has the SHA-256"])
         self.verify(cert, "--kernel", "published", code=1, says=["it is about another kernel"])
         self.verify(cert, "--kernel", self.folder / "absent.so", code=2, says=["is no file, and no kernel"])
+        self.verify(cert, "publishd", code=2, says=["is no file, and no kernel; did you mean 'published'?"])
         self.verify(cert, "--recheck", "1%", code=2, says=["give the kernel that is to be run"])
         self.verify(cert, "--kernel", moved, "--recheck", "1%", says=["recheck: will run plugin:", "every tally the same"])
 

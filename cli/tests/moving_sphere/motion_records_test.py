@@ -33,7 +33,7 @@ class MotionRecords(Case):
 
     def test_are_the_same_in_parts_that_are_merged(self):
         plan = self.folder / "plan.json"
-        self.ok("plan", *MOTIONS, "--units-per-stretch", 1, "--out", plan)
+        self.ok("plan", *MOTIONS, "--units-per-stretch", 1, "-o", plan)
         for part in ("2/3", "1/3", "3/3"):
             self.ok("run", "--plan", plan, "--shard", part, "--out", self.folder / part[0])
         merged = self.record(*(self.folder / part for part in "132"), out="merged", command=("merge",))
