@@ -18,7 +18,7 @@ def manual():
     return {section.splitlines()[0]: re.findall(r"^\.TP\n\.B (\S+)", section, re.M) for section in sections}
 
 
-class Kernels(Case):
+class KernelsGiven(Case):
     def test_every_command_that_takes_kernels_takes_them_both_ways(self):
         both = {command for command, entries in manual().items() if "--kernel" in entries}
         self.assertGreater(len(both), 15)
