@@ -53,9 +53,6 @@ void add_figures(const Json& schema, const std::string& place, const std::string
   }
 }
 
-  add_examples(*command, {{"A word of a report", "axiscert explain missed contact"},
-                          {"A figure of record.json", "axiscert explain max_error_u"},
-                          {"The schema of a file", "axiscert explain --schema record"}});
 // "kernels.families.trials: Number of queries: ...", a line for each sentence; empty where no member has that name, or
 // that path.
 std::string figure_text(std::string name) {
@@ -95,6 +92,9 @@ void add_explain(CLI::App& app, Action& action) {
   command
       ->add_option("--schema", *schema, "instead, the JSON Schema of what a command writes, such as record or ladder")
       ->excludes(words);
+  add_examples(*command, {{"A word of a report", "axiscert explain missed contact"},
+                          {"A figure of record.json", "axiscert explain max_error_u"},
+                          {"The schema of a file", "axiscert explain --schema record"}});
   command->callback([&action, given, schema] {
     action = [given, schema] {
       if (!schema->empty()) {
