@@ -14,6 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
 TEST(Html, NamesInTheDataAreInert) {
   const std::string evil = "</script><script>alert(1)</script><!--/*JS*/&\xE2\x80\xA8\xE2\x80\xA9";
@@ -103,7 +104,9 @@ TEST(Html, StaysUnderThreeMegabytesWithTenThousandWitnesses) {
   const Json witnesses = page_data(html)["witnesses"];
   EXPECT_EQ(witnesses["total"], count + 5);
   EXPECT_GT(witnesses["cards"].size(), 500u);
-  EXPECT_EQ(witnesses["cards"][0]["id"], "many" + std::to_string(count - 1));
+  // The shortest of their cause, then the deepest.
+  EXPECT_THAT(witnesses["cards"][0]["id"].get<std::string>(), StartsWith("many"));
+  EXPECT_EQ(witnesses["cards"][1]["id"], "many" + std::to_string(count - 1));
   EXPECT_EQ(occurrences(folder.read("witnesses.jsonl"), "\n"), count + 5u);
   EXPECT_THAT(folder.read("report.md"), HasSubstr("10 of " + std::to_string(count + 5)));
 }
