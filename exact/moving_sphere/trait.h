@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "exact/moving_sphere/first_contact.h"
@@ -38,13 +39,35 @@ struct MotionTrait : Entry {
     return {point(q.a), point(q.b), point(q.c), point(q.p), static_cast<Real>(q.r)};
   }
 
-  // Methods by roots lose b^2 - a c, a distance of L L / r where the path is L away from the triangle.
   template <class Real>
   static double moved_length(const Numbers<Real>& numbers) {
     const GivenMotion q = query(numbers);
-    double square = 0;
-    for (const auto& corner : {q.a, q.b, q.c}) square = std::max(square, dot(corner - q.p, corner - q.p));
-    return barycentric_length(q.a, q.b, q.c) + (q.r > 0 ? square / q.r : 0);
+    return barycentric_length(q.a, q.b, q.c);
+  }
+  // Methods by roots of quadratics lose b^2 - a c, which is |D|^2 (r^2 - d^2) for a vertex at v from the start, d from
+  // the line of the path: some fifteen roundings of terms of |D|^2 v^2, so at most K u v^2 of d^2. Of an edge it is as
+  // much of the squared distance d^2 of the lines, v that of its farther end. To them the radius is one whose square is
+  // r^2 + e with |e| <= K u v^2: for a vertex or edge that is d away, one within K u v^2 / (d + r) of r. That is at
+  // most sqrt(K u) v where it decides, as |d - r| <= d + r.
+  template <class Real>
+  static double rooted_length(const Numbers<Real>& numbers) {
+    const GivenMotion q = query(numbers);
+    const portable::Vec3<double> d = q.to_is_end ? q.to - q.p : q.to;
+    const double greatest = 1 / std::sqrt(rough_unit<Real>);
+    double found = 0;
+    const auto note = [&](double v, double apart) {
+      found = std::max(found, v * std::min(v / (apart + q.r), greatest));
+    };
+    const std::array<portable::Vec3<double>, 3> corner = {q.a - q.p, q.b - q.p, q.c - q.p};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto &from = corner[k], &to = corner[(k + 1) % 3], along = to - from;
+      const double v = length_of(from);
+      note(v, distance_by(cross(from, d), length_of(d), v));
+      const auto across = cross(d, along);
+      const double beside = distance_by(cross(from, along), length_of(along), v);
+      note(std::max(v, length_of(to)), distance_by(dot(from, across), length_of(across), beside));
+    }
+    return found;
   }
   // Where the sphere all but touches at the start, a method by roots may not see it.
   template <class Real>
@@ -123,6 +146,15 @@ struct MotionTrait : Entry {
   template <class Real>
   static std::unique_ptr<MotionJudge> motion_judge(const Numbers<double>& numbers) {
     return std::make_unique<ContactJudge<Real>>(query(numbers));
+  }
+
+ private:
+  static double length_of(const portable::Vec3<double>& v) { return std::sqrt(dot(v, v)); }
+  static double length_of(double x) { return std::fabs(x); }
+  // A product by the length of one of its factors; where that is 0, the other distance.
+  template <class Product>
+  static double distance_by(const Product& product, double length, double otherwise) {
+    return length > 0 ? length_of(product) / length : otherwise;
   }
 };
 

@@ -32,7 +32,7 @@ void SceneLengths::note(double length) {
 }
 
 SceneColumns::SceneColumns(const PredicateEntry& entry) {
-  for (const PredicateColumn& column : entry.columns) coordinates_.push_back(column.role == Role::coordinate);
+  for (const PredicateColumn& column : entry.columns) roles_.push_back(column.role);
   for (const ColumnGroup& group : groups_of(entry)) {
     switch (entry.columns[group.first].role) {
       case Role::coordinate:

@@ -29,10 +29,11 @@ class SceneColumns {
   explicit SceneColumns(const PredicateEntry& entry);
   template <class Real>
   SceneLengths lengths(const Numbers<Real>& q) const;
-  bool is_coordinate(std::size_t column) const { return coordinates_[column]; }
+  bool is_coordinate(std::size_t column) const { return roles_[column] == Role::coordinate; }
+  bool is_length(std::size_t column) const { return roles_[column] == Role::length; }
 
  private:
-  std::vector<bool> coordinates_;
+  std::vector<Role> roles_;
   std::vector<ColumnGroup> points_, directions_;
   std::vector<std::size_t> lengths_;
 };
@@ -67,8 +68,8 @@ std::optional<Verdict> certain_verdict(const Predicate& predicate, const Problem
 }
 
 // The clear verdict by the formulae of a list; all have to be certain of one verdict. The coordinates are uncertain by
-// K u of the greatest, as they are to a method that does not move the origin first, or of Test::moved_length(q), a
-// length by which other methods do.
+// K u of the greatest, as they are to a method that does not move the origin first, and of Test::moved_length(q); the
+// lengths by K u of Test::rooted_length(q). By so much other methods take them differently.
 template <class Test, class Real, class... F>
 std::optional<Verdict> clear_verdict_by(FormulaeList<F...>, const Numbers<Real>& q) {
   using Rough = RoughNumber<Real>;
@@ -78,10 +79,12 @@ std::optional<Verdict> clear_verdict_by(FormulaeList<F...>, const Numbers<Real>&
   if (!is_within_range<Real>(scene)) return std::nullopt;
   double moved = rough_unit<Real> * scene.farthest;
   if constexpr (requires { Test::moved_length(q); }) moved += rough_unit<Real> * Test::moved_length(q);
-  if (!std::isfinite(moved)) return std::nullopt;
+  double stretched = 0;
+  if constexpr (requires { Test::rooted_length(q); }) stretched = rough_unit<Real> * Test::rooted_length(q);
+  if (!std::isfinite(moved) || !std::isfinite(stretched)) return std::nullopt;
   const auto problem = Test::template problem<Rough>([&](std::size_t k) {
     const auto x = static_cast<double>(q[k]);
-    return columns.is_coordinate(k) ? Rough::within(x, moved) : Rough(x);
+    return Rough::within(x, columns.is_coordinate(k) ? moved : columns.is_length(k) ? stretched : 0);
   });
   std::optional<Verdict> found;
   bool is_clear = true;

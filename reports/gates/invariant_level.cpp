@@ -32,6 +32,27 @@ std::string direction_text(const AbsoluteSizeRecord& sizes, std::string_view whe
   return fmt::format("where numbers are {}, as if an absolute number {}", where, fmt::join(texts, ", or one "));
 }
 
+// The powers nearest to 1, as exponents.
+struct NearestPowers {
+  std::optional<int> down, up;
+};
+NearestPowers nearest_powers(const CountsBySize& by_size) {
+  NearestPowers found;
+  for (const auto& [exponent, count] : by_size) {
+    if (exponent < 0) found.down = exponent;
+    else if (!found.up) found.up = exponent;
+  }
+  return found;
+}
+
+// Where the powers are in the outer half of the range of degree 6, a form of up to twice that degree has left its own.
+std::string degree_text(const CountsBySize& by_size, const ImageChangesRecord& scale) {
+  const auto [down, up] = nearest_powers(by_size);
+  const std::optional<PowerRangeRecord> range = scale.range.value_or(std::nullopt);
+  const bool is_outer = range && (!down || 2 * *down <= range->least) && (!up || 2 * *up >= range->greatest);
+  return is_outer ? ", or a form of a degree above 6 left its range" : "";
+}
+
 }  // namespace
 
 const ImageChangesRecord* changes_of(const FamilyRecord& family, ImageKind kind) {
@@ -46,11 +67,7 @@ const ImageChangesRecord* units_of(const FamilyRecord& family) {
 }
 
 std::string powers_text(const CountsBySize& by_size) {
-  std::optional<int> down, up;  // the powers nearest to 1
-  for (const auto& [exponent, count] : by_size) {
-    if (exponent < 0) down = exponent;
-    else if (!up) up = exponent;
-  }
+  const auto [down, up] = nearest_powers(by_size);
   std::vector<std::string> parts;
   if (down) parts.push_back(fmt::format("from 2^{} down", *down));
   if (up) parts.push_back(fmt::format("from 2^{} up", *up));
@@ -72,8 +89,8 @@ UnitChange unit_change(const ImageChangesRecord& scale) {
     found.first = wrong.first;
     found.what = fmt::format(
         "wrong verdicts in another unit of length alone (times powers of two {}), on queries that are no close calls; "
-        "{}",
-        powers_text(wrong.by_size), absolute_number_text(wrong));
+        "{}{}",
+        powers_text(wrong.by_size), absolute_number_text(wrong), degree_text(wrong.by_size, scale));
     return found;
   }
   found.count = scale.changed;
@@ -83,6 +100,7 @@ UnitChange unit_change(const ImageChangesRecord& scale) {
       fmt::format("verdicts that change with the unit of length (times powers of two {})", powers_text(scale.by_size));
   const std::string number = absolute_number_text(wrong);
   if (!number.empty()) found.what += "; " + number;
+  found.what += degree_text(scale.by_size, scale);
   return found;
 }
 

@@ -63,6 +63,18 @@ TEST(Invariant, LogicOfAKernelOfVerdictsRefusesWhatIsClearlyWrongInAnotherUnitOf
       "on u:3 beside u:1");
 }
 
+// A form of degree 8 leaves its range at three quarters of the powers at which one of degree 6 does.
+TEST(Invariant, SaysThatAFormOfAHigherDegreeMayHaveLeftItsRange) {
+  const auto said = [](int power) {
+    Json json = scale(3, 2);
+    json["wrong"]["by_size"] = {{std::to_string(power), 2}};
+    return unmet(with_scale(json), "logic").at(0).what;
+  };
+  EXPECT_THAT(said(-15), HasSubstr("were compared with r, or a form of a degree above 6 left its range; first on"));
+  EXPECT_THAT(said(13), HasSubstr("a degree above 6"));
+  EXPECT_THAT(said(-9), Not(HasSubstr("degree")));
+}
+
 TEST(Invariant, LogicRefusesAChangeThatIsNotClearToo) {
   const auto failures = unmet(with_scale(scale(3, 0)), "logic");
   ASSERT_EQ(failures.size(), 1u);

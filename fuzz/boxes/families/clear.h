@@ -111,6 +111,15 @@ Numbers<Real> with_lengths_times_power(Numbers<Real> numbers, const PredicateEnt
   return numbers;
 }
 
+// Every other two rounds of a family whose bodies differ by 2^k in size, as a power of two: the least unit of length in
+// which forms of degree 8 stay within the range.
+template <class Real>
+int unit_in_turn(std::uint64_t round, int k) {
+  // The shortest length times the longest, of which the fourth power has to be normal: with two bits to spare.
+  constexpr int least = (std::numeric_limits<Real>::min_exponent + 11) / 4;
+  return round / 2 % 2 == 0 ? 0 : (least + std::abs(k)) / 2;
+}
+
 // Places and lengths cut off to multiples of 2^-10, so that powers of two leave their digits alone. They are below 16.
 template <class Real>
 Numbers<Real> on_unit_grid(Numbers<Real> numbers, const PredicateEntry& entry) {

@@ -27,7 +27,7 @@ struct OneAxis {
 };
 
 // B is 2^-20 to 2^20 times as large as A, in turn. Every other round is decided by a part of the larger box where the
-// axis allows it, the others by one of the smaller.
+// axis allows it, the others by one of the smaller. Half of the rounds are tiny.
 struct Spans {
   template <class Pair>
   static Pair make(Stream& random, std::uint64_t position) {
@@ -38,13 +38,17 @@ struct Spans {
     ClearWish wish{round % axis_count, round % 2 == 0 ? Side::apart : Side::in_contact};
     wish.enough = smaller / 32;
     if (random.coin()) wish.most = smaller / 2;
-    return best_of(random, box_attempts, [&](Stream& from) {
-      Pair q = of_ordinary_size<Pair>(from, position);
-      for (auto& s : q.b.half) s = std::ldexp(s, power);
-      turn_quickly(q.a, random_turn(from));
-      turn_quickly(q.b, random_turn(from));
-      return placed_box(from, q, wish);
+    Pair q = best_of(random, box_attempts, [&](Stream& from) {
+      Pair made = of_ordinary_size<Pair>(from, position);
+      for (auto& s : made.b.half) s = std::ldexp(s, power);
+      turn_quickly(made.a, random_turn(from));
+      turn_quickly(made.b, random_turn(from));
+      return placed_box(from, made, wish);
     });
+    const int unit = unit_in_turn<RealOf<Pair>>(round, power);
+    scale_by_power(q.a, unit);
+    scale_by_power(q.b, unit);
+    return q;
   }
 };
 
@@ -214,9 +218,9 @@ extern const Family box_box_units_family =
     family_of_units<MatrixBoxes, unit_boxes<BoxPair<float>>, unit_boxes<BoxPair<double>>>(
         "box-box/units", box_box_situation::units,
         "clear boxes, and times seven powers of two, 2^-10 to 2^15 or 2^-160 to 2^164; their axes stay");
-extern const Family box_box_spans_family =
-    matrix_family<Spans>("box-box/spans", box_box_situation::sizes,
-                         "B is 2^-20 to 2^20 times as large as A; each axis in turn decides, clearly");
+extern const Family box_box_spans_family = matrix_family<Spans, 2>(
+    "box-box/spans", box_box_situation::sizes,
+    "B is 2^-20 to 2^20 times as large as A, half of the scenes tiny; each axis in turn decides, clearly");
 extern const Family box_box_plates_family = matrix_family<Plates>(
     "box-box/plates", box_box_situation::flat, "one or two half extents are 0 or 2^-10; any axis decides, clearly");
 extern const Family box_box_aligned_family = matrix_family<Aligned>(
@@ -229,7 +233,7 @@ extern const Family box_box_units_turned_family =
     family_of_units<QuaternionBoxes, unit_boxes<TurnedPair<float>>, unit_boxes<TurnedPair<double>>>(
         "box-box/units_turned", box_box_situation::units, "units, as quaternions of integers");
 extern const Family box_box_spans_turned_family =
-    turned_family<Spans>("box-box/spans_turned", box_box_situation::sizes, "spans, as quaternions of integers");
+    turned_family<Spans, 2>("box-box/spans_turned", box_box_situation::sizes, "spans, as quaternions of integers");
 extern const Family box_box_plates_turned_family =
     turned_family<Plates>("box-box/plates_turned", box_box_situation::flat, "plates, as quaternions of integers");
 extern const Family box_box_aligned_turned_family =

@@ -73,24 +73,27 @@ struct OneAxisOfThirteen {
 };
 
 // The box or the triangle is 2^-1 to 2^-20 of its size, in turn. Every other query is decided by a part of the larger
-// one where the axis allows it, the others by one of the smaller.
+// one where the axis allows it, the others by one of the smaller. Half of the rounds are tiny.
 struct TriangleSpans {
   template <class Query>
   static Query make(Stream& random, std::uint64_t position) {
     using Real = RealOf<Query>;
     const std::uint64_t round = position / 40, axis = round % thirteen_count;
-    const auto smaller = std::ldexp(Real(1), -1 - static_cast<int>(position / 2 % 20));
+    const int power = 1 + static_cast<int>(position / 2 % 20);
+    const auto smaller = std::ldexp(Real(1), -power);
     ClearWish wish{axis, round % 2 == 0 ? Side::apart : Side::in_contact};
     wish.enough = static_cast<double>(smaller) / 32;
     if (random.coin()) wish.most = static_cast<double>(smaller) / 2;
-    return best_of(random, triangle_attempts, [&](Stream& from) {
-      Query q = box_and_triangle<Query>(from);
+    Query q = best_of(random, triangle_attempts, [&](Stream& from) {
+      Query made = box_and_triangle<Query>(from);
       for (std::size_t k = 0; k < 3; ++k) {
-        if (position % 2 == 0) stretch(q, k, smaller);
-        else q.corner[k] = q.corner[k] * smaller;
+        if (position % 2 == 0) stretch(made, k, smaller);
+        else made.corner[k] = made.corner[k] * smaller;
       }
-      return moved_triangle(from, q, wish);
+      return moved_triangle(from, made, wish);
     });
+    scale_query(q, unit_in_turn<Real>(round, power));
+    return q;
   }
 };
 
@@ -183,7 +186,8 @@ extern const Family box_triangle_units_family = family_of_unit_triangles<CentreE
     "box-triangle/units", "clear boxes and triangles, and times seven powers of two, 2^-10 to 2^15 or 2^-160 to 2^164");
 extern const Family box_triangle_spans_family = triangle_family<TriangleSpans, CentreEntry>(
     "box-triangle/spans", box_triangle_situation::sizes,
-    "the box or the triangle is 2^-1 to 2^-20 of its size; each axis in turn decides, clearly");
+    "the box or the triangle is 2^-1 to 2^-20 of its size, half of the scenes tiny; each axis in turn decides, clearly",
+    false, 2);
 extern const Family box_triangle_thin_family = triangle_family<ThinTriangles, CentreEntry>(
     "box-triangle/thin", box_triangle_situation::thin,
     "boxes of thickness 0 or 2^-10, needles and slivers to 2^-10, up to 64 long; any axis decides");
@@ -196,7 +200,7 @@ extern const Family box_triangle_one_axis_minmax_family = triangle_family<OneAxi
 extern const Family box_triangle_units_minmax_family =
     family_of_unit_triangles<MinmaxEntry>("box-triangle/units_minmax", "units, the box by two corners");
 extern const Family box_triangle_spans_minmax_family = triangle_family<TriangleSpans, MinmaxEntry>(
-    "box-triangle/spans_minmax", box_triangle_situation::sizes, "spans, the box by two corners");
+    "box-triangle/spans_minmax", box_triangle_situation::sizes, "spans, the box by two corners", false, 2);
 extern const Family box_triangle_thin_minmax_family = triangle_family<ThinTriangles, MinmaxEntry>(
     "box-triangle/thin_minmax", box_triangle_situation::thin, "thin, the box by two corners");
 extern const Family box_triangle_aligned_minmax_family = triangle_family<AlignedTriangles, MinmaxEntry>(
@@ -207,8 +211,9 @@ extern const Family box_triangle_one_axis_oriented_family = triangle_family<OneA
     "one_axis, the box turned by any rotation, rounded");
 extern const Family box_triangle_units_oriented_family = family_of_unit_triangles<OrientedEntry>(
     "box-triangle/units_oriented", "units, the box turned by any rotation, rounded");
-extern const Family box_triangle_spans_oriented_family = triangle_family<TriangleSpans, OrientedEntry>(
-    "box-triangle/spans_oriented", box_triangle_situation::sizes, "spans, the box turned by any rotation, rounded");
+extern const Family box_triangle_spans_oriented_family =
+    triangle_family<TriangleSpans, OrientedEntry>("box-triangle/spans_oriented", box_triangle_situation::sizes,
+                                                  "spans, the box turned by any rotation, rounded", false, 2);
 extern const Family box_triangle_thin_oriented_family = triangle_family<ThinTriangles, OrientedEntry>(
     "box-triangle/thin_oriented", box_triangle_situation::thin, "thin, the box turned by any rotation, rounded");
 extern const Family box_triangle_aligned_oriented_family =

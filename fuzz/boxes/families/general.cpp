@@ -72,12 +72,8 @@ struct Scale {
     solve_tangent(q, random.coin() ? Rational(2) : Rational(1, 2));
     constexpr int least = Limits::min_exponent - Limits::digits, greatest = Limits::max_exponent - 5;
     const int power = least + static_cast<int>(position % static_cast<unsigned>(greatest - least + 1));
-    const auto scale = [&](auto& box) {
-      for (Real* x : {&box.centre.x, &box.centre.y, &box.centre.z}) *x = std::ldexp(*x, power);
-      for (Real& s : box.half) s = std::ldexp(s, power);
-    };
-    scale(q.a);
-    scale(q.b);
+    scale_by_power(q.a, power);
+    scale_by_power(q.b, power);
     return q;
   }
 };

@@ -142,6 +142,17 @@ Pair of_ordinary_size(Stream& random, std::uint64_t position) {
   return q;
 }
 
+template <class Real>
+void scale_by_power(Vec3<Real>& v, int power) {
+  for (Real* x : {&v.x, &v.y, &v.z}) *x = std::ldexp(*x, power);
+}
+// A box in another unit of length; its axes or quaternion stay.
+template <class Box>
+void scale_by_power(Box& box, int power) {
+  scale_by_power(box.centre, power);
+  for (auto& s : box.half) s = std::ldexp(s, power);
+}
+
 // Ordinary boxes, each turned by any rotation, the centres up to 2 apart in each coordinate.
 template <class Pair>
 Pair anywhere(Stream& random, std::uint64_t position) {

@@ -72,6 +72,20 @@ void put_box(Stream& random, BoxAndTriangle<Real>& q) {
   turn(q.box, random_turn(random));
 }
 
+// A query in another unit of length.
+template <class Query>
+void scale_query(Query& q, int power) {
+  if constexpr (requires { q.box; }) {
+    scale_by_power(q.box, power);
+  } else if constexpr (requires { q.low; }) {
+    scale_by_power(q.low, power);
+    scale_by_power(q.high, power);
+  } else {
+    scale_by_power(q, power);
+  }
+  for (auto& corner : q.corner) scale_by_power(corner, power);
+}
+
 template <class Made, class Entry>
 constexpr Family triangle_family(std::string_view name, const Situation& situation, std::string_view purpose,
                                  bool exact_arithmetic = false, int version = 1) {

@@ -30,13 +30,13 @@ void fill_ends(const StreamName& stream, std::uint64_t first, const MutableColum
   }
 }
 
-template <const Family& motions, End end = End::as_it_is>
+template <const Family& motions, End end = End::as_it_is, int version = 1>
 constexpr Family ends_family(std::string_view name, const Situation& situation, std::string_view purpose,
                              bool exact_arithmetic = false) {
   return {.predicate = moving_sphere_predicate,
           .name = name,
           .purpose = purpose,
-          .version = 1,
+          .version = version,
           .exact_arithmetic = exact_arithmetic,
           .binary32 = fill_ends<motions, end, float>,
           .binary64 = fill_ends<motions, end, double>,
@@ -73,11 +73,11 @@ extern const Family moving_sphere_ends_lattice_family =
                                               "lattice, by its ends: every operation of ends-twenty is exact", true);
 extern const Family moving_sphere_ends_walk_family = in_metres(ends_family<moving_sphere_scene_walk_family>(
     "moving-sphere/ends_walk", situation::everyday, "scene_walk, by its ends, in metres"));
-extern const Family moving_sphere_ends_reach_family =
-    ends_family<moving_sphere_reach_family>("moving-sphere/ends_reach", situation::everyday, "reach, by its ends");
+extern const Family moving_sphere_ends_reach_family = ends_family<moving_sphere_reach_family, End::as_it_is, 2>(
+    "moving-sphere/ends_reach", situation::everyday, "reach, by its ends");
 extern const Family moving_sphere_ends_starts_family =
     ends_family<moving_sphere_starts_family>("moving-sphere/ends_starts", situation::starts, "starts, by its ends");
-extern const Family moving_sphere_ends_alongside_family = ends_family<moving_sphere_alongside_family>(
+extern const Family moving_sphere_ends_alongside_family = ends_family<moving_sphere_alongside_family, End::as_it_is, 2>(
     "moving-sphere/ends_alongside", situation::parallel, "alongside, by its ends");
 extern const Family moving_sphere_ends_far_past_family =
     ends_family<moving_sphere_far_past_family>("moving-sphere/ends_far_past", situation::far, "far_past, by its ends");

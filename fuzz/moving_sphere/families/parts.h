@@ -136,13 +136,13 @@ MovingQuery<Real> small_integers(Stream& random, std::int64_t m) {
   return {a, b, c, p, d, halves * Real(0.5)};
 }
 
-template <auto one32, auto one64>
+template <auto one32, auto one64, std::uint32_t version = 1>
 constexpr Family moving_family(std::string_view name, const Situation& situation, std::string_view purpose,
                                bool exact_arithmetic = false) {
   return {.predicate = moving_sphere_predicate,
           .name = name,
           .purpose = purpose,
-          .version = 1,
+          .version = version,
           .exact_arithmetic = exact_arithmetic,
           .binary32 = fill_one_by_one<one32, float>,
           .binary64 = fill_one_by_one<one64, double>,

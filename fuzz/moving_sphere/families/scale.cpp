@@ -1,5 +1,8 @@
 // Motions at every power of two: clear ones, whose faults are of range and not of rounding, and small integers in other
 // units of length, on which nothing is rounded.
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include "exact/moving_sphere/motion_distance.h"
@@ -46,9 +49,38 @@ PowerRange units_range_in(Precision precision) {
   return precision == Precision::binary32 ? units_range<float> : units_range<double>;
 }
 
+// Whether the path goes through the inside of the triangle, farther than r from its edges, with both ends farther than
+// r from its plane: that it crosses the face decides, and nothing else does.
+template <class Real>
+bool crosses_alone(const MovingQuery<Real>& q) {
+  const auto length = [](const Vec3<Real>& v) { return std::sqrt(dot(v, v)); };
+  const std::array<Vec3<Real>, 3> corner = {q.a - q.p, q.b - q.p, q.c - q.p};
+  const Vec3<Real> normal = cross(q.b - q.a, q.c - q.a);
+  const Real before = dot(corner[0], normal), after = before - dot(q.d, normal), height = q.r * length(normal);
+  bool left = true, right = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3<Real> across = cross(q.d, corner[(k + 1) % 3] - corner[k]);
+    const Real side = dot(corner[k], across), beside = q.r * length(across);
+    left = left && side > beside;
+    right = right && -side > beside;
+  }
+  return (left || right) && std::min(before, after) < -height && std::max(before, after) > height;
+}
+
+// Small integers; every fourth base, of the largest, crosses the face alone.
 template <class Real>
 Numbers<Real> lattice_base(Stream& random, std::uint64_t base) {
-  return small_integers<Real>(random, std::array{std::int64_t{1}, std::int64_t{2}, lattice_bound<Real>}[base % 3]);
+  constexpr int attempts = 512;
+  const bool is_crossing = base % 4 == 3;
+  const auto draw = [&](std::int64_t m) { return small_integers<Real>(random, m); };
+  auto q = draw(is_crossing ? lattice_bound<Real>
+                            : std::array{std::int64_t{1}, std::int64_t{2}, lattice_bound<Real>}[base % 3]);
+  for (int k = 0; is_crossing && k < attempts; ++k) {
+    q.r = Real(0.5);
+    if (crosses_alone(q)) break;
+    q = draw(lattice_bound<Real>);
+  }
+  return q;
 }
 
 template <class Real>
@@ -78,7 +110,7 @@ extern const Family moving_sphere_units_family = {
     .name = "moving-sphere/units",
     .purpose =
         "small integers, and times seven powers of two, 2^-20 to 2^16 or 2^-170 to 2^161: every operation is exact",
-    .version = 1,
+    .version = 2,
     .exact_arithmetic = true,
     .binary32 = fill_units<float>,
     .binary64 = fill_units<double>,
