@@ -30,10 +30,11 @@ class Slack(Case):
         self.assertIn("no-slack=1e-4", (out / "junit.xml").read_text())
 
     def test_a_right_kernel_meets_the_level_and_is_told_what_would_be_seen(self):
-        done = axiscert("run", "--kernel", "published", *PLAN, "--require", "no-slack=1e-3", "--require", "no-slack=1e-9")
+        done = axiscert("run", "--kernel", "published", *PLAN, "--require", "no-slack=1e-2", "--require", "no-slack=1e-3")
         self.assertEqual(done.returncode, 1, done.stderr)
-        self.assertIn("published binary32: no-slack=1e-3: met", done.stdout)
-        self.assertIn("no-slack=1e-9: NOT CHECKED: the least slack that would be seen is", done.stderr)
+        self.assertIn("published binary32: no-slack=1e-2: met", done.stdout)
+        # A slack may be in one branch alone: the kinds of queries that would not show it are named.
+        self.assertRegex(done.stderr, r"no-slack=1e-3: NOT CHECKED: the least slack that would be seen is \S+ of a length on queries be")
 
     def test_a_diagnosis_has_it_as_a_property(self):
         done = axiscert("diagnose", self.built("1e-3"), "--format", "json")

@@ -37,9 +37,27 @@ enum class PairTrait : std::uint8_t {
   several,
   shallow_facet,
   shallow_edges,
+  a0_decides,
+  a1_decides,
+  a2_decides,
+  b0_decides,
+  b1_decides,
+  b2_decides,
+  a0b0_decides,
+  a0b1_decides,
+  a0b2_decides,
+  a1b0_decides,
+  a1b1_decides,
+  a1b2_decides,
+  a2b0_decides,
+  a2b1_decides,
+  a2b2_decides,
+  no_edge_of_a,
+  no_edge_of_b,
   parallel,
   nearly_parallel,
   same_axes,
+  perpendicular,
   a_level,
   b_level,
   both_level,
@@ -53,6 +71,8 @@ enum class PairTrait : std::uint8_t {
   other_norm,
   tiny_w,
   identity,
+  tiny_turn,
+  tiniest_turn,
   scaled_axes,
   small,
   large,
@@ -62,26 +82,26 @@ enum class PairTrait : std::uint8_t {
 }  // namespace
 }  // namespace boxes
 template <>
-inline constexpr std::size_t enum_count<boxes::PairTrait> = 42;
+inline constexpr std::size_t enum_count<boxes::PairTrait> = 62;
 namespace boxes {
 namespace {
 
 constexpr EnumArray<PairTrait, Trait> pair_traits = {{
-    {"a0_alone", "parted by a0 alone", "regions"},
-    {"a1_alone", "parted by a1 alone", "regions"},
-    {"a2_alone", "parted by a2 alone", "regions"},
-    {"b0_alone", "parted by b0 alone", "regions"},
-    {"b1_alone", "parted by b1 alone", "regions"},
-    {"b2_alone", "parted by b2 alone", "regions"},
-    {"a0b0_alone", "parted by a0 x b0 alone", "regions"},
-    {"a0b1_alone", "parted by a0 x b1 alone", "regions"},
-    {"a0b2_alone", "parted by a0 x b2 alone", "regions"},
-    {"a1b0_alone", "parted by a1 x b0 alone", "regions"},
-    {"a1b1_alone", "parted by a1 x b1 alone", "regions"},
-    {"a1b2_alone", "parted by a1 x b2 alone", "regions"},
-    {"a2b0_alone", "parted by a2 x b0 alone", "regions"},
-    {"a2b1_alone", "parted by a2 x b1 alone", "regions"},
-    {"a2b2_alone", "parted by a2 x b2 alone", "regions"},
+    {"a0_alone", "parted by a0 alone", "regions", true},
+    {"a1_alone", "parted by a1 alone", "regions", true},
+    {"a2_alone", "parted by a2 alone", "regions", true},
+    {"b0_alone", "parted by b0 alone", "regions", true},
+    {"b1_alone", "parted by b1 alone", "regions", true},
+    {"b2_alone", "parted by b2 alone", "regions", true},
+    {"a0b0_alone", "parted by a0 x b0 alone", "regions", true},
+    {"a0b1_alone", "parted by a0 x b1 alone", "regions", true},
+    {"a0b2_alone", "parted by a0 x b2 alone", "regions", true},
+    {"a1b0_alone", "parted by a1 x b0 alone", "regions", true},
+    {"a1b1_alone", "parted by a1 x b1 alone", "regions", true},
+    {"a1b2_alone", "parted by a1 x b2 alone", "regions", true},
+    {"a2b0_alone", "parted by a2 x b0 alone", "regions", true},
+    {"a2b1_alone", "parted by a2 x b1 alone", "regions", true},
+    {"a2b2_alone", "parted by a2 x b2 alone", "regions", true},
     {"facet_of_a_alone", "parted by one facet of A alone", "regions"},
     {"facet_of_b_alone", "parted by one facet of B alone", "regions"},
     {"facet_alone", "parted by one facet alone", "regions"},
@@ -89,9 +109,27 @@ constexpr EnumArray<PairTrait, Trait> pair_traits = {{
     {"several", "parted by several axes", "regions"},
     {"shallow_facet", "least deep along a facet", "regions"},
     {"shallow_edges", "least deep along a product of edges", "regions"},
+    {"a0_decides", "decided by a0", {}, true},
+    {"a1_decides", "decided by a1", {}, true},
+    {"a2_decides", "decided by a2", {}, true},
+    {"b0_decides", "decided by b0", {}, true},
+    {"b1_decides", "decided by b1", {}, true},
+    {"b2_decides", "decided by b2", {}, true},
+    {"a0b0_decides", "decided by a0 x b0", {}, true},
+    {"a0b1_decides", "decided by a0 x b1", {}, true},
+    {"a0b2_decides", "decided by a0 x b2", {}, true},
+    {"a1b0_decides", "decided by a1 x b0", {}, true},
+    {"a1b1_decides", "decided by a1 x b1", {}, true},
+    {"a1b2_decides", "decided by a1 x b2", {}, true},
+    {"a2b0_decides", "decided by a2 x b0", {}, true},
+    {"a2b1_decides", "decided by a2 x b1", {}, true},
+    {"a2b2_decides", "decided by a2 x b2", {}, true},
+    {"no_edge_of_a", "of which no edge of A meets B"},
+    {"no_edge_of_b", "of which no edge of B meets A"},
     {"parallel", "with parallel edges", "parallel"},
     {"nearly_parallel", "with edges within 1 % of parallel", "parallel"},
     {"same_axes", "with all edges parallel", "parallel"},
+    {"perpendicular", "with edges at right angles"},
     {"a_level", "with A along the axes", "aligned"},
     {"b_level", "with B along the axes", "aligned"},
     {"both_level", "with both along the axes", "aligned"},
@@ -105,6 +143,8 @@ constexpr EnumArray<PairTrait, Trait> pair_traits = {{
     {"other_norm", "with a quaternion not within 1 % of length 1"},
     {"tiny_w", "with w below a thousandth of its quaternion"},
     {"identity", "with a quaternion that does not turn"},
+    {"tiny_turn", "with the vector part of a quaternion below 1e-3 of w, and not 0"},
+    {"tiniest_turn", "with the vector part of a quaternion below 1e-6 of w, and not 0"},
     {"scaled_axes", "with an axis not within 1 % of length 1"},
     {"small", "with all numbers below 1e-3"},
     {"large", "with a number of 1e4 or more"},
@@ -124,7 +164,11 @@ void put_quaternion(TraitBits<PairTrait>& found, const TurnedBox<double>& box) {
   found.put(long_quaternion, square > Big(1e6));
   found.put(other_norm, !is_about_one(square));
   found.put(tiny_w, Big(box.q[0]) * Big(box.q[0]) * Big(1e6) < square);
-  found.put(identity, box.q[1] == 0 && box.q[2] == 0 && box.q[3] == 0);
+  const bool does_turn = box.q[1] != 0 || box.q[2] != 0 || box.q[3] != 0;
+  found.put(identity, !does_turn);
+  const Big w = Big(box.q[0]) * Big(box.q[0]), vector = square - w;
+  found.put(tiny_turn, does_turn && is_below(vector, w, 1e6));
+  found.put(tiniest_turn, does_turn && is_below(vector, w, 1e12));
 }
 void put_given(TraitBits<PairTrait>& found, const TurnedPair<double>& q) {
   put_quaternion(found, q.a);
@@ -135,6 +179,29 @@ void put_given(TraitBits<PairTrait>& found, const BoxPair<double>& q) {
     for (const Vec3<double>& axis : box->axis)
       found.put(PairTrait::scaled_axes, !is_about_one(squared_length(exact_vector(axis))));
   }
+}
+
+bool meets(const BoxPair<Big>& q) {
+  const Vec3<Big> between = q.b.centre - q.a.centre;
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const Vec3<Big> along = direction(q, i);
+    if (half_extent(q.a, along) + half_extent(q.b, along) < magnitude(dot(between, along))) return false;
+  }
+  return true;
+}
+// Whether one of the box's twelve edges has a point of the other.
+bool does_edge_meet(const BigBox& box, const BigBox& other) {
+  for (std::size_t edge = 0; edge < 12; ++edge) {
+    BigBox bar = box;
+    for (std::size_t i = 1; i < 3; ++i) {
+      const std::size_t k = (edge / 4 + i) % 3;
+      const Vec3<Big> to = half_edge(box, k);
+      bar.centre = has_bit(edge, i - 1) ? bar.centre + to : bar.centre - to;
+      bar.half[k] = Big();
+    }
+    if (meets({bar, other})) return true;
+  }
+  return false;
 }
 
 template <class Given>
@@ -159,12 +226,19 @@ TraitSet pair_traits_of(const Given& given) {
   found.put(several, std::popcount(axes.parting) > 1);
   found.put(shallow_facet, (axes.least & 0x3f) != 0);
   found.put(shallow_edges, (axes.least & ~0x3fu) != 0);
+  // An axis decides that parts the two alone, or along which alone they are least deep.
+  const std::uint32_t deciding_axes = axes.parting | axes.least;
+  if (std::popcount(deciding_axes) == 1)
+    found.put(static_cast<PairTrait>(index_of(a0_decides) + first_bit(deciding_axes)));
+  found.put(no_edge_of_a, axes.parting == 0 && !does_edge_meet(q.a, q.b));
+  found.put(no_edge_of_b, axes.parting == 0 && !does_edge_meet(q.b, q.a));
 
   std::size_t pairs = 0;
   for (const Vec3<Big>& u : q.a.axis) {
     for (const Vec3<Big>& v : q.b.axis) {
       pairs += is_parallel(u, v);
       found.put(nearly_parallel, is_nearly_parallel(u, v));
+      found.put(perpendicular, dot(u, v).is_zero());
     }
   }
   found.put(parallel, pairs != 0);

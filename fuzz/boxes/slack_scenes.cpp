@@ -77,15 +77,16 @@ void put_slack_box(Numbers<double>& numbers, std::size_t first, const Solid& sol
   for (std::size_t k = 0; k < 4 && as_quaternion; ++k) numbers[first + 6 + k] = solid.turned.q[k];
 }
 
-constexpr std::string_view on_any = "on any axis", on_edges = "on the product of two edges";
+constexpr std::string_view on_any = "on any axis", on_edges = "on the product of two edges",
+                           on_flat = "on the facet of a flat box";
 
 // Boxes that touch in one point, on one axis; then B goes away along it.
 std::vector<SlackScene> of_two_boxes(std::size_t entry, Precision precision, std::uint64_t seed) {
   const StreamName name(seed, name_hash("box-box/slack"), 1, precision);
   const bool as_quaternion = entry == 1;
   std::vector<SlackScene> scenes;
-  constexpr std::string_view facets = "on a facet", flat = "on the facet of a flat box";
-  constexpr std::string_view parts[] = {"on a facet of a", "on a facet of b", on_edges, flat};
+  constexpr std::string_view facets = "on a facet";
+  constexpr std::string_view parts[] = {"on a facet of a", "on a facet of b", on_edges, on_flat};
   std::uint64_t position = 0;
   for (std::size_t kind = 0; kind < 4; ++kind) {
     for (std::size_t made = 0; made < scenes_of_kind;) {
@@ -132,22 +133,24 @@ std::vector<SlackScene> of_box_and_triangle(std::size_t entry, Precision precisi
   const bool is_turned = entry == 2, has_corners = entry == 1;
   const std::size_t columns = is_turned ? 24 : 15, first_corner = columns - 9;
   std::vector<SlackScene> scenes;
-  constexpr std::string_view kinds[] = {"on a facet of the box", "on the triangle's plane", on_edges};
+  constexpr std::string_view kinds[] = {"on a facet of the box", "on the triangle's plane", on_edges, on_flat};
   std::uint64_t position = 0;
-  for (std::size_t kind = 0; kind < 3; ++kind) {
+  for (std::size_t kind = 0; kind < 4; ++kind) {
     for (std::size_t made = 0; made < scenes_of_kind;) {
       Stream random(name, position++);
       const double size = random_length(random, -3, 4);
-      const Solid solid = random_box(random, size, is_turned);
+      Solid solid = random_box(random, size, is_turned);
       const OrientedBox<double>& box = solid.box;
       slack::SceneTriangle t = slack::random_triangle(random);
       for (ScenePoint& corner : t.corner) corner = corner * size;
       const std::size_t i = random.below(3), edge = random.below(3);
+      const bool is_of_facet = kind == 0 || kind == 3;
+      if (kind == 3) solid.turned.half[i] = solid.box.half[i] = 0;
       const ScenePoint along = t.along(edge);
-      ScenePoint n = kind == 0 ? box.axis[i] : kind == 1 ? t.normal : cross(box.axis[i], along);
+      ScenePoint n = is_of_facet ? box.axis[i] : kind == 1 ? t.normal : cross(box.axis[i], along);
       if (kind == 2 && norm_of(n) < 0.5 * norm_of(along)) continue;
       n = unit_of(n) * (random.coin() ? 1 : -1);  // from the box to the triangle
-      const auto of_box = kind == 0   ? farthest(random, box, n, no_axis, i)
+      const auto of_box = is_of_facet ? farthest(random, box, n, no_axis, i)
                           : kind == 1 ? farthest(random, box, n)
                                       : farthest(random, box, n, i);
       if (!of_box) continue;
@@ -159,9 +162,10 @@ std::vector<SlackScene> of_box_and_triangle(std::size_t entry, Precision precisi
       if (kind == 2) at = at + along * s;
       const double next_lift = dot(t.corner[(edge + 1) % 3] - at, n), other_lift = dot(other - at, n);
       if (kind != 1 && other_lift < 0.2 * size) continue;
-      if (kind == 0 && next_lift < 0.2 * size) continue;
+      if (is_of_facet && next_lift < 0.2 * size) continue;
       ++made;
-      SlackScene scene{on_any, kinds[kind], kinds[kind], zeros(columns), zeros(columns)};
+      // A part of a flat box's thickness is none: its scenes are a path of their own.
+      SlackScene scene{kind == 3 ? on_flat : on_any, kinds[kind], kinds[kind], zeros(columns), zeros(columns)};
       if (is_turned) {
         put_slack_box(scene.base, 0, solid, false);
       } else {
@@ -179,8 +183,9 @@ std::vector<SlackScene> of_box_and_triangle(std::size_t entry, Precision precisi
       }
       scene.apart = scene.scene;
       scene.turns_to_separated = true;
-      scene.lengths = {
-          {{"the half extents along the axis", reach(box, n)}, {"the sum of the half extents", sum_of(box.half)}}};
+      const SceneLength sum{"the sum of the half extents", sum_of(box.half)};
+      scene.lengths = {kind == 3 ? sum : SceneLength{"the half extents along the axis", reach(box, n)},
+                       kind == 3 ? SceneLength() : sum};
       scenes.push_back(scene);
     }
   }

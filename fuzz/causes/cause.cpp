@@ -43,7 +43,9 @@ class Probe {
 
   std::optional<CauseRecord> find() {
     gather(CauseBasis::clear);
-    if (wrong_ == 0 && !has_reference(kernel_)) gather(CauseBasis::deep);
+    for (const CauseBasis further : {CauseBasis::exact, CauseBasis::deep}) {
+      if (wrong_ == 0 && !has_reference(kernel_)) gather(further);
+    }
     if (wrong_ == 0) return std::nullopt;
     return cause();
   }
@@ -56,8 +58,13 @@ class Probe {
     const std::uint64_t most = oracles_.has_filters()       ? most_asked
                                : basis == CauseBasis::clear ? most_of_slow_families
                                                             : most_judged_exactly;
-    each_ = std::max<std::uint64_t>(32, most / sources_.size());
+    const auto is_asked = [&](const CauseSource& of) {
+      return basis != CauseBasis::exact || of.asked.source.exact_arithmetic();
+    };
+    each_ = std::max<std::uint64_t>(
+        32, most / std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::ranges::count_if(sources_, is_asked))));
     for (std::size_t s = 0; s < sources_.size(); ++s) {
+      if (!is_asked(sources_[s])) continue;
       const CauseSource& of = sources_[s];
       const std::uint64_t size = std::min(of.queries, each_);
       QueryBatch<Real> queries(batch, of.asked.source.columns().size());
@@ -107,7 +114,7 @@ class Probe {
   std::vector<std::optional<Verdict>> truths_of(const QueryBatch<Real>& queries) {
     std::vector<std::optional<Verdict>> truths(queries.size());
     std::unique_ptr<BatchOracle<Real>> filters;
-    if (basis_ == CauseBasis::deep) {
+    if (basis_ != CauseBasis::clear) {
       filters = batches_of<Real>(oracles_, target_);
       filters->decide(queries);
     }
@@ -164,7 +171,8 @@ class Probe {
     const auto wrong_asked = static_cast<double>(wrong_);
     const double right_asked = std::max(right_cases, static_cast<double>(asked_in_all) - wrong_asked);
     const FoundClass found =
-        best_class(all, {wrong_asked / wrong_cases, right_cases == 0 ? 1 : right_asked / right_cases});
+        best_class(all, {wrong_asked / wrong_cases, right_cases == 0 ? 1 : right_asked / right_cases},
+                   narrow_traits(traits_));
     const auto is_in = [&](const Case& one) { return (one.traits & found.traits) == found.traits; };
 
     CauseRecord record;
@@ -273,6 +281,9 @@ std::vector<std::uint64_t> kept_wrong(const Tally& tally) {
   };
   add(tally.verdict.deepest_false_separation);
   add(tally.verdict.deepest_false_contact);
+  for (const Leaders<bool>* first : {&tally.verdict.clear->first_missed, &tally.verdict.clear->first_phantom}) {
+    for (const auto& [rank, position] : first->candidates()) all.push_back(position);
+  }
   for (const ClassCount& count : tally.classes.classes) add(count.deepest);
   std::ranges::sort(all);
   all.erase(std::unique(all.begin(), all.end()), all.end());

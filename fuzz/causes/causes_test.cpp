@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -17,6 +18,7 @@ namespace axiscert::causes {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 // The cause on queries of these families; of all that have the kernel's entry, where none is named. Families of boxes
@@ -75,6 +77,29 @@ TEST(Causes, OneSideIsNamed) {
   EXPECT_THAT(sentence(found), HasSubstr("spheres in contact with the centre behind"));
 }
 
+TEST(Causes, ALineInPlaceOfAnEdgeIsNamed) {
+  EXPECT_THAT(sentence(cause(sphere_kernel("line-ca", Slip::line_ca))),
+              HasSubstr("spheres in contact that do not meet the line of edge ca"));
+}
+
+TEST(Causes, WhatIsWrongOnExactQueriesAloneIsNamedAmongThese) {
+  // It divides by the area; of triangles without one no query is clear.
+  const auto found = cause(sphere_kernel("divides", Slip::none), {"general", "lattice"});
+  EXPECT_THAT(sentence(found), HasSubstr("where arithmetic is exact, wrong on "));
+  EXPECT_THAT(sentence(found), HasSubstr("of a triangle without area"));
+  EXPECT_EQ(found->basis, CauseBasis::exact);
+}
+
+TEST(Causes, ABoxAndATriangleAreNamedByTheirSides) {
+  EXPECT_THAT(sentence(cause(open_box_kernel())), HasSubstr("that meet the box made longer to lower z"));
+  EXPECT_THAT(sentence(cause(one_sided_box_kernel())),
+              HasSubstr("in contact with the box's centre behind the triangle"));
+}
+
+TEST(Causes, AQuaternionThatIsTakenForNoneIsNamed) {
+  EXPECT_THAT(sentence(cause(still_box_kernel())), HasSubstr("with the vector part of a quaternion below 1e-3 of w"));
+}
+
 TEST(Causes, AnAxisThatIsLeftOutIsNamed) {
   EXPECT_THAT(sentence(cause(box_kernel("no-a1", 1))), HasSubstr("parted by a1 alone"));
   EXPECT_THAT(sentence(cause(box_kernel("no-a1b2", 11))), HasSubstr("parted by a1 x b2 alone"));
@@ -108,6 +133,86 @@ TEST(Causes, TheWitnessIsWrongAndInTheClass) {
   ASSERT_TRUE(found && found->witness);
   EXPECT_NE(found->witness->answered, found->witness->truth);
   EXPECT_EQ(found->witness->numbers.size(), 13u);
+}
+
+// The names of a query's traits, between blanks.
+std::string traits_of(const Predicate& predicate, std::size_t entry, const std::vector<double>& given) {
+  Numbers<double> numbers(given.size());
+  std::ranges::copy(given, numbers.begin());
+  const Traits& traits = *capabilities_of(predicate).traits;
+  std::string text = " ";
+  for (const std::string& name : trait_names(traits, traits.of(numbers, entry))) text += name + " ";
+  return text;
+}
+
+TEST(Traits, OfASphereByTheLinesOfTheEdges) {
+  const std::string found =
+      traits_of(sphere_triangle_predicate(), 0, {0, 0, 0, 4, 0, 0, 0, 4, 0, 1.9, 0.4, 0.1, 0.5});
+  EXPECT_THAT(found, Not(HasSubstr(" off_ab ")));
+  EXPECT_THAT(found, HasSubstr(" off_bc "));
+  EXPECT_THAT(found, HasSubstr(" off_ca "));
+}
+
+// The box from -1 to 1 and a triangle.
+std::string of_triangle(const std::vector<double>& corners) {
+  std::vector<double> numbers = {0, 0, 0, 1, 1, 1};
+  numbers.insert(numbers.end(), corners.begin(), corners.end());
+  return traits_of(box_triangle_predicate(), 0, numbers);
+}
+TEST(Traits, OfABoxAndATriangleByWhatMeets) {
+  const std::string pierced = of_triangle({-50, -50, 0, 50, -50, 0, 0, 80, 0});
+  EXPECT_THAT(pierced, HasSubstr(" no_edge "));
+  EXPECT_THAT(pierced, HasSubstr(" by_z "));
+  EXPECT_THAT(pierced, Not(HasSubstr(" by_x ")));
+  const std::string by_ab = of_triangle({-5, 0, 0, 5, 0, 0, 0, 9, 9});
+  EXPECT_THAT(by_ab, HasSubstr(" by_ab "));
+  EXPECT_THAT(by_ab, Not(HasSubstr(" no_edge ")));
+  EXPECT_THAT(of_triangle({3, 0, 0, 3, 1, 0, 0, 0, 0}), HasSubstr(" reached_by_c "));
+  EXPECT_THAT(of_triangle({-1, 5, 0, 1, 5, 0.5, 0, 0, 0}), HasSubstr(" beyond_ab "));
+  EXPECT_THAT(of_triangle({-1, 5, 0, 1, 5, 0.5, 0, 0, 0}), Not(HasSubstr(" beyond_bc ")));
+}
+TEST(Traits, OfABoxAndATriangleBySides) {
+  const std::string below = of_triangle({-0.5, -0.5, -3, 0.5, -0.5, -3, 0, 0.5, -3});
+  EXPECT_THAT(below, HasSubstr(" below_z "));
+  EXPECT_THAT(below, HasSubstr(" front "));
+  EXPECT_THAT(below, HasSubstr(" level_edge "));
+  for (const char* other : {" above_z ", " below_x ", " above_y ", " behind "})
+    EXPECT_THAT(below, Not(HasSubstr(other)));
+  EXPECT_THAT(of_triangle({0.5, -0.5, -3, -0.5, -0.5, -3, 0, 0.5, -3}), HasSubstr(" behind "));
+  // Beyond an edge of the box it is beside no facet.
+  EXPECT_THAT(of_triangle({3, 3, 0, 4, 3, 0, 3, 4, 0.5}), Not(HasSubstr("above_")));
+}
+
+TEST(Traits, OfTwoBoxesByTheAxisThatDecidesAndByEdges) {
+  const auto boxes = [](double x, double half, double turn) {
+    return traits_of(box_box_predicate(), 1,
+                     {0, 0, 0, 1, 1, 1, 1, 0, 0, 0, x, 0, 0, half, half, half, 10, turn, 2 * turn, 3 * turn});
+  };
+  EXPECT_THAT(boxes(1.5, 0.5, 1), HasSubstr(" a0_decides "));
+  EXPECT_THAT(boxes(1.75, 0.5, 1), HasSubstr(" a0_decides "));
+  EXPECT_THAT(boxes(0, 0.25, 1), HasSubstr(" no_edge_of_a "));
+  EXPECT_THAT(boxes(0, 4, 1), HasSubstr(" no_edge_of_b "));
+  EXPECT_THAT(boxes(1, 1, 1), Not(HasSubstr(" no_edge_of_")));
+  EXPECT_THAT(boxes(0, 1, 1e-3), HasSubstr(" tiny_turn "));
+  EXPECT_THAT(boxes(0, 1, 1e-3), Not(HasSubstr(" tiniest_turn ")));
+  EXPECT_THAT(boxes(0, 1, 1e-6), HasSubstr(" tiniest_turn "));
+  EXPECT_THAT(boxes(0, 1, 0), Not(HasSubstr("_turn ")));
+  EXPECT_THAT(boxes(0, 1, 0), HasSubstr(" perpendicular "));
+}
+
+// Wrong on all that have the traits 1, 2 and 4, of which 2 is narrow.
+FoundClass class_of(std::size_t wrong, TraitSet traits, TraitSet narrow) {
+  std::vector<Case> cases(wrong, Case{traits | contact_trait, true});
+  for (TraitSet part = 0; part < traits; ++part) {
+    if ((part & ~traits) == 0) cases.insert(cases.end(), 8, Case{part | contact_trait, false});
+  }
+  return best_class(cases, {}, narrow);
+}
+TEST(BestClass, OfFewWrongCasesIsGeneral) {
+  EXPECT_EQ(std::popcount(class_of(5, 7, 0).traits), 3);
+  EXPECT_EQ(std::popcount(class_of(4, 7, 0).traits), 2);
+  EXPECT_EQ(class_of(5, 3, 2).traits, TraitSet{3});
+  EXPECT_EQ(class_of(4, 3, 2).traits & 2, TraitSet{0});
 }
 
 TEST(BestClass, ItIsTheShortestWithoutAFault) {

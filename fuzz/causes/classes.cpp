@@ -29,7 +29,7 @@ struct Split {
 
 class Search {
  public:
-  Search(std::span<const Case> cases, const Weights& weights) : weights_(weights) {
+  Search(std::span<const Case> cases, const Weights& weights, TraitSet narrow) : weights_(weights), narrow_(narrow) {
     std::size_t wrong = 0, right = 0;
     for (const Case& one : cases) ++(one.is_wrong ? wrong : right);
     wrong_ = weights.wrong * static_cast<double>(wrong);
@@ -73,8 +73,10 @@ class Search {
   TraitSet bit(std::size_t i) const { return one_bit<TraitSet>(trait_[i]); }
 
   void see(TraitSet traits, const Split& cases, int size) {
-    const double wrong = weights_.wrong * cases_in(cases.wrong), right = weights_.right * cases_in(cases.right);
-    if (wrong == 0) return;
+    const double wrong_cases = cases_in(cases.wrong);
+    const bool is_special = size == 3 || (traits & narrow_) != 0;
+    if (wrong_cases == 0 || (is_special && wrong_cases < least_of_special)) return;
+    const double wrong = weights_.wrong * wrong_cases, right = weights_.right * cases_in(cases.right);
     const double explains_most = 2 * wrong >= wrong_ ? 1 : 0;
     constexpr double worth[] = {1, 0.85, 0.85 * 0.85};  // by the number of traits
     const double score = explains_most + worth[size - 1] * (wrong / (wrong_ + right));
@@ -84,6 +86,7 @@ class Search {
   }
 
   Weights weights_;
+  TraitSet narrow_;
   double wrong_ = 0, right_ = 0, best_score_ = -1;
   std::vector<std::size_t> trait_;
   std::vector<Split> having_;
@@ -92,7 +95,15 @@ class Search {
 
 }  // namespace
 
-FoundClass best_class(std::span<const Case> cases, const Weights& weights) { return Search(cases, weights).best(); }
+FoundClass best_class(std::span<const Case> cases, const Weights& weights, TraitSet narrow) {
+  return Search(cases, weights, narrow).best();
+}
+
+TraitSet narrow_traits(const Traits& traits) {
+  TraitSet narrow = 0;
+  for (std::size_t k = 0; k < traits.all().size(); ++k) narrow |= bit_if<TraitSet>(traits.all()[k].is_narrow, k);
+  return narrow;
+}
 
 std::string phrase_of(const Traits& traits, TraitSet found) {
   std::string text((found & separated_trait) != 0 ? "separated " : "");

@@ -33,13 +33,17 @@ struct FoundClass {
   double share = 0, rate = 0, overall = 0;
 };
 
+// So many wrong cases have to be in a class of three traits, or of a narrow trait: fewer are a matter of chance.
+inline constexpr double least_of_special = 5;
+
 // Of the conjunctions that explain at least half of the wrong verdicts, that with the greatest share: the wrong ones
 // within it, of these, the right ones within it and the wrong ones outside it; else of all conjunctions. One trait less
-// is worth 15 % of it, and among equals the first counts. There is a wrong case.
-FoundClass best_class(std::span<const Case> cases, const Weights& weights);
+// is worth 15 % of it, and among equals the first counts. There is a wrong case, and `narrow` has the narrow traits.
+FoundClass best_class(std::span<const Case> cases, const Weights& weights, TraitSet narrow = 0);
 
 // "spheres in contact nearest to vertex a, with an obtuse corner there".
 std::string phrase_of(const Traits& traits, TraitSet found);
+TraitSet narrow_traits(const Traits& traits);
 // The names, in the order of the phrase.
 std::vector<std::string> trait_names(const Traits& traits, TraitSet found);
 

@@ -1,6 +1,7 @@
 // Kernels that show a verdict alone, each wrong by one slip of those that people make.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -41,7 +42,7 @@ Kernel wrong_kernel(const Predicate& predicate, std::size_t entry, std::string i
   return kernel;
 }
 
-enum class Slip : std::uint8_t { none, no_vertex_a, no_edge_bc, first_edge, barycentric, one_sided };
+enum class Slip : std::uint8_t { none, no_vertex_a, no_edge_bc, first_edge, barycentric, one_sided, line_ca };
 
 // The nearest point of the triangle, region by region, as in C. Ericson's book, in double.
 inline Verdict by_regions(const Query<double>& q, Slip slip) {
@@ -56,6 +57,11 @@ inline Verdict by_regions(const Query<double>& q, Slip slip) {
   if (slip == Slip::one_sided && dot(cross(ab, ac), ap) < 0) return Verdict::separated;
   if (slip == Slip::barycentric && va > -1e-3 * sum && vb > -1e-3 * sum && vc > -1e-3 * sum && sum > 0)
     return within(q.a + ab * (vb / sum) + ac * (vc / sum));
+  // The side of edge ca is not asked: all that is beyond its line is separated.
+  if (slip == Slip::line_ca) {
+    const Vec3<double> normal = cross(ap, ac);
+    if (dot(normal, normal) > q.r * q.r * dot(ac, ac)) return Verdict::separated;
+  }
   // The edge of which it is outside first, though another may be nearer: right of triangles without an obtuse corner.
   if (slip == Slip::first_edge) {
     const auto on = [&](const Vec3<double>& from, const Vec3<double>& edge) {
@@ -112,6 +118,43 @@ inline Kernel skipping_box_kernel() {
 inline Kernel box_triangle_kernel(std::string id, std::size_t left_out) {
   return axes_kernel<boxes::CentreEntry, boxes::Thirteen>(
       std::move(id), [left_out](const auto&, std::size_t i) { return i == left_out; });
+}
+
+// Another kernel, asked about the query changed; where `changed` gives none, the answer is separated.
+template <class Changed>
+Kernel changed_kernel(std::string id, const Kernel& right, Changed changed) {
+  return wrong_kernel(*right.predicate, right.entry, std::move(id),
+                      [&right, changed]<class Real>(const Numbers<Real>& given) {
+                        static const Implementation<double> asked = right.on<double>(scalar_target);
+                        Numbers<double> numbers(given.size());
+                        std::copy(given.begin(), given.end(), numbers.begin());
+                        return changed(numbers) ? ask(asked, numbers).verdicts[0] : Verdict::separated;
+                      });
+}
+// The box's facet at low z is not asked.
+inline Kernel open_box_kernel() {
+  return changed_kernel("open-box", find_kernel("box-triangle/thirteen"), [](Numbers<double>& q) {
+    q[2] -= 1e6;
+    q[5] += 1e6;
+    return true;
+  });
+}
+// Triangles are hit from the front alone.
+inline Kernel one_sided_box_kernel() {
+  return changed_kernel("one-sided-box", find_kernel("box-triangle/thirteen"), [](Numbers<double>& q) {
+    const auto point = [&](std::size_t k) { return Vec3<double>{q[k], q[k + 1], q[k + 2]}; };
+    return dot(cross(point(9) - point(6), point(12) - point(6)), point(0) - point(6)) >= 0;
+  });
+}
+// A quaternion whose vector part is below a thousandth of w is taken for one that does not turn.
+inline Kernel still_box_kernel() {
+  return changed_kernel("still-box", find_kernel("box-box/homogeneous"), [](Numbers<double>& q) {
+    for (const std::size_t k : {6, 16}) {
+      const double vector = q[k + 1] * q[k + 1] + q[k + 2] * q[k + 2] + q[k + 3] * q[k + 3];
+      if (vector < 1e-6 * q[k] * q[k]) q[k + 1] = q[k + 2] = q[k + 3] = 0;
+    }
+    return true;
+  });
 }
 
 // A right kernel of motions, of which `changed` alters the query; where it gives none, the answer is separated.

@@ -43,18 +43,41 @@ AbsoluteSize overlap(const Quantity& quantity, const std::vector<Interval>& inte
   return best;
 }
 
+// A base, and an image of it in another unit of length, which has the same axes and quaternions.
+template <class Real>
+struct InTwoUnits {
+  Numbers<Real> base, image;
+
+  Numbers<Real> times(int exponent) const {
+    Numbers<Real> numbers = base;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      if (image[k] != base[k]) numbers[k] = std::ldexp(base[k], exponent);
+    }
+    return numbers;
+  }
+};
+template <class Real>
+InTwoUnits<Real> in_two_units(const SeededSource& of, std::uint64_t base) {
+  const ImageGroup& group = *image_group(of.source.name());
+  std::size_t i = 1;
+  while (group.kind(i) != ImageKind::scale || group.exponent(of.precision, base / group.size, i) == 0) ++i;
+  return {of.source.make<Real>(of.seed, base), of.source.make<Real>(of.seed, base + i)};
+}
+
 template <class Real>
 void narrow_in(const SeededSource& of, const Kernel& kernel, const std::string& target, std::vector<UnitFlip>& flips) {
   const auto is_narrow = [](const UnitFlip& flip) { return std::abs(flip.right - flip.wrong) <= 1; };
   const Implementation<Real> implementation = kernel.on<Real>(target);
   Reply<Real> reply;
+  std::vector<InTwoUnits<Real>> queries;
+  for (const UnitFlip& flip : flips) queries.push_back(in_two_units<Real>(of, flip.base));
   for (;;) {
     QueryBatch<Real> batch(flips.size(), of.source.columns().size());
     std::vector<UnitFlip*> wide;
-    for (UnitFlip& flip : flips) {
+    for (std::size_t i = 0; i < flips.size(); ++i) {
+      UnitFlip& flip = flips[i];
       if (is_narrow(flip)) continue;
-      const Numbers<Real> base = of.source.make<Real>(of.seed, flip.base);
-      batch.push_back(times_power(base, (flip.right + flip.wrong) / 2));
+      batch.push_back(queries[i].times((flip.right + flip.wrong) / 2));
       wide.push_back(&flip);
     }
     if (wide.empty()) return;
@@ -70,15 +93,15 @@ template <class Real>
 std::vector<AbsoluteSize> sizes_in(const SeededSource& of, std::span<const UnitFlip> flips,
                                    const Quantities& quantities) {
   std::vector<MeasuredFlip> measured;
+  const std::size_t entry = of.source.entry();
   for (const UnitFlip& flip : flips)
-    measured.push_back({quantities.values(0, of.source.make<Real>(of.seed, flip.base)), flip.right, flip.wrong});
+    measured.push_back({quantities.values(entry, of.source.make<Real>(of.seed, flip.base)), flip.right, flip.wrong});
   return absolute_sizes(quantities.all(), measured);
 }
 
 }  // namespace
 
 void narrow(const SeededSource& of, const Kernel& kernel, const std::string& target, std::vector<UnitFlip>& flips) {
-  // What is measured of the ends is a size of one of these; without them every number need not be a length either.
   if (flips.empty() || capabilities_of(of.source.predicate()).quantities == nullptr) return;
   if (of.precision == Precision::binary32) narrow_in<float>(of, kernel, target, flips);
   else narrow_in<double>(of, kernel, target, flips);
@@ -98,14 +121,14 @@ std::vector<AbsoluteSize> absolute_sizes(std::span<const Quantity> quantities, s
     const AbsoluteSize size = overlap(quantities[k], intervals);
     if (size.explains * 4 >= flips.size() * 3 && size.explains > 0) sizes.push_back(size);
   }
-  // A number that two quantities pass together is compared with one of them: the simpler is named first.
+  // A number that two quantities pass together, or nearly, is compared with one of them: the simpler is named first.
+  std::uint64_t best = 0;
+  for (const AbsoluteSize& size : sizes) best = std::max(best, size.explains);
+  std::erase_if(sizes, [&](const AbsoluteSize& size) { return size.explains * 20 < best * 19; });
   std::stable_sort(sizes.begin(), sizes.end(), [](const AbsoluteSize& x, const AbsoluteSize& y) {
-    return x.explains != y.explains ? x.explains > y.explains : x.quantity.degree < y.quantity.degree;
+    return x.quantity.degree != y.quantity.degree ? x.quantity.degree < y.quantity.degree : x.explains > y.explains;
   });
   constexpr std::size_t most = 3;
-  const auto worse = std::find_if(sizes.begin(), sizes.end(),
-                                  [&](const AbsoluteSize& size) { return size.explains < sizes.front().explains; });
-  sizes.erase(worse, sizes.end());
   if (sizes.size() > most) sizes.resize(most);
   return sizes;
 }

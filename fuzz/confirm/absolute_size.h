@@ -54,8 +54,8 @@ struct MeasuredFlip {
   int right, wrong;
 };
 
-// The quantities that explain most of the flips, at least three quarters of them; three at most, those of the least
-// degree first.
+// The quantities that explain most of the flips, within a twentieth, and at least three quarters of them; three at most,
+// those of the least degree first.
 std::vector<AbsoluteSize> absolute_sizes(std::span<const Quantity> quantities, std::span<const MeasuredFlip> flips);
 // The same of a source's flips. None for a predicate that names no quantities (fuzz/queries/capabilities.h).
 std::vector<AbsoluteSize> absolute_sizes(const SeededSource& of, std::span<const UnitFlip> flips);

@@ -96,6 +96,52 @@ TEST(Invariance, AnAbsoluteNumberIsFoundWithItsSizeInEitherDirection) {
   EXPECT_NEAR(found_large.json["scale"]["wrong"]["where_large"]["compared"][0]["least"].get<double>(), 1e9, 5e8);
 }
 
+// In every entry, and where axes and quaternions have no length.
+TEST(Invariance, AClampOfHalfExtentsIsFoundInEveryEntry) {
+  struct Entry {
+    const char *right, *family;
+    bool is_of_corners;
+    std::vector<std::size_t> first_half;
+  };
+  const Entry entries[] = {{"box-box/textbook", "box-box/units", false, {3, 18}},
+                           {"box-box/homogeneous", "box-box/units_turned", false, {3, 13}},
+                           {"box-triangle/thirteen-minmax", "box-triangle/units_minmax", true, {0}},
+                           {"box-triangle/thirteen-oriented", "box-triangle/units_oriented", false, {3}}};
+  for (const Entry& entry : entries) {
+    SCOPED_TRACE(entry.family);
+    Kernel kernel = find_kernel(entry.right);
+    kernel.exposes = Exposure::verdict;
+    kernel.binary64 = [entry](std::string_view target) {
+      const auto right = find_kernel(entry.right).on<double>(target).verdicts;
+      return Implementation<double>{[=](const Columns& batch, Verdict* out) {
+        QueryBatch<double> clamped(batch.size, batch.count);
+        for (std::size_t i = 0; i < batch.size; ++i) {
+          Numbers<double> q(batch.count);
+          for (std::size_t k = 0; k < batch.count; ++k) q[k] = batch.column[k][i];
+          for (const std::size_t first : entry.first_half) {
+            for (std::size_t k = first; k < first + 3; ++k) {
+              if (entry.is_of_corners && q[k + 3] - q[k] < 0.02) {
+                const double middle = (q[k] + q[k + 3]) / 2;
+                q[k] = middle - 0.01;
+                q[k + 3] = middle + 0.01;
+              }
+              if (!entry.is_of_corners) q[k] = std::max(q[k], 0.01);
+            }
+          }
+          clamped.push_back(q);
+        }
+        right(clamped.columns(), out);
+      }};
+    };
+    const InvarianceFinding clamped = found(kernel, entry.family, 2400);
+    EXPECT_GT(clamped.invariance.units.small.size(), 8u);
+    const Json& compared = clamped.json["scale"]["wrong"]["where_small"]["compared"];
+    ASSERT_FALSE(compared.empty());
+    EXPECT_EQ(compared[0]["quantity"], "the half extent to which all that are less have to be raised for contact");
+    EXPECT_NEAR(compared[0]["least"].get<double>(), 0.01, 0.002);
+  }
+}
+
 // A number that is too large is found too, though the answers at 2^0 are wrong; but nothing is then held against a base
 // that is right.
 TEST(Invariance, ANumberThatSpoilsTheBaseIsFoundFromTheAnswersThatAreRight) {

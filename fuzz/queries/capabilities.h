@@ -41,9 +41,10 @@ class NearestFeatures {
 // (fuzz/causes).
 
 // One of them. The phrase follows the noun of its queries: "spheres", and "nearest to vertex a". Where a property of a
-// diagnosis asks about it, that property is named.
+// diagnosis asks about it, that property is named. A narrow trait has one axis of many, of which a wider trait has all.
 struct Trait {
   std::string_view name, phrase, property = {};
+  bool is_narrow = false;
 };
 using TraitSet = std::uint64_t;  // bit k: all()[k]
 inline constexpr std::size_t most_traits = 62;

@@ -15,18 +15,20 @@ std::string count_text(std::uint64_t count) {
 }  // namespace
 
 std::string CauseRecord::sentence() const {
-  const std::string_view clear = basis == CauseBasis::clear ? "clear " : "";
   if (!is_known) {
-    return fmt::format("no class explains its {} wrong verdicts on {}queries; the best, {}, has {} of them",
-                       count_text(looked_at), clear, phrase, count_text(explained));
+    constexpr EnumArray<CauseBasis, std::string_view> asked = {"clear queries", "queries whose arithmetic is exact",
+                                                               "queries"};
+    return fmt::format("no class explains its {} wrong verdicts on {}; the best, {}, has {} of them",
+                       count_text(looked_at), asked[basis], phrase, count_text(explained));
   }
   const std::string elsewhere =
       elsewhere_wrong == 0
           ? fmt::format("right elsewhere (0 of {})", count_text(elsewhere_of))
           : fmt::format("elsewhere on {} of {}", count_text(elsewhere_wrong), count_text(elsewhere_of));
-  return fmt::format("{}wrong on {} of {} {}; {}",
-                     basis == CauseBasis::clear ? "" : "right on clear queries; otherwise ", count_text(wrong),
-                     count_text(of), phrase, elsewhere);
+  constexpr EnumArray<CauseBasis, std::string_view> before = {
+      "", "right on the clear queries that were asked; where arithmetic is exact, ",
+      "right on the clear queries that were asked; otherwise "};
+  return fmt::format("{}wrong on {} of {} {}; {}", before[basis], count_text(wrong), count_text(of), phrase, elsewhere);
 }
 
 }  // namespace axiscert

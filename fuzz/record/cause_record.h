@@ -15,13 +15,13 @@
 
 namespace axiscert {
 
-// The queries of which a cause speaks: clear ones, which a right method cannot get wrong, or those whose depth is not
-// within rounding.
-enum class CauseBasis : std::uint8_t { clear, deep };
+// The queries of which a cause speaks: clear ones, which a right method cannot get wrong; those of families on which the
+// precision's arithmetic is exact; or those whose depth is not within rounding. None of them touches.
+enum class CauseBasis : std::uint8_t { clear, exact, deep };
 template <>
-inline constexpr std::size_t enum_count<CauseBasis> = 2;
+inline constexpr std::size_t enum_count<CauseBasis> = 3;
 constexpr std::string_view name(CauseBasis basis) {
-  return EnumArray<CauseBasis, std::string_view>{"clear", "deep"}[basis];
+  return EnumArray<CauseBasis, std::string_view>{"clear", "exact", "deep"}[basis];
 }
 
 // Which verdicts are wrong.
@@ -77,8 +77,9 @@ struct CauseRecord {
               {"traits", "The traits that its queries have in common; contact and separated are the exact answer."}),
         field(&Of::basis,
               {"basis",
-               "The queries that were asked: clear ones, which a right method cannot get wrong; or, where no clear one "
-               "is wrong, those whose depth is above 64 u."}),
+               "The queries that were asked: clear ones, which a right method cannot get wrong; where none of these is "
+               "wrong, those of families with exact arithmetic; where none of these, those whose depth is above 64 "
+               "u."}),
         field(&Of::direction, {"direction", "The wrong verdicts of the class: missed contacts, phantom ones or both."}),
         field(&Of::wrong, {"wrong", "Wrong verdicts in the class."}),
         field(&Of::of, {"of", "Queries of the class that were asked."}),

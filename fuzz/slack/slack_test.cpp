@@ -68,6 +68,18 @@ std::vector<Planted> planted_kernels() {
       {"epsilon_of_all", [] { return boxes_by_book("all", {.all = 1e-3}); }, both, relative, "half extents", 1e-3},
       {"relative", [] { return boxes_by_book("relative", {.relative = 1e-4}); }, both, relative, "half extents", 1e-4},
       {"inflated", [] { return boxes_by_book("inflated", {.inflated = 1e-3}); }, both, relative, "half extents", 1e-3},
+      {"least_half_beside_a_triangle",
+       [] {
+         return planted::changed("least", find_kernel("box-triangle/akenine-moller"), [](auto& q) {
+           using Real = std::remove_reference_t<decltype(q[0])>;
+           for (std::size_t k = 3; k < 6; ++k) q[k] = std::max(q[k], Real(1e-3));
+         });
+       },
+       both,
+       absolute,
+       unit,
+       1e-3,
+       "flat"},
       {"least_half", [] { return boxes_by_book("least", {.least_half = 1e-3}); }, both, absolute, unit, 1e-3, "flat"},
   };
 }

@@ -85,6 +85,9 @@ enum class SphereTrait : std::uint8_t {
   vertex_a,
   vertex_b,
   vertex_c,
+  off_ab,
+  off_bc,
+  off_ca,
   on_triangle,
   in_plane,
   just_outside,
@@ -112,7 +115,7 @@ enum class SphereTrait : std::uint8_t {
 
 }  // namespace
 template <>
-inline constexpr std::size_t enum_count<SphereTrait> = 32;
+inline constexpr std::size_t enum_count<SphereTrait> = 35;
 namespace {
 
 constexpr EnumArray<SphereTrait, Trait> sphere_traits = {{
@@ -125,6 +128,9 @@ constexpr EnumArray<SphereTrait, Trait> sphere_traits = {{
     {"vertex_a", "nearest to vertex a", "regions"},
     {"vertex_b", "nearest to vertex b", "regions"},
     {"vertex_c", "nearest to vertex c", "regions"},
+    {"off_ab", "that do not meet the line of edge ab", {}, true},
+    {"off_bc", "that do not meet the line of edge bc", {}, true},
+    {"off_ca", "that do not meet the line of edge ca", {}, true},
     {"on_triangle", "with the centre on the triangle", "on_triangle"},
     {"in_plane", "with the centre in the triangle's plane, beside it"},
     {"just_outside", "with the centre over a strip of 1 % beside the triangle"},
@@ -218,6 +224,10 @@ TraitSet traits_of(const Query<Real>& given) {
     found.put(just_inside, is_near && least.sign() > 0);
   }
 
+  const BinaryNumber r(q.r), squared_radius = r * r;
+  for (std::size_t i = 0; i < 3; ++i)
+    found.put(of_corner(off_ab, i),
+              squared_radius * triangle.squared_edge[i] < squared_length(cross(to[i], triangle.edge[i])));
   for (std::size_t i = 0; i < 3; ++i) found.put(of_corner(obtuse_a, i), triangle.is_obtuse_at(i));
   found.put(obtuse, triangle.is_obtuse());
   found.put(acute, !triangle.is_obtuse());
@@ -226,7 +236,6 @@ TraitSet traits_of(const Query<Real>& given) {
   found.put(axis_plane, triangle.is_in_plane_of_axes());
   found.put(axis_edge, triangle.has_edge_along_axis());
 
-  const BinaryNumber r(q.r), squared_radius = r * r;
   found.put(zero_radius, q.r == 0);
   found.put(large_sphere, squared_radius > triangle.squared_longest());
   found.put(small_sphere, squared_radius * BinaryNumber(1e4) < triangle.squared_longest());

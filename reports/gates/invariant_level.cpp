@@ -12,24 +12,18 @@
 #include "kernel/base/error.h"
 #include "reports/gates/level.h"
 #include "reports/run_folder/run_folder.h"
+#include "reports/wording/causes.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
 namespace {
 
-std::string compared_text(const ComparedQuantity& size) {
-  const double near = std::sqrt(size.least) * std::sqrt(size.greatest);
-  return fmt::format("near {} (squared {}) were compared with {}", amount(near, 4), amount(near * near, 4),
-                     size.quantity);
-}
-
 // Empty where no answer is wrong in this direction.
 std::string direction_text(const AbsoluteSizeRecord& sizes, std::string_view where) {
   if (sizes.bases == 0) return "";
-  std::vector<std::string> texts;
-  for (const ComparedQuantity& size : sizes.compared) texts.push_back(compared_text(size));
-  if (texts.empty()) return fmt::format("where numbers are {}, and no one number of its own explains it", where);
-  return fmt::format("where numbers are {}, as if an absolute number {}", where, fmt::join(texts, ", or one "));
+  const std::string text = compared_text(sizes);
+  return fmt::format("where numbers are {}, {}", where,
+                     text.empty() ? "and no one number of its own explains it" : text);
 }
 
 // The powers nearest to 1, as exponents.

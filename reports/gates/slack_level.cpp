@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 
 #include "fuzz/slack/slack.h"
 #include "fuzz/text/length_unit.h"
@@ -44,7 +45,12 @@ std::optional<double> least_seen(const SlackLook& look, SlackKind kind) {
   return kind == SlackKind::relative ? look.least_relative : look.least_absolute;
 }
 
-// Why nothing is known; empty where a slack of the size would have been seen on some queries.
+std::string look_text(const SlackLook& look, SlackKind kind) {
+  return fmt::format("{} on queries {}", size_text({kind, *least_seen(look, kind)}),
+                     static_cast<const std::string&>(look.where));
+}
+
+// Why nothing is known; empty where a slack of the size would have been seen on the queries of every kind.
 std::string unseen_text(const Subject& subject, const SlackSize& size) {
   const auto& slacks = subject.kernel().slack;
   if (!slacks) {
@@ -56,8 +62,19 @@ std::string unseen_text(const Subject& subject, const SlackSize& size) {
     return fmt::format("the turn of the answer was bracketed on {} of {} queries, and {} of one kind are needed",
                        slacks->bracketed, slacks->asked, least_bracketed);
   }
-  if (*least <= size.size) return "";
-  return fmt::format("the least slack that would be seen is {}, and {} is required", size_text({size.kind, *least}),
+  // A slack may be in one branch alone: every kind has to show it.
+  std::vector<SlackLook> coarse;
+  for (const SlackLook& look : slacks->looks) {
+    if (least_seen(look, size.kind).value_or(0) > size.size) coarse.push_back(look);
+  }
+  if (coarse.empty()) return "";
+  std::ranges::stable_sort(coarse, std::greater(), [&](const SlackLook& look) { return *least_seen(look, size.kind); });
+  constexpr std::size_t most_named = 3;
+  std::vector<std::string> named;
+  for (std::size_t i = 0; i < std::min(coarse.size(), most_named); ++i)
+    named.push_back(look_text(coarse[i], size.kind));
+  if (coarse.size() > most_named) named.push_back(fmt::format("and on {} kinds more above that size", coarse.size() - most_named));
+  return fmt::format("the least slack that would be seen is {}, and {} is required", fmt::join(named, ", "),
                      size_text(size));
 }
 
@@ -86,12 +103,9 @@ LevelFindings judge_slack(const AskedLevel& asked, const Subject& subject) {
     if (coarsest == nullptr || *least > *least_seen(*coarsest, size.kind)) coarsest = &look;
   }
   if (finest == nullptr) return found;
-  const auto of = [&](const SlackLook* look) {
-    return fmt::format("{} on queries {}", size_text({size.kind, *least_seen(*look, size.kind)}),
-                       static_cast<const std::string&>(look->where));
-  };
   found.covers = fmt::format("{} queries whose turn is bracketed; the least slack that would be seen is {}, and {}",
-                             thousands(kernel.slack->bracketed), of(finest), of(coarsest));
+                             thousands(kernel.slack->bracketed), look_text(*finest, size.kind),
+                             look_text(*coarsest, size.kind));
   found.leaves_out = "a slack on other queries than these, or of another size on each";
   return found;
 }

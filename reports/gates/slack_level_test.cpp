@@ -56,6 +56,18 @@ TEST(SlackLevel, WhatCouldNotBeSeenIsNotChecked) {
   const LevelOutcome blind = first(outcomes_at(with_slack(0, 1e-3), "no-slack=1e-4"));
   EXPECT_EQ(blind.state, LevelState::not_checked);
   EXPECT_THAT(blind.reason, HasSubstr("the least slack that would be seen is 0.001 of a length"));
+  // One kind that is too coarse is enough, for a slack may be in one branch alone.
+  Json uneven = with_slack(0, 1e-5);
+  for (Json& kernel : uneven["kernels"]) {
+    Json coarse = kernel["slack"]["looks"][0];
+    coarse["where"] = "beside edge bc";
+    coarse["least_relative"] = 4e-3;
+    kernel["slack"]["looks"].push_back(coarse);
+  }
+  const LevelOutcome in_part = first(outcomes_at(uneven, "no-slack=1e-4"));
+  EXPECT_EQ(in_part.state, LevelState::not_checked);
+  EXPECT_THAT(in_part.reason, HasSubstr("0.004 of a length on queries beside edge bc"));
+  EXPECT_NE(first(outcomes_at(uneven, "no-slack=5e-3")).state, LevelState::not_checked);
   Json none = stored_record();
   for (Json& kernel : none["kernels"]) kernel["slack"] = nullptr;
   const LevelOutcome unknown = first(outcomes_at(none, "no-slack=1e-4"));

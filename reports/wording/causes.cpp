@@ -1,24 +1,80 @@
 #include "reports/wording/causes.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <vector>
 
 #include "fuzz/slack/slack.h"
 #include "fuzz/text/json.h"
 #include "kernel/predicate.h"
+#include "reports/wording/summary.h"
 
 namespace axiscert {
 
-std::string cause_sentence(const KernelRecord& kernel) {
-  std::string sentence;
-  if (kernel.slack && !kernel.slack->found.empty()) {
-    const std::vector<SlackRecord>& found = kernel.slack->found;
-    sentence = slack_text(found.front());
-    if (found.size() > 1) sentence += fmt::format(", as queries of {} more kinds show", found.size() - 1);
+std::string compared_text(const AbsoluteSizeRecord& sizes) {
+  std::vector<std::string> texts;
+  for (const ComparedQuantity& size : sizes.compared) {
+    const double near = std::sqrt(size.least) * std::sqrt(size.greatest);
+    texts.push_back(fmt::format("near {} (squared {}) were compared with {}", amount(near, 4), amount(near * near, 4),
+                                size.quantity));
   }
-  // Beside a slack, a class that is none says nothing.
-  if (kernel.cause && (sentence.empty() || kernel.cause->is_known))
-    sentence += (sentence.empty() ? "" : "; ") + kernel.cause->sentence();
-  return sentence;
+  return texts.empty() ? "" : fmt::format("as if an absolute number {}", fmt::join(texts, ", or one "));
+}
+
+namespace {
+
+// Of the families that have queries in other units of length, that with the most bases: where in each of them one number
+// explains nearly all of them.
+std::string number_text(const KernelRecord& kernel) {
+  constexpr std::uint64_t least_bases = 8;
+  const AbsoluteSizeRecord* most = nullptr;
+  for (const auto& [name, family] : kernel.families) {
+    if (!family.invariance) continue;
+    const auto scale = family.invariance->find(ImageKind::scale);
+    if (scale == family.invariance->end() || !scale->second.wrong) continue;
+    for (const AbsoluteSizeRecord* sizes : {&scale->second.wrong->where_small, &scale->second.wrong->where_large}) {
+      if (sizes->bases < least_bases) continue;
+      if (sizes->compared.empty() || 20 * sizes->compared.front().explains < 19 * sizes->bases) return "";
+      if (most == nullptr || sizes->bases > most->bases) most = sizes;
+    }
+  }
+  return most == nullptr ? "" : compared_text(*most);
+}
+
+struct SlackText {
+  std::string text;
+  bool is_local = false, is_late = false;  // on less than a quarter of the queries
+};
+SlackText slack_text_of(const KernelRecord& kernel) {
+  if (!kernel.slack || kernel.slack->found.empty()) return {};
+  const std::vector<SlackRecord>& found = kernel.slack->found;
+  SlackText slack{slack_text(found.front())};
+  if (found.size() > 1) slack.text += fmt::format(", as queries of {} more kinds show", found.size() - 1);
+  std::uint64_t shown = 0;
+  for (const SlackRecord& one : found) shown += one.shown;
+  slack.is_local = 4 * shown < kernel.slack->bracketed;
+  slack.is_late = found.front().side == SlackSide::late;
+  return slack;
+}
+
+}  // namespace
+
+std::string cause_sentence(const KernelRecord& kernel) {
+  const SlackText slack = slack_text_of(kernel);
+  std::vector<std::string> texts;
+  const auto add = [&](const std::string& text) {
+    if (!text.empty()) texts.push_back(text);
+  };
+  if (!slack.is_local) add(slack.text);
+  add(number_text(kernel));
+  const bool is_class_first = slack.is_local && slack.is_late;
+  if (!is_class_first && slack.is_local) add(slack.text);
+  // Beside these, a class that is none says nothing.
+  if (kernel.cause && (kernel.cause->is_known || (texts.empty() && slack.text.empty()))) add(kernel.cause->sentence());
+  if (is_class_first) add(slack.text);
+  return fmt::format("{}", fmt::join(texts, "; "));
 }
 
 std::string cause_line(const KernelRecord& kernel) {
