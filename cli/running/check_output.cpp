@@ -234,7 +234,7 @@ std::string facts_text(const CheckResult& found, bool is_exact) {
   std::vector<std::string> texts;
   for (const ExactFact& fact : found.facts) texts.push_back(fact_text(fact, found.digits, is_exact));
   if (texts.empty()) return "";
-  return fmt::format("  to {} digits: {}", found.digits, fmt::join(texts, "; "));
+  return fmt::format("  rounded to {} digits: {}", found.digits, fmt::join(texts, "; "));
 }
 
 CheckLine check_line(const std::string& id, const Kernel& kernel, const CheckResult& found) {

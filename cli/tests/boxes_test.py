@@ -224,7 +224,7 @@ class BoxPeersLong(Case):
         done = axiscert("check", "-", "--kernel", "box-box/peer/ode", stdin=QUARTER_TURN)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("quarter-turn: exact contact (deciding_axes b1 a0b2,", done.stdout)
-        self.assertIn("\n  to 17 digits: penetration 0.98", done.stdout)
+        self.assertIn("\n  rounded to 17 digits: penetration 0.98", done.stdout)
         self.assertIn("box-box/peer/ode separated", done.stdout)
 
 

@@ -46,7 +46,7 @@ class Check(Case):
 
     def test_text_is_a_line_a_query_and_one_with_what_is_exact(self):
         done = axiscert("check", "-", stdin=QUERY % 1 + QUERY % -1 + QUERY % 2)
-        self.assertEqual([line.startswith("  to 9 digits: ") for line in done.stdout.splitlines()], [False, True, False, False, True])
+        self.assertEqual([line.startswith("  rounded to 9 digits: ") for line in done.stdout.splitlines()], [False, True, False, False, True])
         self.assertIn("specification", done.stdout)
 
 

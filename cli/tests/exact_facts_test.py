@@ -234,7 +234,7 @@ class ExactFacts(Case):
     def test_text_says_the_digits_and_with_exact_the_fractions(self):
         text = line("q", "sphere-triangle", "binary32", a=[0, 0, 0], b=[3, 0, 0], c=[0, 3, 0], p=[1, 1, 1], r=0.5)
         self.assertEqual(axiscert("check", "-", stdin=text).stdout.splitlines()[1],
-                         "  to 9 digits: distance 0.5; depth 0.204124145 of the scene; centre_distance 1; features face; "
+                         "  rounded to 9 digits: distance 0.5; depth 0.204124145 of the scene; centre_distance 1; features face; "
                          "nearest_point (1, 1, 0); normal (0, 0, 1)")
         self.assertIn("depth 0.204124145 = sqrt(1/24) of the scene", axiscert("check", "-", "--exact", stdin=text).stdout)
         self.refused("check", "1:general:2:binary32:0:0-1", "--format", "csv", "--exact", says=["--exact", "queries in a file"])
