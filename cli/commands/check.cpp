@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "cli/first_look.h"
@@ -14,6 +15,7 @@
 #include "cli/options/predicate_options.h"
 #include "cli/options/query_parts.h"
 #include "cli/options/shared_options.h"
+#include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/files/file_parts.h"
 #include "fuzz/files/query_file.h"
@@ -26,7 +28,7 @@ struct CheckOptions {
   std::string file, format = "text", target = "auto", precision = "binary32";
   std::vector<std::string> kernels;
   AddressFiles files;
-  bool errors = false;
+  bool errors = false, exact = false;
 };
 
 std::optional<SideErrors> errors_of(const StoredQuery& stored, const Kernel& kernel, const std::string& target) {
@@ -39,7 +41,16 @@ CheckResult check_query(Examiner& examiner, const Numbers<Real>& q) {
   const Examination found = examiner.examine(q);
   const Predicate& predicate = *examiner.kernel().predicate;
   const Oracles& oracles = oracles_of(examiner.kernel());
-  if (found.truth.verdict != Verdict::invalid) return checked_of(predicate, found, oracles.details(q));
+  if (found.truth.verdict != Verdict::invalid) {
+    CheckResult checked = checked_of(predicate, found, oracles.details(q));
+    checked.digits = std::numeric_limits<Real>::max_digits10;
+    if (const auto facts_of = capabilities_of(predicate).exact_facts) {
+      Numbers<double> wide(q.size());
+      std::copy(q.begin(), q.end(), wide.begin());
+      checked.facts = facts_of(wide, examiner.kernel().entry);
+    }
+    return checked;
+  }
   CheckResult invalid = checked_of(predicate, found);
   invalid.why_invalid = oracles.why_invalid(q);
   return invalid;
@@ -84,6 +95,7 @@ int check_range(const CheckOptions& options) {
     throw Error(fmt::format("{}: the queries of addresses are rows; give --format csv or jsonl", options.file));
   if (options.errors)
     throw Error("--errors: the errors of sides are of queries in a file; `axiscert query` writes one");
+  if (options.exact) throw Error("--exact: exact numbers are of queries in a file; `axiscert query` writes one");
   std::vector<const Kernel*> kernels = kernels_given(options);
   const std::string target = resolve_target(options.target);
   const Predicate& predicate = range.source->predicate();
@@ -158,6 +170,7 @@ int check(const CheckOptions& options) {
     progress.clear();
     if (options.format == "text") {
       fmt::print("{}\n", check_text(stored.id, kernel, found));
+      if (const std::string facts = facts_text(found, options.exact); !facts.empty()) fmt::print("{}\n", facts);
       if (options.errors) fmt::print("{}\n", errors_text(*kernel.predicate, errors_of(stored, kernel, target)));
     } else {
       CheckLine line = check_line(stored.id, kernel, found);
@@ -187,6 +200,8 @@ void add_check(CLI::App& app, Action& action) {
   add_target(*command, options->target);
   add_precision(*command, options->precision, of_csv_files);
   command->add_flag("--errors", options->errors, "also print the errors of the computed sides, in u, exactly");
+  command->add_flag("--exact", options->exact,
+                    "also print distances, places and times as fractions and roots, which --format jsonl always has");
   add_plugin_seconds(*command);
   add_progress(*command);
   add_format(*command, options->format, {"jsonl", "csv"});

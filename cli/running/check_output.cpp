@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fuzz/confirm/witness.h"
@@ -20,13 +21,15 @@ std::optional<BitText> axes_line(const Predicate& predicate, const std::optional
               : std::nullopt;
 }
 
-// "time 0.25, features vertex_a edge_ab": those that the query has, numbers in decimal.
-std::string details_text(const std::vector<Detail>& details) {
+// "deciding_axes b1 a0b2, defect 1.5": those that the query has, numbers in decimal; facts say more of theirs.
+std::string details_text(const CheckResult& found) {
   std::vector<std::string> texts;
   const auto add = [&](const Detail& detail, const auto& value) {
     texts.push_back(fmt::format("{} {}", detail.name, value));
   };
-  for (const Detail& detail : details) {
+  for (const Detail& detail : found.details) {
+    const auto is_it = [&](const ExactFact& fact) { return fact.name == detail.name; };
+    if (std::any_of(found.facts.begin(), found.facts.end(), is_it)) continue;
     if (const double* number = std::get_if<double>(&detail.value)) add(detail, *number);
     if (const auto* word = std::get_if<std::string_view>(&detail.value)) add(detail, *word);
     if (const auto* names = std::get_if<std::vector<std::string_view>>(&detail.value)) {
@@ -36,12 +39,31 @@ std::string details_text(const std::vector<Detail>& details) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+Json numbers_json(const std::vector<std::string>& texts) {
+  if (texts.empty()) return nullptr;
+  if (texts.size() == 1) return texts.front();
+  return texts;
+}
+ExactFactLine fact_line(const ExactFact& fact, int digits) {
+  ExactFactLine line;
+  std::vector<std::string> decimals, exactly;
+  for (const ExactValue& number : fact.numbers) {
+    decimals.push_back(decimal_text(number, digits));
+    exactly.push_back(exact_text(number));
+  }
+  line.value = fact.names.empty() ? numbers_json(decimals) : Json(fact.names);
+  line.exact = numbers_json(exactly);
+  if (!fact.note.empty()) line.note = std::string(fact.note);
+  return line;
+}
+
 ExactAnswersLine exact_line(const Predicate& predicate, const CheckResult& found) {
   ExactAnswersLine line{.verdict = found.truth.verdict,
                         .touching = found.truth.touching,
                         .reason = {},
                         .squared_distance = {},
                         .details = {},
+                        .facts = {},
                         .comparisons = bits_line(predicate, found.exact),
                         .axes = axes_line(predicate, found.exact),
                         .ties = bits_line(predicate, found.ties)};
@@ -52,7 +74,29 @@ ExactAnswersLine exact_line(const Predicate& predicate, const CheckResult& found
     line.squared_distance = d.get_num().get_str() + "/" + d.get_den().get_str();
   }
   for (const Detail& detail : found.details) line.details.put(detail.name) = detail_json(detail);
+  for (const ExactFact& fact : found.facts) line.facts.put(fact.name) = fact_line(fact, found.digits);
   return line;
+}
+
+// The texts that a number has in `text_of`, with commas between the coordinates of a place.
+template <class TextOf>
+std::string numbers_text(const ExactFact& fact, TextOf&& text_of) {
+  std::vector<std::string> texts;
+  for (const ExactValue& number : fact.numbers) texts.push_back(text_of(number));
+  return texts.size() == 1 ? texts.front() : fmt::format("({})", fmt::join(texts, ", "));
+}
+
+// "depth 0.25 of the scene", "normal (0, 0, 1) (not the only one)".
+std::string fact_text(const ExactFact& fact, int digits, bool is_exact) {
+  std::string text(fact.name);
+  if (!fact.names.empty()) text += fmt::format(" {}", fmt::join(fact.names, " "));
+  if (!fact.numbers.empty()) {
+    text += " " + numbers_text(fact, [&](const ExactValue& x) { return decimal_text(x, digits); });
+    if (is_exact) text += " = " + numbers_text(fact, [](const ExactValue& x) { return exact_text(x); });
+  }
+  if (!fact.unit.empty()) text += fmt::format(" {}", fact.unit);
+  if (!fact.note.empty()) text += fmt::format(" ({})", fact.note);
+  return text;
 }
 
 // "touching", with the kernel's own convention where that is not contact.
@@ -68,14 +112,14 @@ std::string touching_text(const Kernel& kernel) {
   return "";
 }
 
-// " (touching; time 0.25, features vertex_a edge_ab)": what there is to say besides; the details of a motion are of its
+// " (touching; deciding_axes b1 a0b2)": what there is to say besides; the details of a motion are of its
 // contact.
 std::string remarks(const CheckResult& found, const Kernel& kernel) {
   std::vector<std::string> all;
   if (found.truth.touching) all.push_back(touching_text(kernel));
   if (!found.why_invalid.empty()) all.push_back(found.why_invalid);
   if (found.truth.verdict == Verdict::contact || kernel.predicate->measures.empty()) {
-    if (std::string text = details_text(found.details); !text.empty()) all.push_back(std::move(text));
+    if (std::string text = details_text(found); !text.empty()) all.push_back(std::move(text));
   }
   return all.empty() ? "" : fmt::format(" ({})", fmt::join(all, "; "));
 }
@@ -184,6 +228,13 @@ std::string check_text(const std::string& id, const Kernel& kernel, const CheckR
   }
   for (const Finding& finding : found.findings) line += fmt::format("; {}: {}", name(finding.kind), finding.detail);
   return line;
+}
+
+std::string facts_text(const CheckResult& found, bool is_exact) {
+  std::vector<std::string> texts;
+  for (const ExactFact& fact : found.facts) texts.push_back(fact_text(fact, found.digits, is_exact));
+  if (texts.empty()) return "";
+  return fmt::format("  rounded to {} digits: {}", found.digits, fmt::join(texts, "; "));
 }
 
 CheckLine check_line(const std::string& id, const Kernel& kernel, const CheckResult& found) {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "exact/trait/exact_facts.h"
 #include "exact/trait/examine.h"
 #include "fuzz/search/confirm.h"
 #include "fuzz/confirm/record.h"
@@ -20,8 +21,10 @@ struct CheckResult {
   std::optional<double> depth;
   bool within_limits = true;
   std::vector<Finding> findings;
-  std::vector<Detail> details = {};  // of the truth; none if it is `invalid`
-  std::string why_invalid = {};      // where the predicate says it
+  std::vector<Detail> details = {};   // of the truth; none if it is `invalid`
+  std::string why_invalid = {};       // where the predicate says it
+  std::vector<ExactFact> facts = {};  // of a valid query
+  int digits = 17;                    // significant ones, to which facts are rounded
   // The measures that the kernel gave, where its predicate has any, and how they are wrong.
   std::optional<MeasuresRecord> measures = {};
   std::string measures_text = {};
@@ -36,8 +39,10 @@ inline std::string_view standing_of(const Kernel& kernel, const CheckResult& fou
   return standing_of(kernel, found.truth.verdict, found.within_limits, found.answer.verdict);
 }
 
-// One line, without its line end.
+// One line, without its line end; and a second one with the exact facts, `is_exact`: as fractions and roots too. Empty
+// where there are none.
 std::string check_text(const std::string& id, const Kernel& kernel, const CheckResult& found);
+std::string facts_text(const CheckResult& found, bool is_exact);
 CheckLine check_line(const std::string& id, const Kernel& kernel, const CheckResult& found);
 
 // The errors of the computed sides: as text, one line for each comparison, to follow check_text's; and for a CheckLine,

@@ -44,9 +44,9 @@ class Check(Case):
         (line,) = self.check(QUERY.replace("[0,0,0]", "[1.00000005960464477540,0,0]") % 0)
         self.assertEqual(Fraction(line["exact"]["squared_distance"]), (2 - Fraction(float.fromhex("0x1.000002p0"))) ** 2)
 
-    def test_text_is_one_line_a_query(self):
-        done = axiscert("check", "-", stdin=QUERY % 1 + QUERY % 2)
-        self.assertEqual(len(done.stdout.splitlines()), 2)
+    def test_text_is_a_line_a_query_and_one_with_what_is_exact(self):
+        done = axiscert("check", "-", stdin=QUERY % 1 + QUERY % -1 + QUERY % 2)
+        self.assertEqual([line.startswith("  rounded to 9 digits: ") for line in done.stdout.splitlines()], [False, True, False, False, True])
         self.assertIn("specification", done.stdout)
 
 

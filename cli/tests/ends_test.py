@@ -34,7 +34,7 @@ class Ends(Case):
         self.assertEqual((sure["exact"]["verdict"], sure["computed"]["verdict"]), ("separated", "separated"))
         self.assertEqual((rounded["exact"]["verdict"], rounded["computed"]["verdict"]), ("separated", "contact"))
         text = axiscert("check", "-", "--kernel", "moving-sphere/ends-gated", stdin=FALLS).stdout
-        self.assertIn("exact contact (time 0.5, features face, start clear), moving-sphere/ends-gated contact (time 0.5", text)
+        self.assertIn("exact contact (start clear), moving-sphere/ends-gated contact (time 0.5", text)
 
     def test_a_run_is_of_one_entry_and_its_witnesses_have_p1(self):
         record = self.run_ok("--kernel", SURE, "--kernel", ROUNDED, "--kernel", "moving-sphere/ends-rounded", "--trials", 60,

@@ -23,12 +23,32 @@ def kind_of(reason):
     return re.sub(r"(image|base) .*", r"\1", re.sub(r"-?\d[\d.e+-]*", "N", re.sub(r"(error|of) \w+\.\w+(\.\w+)?", r"\1 COMPARISON", reason)))
 
 
+def in_decimals(value, digits):
+    """The same with decimals for hexadecimal texts, as numbers and as texts in turn: by so many digits each is told from any other."""
+    if isinstance(value, dict):
+        return {name: in_decimals(part, digits) for name, part in value.items()}
+    if isinstance(value, list):
+        return [in_decimals(part, digits) for part in value]
+    if not isinstance(value, str) or not re.fullmatch(r"-?0x[0-9a-f.]+p[-+]\d+", value):
+        return value
+    text = f"{float.fromhex(value):.{digits}g}"
+    return text if len(text) % 2 else float(text)
+
+
 class Witnesses(Case):
     def given_back(self, witness, line):
         query = axiscert("query", witness["address"])
         yield "query", query
         yield "check of the query", axiscert("check", "-", "--kernel", witness["kernel"], stdin=query.stdout)
-        yield "check", axiscert("check", "-", "--kernel", witness["kernel"], stdin=line)
+        hexadecimal = axiscert("check", "-", "--kernel", witness["kernel"], stdin=line)
+        yield "check", hexadecimal
+        decimals = json.dumps(in_decimals(json.loads(line), 9 if witness["precision"] == "binary32" else 17))
+        again = axiscert("check", "-", "--kernel", witness["kernel"], stdin=decimals)
+        yield "check of decimals", again
+        self.assertEqual(again.stdout, hexadecimal.stdout, "decimals name another query")
+        yield "shrink of decimals", axiscert("shrink", "-", "--kernel", witness["kernel"], "--evaluations", "20", stdin=decimals)
+        yield "map of decimals", axiscert("map", "-", "--kernel", witness["kernel"], "--size", "2", "--out", self.folder / "map",
+                                          stdin=decimals)
         yield "shrink", axiscert("shrink", "-", "--kernel", witness["kernel"], "--evaluations", "20", stdin=line)
         yield "map", axiscert("map", "-", "--kernel", witness["kernel"], "--size", "2", "--out", self.folder / "map", stdin=line)
 

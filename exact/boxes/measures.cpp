@@ -53,22 +53,20 @@ struct Integers {
   Vec3<BinaryNumber> of(const Point& p) const { return {of(p.x), of(p.y), of(p.z)}; }
 };
 
-// On an axis that is not 0: what is left of both extents beside the distance of the centres, times the axis' length.
-struct AxisRest {
-  std::size_t index;
-  Rational rest, squared_length;
-  Rational squared() const { return rest * rest / squared_length; }
-};
-std::vector<AxisRest> rests(const ExactPair& q) {
-  const Point between = q.b.centre - q.a.centre;
-  std::vector<AxisRest> found;
-  for (std::size_t i = 0; i < axis_count; ++i) {
-    const Point along = direction(q, i);
-    const Rational squared_length = dot(along, along);
-    if (squared_length == 0) continue;
-    const Rational rest = extent_along(q.a, along) + extent_along(q.b, along) - abs(Rational(dot(along, between)));
-    found.push_back({i, rest, squared_length});
+Rational least_squared(const std::vector<AxisRest>& axes) {
+  std::optional<Rational> least;
+  for (const AxisRest& axis : axes) {
+    Rational squared = axis.squared();
+    if (!least || squared < *least) least = std::move(squared);
   }
+  return *least;  // the axes of a box are independent, so its facets have normals
+}
+
+template <std::size_t size>
+std::vector<std::string_view> names_of(const std::vector<AxisRest>& axes,
+                                       const std::array<std::string_view, size>& names) {
+  std::vector<std::string_view> found;
+  for (const AxisRest& axis : axes) found.push_back(names[axis.index]);
   return found;
 }
 
@@ -81,32 +79,43 @@ ExactPair exact_pair(const BoxPair<double>& q) {
 
 ExactPair exact_pair(const TurnedPair<double>& q) { return {turned(q.a), turned(q.b)}; }
 
-std::vector<std::string_view> deciding_axes(const ExactPair& q) {
-  std::vector<std::string_view> separating, least;
-  std::optional<Rational> depth;
-  for (const AxisRest& axis : rests(q)) {
-    if (axis.rest < 0) separating.push_back(axis_names[axis.index]);
-    const Rational squared = axis.squared();
-    if (depth && squared > *depth) continue;
-    if (!depth || squared < *depth) least.clear();
-    depth = squared;
-    least.push_back(axis_names[axis.index]);
+std::vector<AxisRest> axis_rests(const ExactPair& q) {
+  const Point between = q.b.centre - q.a.centre;
+  std::vector<AxisRest> found;
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const Point along = direction(q, i);
+    const Rational squared_length = dot(along, along), apart = dot(along, between);
+    if (squared_length == 0) continue;
+    const Rational rest = extent_along(q.a, along) + extent_along(q.b, along) - abs(apart);
+    found.push_back({i, apart < 0 ? Point{} - along : along, apart == 0, rest, squared_length});
+  }
+  return found;
+}
+
+std::vector<AxisRest> deciding(std::vector<AxisRest> axes) {
+  std::vector<AxisRest> separating, least;
+  for (AxisRest& axis : axes) {
+    if (axis.rest < 0) {
+      separating.push_back(std::move(axis));
+    } else {
+      const int order = least.empty() ? 0 : cmp(axis.squared(), least.front().squared());
+      if (order > 0) continue;
+      if (order < 0) least.clear();
+      least.push_back(std::move(axis));
+    }
   }
   return separating.empty() ? least : separating;
 }
 
-Rational squared_penetration(const ExactPair& q) {
-  std::optional<Rational> least;
-  for (const AxisRest& axis : rests(q)) {
-    Rational squared = axis.squared();
-    if (!least || squared < *least) least = std::move(squared);
-  }
-  return *least;  // the axes of a box are independent, so its facets have normals
+std::vector<std::string_view> deciding_axes(const ExactPair& q) {
+  return names_of(deciding(axis_rests(q)), axis_names);
 }
+
+Rational squared_penetration(const ExactPair& q) { return least_squared(axis_rests(q)); }
 
 Rational squared_gap(const ExactPair& q) {
   Rational greatest = 0;
-  for (const AxisRest& axis : rests(q)) {
+  for (const AxisRest& axis : axis_rests(q)) {
     if (axis.rest < 0) greatest = std::max(greatest, axis.squared());
   }
   return greatest;
@@ -201,26 +210,19 @@ ExactBoxAndTriangle exactly(const Problem& q) {
           {{point_of(exact.corner[0]), point_of(exact.corner[1]), point_of(exact.corner[2])}}};
 }
 
-// On an axis that is not 0: what is left of the box's half extent beside the triangle's distance from its centre, times
-// the axis' length.
-struct TriangleAxisRest {
-  std::size_t index;
-  Rational rest, squared_length;
-  Rational squared() const { return rest * rest / squared_length; }
-};
-std::vector<TriangleAxisRest> rests(const ExactBoxAndTriangle& q) {
-  std::vector<TriangleAxisRest> found;
+}  // namespace
+
+std::vector<AxisRest> axis_rests(const ExactBoxAndTriangle& q) {
+  std::vector<AxisRest> found;
   for (std::size_t i = 0; i < thirteen_count; ++i) {
     const Point along = direction(q, i);
     const Rational squared_length = dot(along, along);
     if (squared_length == 0) continue;
-    Rational extent;
-    for (std::size_t k = 0; k < 3; ++k) extent += q.box.half[k] * abs(Rational(dot(along, q.box.axis[k])));
     std::array<Rational, 3> at;
     for (std::size_t k = 0; k < 3; ++k) at[k] = dot(along, q.corner[k] - q.box.centre);
     const auto [least, greatest] = std::minmax_element(at.begin(), at.end());
-    const Rational beyond = std::max(*least, Rational(-*greatest));
-    found.push_back({i, extent - beyond, squared_length});
+    const Rational ahead = *least, behind = -*greatest, rest = extent_along(q.box, along) - std::max(ahead, behind);
+    found.push_back({i, behind > ahead ? Point{} - along : along, behind == ahead, rest, squared_length});
   }
   return found;
 }
@@ -236,35 +238,16 @@ Rational squared_scene(const ExactBoxAndTriangle& q) {
   return scene;
 }
 
-}  // namespace
-
 ExactBoxAndTriangle exact_box_and_triangle(const CentredAndTriangle<double>& q) { return exactly<CentreEntry>(q); }
 ExactBoxAndTriangle exact_box_and_triangle(const CornersAndTriangle<double>& q) { return exactly<MinmaxEntry>(q); }
 ExactBoxAndTriangle exact_box_and_triangle(const BoxAndTriangle<double>& q) { return exactly<OrientedEntry>(q); }
 
 Hull hull_of(const std::array<Point, 3>& corners) { return {corners.begin(), corners.end()}; }
 
-Rational squared_penetration(const ExactBoxAndTriangle& q) {
-  std::optional<Rational> least;
-  for (const TriangleAxisRest& axis : rests(q)) {
-    Rational squared = axis.squared();
-    if (!least || squared < *least) least = std::move(squared);
-  }
-  return *least;  // the box's axes are independent, so its facets have normals
-}
+Rational squared_penetration(const ExactBoxAndTriangle& q) { return least_squared(axis_rests(q)); }
 
 std::vector<std::string_view> deciding_axes(const ExactBoxAndTriangle& q) {
-  std::vector<std::string_view> separating, least;
-  std::optional<Rational> depth;
-  for (const TriangleAxisRest& axis : rests(q)) {
-    if (axis.rest < 0) separating.push_back(thirteen_names[axis.index]);
-    const Rational squared = axis.squared();
-    if (depth && squared > *depth) continue;
-    if (!depth || squared < *depth) least.clear();
-    depth = squared;
-    least.push_back(thirteen_names[axis.index]);
-  }
-  return separating.empty() ? least : separating;
+  return names_of(deciding(axis_rests(q)), thirteen_names);
 }
 
 Rational squared_distance(const ExactBoxAndTriangle& q) {

@@ -30,10 +30,26 @@ ExactBoxAndTriangle exact_box_and_triangle(const BoxAndTriangle<double>& q);
 
 Hull hull_of(const std::array<Point, 3>& corners);
 
+// An axis that is not 0, as the direction in which the second body comes to leave the first; `either_way`: so does its
+// opposite. `rest` is what is left of the extents beside the distance, times the axis' length: negative where it parts
+// them.
+struct AxisRest {
+  std::size_t index;
+  Point along;
+  bool either_way;
+  Rational rest, squared_length;
+  Rational squared() const { return rest * rest / squared_length; }
+};
+std::vector<AxisRest> axis_rests(const ExactPair& q);
+std::vector<AxisRest> axis_rests(const ExactBoxAndTriangle& q);
+// Those of the axes that decide: on which the penetration is least, or which part the bodies.
+std::vector<AxisRest> deciding(std::vector<AxisRest> axes);
+
 // As of two boxes, below; the penetration is the least over the thirteen axes that are not 0.
 Rational squared_penetration(const ExactBoxAndTriangle& q);
 std::vector<std::string_view> deciding_axes(const ExactBoxAndTriangle& q);
 Rational squared_distance(const ExactBoxAndTriangle& q);
+Rational squared_scene(const ExactBoxAndTriangle& q);
 ExactDepth exact_depth(const ExactBoxAndTriangle& q);
 
 // How deep two boxes are in contact, or how far apart: squares of lengths, exactly.

@@ -174,18 +174,74 @@ std::string refutation_text(const NearestPoints& found, const BinaryHull& a, con
   return "";
 }
 
-Rational squared_distance(const Hull& a, const Hull& b) {
+namespace {
+
+struct InIntegers {
   mpz_class scale = 1;
+  NearestPoints nearest;
+};
+InIntegers nearest_in_integers(const Hull& a, const Hull& b) {
+  InIntegers found;
   for (const Hull* hull : {&a, &b}) {
     for (const Point& p : *hull) {
       for (const Rational* x : {&p.x, &p.y, &p.z}) {
-        if (!mpz_divisible_p(scale.get_mpz_t(), x->get_den_mpz_t())) scale = lcm(scale, x->get_den());
+        if (!mpz_divisible_p(found.scale.get_mpz_t(), x->get_den_mpz_t())) found.scale = lcm(found.scale, x->get_den());
       }
     }
   }
-  const NearestPoints found = nearest_points(in_integers(a, scale), in_integers(b, scale));
+  found.nearest = nearest_points(in_integers(a, found.scale), in_integers(b, found.scale));
+  return found;
+}
+
+Point weighted(const Hull& hull, const std::vector<Number>& weights, const Number& total) {
+  Point sum;
+  for (std::size_t i = 0; i < hull.size(); ++i) sum = sum + hull[i] * rational(weights[i]);
+  return sum / rational(total);
+}
+
+// The vectors in the plane of this normal from a point of a hull, on its boundary there, to its corners in that plane.
+std::vector<Point> edges_from(const Point& point, const Point& normal, const Hull& hull) {
+  std::vector<Point> found;
+  for (const Point& corner : hull) {
+    const Point edge = corner - point;
+    if (dot(edge, normal) == 0 && dot(edge, edge) != 0) found.push_back(edge);
+  }
+  return found;
+}
+
+// Whether a vector of the plane is a sum of these, each times a number that is not negative; two are enough.
+bool is_in_cone(const Point& vector, const std::vector<Point>& edges, const Point& normal) {
+  const auto turn = [&](const Point& u, const Point& v) { return Rational(dot(normal, cross(u, v))); };
+  for (const Point& u : edges) {
+    if (turn(u, vector) == 0 && dot(u, vector) > 0) return true;
+    for (const Point& v : edges) {
+      if (turn(u, v) > 0 && turn(u, vector) >= 0 && turn(vector, v) >= 0) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+Rational squared_distance(const Hull& a, const Hull& b) {
+  const auto [scale, found] = nearest_in_integers(a, b);
   const Rational length = rational(found.total) * scale;
   return rational(dot(found.apart, found.apart)) / (length * length);
+}
+
+NearestPair nearest_pair(const Hull& a, const Hull& b) {
+  const NearestPoints found = nearest_in_integers(a, b).nearest;
+  return {weighted(a, found.weights_a, found.total), weighted(b, found.weights_b, found.total)};
+}
+
+// Other pairs are the pair moved along the plane within both hulls: there are some exactly where the cones of their
+// edges at the two points have a vector in common, and then one has an edge of the other.
+bool is_only_pair(const NearestPair& nearest, const Point& normal, const Hull& a, const Hull& b) {
+  const std::vector<Point> of_a = edges_from(nearest.a, normal, a), of_b = edges_from(nearest.b, normal, b);
+  const auto has_one_of = [&](const std::vector<Point>& cone, const std::vector<Point>& edges) {
+    return std::any_of(edges.begin(), edges.end(), [&](const Point& edge) { return is_in_cone(edge, cone, normal); });
+  };
+  return !has_one_of(of_a, of_b) && !has_one_of(of_b, of_a);
 }
 
 }  // namespace axiscert::boxes

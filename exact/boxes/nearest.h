@@ -43,7 +43,15 @@ NearestPoints nearest_points(const BinaryHull& a, const BinaryHull& b);
 // were found.
 std::string refutation_text(const NearestPoints& found, const BinaryHull& a, const BinaryHull& b);
 
-// The square of the hulls' distance, by their nearest points.
+// The square of the hulls' distance, by their nearest points; and these points.
 Rational squared_distance(const Hull& a, const Hull& b);
+struct NearestPair {
+  Point a, b;
+};
+NearestPair nearest_pair(const Hull& a, const Hull& b);
+
+// Whether no other pair is as near, of the nearest points of hulls apart, with the normal a - b, or of one point of
+// hulls that touch, with the normal of a plane that has one hull on each side.
+bool is_only_pair(const NearestPair& nearest, const Point& normal, const Hull& a, const Hull& b);
 
 }  // namespace axiscert::boxes

@@ -57,6 +57,22 @@ int sign_at(const RootTime& t, const Rational& value, const Rational& slope) {
   return rest_sign * cmp(rest * rest, slope * slope * t.square);
 }
 
+MovingPoint nearest_point(const MotionPieces& motion, Feature feature) {
+  using RationalVector = portable::Vec3<Rational>;
+  const RationalVector d = rationals(motion.d);
+  const std::size_t i = index_of(feature);
+  const auto vertex = [&](std::size_t k) { return rationals(motion.vertex[k % 3]); };
+  if (i < index_of(Feature::edge_ab)) return {vertex(i), {}};
+  if (feature == Feature::face) {
+    const RationalVector n = rationals(motion.normal);
+    const Rational square = portable::dot(n, n);
+    return {n * Rational(portable::dot(vertex(0), n) / square), d - n * Rational(portable::dot(d, n) / square)};
+  }
+  const RationalVector from = vertex(i), edge = vertex(i + 1) - from;
+  const Rational square = portable::dot(edge, edge);
+  return {from - edge * Rational(portable::dot(from, edge) / square), edge * Rational(portable::dot(d, edge) / square)};
+}
+
 std::optional<FirstContact> first_contact(const GivenMotion& q) { return first_contact(q, MotionPieces(q)); }
 
 std::optional<FirstContact> first_contact(const GivenMotion& q, const MotionPieces& motion) {
@@ -88,16 +104,6 @@ Real rounded_down(const RootTime& t) {
 }
 template float rounded_down<float>(const RootTime&);
 template double rounded_down<double>(const RootTime&);
-
-Rational root_below(const Rational& q) {
-  constexpr long bits = 256;
-  const mpz_class product = q.get_num() * q.get_den();
-  const long length = static_cast<long>(mpz_sizeinbase(product.get_mpz_t(), 2));
-  const auto shift = static_cast<mp_bitcnt_t>(std::max(0L, bits - length / 2));
-  mpz_class shifted = product << 2 * shift;
-  mpz_sqrt(shifted.get_mpz_t(), shifted.get_mpz_t());
-  return quotient(shifted, q.get_den() << shift);
-}
 
 Rational apart(const RootTime& t, const Rational& s) {
   // rest - sqrt(square) - s, as a sum of numbers of one sign.

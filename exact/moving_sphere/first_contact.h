@@ -5,6 +5,7 @@
 
 #include "exact/judge/motion_judgement.h"
 #include "exact/moving_sphere/motion_distance.h"
+#include "exact/numbers/root_number.h"
 
 namespace axiscert::moving_sphere {
 
@@ -39,6 +40,16 @@ struct FirstContact {
   FeatureSet features;  // all that are nearest to the centre at t*; a kernel that names one of them is right
 };
 
+// The point of one part of the triangle that is nearest to the centre, at the time t: from + along t. It is seen from
+// P, in the motion's unit.
+struct MovingPoint {
+  portable::Vec3<Rational> from, along;
+};
+MovingPoint nearest_point(const MotionPieces& motion, Feature feature);
+inline portable::Vec3<Rational> rationals(const portable::Vec3<mpz_class>& v) {
+  return {Rational(v.x), Rational(v.y), Rational(v.z)};
+}
+
 // For every query of finite numbers with r >= 0, any triangle and any D. Empty where there is no contact in [0, 1].
 //
 // Over the pieces in their order, the squared distance first falls to r^2 at the beginning of a piece, which is
@@ -55,9 +66,6 @@ template <class Real>
 Real rounded_down(const RootTime& t);
 
 // Sizes of what a kernel's measures are wrong by. They are rounded to be shown; what is decided is decided elsewhere.
-
-// Not above sqrt(q), and relatively less than 2^-250 below it; q >= 0.
-Rational root_below(const Rational& q);
 
 // |t - s|, and t >= 0 itself, relatively to 2^-250: nothing cancels.
 Rational apart(const RootTime& t, const Rational& s);

@@ -19,7 +19,6 @@ Rational squared_at(const Piece& piece, const Rational& t) {
   return ((piece.a * t - 2 * piece.b) * t + piece.c) / piece.divisor;
 }
 
-RationalVector rationals(const portable::Vec3<mpz_class>& v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
 RationalVector in_units_of(const RationalVector& v, int exponent) {
   return {scaled(v.x, exponent), scaled(v.y, exponent), scaled(v.z, exponent)};
 }
@@ -120,17 +119,9 @@ void ContactJudge<Real>::measure_time(double time, MotionJudgement& out) const {
 
 template <class Real>
 auto ContactJudge<Real>::place() const -> Place {
-  const RationalVector d = rationals(motion_.d), centre = d * approximate(contact_.time);
-  const std::size_t feature = index_of(*contact_.features.begin());
-  const auto vertex = [&](std::size_t i) { return rationals(motion_.vertex[i % 3]); };
-  RationalVector point = vertex(feature);
-  if (feature == index_of(Feature::face)) {
-    const RationalVector normal = rationals(motion_.normal);
-    point = centre + normal * Rational(dot(vertex(0) - centre, normal) / dot(normal, normal));
-  } else if (feature >= index_of(Feature::edge_ab)) {
-    const RationalVector along = vertex(feature + 1) - point;
-    point = point + along * Rational(dot(centre - point, along) / dot(along, along));
-  }
+  const Rational t = approximate(contact_.time);
+  const MovingPoint nearest = nearest_point(motion_, *contact_.features.begin());
+  const RationalVector centre = rationals(motion_.d) * t, point = nearest.from + nearest.along * t;
   return {point, centre - point};
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/boxes/box_facts.h"
 #include "fuzz/boxes/families/situations.h"
 #include "fuzz/boxes/quantities.h"
 #include "fuzz/boxes/slack_scenes.h"
@@ -106,6 +107,24 @@ constexpr diagnosis::DiagnosisScenes box_scenes = {.words = {.length = "half ext
 
 constexpr std::string_view section_of_forms = "docs/boxes.md#from-the-definition-to-the-books";
 
+template <class Entry>
+auto given_in(const Numbers<double>& q) {
+  return Entry::template problem<double>([&](std::size_t k) { return q[k]; });
+}
+
+std::vector<ExactFact> facts_of_pair(const Numbers<double>& q, std::size_t entry) {
+  using namespace boxes;
+  if (entry == QuaternionBoxes::entry) return exact_facts(exact_pair(given_in<QuaternionBoxes>(q)));
+  return exact_facts(exact_pair(given_in<MatrixBoxes>(q)));
+}
+
+std::vector<ExactFact> facts_of_triangle(const Numbers<double>& q, std::size_t entry) {
+  using namespace boxes;
+  if (entry == MinmaxEntry::entry) return exact_facts(exact_box_and_triangle(given_in<MinmaxEntry>(q)));
+  if (entry == OrientedEntry::entry) return exact_facts(exact_box_and_triangle(given_in<OrientedEntry>(q)));
+  return exact_facts(exact_box_and_triangle(given_in<CentreEntry>(q)));
+}
+
 }  // namespace
 
 // families/clear_boxes.cpp, families/clear_triangles.cpp
@@ -114,6 +133,7 @@ std::span<const ImageGroup* const> box_triangle_image_groups();
 
 const Capabilities& box_box_capabilities() {
   static const Capabilities all = {.image_groups = box_box_image_groups(),
+                                   .exact_facts = facts_of_pair,
                                    .quantities = &boxes::box_box_quantities(),
                                    .section_of_forms = section_of_forms,
                                    .situations = &boxes::box_box_situation::all,
@@ -126,6 +146,7 @@ const Capabilities& box_box_capabilities() {
 const Capabilities& box_triangle_capabilities() {
   static const Capabilities all = {.image_groups = box_triangle_image_groups(),
                                    .mesh = &box_triangle_mesh,
+                                   .exact_facts = facts_of_triangle,
                                    .quantities = &boxes::box_triangle_quantities(),
                                    .section_of_forms = section_of_forms,
                                    .situations = &boxes::box_triangle_situation::all,

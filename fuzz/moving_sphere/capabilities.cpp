@@ -1,5 +1,6 @@
 #include "fuzz/queries/capabilities.h"
 
+#include "exact/moving_sphere/motion_facts.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/moving_sphere/families/situations.h"
 #include "fuzz/moving_sphere/mesh_motion.h"
@@ -12,6 +13,16 @@ namespace axiscert {
 
 std::span<const ImageGroup* const> moving_sphere_image_groups();  // families/images.cpp
 
+namespace {
+
+std::vector<ExactFact> facts_of_motion(const Numbers<double>& q, std::size_t entry) {
+  const auto load = [&](std::size_t k) { return q[k]; };
+  if (entry == MovingEnds::entry) return moving_sphere::exact_facts(MovingEnds::problem<double>(load));
+  return moving_sphere::exact_facts(MovingSphere::problem<double>(load));
+}
+
+}  // namespace
+
 const Capabilities& moving_sphere_capabilities() {
   static constexpr std::string_view correct_forms[] = {"moving-sphere/twenty-nonstrict"};
   static const diagnosis::DiagnosisScenes scenes = {.words = {.touching = "motions",
@@ -23,6 +34,7 @@ const Capabilities& moving_sphere_capabilities() {
                                                               .second = "the motion"}};
   static const Capabilities all = {.image_groups = moving_sphere_image_groups(),
                                    .mesh = &moving_sphere_mesh,
+                                   .exact_facts = facts_of_motion,
                                    .quantities = &moving_sphere::quantities(),
                                    .section_of_forms = moving_sphere::sweeps_over_reals,
                                    .situations = &moving_sphere::situation::all,

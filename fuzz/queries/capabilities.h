@@ -74,6 +74,7 @@ class SearchMethod;
 class Traits;
 class WitnessSides;
 struct CriticalRadiusDefaults;
+struct ExactFact;
 struct ImageGroup;
 struct MeshQueries;
 struct Situations;
@@ -91,9 +92,11 @@ struct Capabilities {
   const Screens* screens = nullptr;                   // fuzz/campaign/stages.h: of a predicate with filters
   const InputClasses* input_classes = nullptr;        // above
   const NearestFeatures* nearest_features = nullptr;  // above
-  bool has_engine_queries = false;                    // which the screen counts (fuzz/record/wrong_verdicts.h)
-  const Quantities* quantities = nullptr;             // fuzz/confirm/absolute_size.h
-  const WitnessSides* witness_sides = nullptr;        // fuzz/confirm/witness.h
+  // exact/trait/exact_facts.h: what there is to tell of a valid query in an entry; a float widens exactly.
+  std::vector<ExactFact> (*exact_facts)(const Numbers<double>& query, std::size_t entry) = nullptr;
+  bool has_engine_queries = false;              // which the screen counts (fuzz/record/wrong_verdicts.h)
+  const Quantities* quantities = nullptr;       // fuzz/confirm/absolute_size.h
+  const WitnessSides* witness_sides = nullptr;  // fuzz/confirm/witness.h
 
   // Of the documents: what the predicate's built-in kernels answer.
   std::string_view section_of_forms = {};

@@ -1,5 +1,6 @@
 #include "fuzz/queries/capabilities.h"
 
+#include "exact/sphere_triangle/measures/nearest_place.h"
 #include "fuzz/instruments/critical_radius.h"
 #include "fuzz/queries/image_groups.h"
 #include "fuzz/sphere_triangle/search.h"
@@ -28,6 +29,7 @@ const Capabilities& sphere_triangle_capabilities() {
       .screens = &sphere_triangle_screens(),
       .input_classes = &sphere_triangle_input_classes(),
       .nearest_features = &sphere_triangle_nearest_features(),
+      .exact_facts = [](const Numbers<double>& q, std::size_t) { return exact_facts(query_from(q)); },
       .has_engine_queries = true,
       .quantities = &sphere_triangle_quantities(),
       .witness_sides = &sphere_triangle_witness_sides(),

@@ -24,7 +24,9 @@ struct ExactRow {
   NamedValues<Json> details;  // of the predicate, by name
 
   static constexpr std::string_view about =
-      "The exact answer, with what the predicate's oracles know of a valid query besides, as `axiscert check` has it.";
+      "The exact answer, with what the predicate's oracles know of a valid query besides: a penetration and a "
+      "distance, "
+      "rounded to the nearest number of the query's precision, a time, rounded down to one, features, deciding axes.";
   static constexpr auto fields(auto&& visit) {
     using Of = ExactRow;
     return visit(
@@ -99,6 +101,27 @@ struct QueryRow : DataHead<QueryRow> {
 
 // A query in a line of JSON: what `axiscert check` says of one in a file, and what `axiscert shrink` makes of one.
 
+// What exact arithmetic tells of a query besides its verdict (exact/trait/exact_facts.h), rounded once.
+struct ExactFactLine {
+  Json value, exact;
+  std::optional<std::string> note;
+
+  static constexpr std::string_view about =
+      "A length, the three coordinates of a place or a direction, or names. Lengths are in the unit of the query's "
+      "numbers, depth is a share of the scene.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = ExactFactLine;
+    return visit(
+        field(&Of::value, {"value",
+                           "Text: the decimal nearest to it with 9 significant digits in binary32, 17 in "
+                           "binary64; three of them; or an array of names. Null where there is none."}),
+        field(&Of::exact, {"exact",
+                           "The same before it was rounded, as fractions and roots: 3/4, sqrt(2), 1/2 - "
+                           "sqrt(1/3); null of names."}),
+        field(&Of::note, {.name = "note", .about = "That it is not the only one, or is none.", .may_be_absent = true}));
+  }
+};
+
 // The answers by exact arithmetic.
 struct ExactAnswersLine {
   Verdict verdict = Verdict::contact;
@@ -106,11 +129,12 @@ struct ExactAnswersLine {
   std::optional<std::string> reason;
   std::optional<std::optional<std::string>> squared_distance;
   NamedValues<Json> details;  // of the predicate, by name
+  NamedValues<ExactFactLine> facts;
   std::optional<BitText> comparisons, axes, ties;
 
   static constexpr std::string_view about =
-      "By exact arithmetic. Besides these what the predicate's oracles tell: a time, a penetration, features, deciding "
-      "axes.";
+      "By exact arithmetic. Besides these what the predicate's oracles tell: a penetration and a distance, rounded to "
+      "the nearest number of the query's precision, a time, rounded down to one, features, deciding axes.";
   static constexpr auto fields(auto&& visit) {
     using Of = ExactAnswersLine;
     return visit(
@@ -122,6 +146,11 @@ struct ExactAnswersLine {
                .about = "A fraction, of a predicate that compares one; null where it was not formed.",
                .may_be_absent = true}),
         rest(&Of::details),
+        field(&Of::facts,
+              {"facts",
+               "By name, those that the query has: distance of the two that are apart, or penetration, the least "
+               "translation that parts them; depth; the centre_distance of a sphere's centre, of a motion the least; "
+               "a motion's first time; features, nearest_point and normal, of a motion at that time."}),
         field(&Of::comparisons,
               {"comparisons", "The bits of the kernel's formulae over the reals; null of a kernel that claims none."}),
         field(&Of::axes, {"axes", "The clauses that hold, a digit each; null where nothing is known of them."}),
