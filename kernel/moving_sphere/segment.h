@@ -11,7 +11,8 @@ namespace axiscert::moving_sphere {
 
 // A segment is nearest to a triangle at one of its own ends, on an edge of the triangle, or where it crosses the face.
 // Over the reals it is right for every query in which no two vertices are equal. Rounding decides between parallel
-// segments and others by the sign of a difference that cancels.
+// segments and others by the sign of a difference that cancels; and of a path in the plane of the face, whether it
+// crosses it by three such signs: contacts are invented there at any distance.
 // Source: C. Ericson, Real-Time Collision Detection (2005), sections 5.1.9 (two segments), 5.1.5 and 5.3.4, with 0 for
 // its thresholds.
 struct Segment {

@@ -51,8 +51,9 @@ class AxisTimes {
 // From t = 0 to the farthest end of an interval that holds t, and so on: where none goes on is the first contact, and
 // past 1 there is none. An axis separates on at most two intervals, so there are at most fourteen steps. Over the reals
 // it is right for every query. Which of two axes' ends is later is a comparison of their roots, of degree up to 28;
-// here each is rounded, so that neighbours may leave a gap of an ulp, a phantom or an early hit, or overlap by one.
-// Source: C. Ericson, Optimizing a sphere-triangle intersection test (2010), the closing question.
+// here each is rounded, so that neighbours may leave a gap of an ulp, a phantom or an early hit, or overlap by one. The
+// plane's b^2 - a c is of degree 12. Source: C. Ericson, Optimizing a sphere-triangle intersection test (2010), the
+// closing question.
 struct Walk {
   static constexpr int most_steps = 14;
 

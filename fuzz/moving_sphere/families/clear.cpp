@@ -152,7 +152,8 @@ Numbers<Real> alongside(Stream& random, std::uint64_t position) {
   if (round / 2 % 4 == 3) return passing<Real>(random, target, aim, way, far, r, in_contact);
   constexpr std::uint64_t angles = sizeof(Real) == 4 ? 6 : 18;
   const double angle = std::ldexp(1.0, -3 - static_cast<int>(round / 8 % angles)), part = clear_part(random);
-  if (is_face && which % 2 == 0) return through_face<Real>(random, angle * (1 + 0.25 * random.unit<double>()), in_contact);
+  if (is_face && which % 2 == 0)
+    return through_face<Real>(random, angle * (1 + 0.25 * random.unit<double>()), in_contact);
   const bool leaves = random.coin();
   const Point tilted = regions::at_unit_length(way + aim.away * (leaves ? angle : -angle)),
               nearest = aim.at + aim.away * (r * (in_contact ? 1 - part : 1 + part));

@@ -302,6 +302,71 @@ TYPED_TEST(MovingFamilies, OfClearMotionsHaveTheVerdictThatTheyMean) {
   expect("edge_ends", every_other_of(9));
 }
 
+// A clear verdict that a small change of the query turns into the other, exactly: that of a kernel which takes the one
+// for the other.
+template <class Real, class Change>
+std::uint64_t turned_by(const char* name, const Change& change) {
+  const Family& family = find_family(name);
+  const Oracles& oracles = oracles_of(moving_sphere_predicate());
+  std::uint64_t turned = 0;
+  for (std::uint64_t position = 0; position < 2000; ++position) {
+    const Numbers<Real> numbers = family.make<Real>(1, position);
+    const std::optional<Verdict> clear = oracles.clear_verdict(numbers);
+    if (!clear) continue;
+    MovingQuery<double> q = widened_motion(numbers);
+    change(q);
+    turned += oracles.truth(Numbers<double>(q)).verdict != *clear;
+  }
+  return turned;
+}
+TYPED_TEST(MovingFamilies, OfClearMotionsAreDecidedByLittle) {
+  using portable::Vec3;
+  const auto length = [](const Vec3<double>& v) { return std::sqrt(dot(v, v)); };
+  const auto goes_too_far = [](MovingQuery<double>& q) { q.d = q.d * 1.0001; };
+  const auto has_a_skin = [](MovingQuery<double>& q) { q.r *= 1.0001; };
+  const auto stands_still = [&](MovingQuery<double>& q) {
+    if (length(q.d) < 0.01 * q.r) q.d = {0, 0, 0};
+  };
+  const auto is_parallel = [&](MovingQuery<double>& q) {
+    const Vec3<double> normal = cross(q.b - q.a, q.c - q.a), unit = normal * (1 / length(normal));
+    const double down = dot(q.d, unit);
+    if (std::fabs(down) < 0.01 * length(q.d)) q.d = q.d - unit * down;
+  };
+  // Edges and face, a 500th longer about their middle.
+  const auto is_wider = [](MovingQuery<double>& q) {
+    const Vec3<double> middle = (q.a + q.b + q.c) * (1.0 / 3);
+    for (Vec3<double>* corner : {&q.a, &q.b, &q.c}) *corner = *corner + (*corner - middle) * 0.002;
+  };
+  EXPECT_GT(turned_by<TypeParam>("moving-sphere/reach", goes_too_far), 5u);
+  EXPECT_GT(turned_by<TypeParam>("moving-sphere/reach", has_a_skin), 5u);
+  EXPECT_GT(turned_by<TypeParam>("moving-sphere/moves", stands_still), 50u);
+  EXPECT_GT(turned_by<TypeParam>("moving-sphere/alongside", is_parallel), 20u);
+  EXPECT_GT(turned_by<TypeParam>("moving-sphere/edge_ends", is_wider), 50u);
+}
+
+// Neither end of the path is in contact, and the path with none of the edges.
+TYPED_TEST(MovingFamilies, OfUnitsEveryFourthBaseIsDecidedByTheFaceAlone) {
+  const Family& family = find_family("moving-sphere/units");
+  const std::size_t images = image_group(family.name)->size;
+  const auto is_contact = [](const MovingQuery<double>& q) {
+    return oracles_of(moving_sphere_predicate()).truth(Numbers<double>(q)).verdict == Verdict::contact;
+  };
+  std::size_t alone = 0;
+  for (std::uint64_t base = 3; base < 240; base += 4) {
+    const MovingQuery<double> q = widened_motion(family.make<TypeParam>(1, base * images));
+    MovingQuery<double> start = q, end = q;
+    end.p = end.p + end.d;
+    start.d = end.d = {0, 0, 0};
+    MovingQuery<double> ab = q, bc = q, ca = q;
+    ab.c = ab.b;
+    bc.a = bc.c;
+    ca.b = ca.a;
+    const bool elsewhere = is_contact(start) || is_contact(end) || is_contact(ab) || is_contact(bc) || is_contact(ca);
+    alone += is_contact(q) && !elsewhere;
+  }
+  EXPECT_GT(alone, 55u) << "of 60";
+}
+
 // The verdicts of the kernels on the lattice, where nothing is rounded: only the theorem is left.
 TEST(MovingSphereKernels, WhereNothingIsRoundedTheNonstrictAreRightAndTheStrictInventContacts) {
   Plan plan;
