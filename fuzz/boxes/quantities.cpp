@@ -78,6 +78,17 @@ double gap_on_axes(const auto& scene, double least) {
   return greatest;
 }
 
+// The length |L| of the product of edges that parts the two the most; 0 where a facet or a plane does, or nothing.
+double parting_product(const auto& scene, const auto& products) {
+  double greatest = std::max(0.0, gap_on_axes(scene, 0)), length = 0;
+  for (const Double3& l : products) {
+    const double size = extent_of(l), gap = size > 0 ? scene.apart(l, 0) / size : 0;
+    // By far no rounding less: the same axis in another length.
+    if (gap > 0 && gap >= greatest * (1 - 1e-9)) length = size;
+  }
+  return length;
+}
+
 // The size to which all half extents that are less have to be raised for contact; 0 where there is contact already.
 double size_of_contact(const auto& scene) {
   const double apart = gap_on_axes(scene, 0);
@@ -113,6 +124,7 @@ constexpr Quantity names_of_boxes[] = {{raised, 1},
                                        {"the greatest half extent of A", 1},
                                        {"the greatest half extent of B", 1},
                                        {"the greatest coordinate", 1},
+                                       {"|edge x edge| of the half edges whose product parts the two", 2},
                                        {"the volume of A", 3},
                                        {"the volume of B", 3}};
 
@@ -126,6 +138,12 @@ std::vector<double> values_of(const TwoBoxes& q) {
   for (const DoubleBox* box : {&q.a, &q.b}) values.push_back(std::ranges::min(box->half));
   for (const DoubleBox* box : {&q.a, &q.b}) values.push_back(std::ranges::max(box->half));
   values.push_back(std::max(greatest_length(q.a.centre), greatest_length(q.b.centre)));
+  std::vector<Double3> products;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j)
+      products.push_back(cross(q.a.axis[i] * q.a.half[i], q.b.axis[j] * q.b.half[j]));
+  }
+  values.push_back(parting_product(q, products));
   for (const DoubleBox* box : {&q.a, &q.b}) values.push_back(volume(*box));
   return values;
 }
@@ -137,6 +155,7 @@ constexpr Quantity names_of_triangle[] = {{raised, 1},
                                           {"the shortest edge", 1},
                                           {"the longest edge", 1},
                                           {"the least |edge x axis| that is not 0", 1},
+                                          {"|edge x axis| of the product that parts the two", 1},
                                           {"the distance of the box's centre from the plane", 1},
                                           {"the distance of the box's centre from the nearest vertex", 1},
                                           {"|AB x AC|", 2},
@@ -148,15 +167,18 @@ std::vector<double> values_of(const BoxWithTriangle& q) {
   add_sizes_of_both(q, values);
   std::array<double, 3> edges, vertices;
   double product = std::numeric_limits<double>::infinity();
+  std::vector<Double3> products;
   for (std::size_t k = 0; k < 3; ++k) {
     edges[k] = extent_of(q.edge(k));
     vertices[k] = extent_of(q.corner[k]);
     for (const Double3& axis : q.box.axis) {
-      if (const double size = extent_of(cross(axis, q.edge(k))); size > 0) product = std::min(product, size);
+      products.push_back(cross(axis, q.edge(k)));
+      if (const double size = extent_of(products.back()); size > 0) product = std::min(product, size);
     }
   }
   const double area = extent_of(q.normal()), height = std::abs(dot(q.corner[0], q.normal()));
-  values.insert(values.end(), {std::ranges::min(edges), std::ranges::max(edges), product, area > 0 ? height / area : 0,
+  values.insert(values.end(), {std::ranges::min(edges), std::ranges::max(edges), product,
+                               parting_product(q, products), area > 0 ? height / area : 0,
                                std::ranges::min(vertices), area, height, volume(q.box)});
   return values;
 }

@@ -209,8 +209,8 @@ FoundClass class_of(std::size_t wrong, TraitSet traits, TraitSet narrow) {
   return best_class(cases, {}, narrow);
 }
 TEST(BestClass, OfFewWrongCasesIsGeneral) {
-  EXPECT_EQ(std::popcount(class_of(5, 7, 0).traits), 3);
-  EXPECT_EQ(std::popcount(class_of(4, 7, 0).traits), 2);
+  EXPECT_EQ(class_of(5, 7, 0).traits, TraitSet{7});
+  EXPECT_EQ(std::popcount(class_of(4, 7, 0).traits & 7), 1);
   EXPECT_EQ(class_of(5, 3, 2).traits, TraitSet{3});
   EXPECT_EQ(class_of(4, 3, 2).traits & 2, TraitSet{0});
 }

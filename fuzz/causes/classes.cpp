@@ -74,7 +74,8 @@ class Search {
 
   void see(TraitSet traits, const Split& cases, int size) {
     const double wrong_cases = cases_in(cases.wrong);
-    const bool is_special = size == 3 || (traits & narrow_) != 0;
+    const int own = size - ((traits & (contact_trait | separated_trait)) != 0 ? 1 : 0);
+    const bool is_special = own >= 2 || (traits & narrow_) != 0;
     if (wrong_cases == 0 || (is_special && wrong_cases < least_of_special)) return;
     const double wrong = weights_.wrong * wrong_cases, right = weights_.right * cases_in(cases.right);
     const double explains_most = 2 * wrong >= wrong_ ? 1 : 0;

@@ -32,6 +32,7 @@ enum class MotionTrait : std::uint8_t {
   leaving,
   still,
   early,
+  earliest,
   late,
   beyond_end,
   before_start,
@@ -64,7 +65,7 @@ enum class MotionTrait : std::uint8_t {
 }  // namespace
 }  // namespace moving_sphere
 template <>
-inline constexpr std::size_t enum_count<moving_sphere::MotionTrait> = 42;
+inline constexpr std::size_t enum_count<moving_sphere::MotionTrait> = 43;
 namespace moving_sphere {
 namespace {
 
@@ -85,10 +86,11 @@ constexpr EnumArray<MotionTrait, Trait> motion_traits = {{
     {"leaving", "that begin to move away"},
     {"still", "that do not move"},
     {"early", "with the contact in the first 5 %"},
+    {"earliest", "with the contact in the first 0.1 %"},
     {"late", "with the contact in the last 5 %"},
     {"beyond_end", "that come nearest at their end"},
     {"before_start", "that come nearest at their start"},
-    {"parallel", "parallel to the face", "parallel"},
+    {"parallel", "parallel to the face, or still", "parallel"},
     {"nearly_parallel", "within 1 % of parallel to the face", "parallel"},
     {"along_edge", "parallel to an edge", "parallel"},
     {"nearly_along_edge", "within 1 % of parallel to an edge", "parallel"},
@@ -154,17 +156,18 @@ TraitSet traits_of(const GivenMotion& q, const std::vector<double>& numbers) {
   found.put(clear, !contact || contact->start == Start::clear);
   if (contact && contact->start == Start::clear) {
     found.put(early, compare(contact->time, Rational(1, 20)) < 0);
+    found.put(earliest, compare(contact->time, Rational(1, 1000)) < 0);
     found.put(late, compare(contact->time, Rational(19, 20)) > 0);
   }
   const Integer moved = dot(motion.d, motion.d), normal = dot(motion.normal, motion.normal);
   found.put(still, moved == 0);
+  found.put(parallel, normal != 0 && dot(motion.d, motion.normal) == 0);
   found.put(leaving, sgn(motion.pieces.front().b) < 0);
   if (moved != 0) {
     found.put(beyond_end, nearest.time == 1);
     found.put(before_start, nearest.time == 0);
     const Integer along = dot(motion.d, motion.normal), squared = along * along;
     if (normal != 0) {
-      found.put(parallel, along == 0);
       found.put(nearly_parallel, along != 0 && squared * 10000 < moved * normal);
       found.put(head_on, squared * 10000 > moved * normal * 9999);
       found.put(from_front, along < 0);

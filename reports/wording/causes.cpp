@@ -28,7 +28,7 @@ namespace {
 // Of the families that have queries in other units of length, that with the most bases: where in each of them one number
 // explains nearly all of them.
 std::string number_text(const KernelRecord& kernel) {
-  constexpr std::uint64_t least_bases = 8;
+  constexpr std::uint64_t least_bases = 16;
   const AbsoluteSizeRecord* most = nullptr;
   for (const auto& [name, family] : kernel.families) {
     if (!family.invariance) continue;

@@ -41,20 +41,20 @@ std::string slack(const char* side, int shown) {
 
 TEST(CauseSentence, ASlackOfManyQueriesIsFirst) {
   EXPECT_EQ(cause_sentence(kernel_with(SlackSide::late, 250)), slack("late", 250) + "; " + class_text);
-  EXPECT_EQ(cause_sentence(with_number(kernel_with(SlackSide::early, 250), "units", 8, 8)),
+  EXPECT_EQ(cause_sentence(with_number(kernel_with(SlackSide::early, 250), "units", 16, 16)),
             slack("early", 250) + "; " + number + "; " + class_text);
 }
 TEST(CauseSentence, ALateSlackOfFewQueriesIsLast) {
   EXPECT_EQ(cause_sentence(kernel_with(SlackSide::late, 249)), class_text + "; " + slack("late", 249));
   EXPECT_EQ(cause_sentence(kernel_with(SlackSide::early, 249)), slack("early", 249) + "; " + class_text);
-  EXPECT_EQ(cause_sentence(with_number(kernel_with(SlackSide::early, 249), "units", 8, 8)),
+  EXPECT_EQ(cause_sentence(with_number(kernel_with(SlackSide::early, 249), "units", 16, 16)),
             number + "; " + slack("early", 249) + "; " + class_text);
 }
 TEST(CauseSentence, ANumberExplainsNearlyAllBasesOfEachFamily) {
   const KernelRecord none = kernel_with(SlackSide::early, 0);
   EXPECT_EQ(cause_sentence(with_number(none, "units", 100, 95)), number + "; " + class_text);
   EXPECT_EQ(cause_sentence(with_number(none, "units", 100, 94)), class_text);
-  EXPECT_EQ(cause_sentence(with_number(none, "units", 7, 7)), class_text);
+  EXPECT_EQ(cause_sentence(with_number(none, "units", 15, 15)), class_text);
   EXPECT_EQ(cause_sentence(with_number(with_number(none, "units", 100, 100), "spans", 50, 40)), class_text);
 }
 
