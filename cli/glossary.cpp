@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "kernel/base/text.h"
-
 namespace axiscert {
 namespace {
 
@@ -45,21 +43,18 @@ std::vector<GlossaryEntry> glossary_entries(std::string_view text) {
   return entries;
 }
 
+bool is_same_word(std::string_view known, std::string_view word) {
+  const std::string given = comparable_word(word), name = comparable_word(known);
+  return name == given || given == name + "s" || given == name + "es";
+}
+
 const GlossaryEntry* find_entry(const std::vector<GlossaryEntry>& entries, std::string_view word) {
-  const std::string given = comparable_word(word),
-                    singular = given.ends_with('s') ? given.substr(0, given.size() - 1) : given;
   for (const GlossaryEntry& entry : entries) {
     for (const std::string& known : entry.words) {
-      if (comparable_word(known) == given || comparable_word(known) == singular) return &entry;
+      if (is_same_word(known, word)) return &entry;
     }
   }
   return nullptr;
-}
-
-std::string unknown_word(const std::vector<GlossaryEntry>& entries, std::string_view word) {
-  std::vector<std::string_view> words;
-  for (const GlossaryEntry& entry : entries) words.insert(words.end(), entry.words.begin(), entry.words.end());
-  return unknown_name("word", "words", word, words);
 }
 
 }  // namespace axiscert

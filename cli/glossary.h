@@ -19,9 +19,9 @@ std::string_view glossary_text();
 // it.
 std::vector<GlossaryEntry> glossary_entries(std::string_view text);
 
-// The entry of a word: in any case, with spaces, '-' or '_' between its parts, in the plural too. Null where there is
-// none: then unknown_word() says which are nearest.
+// Whether a word is the known one: in any case, with spaces, '-' or '_' between its parts, in the plural too.
+bool is_same_word(std::string_view known, std::string_view word);
+// The entry of a word; null where there is none.
 const GlossaryEntry* find_entry(const std::vector<GlossaryEntry>& entries, std::string_view word);
-std::string unknown_word(const std::vector<GlossaryEntry>& entries, std::string_view word);
 
 }  // namespace axiscert

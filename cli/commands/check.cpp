@@ -148,6 +148,7 @@ int check(const CheckOptions& options) {
                     "queries of {} are printed as text or jsonl",
                     options.file));
   const std::vector<const Kernel*> given = kernels_given(options);
+  require_one_of_each(given);
   const std::string target = resolve_target(options.target);
   const Precision csv_precision = parse_precision(options.precision);
   const auto queries = read_query_file(options.file, csv_precision);

@@ -8,76 +8,52 @@
 #include "cli/help.h"
 #include "cli/glossary.h"
 #include "cli/usage.h"
-#include "fuzz/record/record.h"
+#include "cli/words.h"
 #include "kernel/base/error.h"
+#include "kernel/base/text.h"
 #include "reports/formats/schemas.h"
 
 namespace axiscert {
 namespace {
 
-// A sentence of a schema about a member, with the places where it stands.
-struct Figure {
-  std::string about, unit;
-  std::vector<std::string> places;
-};
-
-// Adds the members of that name, or of a path that ends so, in a schema and in those inside it. Of those that a path
-// names and that have no sentence, as the links of `verdict.links.rounding`, that of the object around them is added.
-void add_figures(const Json& schema, const std::string& place, const std::string& name, std::vector<Figure>& found) {
-  const bool is_path = name.find('.') != name.npos;
-  const auto at = [&](const std::string& member) { return place.empty() ? member : place + "." + member; };
-  const auto add = [&](const std::string& member, const Json& rule) {
-    const std::string here = at(member);
-    if (!("." + here).ends_with("." + name)) return;
-    const Json& said = rule.contains("description") || !is_path ? rule : schema;
-    if (!said.contains("description")) return;
-    const Figure figure{said["description"], said.value("unit", ""), {here}};
-    const auto same = std::find_if(found.begin(), found.end(), [&](const Figure& other) {
-      return other.about == figure.about && other.unit == figure.unit;
-    });
-    if (same == found.end()) found.push_back(figure);
-    else same->places.push_back(here);
-  };
-  for (const auto& [keyword, part] : schema.items()) {
-    const bool is_schema = keyword == "items" || keyword == "additionalProperties";
-    if (is_schema && part.is_object()) add_figures(part, place, name, found);
-    if (keyword != "anyOf") continue;
-    for (const Json& one : part) add_figures(one, place, name, found);
-  }
-  if (is_path && schema.contains("propertyNames"))
-    for (const Json& member : schema["propertyNames"].value("enum", Json::array())) add(member, Json::object());
-  if (!schema.contains("properties")) return;
-  for (const auto& [member, rule] : schema["properties"].items()) {
-    add(member, rule);
-    add_figures(rule, at(member), name, found);
-  }
-}
-
-// "kernels.families.trials: Number of queries: ...", a line for each sentence; empty where no member has that name, or
-// that path.
-std::string figure_text(std::string name) {
-  // A column of record.csv is a path; its words are written as they are.
-  const bool is_word = name.find('.') == name.npos;
-  std::replace_if(
-      name.begin(), name.end(), [=](char c) { return is_word && (c == ' ' || c == '-'); }, '_');
-  std::vector<Figure> found;
-  add_figures(json_schema_of<Record>(), "", name, found);
+// What is said of a word: the glossary's entry, and each thing of that name; else the figure; else the value. Empty
+// where there is none of these.
+std::string said_of(const std::string& word, const std::vector<GlossaryEntry>& entries,
+                    const std::vector<NamedWord>& named) {
   std::string text;
-  for (const Figure& figure : found)
-    text += fmt::format("{}{}: {}\n", fmt::join(figure.places, ", "),
-                        figure.unit.empty() ? "" : fmt::format(" ({})", figure.unit), figure.about);
-  return text;
+  if (const GlossaryEntry* entry = find_entry(entries, word))
+    text += fmt::format("{}: {}\n", fmt::join(entry->words, ", "), entry->text);
+  for (const NamedWord& one : named) {
+    if (is_same_word(one.name, word)) text += fmt::format("{}, {}: {}\n", one.name, one.kind, one.text);
+  }
+  if (text.empty()) text = figure_text(word);
+  return text.empty() ? listed_value_text(word) : text;
 }
 
-void print_explanation(const std::string& word) {
-  const std::vector<GlossaryEntry> entries = glossary_entries(glossary_text());
-  if (const GlossaryEntry* entry = find_entry(entries, word)) {
-    fmt::print("{}: {}\n", fmt::join(entry->words, ", "), entry->text);
-    return;
+// A heading of a table without what qualifies its word, a step each: "worst depth, u" is a "worst depth", and that a
+// "depth"; "mutants of nonstrict" are "mutants". Empty where nothing is left to leave out.
+std::string less_qualified(const std::string& heading) {
+  for (const char* end : {", ", ": ", " = ", "=", " of", " by "}) {
+    if (const std::size_t at = heading.find(end); at != heading.npos && at != 0) return heading.substr(0, at);
   }
-  const std::string text = figure_text(word);
-  if (text.empty()) throw Error(unknown_word(entries, word));
-  fmt::print("{}", text);
+  const std::size_t space = heading.find(' ');
+  return space == heading.npos ? "" : heading.substr(space + 1);
+}
+
+std::string explanation_of(const std::string& word) {
+  const std::vector<GlossaryEntry> entries = glossary_entries(glossary_text());
+  const std::vector<NamedWord> named = named_words();
+  for (std::string part = word; !part.empty(); part = less_qualified(part)) {
+    if (std::string text = said_of(part, entries, named); !text.empty()) return text;
+  }
+  std::vector<std::string_view> known;
+  for (const GlossaryEntry& entry : entries) known.insert(known.end(), entry.words.begin(), entry.words.end());
+  for (const NamedWord& one : named) known.push_back(one.name);
+  constexpr std::size_t most_words = 12;
+  std::vector<std::string_view> nearest = most_alike_first(word, known);
+  nearest.resize(std::min(nearest.size(), most_words));
+  throw Error(fmt::format("unknown word '{}'{} the nearest of {} words: {}", word, did_you_mean(word, known),
+                          known.size(), fmt::join(nearest, ", ")));
 }
 
 }  // namespace
@@ -100,7 +76,7 @@ void add_explain(CLI::App& app, Action& action) {
       if (!schema->empty()) {
         fmt::print("{}\n", schema_named(*schema).dump(2));
       } else if (!given->empty()) {
-        print_explanation(fmt::format("{}", fmt::join(*given, " ")));
+        fmt::print("{}", explanation_of(fmt::format("{}", fmt::join(*given, " "))));
       } else {
         for (const GlossaryEntry& entry : glossary_entries(glossary_text()))
           fmt::print("{}\n", fmt::join(entry.words, ", "));

@@ -280,6 +280,7 @@ int shrink_all(const ShrinkOptions& options) {
   // Before queries are read, which may be long.
   std::vector<const Kernel*> given;
   for (const std::string& id : options.kernels) require_known(*given.emplace_back(&find_kernel(id)), options.what);
+  require_one_of_each(given);
   const auto queries = queries_given(options.queries, options.precision, options.files);
   for (const Kernel* kernel : given) require_loaded(*kernel);
   print_first_look(given);

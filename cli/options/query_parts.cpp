@@ -52,16 +52,22 @@ std::vector<QueryPart> query_parts(const std::vector<std::string>& files, Precis
   return parts;
 }
 
+void require_one_of_each(std::span<const Kernel* const> given) {
+  for (const Kernel* kernel : given) {
+    for (const Kernel* other : given) {
+      if (other == kernel) break;
+      if (other->predicate != kernel->predicate || other->entry != kernel->entry) continue;
+      throw Error(fmt::format("--kernel {} and {}: the queries of a file are judged by one kernel of their predicate",
+                              other->id, kernel->id));
+    }
+  }
+}
+
 const Kernel& kernel_for_query(std::span<const Kernel* const> given, const Predicate& predicate, std::size_t entry,
                                std::string_view what) {
-  const Kernel* found = nullptr;
-  for (const Kernel* kernel : given) {
-    if (kernel->predicate != &predicate || kernel->entry != entry) continue;
-    if (found != nullptr)
-      throw Error(fmt::format("--kernel {} and {}: {} is judged by one kernel", found->id, kernel->id, what));
-    found = kernel;
-  }
-  if (found != nullptr) return *found;
+  const auto found = std::ranges::find_if(
+      given, [&](const Kernel* kernel) { return kernel->predicate == &predicate && kernel->entry == entry; });
+  if (found != given.end()) return **found;
   if (given.empty()) return default_kernel(predicate, entry);
   std::vector<std::string> texts;
   for (const Kernel* kernel : given)

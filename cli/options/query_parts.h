@@ -26,8 +26,10 @@ struct QueryPart {
 std::vector<QueryPart> query_parts(const std::vector<std::string>& files, Precision csv_precision,
                                    const std::string& predicate, const std::vector<std::string>& kernels);
 
+// For a command that prints what one kernel says of each query: throws Error for two of one predicate and entry.
+void require_one_of_each(std::span<const Kernel* const> given);
 // The kernel that judges a query of this predicate and entry: the one that is given for it; where none are given the
-// default. Throws Error as query_parts() does, and where two are given. `what` is asked: "mine.jsonl: query 'q'".
+// default. Throws Error where none of those given is. `what` is asked: "mine.jsonl: query 'q'".
 const Kernel& kernel_for_query(std::span<const Kernel* const> given, const Predicate& predicate, std::size_t entry,
                                std::string_view what);
 
