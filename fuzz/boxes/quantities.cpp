@@ -123,7 +123,7 @@ constexpr Quantity names_of_boxes[] = {{raised, 1},
                                        {"the least half extent of B", 1},
                                        {"the greatest half extent of A", 1},
                                        {"the greatest half extent of B", 1},
-                                       {"the greatest coordinate", 1},
+                                       {"the greatest coordinate", 1, true},
                                        {"|edge x edge| of the half edges whose product parts the two", 2},
                                        {"the volume of A", 3},
                                        {"the volume of B", 3}};

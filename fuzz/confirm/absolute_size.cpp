@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/image_groups.h"
@@ -121,14 +122,17 @@ std::vector<AbsoluteSize> absolute_sizes(std::span<const Quantity> quantities, s
     const AbsoluteSize size = overlap(quantities[k], intervals);
     if (size.explains * 4 >= flips.size() * 3 && size.explains > 0) sizes.push_back(size);
   }
-  // A number that two quantities pass together, or nearly, is compared with one of them: the simpler is named first.
-  std::uint64_t best = 0;
-  for (const AbsoluteSize& size : sizes) best = std::max(best, size.explains);
-  std::erase_if(sizes, [&](const AbsoluteSize& size) { return size.explains * 20 < best * 19; });
+  // A number that two quantities pass together is compared with one of them: the simpler is named first.
   std::stable_sort(sizes.begin(), sizes.end(), [](const AbsoluteSize& x, const AbsoluteSize& y) {
-    return x.quantity.degree != y.quantity.degree ? x.quantity.degree < y.quantity.degree : x.explains > y.explains;
+    const auto rank = [](const AbsoluteSize& size) {
+      return std::tuple(-static_cast<double>(size.explains), size.quantity.is_of_scene, size.quantity.degree);
+    };
+    return rank(x) < rank(y);
   });
   constexpr std::size_t most = 3;
+  const auto worse = std::find_if(sizes.begin(), sizes.end(),
+                                  [&](const AbsoluteSize& size) { return size.explains < sizes.front().explains; });
+  sizes.erase(worse, sizes.end());
   if (sizes.size() > most) sizes.resize(most);
   return sizes;
 }

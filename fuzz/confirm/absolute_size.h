@@ -24,10 +24,12 @@ inline constexpr std::size_t most_unit_flips = 256;
 // Asks the kernel between the two powers of each flip until they are neighbours.
 void narrow(const SeededSource& of, const Kernel& kernel, const std::string& target, std::vector<UnitFlip>& flips);
 
-// Something of a query with a size, that multiplies by s^degree where every number is multiplied by s.
+// Something of a query with a size, that multiplies by s^degree where every number is multiplied by s. One of the whole
+// scene is named after others, since scenes of a family have nearly the same.
 struct Quantity {
   std::string_view text;
   int degree;
+  bool is_of_scene = false;
 };
 class Quantities {
  public:
@@ -54,8 +56,8 @@ struct MeasuredFlip {
   int right, wrong;
 };
 
-// The quantities that explain most of the flips, within a twentieth, and at least three quarters of them; three at most,
-// those of the least degree first.
+// The quantities that explain most of the flips, at least three quarters of them; three at most, those of the least
+// degree first.
 std::vector<AbsoluteSize> absolute_sizes(std::span<const Quantity> quantities, std::span<const MeasuredFlip> flips);
 // The same of a source's flips. None for a predicate that names no quantities (fuzz/queries/capabilities.h).
 std::vector<AbsoluteSize> absolute_sizes(const SeededSource& of, std::span<const UnitFlip> flips);
