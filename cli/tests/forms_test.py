@@ -113,7 +113,7 @@ def help_of(command, columns):
 
 def too_long(text, columns):
     """The lines that could have been broken at a word, and are longer."""
-    return [line for line in text.split("\n") if len(line) > columns and " " in line.strip()]
+    return [line for line in text.split("\n") if len(line) > columns and any(" " in cell for cell in re.split(" {2,}", line.strip()))]
 
 
 def examples_in(text):
