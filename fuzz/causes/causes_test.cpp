@@ -217,7 +217,7 @@ TEST(BestClass, OfFewWrongCasesIsGeneral) {
 
 TEST(BestClass, ItIsTheShortestWithoutAFault) {
   std::vector<Case> cases;
-  for (TraitSet traits = 0; traits < 16; ++traits) cases.push_back({traits | contact_trait, (traits & 6) == 6});
+  for (TraitSet traits = 0; traits < 64; ++traits) cases.push_back({traits | contact_trait, (traits & 6) == 6});
   const FoundClass found = best_class(cases, {});
   EXPECT_EQ(found.traits, TraitSet{6});
   EXPECT_EQ(found.share, 1);

@@ -104,9 +104,11 @@ TEST(Html, StaysUnderThreeMegabytesWithTenThousandWitnesses) {
   const Json witnesses = page_data(html)["witnesses"];
   EXPECT_EQ(witnesses["total"], count + 5);
   EXPECT_GT(witnesses["cards"].size(), 500u);
-  // The shortest of their cause, then the deepest.
+  // The shortest of each cause, then the deepest.
   EXPECT_THAT(witnesses["cards"][0]["id"].get<std::string>(), StartsWith("many"));
-  EXPECT_EQ(witnesses["cards"][1]["id"], "many" + std::to_string(count - 1));
+  std::vector<std::string> first;
+  for (std::size_t i = 0; i < 10; ++i) first.push_back(witnesses["cards"][i]["id"]);
+  EXPECT_THAT(first, testing::Contains("many" + std::to_string(count - 1)));
   EXPECT_EQ(occurrences(folder.read("witnesses.jsonl"), "\n"), count + 5u);
   EXPECT_THAT(folder.read("report.md"), HasSubstr("10 of " + std::to_string(count + 5)));
 }

@@ -364,7 +364,7 @@ TYPED_TEST(MovingFamilies, OfUnitsEveryFourthBaseIsDecidedByTheFaceAlone) {
     const bool elsewhere = is_contact(start) || is_contact(end) || is_contact(ab) || is_contact(bc) || is_contact(ca);
     alone += is_contact(q) && !elsewhere;
   }
-  EXPECT_GT(alone, 55u) << "of 60";
+  EXPECT_GE(alone, 55u) << "of 60";
 }
 
 // The verdicts of the kernels on the lattice, where nothing is rounded: only the theorem is left.

@@ -72,7 +72,7 @@ AllowedShares allowed(std::string_view family) {
                                  {"lattice", 12, 50, 110},
                                  {"units", wide ? 25u : 12u, 50, wide ? 150u : 110u},
                                  {"spans", 30, 60, 110},
-                                 {"corners", wide ? 90u : 5u, wide ? 90u : 5u, wide ? 90u : 20u},
+                                 {"corners", wide ? 90u : 5u, wide ? 90u : 15u, wide ? 90u : 20u},
                                  {"slender", wide ? 90u : 5u, wide ? 90u : 5u, wide ? 90u : 20u},
                                  {"far", 0, 0, 12},
                                  {"scale", 5, 6, 10},
