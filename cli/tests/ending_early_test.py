@@ -144,7 +144,7 @@ class FullDisk(EndingCase):
         out = ("--out", self.folder / "out")
         for command in (("search", "--evaluations", 3000, "--precision", "binary32", *out), ("precision", "--trials", 50, *out),
                         ("mutate", "--mutant", "swap", "--trials", 50, "--no-controls", *out), ("diagnose", "published", *out),
-                        ("map", "1:general:2:binary32:0:0", "--size", 8, *out), ("plan", *self.small, "--out", self.folder / "plan"),
+                        ("map", "1:general:2:binary32:0:0", "--size", 8, *out), ("plan", *self.small, "--out-file", self.folder / "plan"),
                         ("generate", "--trials", 9000, "-o", self.folder / "queries")):
             err = self.limited(500, *command)
             self.assertIn("cannot be written: File too large", err)

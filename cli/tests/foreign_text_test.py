@@ -122,7 +122,7 @@ class ForeignText(Case):
 
     def ok_plan(self, given):
         """A plan finds the files by their own names."""
-        self.said("plan", *given, "--out", self.folder / "plan.json")
+        self.said("plan", *given, "--out-file", self.folder / "plan.json")
         self.said("run", "--plan", self.folder / "plan.json", "--out", self.folder / "planned")
         self.assertEqual((self.folder / "planned/record.json").read_bytes(), (self.folder / "out/record.json").read_bytes())
 
