@@ -103,7 +103,7 @@ TEST(ManifestFile, IsRefusedWithWhatWouldBeRight) {
            {"{" + least + R"(,"limits":{"radius":1}})", "unknown limit 'radius'"},
            {"{" + least + R"(,"files":"a.mjs"})", "\"files\" is \"a.mjs\", which is no list"},
            {"{" + least + R"(,"code":"ask"})", "\"code\" is \"ask\", which is no list"},
-           {"{" + least + R"(,"code":["a\nb"]})", "\"code\": 'a?b' is more than a line"},
+           {"{" + least + R"(,"code":["a\nb"]})", "\"code\": 'a\\nb' is more than a line"},
            {"{" + least + R"(,"code":["f({ax}, {radius});"]})", "unknown place {radius}; known: {ax}, "},
            {"{" + least + R"(,"summary":{"a":1}})", "\"summary\" is an object, which is no text"}}) {
     EXPECT_THAT(manifest_refusal(text), testing::HasSubstr(says)) << text;

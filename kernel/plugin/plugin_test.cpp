@@ -69,7 +69,7 @@ TEST(Plugin, AProcessThatItLeavesBehindHidesNoCrash) {
 }
 
 TEST(Plugin, ANameIsShownAsPrintableText) {
-  EXPECT_EQ(find_kernel("plugin:" + misdeclared_path("strange_name")).summary, "caf? ");
+  EXPECT_EQ(find_kernel("plugin:" + misdeclared_path("strange_name")).summary, "caf\\xe9\\n");
 }
 
 TEST(Plugin, AFullStackIsSaid) {

@@ -16,7 +16,7 @@ TEST(Markdown, EscapesNames) {
   const TestFolder folder(named("a|b`<script>\n# c"));
   render_reports(folder.path());
   std::string text = folder.read("report.md");
-  EXPECT_THAT(text, HasSubstr("a\\|b\\`&lt;script> #<!-- --> c"));
+  EXPECT_THAT(text, HasSubstr("a\\|b\\`&lt;script>\\\\n#<!-- --> c"));
   // Fenced commands show the name as it is.
   for (std::size_t open = text.find("```"); open != text.npos; open = text.find("```")) {
     text.erase(open, text.find("```", open + 3) + 3 - open);

@@ -71,7 +71,7 @@ TEST(RunFolder, RecordOfBracketsIsRefused) {
 }
 
 TEST(RunFolder, ErrorHasNoControlCharacters) {
-  EXPECT_THAT(error_after("{\"a\": \x7f}"), HasSubstr("last read: '\"a\": ?'"));
+  EXPECT_THAT(error_after("{\"a\": \x7f}"), HasSubstr("last read: '\"a\": \\u007f'"));
 }
 
 TEST(RunFolder, AnotherSchemaIsRefusedByName) {
