@@ -301,7 +301,7 @@ void line_round_trip() {
   for (int i = 0; i < 500; ++i) {
     std::array<Real, coordinate_count> v;
     for (Real& x : v) x = std::bit_cast<Real>(static_cast<Bits>(random.bits()));
-    written.push_back({"say \"" + std::to_string(i) + "\"\\\n\xc3\xa4", precision_of<Real>, from_coordinates(v),
+    written.push_back({"say \"" + std::to_string(i) + "\"\\\xc3\xa4", precision_of<Real>, from_coordinates(v),
                        &sphere_triangle_predicate()});
     file += query_line(written.back()) + "\n";
   }

@@ -124,8 +124,8 @@ TEST_F(JournalTest, AFullDiskIsToldAndLosesNothing) {
     try {
       journal.append(std::string(1000, 'y'));
       ADD_FAILURE() << "more than fits";
-    } catch (const Error& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr("File too large"));
+    } catch (const Unwritable& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("journal: cannot be written: File too large"));
     }
     setrlimit(RLIMIT_FSIZE, &before);
   }
