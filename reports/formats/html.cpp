@@ -169,7 +169,7 @@ Json first_data(const Record& record) {
   if (const WitnessRecord* worst = worst_scene(record))
     data["worst"] = {{"id", worst->id},
                      {"kernel", worst->kernel},
-                     {"precision", worst->precision},
+                     {"precision", name(worst->precision)},
                      {"family", worst->family},
                      {"group", name(family_group(worst->family))},
                      {"words", scene_words(*worst, record.plan)}};

@@ -47,6 +47,7 @@ TEST(FirstLevels, BeginBothReports) {
   const Json first = page_data(folder.read("report.html"))["first"];
   EXPECT_EQ(first["levels"].size(), outcomes_of(read_as<Record>(stored_record())).size());
   EXPECT_EQ(first["worst"]["id"], "w2");
+  EXPECT_EQ(first["worst"]["precision"], "binary32");
   EXPECT_EQ(first["worst"]["group"], "hard");
   const Json groups = page_data(folder.read("report.html"))["groups"];
   EXPECT_THAT(groups[0]["heading"].get<std::string>(), HasSubstr("Your own"));
