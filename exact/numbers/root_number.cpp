@@ -34,7 +34,7 @@ int compare(const RootNumber& x, const Rational& y) {
   const Rational rest = x.rest - y;
   const int rest_sign = sgn(rest), root_sign = x.sign * sgn(x.square);
   if (rest_sign == 0 || root_sign == 0 || rest_sign == root_sign) return rest_sign != 0 ? rest_sign : root_sign;
-  return rest_sign * cmp(Rational(rest * rest), x.square);
+  return rest_sign * sgn(Rational(rest * rest - x.square));
 }
 
 Rational root_below(const Rational& q) {

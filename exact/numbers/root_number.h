@@ -18,7 +18,7 @@ struct RootNumber {
 inline RootNumber share_of_length(const Rational& x, const Rational& squared_length) {
   return {0, Rational(x * x / squared_length), sgn(x) < 0 ? -1 : 1};
 }
-// The sign of x - y.
+// The sign of x - y: -1, 0 or 1.
 int compare(const RootNumber& x, const Rational& y);
 
 // Not above sqrt(q), and relatively less than 2^-250 below it; q >= 0.

@@ -17,11 +17,16 @@ TEST(RootNumber, IsComparedByItsSquare) {
   EXPECT_LT(compare(less, Rational(8, 5)), 0);
   EXPECT_GT(compare(more, 0), 0);
   EXPECT_EQ(compare(RootNumber{Rational(-3), Rational(9)}, 0), 0);
-  EXPECT_LT(compare(RootNumber{Rational(-3), Rational(8)}, 0), 0);
+  EXPECT_EQ(compare(RootNumber{Rational(-3), Rational(8)}, 0), -1);
+  const RootNumber wide{Rational(mpz_class("12922646869"), 4), Rational(mpz_class("3192085110000000000"), 7), -1};
+  EXPECT_EQ(compare(wide, 0), 1);
+  EXPECT_EQ(decimal_text(wide, 9), "2.55537499e+09");
 }
 
 TEST(RootNumber, DecimalsAreRoundedOnceToEven) {
-  const auto text = [](const char* number, int digits) { return decimal_text(RootNumber{parse_decimal(number)}, digits); };
+  const auto text = [](const char* number, int digits) {
+    return decimal_text(RootNumber{parse_decimal(number)}, digits);
+  };
   EXPECT_EQ(text("0", 9), "0");
   EXPECT_EQ(text("-2.50", 9), "-2.5");
   EXPECT_EQ(text("1234567895", 9), "1.2345679e+09");
