@@ -17,7 +17,8 @@ void declare_command_line(CLI::App& app, Action& action) {
   app.set_version_flag("--version", fmt::format("axiscert {} (revision {})", axiscert_version, axiscert_revision));
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done; 1 a requirement failed; 2 bad usage or input, a target this machine lacks, a full disk; 3 the "
+      "Exit codes: 0 done; 1 a requirement failed; 2 bad usage or input, a target this machine lacks, a full disk; 3 "
+      "the "
       "oracles disagree, or the harness found a fault in itself; 130 interrupted, 143 by SIGTERM.");
   // Each subcommand, under what its user wants; `man` stays hidden.
   struct Purpose {

@@ -140,8 +140,7 @@ std::vector<double> values_of(const TwoBoxes& q) {
   values.push_back(std::max(greatest_length(q.a.centre), greatest_length(q.b.centre)));
   std::vector<Double3> products;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j)
-      products.push_back(cross(q.a.axis[i] * q.a.half[i], q.b.axis[j] * q.b.half[j]));
+    for (std::size_t j = 0; j < 3; ++j) products.push_back(cross(q.a.axis[i] * q.a.half[i], q.b.axis[j] * q.b.half[j]));
   }
   values.push_back(parting_product(q, products));
   for (const DoubleBox* box : {&q.a, &q.b}) values.push_back(volume(*box));
@@ -177,9 +176,8 @@ std::vector<double> values_of(const BoxWithTriangle& q) {
     }
   }
   const double area = extent_of(q.normal()), height = std::abs(dot(q.corner[0], q.normal()));
-  values.insert(values.end(), {std::ranges::min(edges), std::ranges::max(edges), product,
-                               parting_product(q, products), area > 0 ? height / area : 0,
-                               std::ranges::min(vertices), area, height, volume(q.box)});
+  values.insert(values.end(), {std::ranges::min(edges), std::ranges::max(edges), product, parting_product(q, products),
+                               area > 0 ? height / area : 0, std::ranges::min(vertices), area, height, volume(q.box)});
   return values;
 }
 

@@ -170,9 +170,8 @@ class Probe {
     const double right_cases = static_cast<double>(all.size()) - wrong_cases;
     const auto wrong_asked = static_cast<double>(wrong_);
     const double right_asked = std::max(right_cases, static_cast<double>(asked_in_all) - wrong_asked);
-    const FoundClass found =
-        best_class(all, {wrong_asked / wrong_cases, right_cases == 0 ? 1 : right_asked / right_cases},
-                   narrow_traits(traits_));
+    const FoundClass found = best_class(
+        all, {wrong_asked / wrong_cases, right_cases == 0 ? 1 : right_asked / right_cases}, narrow_traits(traits_));
     const auto is_in = [&](const Case& one) { return (one.traits & found.traits) == found.traits; };
 
     CauseRecord record;

@@ -22,9 +22,9 @@ struct CauseSource {
 };
 
 // Asks the kernel clear queries among up to 32,768 of these sources (8,192 of a predicate without filters), in their
-// precision, and finds the traits of some 4,000. Where it is right on all of them and has no reference, those of sources
-// with exact arithmetic follow, and then queries whose depth is above 64 u; touching ones never. Empty where it is right
-// on these too, or the predicate has no traits. Depends on the kernel, the sources and the seed alone. Throws
+// precision, and finds the traits of some 4,000. Where it is right on all of them and has no reference, those of
+// sources with exact arithmetic follow, and then queries whose depth is above 64 u; touching ones never. Empty where it
+// is right on these too, or the predicate has no traits. Depends on the kernel, the sources and the seed alone. Throws
 // OracleDisagreement.
 std::optional<CauseRecord> cause_of(const Kernel& kernel, std::span<const CauseSource> sources,
                                     const std::string& target);

@@ -145,8 +145,7 @@ std::string traits_of(const Predicate& predicate, std::size_t entry, const std::
 }
 
 TEST(Traits, OfASphereByTheLinesOfTheEdges) {
-  const std::string found =
-      traits_of(sphere_triangle_predicate(), 0, {0, 0, 0, 4, 0, 0, 0, 4, 0, 1.9, 0.4, 0.1, 0.5});
+  const std::string found = traits_of(sphere_triangle_predicate(), 0, {0, 0, 0, 4, 0, 0, 0, 4, 0, 1.9, 0.4, 0.1, 0.5});
   EXPECT_THAT(found, Not(HasSubstr(" off_ab ")));
   EXPECT_THAT(found, HasSubstr(" off_bc "));
   EXPECT_THAT(found, HasSubstr(" off_ca "));

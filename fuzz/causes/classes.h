@@ -33,8 +33,8 @@ struct FoundClass {
   double share = 0, rate = 0, overall = 0;
 };
 
-// So many wrong cases have to be in a class of three traits, of two beside the exact answer, or of a narrow trait: fewer
-// are a matter of chance.
+// So many wrong cases have to be in a class of three traits, of two beside the exact answer, or of a narrow trait:
+// fewer are a matter of chance.
 inline constexpr double least_of_special = 5;
 
 // Of the conjunctions that explain at least half of the wrong verdicts, that with the greatest share: the wrong ones

@@ -17,15 +17,39 @@ namespace {
 
 // Members that axiscert writes on a line beside the query: in witnesses, in the output of `check`, `shrink` and
 // `search`, in the corpus.
-constexpr std::string_view written_beside_queries[] = {
-    "kernel",        "family",      "address",       "truth",
-    "computed",      "touching",    "depth",         "exact_comparisons",
-    "length",        "shows",         "flips",       "sides",         "provenance",
-    "note",          "expected",    "exact",         "computed_comparisons",
-    "errors",        "findings",    "within_limits", "severity",
-    "bits",          "nonzero",     "kept",          "before",
-    "steps",         "evaluations", "complete",      "measures",
-    "first_contact", "schema",      "axiscert",      "revision"};
+constexpr std::string_view written_beside_queries[] = {"kernel",
+                                                       "family",
+                                                       "address",
+                                                       "truth",
+                                                       "computed",
+                                                       "touching",
+                                                       "depth",
+                                                       "exact_comparisons",
+                                                       "length",
+                                                       "shows",
+                                                       "flips",
+                                                       "sides",
+                                                       "provenance",
+                                                       "note",
+                                                       "expected",
+                                                       "exact",
+                                                       "computed_comparisons",
+                                                       "errors",
+                                                       "findings",
+                                                       "within_limits",
+                                                       "severity",
+                                                       "bits",
+                                                       "nonzero",
+                                                       "kept",
+                                                       "before",
+                                                       "steps",
+                                                       "evaluations",
+                                                       "complete",
+                                                       "measures",
+                                                       "first_contact",
+                                                       "schema",
+                                                       "axiscert",
+                                                       "revision"};
 bool is_written_beside_queries(std::string_view field) {
   return std::find(std::begin(written_beside_queries), std::end(written_beside_queries), field) !=
          std::end(written_beside_queries);

@@ -15,8 +15,8 @@
 
 namespace axiscert {
 
-// The queries of which a cause speaks: clear ones, which a right method cannot get wrong; those of families on which the
-// precision's arithmetic is exact; or those whose depth is not within rounding. None of them touches.
+// The queries of which a cause speaks: clear ones, which a right method cannot get wrong; those of families on which
+// the precision's arithmetic is exact; or those whose depth is not within rounding. None of them touches.
 enum class CauseBasis : std::uint8_t { clear, exact, deep };
 template <>
 inline constexpr std::size_t enum_count<CauseBasis> = 3;

@@ -75,11 +75,7 @@ std::vector<Planted> planted_kernels() {
            for (std::size_t k = 3; k < 6; ++k) q[k] = std::max(q[k], Real(1e-3));
          });
        },
-       both,
-       absolute,
-       unit,
-       1e-3,
-       "flat"},
+       both, absolute, unit, 1e-3, "flat"},
       {"least_half", [] { return boxes_by_book("least", {.least_half = 1e-3}); }, both, absolute, unit, 1e-3, "flat"},
   };
 }

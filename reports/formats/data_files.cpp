@@ -99,8 +99,8 @@ extern const Format witnesses_format = {"witnesses.jsonl", "every witness as a q
 
 // ratchet.txt: the ratchet that would accept the run.
 
-extern const Format ratchet_format = {"ratchet.txt", "the ratchet that would accept this run", [](const Run& run) {
-                                        return run.ratchet ? std::string(run.ratchet->accepted) : ratchet_text(run.record);
-                                      }};
+extern const Format ratchet_format = {
+    "ratchet.txt", "the ratchet that would accept this run",
+    [](const Run& run) { return run.ratchet ? std::string(run.ratchet->accepted) : ratchet_text(run.record); }};
 
 }  // namespace axiscert

@@ -11,10 +11,10 @@
 namespace axiscert {
 
 // The witnesses that the page shows, at most `limit`: one for each cause of a wrong verdict (each kernel, precision,
-// direction, set of broken links and class of the input), the shortest ordinary one where there is one; those that are named, by their ids, the deepest, and for each
-// kernel, precision, family and place of a flip one that shows it. The causes come first, then the other wrong
-// verdicts, then those that were kept for another reason; in each of the three ordinary queries before others, and
-// deeper verdicts before less deep ones.
+// direction, set of broken links and class of the input), the shortest ordinary one where there is one; those that are
+// named, by their ids, the deepest, and for each kernel, precision, family and place of a flip one that shows it. The
+// causes come first, then the other wrong verdicts, then those that were kept for another reason; in each of the three
+// ordinary queries before others, and deeper verdicts before less deep ones.
 std::vector<const WitnessRecord*> shown_witnesses(const Record& record, std::size_t limit,
                                                   const std::set<std::string>& named = {});
 

@@ -41,7 +41,8 @@ TEST(FirstLevels, BeginBothReports) {
   render_reports(folder.path());
   const std::string markdown = folder.read("report.md");
   EXPECT_THAT(markdown, HasSubstr("\n\n## The answer\n\nWhat was required is not met."));
-  EXPECT_LT(markdown.find("\nThe worst: published binary32 misses a contact, by 0.25 of the scene. Family tangent, witness w2."),
+  EXPECT_LT(markdown.find(
+                "\nThe worst: published binary32 misses a contact, by 0.25 of the scene. Family tangent, witness w2."),
             markdown.find("\n## Summary"));
   EXPECT_LT(markdown.find("\n## Worst witnesses"), markdown.find("\n## Words"));
   const Json first = page_data(folder.read("report.html"))["first"];

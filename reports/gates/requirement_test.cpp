@@ -149,10 +149,9 @@ TEST(Requirement, DepthAllowsWrongVerdictsUpToItEitherWay) {
   Json record = stored_record();
   record["kernels"].erase(1);
   EXPECT_TRUE(unmet(record, "depth=0.25").empty());
-  EXPECT_EQ(
-      texts(record, "depth=0.2"),
-      std::vector<std::string>{"published binary32 on tangent: missed contacts, the worst by 0.25 of the scene: "
-                               "0.2 of the scene is allowed: 40 (witness w2)"});
+  EXPECT_EQ(texts(record, "depth=0.2"),
+            std::vector<std::string>{"published binary32 on tangent: missed contacts, the worst by 0.25 of the scene: "
+                                     "0.2 of the scene is allowed: 40 (witness w2)"});
   EXPECT_EQ(unmet(record, "depth=0.1").size(), 2u) << "phantom contacts too";
 }
 

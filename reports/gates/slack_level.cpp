@@ -73,7 +73,8 @@ std::string unseen_text(const Subject& subject, const SlackSize& size) {
   std::vector<std::string> named;
   for (std::size_t i = 0; i < std::min(coarse.size(), most_named); ++i)
     named.push_back(look_text(coarse[i], size.kind));
-  if (coarse.size() > most_named) named.push_back(fmt::format("and on {} kinds more above that size", coarse.size() - most_named));
+  if (coarse.size() > most_named)
+    named.push_back(fmt::format("and on {} kinds more above that size", coarse.size() - most_named));
   return fmt::format("the least slack that would be seen is {}, and {} is required", fmt::join(named, ", "),
                      size_text(size));
 }
@@ -103,9 +104,9 @@ LevelFindings judge_slack(const AskedLevel& asked, const Subject& subject) {
     if (coarsest == nullptr || *least > *least_seen(*coarsest, size.kind)) coarsest = &look;
   }
   if (finest == nullptr) return found;
-  found.covers = fmt::format("{} queries whose turn is bracketed; the least slack that would be seen is {}, and {}",
-                             thousands(kernel.slack->bracketed), look_text(*finest, size.kind),
-                             look_text(*coarsest, size.kind));
+  found.covers =
+      fmt::format("{} queries whose turn is bracketed; the least slack that would be seen is {}, and {}",
+                  thousands(kernel.slack->bracketed), look_text(*finest, size.kind), look_text(*coarsest, size.kind));
   found.leaves_out = "a slack on other queries than these, or of another size on each";
   return found;
 }

@@ -122,8 +122,8 @@ std::string scene_html(const InstrumentScene& scene) {
 }
 
 std::string grid_html(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows) {
-  std::string html = fmt::format(
-      "<div class=\"scroll\" tabindex=\"0\"><table><thead><tr>{}</tr></thead><tbody>\n", cells(columns, "th"));
+  std::string html = fmt::format("<div class=\"scroll\" tabindex=\"0\"><table><thead><tr>{}</tr></thead><tbody>\n",
+                                 cells(columns, "th"));
   for (const auto& row : rows) html += fmt::format("<tr>{}</tr>\n", cells(row, "td"));
   return html + "</tbody></table></div>\n";
 }
@@ -180,9 +180,8 @@ std::string first_html(const InstrumentFirst& first) {
   std::string sentences, worst;
   for (const std::string& sentence : first.sentences) sentences += fmt::format("<li>{}</li>\n", html_text(sentence));
   if (first.worst) {
-    worst = fmt::format(
-        "<article class=\"worst\"><h3>{}</h3>\n<p>{}</p>\n<div class=\"picture\"></div></article>\n",
-        html_text(first.worst->title), html_text(first.worst->sentence));
+    worst = fmt::format("<article class=\"worst\"><h3>{}</h3>\n<p>{}</p>\n<div class=\"picture\"></div></article>\n",
+                        html_text(first.worst->title), html_text(first.worst->sentence));
   }
   return fmt::format(
       "<section id=\"answer\"><h2>{}</h2>\n<div class=\"first\"><div>{}<ul class=\"sentences\">{}</ul></div>{}</div>"

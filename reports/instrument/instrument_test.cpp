@@ -71,9 +71,10 @@ TEST(InstrumentPage, BeginsWithTheAnswerAndEndsWithWords) {
   report.tables.back().is_folded = true;
   const std::string page = instrument_page(report);
   std::size_t at = 0;
-  for (const char* part : {"<section id=\"answer\"><h2>The answer</h2>", "<th>met</th>", "<li>All is well.</li>", "<h3>first</h3>",
-                           "<h2>Errors &lt;u&gt;</h2>", "<details><summary><h2>Made from</h2></summary>",
-                           "<section id=\"words\"><details>", "In ulps; &lt;/section&gt; is text."}) {
+  for (const char* part :
+       {"<section id=\"answer\"><h2>The answer</h2>", "<th>met</th>", "<li>All is well.</li>", "<h3>first</h3>",
+        "<h2>Errors &lt;u&gt;</h2>", "<details><summary><h2>Made from</h2></summary>",
+        "<section id=\"words\"><details>", "In ulps; &lt;/section&gt; is text."}) {
     const std::size_t found = page.find(part, at);
     ASSERT_NE(found, page.npos) << part;
     at = found;

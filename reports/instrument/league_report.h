@@ -180,8 +180,8 @@ Tally tally_of_group(const League& league, const CampaignResult& result, std::si
 // A row for each contender that exists in the precision, a column for each kind of which a family was asked.
 InstrumentTable trust_table(const League& league, const CampaignResult& result, Precision precision);
 
-// Whether each contender may be trusted with scenes, and with all families, as a page begins: the table, the worst scene
-// and, for each precision, who is right.
+// Whether each contender may be trusted with scenes, and with all families, as a page begins: the table, the worst
+// scene and, for each precision, who is right.
 InstrumentFirst league_first(const League& league, const CampaignResult& result);
 
 // "0.25"; "none of 4,096" where none was wrong; "not measured" where none was decided.
@@ -194,8 +194,8 @@ struct WorstQuery {
   const Source* source;
   Precision precision;
   std::uint64_t position;
-  bool is_missed;  // its deepest missed contact; else, where it misses none, its deepest invented one
-  double depth;    // a share of the scene, as everywhere
+  bool is_missed;            // its deepest missed contact; else, where it misses none, its deepest invented one
+  double depth;              // a share of the scene, as everywhere
   bool is_everyday() const;  // of a family of scenes, which are in metres
 
   std::string address(std::uint64_t seed) const;

@@ -163,8 +163,9 @@ TEST(LeagueFirst, IsTheFarthestSceneAndWhoIsRight) {
   run.league.questions.sources[0] = family_source(find_family("scene-walk"));
   EXPECT_EQ(worst_scene_of(run.league, run.result)->position, 5u) << "no scene is wrong: the deepest";
   const InstrumentFirst right = league_first(run.league, run.result);
-  EXPECT_EQ(right.table.rows, (std::vector<std::vector<std::string>>{
-                                  {"published", "yes: 0 of 64 wrong", "no: 2 of 128 missed, 1 invented"}}));
+  EXPECT_EQ(
+      right.table.rows,
+      (std::vector<std::vector<std::string>>{{"published", "yes: 0 of 64 wrong", "no: 2 of 128 missed, 1 invented"}}));
   EXPECT_EQ(right.sentences, (std::vector<std::string>{"Everyday scenes, binary32: right throughout: published.",
                                                        "All families, binary32: nobody is right throughout."}));
   VerdictTally& scenes = run.result.cells[0].tallies[0].verdict;

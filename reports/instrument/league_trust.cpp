@@ -153,11 +153,11 @@ InstrumentFirst league_first(const League& league, const CampaignResult& result)
       std::string told = fmt::format("{}, {}: ", words, name(precision));
       told[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(told[0])));
       const std::vector<std::string>& right = by_answer["yes"];
-      first.sentences.push_back(told + (right.empty() ? "nobody is right throughout"
-                                                      : fmt::format("right throughout: {}", fmt::join(right, ", "))) +
-                                (by_answer["rarely"].empty()
-                                     ? "."
-                                     : fmt::format("; rarely wrong: {}.", fmt::join(by_answer["rarely"], ", "))));
+      first.sentences.push_back(
+          told +
+          (right.empty() ? "nobody is right throughout" : fmt::format("right throughout: {}", fmt::join(right, ", "))) +
+          (by_answer["rarely"].empty() ? "."
+                                       : fmt::format("; rarely wrong: {}.", fmt::join(by_answer["rarely"], ", "))));
     }
   }
   if (const std::optional<WorstQuery> worst = worst_scene_of(league, result)) {

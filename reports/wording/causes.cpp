@@ -25,8 +25,8 @@ std::string compared_text(const AbsoluteSizeRecord& sizes) {
 
 namespace {
 
-// Of the families that have queries in other units of length, that with the most bases: where in each of them one number
-// explains nearly all of them.
+// Of the families that have queries in other units of length, that with the most bases: where in each of them one
+// number explains nearly all of them.
 std::string number_text(const KernelRecord& kernel) {
   constexpr std::uint64_t least_bases = 16;
   const AbsoluteSizeRecord* most = nullptr;

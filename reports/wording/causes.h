@@ -10,8 +10,8 @@ namespace axiscert {
 // "as if an absolute number near 0.01 (squared 0.0001) were compared with r, or one near ..."; empty where none was.
 std::string compared_text(const AbsoluteSizeRecord& sizes);
 // Why the kernel is wrong: its slack; the absolute number that explains what changes with the unit of length; and the
-// class of queries in which it is wrong. A slack of few queries comes after the number, and one that is late there after
-// the class too: a part that is left out makes contacts late where it decides. Empty where none was found.
+// class of queries in which it is wrong. A slack of few queries comes after the number, and one that is late there
+// after the class too: a part that is left out makes contacts late where it decides. Empty where none was found.
 std::string cause_sentence(const KernelRecord& kernel);
 // "ID binary32: wrong on 206 of 212 spheres nearest to vertex a; right elsewhere (0 of 3,100)". Empty where the entry
 // has no cause.

@@ -26,8 +26,7 @@ inline constexpr EnumArray<FamilyGroup, std::string_view> family_group_names = {
 constexpr std::string_view name(FamilyGroup group) { return family_group_names[group]; }
 // Above the families of a group, in tables.
 inline constexpr EnumArray<FamilyGroup, std::string_view> family_group_headings = {
-    "Everyday scenes, in metres", "Your own", "Exact: nothing is rounded",
-    "Hard: touching, degenerate, huge, tiny"};
+    "Everyday scenes, in metres", "Your own", "Exact: nothing is rounded", "Hard: touching, degenerate, huge, tiny"};
 
 // "16.6 cm": a length of a family's queries as people read it. Empty where it has no meaning, and where it is 0.
 std::string length_words(std::string_view family, double length, const PlanRecord& plan);

@@ -68,8 +68,9 @@ TEST(Everyday, SaysTheUnitsInWhichItAnswersAlike) {
       first_sentences(kernel, PlanRecord()),
       ElementsAre("in other units: as in this one only from 2^-24 to 2^20 times it (2^-140 to 2^125 were asked)"));
   kernel.window = WindowRecord{0, 0, -140, 125, 100};
-  EXPECT_THAT(first_sentences(kernel, PlanRecord()),
-              ElementsAre("in other units: other answers at half the unit and at twice it (2^-140 to 2^125 were asked)"));
+  EXPECT_THAT(
+      first_sentences(kernel, PlanRecord()),
+      ElementsAre("in other units: other answers at half the unit and at twice it (2^-140 to 2^125 were asked)"));
   kernel.window = WindowRecord{-140, 125, -140, 125, 100};
   EXPECT_THAT(first_sentences(kernel, PlanRecord()),
               ElementsAre("in other units: as in this one, times 2^-140 to 2^125"));

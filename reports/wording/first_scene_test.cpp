@@ -24,8 +24,8 @@ Record record_of_witnesses(const std::vector<Json>& witnesses) {
 TEST(WorstScene, IsTheFarthestOfTheEverydayOnes) {
   constexpr const char* farthest = "farthest false_separation";
   const Json near = witness("near", "scene-edge", 0.5, 0.25, farthest),
-             far = witness("far", "scene-walk", 0.25, 0.5, farthest), own = witness("own", "mesh/a.obj", 0.9, 8, farthest),
-             hard = witness("hard", "tangent", 1, 1e30, farthest),
+             far = witness("far", "scene-walk", 0.25, 0.5, farthest),
+             own = witness("own", "mesh/a.obj", 0.9, 8, farthest), hard = witness("hard", "tangent", 1, 1e30, farthest),
              deepest = witness("deepest", "scene-walk", 1, 9, "deepest false_separation");
   EXPECT_EQ(worst_scene(record_of_witnesses({near, hard, own, deepest, far}))->id, "far");
   EXPECT_EQ(worst_scene(record_of_witnesses({hard, own}))->id, "own");
