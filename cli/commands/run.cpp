@@ -32,7 +32,7 @@ namespace {
 std::vector<RunOptions> parts_of_run(const RunOptions& options) {
   const Precision csv_precision = options.precision.empty() ? Precision::binary32 : parse_precision(options.precision);
   const std::vector<QueryPart> parts = query_parts(options.queries, csv_precision, options.predicate, options.kernels);
-  if (parts.size() < 2) return {options};
+  if (parts.size() < 2) return {with_preset(options)};
   for (const auto& [name, is_given] : {std::pair("--family", !options.families.empty()),
                                        {"--mesh", !options.meshes.empty()},
                                        {"--corpus", options.corpus.has_value()},
@@ -86,7 +86,7 @@ void add_run(CLI::App& app, Action& action) {
   command->callback([&action, options, planned] {
     action = [options, planned] {
       if (!planned->plan.empty()) return run_planned(*planned, *options);
-      return run_parts(with_preset(*options));
+      return run_parts(*options);
     };
   });
 }

@@ -19,7 +19,7 @@ def line(number, predicate, precision, **members):
 
 def shown(x):
     """As nearest as a decimal with so many digits can be."""
-    return decimal.Decimal(x.numerator) / decimal.Decimal(x.denominator) if isinstance(x, Fraction) else x
+    return decimal.Decimal(x.numerator) / decimal.Decimal(x.denominator)
 
 
 def valued(text):
@@ -62,6 +62,10 @@ class ExactFacts(Case):
         for value, exact in zip(*both, strict=True):
             self.assertEqual(decimal.Decimal(value), rounded(valued(exact), digits), exact)
 
+    def assert_same(self, x, y):
+        """To a thousand digits."""
+        self.assertAlmostEqual(x, y, delta=decimal.Decimal(10) ** -1000 * (1 + abs(y)))
+
     def point(self, fact):
         return tuple(map(Fraction, fact["exact"]))
 
@@ -91,11 +95,11 @@ class ExactFacts(Case):
         for (a, b, c, p, r), found in zip(queries, self.facts(text), strict=True):
             with self.subTest(seed=SEED, query=(a, b, c, p, r)):
                 squared = from_triangle(p, (a, b, c))
-                self.assertEqual(valued(found["centre_distance"]["exact"]), shown(squared).sqrt())
+                self.assert_same(valued(found["centre_distance"]["exact"]), shown(squared).sqrt())
                 is_apart = squared > r * r
                 depth = abs(shown(squared).sqrt() - shown(r))
                 self.assertEqual(set(found) & {"distance", "penetration"}, {"distance" if is_apart else "penetration"})
-                self.assertEqual(valued(found["distance" if is_apart else "penetration"]["exact"]), depth)
+                self.assert_same(valued(found["distance" if is_apart else "penetration"]["exact"]), depth)
                 # The nearest point: it is in the triangle, and no corner is nearer along the way from it to the centre.
                 x = self.point(found["nearest_point"])
                 away = minus(p, x)
@@ -124,7 +128,7 @@ class ExactFacts(Case):
         for (a, b, c, p, d, r), found in zip(queries, self.facts(text), strict=True):
             with self.subTest(seed=SEED, query=(a, b, c, p, d, r)):
                 least = segment_from_triangle(p, plus(p, d), (a, b, c))
-                self.assertEqual(valued(found["centre_distance"]["exact"]), shown(Fraction(least)).sqrt())
+                self.assert_same(valued(found["centre_distance"]["exact"]), shown(Fraction(least)).sqrt())
                 if least > r * r:
                     self.assertNotIn("time", found)
                     continue
@@ -158,7 +162,7 @@ class ExactFacts(Case):
         x, y = self.pair(found, *names)
         way = minus(y, x)
         self.assertTrue(all(dot(way, minus(p, x)) <= 0 for p in a) and all(dot(way, minus(p, y)) >= 0 for p in b))
-        self.assertEqual(valued(found["distance"]["exact"]), shown(dot(way, way)).sqrt())
+        self.assert_same(valued(found["distance"]["exact"]), shown(dot(way, way)).sqrt())
         self.assert_direction(found["normal"], way)
 
     def assert_penetration(self, found, axes, a, b):
@@ -170,7 +174,7 @@ class ExactFacts(Case):
                 ways += [(Fraction(left) ** 2 / dot(axis, axis), way) for left, way in ((max(of_a) - min(of_b), axis),
                                                                                      (max(of_b) - min(of_a), times(-1, axis)))]
         least = min(square for square, _ in ways)
-        self.assertEqual(valued(found["penetration"]["exact"]), shown(least).sqrt())
+        self.assert_same(valued(found["penetration"]["exact"]), shown(least).sqrt())
         best = [way for square, way in ways if square == least]
         only = all(not any(cross(best[0], way)) and dot(best[0], way) > 0 for way in best)
         self.assertEqual(found["normal"].get("note", "the only one"), "the only one" if only else "not the only one")
@@ -186,7 +190,7 @@ class ExactFacts(Case):
             both = []
             for _ in "ab":
                 q = [1, 0, 0, 0] if i % 4 == 0 else [numbers.randint(-3, 3) for _ in range(4)]
-                both.append({"m": whole(5), "s": [numbers.randint(0, 3) for _ in range(3)], "q": q if any(q) else [1, 0, 0, 0]})
+                both.append({"m": whole(3), "s": [numbers.randint(0, 3) for _ in range(3)], "q": q if any(q) else [1, 0, 0, 0]})
             queries.append(both)
             text += line(i, "box-box", "binary32", a=both[0], b=both[1])
         for both, found in zip(queries, self.facts(text), strict=True):

@@ -24,7 +24,7 @@ def comparable(record):
     del record["plan"]["kernels"]
     record["plan"].pop("replies", None)
     for kernel in record["kernels"]:
-        for member in ("id", "summary", "exposes", "critical_radius", "slack", "cause"):
+        for member in ("id", "summary", "exposes", "critical_radius", "slack", "cause", "window"):
             del kernel[member]
         for family in kernel["families"].values():
             del family["critical_radius"]

@@ -97,7 +97,7 @@ class Rows(Case):
 
     def same(self, line, row):
         exact = dict(line["exact"])
-        for other in ("reason", "squared_distance", "axes", "ties"):  # of `check` alone
+        for other in ("reason", "squared_distance", "facts", "axes", "ties"):  # of `check` alone
             exact.pop(other, None)
         mine = dict(row["exact"])
         depth, input_class = mine.pop("depth"), mine.pop("class", None)

@@ -24,7 +24,7 @@ class Explain(Case):
     def test_each_word_is_found_in_any_form(self):
         self.assertTrue(self.explained("depth").startswith("depth: How far a wrong verdict is from being right"))
         for form in (["missed", "contacts"], ["Missed contact"], ["false-separation"], ["false_separation"]):
-            self.assertTrue(self.explained(*form).startswith("missed contact, false_separation: "), form)
+            self.assertTrue(self.explained(*form).startswith("missed contact, false_separation"), form)
 
     def test_what_the_terminal_prints_is_explained(self):
         """The heads of the table of a run, the links and the outcomes of levels."""

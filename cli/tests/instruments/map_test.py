@@ -90,7 +90,7 @@ class Map(Case):
         self.refused("map", "-", "--what", "plain", stdin=one, says=["plain", "plane.radius"])
         self.refused("map", "-", "--kernel", "minkowski", "--what", "plane", stdin=one, says=["minkowski", "verdict"])
         self.refused("map", "-", stdin=one + "\n" + one, says=["2 queries", "--id"])
-        self.refused("map", "-", "--id", "x", stdin=one, says=["0 queries", "'x'"])
+        self.refused("map", "-", "--id", "x", stdin=one, says=["--id x: unknown", "touching"])
         self.refused("map", "-", stdin=json.dumps({**TOUCHING, "r": -1}), says=["'touching'", "not a valid query"])
         self.refused("map", "-", "--kernel", "published+in-double", stdin=json.dumps({**TOUCHING, "precision": "binary64"}),
                      says=["in-double", "binary64"])
