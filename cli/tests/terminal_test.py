@@ -40,7 +40,7 @@ class Terminal(Case):
     def test_quiet_says_nothing(self):
         run = ["run", "--family", "repeated", "--trials", "300", "--precision", "binary32", "--out", self.folder / "out"]
         self.assertEqual(self.on_terminal(*run, "--quiet"), "")
-        table = axiscert(*run).stdout.splitlines()
+        table = [line for line in axiscert(*run).stdout.splitlines() if line.startswith("  ")]
         self.assertEqual(table[0].index("queries") + len("queries"), table[1].index(" 300 ") + 4, table)
 
     def test_the_manual_page_has_every_command_and_option(self):

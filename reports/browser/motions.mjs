@@ -49,7 +49,7 @@ test('draws the capsule, the first contact and the reported one, each with words
   assert.match(await card.locator('.scene-note').innerText(), /^Not to scale in this view: the sphere is drawn as a dot, its radius is /);
   const text = await card.locator('table.contact').innerText();
   for (const part of [witness.measures.given.time, witness.first_contact.time]) assert.ok(text.includes(part), part);
-  assert.match(text, /late\s+by [0-9.,e+]+ ulps, [0-9.,e+]+ u of D; tunnel 0\.[0-9]+/);
+  assert.match(text, /late\s+by [^;]+; tunnel 0\.[0-9]+/);
   await close();
 });
 
@@ -122,8 +122,9 @@ test('chooses witnesses by time, and names comparisons of the predicate', async 
   await page.locator('#witnesses-controls label', {hasText: /^Time/}).locator('select').selectOption({label: 'late'});
   const late = record_of(motions).witnesses.filter((one) => one.measures?.time === 'late').length;
   assert.match(await page.locator('#witnesses-shown').innerText(), new RegExp(`^${late} match`));
-  const {card} = await card_of(page, (one) => one.kernel.endsWith('twenty') && one.computed_comparisons);
-  assert.match(await card.locator('table.bits').innerText(), /start\.plane[^]*sweep\.edge_ca/);
+  const {card} = await card_of(page, (one) => one.kernel.endsWith('twenty') && one.computed_comparisons
+    && one.computed_comparisons !== one.exact_comparisons);
+  assert.match(await card.locator('table.bits').innerText(), /(start|end|sweep)\.[a-z_]+/);
   await close();
 });
 
