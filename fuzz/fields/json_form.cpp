@@ -2,6 +2,73 @@
 
 namespace axiscert {
 
+JsonPlace JsonPlace::at(std::string_view member) const {
+  const auto found = value_.find(std::string(member));
+  if (found == value_.end()) refuse(fmt::format("without {}", Json(member).dump()));
+  return {found.value(), path_ + "/" + shown(member)};
+}
+
+JsonPlace JsonPlace::at(std::size_t i) const { return {value_[i], fmt::format("{}/{}", path_, i)}; }
+
+void JsonPlace::refuse(const std::string& problem) const {
+  const std::string what = value_.is_object() ? "an object" : value_.is_array() ? "an array" : shown(value_.dump());
+  throw JsonFault(fmt::format("{}: {} {}", path_.empty() ? "/" : path_, what, problem));
+}
+
+void JsonPlace::require_type(bool is_it, std::string_view type) const {
+  if (!is_it) refuse(fmt::format("is not of type {}", type));
+}
+
+void put_member(Json& object, std::string_view name, Json value) { object[std::string(name)] = std::move(value); }
+
+void refuse_name(const JsonPlace& place, std::string_view member) {
+  place.at(member).refuse("under a name that is not in the schema");
+}
+
+void refuse_other_names(const JsonPlace& place, bool (*is_known)(std::string_view)) {
+  for (const auto& [member, value] : place.value().items()) {
+    if (!is_known(member)) refuse_name(place, member);
+  }
+}
+
+void require_said(const JsonPlace& place, std::string_view member, const Json& expected) {
+  const JsonPlace at = place.at(member);
+  if (at.value() != expected) at.refuse(fmt::format("is not {}, as the members beside it say", expected.dump()));
+}
+
+Json type_schema(std::string_view type) { return {{"type", type}}; }
+
+Json nullable(Json schema) { return {{"anyOf", Json::array({type_schema("null"), std::move(schema)})}}; }
+
+Json array_schema(Json items, std::optional<std::size_t> size) {
+  Json schema = type_schema("array");
+  if (size) schema.update({{"minItems", *size}, {"maxItems", *size}});
+  schema["items"] = std::move(items);
+  return schema;
+}
+
+Json map_schema(Json values, Json names) {
+  Json schema = type_schema("object");
+  if (!names.is_null()) schema["propertyNames"] = std::move(names);
+  schema["additionalProperties"] = std::move(values);
+  return schema;
+}
+
+Json object_schema(bool is_open, std::string_view about) {
+  Json schema = {{"type", "object"}, {"additionalProperties", is_open}, {"required", Json::array()}};
+  if (!about.empty()) schema["description"] = about;
+  schema["properties"] = Json::object();
+  return schema;
+}
+
+void describe_member(Json& schema, const Field& field, Json (*schema_of_member)()) {
+  Json member = schema_of_member();
+  if (!field.about.empty()) member["description"] = field.about;
+  if (!field.unit.empty()) member["unit"] = field.unit;
+  put_member(schema["properties"], field.name, std::move(member));
+  if (!field.may_be_absent) schema["required"].push_back(field.name);
+}
+
 // The length is counted in bytes, which is at least as strict as in characters. A text over its limit never reaches the
 // regular expression, whose depth of recursion grows with the text.
 void check_text(const JsonPlace& place, std::size_t longest, bool may_be_empty, const std::regex* pattern,

@@ -15,8 +15,32 @@ inline constexpr bool is_named_list = false;
 template <class T>
 inline constexpr bool is_named_list<NamedValues<T>> = true;
 
+template <class T>
+inline constexpr bool has_rest = [] {
+  bool found = false;
+  for_each_written<T>([&](const auto& field) { found |= field.is_rest; });
+  return found;
+}();
+
+Json object_schema(bool is_open, std::string_view about);
+void describe_member(Json& schema, const Field& field, Json (*schema_of_member)());
+// Throws JsonFault where a member is not what the members beside it say.
+void require_said(const JsonPlace& place, std::string_view member, const Json& expected);
+
+// Once for each type, and not for each field: these keep the temporaries out of the code of structs.
+template <class Value>
+void put_value(Json& object, std::string_view name, const Value& value) {
+  put_member(object, name, json_of(value));
+}
+template <class Value>
+void read_member(const JsonPlace& place, std::string_view name, Value& into) {
+  read_json(place.at(name), into);
+}
+
 template <Fielded T>
 struct JsonForm<T> {
+  static constexpr bool is_open = requires { T::is_open; };
+
   static Json write(const T& value) {
     Json json = Json::object();
     put(json, value);
@@ -25,17 +49,13 @@ struct JsonForm<T> {
   static void read(const JsonPlace& place, T& into) {
     place.require_type(place.value().is_object(), "object");
     get(place, into);
-    if constexpr (requires { T::is_open; }) return;
-    for (const auto& [member, value] : place.value().items()) {
-      if (!has(member) && !get_rest(place, member, into))
-        place.at(member).refuse("under a name that is not in the schema");
-    }
+    if constexpr (has_rest<T>) get_rest(place, into);
+    else if constexpr (!is_open) refuse_other_names(place, has);
   }
   static Json schema() {
-    constexpr bool is_open = requires { T::is_open; };
-    Json schema = {{"type", "object"}, {"additionalProperties", is_open}, {"required", Json::array()}};
-    if constexpr (requires { T::about; }) schema["description"] = T::about;
-    schema["properties"] = Json::object();
+    std::string_view about;
+    if constexpr (requires { T::about; }) about = T::about;
+    Json schema = object_schema(is_open, about);
     describe(schema);
     return schema;
   }
@@ -52,11 +72,11 @@ struct JsonForm<T> {
       }
       if constexpr (is_optional<Value>) {
         if (field.may_be_absent) {
-          if (of) json[std::string(field.name)] = json_of(*of);
+          if (of) put_value(json, field.name, *of);
           return;
         }
       }
-      json[std::string(field.name)] = json_of<Value>(of);
+      put_value<Value>(json, field.name, of);
     });
   }
   static void get(const JsonPlace& place, T& into) {
@@ -67,42 +87,35 @@ struct JsonForm<T> {
           if (field.is_inlined) return JsonForm<Value>::get(place, value_of(into, field));
         }
         Value& of = value_of(into, field);
-        const bool is_there = place.value().contains(field.name);
         if constexpr (is_named_list<Value>) {
           if (field.is_rest) return void(of = {});
         }
         if constexpr (is_optional<Value>) {
           if (field.may_be_absent) {
             of.reset();
-            if (is_there) read_json(place.at(field.name), of.emplace());
+            if (place.has(field.name)) read_member(place, field.name, of.emplace());
             return;
           }
         }
-        if (!is_there) place.refuse(fmt::format("without {}", Json(field.name).dump()));
-        read_json(place.at(field.name), of);
+        read_member(place, field.name, of);
       }
     });
     // What the others say already.
     for_each_written<T>([&](const auto& field) {
-      if constexpr (!std::remove_cvref_t<decltype(field)>::is_stored) {
-        if (!place.value().contains(field.name)) place.refuse(fmt::format("without {}", Json(field.name).dump()));
-        const Json expected = json_of(value_of(into, field));
-        if (place.value()[std::string(field.name)] != expected)
-          place.at(field.name).refuse(fmt::format("is not {}, as the members beside it say", expected.dump()));
-      }
+      if constexpr (!std::remove_cvref_t<decltype(field)>::is_stored)
+        require_said(place, field.name, json_of(value_of(into, field)));
     });
   }
-  // A member whose name no field has.
-  static bool get_rest(const JsonPlace& place, const std::string& member, T& into) {
-    bool is_got = false;
-    for_each_written<T>([&](const auto& field) {
-      if constexpr (is_named_list<std::remove_cvref_t<decltype(value_of(into, field))>>) {
-        if (!field.is_rest) return;
-        read_json(place.at(member), value_of(into, field).put(member));
-        is_got = true;
-      }
-    });
-    return is_got;
+  // Members whose names no field has.
+  static void get_rest(const JsonPlace& place, T& into) {
+    for (const auto& [member, value] : place.value().items()) {
+      if (has(member)) continue;
+      for_each_written<T>([&](const auto& field) {
+        if constexpr (is_named_list<std::remove_cvref_t<decltype(value_of(into, field))>>) {
+          if (field.is_rest) read_json(place.at(member), value_of(into, field).put(member));
+        }
+      });
+    }
   }
   static bool has(std::string_view member) {
     bool found = false;
@@ -121,19 +134,14 @@ struct JsonForm<T> {
       if constexpr (Fielded<Value>) {
         if (field.is_inlined) return JsonForm<Value>::describe(schema);
       }
-      if (field.is_rest) {
-        if constexpr (is_named_list<Value>)
-          schema["additionalProperties"] = JsonForm<Value>::schema()["additionalProperties"];
-        return;
+      if constexpr (is_named_list<Value>) {
+        if (field.is_rest)
+          return put_member(schema, "additionalProperties", JsonForm<Value>::schema()["additionalProperties"]);
       }
-      Json& member = schema["properties"][std::string(field.name)];
       if constexpr (is_optional<Value>) {
-        if (field.may_be_absent) member = json_schema_of<typename Value::value_type>();
+        if (field.may_be_absent) return describe_member(schema, field, json_schema_of<typename Value::value_type>);
       }
-      if (member.is_null()) member = json_schema_of<Value>();
-      if (!field.about.empty()) member["description"] = field.about;
-      if (!field.unit.empty()) member["unit"] = field.unit;
-      if (!field.may_be_absent) schema["required"].push_back(field.name);
+      describe_member(schema, field, json_schema_of<Value>);
     });
   }
 };

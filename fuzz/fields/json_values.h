@@ -51,18 +51,12 @@ class JsonPlace {
  public:
   explicit JsonPlace(const Json& value) : value_(value) {}
   const Json& value() const { return value_; }
-  JsonPlace at(std::string_view member) const {
-    return {value_.find(std::string(member)).value(), path_ + "/" + shown(member)};
-  }
-  JsonPlace at(std::size_t i) const { return {value_[i], fmt::format("{}/{}", path_, i)}; }
+  bool has(std::string_view member) const { return value_.contains(member); }
+  JsonPlace at(std::string_view member) const;  // refused where there is none
+  JsonPlace at(std::size_t i) const;
 
-  [[noreturn]] void refuse(const std::string& problem) const {
-    const std::string what = value_.is_object() ? "an object" : value_.is_array() ? "an array" : shown(value_.dump());
-    throw JsonFault(fmt::format("{}: {} {}", path_.empty() ? "/" : path_, what, problem));
-  }
-  void require_type(bool is_it, std::string_view type) const {
-    if (!is_it) refuse(fmt::format("is not of type {}", type));
-  }
+  [[noreturn]] void refuse(const std::string& problem) const;
+  void require_type(bool is_it, std::string_view type) const;
 
  private:
   JsonPlace(const Json& value, std::string path) : value_(value), path_(std::move(path)) {}
@@ -83,7 +77,14 @@ T read_as(const Json& json) {
   return value;
 }
 
-inline Json nullable(Json schema) { return {{"anyOf", Json::array({{{"type", "null"}}, std::move(schema)})}}; }
+// The code of every type that is read and written is made of these.
+Json type_schema(std::string_view type);
+Json nullable(Json schema);
+Json array_schema(Json items, std::optional<std::size_t> size = {});
+Json map_schema(Json values, Json names = nullptr);  // null: any names
+void put_member(Json& object, std::string_view name, Json value);
+[[noreturn]] void refuse_name(const JsonPlace& place, std::string_view member);
+void refuse_other_names(const JsonPlace& place, bool (*is_known)(std::string_view));
 
 // Numbers.
 
@@ -94,7 +95,7 @@ struct JsonForm<bool> {
     place.require_type(place.value().is_boolean(), "boolean");
     into = place.value();
   }
-  static Json schema() { return {{"type", "boolean"}}; }
+  static Json schema() { return type_schema("boolean"); }
 };
 
 // A count. At most 2^53 - 1, so that every reader of JSON keeps it.
@@ -144,7 +145,7 @@ struct JsonForm<SignedNumber> {
     place.require_type(place.value().is_number(), "number");
     into.value = place.value();
   }
-  static Json schema() { return {{"type", "number"}}; }
+  static Json schema() { return type_schema("number"); }
 };
 
 // A whole number of 64 bits that counts nothing.
@@ -224,7 +225,7 @@ struct JsonForm<std::string> {
     place.require_type(place.value().is_string(), "string");
     into = printable_line(place.value().get_ref<const std::string&>());
   }
-  static Json schema() { return {{"type", "string"}}; }
+  static Json schema() { return type_schema("string"); }
 };
 
 // Text of our own that has more than one line: it is read as it is.
@@ -239,7 +240,7 @@ struct JsonForm<WholeText> {
     place.require_type(place.value().is_string(), "string");
     into = place.value().get_ref<const std::string&>();
   }
-  static Json schema() { return {{"type", "string"}}; }
+  static Json schema() { return type_schema("string"); }
 };
 
 // Any JSON.
@@ -258,6 +259,12 @@ struct JsonForm<Enum> {
     Json all = Json::array();
     for (const Enum one : enumerators<Enum>) all.push_back(name(one));
     return all;
+  }
+  static bool is_name(std::string_view text) {
+    for (const Enum one : enumerators<Enum>) {
+      if (name(one) == text) return true;
+    }
+    return false;
   }
   static Json write(Enum value) { return name(value); }
   static void read(const JsonPlace& place, Enum& into) {
@@ -295,7 +302,7 @@ struct JsonForm<std::vector<T>> {
     into.clear();
     for (std::size_t i = 0; i < place.value().size(); ++i) read_json(place.at(i), into.emplace_back());
   }
-  static Json schema() { return {{"type", "array"}, {"items", json_schema_of<T>()}}; }
+  static Json schema() { return array_schema(json_schema_of<T>()); }
 };
 
 // By name, where an enumerator is the key, or by number.
@@ -307,7 +314,7 @@ struct JsonForm<std::map<Key, T>> {
   }
   static Json write(const std::map<Key, T>& values) {
     Json json = Json::object();
-    for (const auto& [key, value] : values) json[text(key)] = json_of(value);
+    for (const auto& [key, value] : values) put_member(json, text(key), json_of(value));
     return json;
   }
   static void read(const JsonPlace& place, std::map<Key, T>& into) {
@@ -318,7 +325,7 @@ struct JsonForm<std::map<Key, T>> {
   static Json schema() {
     Json names = {{"pattern", "^(0|-?[1-9][0-9]*)$"}};
     if constexpr (std::is_enum_v<Key>) names = {{"enum", JsonForm<Key>::names()}};
-    return {{"type", "object"}, {"propertyNames", std::move(names)}, {"additionalProperties", json_schema_of<T>()}};
+    return map_schema(json_schema_of<T>(), std::move(names));
   }
 
  private:
@@ -332,7 +339,7 @@ struct JsonForm<std::map<Key, T>> {
       const auto [end, error] = std::from_chars(member.data(), member.data() + member.size(), number);
       if (error == std::errc() && text(number) == member) return number;
     }
-    place.at(member).refuse("under a name that is not in the schema");
+    refuse_name(place, member);
   }
 };
 
@@ -348,14 +355,14 @@ struct JsonForm<std::array<T, n>> {
     if (place.value().size() != n) place.refuse(fmt::format("has not {} items", n));
     for (std::size_t i = 0; i < n; ++i) read_json(place.at(i), into[i]);
   }
-  static Json schema() { return {{"type", "array"}, {"minItems", n}, {"maxItems", n}, {"items", json_schema_of<T>()}}; }
+  static Json schema() { return array_schema(json_schema_of<T>(), n); }
 };
 
 template <class T>
 struct JsonForm<NamedValues<T>> {
   static Json write(const NamedValues<T>& values) {
     Json json = Json::object();
-    for (const auto& [name, value] : values) json[name] = json_of(value);
+    for (const auto& [name, value] : values) put_member(json, name, json_of(value));
     return json;
   }
   static void read(const JsonPlace& place, NamedValues<T>& into) {
@@ -363,7 +370,7 @@ struct JsonForm<NamedValues<T>> {
     into = {};
     for (const auto& [name, value] : place.value().items()) read_json(place.at(name), into.put(printable_line(name)));
   }
-  static Json schema() { return {{"type", "object"}, {"additionalProperties", json_schema_of<T>()}}; }
+  static Json schema() { return map_schema(json_schema_of<T>()); }
 };
 
 // A value for each enumerator, by its name.
@@ -371,24 +378,17 @@ template <class Enum, class T>
 struct JsonForm<EnumArray<Enum, T>> {
   static Json write(const EnumArray<Enum, T>& values) {
     Json json = Json::object();
-    for (const Enum one : enumerators<Enum>) json[std::string(name(one))] = json_of(values[one]);
+    for (const Enum one : enumerators<Enum>) put_member(json, name(one), json_of(values[one]));
     return json;
   }
   static void read(const JsonPlace& place, EnumArray<Enum, T>& into) {
     place.require_type(place.value().is_object(), "object");
-    for (const Enum one : enumerators<Enum>) {
-      if (!place.value().contains(name(one))) place.refuse(fmt::format("without \"{}\"", name(one)));
-      read_json(place.at(name(one)), into[one]);
-    }
-    for (const auto& [member, value] : place.value().items()) {
-      bool is_known = false;
-      for (const Enum one : enumerators<Enum>) is_known |= name(one) == member;
-      if (!is_known) place.at(member).refuse("under a name that is not in the schema");
-    }
+    for (const Enum one : enumerators<Enum>) read_json(place.at(name(one)), into[one]);
+    refuse_other_names(place, JsonForm<Enum>::is_name);
   }
   static Json schema() {
     Json schema = {{"type", "object"}, {"additionalProperties", false}, {"required", JsonForm<Enum>::names()}};
-    for (const Enum one : enumerators<Enum>) schema["properties"][std::string(name(one))] = json_schema_of<T>();
+    for (const Enum one : enumerators<Enum>) put_member(schema["properties"], name(one), json_schema_of<T>());
     return schema;
   }
 };
