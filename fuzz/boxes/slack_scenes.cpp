@@ -164,8 +164,7 @@ std::vector<SlackScene> of_box_and_triangle(std::size_t entry, Precision precisi
       if (kind != 1 && other_lift < 0.2 * size) continue;
       if (is_of_facet && next_lift < 0.2 * size) continue;
       ++made;
-      // A part of a flat box's thickness is none: its scenes are a path of their own.
-      SlackScene scene{kind == 3 ? on_flat : on_any, kinds[kind], kinds[kind], zeros(columns), zeros(columns)};
+      SlackScene scene{on_any, kinds[kind], kinds[kind], zeros(columns), zeros(columns)};
       if (is_turned) {
         put_slack_box(scene.base, 0, solid, false);
       } else {
@@ -183,9 +182,9 @@ std::vector<SlackScene> of_box_and_triangle(std::size_t entry, Precision precisi
       }
       scene.apart = scene.scene;
       scene.turns_to_separated = true;
-      const SceneLength sum{"the sum of the half extents", sum_of(box.half)};
-      scene.lengths = {kind == 3 ? sum : SceneLength{"the half extents along the axis", reach(box, n)},
-                       kind == 3 ? SceneLength() : sum};
+      // Along the axis of its facet a flat box has no extent, of which a slack would be a part.
+      scene.lengths = {{{"the half extents along the axis", kind == 3 ? 0 : reach(box, n)},
+                        {"the sum of the half extents", sum_of(box.half)}}};
       scenes.push_back(scene);
     }
   }

@@ -199,18 +199,37 @@ TEST(Traits, OfTwoBoxesByTheAxisThatDecidesAndByEdges) {
 }
 
 // Wrong on all that have the traits 1, 2 and 4, of which 2 is narrow.
-FoundClass class_of(std::size_t wrong, TraitSet traits, TraitSet narrow) {
+FoundClass class_of(std::size_t wrong, TraitSet traits, const TraitKinds& kinds) {
   std::vector<Case> cases(wrong, Case{traits | contact_trait, true});
   for (TraitSet part = 0; part < traits; ++part) {
     if ((part & ~traits) == 0) cases.insert(cases.end(), 8, Case{part | contact_trait, false});
   }
-  return best_class(cases, {}, narrow);
+  return best_class(cases, {}, kinds);
 }
 TEST(BestClass, OfFewWrongCasesIsGeneral) {
-  EXPECT_EQ(class_of(5, 7, 0).traits, TraitSet{7});
-  EXPECT_EQ(std::popcount(class_of(4, 7, 0).traits & 7), 1);
-  EXPECT_EQ(class_of(5, 3, 2).traits, TraitSet{3});
-  EXPECT_EQ(class_of(4, 3, 2).traits & 2, TraitSet{0});
+  EXPECT_EQ(class_of(5, 7, {}).traits, TraitSet{7});
+  EXPECT_EQ(std::popcount(class_of(4, 7, {}).traits & 7), 1);
+  EXPECT_EQ(class_of(5, 3, {.narrow = 2}).traits, TraitSet{3});
+  EXPECT_EQ(class_of(4, 3, {.narrow = 2}).traits & 2, TraitSet{0});
+}
+
+TEST(BestClass, ATraitThatStandsAloneHasNoOtherBesideIt) {
+  EXPECT_EQ(class_of(8, 3, {.alone = 2}).traits & 3, TraitSet{1});
+  EXPECT_EQ(class_of(8, 2, {.alone = 2}).traits & 3, TraitSet{2});
+}
+
+// Wrong on all of one trait and, by a coin, on others: half of the wrong verdicts have no trait but the exact answer.
+TEST(BestClass, ASharpOneMayHaveAQuarterOfTheWrongVerdicts) {
+  std::vector<Case> cases(10, Case{1 | separated_trait, true});
+  cases.insert(cases.end(), 20, Case{contact_trait, true});
+  cases.insert(cases.end(), 200, Case{contact_trait, false});
+  cases.insert(cases.end(), 200, Case{separated_trait, false});
+  EXPECT_EQ(best_class(cases, {}).traits, contact_trait);
+  EXPECT_EQ(sharp_class(cases, {}).traits, TraitSet{1});
+  cases.resize(30);
+  cases.insert(cases.end(), 11, Case{contact_trait, true});
+  cases.insert(cases.end(), 200, Case{contact_trait, false});
+  EXPECT_EQ(sharp_class(cases, {}).traits, TraitSet{0}) << "less than a quarter";
 }
 
 TEST(BestClass, ItIsTheShortestWithoutAFault) {

@@ -42,9 +42,10 @@ class NearestFeatures {
 
 // One of them. The phrase follows the noun of its queries: "spheres", and "nearest to vertex a". Where a property of a
 // diagnosis asks about it, that property is named. A narrow trait has one axis of many, of which a wider trait has all.
+// One that stands alone cuts across the others: beside them it would make a class of few wrong verdicts by chance.
 struct Trait {
   std::string_view name, phrase, property = {};
-  bool is_narrow = false;
+  bool is_narrow = false, stands_alone = false;
 };
 using TraitSet = std::uint64_t;  // bit k: all()[k]
 inline constexpr std::size_t most_traits = 62;
