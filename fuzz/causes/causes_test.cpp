@@ -198,6 +198,18 @@ TEST(Traits, OfTwoBoxesByTheAxisThatDecidesAndByEdges) {
   EXPECT_THAT(boxes(0, 1, 0), HasSubstr(" perpendicular "));
 }
 
+TEST(Traits, OfAMotionByItsFirstContactAndItsWay) {
+  // Down to a face at z = 0, from 10 with radius 1: it touches after 9 of the way.
+  const auto motion = [](double way) {
+    return traits_of(moving_sphere_predicate(), MovingSphere::entry,
+                     {0, 0, 0, 9, 0, 0, 0, 9, 0, 1, 1, 10, 0, 0, -way, 1});
+  };
+  EXPECT_THAT(motion(9001), HasSubstr(" earliest "));
+  EXPECT_THAT(motion(8999), Not(HasSubstr(" earliest ")));
+  EXPECT_THAT(motion(0), HasSubstr(" parallel "));
+  EXPECT_THAT(motion(20), Not(HasSubstr(" parallel ")));
+}
+
 // Wrong on all that have the traits 1, 2 and 4, of which 2 is narrow.
 FoundClass class_of(std::size_t wrong, TraitSet traits, const TraitKinds& kinds) {
   std::vector<Case> cases(wrong, Case{traits | contact_trait, true});
