@@ -228,6 +228,12 @@ TEST(BestClass, OfFewWrongCasesIsGeneral) {
 TEST(BestClass, ATraitThatStandsAloneHasNoOtherBesideIt) {
   EXPECT_EQ(class_of(8, 3, {.alone = 2}).traits & 3, TraitSet{1});
   EXPECT_EQ(class_of(8, 2, {.alone = 2}).traits & 3, TraitSet{2});
+  std::vector<Case> cases(8, Case{3 | contact_trait, true});
+  cases.insert(cases.end(), 9, Case{2 | contact_trait, false});
+  cases.insert(cases.end(), 12, Case{1 | contact_trait, false});
+  EXPECT_EQ(best_class(cases, {}, {.alone = 2}).traits & 3, TraitSet{1}) << "right on half of its queries";
+  cases.erase(cases.begin() + 8);
+  EXPECT_EQ(best_class(cases, {}, {.alone = 2}).traits & 3, TraitSet{2});
 }
 
 // Wrong on all of one trait and, by a coin, on others: half of the wrong verdicts have no trait but the exact answer.

@@ -76,11 +76,13 @@ class Search {
   void see(TraitSet traits, const Split& cases, int size) {
     const double wrong_cases = cases_in(cases.wrong);
     const int own = size - ((traits & (contact_trait | separated_trait)) != 0 ? 1 : 0);
-    if (own >= 2 && (traits & kinds_.alone) != 0) return;
     const bool is_special = own >= 2 || (traits & kinds_.narrow) != 0;
     if (wrong_cases == 0 || (is_special && wrong_cases < least_of_special)) return;
     const double wrong = weights_.wrong * wrong_cases, right = weights_.right * cases_in(cases.right);
-    if (is_sharp_ && (wrong_cases < least_of_special || wrong < least_of_sharp * wrong_ || wrong < sharp_rate * (wrong + right))) return;
+    if ((traits & kinds_.alone) != 0 && (own >= 2 || wrong < right)) return;
+    if (is_sharp_ &&
+        (wrong_cases < least_of_special || wrong < least_of_sharp * wrong_ || wrong < sharp_rate * (wrong + right)))
+      return;
     const double explains_most = 2 * wrong >= wrong_ ? 1 : 0;
     constexpr double worth[] = {1, 0.85, 0.85 * 0.85};  // by the number of traits
     const double score = explains_most + worth[size - 1] * (wrong / (wrong_ + right));

@@ -47,8 +47,9 @@ inline constexpr double least_of_special = 5;
 // within it, of these, the right ones within it and the wrong ones outside it; else of all conjunctions. One trait less
 // is worth 15 % of it, and among equals the first counts. There is a wrong case.
 FoundClass best_class(std::span<const Case> cases, const Weights& weights, const TraitKinds& kinds = {});
-// The same of those with a quarter of the wrong verdicts that are wrong on four fifths of their queries: without a trait
-// where there is none. A slip that makes an axis part more and less is wrong on all that it decides, and on others.
+// The same of those with a quarter of the wrong verdicts that are wrong on four fifths of their queries: without a
+// trait where there is none. A slip that makes an axis part more and less is wrong on all that it decides, and on
+// others.
 inline constexpr double least_of_sharp = 0.25, sharp_rate = 0.8;
 FoundClass sharp_class(std::span<const Case> cases, const Weights& weights, const TraitKinds& kinds = {});
 

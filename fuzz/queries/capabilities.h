@@ -42,7 +42,7 @@ class NearestFeatures {
 
 // One of them. The phrase follows the noun of its queries: "spheres", and "nearest to vertex a". Where a property of a
 // diagnosis asks about it, that property is named. A narrow trait has one axis of many, of which a wider trait has all.
-// One that stands alone cuts across the others: beside them it would make a class of few wrong verdicts by chance.
+// One that stands alone cuts across the others: it is a class without them, and where half of its queries are wrong.
 struct Trait {
   std::string_view name, phrase, property = {};
   bool is_narrow = false, stands_alone = false;
