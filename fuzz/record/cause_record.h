@@ -71,8 +71,7 @@ struct CauseRecord {
         field(&Of::sentence, {"sentence", "All of it in one sentence."}),
         field(&Of::is_known, {"known",
                               "Whether the class explains half of the wrong verdicts, or a quarter where it is wrong "
-                              "on four fifths of its "
-                              "queries, and is wrong more often than others."}),
+                              "on four fifths of its queries, and is wrong more often than others."}),
         field(&Of::phrase, {"phrase", "The class in words."}),
         field(&Of::traits,
               {"traits", "The traits that its queries have in common; contact and separated are the exact answer."}),
