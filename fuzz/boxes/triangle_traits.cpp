@@ -303,10 +303,11 @@ class BoxTriangleTraits final : public Traits {
       const auto given = given_of<MinmaxEntry>(numbers);
       return corner_traits_of(given, numbers, given.low);
     }
-    const auto given = given_of<OrientedEntry>(numbers);
-    std::vector<double> sizes = numbers;  // without the axes
-    sizes.erase(sizes.begin() + 6, sizes.begin() + 15);
-    return corner_traits_of(given, sizes, given.box.centre);
+    std::vector<double> sizes = numbers;  // without the axes, or the quaternion
+    sizes.erase(sizes.begin() + 6, sizes.end() - 9);
+    const auto traits_of = [&](const auto& given) { return corner_traits_of(given, sizes, given.box.centre); };
+    if (entry == TurnedEntry::entry) return traits_of(given_of<TurnedEntry>(numbers));
+    return traits_of(given_of<OrientedEntry>(numbers));
   }
 };
 
