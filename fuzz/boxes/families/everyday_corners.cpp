@@ -1,5 +1,6 @@
-// Crates of a game by two corners, in metres: on one another, on a floor, and beside crates and walls. A body's farthest
-// points in a direction lie on the other's, or as far from there as a solver leaves them: then the direction decides.
+// Crates of a game by two corners, in metres: on one another, on a floor, and beside crates and walls. A body's
+// farthest points in a direction lie on the other's, or as far from there as a solver leaves them: then the direction
+// decides.
 #include "fuzz/boxes/families/everyday.h"
 #include "fuzz/boxes/families/upright.h"
 
@@ -8,9 +9,9 @@ namespace {
 
 constexpr Quaternion straight = {1, 0, 0, 0};
 
-// A is along the world's axes: in turn a crate, a floor 64 m wide, and a crate or a wall of 3 to 50 m. B is a crate or a
-// character, on the first two and beside the third: along the axes too or, `is_turned`, at any yaw and tilted by what a
-// solver leaves, where a facet of B decides every other time.
+// A is along the world's axes: in turn a crate, a floor 64 m wide, and a crate or a wall of 3 to 50 m. B is a crate or
+// a character, on the first two and beside the third: along the axes too or, `is_turned`, at any yaw and tilted by what
+// a solver leaves, where a facet of B decides every other time.
 template <class Real>
 TurnedPair<Real> crates(Stream& random, std::uint64_t position, bool is_turned) {
   constexpr std::uint64_t kinds = 3;
