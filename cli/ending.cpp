@@ -96,6 +96,19 @@ std::string own_command(std::string_view option) {
   return command;
 }
 
+void set_own_option(std::string_view option, const std::string& value) {
+  std::vector<std::string>& words = ending().words;
+  for (auto word = words.begin(); word != words.end();) {
+    const bool is_whole = *word == option;
+    if (!is_whole && !word->starts_with(std::string(option) + "=")) {
+      ++word;
+      continue;
+    }
+    word = words.erase(word, word + (is_whole && word + 1 != words.end() ? 2 : 1));
+  }
+  if (!value.empty()) words.insert(words.end(), {std::string(option), value});
+}
+
 void keep_work(const std::string& kept, const std::string& command) { set_ending(true, kept, command); }
 void keep_nothing(const std::string& why) { set_ending(false, why, own_command()); }
 void leave_ending_to_another() { ending().is_silent = true; }

@@ -21,6 +21,8 @@ int interrupted_code();
 
 // The command as it was given, in a form that a shell reads, with the option where it is not among its words.
 std::string own_command(std::string_view option = "");
+// From here on it has this value of an option; an empty one leaves the option out.
+void set_own_option(std::string_view option, const std::string& value);
 // From here on work is kept: `kept` says what, and where. `command` goes on from there.
 void keep_work(const std::string& kept, const std::string& command);
 // Nothing is kept to go on from: `why`, for example "a run without --plan keeps no journal".

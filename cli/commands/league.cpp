@@ -163,6 +163,7 @@ void add_league(CLI::App& app, Action& action) {
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);
   command->add_flag("--no-speed", options->no_speed, "measure no times");
   command->add_flag("--no-engines", options->no_engines, "leave out the engines from npm, installed or not");
+  options->asks_less = "--no-speed and --no-engines leave out the times and the engines";
   add_examples(*command,
                {{"My kernel beside others", "axiscert league plugin:./my_kernel.so published --trials 256 --no-speed"},
                 {"Every library that is here, with a page", "axiscert league --out league"}});

@@ -9,6 +9,7 @@
 #include "cli/options/predicate_options.h"
 #include "cli/options/shared_options.h"
 #include "cli/commands.h"
+#include "cli/ending.h"
 #include "cli/help.h"
 #include "cli/progress_line.h"
 #include "cli/usage.h"
@@ -167,6 +168,10 @@ int draw(const MapOptions& options) {
   const std::string folder = (std::filesystem::path(options.out) / "maps").string();
   const OutputFolder writable(folder);  // checked before anything runs
   require_uncontracted(plan.target);
+  keep_nothing(fmt::format(
+      "map keeps nothing of a part of its pictures; --size {} draws a quarter of the pixels{}",
+      std::max<std::size_t>(2, std::max(plan.plane.columns(), plan.plane.rows()) / 2),
+      plan.subjects.size() == 1 ? "" : fmt::format(", and --what fewer than these {} pictures", plan.subjects.size())));
   const std::vector<MapPicture> pictures =
       with_progress("map", [&](const ShowProgress& show) { return draw_map(plan, show); });
   const MapData map = map_data(options.name, plan, pictures, command_of(options, plan));

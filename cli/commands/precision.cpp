@@ -85,6 +85,7 @@ void add_ladder(CLI::App& app, Action& action) {
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);
   command->add_flag("--no-speed", options->no_speed,
                     "measure no times: the rest of the output is the same in every run");
+  options->asks_less = "--no-speed measures no times";
   add_examples(*command, {{"Four steps, without times",
                            "axiscert ladder ladder-0 ladder-3 ladder-6 published --trials 256 --no-speed"},
                           {"All of the figures, with a page", "axiscert ladder --out ladder"}});
@@ -137,6 +138,7 @@ void add_precision(CLI::App& app, Action& action) {
   add_instrument_options(*command, *options, std::uint64_t{1} << 11);
   command->add_option("--bits", options->bits, "bits of precision, repeatable (default: 26 values from 8 to 256)")
       ->allow_extra_args(false);
+  options->asks_less = "each --bits is one precision in place of 26";
   add_examples(*command,
                {{"At the bits of the two precisions", "axiscert precision published --bits 24 --bits 53 --trials 64"},
                 {"Another family, with a page", "axiscert precision reduced --family needle --out precision"}});

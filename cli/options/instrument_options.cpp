@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
+#include "cli/ending.h"
 #include "cli/first_look.h"
 #include "cli/options/run_options.h"
 #include "cli/options/predicate_options.h"
@@ -61,6 +63,19 @@ std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, 
   return kernels;
 }
 
+namespace {
+
+// For an interrupt: the figures are of all queries or of none.
+void say_how_to_ask_less(const InstrumentOptions& options) {
+  keep_nothing(fmt::format(
+      "{} keeps nothing of a part of its figures; it asks less by fewer --trials (a tenth: --trials {}), kernels and "
+      "families{}",
+      options.command, std::max<std::uint64_t>(1, options.trials / 10),
+      options.asks_less.empty() ? "" : ", and " + options.asks_less));
+}
+
+}  // namespace
+
 EntryAsked entry_asked(const InstrumentOptions& options) {
   std::vector<const Kernel*> kernels;
   for (const std::string& id : options.kernels) kernels.push_back(&find_kernel(id));
@@ -76,6 +91,7 @@ EntryAsked entry_asked(const InstrumentOptions& options) {
 std::vector<SourcePtr> instrument_sources(const InstrumentOptions& options, std::vector<std::string> defaults,
                                           const std::vector<const Predicate*>& served) {
   if (!options.out.empty()) make_folder(options.out);  // refused before anything runs
+  say_how_to_ask_less(options);
   const auto [predicate, entry] = entry_asked(options);
   std::vector<SourcePtr> sources;
   const Precision csv_precision = parse_precision(options.precision.empty() ? "binary32" : options.precision);

@@ -15,7 +15,8 @@ struct InstrumentOptions {
   std::vector<std::string> queries = {};       // files, of a subcommand that takes them
   std::uint64_t trials = 0, seed = 1;
   std::string precision = "binary32", format = "text", out;
-  int threads = 0;  // 0: all cores
+  int threads = 0;             // 0: all cores
+  std::string asks_less = {};  // besides fewer queries, kernels and families: "--no-speed measures no times"
 };
 
 // Adds the kernels, --family, --trials, --seed, --precision, --threads, --progress, --format text|json|csv and --out;

@@ -17,12 +17,12 @@ namespace {
 struct Preset {
   const char* name;
   const char* meaning;
-  void (*apply)(const Predicate& predicate, std::size_t entry, RunOptions& options);
+  void (*apply)(const Predicate& predicate, std::size_t entry, bool gives_times, RunOptions& options);
 };
 
 // Bounded by trials, so that the plan is the same everywhere; the trials are so few that the default kernel takes no
 // more than 20 s on two cores.
-void ask_everything(const Predicate& predicate, std::size_t, RunOptions& options) {
+void ask_everything(const Predicate& predicate, std::size_t, bool, RunOptions& options) {
   if (options.families.empty() && options.meshes.empty() && options.queries.empty()) options.families = {"all"};
   // A corpus that states the exact answers in full is part of every run of the preset.
   if (!options.corpus && oracles_of(predicate).has_squared_distance()) options.corpus = default_corpus_folder();
@@ -30,7 +30,7 @@ void ask_everything(const Predicate& predicate, std::size_t, RunOptions& options
 }
 
 // Scenes of a game: a millimetre is no error that anybody sees.
-void ask_scenes(const Predicate& predicate, std::size_t entry, RunOptions& options) {
+void ask_scenes(const Predicate& predicate, std::size_t entry, bool gives_times, RunOptions& options) {
   if (options.families.empty() && options.meshes.empty() && options.queries.empty()) {
     for (const Family* family : families_of(predicate, entry)) {
       if (family->trust_group == TrustGroup::scene) options.families.emplace_back(family->name);
@@ -45,7 +45,13 @@ void ask_scenes(const Predicate& predicate, std::size_t entry, RunOptions& optio
   if (!options.trials) options.trials = std::uint64_t{1} << (has_filters(predicate) ? 16 : 13);
   if (options.required.levels.empty()) {
     options.required.levels = {"depth=1mm", "logic"};
-    options.required.allow_unchecked = {"logic"};  // a kernel with a reference, or own queries none of which is clear
+    // Of a kernel with a reference, or of own queries none of which is clear; of other kernels that give no times.
+    options.required.allow_unchecked = {"logic"};
+    for (const char* level : {"early=1mm", "never-late=1mm"}) {
+      if (!gives_times) continue;
+      options.required.levels.emplace_back(level);
+      options.required.allow_unchecked.emplace_back(level);
+    }
   }
   if (options.required.unit.empty()) options.required.unit = "m";
   options.is_brief = true;
@@ -53,7 +59,9 @@ void ask_scenes(const Predicate& predicate, std::size_t entry, RunOptions& optio
 
 constexpr Preset presets[] = {
     {"ci", "all families and the corpus with 2^14 queries each", ask_everything},
-    {"game", "everyday scenes in metres, held to depth=1mm and logic, in ten lines", ask_scenes}};
+    {"game",
+     "everyday scenes in metres, held to depth=1mm, logic and, of times, early=1mm and never-late=1mm, in ten lines",
+     ask_scenes}};
 
 }  // namespace
 
@@ -77,7 +85,9 @@ RunOptions with_preset(const RunOptions& given) {
   for (const std::string& id : given.kernels) kernels.push_back(&find_kernel(id));
   const Predicate& predicate = predicate_of_kernels(given.predicate, kernels);
   const std::size_t entry = kernels.empty() ? entry_of_families(predicate, given.families) : kernels.front()->entry;
-  preset->apply(predicate, entry, options);
+  if (kernels.empty()) kernels.push_back(&default_kernel(predicate, entry));
+  const bool gives_times = std::ranges::any_of(kernels, [](const Kernel* one) { return one->measure_count != 0; });
+  preset->apply(predicate, entry, gives_times, options);
   return options;
 }
 

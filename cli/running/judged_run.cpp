@@ -14,6 +14,7 @@
 #include "cli/commands.h"
 #include "cli/ending.h"
 #include "cli/progress_line.h"
+#include "cli/running/brief_output.h"
 #include "cli/running/run_output.h"
 #include "cli/running/shrunk.h"
 #include "fuzz/campaign/campaign.h"
@@ -93,21 +94,29 @@ constexpr const char* shrunk_file = "witnesses-shrunk.jsonl";
 
 // Prints what came of each level: what is met, with what that says, on standard output; the rest on standard error.
 // Returns whether all pass.
-bool print_outcomes(const std::vector<LevelOutcome>& outcomes, bool quiet, bool is_brief) {
+bool print_outcomes(const std::vector<LevelOutcome>& outcomes, bool quiet) {
   for (const LevelOutcome& outcome : outcomes) {
     if (outcome.passes()) {
       const bool is_met = outcome.state == LevelState::met;
       if (!quiet) fmt::print("{}\n", coloured(outcome.text(), is_met ? TextColour::green : TextColour::yellow));
-      if (!quiet && is_met && !is_brief)
-        fmt::print("  covers {}\n  leaves out {}\n", outcome.covers, outcome.leaves_out);
+      if (!quiet && is_met) fmt::print("  covers {}\n  leaves out {}\n", outcome.covers, outcome.leaves_out);
       continue;
     }
     for (const Failure& failure : outcome.failures) {
-      if (is_brief) break;
       fmt::print(stderr, "axiscert: --require {}: {}\n", outcome.asked.text, failure.text());
     }
     fmt::print(stderr, "axiscert: --require: {}\n", outcome.text());
   }
+  return pass(outcomes);
+}
+
+// The same in a line for each kernel and outcome.
+bool print_brief_outcomes(const std::vector<LevelOutcome>& outcomes, bool quiet) {
+  const BriefOutcomes brief = brief_outcomes(outcomes);
+  for (const std::string& line : brief.passing) {
+    if (!quiet) fmt::print("{}\n", line);
+  }
+  for (const std::string& line : brief.failing) fmt::print(stderr, "axiscert: --require: {}\n", line);
   return pass(outcomes);
 }
 
@@ -238,11 +247,13 @@ int put_result(JudgedRun run, const OutputOptions& output) {
     if (!is_on_one_screen) fmt::print(stderr, "axiscert: {}\n", sentence);
     if (!is_quiet) fmt::print("{}\n", coloured(sentence, TextColour::red));
   }
-  if (!is_quiet && output.has_summary)
-    fmt::print("{}{}/report.html\n", summary_text(record, info.seconds, output.is_brief), output.out);
+  if (!is_quiet && output.has_summary) {
+    const bool is_brief = output.is_brief && is_complete;
+    fmt::print("{}{}/report.html\n", is_brief ? brief_text(record) : summary_text(record, info.seconds), output.out);
+  }
   if (!output.quiet && output.format == "csv") fmt::print("{}", read_bytes(output.out + "/" + record_csv_file));
   bool is_met = nothing.empty();
-  if (!print_outcomes(outcomes, is_quiet, output.is_brief)) is_met = false;
+  if (!(output.is_brief ? print_brief_outcomes : print_outcomes)(outcomes, is_quiet)) is_met = false;
   if (held && !print_ratchet_outcome(*held, output, is_quiet)) is_met = false;
   if (run.ratchet && !held)
     fmt::print(stderr, "axiscert: --ratchet {}: NOT CHECKED: {}\n", output.ratchet, interrupted_text(record));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -125,9 +126,7 @@ class Lead {
       throw Error(fmt::format("{}: already exists; --resume continues it, or give another folder", journal));
     }
     journal_.emplace(journal, file_.digest, [this](std::string_view content) { gathered_.replay(content); });
-    // What is appended stays; a launcher starts all ranks again.
-    const std::string launcher = ranks_ != nullptr ? fmt::format("mpirun -n {} ", ranks_->size()) : "";
-    keep_work(fmt::format("the stretches that are done are in {}", journal), launcher + own_command("--resume"));
+    say_what_is_kept("");
     folder_.write_text(plan_copy, file_.text());
     if (!options_.shard.empty()) folder_.write_text(shard_file, options_.shard + "\n");
     if (journal_->torn() != 0) {
@@ -146,9 +145,29 @@ class Lead {
     }
   }
 
+  // What is appended stays; a launcher starts all ranks again.
+  void say_what_is_kept(const std::string& time) const {
+    const std::string launcher = ranks_ != nullptr ? fmt::format("mpirun -n {} ", ranks_->size()) : "";
+    keep_work(fmt::format("the stretches that are done are in {}{}", path(journal_file), time),
+              launcher + own_command("--resume"));
+  }
+
+  // The command that goes on has what is left of --time, and nothing of it where that is over.
+  void say_what_is_left(double seconds) {
+    if (!options_.seconds || is_told_) return;
+    is_told_ = true;
+    const double left = std::ceil(*options_.seconds - seconds);
+    set_own_option("--time", left > 0 ? fmt::format("{:.0f}", left) : "");
+    say_what_is_kept(left > 0 ? fmt::format(", and {:.0f} s of --time are left", left)
+                              : ", and --time is over: the rest is done without it");
+  }
+
   std::optional<Task> next() {
     const std::chrono::duration<double> since = std::chrono::steady_clock::now() - began_;
-    if (interrupted_ || (options_.seconds && since.count() > *options_.seconds)) return std::nullopt;
+    if (interrupted_ || (options_.seconds && since.count() > *options_.seconds)) {
+      say_what_is_left(since.count());
+      return std::nullopt;
+    }
     for (; next_ < stretches_.count(); ++next_) {
       if (!is_selected_(next_) || gathered_.has(next_)) continue;
       journal_->append(begun_note(next_));
@@ -219,6 +238,7 @@ class Lead {
   Selection is_selected_;
   std::optional<Journal> journal_;
   std::uint64_t next_ = 0, left_ = 0, lost_ = 0;
+  bool is_told_ = false;
   const std::atomic<bool>& interrupted_ = watch_for_interrupts();
   const std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };

@@ -208,7 +208,7 @@ std::string first_text(const Record& record) {
 
 }  // namespace
 
-std::string summary_text(const Record& record, double seconds, bool is_brief) {
+std::string summary_text(const Record& record, double seconds) {
   std::string text;
   for (const FindingGroup& group : finding_groups(record)) {
     text += finding_text(*group.first) + "\n";
@@ -217,13 +217,10 @@ std::string summary_text(const Record& record, double seconds, bool is_brief) {
   }
   text += causes_text(record);
   text += first_text(record);
-  if (is_brief && record.complete) return text;
-  if (!is_brief) {
-    text += kernels_table(record.kernels);
-    text += motion_table(record.kernels);
-    text += depths_table(record.kernels);
-    text += classes_table(record.kernels);
-  }
+  text += kernels_table(record.kernels);
+  text += motion_table(record.kernels);
+  text += depths_table(record.kernels);
+  text += classes_table(record.kernels);
   text += fmt::format("{}{:.1f} s\n", record.complete ? "" : interrupted_text(record) + "; ", seconds);
   return text;
 }

@@ -38,7 +38,7 @@ class OutputFolder {
 
 std::string iso_time(std::chrono::system_clock::time_point time);
 // The final output of `run`: findings first, each with the command that reproduces it, then causes and the sentences
-// about each kernel and precision, then, unless it is brief, tables; in colour on a terminal.
-std::string summary_text(const Record& record, double seconds, bool is_brief = false);
+// about each kernel and precision, then tables; in colour on a terminal.
+std::string summary_text(const Record& record, double seconds);
 
 }  // namespace axiscert

@@ -61,6 +61,23 @@ class BoxBox(Case):
         self.refused("check", "-", "--kernel", "box-box/textbook", stdin=line(turned(), turned()),
                      says=["entry quaternion", "entry matrix", "a query is judged by a kernel of its own predicate and entry"])
 
+    def test_boxes_by_min_and_max_are_judged_as_they_are(self):
+        """A half extent is no number of binary32: 2^24 + 1 is a size."""
+        found = self.checked((ROOT / "examples/queries/boxes-by-corners.jsonl").read_text(), "--kernel", "box-box/intervals-minmax")
+        self.assertEqual([(each["exact"]["verdict"], each["exact"]["touching"]) for each in found],
+                         [("contact", True), ("separated", False), ("separated", False)])
+        self.assertEqual([each["computed"]["verdict"] for each in found], ["contact", "separated", "separated"])
+        self.assertEqual([each["exact"]["facts"].get("distance", {}).get("exact") for each in found], [None, "2", "1"])
+        csv = "id," + ",".join(f"{box}.{end}{axis}" for box in "ab" for end in ("min", "max") for axis in "xyz") + "\nq,0,0,0,1,1,1,1,1,1,2,2,2\n"
+        (from_csv,) = self.checked(csv)
+        self.assertEqual((from_csv["exact"]["verdict"], from_csv["exact"]["touching"]), ("contact", True))
+        good = {"min": [0, 0, 0], "max": [1, 1, 1]}
+        (upside_down,) = self.checked(line({"min": [0, 2, 0], "max": [1, 1, 1]}, good))
+        self.assertEqual(upside_down["exact"]["reason"], "a.min on y is 2, above 1 in a.max; on each axis min is at most max")
+        (mixed,) = self.checked(line(good, turned((2, 0.5, 0.5), (3, 0, 0, 3)), precision="binary32"))
+        self.assertEqual((mixed["kernel"], mixed["exact"]["touching"]), ("box-box/projected-mixed", True))
+        self.refused("check", "-", stdin=line(good, cube()), says=["a is given by min and max and b by m, s and b", "both are given in one way"])
+
     def test_an_invalid_box_says_why(self):
         flat = [[1, 0, 0], [2, 0, 0], [0, 0, 1]]
         lines = (line(cube(columns=flat), cube()) + line(cube(), cube(half=(1, -1, 1))) + line(turned(), turned(quaternion=[0] * 4)))
@@ -174,13 +191,13 @@ class BoxTriangle(Case):
     def test_each_form_of_the_box_is_an_entry(self):
         half = {"m": [0, 0, 0], "s": [1, 1, 1]}
         for box, kernel in ((half, "textbook"), ({"min": [-1, -1, -1], "max": [1, 1, 1]}, "textbook-minmax"),
-                            ({**half, "b": UPRIGHT}, "textbook-oriented")):
+                            ({**half, "b": UPRIGHT}, "textbook-oriented"), ({**half, "q": [0, 3, 0, 0]}, "textbook-turned")):
             found = self.checked(self.line(box))
             self.assertEqual(found["kernel"], f"box-triangle/{kernel}")
             self.assertEqual((found["exact"]["verdict"], found["exact"]["touching"]), ("contact", True))
             self.assertEqual(found["exact"]["penetration"], "0x0p+0")
         found = self.checked(self.line({"min": [2, 0, 0], "max": [1, 1, 1]}))
-        self.assertEqual(found["exact"]["reason"], "box.min, element 1, is 2, above 1 in box.max; each element of min is at most that of max")
+        self.assertEqual(found["exact"]["reason"], "box.min on x is 2, above 1 in box.max; on each axis min is at most max")
 
     def test_a_run_is_of_one_entry(self):
         record = self.run_ok("--predicate", "box-triangle", "--trials", "40", "--precision", "binary32")

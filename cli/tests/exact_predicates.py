@@ -149,20 +149,28 @@ def turned(w, x, y, z):
     return [times(Fraction(1) / n, plus(plus(times(w * w - dot(v, v), e), times(2 * dot(v, e), v)), times(2 * w, cross(v, e)))) for e in UPRIGHT]
 
 
+def upright_box(low, high):
+    return box(times(Fraction(1, 2), plus(low, high)), times(Fraction(1, 2), minus(high, low)), UPRIGHT)
+
+
 def box_box(numbers, entry):
-    half = len(numbers) // 2
+    half = 6 if entry.startswith("minmax") else len(numbers) // 2
     both = []
     for own in (numbers[:half], numbers[half:]):
-        both.append(box(tuple(own[:3]), own[3:6], vectors(own[6:]) if entry == "matrix" else turned(*own[6:])))
+        if len(own) == 6:
+            both.append(upright_box(*vectors(own)))
+        else:
+            both.append(box(tuple(own[:3]), own[3:6], vectors(own[6:]) if entry == "matrix" else turned(*own[6:])))
     return of_hulls(*both[0], *both[1]) if all(both) else ("invalid", False)
 
 
 def box_triangle(numbers, entry):
-    first, second, *more = vectors(numbers)
-    a, b, c = more[-3:]
+    first, second, *more = vectors(numbers[:-9])
+    a, b, c = vectors(numbers[-9:])
     if entry == "minmax":
-        first, second = times(Fraction(1, 2), plus(first, second)), times(Fraction(1, 2), minus(second, first))
-    own = box(first, second, more[:3] if entry == "matrix" else UPRIGHT)
+        own = upright_box(first, second)
+    else:
+        own = box(first, second, more if entry == "matrix" else turned(*numbers[6:10]) if entry == "quaternion" else UPRIGHT)
     return of_hulls(*own, [a, b, c], [minus(b, a), minus(c, b), minus(a, c)]) if own else ("invalid", False)
 
 

@@ -8,6 +8,53 @@ import unittest
 from command import ROOT, Case, axiscert
 
 SOURCE = (ROOT / "examples/plugin/c/my_kernel.c").read_text()
+# A motion's first time by bisection of its distance from the triangle, late by a centimetre of the way.
+LATE = """
+#include "axiscert/plugin.h"
+#include <math.h>
+typedef struct { double x, y, z; } vec;
+static vec add(vec u, vec v, double s) { vec w = {u.x + s * v.x, u.y + s * v.y, u.z + s * v.z}; return w; }
+static double dot(vec u, vec v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
+static vec cross(vec u, vec v) { vec w = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x}; return w; }
+static double from_edge(vec p, vec a, vec b) {
+  vec e = add(b, a, -1), to = add(p, a, -1);
+  double s = dot(e, e) > 0 ? dot(to, e) / dot(e, e) : 0;
+  to = add(to, e, -(s < 0 ? 0 : s > 1 ? 1 : s));
+  return sqrt(dot(to, to));
+}
+static double distance(vec p, const vec *t) {
+  vec n = cross(add(t[1], t[0], -1), add(t[2], t[0], -1));
+  double least = HUGE_VAL;
+  int k, inside = dot(n, n) > 0;
+  for (k = 0; k < 3; ++k) {
+    double d = from_edge(p, t[k], t[(k + 1) % 3]);
+    if (d < least) least = d;
+    if (dot(cross(add(t[(k + 1) % 3], t[k], -1), add(p, t[k], -1)), n) < 0) inside = 0;
+  }
+  return inside ? fabs(dot(add(p, t[0], -1), n)) / sqrt(dot(n, n)) : least;
+}
+static vec of(const float *v) { vec w = {v[0], v[1], v[2]}; return w; }
+static int f(const float a[3], const float b[3], const float c[3], const float p[3], const float d[3], float r, float *time) {
+  vec t[3] = {of(a), of(b), of(c)}, at = of(p), by = of(d);
+  double low = 0, high = 1, least;
+  int k;
+  for (k = 0; k < 200; ++k) {
+    double s = low + (high - low) / 3, u = high - (high - low) / 3;
+    if (distance(add(at, by, s), t) < distance(add(at, by, u), t)) high = u; else low = s;
+  }
+  least = high;
+  if (distance(add(at, by, least), t) > r && distance(at, t) > r) return AXISCERT_SEPARATED;
+  for (low = 0, high = least, k = 0; k < 60; ++k) {
+    double s = (low + high) / 2;
+    if (distance(add(at, by, s), t) > r) low = s; else high = s;
+  }
+  high = distance(at, t) <= r ? 0 : high;
+  *time = (float)fmin(1, high + 0.01 / sqrt(dot(by, by)));
+  return AXISCERT_CONTACT;
+}
+AXISCERT_MOTION_PLUGIN(float, "late", f, displacement, time)
+"""
+UNTIMED = LATE.replace(", float *time)", ")").replace("displacement, time", "displacement, none").replace("  *time = (float)fmin(1, high + 0.01 / sqrt(dot(by, by)));\n", "")
 PREDICATES = ("sphere-triangle", "moving-sphere", "box-box", "box-triangle")
 
 
@@ -15,7 +62,7 @@ class Game(Case):
     def built(self, change=lambda text: text):
         source, file = self.folder / "mine.c", self.folder / "mine.so"
         source.write_text(change(SOURCE))
-        subprocess.run(["cc", "-O2", "-shared", "-fPIC", f"-I{ROOT}/kernel/include", source, "-o", file], check=True)
+        subprocess.run(["cc", "-O2", "-shared", "-fPIC", f"-I{ROOT}/kernel/include", source, "-o", file, "-lm"], check=True)
         return f"plugin:{file}"
 
     def game(self, kernel, *more):
@@ -36,8 +83,33 @@ class Game(Case):
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stdout, r"contacts invented, worst (9\.\d+ mm|1 cm), ")
         self.assertTrue(done.stdout.endswith("verdict: not met\n"), done.stdout)
-        self.assertIn("depth=1mm: 8,192 of 8,192 promised queries looked at: not met", done.stderr)
+        self.assertRegex(done.stderr, r"^axiscert: --require: plugin:\S+: not met: depth=1mm, logic\n$")
         self.assertLessEqual(len((done.stdout + done.stderr).splitlines()), 10)
+
+    def test_two_precisions_are_ten_lines_too(self):
+        for kernel in ("published", "fault/dropped_axis", "fault/early_return", "moving-sphere/rounded", "box-box/textbook", "box-triangle/thirteen"):
+            done = axiscert("run", "--kernel", kernel, "--preset", "game", "--trials", "512", "--out", self.folder / "out")
+            printed = (done.stdout + done.stderr).splitlines()
+            self.assertLessEqual(len(printed), 10, done.stdout + done.stderr)
+            for precision in ("binary32", "binary64"):
+                self.assertRegex(done.stdout, rf"\n?{kernel} .*{precision}.*: [0-9,]+ everyday scenes: ")
+            self.assertEqual(len([line for line in printed if "in other units: " in line]), 1, printed)
+            self.assertEqual(len([line for line in printed if ": met: " in line or ": not met: " in line]), 1 + (": not met: " in done.stderr and ": met: " in done.stdout))
+
+    def test_times_are_held_to_a_millimetre_where_there_are_some(self):
+        done = axiscert("run", "--kernel", "moving-sphere/rounded", "--preset", "game", "--trials", "512", "--out", self.folder / "out")
+        self.assertRegex(done.stdout, r"everyday scenes: .*; times (at most \S+ \S+|none) early, (at most \S+ \S+|none) late")
+        plan = json.loads((self.folder / "out/record.json").read_text())["plan"]
+        self.assertEqual(plan["require"], ["depth=1mm", "logic", "early=1mm", "never-late=1mm"])
+        late = self.built(lambda _: LATE)
+        done = self.game(late, "--precision", "binary32")
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertRegex(done.stdout, r"times .* early, at most (9\.\d+ mm|1 cm|1\.0\d cm) late")
+        self.assertRegex(done.stderr, r": not met: .*never-late=1mm")
+        self.assertNotIn("early=1mm", done.stderr)
+        untimed = axiscert("run", "--kernel", "moving-sphere/rounded", "--kernel", self.built(lambda _: UNTIMED), "--preset", "game", "--trials", "512",
+                           "--precision", "binary32", "--out", self.folder / "out")
+        self.assertIn("NOT CHECKED, which is allowed: early=1mm, never-late=1mm: the kernel gives no time of contact\n", untimed.stdout)
 
     def test_every_predicate_has_scenes(self):
         for predicate in PREDICATES:

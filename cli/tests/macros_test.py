@@ -71,6 +71,12 @@ static body turned(const real *centre, const real *half, const real *q) {
   return box(centre, half, axes);
 }
 static const real upright[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+static body between(const real *low, const real *high) {
+  real centre[3], half[3];
+  int k;
+  for (k = 0; k < 3; ++k) { centre[k] = (low[k] + high[k]) / 2; half[k] = (high[k] - low[k]) / 2; }
+  return box(centre, half, upright);
+}
 
 #define POINT(name) const real name[3]
 #define BOX(name) POINT(name##_centre), POINT(name##_half)
@@ -82,6 +88,14 @@ static int box_box_quaternion(BOX(a), const real a_turn[4], BOX(b), const real b
   const body first = turned(a_centre, a_half, a_turn), second = turned(b_centre, b_half, b_turn);
   return separated(&first, &second);
 }
+static int box_box_minmax(POINT(a_low), POINT(a_high), POINT(b_low), POINT(b_high)) {
+  const body first = between(a_low, a_high), second = between(b_low, b_high);
+  return separated(&first, &second);
+}
+static int box_box_mixed(POINT(a_low), POINT(a_high), BOX(b), const real b_turn[4]) {
+  const body first = between(a_low, a_high), second = turned(b_centre, b_half, b_turn);
+  return separated(&first, &second);
+}
 static int box_triangle_matrix(POINT(centre), POINT(half), const real axes[9], POINT(a), POINT(b), POINT(c)) {
   const body first = box(centre, half, axes), second = triangle(a, b, c);
   return separated(&first, &second);
@@ -90,10 +104,12 @@ static int box_triangle_centre(POINT(centre), POINT(half), POINT(a), POINT(b), P
   return box_triangle_matrix(centre, half, upright, a, b, c);
 }
 static int box_triangle_minmax(POINT(low), POINT(high), POINT(a), POINT(b), POINT(c)) {
-  real centre[3], half[3];
-  int k;
-  for (k = 0; k < 3; ++k) { centre[k] = (low[k] + high[k]) / 2; half[k] = (high[k] - low[k]) / 2; }
-  return box_triangle_centre(centre, half, a, b, c);
+  const body first = between(low, high), second = triangle(a, b, c);
+  return separated(&first, &second);
+}
+static int box_triangle_quaternion(POINT(centre), POINT(half), const real turn[4], POINT(a), POINT(b), POINT(c)) {
+  const body first = turned(centre, half, turn), second = triangle(a, b, c);
+  return separated(&first, &second);
 }
 
 /* Falls, in the direction -z, on the front of a triangle in a plane of one z, above a vertex or the face. */
@@ -146,11 +162,14 @@ MACROS = [
     ('AXISCERT_MOTION_PLUGIN(real, "x", all_e, endpoints, all)', "p1", (*TIMES, "features", "normals=0", "points=0")),
     ('AXISCERT_BOX_PLUGIN(real, "x", box_box_matrix, matrix)', "box-box/lattice", ()),
     ('AXISCERT_BOX_PLUGIN(real, "x", box_box_quaternion, quaternion)', "box-box/lattice_turned", ()),
+    ('AXISCERT_BOX_PLUGIN(real, "x", box_box_minmax, minmax)', "box-box/lattice_minmax", ()),
+    ('AXISCERT_BOX_PLUGIN(real, "x", box_box_mixed, minmax_quaternion)', "box-box/lattice_mixed", ()),
     ('AXISCERT_PLUGIN_OF(real, "x", shows, BOX, matrix, comparisons, AXISCERT_DECLARE(summary, "shown") AXISCERT_DECLARE(formulae, "box-box/projected"))',
      "box-box/lattice", ()),
     ('AXISCERT_BOX_TRIANGLE_PLUGIN(real, "x", box_triangle_centre, centre)', "box-triangle/lattice", ()),
     ('AXISCERT_BOX_TRIANGLE_PLUGIN(real, "x", box_triangle_minmax, minmax)', "box-triangle/lattice_minmax", ()),
     ('AXISCERT_BOX_TRIANGLE_PLUGIN(real, "x", box_triangle_matrix, matrix)', "box-triangle/lattice_oriented", ()),
+    ('AXISCERT_BOX_TRIANGLE_PLUGIN(real, "x", box_triangle_quaternion, quaternion)', "box-triangle/lattice_turned", ()),
 ]
 COMPILERS = {"c": ["cc", "-std=c99"], "cpp": ["c++", "-std=c++11"]}
 PRECISIONS = {"float": "binary32", "double": "binary64"}

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "cli/running/brief_output.h"
 #include "cli/running/check_output.h"
 #include "cli/running/run_output.h"
 #include "fuzz/campaign/supervised_testing.h"
@@ -93,6 +94,30 @@ TEST(CheckOutput, OutsideTheLimitsIsSaid) {
   Kernel kernel = black_box("mine", no_fault);
   kernel.limits.greatest_coordinate = 1;
   EXPECT_EQ(line_of(kernel, apart), "q: exact separated, mine separated (outside the limits that it declares)");
+}
+
+TEST(BriefOutput, LevelsOfOneOutcomeAreOneLineAndNameTheirPrecisionsWhereTheseDiffer) {
+  const auto outcome = [](const char* level, const char* precision, LevelState state, const char* reason = "") {
+    LevelOutcome one;
+    one.asked = parse_level(level);
+    one.kernel = "mine";
+    one.precision = precision;
+    one.state = state;
+    one.reason = reason;
+    return one;
+  };
+  using enum LevelState;
+  std::vector<LevelOutcome> all = {outcome("depth=1mm", "binary32", not_met),
+                                   outcome("depth=1mm", "binary64", met),
+                                   outcome("logic", "binary32", not_met),
+                                   outcome("logic", "binary64", not_met),
+                                   outcome("early=1mm", "binary32", not_checked, "no times"),
+                                   outcome("early=1mm", "binary64", not_checked, "no times")};
+  all[4].is_allowed = all[5].is_allowed = true;
+  const BriefOutcomes brief = brief_outcomes(all);
+  EXPECT_THAT(brief.failing, testing::ElementsAre("mine: not met: depth=1mm in binary32, logic"));
+  EXPECT_THAT(brief.passing, testing::ElementsAre("mine: met: depth=1mm in binary64",
+                                                  "mine: NOT CHECKED, which is allowed: early=1mm: no times"));
 }
 
 TEST(RunOutput, FindingsStandFirstThenWhatWasJudged) {

@@ -16,8 +16,9 @@ PLANS = {
     "sphere-triangle": Plan("axiscert", ["published"], "repeated", ("p.x", "r"), "nonstrict"),
     "moving-sphere": Plan("axiscert", ["moving-sphere/twenty", "moving-sphere/ends-twenty"], "moving-sphere/line_sweep", ("p.x", "r"),
                           "moving-sphere/twenty-nonstrict"),
-    "box-box": Plan("axiscert", ["box-box/textbook", "box-box/textbook-turned"], "box-box/resting", ("a.m.x", "a.s.x")),
-    "box-triangle": Plan("axiscert", ["box-triangle/textbook", "box-triangle/textbook-minmax", "box-triangle/textbook-oriented"],
+    "box-box": Plan("axiscert", ["box-box/textbook", "box-box/textbook-turned", "box-box/textbook-minmax", "box-box/textbook-mixed"], "box-box/resting", ("a.m.x", "a.s.x")),
+    "box-triangle": Plan("axiscert", ["box-triangle/textbook", "box-triangle/textbook-minmax", "box-triangle/textbook-oriented",
+                                      "box-triangle/textbook-turned"],
                          "box-triangle/touching", ("box.m.x", "box.s.x")),
     "point-box": Plan("axiscert_toy", ["point-box/fault"], "point-box/general", ("p.x", "p.z")),
 }

@@ -29,9 +29,12 @@ SILENT = {"generate", "kernels", "predicates", "families", "query", "plan", "ver
 # kernel of each, a family in which it is wrong, and two numbers that a map changes.
 ENTRIES = {
     "moving-sphere": {"endpoints": None},
-    "box-box": {"quaternion": ("box-box/textbook-turned", "box-box/crossed_turned", ("b.m.x", "b.s.x"))},
+    "box-box": {"quaternion": ("box-box/textbook-turned", "box-box/crossed_turned", ("b.m.x", "b.s.x")),
+                "minmax": ("box-box/textbook-minmax", "box-box/touching_minmax", ("a.min.x", "b.max.x")),
+                "minmax-quaternion": ("box-box/textbook-mixed", "box-box/tangent_mixed", ("a.max.x", "b.s.x"))},
     "box-triangle": {"minmax": ("box-triangle/textbook-minmax", "box-triangle/touching_minmax", ("box.min.x", "a.x")),
-                     "matrix": ("box-triangle/textbook-oriented", "box-triangle/touching_oriented", ("box.b.1.x", "c.z"))},
+                     "matrix": ("box-triangle/textbook-oriented", "box-triangle/touching_oriented", ("box.b.1.x", "c.z")),
+                     "quaternion": ("box-triangle/textbook-turned", "box-triangle/touching_turned", ("box.m.x", "c.z"))},
 }
 
 

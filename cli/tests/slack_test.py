@@ -15,8 +15,11 @@ assert COMPARISON in SOURCE
 class Slack(Case):
     def built(self, skin):
         """A kernel that calls spheres contacts as if r were r (1 + skin)."""
+        return self.with_radius(f"r + r * {skin}f")
+
+    def with_radius(self, grown):
         file, source = self.folder / "my_kernel.so", self.folder / "my_kernel.c"
-        source.write_text(SOURCE.replace(COMPARISON, f"const float grown = r + r * {skin}f; return squared > grown * grown ?"))
+        source.write_text(SOURCE.replace(COMPARISON, f"const float grown = {grown}; return squared > grown * grown ?"))
         subprocess.run(["cc", "-O2", "-ffp-contract=off", "-shared", "-fPIC", f"-I{ROOT}/kernel/include", source, "-o", file], check=True)
         return f"plugin:{file}"
 
@@ -28,6 +31,11 @@ class Slack(Case):
         slack = json.loads((out / "record.json").read_text())["kernels"][0]["slack"]
         self.assertEqual((slack["found"][0]["kind"], slack["found"][0]["to"], slack["found"][0]["side"]), ("relative", "r", "early"))
         self.assertIn("no-slack=1e-4", (out / "junit.xml").read_text())
+
+    def test_a_least_radius_is_an_absolute_number_that_is_said_before_the_class(self):
+        families = ["--family", "units", "--family", "general", "--trials", "8192", "--precision", "binary32"]
+        done = axiscert("run", "--kernel", self.with_radius("r < 0.01f ? 0.01f : r"), *families, "--out", self.folder / "out")
+        self.assertRegex(done.stdout.splitlines()[0], r"binary32: as if an absolute number near 0\.0[01]\S+ \(squared \S+\) were compared with \S+.*; wrong on ")
 
     def test_a_right_kernel_meets_the_level_and_is_told_what_would_be_seen(self):
         done = axiscert("run", "--kernel", "published", *PLAN, "--require", "no-slack=1e-2", "--require", "no-slack=1e-3")

@@ -79,6 +79,14 @@ ExactPair exact_pair(const BoxPair<double>& q) {
 
 ExactPair exact_pair(const TurnedPair<double>& q) { return {turned(q.a), turned(q.b)}; }
 
+ExactPair exact_pair(const CornersPair<double>& q) {
+  const Numbers<double> numbers = numbers_of(q);
+  return rational(
+      with_matrices(MinmaxBoxes::problem<ExactNumber>([&](std::size_t k) { return ExactNumber(numbers[k]); })));
+}
+
+ExactPair exact_pair(const MixedPair<double>& q) { return {exact_pair(CornersPair<double>{q.a, q.a}).a, turned(q.b)}; }
+
 std::vector<AxisRest> axis_rests(const ExactPair& q) {
   const Point between = q.b.centre - q.a.centre;
   std::vector<AxisRest> found;
@@ -241,6 +249,9 @@ Rational squared_scene(const ExactBoxAndTriangle& q) {
 ExactBoxAndTriangle exact_box_and_triangle(const CentredAndTriangle<double>& q) { return exactly<CentreEntry>(q); }
 ExactBoxAndTriangle exact_box_and_triangle(const CornersAndTriangle<double>& q) { return exactly<MinmaxEntry>(q); }
 ExactBoxAndTriangle exact_box_and_triangle(const BoxAndTriangle<double>& q) { return exactly<OrientedEntry>(q); }
+ExactBoxAndTriangle exact_box_and_triangle(const TurnedAndTriangle<double>& q) {
+  return {turned(q.box), each<Rational>(q.corner)};
+}
 
 Hull hull_of(const std::array<Point, 3>& corners) { return {corners.begin(), corners.end()}; }
 

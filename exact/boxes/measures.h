@@ -15,18 +15,21 @@ namespace axiscert::boxes {
 using ExactBox = OrientedBox<Rational>;
 using ExactPair = BoxPair<Rational>;
 
-// Precondition: the numbers are finite, and no quaternion is 0.
+// Precondition: the numbers are finite, and no quaternion is 0. The centre and half extents of two corners are exact.
 ExactPair exact_pair(const BoxPair<double>& q);
 ExactPair exact_pair(const TurnedPair<double>& q);
+ExactPair exact_pair(const CornersPair<double>& q);
+ExactPair exact_pair(const MixedPair<double>& q);
 
 // A box and a triangle over the rationals, and how deep they are in contact.
 
 using ExactBoxAndTriangle = BoxAndTriangle<Rational>;
 
-// Precondition: the numbers are finite. The centre and half extents of two corners are exact.
+// Precondition as of two boxes.
 ExactBoxAndTriangle exact_box_and_triangle(const CentredAndTriangle<double>& q);
 ExactBoxAndTriangle exact_box_and_triangle(const CornersAndTriangle<double>& q);
 ExactBoxAndTriangle exact_box_and_triangle(const BoxAndTriangle<double>& q);
+ExactBoxAndTriangle exact_box_and_triangle(const TurnedAndTriangle<double>& q);
 
 Hull hull_of(const std::array<Point, 3>& corners);
 

@@ -71,27 +71,57 @@ BoxPair<T> scaled(const TurnedPair<double>& q) {
   return {box(q.a, of_a, of_b.square), box(q.b, of_b, of_a.square)};
 }
 
+template <class T>
+std::array<Vec3<T>, 3> unit_vectors() {
+  const T zero(0.0), one(1.0);
+  return {{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}};
+}
+// Factor 2: of corners low and high, the centre is low + high and the half extents high - low.
+template <class T>
+OrientedBox<T> scaled(const CornersBox<double>& box) {
+  const Vec3<T> low = each<T>(box.low), high = each<T>(box.high), size = high - low;
+  return {low + high, {{size.x, size.y, size.z}}, unit_vectors<T>()};
+}
+template <class T>
+BoxPair<T> scaled(const CornersPair<double>& q) {
+  return {scaled<T>(q.a), scaled<T>(q.b)};
+}
+// Factor 2 |q|^2.
+template <class T>
+BoxPair<T> scaled(const MixedPair<double>& q) {
+  const TurnedAxes<T> turned = turned_axes<T>(q.b.q);
+  OrientedBox<T> a = scaled<T>(q.a);
+  a.centre = a.centre * turned.square;
+  for (T& half : a.half) half = half * turned.square;
+  const Vec3<T> centre = each<T>(q.b.centre) * turned.square;
+  std::array<T, 3> half = each<T>(q.b.half);
+  for (T& x : half) x = x + x;
+  return {a, {centre + centre, half, turned.axis}};
+}
+
 // Factor 1.
 template <class T>
 BoxAndTriangle<T> scaled(const BoxAndTriangle<double>& q) {
   return {scaled<T>(q.box), each<T>(q.corner)};
 }
 template <class T>
-std::array<Vec3<T>, 3> unit_vectors() {
-  const T zero(0.0), one(1.0);
-  return {{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}};
-}
-template <class T>
 BoxAndTriangle<T> scaled(const CentredAndTriangle<double>& q) {
   return {{each<T>(q.centre), each<T>(q.half), unit_vectors<T>()}, each<T>(q.corner)};
 }
-// Factor 2: of corners low and high, the centre is low + high and the half extents high - low.
+// Factor 2.
 template <class T>
 BoxAndTriangle<T> scaled(const CornersAndTriangle<double>& q) {
-  const Vec3<T> low = each<T>(q.low), high = each<T>(q.high), size = high - low;
   const std::array<Vec3<T>, 3> corner = each<T>(q.corner);
-  return {{low + high, {{size.x, size.y, size.z}}, unit_vectors<T>()},
+  return {scaled<T>(CornersBox<double>{q.low, q.high}),
           {{corner[0] + corner[0], corner[1] + corner[1], corner[2] + corner[2]}}};
+}
+// Factor |q|^2.
+template <class T>
+BoxAndTriangle<T> scaled(const TurnedAndTriangle<double>& q) {
+  const TurnedAxes<T> turned = turned_axes<T>(q.box.q);
+  const std::array<Vec3<T>, 3> corner = each<T>(q.corner);
+  return {{each<T>(q.box.centre) * turned.square, each<T>(q.box.half), turned.axis},
+          {{corner[0] * turned.square, corner[1] * turned.square, corner[2] * turned.square}}};
 }
 
 // Its eight corners, some of them equal where a half extent is 0.

@@ -17,16 +17,18 @@
 
 namespace axiscert::boxes {
 
-// `name` is the box's member: the reason for which its axes or its quaternion do not make a box, or empty.
+// `name` is the box's member: the reason for which its axes, its quaternion or its corners do not make a box, or empty.
 inline std::string why_invalid_box(std::string_view name, const OrientedBox<double>& box) {
   return why_axes_are_invalid(name, box);
 }
 inline std::string why_invalid_box(std::string_view name, const TurnedBox<double>& box) {
-  const bool is_zero = std::all_of(box.q.begin(), box.q.end(), [](double x) { return x == 0; });
-  return is_zero ? fmt::format("{}.q is 0, 0, 0, 0; a quaternion has an element other than 0", name) : "";
+  return why_quaternion_is_invalid(name, box);
+}
+inline std::string why_invalid_box(std::string_view name, const CornersBox<double>& box) {
+  return why_corners_are_invalid(name, box);
 }
 
-// Both entries share this trait; `Boxes` is MatrixBoxes or QuaternionBoxes.
+// All entries share this trait; `Boxes` is MatrixBoxes, QuaternionBoxes, MinmaxBoxes or MixedBoxes.
 template <class Boxes>
 struct BoxTrait : Boxes {
   static auto query(const Numbers<double>& numbers) {
@@ -62,8 +64,10 @@ struct BoxTrait : Boxes {
   static ExactDepth exact_depth(const Numbers<double>& numbers) { return boxes::exact_depth(exactly(numbers)); }
   static Distance distance(const Numbers<double>& numbers) { return {squared_distance(exactly(numbers)), 0}; }
 
-  // That of the half extent of A's first axis at which the boxes touch.
-  static std::optional<Rational> squared_critical_length(const Numbers<double>& numbers) {
+  // That of the half extent of A's first axis at which the boxes touch, in an entry that has it.
+  static std::optional<Rational> squared_critical_length(const Numbers<double>& numbers)
+    requires(Boxes::entry == MatrixBoxes::entry || Boxes::entry == QuaternionBoxes::entry)
+  {
     Numbers<double> any = numbers;
     any[3] = 0;  // the extent that is not read
     if (!is_valid(any)) return std::nullopt;
@@ -105,12 +109,22 @@ struct MatrixTrait : BoxTrait<MatrixBoxes> {
 };
 
 struct QuaternionTrait : BoxTrait<QuaternionBoxes> {
-  using ClearForms = FormulaeList<OfQuaternions<ProjectedFifteen>>;
+  using ClearForms = FormulaeList<ByMatrices<ProjectedFifteen>>;
   using Exact = BinaryFraction;  // the matrix of a quaternion is divided by its squared length
-  using AllFormulae =
-      FormulaeList<OfQuaternions<ProjectedFifteen>, OfQuaternions<Columns>, OfQuaternions<DroppedFifteen>,
-                   OfQuaternions<FramedFifteen>, OfQuaternions<Textbook>, OfQuaternions<Rtcd>,
-                   OfQuaternions<Gottschalk>, OfQuaternions<Bullet>, OfQuaternions<Cofactor>, Homogeneous>;
+  using AllFormulae = FormulaeList<ByMatrices<ProjectedFifteen>, ByMatrices<Columns>, ByMatrices<DroppedFifteen>,
+                                   ByMatrices<FramedFifteen>, ByMatrices<Textbook>, ByMatrices<Rtcd>,
+                                   ByMatrices<Gottschalk>, ByMatrices<Bullet>, ByMatrices<Cofactor>, Homogeneous>;
+};
+
+struct MinmaxPairTrait : BoxTrait<MinmaxBoxes> {
+  using ClearForms = FormulaeList<ByMatrices<ProjectedFifteen>>;
+  using AllFormulae = FormulaeList<ByMatrices<ProjectedFifteen>, ByMatrices<Textbook>, ByMatrices<Cofactor>, Intervals>;
+};
+
+struct MixedTrait : BoxTrait<MixedBoxes> {
+  using ClearForms = FormulaeList<ByMatrices<ProjectedFifteen>>;
+  using Exact = BinaryFraction;  // the matrix of a quaternion is divided by its squared length
+  using AllFormulae = FormulaeList<ByMatrices<ProjectedFifteen>, ByMatrices<Textbook>, ByMatrices<Cofactor>>;
 };
 
 }  // namespace axiscert::boxes

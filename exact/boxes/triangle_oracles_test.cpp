@@ -45,6 +45,9 @@ TEST(TriangleOracles, TheFormsOfOneBoxHaveOneTruth) {
     const Truth truth = oracles_in(CentreEntry::entry).truth(numbers_of(q));
     const Truth of_corners = oracles_in(MinmaxEntry::entry).truth(numbers_of(corners));
     const Truth turned = oracles_in(OrientedEntry::entry).truth(numbers_of(oriented(q)));
+    const TurnedAndTriangle<double> straight{{q.centre, q.half, {-2, 0, 0, 0}}, q.corner};
+    const Truth of_quaternion = oracles_in(TurnedEntry::entry).truth(numbers_of(straight));
+    EXPECT_TRUE(truth.verdict == of_quaternion.verdict && truth.touching == of_quaternion.touching) << i;
     EXPECT_TRUE(truth.verdict == of_corners.verdict && truth.touching == of_corners.touching) << i;
     EXPECT_TRUE(truth.verdict == turned.verdict && truth.touching == turned.touching) << i;
   }
@@ -56,13 +59,11 @@ TEST(TriangleOracles, SayWhyNumbersAreNoQuery) {
   EXPECT_EQ(oracles_in(CentreEntry::entry).why_invalid(numbers), "box.s, element 2, is -1; half extents are 0 or more");
   numbers = numbers_of(CornersAndTriangle<double>{{0, 2, 0}, {1, 1, 1}, {}});
   EXPECT_EQ(oracles_in(MinmaxEntry::entry).why_invalid(numbers),
-            "box.min, element 2, is 2, above 1 in box.max; each element of min is at most that of max");
+            "box.min on y is 2, above 1 in box.max; on each axis min is at most max");
   EXPECT_EQ(oracles_in(MinmaxEntry::entry).truth(numbers).verdict, Verdict::invalid);
   numbers = numbers_of(CornersAndTriangle<double>{{3, 2, 0}, {1, 1, 1}, {}});
   EXPECT_EQ(oracles_in(MinmaxEntry::entry).why_invalid(numbers),
-            "box.min, element 1, is 3, above 1 in box.max; box.min, element 2, is 2, above 1 in box.max; each element "
-            "of min is at "
-            "most that of max");
+            "box.min on x is 3, above 1; box.min on y is 2, above 1 in box.max; on each axis min is at most max");
   numbers = numbers_of(BoxAndTriangle<double>{});
   EXPECT_EQ(oracles_in(OrientedEntry::entry).why_invalid(numbers),
             "box.b has the determinant 0; the axes of a box are linearly independent");

@@ -17,14 +17,10 @@ namespace axiscert::boxes {
 // The reason for which finite numbers with half extents of 0 or more do not make a box, or empty.
 inline std::string why_invalid_box(const CentredAndTriangle<double>&) { return ""; }
 inline std::string why_invalid_box(const CornersAndTriangle<double>& q) {
-  const std::array<double, 3> low = {q.low.x, q.low.y, q.low.z}, high = {q.high.x, q.high.y, q.high.z};
-  std::vector<std::string> faults;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (low[i] > high[i])
-      faults.push_back(fmt::format("box.min, element {}, is {}, above {} in box.max", i + 1, low[i], high[i]));
-  }
-  if (faults.empty()) return "";
-  return fmt::format("{}; each element of min is at most that of max", fmt::join(faults, "; "));
+  return why_corners_are_invalid("box", {q.low, q.high});
+}
+inline std::string why_invalid_box(const TurnedAndTriangle<double>& q) {
+  return why_quaternion_is_invalid("box", q.box);
 }
 inline std::string why_invalid_box(const BoxAndTriangle<double>& q) { return why_axes_are_invalid("box", q.box); }
 
@@ -83,6 +79,10 @@ struct MinmaxTrait : TriangleTrait<MinmaxEntry> {
 };
 struct OrientedTrait : TriangleTrait<OrientedEntry> {
   using AllFormulae = FormulaeList<Thirteen, FramedThirteen>;
+};
+struct TurnedTriangleTrait : TriangleTrait<TurnedEntry> {
+  using Exact = BinaryFraction;  // the matrix of a quaternion is divided by its squared length
+  using AllFormulae = FormulaeList<Thirteen, TurnedThirteen>;
 };
 
 }  // namespace axiscert::boxes

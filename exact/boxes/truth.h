@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -45,6 +47,23 @@ inline std::string why_numbers_are_invalid(const PredicateEntry& entry, const Nu
 inline std::string why_axes_are_invalid(std::string_view member, const OrientedBox<double>& box) {
   if (determinant(scaled<DyadicNumber>(box)).value.sign() != CGAL::ZERO) return "";
   return fmt::format("{}.b has the determinant 0; the axes of a box are linearly independent", member);
+}
+
+inline std::string why_quaternion_is_invalid(std::string_view member, const TurnedBox<double>& box) {
+  const bool is_zero = std::all_of(box.q.begin(), box.q.end(), [](double x) { return x == 0; });
+  return is_zero ? fmt::format("{}.q is 0, 0, 0, 0; a quaternion has an element other than 0", member) : "";
+}
+
+// Each axis on which min is above max.
+inline std::string why_corners_are_invalid(std::string_view member, const CornersBox<double>& box) {
+  const std::array<double, 3> low = {box.low.x, box.low.y, box.low.z}, high = {box.high.x, box.high.y, box.high.z};
+  std::vector<std::string> faults;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (low[i] > high[i])
+      faults.push_back(fmt::format("{}.min on {} is {}, above {}", member, "xyz"[i], low[i], high[i]));
+  }
+  if (faults.empty()) return "";
+  return fmt::format("{} in {}.max; on each axis min is at most max", fmt::join(faults, "; "), member);
 }
 
 // The truth by the nearest points with what the clipped edges say beside it, and the theorem that ties both to the

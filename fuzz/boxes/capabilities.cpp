@@ -115,6 +115,8 @@ auto given_in(const Numbers<double>& q) {
 std::vector<ExactFact> facts_of_pair(const Numbers<double>& q, std::size_t entry) {
   using namespace boxes;
   if (entry == QuaternionBoxes::entry) return exact_facts(exact_pair(given_in<QuaternionBoxes>(q)));
+  if (entry == MinmaxBoxes::entry) return exact_facts(exact_pair(given_in<MinmaxBoxes>(q)));
+  if (entry == MixedBoxes::entry) return exact_facts(exact_pair(given_in<MixedBoxes>(q)));
   return exact_facts(exact_pair(given_in<MatrixBoxes>(q)));
 }
 
@@ -122,6 +124,7 @@ std::vector<ExactFact> facts_of_triangle(const Numbers<double>& q, std::size_t e
   using namespace boxes;
   if (entry == MinmaxEntry::entry) return exact_facts(exact_box_and_triangle(given_in<MinmaxEntry>(q)));
   if (entry == OrientedEntry::entry) return exact_facts(exact_box_and_triangle(given_in<OrientedEntry>(q)));
+  if (entry == TurnedEntry::entry) return exact_facts(exact_box_and_triangle(given_in<TurnedEntry>(q)));
   return exact_facts(exact_box_and_triangle(given_in<CentreEntry>(q)));
 }
 
@@ -133,26 +136,26 @@ std::span<const ImageGroup* const> box_triangle_image_groups();
 
 const Capabilities& box_box_capabilities() {
   static const Capabilities all = {.image_groups = box_box_image_groups(),
-                                   .exact_facts = facts_of_pair,
                                    .quantities = &boxes::box_box_quantities(),
                                    .section_of_forms = section_of_forms,
                                    .situations = &boxes::box_box_situation::all,
                                    .diagnosis_scenes = &box_scenes,
                                    .slack_scenes = &box_box_slack_scenes,
-                                   .traits = &box_box_traits()};
+                                   .traits = &box_box_traits(),
+                                   .exact_facts = facts_of_pair};
   return all;
 }
 
 const Capabilities& box_triangle_capabilities() {
   static const Capabilities all = {.image_groups = box_triangle_image_groups(),
                                    .mesh = &box_triangle_mesh,
-                                   .exact_facts = facts_of_triangle,
                                    .quantities = &boxes::box_triangle_quantities(),
                                    .section_of_forms = section_of_forms,
                                    .situations = &boxes::box_triangle_situation::all,
                                    .diagnosis_scenes = &box_scenes,
                                    .slack_scenes = &box_triangle_slack_scenes,
-                                   .traits = &box_triangle_traits()};
+                                   .traits = &box_triangle_traits(),
+                                   .exact_facts = facts_of_triangle};
   return all;
 }
 

@@ -203,6 +203,15 @@ bool does_edge_meet(const BigBox& box, const BigBox& other) {
   }
   return false;
 }
+void put_given(TraitBits<PairTrait>&, const CornersPair<double>&) {}
+void put_given(TraitBits<PairTrait>& found, const MixedPair<double>& q) { put_quaternion(found, q.b); }
+
+// Its centre and half extents, in doubles.
+template <class Box>
+const Box& placed(const Box& box) {
+  return box;
+}
+OrientedBox<double> placed(const CornersBox<double>& box) { return with_matrix(box); }
 
 template <class Given>
 TraitSet pair_traits_of(const Given& given) {
@@ -257,16 +266,17 @@ TraitSet pair_traits_of(const Given& given) {
   // Of the lengths and places, without the axes.
   std::vector<double> sizes;
   double extent = 0;
-  for (const auto* box : {&given.a, &given.b}) {
-    for (const double x : {box->centre.x, box->centre.y, box->centre.z}) sizes.push_back(x);
-    for (const double x : box->half) {
+  const auto add = [&](const auto& box) {
+    for (const double x : {box.centre.x, box.centre.y, box.centre.z}) sizes.push_back(x);
+    for (const double x : box.half) {
       sizes.push_back(x);
       extent = std::max(extent, x);
     }
-  }
+    return box.centre;
+  };
+  const std::array centres = {add(placed(given.a)), add(placed(given.b))};
   found.put(small, is_small_scene(sizes));
   found.put(large, is_large_scene(sizes));
-  const std::array centres = {given.a.centre, given.b.centre};
   found.put(far, is_far_away(centres, extent));
   return found.bits();
 }
@@ -280,6 +290,8 @@ class BoxBoxTraits final : public Traits {
 
  private:
   static TraitSet found(const std::vector<double>& numbers, std::size_t entry) {
+    if (entry == MinmaxBoxes::entry) return pair_traits_of(given_of<MinmaxBoxes>(numbers));
+    if (entry == MixedBoxes::entry) return pair_traits_of(given_of<MixedBoxes>(numbers));
     if (entry == MatrixBoxes::entry) return pair_traits_of(given_of<MatrixBoxes>(numbers));
     return pair_traits_of(given_of<QuaternionBoxes>(numbers));
   }

@@ -216,7 +216,12 @@ class BoxBoxQuantities final : public Quantities {
       const TurnedPair<double> q = QuaternionBoxes::problem<double>(load);
       return values_of(TwoBoxes{turned(q.a), turned(q.b)});
     }
-    const BoxPair<double> q = MatrixBoxes::problem<double>(load);
+    if (entry == MixedBoxes::entry) {
+      const MixedPair<double> q = MixedBoxes::problem<double>(load);
+      return values_of(TwoBoxes{with_matrix(q.a), turned(q.b)});
+    }
+    const BoxPair<double> q = entry == MinmaxBoxes::entry ? with_matrices(MinmaxBoxes::problem<double>(load))
+                                                          : MatrixBoxes::problem<double>(load);
     return values_of(TwoBoxes{q.a, q.b});
   }
 };
@@ -234,6 +239,7 @@ class BoxTriangleQuantities final : public Quantities {
     const auto load = [&](std::size_t k) { return static_cast<double>(query[k]); };
     if (entry == CentreEntry::entry) return values_with_triangle<CentreEntry>(load);
     if (entry == MinmaxEntry::entry) return values_with_triangle<MinmaxEntry>(load);
+    if (entry == TurnedEntry::entry) return values_with_triangle<TurnedEntry>(load);
     return values_with_triangle<OrientedEntry>(load);
   }
 };

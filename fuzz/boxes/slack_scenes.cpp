@@ -77,22 +77,32 @@ void put_slack_box(Numbers<double>& numbers, std::size_t first, const Solid& sol
   for (std::size_t k = 0; k < 4 && as_quaternion; ++k) numbers[first + 6 + k] = solid.turned.q[k];
 }
 
+// The corners min and max of an upright one.
+void put_slack_corners(Numbers<double>& numbers, std::size_t first, const OrientedBox<double>& box) {
+  const ScenePoint half{box.half[0], box.half[1], box.half[2]};
+  put(numbers, first, box.centre - half);
+  put(numbers, first + 3, box.centre + half);
+}
+
 constexpr std::string_view on_any = "on any axis", on_edges = "on the product of two edges",
                            on_flat = "on the facet of a flat box";
 
 // Boxes that touch in one point, on one axis; then B goes away along it.
 std::vector<SlackScene> of_two_boxes(std::size_t entry, Precision precision, std::uint64_t seed) {
   const StreamName name(seed, name_hash("box-box/slack"), 1, precision);
-  const bool as_quaternion = entry == 1;
+  const bool is_mixed = entry == boxes::MixedBoxes::entry, as_corners = entry == boxes::MinmaxBoxes::entry,
+             as_quaternion = is_mixed || entry == boxes::QuaternionBoxes::entry;
+  const std::size_t of_one = as_corners || is_mixed ? 6 : as_quaternion ? 10 : 15, columns = is_mixed ? 16 : 2 * of_one;
   std::vector<SlackScene> scenes;
   constexpr std::string_view facets = "on a facet";
   constexpr std::string_view parts[] = {"on a facet of a", "on a facet of b", on_edges, on_flat};
   std::uint64_t position = 0;
   for (std::size_t kind = 0; kind < 4; ++kind) {
+    if (as_corners && kind == 2) continue;  // edges of upright boxes have no products of their own
     for (std::size_t made = 0; made < scenes_of_kind;) {
       Stream random(name, position++);
       const double size = random_length(random, -3, 4);
-      Solid a = random_box(random, size, true), b = random_box(random, size, true);
+      Solid a = random_box(random, size, !as_corners && !is_mixed), b = random_box(random, size, !as_corners);
       const std::size_t i = random.below(3), j = random.below(3);
       const double side = random.coin() ? 1 : -1;
       const bool is_of_b = kind == 1, is_of_edges = kind == 2;
@@ -104,19 +114,21 @@ std::vector<SlackScene> of_two_boxes(std::size_t entry, Precision precision, std
         n = unit_of(n);
       }
       n = n * side;  // from A to B
-      const auto of_a =
-          is_of_edges ? farthest(random, a.box, n, i) : farthest(random, a.box, n, no_axis, is_of_b ? no_axis : i);
+      const auto of_a = is_of_edges ? farthest(random, a.box, n, i)
+                                    : farthest(random, a.box, n, no_axis, is_of_b && !as_corners ? no_axis : i);
       const auto of_b = is_of_edges ? farthest(random, b.box, n * -1.0, j)
-                                    : farthest(random, b.box, n * -1.0, no_axis, is_of_b ? i : no_axis);
+                                    : farthest(random, b.box, n * -1.0, no_axis, is_of_b || as_corners ? i : no_axis);
       if (!of_a || !of_b) continue;
       ++made;
       b.box.centre = a.box.centre + *of_a - *of_b - n * (inset * size);
-      const std::size_t of_one = as_quaternion ? 10 : 15;
-      SlackScene scene{on_any, kind < 2 ? facets : parts[kind], parts[kind], zeros(2 * of_one), zeros(2 * of_one)};
-      put_slack_box(scene.base, 0, a, as_quaternion);
-      put_slack_box(scene.base, of_one, b, as_quaternion);
+      SlackScene scene{on_any, kind < 2 ? facets : parts[kind], parts[kind], zeros(columns), zeros(columns)};
+      if (as_corners || is_mixed) put_slack_corners(scene.base, 0, a.box);
+      else put_slack_box(scene.base, 0, a, as_quaternion);
+      if (as_corners) put_slack_corners(scene.base, of_one, b.box);
+      else put_slack_box(scene.base, of_one, b, as_quaternion);
       scene.unit = inset * size;
       put(scene.step, of_one, n * scene.unit);
+      if (as_corners) put(scene.step, of_one + 3, n * scene.unit);
       scene.turns_to_separated = true;
       scene.scene = scene.apart = std::max(far_coordinate(a.box), far_coordinate(b.box));
       scene.lengths = {{{"the half extents along the axis", reach(a.box, n) + reach(b.box, n)},
@@ -130,8 +142,9 @@ std::vector<SlackScene> of_two_boxes(std::size_t entry, Precision precision, std
 // A box and a triangle that touch in one point, on one axis; then the triangle goes away along it.
 std::vector<SlackScene> of_box_and_triangle(std::size_t entry, Precision precision, std::uint64_t seed) {
   const StreamName name(seed, name_hash("box-triangle/slack"), 1, precision);
-  const bool is_turned = entry == 2, has_corners = entry == 1;
-  const std::size_t columns = is_turned ? 24 : 15, first_corner = columns - 9;
+  const bool as_quaternion = entry == boxes::TurnedEntry::entry, has_corners = entry == boxes::MinmaxEntry::entry;
+  const bool is_turned = as_quaternion || entry == boxes::OrientedEntry::entry;
+  const std::size_t columns = as_quaternion ? 19 : is_turned ? 24 : 15, first_corner = columns - 9;
   std::vector<SlackScene> scenes;
   constexpr std::string_view kinds[] = {"on a facet of the box", "on the triangle's plane", on_edges, on_flat};
   std::uint64_t position = 0;
@@ -164,14 +177,15 @@ std::vector<SlackScene> of_box_and_triangle(std::size_t entry, Precision precisi
       if (kind != 1 && other_lift < 0.2 * size) continue;
       if (is_of_facet && next_lift < 0.2 * size) continue;
       ++made;
-      // A part of a flat box's thickness is none: its scenes are a path of their own.
-      SlackScene scene{kind == 3 ? on_flat : on_any, kinds[kind], kinds[kind], zeros(columns), zeros(columns)};
+      SlackScene scene{on_any, kinds[kind], kinds[kind], zeros(columns), zeros(columns)};
       if (is_turned) {
-        put_slack_box(scene.base, 0, solid, false);
+        put_slack_box(scene.base, 0, solid, as_quaternion);
+      } else if (has_corners) {
+        put_slack_corners(scene.base, 0, box);
       } else {
         const ScenePoint half{box.half[0], box.half[1], box.half[2]};
-        put(scene.base, 0, has_corners ? box.centre - half : box.centre);
-        put(scene.base, 3, has_corners ? box.centre + half : half);
+        put(scene.base, 0, box.centre);
+        put(scene.base, 3, half);
       }
       scene.unit = inset * size;
       const ScenePoint by = box.centre + *of_box - at - n * scene.unit;
@@ -183,9 +197,9 @@ std::vector<SlackScene> of_box_and_triangle(std::size_t entry, Precision precisi
       }
       scene.apart = scene.scene;
       scene.turns_to_separated = true;
-      const SceneLength sum{"the sum of the half extents", sum_of(box.half)};
-      scene.lengths = {kind == 3 ? sum : SceneLength{"the half extents along the axis", reach(box, n)},
-                       kind == 3 ? SceneLength() : sum};
+      // Along the axis of its facet a flat box has no extent, of which a slack would be a part.
+      scene.lengths = {{{"the half extents along the axis", kind == 3 ? 0 : reach(box, n)},
+                        {"the sum of the half extents", sum_of(box.half)}}};
       scenes.push_back(scene);
     }
   }

@@ -99,12 +99,12 @@ constexpr EnumArray<CornerTrait, Trait> corner_traits = {{
     {"facet_alone", "parted by one facet of the box alone", "regions"},
     {"edges_alone", "parted by one product of edges alone", "regions"},
     {"several", "parted by several axes", "regions"},
-    {"below_x", "that meet the box made longer to lower x", {}, true},
-    {"above_x", "that meet the box made longer to higher x", {}, true},
-    {"below_y", "that meet the box made longer to lower y", {}, true},
-    {"above_y", "that meet the box made longer to higher y", {}, true},
-    {"below_z", "that meet the box made longer to lower z", {}, true},
-    {"above_z", "that meet the box made longer to higher z", {}, true},
+    {"below_x", "that meet the box made longer to lower x", {}, true, true},
+    {"above_x", "that meet the box made longer to higher x", {}, true, true},
+    {"below_y", "that meet the box made longer to lower y", {}, true, true},
+    {"above_y", "that meet the box made longer to higher y", {}, true, true},
+    {"below_z", "that meet the box made longer to lower z", {}, true, true},
+    {"above_z", "that meet the box made longer to higher z", {}, true, true},
     {"shallow_facet", "least deep along a facet of the box", "regions"},
     {"shallow_plane", "least deep along the triangle's plane", "regions"},
     {"shallow_edges", "least deep along a product of edges", "regions"},
@@ -121,8 +121,8 @@ constexpr EnumArray<CornerTrait, Trait> corner_traits = {{
     {"beyond_ab", "with edge ab beyond the box along a product of it, and c not", {}, true},
     {"beyond_bc", "with edge bc beyond the box along a product of it, and a not", {}, true},
     {"beyond_ca", "with edge ca beyond the box along a product of it, and b not", {}, true},
-    {"front", "with the box's centre in front of the triangle"},
-    {"behind", "with the box's centre behind the triangle"},
+    {"front", "with the box's centre in front of the triangle", {}, false, true},
+    {"behind", "with the box's centre behind the triangle", {}, false, true},
     {"vertex_inside", "with a vertex in the box", "on_triangle"},
     {"all_inside", "with all vertices in the box", "on_triangle"},
     {"centre_inside", "with the box's centre in the triangle's plane", "on_triangle"},
@@ -303,10 +303,11 @@ class BoxTriangleTraits final : public Traits {
       const auto given = given_of<MinmaxEntry>(numbers);
       return corner_traits_of(given, numbers, given.low);
     }
-    const auto given = given_of<OrientedEntry>(numbers);
-    std::vector<double> sizes = numbers;  // without the axes
-    sizes.erase(sizes.begin() + 6, sizes.begin() + 15);
-    return corner_traits_of(given, sizes, given.box.centre);
+    std::vector<double> sizes = numbers;  // without the axes, or the quaternion
+    sizes.erase(sizes.begin() + 6, sizes.end() - 9);
+    const auto traits_of = [&](const auto& given) { return corner_traits_of(given, sizes, given.box.centre); };
+    if (entry == TurnedEntry::entry) return traits_of(given_of<TurnedEntry>(numbers));
+    return traits_of(given_of<OrientedEntry>(numbers));
   }
 };
 

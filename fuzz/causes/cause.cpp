@@ -170,8 +170,17 @@ class Probe {
     const double right_cases = static_cast<double>(all.size()) - wrong_cases;
     const auto wrong_asked = static_cast<double>(wrong_);
     const double right_asked = std::max(right_cases, static_cast<double>(asked_in_all) - wrong_asked);
-    const FoundClass found = best_class(
-        all, {wrong_asked / wrong_cases, right_cases == 0 ? 1 : right_asked / right_cases}, narrow_traits(traits_));
+    const Weights weights{wrong_asked / wrong_cases, right_cases == 0 ? 1 : right_asked / right_cases};
+    const TraitKinds kinds = kinds_of(traits_);
+    const CauseRecord best = record_of(best_class(all, weights, kinds), sample, further, first);
+    if (best.is_known) return best;
+    const FoundClass sharp = sharp_class(all, weights, kinds);
+    if (sharp.traits == 0) return best;
+    const CauseRecord other = record_of(sharp, sample, further, first);
+    return other.is_known ? other : best;
+  }
+
+  CauseRecord record_of(const FoundClass& found, const Cases& sample, const Cases& further, std::uint64_t first) const {
     const auto is_in = [&](const Case& one) { return (one.traits & found.traits) == found.traits; };
 
     CauseRecord record;
@@ -179,13 +188,15 @@ class Probe {
     record.phrase = phrase_of(traits_, found.traits);
     for (const std::string& name : trait_names(traits_, found.traits)) record.traits.push_back(Name(name));
     bool has_missed = false, has_phantom = false;
-    for (const Case& one : all) {
-      if (!one.is_wrong) continue;
-      ++record.looked_at;
-      if (!is_in(one)) continue;
-      ++record.explained;
-      has_missed |= (one.traits & contact_trait) != 0;
-      has_phantom |= (one.traits & separated_trait) != 0;
+    for (const Cases* cases : {&sample, &further}) {
+      for (const Case& one : cases->cases) {
+        if (!one.is_wrong) continue;
+        ++record.looked_at;
+        if (!is_in(one)) continue;
+        ++record.explained;
+        has_missed |= (one.traits & contact_trait) != 0;
+        has_phantom |= (one.traits & separated_trait) != 0;
+      }
     }
     record.direction = !has_phantom  ? CauseDirection::missed
                        : !has_missed ? CauseDirection::phantom
@@ -199,7 +210,8 @@ class Probe {
   // Wrong verdicts and queries, in the class and elsewhere, of queries that were not chosen by what the kernel said of
   // them: those of the sample, and later ones of the sources that have the class.
   template <class IsIn>
-  void count(CauseRecord& record, const IsIn& is_in, const Cases& sample, const Cases& further, std::uint64_t first) {
+  void count(CauseRecord& record, const IsIn& is_in, const Cases& sample, const Cases& further,
+             std::uint64_t first) const {
     const auto add = [&](const Case& one) {
       ++(is_in(one) ? record.of : record.elsewhere_of);
       if (one.is_wrong) ++(is_in(one) ? record.wrong : record.elsewhere_wrong);
@@ -222,14 +234,16 @@ class Probe {
     for (const Case& one : further.cases) add(one);
   }
 
-  // More than half of the wrong verdicts are in the class, and there they are no matter of chance.
+  // Half of the wrong verdicts are in the class, or a quarter of a sharp one; and there they are no matter of chance.
   bool is_known(const CauseRecord& record) const {
-    if (2 * record.explained < record.looked_at || record.of == 0) return false;
+    if (record.of == 0) return false;
     const auto share = [](std::uint64_t part, std::uint64_t of) {
       return of == 0 ? 0 : static_cast<double>(part) / static_cast<double>(of);
     };
     const double rate = share(record.wrong, record.of), elsewhere = share(record.elsewhere_wrong, record.elsewhere_of);
     const double overall = share(record.wrong + record.elsewhere_wrong, record.of + record.elsewhere_of);
+    const double explained = share(record.explained, record.looked_at);
+    if (explained < (rate >= sharp_rate ? least_of_sharp : 0.5)) return false;
     return rate >= 4 * elsewhere && (rate >= 0.9 || rate >= 2 * overall);
   }
 

@@ -198,19 +198,56 @@ TEST(Traits, OfTwoBoxesByTheAxisThatDecidesAndByEdges) {
   EXPECT_THAT(boxes(0, 1, 0), HasSubstr(" perpendicular "));
 }
 
+TEST(Traits, OfAMotionByItsFirstContactAndItsWay) {
+  // Down to a face at z = 0, from 10 with radius 1: it touches after 9 of the way.
+  const auto motion = [](double way) {
+    return traits_of(moving_sphere_predicate(), MovingSphere::entry,
+                     {0, 0, 0, 9, 0, 0, 0, 9, 0, 1, 1, 10, 0, 0, -way, 1});
+  };
+  EXPECT_THAT(motion(9001), HasSubstr(" earliest "));
+  EXPECT_THAT(motion(8999), Not(HasSubstr(" earliest ")));
+  EXPECT_THAT(motion(0), HasSubstr(" parallel "));
+  EXPECT_THAT(motion(20), Not(HasSubstr(" parallel ")));
+}
+
 // Wrong on all that have the traits 1, 2 and 4, of which 2 is narrow.
-FoundClass class_of(std::size_t wrong, TraitSet traits, TraitSet narrow) {
+FoundClass class_of(std::size_t wrong, TraitSet traits, const TraitKinds& kinds) {
   std::vector<Case> cases(wrong, Case{traits | contact_trait, true});
   for (TraitSet part = 0; part < traits; ++part) {
     if ((part & ~traits) == 0) cases.insert(cases.end(), 8, Case{part | contact_trait, false});
   }
-  return best_class(cases, {}, narrow);
+  return best_class(cases, {}, kinds);
 }
 TEST(BestClass, OfFewWrongCasesIsGeneral) {
-  EXPECT_EQ(class_of(5, 7, 0).traits, TraitSet{7});
-  EXPECT_EQ(std::popcount(class_of(4, 7, 0).traits & 7), 1);
-  EXPECT_EQ(class_of(5, 3, 2).traits, TraitSet{3});
-  EXPECT_EQ(class_of(4, 3, 2).traits & 2, TraitSet{0});
+  EXPECT_EQ(class_of(5, 7, {}).traits, TraitSet{7});
+  EXPECT_EQ(std::popcount(class_of(4, 7, {}).traits & 7), 1);
+  EXPECT_EQ(class_of(5, 3, {.narrow = 2}).traits, TraitSet{3});
+  EXPECT_EQ(class_of(4, 3, {.narrow = 2}).traits & 2, TraitSet{0});
+}
+
+TEST(BestClass, ATraitThatStandsAloneHasNoOtherBesideIt) {
+  EXPECT_EQ(class_of(8, 3, {.alone = 2}).traits & 3, TraitSet{1});
+  EXPECT_EQ(class_of(8, 2, {.alone = 2}).traits & 3, TraitSet{2});
+  std::vector<Case> cases(8, Case{3 | contact_trait, true});
+  cases.insert(cases.end(), 9, Case{2 | contact_trait, false});
+  cases.insert(cases.end(), 12, Case{1 | contact_trait, false});
+  EXPECT_EQ(best_class(cases, {}, {.alone = 2}).traits & 3, TraitSet{1}) << "right on half of its queries";
+  cases.erase(cases.begin() + 8);
+  EXPECT_EQ(best_class(cases, {}, {.alone = 2}).traits & 3, TraitSet{2});
+}
+
+// Wrong on all of one trait and, by a coin, on others: half of the wrong verdicts have no trait but the exact answer.
+TEST(BestClass, ASharpOneMayHaveAQuarterOfTheWrongVerdicts) {
+  std::vector<Case> cases(10, Case{1 | separated_trait, true});
+  cases.insert(cases.end(), 20, Case{contact_trait, true});
+  cases.insert(cases.end(), 200, Case{contact_trait, false});
+  cases.insert(cases.end(), 200, Case{separated_trait, false});
+  EXPECT_EQ(best_class(cases, {}).traits, contact_trait);
+  EXPECT_EQ(sharp_class(cases, {}).traits, TraitSet{1});
+  cases.resize(30);
+  cases.insert(cases.end(), 11, Case{contact_trait, true});
+  cases.insert(cases.end(), 200, Case{contact_trait, false});
+  EXPECT_EQ(sharp_class(cases, {}).traits, TraitSet{0}) << "less than a quarter";
 }
 
 TEST(BestClass, ItIsTheShortestWithoutAFault) {

@@ -29,7 +29,8 @@ struct Split {
 
 class Search {
  public:
-  Search(std::span<const Case> cases, const Weights& weights, TraitSet narrow) : weights_(weights), narrow_(narrow) {
+  Search(std::span<const Case> cases, const Weights& weights, const TraitKinds& kinds, bool is_sharp)
+      : weights_(weights), kinds_(kinds), is_sharp_(is_sharp) {
     std::size_t wrong = 0, right = 0;
     for (const Case& one : cases) ++(one.is_wrong ? wrong : right);
     wrong_ = weights.wrong * static_cast<double>(wrong);
@@ -75,9 +76,13 @@ class Search {
   void see(TraitSet traits, const Split& cases, int size) {
     const double wrong_cases = cases_in(cases.wrong);
     const int own = size - ((traits & (contact_trait | separated_trait)) != 0 ? 1 : 0);
-    const bool is_special = own >= 2 || (traits & narrow_) != 0;
+    const bool is_special = own >= 2 || (traits & kinds_.narrow) != 0;
     if (wrong_cases == 0 || (is_special && wrong_cases < least_of_special)) return;
     const double wrong = weights_.wrong * wrong_cases, right = weights_.right * cases_in(cases.right);
+    if ((traits & kinds_.alone) != 0 && (own >= 2 || wrong < right)) return;
+    if (is_sharp_ &&
+        (wrong_cases < least_of_special || wrong < least_of_sharp * wrong_ || wrong < sharp_rate * (wrong + right)))
+      return;
     const double explains_most = 2 * wrong >= wrong_ ? 1 : 0;
     constexpr double worth[] = {1, 0.85, 0.85 * 0.85};  // by the number of traits
     const double score = explains_most + worth[size - 1] * (wrong / (wrong_ + right));
@@ -87,7 +92,8 @@ class Search {
   }
 
   Weights weights_;
-  TraitSet narrow_;
+  TraitKinds kinds_;
+  bool is_sharp_;
   double wrong_ = 0, right_ = 0, best_score_ = -1;
   std::vector<std::size_t> trait_;
   std::vector<Split> having_;
@@ -96,14 +102,20 @@ class Search {
 
 }  // namespace
 
-FoundClass best_class(std::span<const Case> cases, const Weights& weights, TraitSet narrow) {
-  return Search(cases, weights, narrow).best();
+FoundClass best_class(std::span<const Case> cases, const Weights& weights, const TraitKinds& kinds) {
+  return Search(cases, weights, kinds, false).best();
+}
+FoundClass sharp_class(std::span<const Case> cases, const Weights& weights, const TraitKinds& kinds) {
+  return Search(cases, weights, kinds, true).best();
 }
 
-TraitSet narrow_traits(const Traits& traits) {
-  TraitSet narrow = 0;
-  for (std::size_t k = 0; k < traits.all().size(); ++k) narrow |= bit_if<TraitSet>(traits.all()[k].is_narrow, k);
-  return narrow;
+TraitKinds kinds_of(const Traits& traits) {
+  TraitKinds kinds;
+  for (std::size_t k = 0; k < traits.all().size(); ++k) {
+    kinds.narrow |= bit_if<TraitSet>(traits.all()[k].is_narrow, k);
+    kinds.alone |= bit_if<TraitSet>(traits.all()[k].stands_alone, k);
+  }
+  return kinds;
 }
 
 std::string phrase_of(const Traits& traits, TraitSet found) {

@@ -27,6 +27,12 @@ struct Weights {
   double wrong = 1, right = 1;
 };
 
+// The traits that are narrow, and those that stand alone but for the exact answer.
+struct TraitKinds {
+  TraitSet narrow = 0, alone = 0;
+};
+TraitKinds kinds_of(const Traits& traits);
+
 struct FoundClass {
   TraitSet traits = 0;  // a query with all of these is in the class; at most three
   // The share of the wrong verdicts that are in the class; of wrong ones among its queries, and among all.
@@ -39,12 +45,16 @@ inline constexpr double least_of_special = 5;
 
 // Of the conjunctions that explain at least half of the wrong verdicts, that with the greatest share: the wrong ones
 // within it, of these, the right ones within it and the wrong ones outside it; else of all conjunctions. One trait less
-// is worth 15 % of it, and among equals the first counts. There is a wrong case, and `narrow` has the narrow traits.
-FoundClass best_class(std::span<const Case> cases, const Weights& weights, TraitSet narrow = 0);
+// is worth 15 % of it, and among equals the first counts. There is a wrong case.
+FoundClass best_class(std::span<const Case> cases, const Weights& weights, const TraitKinds& kinds = {});
+// The same of those with a quarter of the wrong verdicts that are wrong on four fifths of their queries: without a
+// trait where there is none. A slip that makes an axis part more and less is wrong on all that it decides, and on
+// others.
+inline constexpr double least_of_sharp = 0.25, sharp_rate = 0.8;
+FoundClass sharp_class(std::span<const Case> cases, const Weights& weights, const TraitKinds& kinds = {});
 
 // "spheres in contact nearest to vertex a, with an obtuse corner there".
 std::string phrase_of(const Traits& traits, TraitSet found);
-TraitSet narrow_traits(const Traits& traits);
 // The names, in the order of the phrase.
 std::vector<std::string> trait_names(const Traits& traits, TraitSet found);
 

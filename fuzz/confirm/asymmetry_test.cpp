@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "kernel/boxes/projected.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
@@ -140,6 +141,31 @@ TEST(Invariance, AClampOfHalfExtentsIsFoundInEveryEntry) {
     EXPECT_EQ(compared[0]["quantity"], "the half extent to which all that are less have to be raised for contact");
     EXPECT_NEAR(compared[0]["least"].get<double>(), 0.01, 0.002);
   }
+}
+
+// Products of edges that are left out where the half edges' own product is small.
+TEST(Invariance, ALengthOfTheProductThatPartsIsFound) {
+  Kernel kernel = find_kernel("box-box/projected");
+  kernel.exposes = Exposure::verdict;
+  kernel.binary64 = [](std::string_view) {
+    return Implementation<double>{[](const Columns& batch, Verdict* out) {
+      for (std::size_t n = 0; n < batch.size; ++n) {
+        const auto q = boxes::MatrixBoxes::problem<double>([&](std::size_t k) { return batch.column[k][n]; });
+        bool is_apart = false;
+        const auto see = [&](std::size_t i, double lhs, double rhs) {
+          const auto along = boxes::direction(q, i);
+          const double half = i < 6 ? 1 : q.a.half[(i - 6) / 3] * q.b.half[(i - 6) % 3];
+          is_apart |= lhs > rhs && (i < 6 || std::sqrt(dot(along, along)) * half >= 1e-3);
+        };
+        boxes::ProjectedFifteen::comparisons<double>(q, see);
+        out[n] = is_apart ? Verdict::separated : Verdict::contact;
+      }
+    }};
+  };
+  const Json compared = found(kernel, "box-box/units", 9600).json["scale"]["wrong"]["where_small"]["compared"];
+  ASSERT_FALSE(compared.empty());
+  EXPECT_EQ(compared[0]["quantity"], "|edge x edge| of the half edges whose product parts the two");
+  EXPECT_NEAR(compared[0]["least"].get<double>(), 1e-3, 2e-4);
 }
 
 // A number that is too large is found too, though the answers at 2^0 are wrong; but nothing is then held against a base

@@ -172,7 +172,7 @@ std::string line_of(const std::string& a, const std::string& b) {
 }
 const std::string cube = R"({"m":[0,0,0],"s":[1,1,1],"b":[[1,0,0],[0,1,0],[0,0,1]]})";
 const std::string slab = R"({"b":[["0x1p-1",0,0],[0,1,0],[0,0,-1]],"s":[1,2,0.25],"m":[3,4,5]})";
-const std::string in_either_way = "with m, s and b or with m, s and q";
+const std::string in_either_way = "with m, s and b, with m, s and q or with min and max";
 const std::string axes_due = "an array of three, each an array of three numbers, belongs here";
 std::string line_of_triangle(const std::string& box) {
   return R"({"predicate":"box-triangle","precision":"binary64","a":[0,0,0],"b":[1,0,0],"c":[0,1,0],"box":)" + box + "}";
@@ -232,16 +232,21 @@ TEST(BoxQuery, WhatIsWrongIsNamedByItsPath) {
 }
 
 TEST(BoxQuery, AMemberThatItsEntryDoesNotReadIsRefused) {
-  const std::string three_forms = "'box' is an object with m and s, with min and max or with m, s and b";
-  EXPECT_EQ(box_refusal(line_of_triangle(R"({"m":[0,0,0],"s":[1,1,1],"q":[1,0,0,0]})")),
-            "f:1: field 'box.q': not read beside m and s; " + three_forms);
+  const std::string four_forms =
+      "'box' is an object with m and s, with min and max, with m, s and b or with m, s and q";
+  EXPECT_EQ(box_refusal(line_of_triangle(R"({"m":[0,0,0],"s":[1,1,1],"max":[1,1,1]})")),
+            "f:1: field 'box.max': not read beside m and s; " + four_forms);
   EXPECT_EQ(box_refusal(line_of_triangle(R"({"m":[0,0,0],"s":[1,1,1],"min":[0,0,0],"max":[1,1,1]})")),
-            "f:1: field 'box.max': not read beside m and s; " + three_forms);
+            "f:1: field 'box.max': not read beside m and s; " + four_forms);
   EXPECT_EQ(box_refusal(line_of(R"({"m":[0,0,0],"s":[1,1,1],"q":[1,0,0,0],"b":[[1,0,0],[0,1,0],[0,0,1]]})", cube)),
             "f:1: field 'a.q': not read beside m, s and b; 'a' is an object " + in_either_way);
   EXPECT_EQ(parsed_boxes(line_of_triangle(R"({"m":[0,0,0],"s":[1,1,1]})")).front().entry, boxes::CentreEntry::entry);
   EXPECT_EQ(parsed_boxes(line_of_triangle(R"({"min":[0,0,0],"max":[1,1,1]})")).front().entry,
             boxes::MinmaxEntry::entry);
+  EXPECT_EQ(parsed_boxes(line_of_triangle(turned)).front().entry, boxes::TurnedEntry::entry);
+  const std::string corners = R"({"min":[0,0,0],"max":[1,1,1]})";
+  EXPECT_EQ(parsed_boxes(line_of(corners, corners)).front().entry, boxes::MinmaxBoxes::entry);
+  EXPECT_EQ(parsed_boxes(line_of(corners, turned)).front().entry, boxes::MixedBoxes::entry);
 }
 
 TEST(BoxQuery, TheAxesAreThreeColumns) {

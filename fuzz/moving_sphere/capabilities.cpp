@@ -34,14 +34,14 @@ const Capabilities& moving_sphere_capabilities() {
                                                               .second = "the motion"}};
   static const Capabilities all = {.image_groups = moving_sphere_image_groups(),
                                    .mesh = &moving_sphere_mesh,
-                                   .exact_facts = facts_of_motion,
                                    .quantities = &moving_sphere::quantities(),
                                    .section_of_forms = moving_sphere::sweeps_over_reals,
                                    .situations = &moving_sphere::situation::all,
                                    .correct_forms = correct_forms,
                                    .diagnosis_scenes = &scenes,
                                    .slack_scenes = &moving_sphere_slack_scenes,
-                                   .traits = &moving_sphere_traits()};
+                                   .traits = &moving_sphere_traits(),
+                                   .exact_facts = facts_of_motion};
   return all;
 }
 

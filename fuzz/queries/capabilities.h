@@ -42,9 +42,10 @@ class NearestFeatures {
 
 // One of them. The phrase follows the noun of its queries: "spheres", and "nearest to vertex a". Where a property of a
 // diagnosis asks about it, that property is named. A narrow trait has one axis of many, of which a wider trait has all.
+// One that stands alone cuts across the others: it is a class without them, and where half of its queries are wrong.
 struct Trait {
   std::string_view name, phrase, property = {};
-  bool is_narrow = false;
+  bool is_narrow = false, stands_alone = false;
 };
 using TraitSet = std::uint64_t;  // bit k: all()[k]
 inline constexpr std::size_t most_traits = 62;
@@ -92,11 +93,9 @@ struct Capabilities {
   const Screens* screens = nullptr;                   // fuzz/campaign/stages.h: of a predicate with filters
   const InputClasses* input_classes = nullptr;        // above
   const NearestFeatures* nearest_features = nullptr;  // above
-  // exact/trait/exact_facts.h: what there is to tell of a valid query in an entry; a float widens exactly.
-  std::vector<ExactFact> (*exact_facts)(const Numbers<double>& query, std::size_t entry) = nullptr;
-  bool has_engine_queries = false;              // which the screen counts (fuzz/record/wrong_verdicts.h)
-  const Quantities* quantities = nullptr;       // fuzz/confirm/absolute_size.h
-  const WitnessSides* witness_sides = nullptr;  // fuzz/confirm/witness.h
+  bool has_engine_queries = false;                    // which the screen counts (fuzz/record/wrong_verdicts.h)
+  const Quantities* quantities = nullptr;             // fuzz/confirm/absolute_size.h
+  const WitnessSides* witness_sides = nullptr;        // fuzz/confirm/witness.h
 
   // Of the documents: what the predicate's built-in kernels answer.
   std::string_view section_of_forms = {};
@@ -111,6 +110,8 @@ struct Capabilities {
   const ImageMaps* image_maps = nullptr;                             // fuzz/shrink/pair.h
   const SlackScenes* slack_scenes = nullptr;                         // fuzz/slack/scenes.h
   const Traits* traits = nullptr;                                    // above
+  // exact/trait/exact_facts.h: what there is to tell of a valid query in an entry; a float widens exactly.
+  std::vector<ExactFact> (*exact_facts)(const Numbers<double>& query, std::size_t entry) = nullptr;
 };
 
 // Those of a predicate on the list of kernel/predicate_list.h: NAME_capabilities() of its room in fuzz/.

@@ -37,13 +37,22 @@ constexpr std::string_view right_forms[] = {"published",
                                             "box-box/textbook-turned",
                                             "box-box/cofactor-turned",
                                             "box-box/homogeneous",
+                                            "box-box/intervals-minmax",
+                                            "box-box/projected-minmax",
+                                            "box-box/textbook-minmax",
+                                            "box-box/cofactor-minmax",
+                                            "box-box/projected-mixed",
+                                            "box-box/textbook-mixed",
+                                            "box-box/cofactor-mixed",
                                             "box-triangle/textbook",
                                             "box-triangle/akenine-moller",
                                             "box-triangle/thirteen",
                                             "box-triangle/textbook-minmax",
                                             "box-triangle/thirteen-minmax",
                                             "box-triangle/textbook-oriented",
-                                            "box-triangle/thirteen-oriented"};
+                                            "box-triangle/thirteen-oriented",
+                                            "box-triangle/textbook-turned",
+                                            "box-triangle/thirteen-turned"};
 
 struct ClearCounts {
   std::uint64_t clear = 0, contact = 0;

@@ -69,9 +69,9 @@ struct CauseRecord {
     using Of = CauseRecord;
     return visit(
         field(&Of::sentence, {"sentence", "All of it in one sentence."}),
-        field(&Of::is_known,
-              {"known",
-               "Whether the class explains at least half of the wrong verdicts, and is wrong more often than others."}),
+        field(&Of::is_known, {"known",
+                              "Whether the class explains half of the wrong verdicts, or a quarter where it is wrong "
+                              "on four fifths of its queries, and is wrong more often than others."}),
         field(&Of::phrase, {"phrase", "The class in words."}),
         field(&Of::traits,
               {"traits", "The traits that its queries have in common; contact and separated are the exact answer."}),

@@ -49,19 +49,19 @@ QuerySize size_of(const Numbers<double>& q) { return size_in(q); }
 
 namespace {
 
-using ExactVector = std::vector<Rational>;
+using Rationals = std::vector<Rational>;
 
-ExactVector exact_difference(const ExactVector& x, const ExactVector& y) {
-  ExactVector out;
+Rationals exact_difference(const Rationals& x, const Rationals& y) {
+  Rationals out;
   for (std::size_t axis = 0; axis < x.size(); ++axis) out.push_back(Rational(x[axis] - y[axis]));
   return out;
 }
-bool is_zero_vector(const ExactVector& v) {
+bool is_zero_vector(const Rationals& v) {
   return std::all_of(v.begin(), v.end(), [](const Rational& x) { return sgn(x) == 0; });
 }
 
 // The dimension of what the vectors span.
-std::size_t rank_of(std::vector<ExactVector> rows) {
+std::size_t rank_of(std::vector<Rationals> rows) {
   std::size_t rank = 0;
   for (std::size_t column = 0; !rows.empty() && column < rows.front().size() && rank < rows.size(); ++column) {
     std::size_t pivot = rank;
@@ -83,7 +83,7 @@ class ExactParts {
   template <class Real>
   ExactParts(const QueryShape& shape, const Numbers<Real>& q) {
     const auto vector = [&](std::size_t first) {
-      ExactVector v;
+      Rationals v;
       for (std::size_t axis = 0; axis < shape.axes; ++axis) v.push_back(exact(q[first + axis]));
       return v;
     };
@@ -93,8 +93,8 @@ class ExactParts {
       if (shape.is_length[k]) lengths_.push_back(exact(q[k]));
     }
     for (std::size_t i = 1; i + 1 < points_.size(); ++i) spanned_.push_back(exact_difference(points_[i], points_[0]));
-    for (const ExactVector& v : points_) include(exact_difference(v, points_.back()));
-    for (const ExactVector& v : directions_) include(v);
+    for (const Rationals& v : points_) include(exact_difference(v, points_.back()));
+    for (const Rationals& v : directions_) include(v);
     include(lengths_);
   }
 
@@ -110,8 +110,8 @@ class ExactParts {
   bool is_collinear() const { return spanned_.size() >= 2 && rank_of(spanned_) < 2; }
   bool is_still() const { return std::any_of(directions_.begin(), directions_.end(), is_zero_vector); }
   bool is_parallel() const {
-    return !spanned_.empty() && std::any_of(directions_.begin(), directions_.end(), [&](const ExactVector& v) {
-      std::vector<ExactVector> with = spanned_;
+    return !spanned_.empty() && std::any_of(directions_.begin(), directions_.end(), [&](const Rationals& v) {
+      std::vector<Rationals> with = spanned_;
       with.push_back(v);
       return !is_zero_vector(v) && rank_of(with) == rank_of(spanned_);
     });
@@ -120,7 +120,7 @@ class ExactParts {
     return std::any_of(lengths_.begin(), lengths_.end(), [](const Rational& x) { return sgn(x) == 0; });
   }
   bool is_far() const {
-    return std::any_of(points_.begin(), points_.end(), [&](const ExactVector& v) {
+    return std::any_of(points_.begin(), points_.end(), [&](const Rationals& v) {
       return std::any_of(v.begin(), v.end(), [&](const Rational& x) {
         return sgn(x) != 0 && abs(x) >= Rational(far_from_origin) * extent_;
       });
@@ -128,12 +128,12 @@ class ExactParts {
   }
 
  private:
-  void include(const ExactVector& v) {
+  void include(const Rationals& v) {
     for (const Rational& x : v) extent_ = std::max(extent_, Rational(abs(x)));
   }
 
-  std::vector<ExactVector> points_, directions_, spanned_;
-  ExactVector lengths_;
+  std::vector<Rationals> points_, directions_, spanned_;
+  Rationals lengths_;
   Rational extent_;
 };
 

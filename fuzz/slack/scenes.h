@@ -19,7 +19,7 @@ namespace axiscert {
 // A length of the scene that a slack may be a part of.
 struct SceneLength {
   std::string_view name;  // "r", after "1e-4"
-  double length = 0;
+  double length = 0;      // 0: the scene has none of it, and shows no part of it
 };
 
 // The queries base + x step, x > 0, of which every number is in double and is rounded to the query's precision. The

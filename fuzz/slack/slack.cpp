@@ -57,15 +57,18 @@ struct Agreement {
 bool is_no_slack(const BracketGroup& group, double sign) {
   std::vector<double> parts;
   for (const Bracket* one : group) {
+    const auto& [first, second] = one->scene->lengths;
     if (sign * one->early > seen_above * one->rounding)
-      parts.push_back(sign * one->early / one->scene->lengths[0].length);
+      parts.push_back(sign * one->early / (first.length > 0 ? first.length : second.length));
   }
   std::ranges::sort(parts);
   return quantile_of(parts, 0.5) > most_of_length;
 }
 
 std::optional<Agreement> agreement_by(const Yardstick& by, const BracketGroup& group) {
-  const auto is_seen = [](const Bracket& one) { return std::abs(one.early) > seen_above * one.rounding; };
+  const auto is_seen = [&](const Bracket& one) {
+    return by.length(one) > 0 && std::abs(one.early) > seen_above * one.rounding;
+  };
   std::size_t early = 0, late = 0;
   for (const Bracket* one : group) {
     if (is_seen(*one)) ++(one->early > 0 ? early : late);
@@ -82,7 +85,7 @@ std::optional<Agreement> agreement_by(const Yardstick& by, const BracketGroup& g
   std::size_t contrary = 0;
   for (const Bracket* one : group) {
     const double length = by.length(*one), size = sign * one->early / length;
-    if (seen_above * one->rounding >= found.middle * length) continue;
+    if (length == 0 || seen_above * one->rounding >= found.middle * length) continue;
     ++found.looked_at;
     contrary += is_seen(*one) && size < 0;
     if (size >= found.middle / agreeing_factor && size <= found.middle * agreeing_factor) found.agreeing.push_back(one);
@@ -201,7 +204,10 @@ class Finder {
     if (of.size() < least_bracketed) return look;
     for (const Yardstick& by : yardsticks_of(of)) {
       std::vector<double> least;
-      for (const Bracket* one : of) least.push_back(seen_above * one->rounding / by.length(*one));
+      for (const Bracket* one : of) {
+        if (by.length(*one) > 0) least.push_back(seen_above * one->rounding / by.length(*one));
+      }
+      if (least.size() < least_bracketed) continue;
       std::ranges::sort(least);
       auto& into = by.kind == SlackKind::absolute ? look.least_absolute : look.least_relative;
       const double seen = least[least_bracketed - 1];

@@ -29,7 +29,6 @@ const Capabilities& sphere_triangle_capabilities() {
       .screens = &sphere_triangle_screens(),
       .input_classes = &sphere_triangle_input_classes(),
       .nearest_features = &sphere_triangle_nearest_features(),
-      .exact_facts = [](const Numbers<double>& q, std::size_t) { return exact_facts(query_from(q)); },
       .has_engine_queries = true,
       .quantities = &sphere_triangle_quantities(),
       .witness_sides = &sphere_triangle_witness_sides(),
@@ -43,6 +42,7 @@ const Capabilities& sphere_triangle_capabilities() {
       .image_maps = &sphere_triangle_image_maps(),
       .slack_scenes = &sphere_triangle_slack_scenes,
       .traits = &sphere_triangle_traits(),
+      .exact_facts = [](const Numbers<double>& q, std::size_t) { return exact_facts(query_from(q)); },
   };
   return all;
 }

@@ -144,7 +144,7 @@ TEST(BoxColumns, AreReadInTheOrderInWhichTheyAreWritten) {
   EXPECT_TRUE(std::equal(numbers.begin(), numbers.end(), back.begin(), back.end()));
   EXPECT_TRUE(std::equal(turned.begin(), turned.end(), turned_back.begin(), turned_back.end()));
   const Predicate& predicate = box_box_predicate();
-  ASSERT_EQ(predicate.entries.size(), 2u);
+  ASSERT_EQ(predicate.entries.size(), 4u);
   EXPECT_EQ(predicate.entries[0].columns.size(), 30u);
   EXPECT_EQ(predicate.entries[1].columns.size(), 20u);
   EXPECT_EQ(predicate.entries[0].columns[14].name, "a.b2z");
@@ -181,7 +181,9 @@ TEST(BoxKernels, HaveIdsOfThePredicateAndOfTheirEntry) {
   EXPECT_EQ(kernels_of_entry(0).size(), 10u);
   EXPECT_EQ(kernels_of_entry(0, true).size(), 16u);
   EXPECT_EQ(kernels_of_entry(1).size(), 10u);
-  for (const std::size_t entry : {0, 1}) {
+  EXPECT_EQ(kernels_of_entry(2).size(), 4u);
+  EXPECT_EQ(kernels_of_entry(3).size(), 3u);
+  for (const std::size_t entry : {0, 1, 2, 3}) {
     for (const Kernel* kernel : kernels_of_entry(entry)) EXPECT_TRUE(kernel->id.starts_with("box-box/")) << kernel->id;
   }
 }

@@ -1,7 +1,7 @@
-// Queries about a box and a triangle as the formulae see them, in the three ways in which the box can be given.
+// Queries about a box and a triangle as the formulae see them, in the four ways in which the box can be given.
 #pragma once
 
-#include "kernel/boxes/boxes.h"
+#include "kernel/boxes/turned.h"
 
 namespace axiscert {
 
@@ -28,6 +28,13 @@ struct CentredAndTriangle {
 template <class T>
 struct CornersAndTriangle {
   Vec3<T> low, high;
+  std::array<Vec3<T>, 3> corner;
+};
+
+// A box turned by a quaternion of any length but 0.
+template <class T>
+struct TurnedAndTriangle {
+  TurnedBox<T> box;
   std::array<Vec3<T>, 3> corner;
 };
 
@@ -75,6 +82,19 @@ struct OrientedEntry {
   }
 };
 
+// Entry `quaternion`: a turned box as box-box has it, and the triangle's corners.
+struct TurnedEntry {
+  static constexpr std::size_t entry = 3;
+  static const Predicate& description() { return box_triangle_predicate(); }
+  template <class T>
+  using Problem = TurnedAndTriangle<T>;
+  template <class T, class Load>
+  static Problem<T> problem(Load&& load) {
+    return {{vector_at<T>(load, 0), {{load(3), load(4), load(5)}}, {{load(6), load(7), load(8), load(9)}}},
+            corners_at<T>(load, 10)};
+  }
+};
+
 // The box by centre and half extents: for corners (l + h) / 2 and (h - l) / 2, in floats with the kernel's rounding.
 template <class T>
 CentredAndTriangle<T> centred(const CentredAndTriangle<T>& q) {
@@ -82,9 +102,8 @@ CentredAndTriangle<T> centred(const CentredAndTriangle<T>& q) {
 }
 template <class T>
 CentredAndTriangle<T> centred(const CornersAndTriangle<T>& q) {
-  const Vec3<T> sum = q.low + q.high, size = q.high - q.low;
-  const T half(0.5);
-  return {sum * half, {{size.x * half, size.y * half, size.z * half}}, q.corner};
+  const OrientedBox<T> box = with_matrix(CornersBox<T>{q.low, q.high});
+  return {box.centre, box.half, q.corner};
 }
 
 // The same as an oriented box: its axes are the world's.
@@ -100,6 +119,12 @@ BoxAndTriangle<T> oriented(const CentredAndTriangle<T>& q) {
 template <class T>
 BoxAndTriangle<T> oriented(const CornersAndTriangle<T>& q) {
   return oriented(centred(q));
+}
+
+// Of a quaternion the rotation, each entry divided once.
+template <class T>
+BoxAndTriangle<T> oriented(const TurnedAndTriangle<T>& q) {
+  return {with_matrix(q.box), q.corner};
 }
 
 // The numbers of a query in the order of the columns.
@@ -119,6 +144,15 @@ template <class Real>
 Numbers<Real> numbers_of(const CornersAndTriangle<Real>& q) {
   Numbers<Real> numbers(15);
   put_vectors(numbers, 0, {q.low, q.high, q.corner[0], q.corner[1], q.corner[2]});
+  return numbers;
+}
+template <class Real>
+Numbers<Real> numbers_of(const TurnedAndTriangle<Real>& q) {
+  Numbers<Real> numbers(19);
+  const TurnedBox<Real>& box = q.box;
+  put_vectors(numbers, 0, {box.centre, {box.half[0], box.half[1], box.half[2]}});
+  for (std::size_t k = 0; k < 4; ++k) numbers[6 + k] = box.q[k];
+  put_vectors(numbers, 10, {q.corner[0], q.corner[1], q.corner[2]});
   return numbers;
 }
 template <class Real>

@@ -45,6 +45,15 @@ std::vector<PredicateColumn> oriented_columns() {
   return columns;
 }
 
+std::vector<PredicateColumn> turned_columns() {
+  std::vector<PredicateColumn> columns;
+  add_group(columns, place, "box.m", {"box.mx", "box.my", "box.mz"});
+  add_group(columns, length, "box.s", {"box.s0", "box.s1", "box.s2"});
+  add_group(columns, direction_role, "box.q", {"box.qw", "box.qx", "box.qy", "box.qz"});
+  add_triangle(columns);
+  return columns;
+}
+
 Predicate box_triangle_described() {
   Predicate predicate{
       .id = "box-triangle",
@@ -56,7 +65,9 @@ Predicate box_triangle_described() {
                   {"minmax", "every number finite, no coordinate of the corner min above that of max",
                    minmax_columns()},
                   {"matrix", "every number finite, half extents 0 or more, the determinant of the basis not 0",
-                   oriented_columns()}},
+                   oriented_columns()},
+                  {"quaternion", "every number finite, half extents 0 or more, the quaternion other than 0",
+                   turned_columns()}},
       .comparisons = {},
       .clauses = {},
       .measures = {},
@@ -94,6 +105,10 @@ std::vector<Kernel> box_triangle_kernels() {
                                                      "the triangle in the frame of an oriented box, then textbook"),
       formulae_kernel<OrientedEntry, Thirteen>("box-triangle/thirteen-oriented",
                                                "thirteen, products of the box's own vectors: right over the reals"),
+      formulae_kernel<TurnedEntry, TurnedThirteen>("box-triangle/textbook-turned",
+                                                   "textbook-oriented, the quaternion turned into a matrix"),
+      formulae_kernel<TurnedEntry, Thirteen>("box-triangle/thirteen-turned",
+                                             "thirteen-oriented, the quaternion turned into a matrix"),
   };
 }
 

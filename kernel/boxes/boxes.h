@@ -1,4 +1,4 @@
-// Queries about two boxes as the formulae see them, in the two ways in which a box can be given.
+// Queries about two boxes as the formulae see them, in the three ways in which a box can be given.
 #pragma once
 
 #include <array>
@@ -42,6 +42,34 @@ struct TurnedPair {
   TurnedBox<T> a, b;
 };
 
+// A box along the axes from corner `low` to corner `high`, none of whose coordinates is below that of `low`.
+template <class T>
+struct CornersBox {
+  Vec3<T> low, high;
+};
+
+template <class T>
+struct CornersPair {
+  CornersBox<T> a, b;
+};
+
+// A along the axes, and B turned.
+template <class T>
+struct MixedPair {
+  CornersBox<T> a;
+  TurnedBox<T> b;
+};
+
+// Its centre (l + h) / 2 and half extents (h - l) / 2, in floats with the kernel's rounding.
+template <class T>
+OrientedBox<T> with_matrix(const CornersBox<T>& box) {
+  const Vec3<T> sum = box.low + box.high, size = box.high - box.low;
+  const T half(0.5), one(1.0), zero(0.0);
+  return {sum * half,
+          {{size.x * half, size.y * half, size.z * half}},
+          {{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}}};
+}
+
 template <class T, class Load>
 Vec3<T> vector_at(Load&& load, std::size_t k) {
   return {load(k), load(k + 1), load(k + 2)};
@@ -83,7 +111,50 @@ struct QuaternionBoxes {
   }
 };
 
+// The predicate in its entry `minmax`: the corners min and max of A, then those of B.
+struct MinmaxBoxes {
+  static constexpr std::size_t entry = 2;
+  static const Predicate& description() { return box_box_predicate(); }
+
+  template <class T>
+  using Problem = CornersPair<T>;
+  template <class T, class Load>
+  static Problem<T> problem(Load&& load) {
+    return {{vector_at<T>(load, 0), vector_at<T>(load, 3)}, {vector_at<T>(load, 6), vector_at<T>(load, 9)}};
+  }
+};
+
+// The predicate in its entry `minmax-quaternion`: A by its corners min and max, B by centre, half extents and
+// quaternion.
+struct MixedBoxes {
+  static constexpr std::size_t entry = 3;
+  static const Predicate& description() { return box_box_predicate(); }
+
+  template <class T>
+  using Problem = MixedPair<T>;
+  template <class T, class Load>
+  static Problem<T> problem(Load&& load) {
+    return {{vector_at<T>(load, 0), vector_at<T>(load, 3)},
+            {vector_at<T>(load, 6), {{load(9), load(10), load(11)}}, {{load(12), load(13), load(14), load(15)}}}};
+  }
+};
+
 // The numbers of a query in the order of the columns.
+template <class Real>
+Numbers<Real> numbers_of(const MixedPair<Real>& q) {
+  const auto& [centre, half, turn] = q.b;
+  return {q.a.low.x, q.a.low.y, q.a.low.z, q.a.high.x, q.a.high.y, q.a.high.z, centre.x, centre.y,
+          centre.z,  half[0],   half[1],   half[2],    turn[0],    turn[1],    turn[2],  turn[3]};
+}
+template <class Real>
+Numbers<Real> numbers_of(const CornersPair<Real>& q) {
+  Numbers<Real> numbers(12);
+  std::size_t k = 0;
+  for (const Vec3<Real>* v : {&q.a.low, &q.a.high, &q.b.low, &q.b.high}) {
+    for (const Real x : {v->x, v->y, v->z}) numbers[k++] = x;
+  }
+  return numbers;
+}
 template <class Real>
 Numbers<Real> numbers_of(const BoxPair<Real>& q) {
   Numbers<Real> numbers(30);

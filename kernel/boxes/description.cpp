@@ -38,6 +38,27 @@ std::vector<PredicateColumn> quaternion_columns() {
   return columns;
 }
 
+std::vector<PredicateColumn> minmax_columns() {
+  constexpr Role place = Role::coordinate;
+  std::vector<PredicateColumn> columns;
+  add_group(columns, place, "a.min", {"a.minx", "a.miny", "a.minz"});
+  add_group(columns, place, "a.max", {"a.maxx", "a.maxy", "a.maxz"});
+  add_group(columns, place, "b.min", {"b.minx", "b.miny", "b.minz"});
+  add_group(columns, place, "b.max", {"b.maxx", "b.maxy", "b.maxz"});
+  return columns;
+}
+
+std::vector<PredicateColumn> mixed_columns() {
+  constexpr Role place = Role::coordinate;
+  std::vector<PredicateColumn> columns;
+  add_group(columns, place, "a.min", {"a.minx", "a.miny", "a.minz"});
+  add_group(columns, place, "a.max", {"a.maxx", "a.maxy", "a.maxz"});
+  add_group(columns, place, "b.m", {"b.mx", "b.my", "b.mz"});
+  add_group(columns, Role::length, "b.s", {"b.s0", "b.s1", "b.s2"});
+  add_group(columns, Role::direction, "b.q", {"b.qw", "b.qx", "b.qy", "b.qz"});
+  return columns;
+}
+
 Predicate box_box_described() {
   Predicate predicate{
       .id = "box-box",
@@ -48,7 +69,12 @@ Predicate box_box_described() {
       .entries = {{"matrix", "every number finite, half extents 0 or more, the determinant of each basis not 0",
                    matrix_columns()},
                   {"quaternion", "every number finite, half extents 0 or more, every quaternion other than 0",
-                   quaternion_columns()}},
+                   quaternion_columns()},
+                  {"minmax", "every number finite, no coordinate of a corner min above that of max", minmax_columns()},
+                  {"minmax-quaternion",
+                   "every number finite, no coordinate of A's min above that of max, half extents 0 or more, the "
+                   "quaternion other than 0",
+                   mixed_columns()}},
       .comparisons = {},
       .clauses = {},
       .measures = {},

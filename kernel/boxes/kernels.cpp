@@ -32,8 +32,19 @@ Kernel of_quaternions(std::string id, std::string summary) {
 }
 template <class F>
 Kernel turned() {
-  return of_quaternions<OfQuaternions<F>>("box-box/" + std::string(F::name) + "-turned",
-                                          std::string(F::name) + ", each quaternion turned into a matrix");
+  return of_quaternions<ByMatrices<F>>("box-box/" + std::string(F::name) + "-turned",
+                                       std::string(F::name) + ", each quaternion turned into a matrix");
+}
+
+template <class F>
+Kernel of_corners(std::string_view summary) {
+  return formulae_kernel<MinmaxBoxes, F>("box-box/" + std::string(F::name) + "-minmax", std::string(summary));
+}
+
+template <class F>
+Kernel of_both() {
+  return formulae_kernel<MixedBoxes, ByMatrices<F>>("box-box/" + std::string(F::name) + "-mixed",
+                                                    std::string(F::name) + ", A by two corners and B by a quaternion");
 }
 
 }  // namespace
@@ -67,6 +78,13 @@ std::vector<Kernel> box_box_kernels() {
       turned<Bullet>(),
       turned<Cofactor>(),
       of_quaternions<Homogeneous>("box-box/homogeneous", "textbook of quaternions, multiplied out: no division"),
+      of_corners<Intervals>("the mins and maxes of two upright boxes compared: nothing is rounded"),
+      of_corners<ByMatrices<ProjectedFifteen>>("projected, centre and half extents computed of two corners"),
+      of_corners<ByMatrices<Textbook>>("textbook, centre and half extents computed of two corners"),
+      of_corners<ByMatrices<Cofactor>>("cofactor, centre and half extents computed of two corners"),
+      of_both<ProjectedFifteen>(),
+      of_both<Textbook>(),
+      of_both<Cofactor>(),
   };
 }
 

@@ -99,4 +99,16 @@ struct FramedThirteen {
   }
 };
 
+// The same of a quaternion, whose rotation is orthonormal over the reals: what is lost is the kernel's rounding of its
+// matrix.
+struct TurnedThirteen {
+  static constexpr std::string_view name = FramedThirteen::name;
+  static constexpr FormulaeKind kind = FormulaeKind::rung;
+
+  template <class T, class Sink>
+  static void comparisons(const TurnedAndTriangle<T>& q, Sink& sink) {
+    FramedThirteen::comparisons<T>(oriented(q), sink);
+  }
+};
+
 }  // namespace axiscert::boxes

@@ -43,19 +43,19 @@ OrientedBox<T> with_matrix(const TurnedBox<T>& box) {
           box.half,
           {{turn.column[0] / turn.square, turn.column[1] / turn.square, turn.column[2] / turn.square}}};
 }
-template <class T>
-BoxPair<T> with_matrices(const TurnedPair<T>& q) {
+template <class T, template <class> class Pair>
+BoxPair<T> with_matrices(const Pair<T>& q) {
   return {with_matrix(q.a), with_matrix(q.b)};
 }
 
-// Formulae of the entry `matrix` for that of quaternions. What was lost by rounding a rotation's matrix is then lost by
-// the kernel.
+// Formulae of the entry `matrix` for those of quaternions and of corners. What was lost by rounding a rotation's
+// matrix, or a centre and half extents, is then lost by the kernel.
 template <class F>
-struct OfQuaternions {
+struct ByMatrices {
   static constexpr std::string_view name = F::name;
   static constexpr FormulaeKind kind = F::kind_if_orthonormal;
-  template <class T, class Sink>
-  static void comparisons(const TurnedPair<T>& q, Sink& sink) {
+  template <class T, class Pair, class Sink>
+  static void comparisons(const Pair& q, Sink& sink) {
     F::template comparisons<T>(with_matrices(q), sink);
   }
 };
@@ -89,6 +89,32 @@ struct Homogeneous {
         const T radius_a = q.a.half[i1] * size[i2][j] + q.a.half[i2] * size[i1][j];
         const T radius_b = q.b.half[j1] * size[i][j2] + q.b.half[j2] * size[i][j1];
         sink(edges(i, j), magnitude(dot(cross(a.column[i], b.column[j]), between)), radius_a + radius_b);
+      }
+    }
+  }
+};
+
+// Two boxes along the axes by their corners alone: the greater of the mins is above the lesser of the maxes. Nothing is
+// computed, so nothing is rounded. Degree 1 > 1.
+struct Intervals {
+  static constexpr std::string_view name = "intervals";
+  static constexpr FormulaeKind kind = FormulaeKind::rung;
+
+  template <class T, class Sink>
+  static void comparisons(const CornersPair<T>& q, Sink& sink) {
+    const auto axis = [&](std::size_t i, std::size_t k) {
+      const auto at = [&](const Vec3<T>& v) -> const T& { return k == 0 ? v.x : k == 1 ? v.y : v.z; };
+      sink(i, greater(at(q.a.low), at(q.b.low)), lesser(at(q.a.high), at(q.b.high)));
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      axis(facet_of_a(k), k);
+      axis(facet_of_b(k), k);
+    }
+    // The product of two axes is the third, up to its sign, or 0.
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        if (i == j) sink(edges(i, j), T(0.0), T(0.0));
+        else axis(edges(i, j), 3 - i - j);
       }
     }
   }

@@ -73,10 +73,11 @@ def as_motions():
 
 def as_macros():
     """The words of the macros are macros of the author's."""
-    words = "TRIANGLE MOTION BOX BOX_TRIANGLE vertices displacement endpoints matrix quaternion centre minmax none time all".split()
+    words = "TRIANGLE MOTION BOX BOX_TRIANGLE vertices displacement endpoints matrix quaternion centre minmax minmax_quaternion none time all".split()
     text = HEADERS + "".join(f"#define {word} 1 +\n" for word in words)
     for number, (line, points, rest) in enumerate((("PLUGIN(float, \"x\", {})", 4, ", float"), ("MOTION_PLUGIN(float, \"x\", {}, endpoints, time)", 5, ", float, float*"),
                                                    ("BOX_PLUGIN(float, \"x\", {}, matrix)", 6, ""), ("BOX_TRIANGLE_PLUGIN(float, \"x\", {}, centre)", 5, ""),
+                                                   ("BOX_PLUGIN(float, \"x\", {}, minmax_quaternion)", 5, ""),
                                                    ("PLUGIN_OF(float, \"x\", {}, BOX, quaternion, comparisons, )", 6, ", uint64_t*"))):
         names = "".join(f"#undef {name}\n#define {name} {name}_{number}\n" for name in ("axiscert_plugin", "axiscert_i_run"))
         text += f"{names}const axiscert_kernel* axiscert_plugin(uint32_t);\nint axiscert_{number}({', '.join(['const float*'] * points)}{rest});\n"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "fuzz/text/length_unit.h"
 #include "kernel/base/error.h"
 #include "reports/gates/level.h"
 #include "reports/run_folder/run_folder.h"
@@ -20,7 +21,9 @@ struct ContactBound {
   double least, most;
 };
 constexpr double pi_rounded_up = 3.1416;
-constexpr ContactBound displacement_bound = {"U", "a number of u of the displacement (u = 2^-24 or 2^-53), 1 or more",
+constexpr ContactBound displacement_bound = {"U",
+                                             "a number of u of the displacement (u = 2^-24 or 2^-53), 1 or more, or a "
+                                             "length of the way such as 1mm",
                                              "64", 1, 1e300},
                        scene_bound = {"D", "a share of the scene, from 0 to 1", "0.001", 0, 1},
                        angle_bound = {"A", "an angle in radians, from 0 to pi", "0.001", 0, pi_rounded_up};
@@ -74,8 +77,21 @@ LevelFindings look_at(const Subject& subject, const Counts& counts, const char* 
   return found;
 }
 
+// How early a time may be: in u of the displacement, or by a length of the way.
+struct EarlyBound {
+  double most;
+  bool is_length;
+
+  std::string text() const { return is_length ? metric_text(most) : fmt::format("{} u", most); }
+};
+EarlyBound early_bound(const AskedLevel& asked) {
+  if (const auto length = length_in_metres(asked.argument)) return {*length, true};
+  return {bound_of(asked, displacement_bound), false};
+}
+
 LevelFindings judge_early(const AskedLevel& asked, const Subject& subject) {
-  const double most = bound_of(asked, displacement_bound);
+  const EarlyBound bound = early_bound(asked);
+  const double metres_of_unit = metres_of(subject.record().plan);
   LevelFindings found = look_at(
       subject,
       [](const MotionTally& motion) {
@@ -87,13 +103,16 @@ LevelFindings judge_early(const AskedLevel& asked, const Subject& subject) {
   for (const auto& [family, result] : subject.families()) {
     if (!result.motion || !result.motion->time) continue;
     const TimeTally& time = *result.motion->time;
-    if (const Decimal6 earliest = time.early_errors.largest_in_u.best(); earliest.value() > most) {
-      subject.add_shown(
-          found.failures, family, time.early,
-          fmt::format("times before the best one, the earliest by {} u of the displacement, {}: {} u is allowed",
-                      error_amount(earliest), way_text(time.early_errors), most),
-          "earliest time");
-    }
+    const Decimal6 earliest = time.early_errors.largest_in_u.best();
+    const double length = time.early_errors.largest_length.best(), metres = length * metres_of_unit;
+    if ((bound.is_length ? metres : earliest.value()) <= bound.most) continue;
+    const std::string by = bound.is_length ? metric_text(metres) + " of the way"
+                                           : fmt::format("{} u of the displacement, {}", error_amount(earliest),
+                                                         way_text(time.early_errors));
+    // Of those that are early by more than a length the record has the earliest, and not how many.
+    subject.add_shown(found.failures, family, bound.is_length ? 1 : time.early,
+                      fmt::format("times before the best one, the earliest by {}: {} is allowed", by, bound.text()),
+                      bound.is_length ? fmt::format("earliest time: {:.6g} in length", length) : "earliest time");
   }
   found.leaves_out = "late times, which never-late asks about; " + found.leaves_out;
   return found;
@@ -184,14 +203,14 @@ constexpr std::string_view in_u[] = {"64"}, shares[] = {"0.001"};
 
 extern const GateLevel early_level = {
     .usage = "early=U",
-    .meaning = "no time before the best one by more than U u of the displacement",
-    .check = [](const AskedLevel& asked) { bound_of(asked, displacement_bound); },
+    .meaning = "no time before the best one by more than U, u of the displacement or a length of the way such as 1mm",
+    .check = [](const AskedLevel& asked) { early_bound(asked); },
     .sentence =
         [](const AskedLevel& asked) {
+          const EarlyBound bound = early_bound(asked);
           return fmt::format(
-              "no time of contact before the best one by more than {} u of the displacement, and none "
-              "that is missing or outside [0, 1]",
-              bound_of(asked, displacement_bound));
+              "no time of contact before the best one by more than {}{}, and none that is missing or outside [0, 1]",
+              bound.text(), bound.is_length ? " of the way" : " of the displacement");
         },
     .judge = judge_early,
     .in_certificates = in_u};

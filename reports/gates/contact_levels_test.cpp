@@ -19,7 +19,7 @@
 namespace axiscert {
 namespace {
 
-using testing::HasSubstr;
+using testing::Contains, testing::HasSubstr, testing::Not;
 
 // The contacts of `contacts` with all measures, of which so many are wrong or missing.
 Json numbers(double earliest_u, std::uint64_t wrong, double region, double angle, double length, double point,
@@ -52,6 +52,9 @@ TEST(ContactLevels, EachHasABoundInTheUnitOfTheRecord) {
       first_failure(found, "early=15"),
       "times before the best one, the earliest by 16 u of the displacement, 9.54e-07 of the way, length 0.5: 15 u "
       "is allowed");
+  EXPECT_EQ(first_failure(found, "early=50cm"), "");
+  EXPECT_EQ(first_failure(found, "early=49.9cm"),
+            "times before the best one, the earliest by 50 cm of the way: 49.9 cm is allowed");
   EXPECT_EQ(first_failure(found, "features"), "features that are not touched first");
   EXPECT_EQ(first_failure(found, "features=0.25"), "");
   EXPECT_EQ(first_failure(found, "features=0.2"),
@@ -64,6 +67,18 @@ TEST(ContactLevels, EachHasABoundInTheUnitOfTheRecord) {
   EXPECT_EQ(first_failure(found, "points=0.05"), "the worst point is off by 0.0625 of the scene: 0.05 is allowed");
 }
 
+TEST(ContactLevels, ALengthIsInTheUnitOfTheQueriesAndItsWitnessIsTheOneOfTheLength) {
+  Json record = with_numbers(numbers(16, 0, 0, 0, 0, 0));
+  record["plan"]["unit"] = "mm";
+  record["witnesses"].back()["shows"] = {"earliest time: 16 u of the displacement", "earliest time: 0.5 in length"};
+  EXPECT_TRUE(unmet(record, "early=0.5mm").empty());
+  const auto failures = unmet(record, "early=499um");
+  ASSERT_EQ(failures.size(), 1u);
+  EXPECT_EQ(failures[0].text(),
+            "<script> binary32 on tangent: times before the best one, the earliest by 500 um of the way: 499 um is "
+            "allowed: 1 (witness late)");
+}
+
 TEST(ContactLevels, AFeatureThatThereIsNotFailsWhateverIsAllowed) {
   Json found = numbers(0, 2, 0, 0, 0, 0);
   found["feature"]["unnamed"] = 2;
@@ -71,7 +86,7 @@ TEST(ContactLevels, AFeatureThatThereIsNotFailsWhateverIsAllowed) {
 }
 
 TEST(ContactLevels, SayOfHowManyContacts) {
-  for (const char* level : {"early=1", "features", "normals=0.1", "points=0.1"}) {
+  for (const char* level : {"early=1", "early=1um", "features", "normals=0.1", "points=0.1"}) {
     const LevelOutcome met = outcomes_at(with_numbers(numbers(0, 0, 0, 0, 0, 0)), level)[0];
     EXPECT_EQ(met.state, LevelState::met) << level << met.reason;
     EXPECT_THAT(met.covers, HasSubstr("of 1,800 contacts of")) << level;
@@ -80,6 +95,13 @@ TEST(ContactLevels, SayOfHowManyContacts) {
 }
 
 TEST(ContactLevels, AKernelThatGivesNoneOrSeldomIsNotChecked) {
+  Json untimed = motions(contacts(0, 0, 0));
+  for (const char* family : {"tangent", "lattice"})
+    untimed["kernels"][0]["families"][family]["motion"]["time"] = nullptr;
+  for (const char* level : {"early=64", "early=1mm"}) {
+    EXPECT_EQ(outcomes_at(untimed, level)[0].reason, "the kernel gives no time of contact") << level;
+    EXPECT_THAT(outcomes_at(stored_record(), level)[0].reason, HasSubstr("sphere-triangle has no time")) << level;
+  }
   for (const auto& [level, what] :
        {std::pair{"features=0.1", "feature"}, {"normals=1", "normal"}, {"points=1", "point"}}) {
     const LevelOutcome none = outcomes_at(motions(contacts(0, 0, 0)), level)[0];
@@ -93,8 +115,8 @@ TEST(ContactLevels, AKernelThatGivesNoneOrSeldomIsNotChecked) {
 }
 
 TEST(ContactLevels, ABoundIsANumberInItsRange) {
-  for (const char* level :
-       {"early=0", "early=x", "normals=4", "normals=-1", "points=2", "points=nan", "features=", "features=1.5"}) {
+  for (const char* level : {"early=0", "early=x", "early=0mm", "early=1 furlong", "normals=4", "normals=-1", "points=2",
+                            "points=nan", "features=", "features=1.5"}) {
     try {
       unmet(with_numbers(numbers(0, 0, 0, 0, 0, 0)), level);
       ADD_FAILURE() << level;
@@ -107,7 +129,7 @@ TEST(ContactLevels, ABoundIsANumberInItsRange) {
 TEST(ContactLevels, AContactWithoutATimeFailsLogicAndWhatIncludesIt) {
   Json without = contacts(0, 0, 0);
   without["time"]["none"] = 3;
-  for (const char* level : {"logic", "range", "exact", "early=64"}) {
+  for (const char* level : {"logic", "range", "exact", "early=64", "early=1km"}) {
     const auto failures = unmet(motions(without), level);
     const auto is_it = [](const Failure& failure) { return failure.what == "contacts without a time"; };
     const auto found = std::ranges::find_if(failures, is_it);
@@ -155,6 +177,11 @@ TEST(ContactLevels, EachPlantedFaultIsSeenByItsLevelAlone) {
       {"right", "", [](Measures&, const QueryColumns<float>&, std::size_t) {}},
       {"too-early", "early=4096",
        [](Measures& m, const QueryColumns<float>&, std::size_t i) { m[time][i] = std::max(0.0f, m[time][i] - 1e-3f); }},
+      {"too-early-by-10-cm", "early=4096",  // of a way of any length
+       [](Measures& m, const QueryColumns<float>& batch, std::size_t i) {
+         const auto along = [&](std::size_t k) { return batch.column[12 + k][i] * batch.column[12 + k][i]; };
+         m[time][i] = std::max(0.0f, m[time][i] - 0.1f / std::sqrt(along(0) + along(1) + along(2)));
+       }},
       {"flipped", "normals=0.0005",
        [=](Measures& m, const QueryColumns<float>&, std::size_t i) { scale_normal(m, i, -1); }},
       {"not-normalised", "normals=0.0005",
@@ -181,6 +208,16 @@ TEST(ContactLevels, EachPlantedFaultIsSeenByItsLevelAlone) {
   plan.families = {&find_family("moving-sphere/one_axis")};
   plan.seed = 3;
   const Record record = record_of_kernels(plan, Precision::binary32, 600, asked);
+  const auto refused_at = [&](const char* level) {
+    std::vector<std::string> ids;
+    for (const Failure& failure : unmet(record, level)) {
+      if (!failure.what.starts_with("contacts with")) ids.push_back(failure.kernel);
+    }
+    return ids;
+  };
+  EXPECT_THAT(refused_at("early=101mm"), Not(Contains(HasSubstr("10-cm"))));
+  EXPECT_THAT(refused_at("early=99mm"), Contains(HasSubstr("10-cm")));
+  EXPECT_THAT(refused_at("early=1mm"), Not(Contains(HasSubstr("~right"))));
   for (const char* level : {"early=4096", "features=0.001", "normals=0.0005", "points=0.0005", "logic"}) {
     std::map<std::string, std::string> refused;
     for (const Failure& failure : unmet(record, level)) refused[failure.kernel] = failure.text();

@@ -12,12 +12,12 @@ namespace {
 
 LevelFindings judge_depths(const Subject& subject, const AllowedDepths& allowed) {
   LevelFindings found;
-  const LengthUnit* const unit = unit_of(subject.record().plan);
+  const double metres_of_unit = metres_of(subject.record().plan);
   for (const auto& [family, result] : subject.families()) {
     const VerdictTally& verdict = result.verdict;
     const auto check = [&, family = family](FlipKind kind, std::uint64_t count, double deepest, double farthest,
                                             const std::string& what, double most) {
-      const double metres = farthest * (unit == nullptr ? 1 : unit->metres);
+      const double metres = farthest * metres_of_unit;
       if ((allowed.are_lengths && most != no_wrong ? metres : deepest) <= most) return;
       std::string how_deep;
       if (most != no_wrong) {

@@ -1,8 +1,10 @@
-// The levels of a predicate of motions: never-late and no-tunnel.
+// The levels of a predicate of motions: never-late, to a length too, and no-tunnel.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 
+#include "fuzz/text/length_unit.h"
 #include "kernel/base/error.h"
 #include "reports/gates/level.h"
 #include "reports/run_folder/run_folder.h"
@@ -71,7 +73,19 @@ std::string lateness(const TimeErrors& errors) {
   return (is_told_in_ulps(ulps) ? ulps.text() + " ulps, " : "") + way_text(errors);
 }
 
-LevelFindings judge_never_late(const AskedLevel&, const Subject& subject) {
+// How late a time may be, in metres: 0 where nothing is given.
+double late_argument(const AskedLevel& asked) {
+  if (!asked.has_argument) return 0;
+  const std::optional<double> length = length_in_metres(asked.argument);
+  if (!length) {
+    throw Error(fmt::format("requirement '{}': LENGTH is a length of the way in {}, as in {}=1mm", asked.text,
+                            fmt::join(length_unit_names(), ", "), asked.name));
+  }
+  return *length;
+}
+
+LevelFindings judge_never_late(const AskedLevel& asked, const Subject& subject) {
+  const double most = late_argument(asked), metres_of_unit = metres_of(subject.record().plan);
   LevelFindings found;
   found.not_checked = times_unseen(subject);
   if (!found.not_checked.empty()) return found;
@@ -79,8 +93,17 @@ LevelFindings judge_never_late(const AskedLevel&, const Subject& subject) {
   look_at_contacts(subject, false, found);
   for (const auto& [family, result] : subject.families()) {
     const TimeTally& time = *result.motion->time;
-    subject.add_shown(found.failures, family, time.late,
-                      "times after the first contact, the latest by " + lateness(time.late_errors), "latest time");
+    const double length = time.late_errors.largest_length.best(), metres = length * metres_of_unit;
+    if (!asked.has_argument) {
+      subject.add_shown(found.failures, family, time.late,
+                        "times after the first contact, the latest by " + lateness(time.late_errors), "latest time");
+    } else if (metres > most) {
+      // Of those that are later the record has the latest, and not how many.
+      subject.add_shown(found.failures, family, 1,
+                        fmt::format("times after the first contact, the latest by {} of the way: {} is allowed",
+                                    metric_text(metres), metric_text(most)),
+                        fmt::format("latest time: {:.6g} in length", length));
+    }
   }
   found.covers = hits_covered(subject);
   found.leaves_out = "missed contacts, which no-tunnel and conservative ask about";
@@ -131,8 +154,12 @@ std::string no_tunnel_sentence(const AskedLevel& asked) {
 }  // namespace
 
 extern const GateLevel never_late_level = {
-    "never-late", "no time after the first contact", accept_no_argument,
-    [](const AskedLevel&) { return std::string("no time of contact after the exact first contact"); },
+    "never-late[=LENGTH]", "no time after the first contact, or none by more than a LENGTH of the way such as 1mm",
+    [](const AskedLevel& asked) { late_argument(asked); },
+    [](const AskedLevel& asked) {
+      return "no time of contact after the exact first contact" +
+             (asked.has_argument ? fmt::format(" by more than {} of the way", metric_text(late_argument(asked))) : "");
+    },
     judge_never_late};
 
 extern const GateLevel no_tunnel_level = {

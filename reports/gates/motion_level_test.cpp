@@ -38,6 +38,20 @@ TEST(MotionLevels, NeverLateRefusesOneLateTime) {
   EXPECT_THAT(met.covers, HasSubstr("1,800 contacts of"));
 }
 
+TEST(MotionLevels, NeverLateByALengthRefusesWhatIsFartherOnTheWay) {
+  EXPECT_TRUE(unmet(motions(contacts(7, 0, 0)), "never-late=25cm").empty());
+  EXPECT_EQ(unmet(motions(contacts(7, 0, 0)), "never-late=24.9cm")[0].text(),
+            "<script> binary32 on tangent: times after the first contact, the latest by 25 cm of the way: 24.9 cm is "
+            "allowed: 1");
+  Json record = motions(contacts(7, 0, 0));
+  record["plan"]["unit"] = "mm";
+  EXPECT_TRUE(unmet(record, "never-late=1mm").empty());
+  EXPECT_FALSE(unmet(record, "never-late=0.1mm").empty());
+  EXPECT_THAT(sentence_of(parse_level("never-late=1mm")), HasSubstr("after the exact first contact by more than 1 mm"));
+  for (const char* level : {"never-late=", "never-late=1", "never-late=0mm", "never-late=1 mile"})
+    EXPECT_THROW(parse_level(level), Error) << level;
+}
+
 TEST(MotionLevels, NoTunnelRefusesWhatGoesInAsDeepAsItsNumber) {
   const auto refused = [](double late, double missed, const char* level) {
     return !unmet(motions(contacts(5, late, missed)), level).empty();
@@ -60,7 +74,7 @@ TEST(MotionLevels, NoTunnelRefusesWhatGoesInAsDeepAsItsNumber) {
 TEST(MotionLevels, AContactWithoutATimeMeetsNeither) {
   Json without = contacts(0, 0, 0);
   without["time"]["invalid"] = 2;
-  for (const char* level : {"never-late", "no-tunnel"}) {
+  for (const char* level : {"never-late", "never-late=1km", "no-tunnel"}) {
     const auto failures = unmet(motions(without), level);
     ASSERT_EQ(failures.size(), 1u) << level;
     EXPECT_EQ(failures[0].what, "contacts with a time outside [0, 1]");
@@ -71,7 +85,7 @@ TEST(MotionLevels, AContactWithoutATimeMeetsNeither) {
 TEST(MotionLevels, AKernelOrAPredicateWithoutTimesIsNotChecked) {
   Json silent = motions(contacts(0, 0, 1));
   silent["kernels"][0]["measures"] = Json::array();
-  for (const char* level : {"never-late", "no-tunnel", "no-tunnel=0.5"}) {
+  for (const char* level : {"never-late", "never-late=1mm", "no-tunnel", "no-tunnel=0.5"}) {
     const LevelOutcome outcome = outcomes_at(silent, level)[0];
     EXPECT_EQ(outcome.state, LevelState::not_checked) << level;
     EXPECT_EQ(outcome.reason, "the kernel gives no time of contact");

@@ -290,6 +290,11 @@ const LengthUnit* unit_of(const PlanRecord& plan) {
   return plan.unit ? find_length_unit(static_cast<const std::string&>(*plan.unit)) : nullptr;
 }
 
+double metres_of(const PlanRecord& plan) {
+  const LengthUnit* const unit = unit_of(plan);
+  return unit == nullptr ? 1 : unit->metres;
+}
+
 Json read_json(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;

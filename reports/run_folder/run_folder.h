@@ -114,6 +114,8 @@ struct Run {
 const Predicate& predicate_of(const PlanRecord& plan);
 // That of the queries' numbers; null where the plan does not say it.
 const LengthUnit* unit_of(const PlanRecord& plan);
+// The metres of one unit of its queries: 1 where the plan does not say their unit.
+double metres_of(const PlanRecord& plan);
 
 // Whether a kernel of a record states limits of its promise: by numbers, or of motions.
 bool has_limits(const KernelRecord& kernel);

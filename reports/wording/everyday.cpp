@@ -47,6 +47,13 @@ std::string group_text(FamilyGroup group, const GroupResult& result, const Lengt
   if (result.no_answer == result.looked_at) return text + "no verdict";
   if (result.missed + result.invented == 0) text += "no wrong verdict";
   else text += result.missed == 0 && result.invented != 0 ? invented + "; " + missed : missed + "; " + invented;
+  if (has_lengths(group) && result.earliest) {
+    const auto off = [&](double length, const char* side) {
+      return length == 0 ? fmt::format("none {}", side)
+                         : fmt::format("at most {} {}", length_in(group, length, unit), side);
+    };
+    text += fmt::format("; times {}, {}", off(*result.earliest, "early"), off(*result.latest, "late"));
+  }
   if (result.no_answer != 0) text += fmt::format("; {} without a verdict", thousands(result.no_answer));
   return text;
 }
@@ -90,6 +97,10 @@ GroupResult group_result(const KernelRecord& kernel, FamilyGroup group) {
       farthest = std::max(farthest, length);
       deepest = std::max(deepest, depth);
     };
+    if (result.motion && result.motion->time) {
+      out.earliest = std::max(out.earliest.value_or(0), result.motion->time->early_errors.largest_length.best());
+      out.latest = std::max(out.latest.value_or(0), result.motion->time->late_errors.largest_length.best());
+    }
     if (verdict.false_separation != 0) {
       offer(verdict.farthest_false_separation.best(), verdict.deepest_false_separation.best(), out.worst_missed,
             out.deepest_missed, out.missed_in);

@@ -2,6 +2,7 @@
 // all others, then other units of length.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,7 @@ struct GroupResult {
   std::uint64_t looked_at = 0;  // valid queries within the kernel's limits
   std::uint64_t missed = 0, invented = 0, no_answer = 0;
   double worst_missed = 0, worst_invented = 0;      // lengths in the queries' unit
+  std::optional<double> earliest, latest;           // of times, lengths of the way; empty: none is given
   double deepest_missed = 0, deepest_invented = 0;  // shares of the scene
   std::string missed_in, invented_in;               // the families of the worst lengths
   std::size_t families = 0;

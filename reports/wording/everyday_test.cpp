@@ -54,6 +54,17 @@ TEST(Everyday, ComesFirstInMetres) {
   EXPECT_THAT(first_sentences(kernel, plan)[1], testing::HasSubstr("worst 5 mm"));
 }
 
+TEST(Everyday, SaysHowFarTimesAreOffWhereTheKernelGivesThem) {
+  FamilyRecord family = family_of(0, 0, 0, 0);
+  family.motion.emplace();
+  const auto said = [&] { return first_sentences(kernel_of({{"scene-walk", family}}), PlanRecord()).front(); };
+  EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict; times none early, none late");
+  family.motion->time->late_errors.largest_length.offer({0.166, 0});
+  EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict; times none early, at most 16.6 cm late");
+  family.motion->time.reset();
+  EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict");
+}
+
 TEST(Everyday, SaysNothingOfAGroupThatWasNotAsked) {
   EXPECT_TRUE(first_sentences(KernelRecord(), PlanRecord()).empty());
   FamilyRecord none = family_of(0, 0, 0, 0);

@@ -74,7 +74,7 @@ TYPED_TEST(BoxFamilies, OfTouchingAreWithinRoundingsOfIt) {
 
 // Integers stay touching exactly, in either entry.
 TYPED_TEST(BoxFamilies, OfTheLatticeTouchOften) {
-  for (const char* name : {"box-box/lattice", "box-box/lattice_turned"}) {
+  for (const char* name : {"box-box/lattice", "box-box/lattice_turned", "box-box/lattice_minmax"}) {
     EXPECT_GT(counted<TypeParam>(find_family(name), 120).touching, 5u) << name;
   }
 }
@@ -123,8 +123,12 @@ TYPED_TEST(BoxFamilies, RoundNothingWhereTheySaySo) {
   expect_nothing_rounded<Cofactor, MatrixBoxes, TypeParam>(matrix);
   const Family& turned = find_family("box-box/lattice_turned");
   EXPECT_TRUE(turned.exact_arithmetic);
-  expect_nothing_rounded<OfQuaternions<Textbook>, QuaternionBoxes, TypeParam>(turned);
+  expect_nothing_rounded<ByMatrices<Textbook>, QuaternionBoxes, TypeParam>(turned);
   expect_nothing_rounded<Homogeneous, QuaternionBoxes, TypeParam>(turned);
+  const Family& corners = find_family("box-box/lattice_minmax");
+  EXPECT_TRUE(corners.exact_arithmetic);
+  expect_nothing_rounded<ByMatrices<Textbook>, MinmaxBoxes, TypeParam>(corners);
+  expect_nothing_rounded<ByMatrices<Textbook>, MixedBoxes, TypeParam>(find_family("box-box/lattice_mixed"));
 }
 
 // Every box A of the families has a half extent of 0.
@@ -244,6 +248,7 @@ TYPED_TEST(TriangleFamilies, RoundNothingWhereTheySaySo) {
   expect_exact_triangles<TextbookThirteen, CentreEntry, TypeParam>("box-triangle/degenerate");
   expect_exact_triangles<TextbookThirteen, MinmaxEntry, TypeParam>("box-triangle/lattice_minmax");
   expect_exact_triangles<FramedThirteen, OrientedEntry, TypeParam>("box-triangle/lattice_oriented");
+  expect_exact_triangles<TurnedThirteen, TurnedEntry, TypeParam>("box-triangle/lattice_turned");
 }
 
 // Over the reals the axis-aligned textbook is right: what is wrong is rounding; and on small integers nothing is.

@@ -206,8 +206,9 @@ Numbers<RealOf<Pair>> unit_boxes(Stream& random, std::uint64_t base) {
   return numbers_of(decided_boxes<Pair>(random, 0, {base % axis_count, side}));
 }
 
-constexpr std::array<ImageGroup, 2> unit_groups_of_boxes = {unit_group_of(box_box_predicate, "box-box/units"),
-                                                            unit_group_of(box_box_predicate, "box-box/units_turned")};
+constexpr std::array<ImageGroup, 4> unit_groups_of_boxes = {
+    unit_group_of(box_box_predicate, "box-box/units"), unit_group_of(box_box_predicate, "box-box/units_turned"),
+    unit_group_of(box_box_predicate, "box-box/units_minmax"), unit_group_of(box_box_predicate, "box-box/units_mixed")};
 
 }  // namespace
 
@@ -250,7 +251,8 @@ extern const Family box_box_slight_turned_family =
 namespace axiscert {
 
 std::span<const ImageGroup* const> box_box_image_groups() {
-  static const ImageGroup* const all[] = {&boxes::unit_groups_of_boxes[0], &boxes::unit_groups_of_boxes[1]};
+  static const ImageGroup* const all[] = {&boxes::unit_groups_of_boxes[0], &boxes::unit_groups_of_boxes[1],
+                                          &boxes::unit_groups_of_boxes[2], &boxes::unit_groups_of_boxes[3]};
   return all;
 }
 

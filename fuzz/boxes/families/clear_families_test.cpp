@@ -45,9 +45,11 @@ TYPED_TEST(ClearFamilies, OfOneAxisAreDecidedByEachInTurn) {
   const auto triangle = [](const auto& q) { return exact_box_and_triangle(q); };
   expect_each_axis_alone<MatrixBoxes, TypeParam>("box-box/one_axis", axis_names, pair);
   expect_each_axis_alone<QuaternionBoxes, TypeParam>("box-box/one_axis_turned", axis_names, pair);
+  expect_each_axis_alone<MixedBoxes, TypeParam>("box-box/one_axis_mixed", axis_names, pair);
   expect_each_axis_alone<CentreEntry, TypeParam>("box-triangle/one_axis", thirteen_names, triangle);
   expect_each_axis_alone<MinmaxEntry, TypeParam>("box-triangle/one_axis_minmax", thirteen_names, triangle);
   expect_each_axis_alone<OrientedEntry, TypeParam>("box-triangle/one_axis_oriented", thirteen_names, triangle);
+  expect_each_axis_alone<TurnedEntry, TypeParam>("box-triangle/one_axis_turned", thirteen_names, triangle);
 }
 
 template <std::size_t methods>
@@ -95,9 +97,24 @@ void expect_dropped_axes_seen(const char* name) {
 TYPED_TEST(ClearFamilies, OfOneAxisSeeEachThatIsLeftOut) {
   expect_dropped_axes_seen<MatrixBoxes, Cofactor, TypeParam, axis_count>("box-box/one_axis");
   expect_dropped_axes_seen<QuaternionBoxes, Homogeneous, TypeParam, axis_count>("box-box/one_axis_turned");
+  expect_dropped_axes_seen<MixedBoxes, ByMatrices<Cofactor>, TypeParam, axis_count>("box-box/one_axis_mixed");
   expect_dropped_axes_seen<CentreEntry, TextbookThirteen, TypeParam, thirteen_count>("box-triangle/one_axis");
   expect_dropped_axes_seen<MinmaxEntry, TextbookThirteen, TypeParam, thirteen_count>("box-triangle/one_axis_minmax");
   expect_dropped_axes_seen<OrientedEntry, FramedThirteen, TypeParam, thirteen_count>("box-triangle/one_axis_oriented");
+  expect_dropped_axes_seen<TurnedEntry, TurnedThirteen, TypeParam, thirteen_count>("box-triangle/one_axis_turned");
+}
+
+// Boxes along the axes have three of them, each under several names.
+TYPED_TEST(ClearFamilies, OfUprightBoxesSeeEachAxisThatIsLeftOut) {
+  const auto found =
+      wrong_on_clear<MinmaxBoxes, TypeParam, 4>("box-box/one_axis_minmax", 600, [](const CornersPair<TypeParam>& q) {
+        const ComparisonBits bits = separating<Intervals, TypeParam>(q);
+        const auto without = [&](std::size_t k) { return (bits & 7 & ~one_bit<ComparisonBits>(k)) != 0; };
+        return std::array{without(0), without(1), without(2), bits != 0};
+      });
+  EXPECT_GT(found.clear, 450u);
+  EXPECT_EQ(found.wrong[3], 0u) << "with all axes";
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_GT(found.wrong[k], 60u) << "without axis " << k;
 }
 
 // Products of edges are left out where |a_i.b_j| is within 1e-3 of 1; or 1e-4 is added to it.
@@ -165,7 +182,7 @@ TYPED_TEST(ClearFamilies, OfQuaternionsSeeThoseThatAreTakenForTheIdentity) {
     const auto found = wrong_on_clear<QuaternionBoxes, Real, 3>(name, 600, [=](const TurnedPair<Real>& q) {
       const auto said = [&](double least) {
         const auto part = static_cast<Real>(is_part ? least : 0), square = static_cast<Real>(is_part ? 0 : least);
-        return separating<OfQuaternions<ProjectedFifteen>, Real>(with_identity(q, square, part)) != 0;
+        return separating<ByMatrices<ProjectedFifteen>, Real>(with_identity(q, square, part)) != 0;
       };
       return std::array{said(0), said(one), said(other)};
     });
@@ -203,6 +220,9 @@ TYPED_TEST(ClearFamilies, OfUnitsKeepTheirVerdicts) {
   expect_one_verdict_in_all_units<CentreEntry, TextbookThirteen, TypeParam>("box-triangle/units");
   expect_one_verdict_in_all_units<MinmaxEntry, TextbookThirteen, TypeParam>("box-triangle/units_minmax");
   expect_one_verdict_in_all_units<OrientedEntry, FramedThirteen, TypeParam>("box-triangle/units_oriented");
+  expect_one_verdict_in_all_units<MinmaxBoxes, Intervals, TypeParam>("box-box/units_minmax");
+  expect_one_verdict_in_all_units<MixedBoxes, ByMatrices<Textbook>, TypeParam>("box-box/units_mixed");
+  expect_one_verdict_in_all_units<TurnedEntry, TurnedThirteen, TypeParam>("box-triangle/units_turned");
 }
 
 }  // namespace

@@ -31,6 +31,10 @@ void stretch(BoxAndTriangle<Real>& q, std::size_t k, Real factor) {
   q.box.half[k] *= factor;
 }
 template <class Real>
+void stretch(TurnedAndTriangle<Real>& q, std::size_t k, Real factor) {
+  q.box.half[k] *= factor;
+}
+template <class Real>
 void stretch(CornersAndTriangle<Real>& q, std::size_t k, Real factor) {
   const std::array<Real*, 3> low = {&q.low.x, &q.low.y, &q.low.z}, high = {&q.high.x, &q.high.y, &q.high.z};
   *high[k] = *low[k] + (*high[k] - *low[k]) * factor;
@@ -38,15 +42,15 @@ void stretch(CornersAndTriangle<Real>& q, std::size_t k, Real factor) {
 
 template <class Query>
 void put_box_quickly(Stream& random, Query& q) {
-  put_box(random, q);
-}
-template <class Real>
-void put_box_quickly(Stream& random, BoxAndTriangle<Real>& q) {
-  CentredAndTriangle<Real> given{};
-  put_box(random, given);
-  q.box.centre = given.centre;
-  q.box.half = given.half;
-  turn_quickly(q.box, random_turn(random));
+  if constexpr (requires { q.box; }) {
+    CentredAndTriangle<RealOf<Query>> given{};
+    put_box(random, given);
+    q.box.centre = given.centre;
+    q.box.half = given.half;
+    turn_quickly(q.box, random_turn(random));
+  } else {
+    put_box(random, q);
+  }
 }
 
 template <class Query>
@@ -172,10 +176,11 @@ constexpr Family family_of_unit_triangles(std::string_view name, std::string_vie
                                                                                   purpose);
 }
 
-constexpr std::array<ImageGroup, 3> unit_groups_of_triangles = {
+constexpr std::array<ImageGroup, 4> unit_groups_of_triangles = {
     unit_group_of(box_triangle_predicate, "box-triangle/units"),
     unit_group_of(box_triangle_predicate, "box-triangle/units_minmax"),
-    unit_group_of(box_triangle_predicate, "box-triangle/units_oriented")};
+    unit_group_of(box_triangle_predicate, "box-triangle/units_oriented"),
+    unit_group_of(box_triangle_predicate, "box-triangle/units_turned")};
 
 }  // namespace
 
@@ -220,13 +225,24 @@ extern const Family box_triangle_aligned_oriented_family =
     triangle_family<AlignedTriangles, OrientedEntry>("box-triangle/aligned_oriented", box_triangle_situation::parallel,
                                                      "aligned, the box turned by any rotation, rounded");
 
+extern const Family box_triangle_one_axis_turned_family = triangle_family<OneAxisOfThirteen, TurnedEntry>(
+    "box-triangle/one_axis_turned", box_triangle_situation::everyday, "one_axis, the box by a quaternion");
+extern const Family box_triangle_units_turned_family =
+    family_of_unit_triangles<TurnedEntry>("box-triangle/units_turned", "units, the box by a quaternion");
+extern const Family box_triangle_spans_turned_family = triangle_family<TriangleSpans, TurnedEntry>(
+    "box-triangle/spans_turned", box_triangle_situation::sizes, "spans, the box by a quaternion");
+extern const Family box_triangle_thin_turned_family = triangle_family<ThinTriangles, TurnedEntry>(
+    "box-triangle/thin_turned", box_triangle_situation::thin, "thin, the box by a quaternion");
+extern const Family box_triangle_aligned_turned_family = triangle_family<AlignedTriangles, TurnedEntry>(
+    "box-triangle/aligned_turned", box_triangle_situation::parallel, "aligned, the box by a quaternion");
+
 }  // namespace axiscert::boxes
 
 namespace axiscert {
 
 std::span<const ImageGroup* const> box_triangle_image_groups() {
   static const ImageGroup* const all[] = {&boxes::unit_groups_of_triangles[0], &boxes::unit_groups_of_triangles[1],
-                                          &boxes::unit_groups_of_triangles[2]};
+                                          &boxes::unit_groups_of_triangles[2], &boxes::unit_groups_of_triangles[3]};
   return all;
 }
 

@@ -6,26 +6,6 @@
 namespace axiscert::boxes {
 namespace {
 
-// B's centre where its foot, the farthest point against `up`, is `gap` above the farthest of A along it. Of an edge or
-// a facet of A across `up` B's centre is above any point, unless its foot were beyond the end.
-template <class Pair>
-void lay_on(Stream& random, Pair& q, const Arrow& up, double gap) {
-  const OrientedBox<double> a = box_in_doubles(q.a), b = box_in_doubles(q.b);
-  const Arrow foot = farthest_of_box(random, b, up * -1.0);
-  Arrow at = a.centre;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double slope = dot(up, a.axis[k]), any = random.symmetric<double>(), half = a.half[k];
-    const double below_centre = std::clamp(any * half + dot(foot, a.axis[k]), -half, half);
-    at = at + a.axis[k] * (is_across(slope) ? below_centre : slope > 0 ? half : -half);
-  }
-  q.b.centre = rounded_arrow<RealOf<Pair>>(at + (up * gap - foot));
-}
-
-template <class Pair>
-void in_any_order(Stream& random, Pair& q) {
-  if (random.coin()) std::swap(q.a, q.b);
-}
-
 // On a plank or a slab of 10 to 50 m that rises by 5 to 45 degrees, in turn: along it but for a small yaw, at any yaw
 // on it, and upright. What lies on it is flush with it every other time, else tilted by what a solver leaves.
 struct Ramp {

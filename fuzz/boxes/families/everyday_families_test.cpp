@@ -40,6 +40,8 @@ constexpr EverydayFamily everyday_families[] = {
     {"box-box/ramp_turned", metres_apart_of<QuaternionBoxes>},
     {"box-box/beams_turned", metres_apart_of<QuaternionBoxes>},
     {"box-box/corridor_turned", metres_apart_of<QuaternionBoxes>},
+    {"box-box/crates_minmax", metres_apart_of<MinmaxBoxes>},
+    {"box-box/crates_mixed", metres_apart_of<MixedBoxes>},
     {"box-triangle/terrain", metres_apart_of<CentreEntry>},
     {"box-triangle/ramp", metres_apart_of<CentreEntry>},
     {"box-triangle/level_voxel", metres_apart_of<CentreEntry>},
@@ -48,6 +50,8 @@ constexpr EverydayFamily everyday_families[] = {
     {"box-triangle/level_voxel_minmax", metres_apart_of<MinmaxEntry>},
     {"box-triangle/terrain_oriented", metres_apart_of<OrientedEntry>},
     {"box-triangle/ramp_oriented", metres_apart_of<OrientedEntry>},
+    {"box-triangle/terrain_turned", metres_apart_of<TurnedEntry>},
+    {"box-triangle/ramp_turned", metres_apart_of<TurnedEntry>},
 };
 
 template <class Real>
@@ -140,6 +144,9 @@ TEST(BoxKernelsOnEverydayFamilies, RightFormsAreWrongByRoundingsAlone) {
       {"box-box/cofactor-turned", "box-box/ramp_turned"},
       {"box-box/cofactor-turned", "box-box/beams_turned"},
       {"box-box/cofactor-turned", "box-box/corridor_turned"},
+      {"box-box/intervals-minmax", "box-box/crates_minmax", 0x1p-149},
+      {"box-box/cofactor-minmax", "box-box/crates_minmax", of_corners},
+      {"box-box/cofactor-mixed", "box-box/crates_mixed", of_corners},
       {"box-triangle/textbook", "box-triangle/terrain"},
       {"box-triangle/textbook", "box-triangle/ramp"},
       {"box-triangle/textbook", "box-triangle/level_voxel"},
@@ -148,6 +155,8 @@ TEST(BoxKernelsOnEverydayFamilies, RightFormsAreWrongByRoundingsAlone) {
       {"box-triangle/thirteen-minmax", "box-triangle/level_voxel_minmax", of_corners},
       {"box-triangle/thirteen-oriented", "box-triangle/terrain_oriented"},
       {"box-triangle/thirteen-oriented", "box-triangle/ramp_oriented"},
+      {"box-triangle/thirteen-turned", "box-triangle/terrain_turned"},
+      {"box-triangle/thirteen-turned", "box-triangle/ramp_turned"},
   };
   for (const RightForm& form : right) {
     EXPECT_LT(errors_of(form.kernel, form.family, 600).deepest, form.most) << form.kernel << " on " << form.family;

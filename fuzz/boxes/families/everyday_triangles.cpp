@@ -23,8 +23,8 @@ void put_body(CornersAndTriangle<Real>& q, const std::array<Real, 3>& half, cons
   q.low = rounded_arrow<Real>(centre - wide);
   q.high = rounded_arrow<Real>(centre + wide);
 }
-template <class Real>
-void put_body(BoxAndTriangle<Real>& q, const std::array<Real, 3>& half, const Quaternion& turn, const Arrow& centre) {
+template <class Query, class Real>
+void put_body(Query& q, const std::array<Real, 3>& half, const Quaternion& turn, const Arrow& centre) {
   q.box.centre = rounded_arrow<Real>(centre);
   q.box.half = half;
   turn_in_floats(q.box, unit_quaternion<Real>(turn));
@@ -220,5 +220,10 @@ extern const Family box_triangle_terrain_oriented_family = in_metres(triangle_fa
 extern const Family box_triangle_ramp_oriented_family = in_metres(triangle_family<RampTriangle, OrientedEntry>(
     "box-triangle/ramp_oriented", box_triangle_situation::everyday,
     "ramp, the box upright at any yaw, or turned with the slope but for what a solver leaves"));
+
+extern const Family box_triangle_terrain_turned_family = in_metres(triangle_family<Terrain, TurnedEntry>(
+    "box-triangle/terrain_turned", box_triangle_situation::everyday, "terrain_oriented, the box by a quaternion"));
+extern const Family box_triangle_ramp_turned_family = in_metres(triangle_family<RampTriangle, TurnedEntry>(
+    "box-triangle/ramp_turned", box_triangle_situation::everyday, "ramp_oriented, the box by a quaternion"));
 
 }  // namespace axiscert::boxes

@@ -49,7 +49,21 @@
   X(plates_turned)               \
   X(aligned_turned)              \
   X(lengths_turned)              \
-  X(slight_turned)
+  X(slight_turned)               \
+  X(general_minmax)              \
+  X(lattice_minmax)              \
+  X(touching_minmax)             \
+  X(crates_minmax)               \
+  X(one_axis_minmax)             \
+  X(units_minmax)                \
+  X(spans_minmax)                \
+  X(plates_minmax)               \
+  X(general_mixed)               \
+  X(lattice_mixed)               \
+  X(tangent_mixed)               \
+  X(crates_mixed)                \
+  X(one_axis_mixed)              \
+  X(units_mixed)
 
 #define AXISCERT_TRIANGLE_FAMILIES(X) \
   X(general)                          \
@@ -85,7 +99,17 @@
   X(units_oriented)                   \
   X(spans_oriented)                   \
   X(thin_oriented)                    \
-  X(aligned_oriented)
+  X(aligned_oriented)                 \
+  X(general_turned)                   \
+  X(touching_turned)                  \
+  X(lattice_turned)                   \
+  X(terrain_turned)                   \
+  X(ramp_turned)                      \
+  X(one_axis_turned)                  \
+  X(units_turned)                     \
+  X(spans_turned)                     \
+  X(thin_turned)                      \
+  X(aligned_turned)
 
 namespace axiscert {
 namespace boxes {

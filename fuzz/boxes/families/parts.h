@@ -2,7 +2,8 @@
 // rounded once for the entry; places that are solved exactly; and steps of an ulp.
 //
 // A family is a type with `template <class Pair> static Pair make(Stream&, std::uint64_t position)`, where Pair is
-// BoxPair<Real> (entry `matrix`) or TurnedPair<Real> (entry `quaternion`).
+// BoxPair<Real> (entry `matrix`) or TurnedPair<Real> (entry `quaternion`); those of the other entries make CornersPair
+// or MixedPair alone.
 #pragma once
 
 #include <array>
@@ -25,6 +26,14 @@ struct RealOfPair<BoxPair<Real>> {
 };
 template <class Real>
 struct RealOfPair<TurnedPair<Real>> {
+  using type = Real;
+};
+template <class Real>
+struct RealOfPair<CornersPair<Real>> {
+  using type = Real;
+};
+template <class Real>
+struct RealOfPair<MixedPair<Real>> {
   using type = Real;
 };
 template <class Pair>
@@ -60,6 +69,33 @@ void turn(OrientedBox<Real>& box, const Quaternion& q) {
 template <class Real>
 void turn(TurnedBox<Real>& box, const Quaternion& q) {
   for (std::size_t k = 0; k < 4; ++k) box.q[k] = static_cast<Real>(q[k]);
+}
+
+// Quarter turns alone: of matrices the 48 signed permutations, of quaternions the 24 whose length squared is 1, 2 or 4,
+// so that a matrix made of one is exact.
+template <class Real>
+void turn_by_quarters(Stream& random, OrientedBox<Real>& box) {
+  std::array<std::size_t, 3> order = {0, 1, 2};
+  const auto first = random.below(3);
+  std::swap(order[0], order[first]);
+  if (random.coin()) std::swap(order[1], order[2]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Real one = random.coin() ? Real(1) : Real(-1);
+    box.axis[k] = {order[k] == 0 ? one : Real(0), order[k] == 1 ? one : Real(0), order[k] == 2 ? one : Real(0)};
+  }
+}
+template <class Real>
+void turn_by_quarters(Stream& random, TurnedBox<Real>& box) {
+  static constexpr std::array<Quaternion, 3> kinds = {{{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 1, 1, 1}}};
+  const Quaternion& kind = kinds[random.below(3)];
+  std::array<std::size_t, 4> order = {0, 1, 2, 3};
+  for (std::size_t k = 3; k > 0; --k) {
+    const auto other = random.below(k + 1);
+    std::swap(order[k], order[other]);
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    box.q[k] = static_cast<Real>(random.coin() ? kind[order[k]] : -kind[order[k]]);
+  }
 }
 
 // The same by another route: the matrix is computed in Real.

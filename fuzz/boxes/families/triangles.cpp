@@ -26,6 +26,10 @@ template <class Real>
 ExactBoxAndTriangle exact_of(const BoxAndTriangle<Real>& q) {
   return exactly_of_entry<OrientedEntry>(numbers_of(q));
 }
+template <class Real>
+ExactBoxAndTriangle exact_of(const TurnedAndTriangle<Real>& q) {
+  return exactly_of_entry<TurnedEntry>(numbers_of(q));
+}
 
 struct GeneralTriangle {
   template <class Query>
@@ -123,6 +127,14 @@ void put_whole_box(Stream& random, std::int64_t bound, BoxAndTriangle<Real>& q) 
     q.box.axis[k] = {at == 0 ? one : Real(0), at == 1 ? one : Real(0), at == 2 ? one : Real(0)};
   }
 }
+template <class Real>
+void put_whole_box(Stream& random, std::int64_t bound, TurnedAndTriangle<Real>& q) {
+  CentredAndTriangle<Real> given;
+  put_whole_box(random, bound, given);
+  q.box.centre = given.centre;
+  q.box.half = given.half;
+  turn_by_quarters(random, q.box);
+}
 
 // Integers up to 2, 5 or 20 in turn: nothing is rounded, and many touch.
 template <class Query>
@@ -208,5 +220,13 @@ extern const Family box_triangle_touching_oriented_family =
 extern const Family box_triangle_lattice_oriented_family = triangle_family<LatticeTriangle, OrientedEntry>(
     "box-triangle/lattice_oriented", box_triangle_situation::small_integers,
     "small integers, the box turned by quarter turns: nothing is rounded", true);
+
+extern const Family box_triangle_general_turned_family = triangle_family<GeneralTriangle, TurnedEntry>(
+    "box-triangle/general_turned", box_triangle_situation::everyday, "general, the box by a quaternion of integers");
+extern const Family box_triangle_touching_turned_family = triangle_family<TouchingTriangle, TurnedEntry>(
+    "box-triangle/touching_turned", box_triangle_situation::touching, "touching, the box by a quaternion of integers");
+extern const Family box_triangle_lattice_turned_family = triangle_family<LatticeTriangle, TurnedEntry>(
+    "box-triangle/lattice_turned", box_triangle_situation::small_integers,
+    "small integers, quarter turns as quaternions: nothing is rounded", true);
 
 }  // namespace axiscert::boxes

@@ -1,4 +1,4 @@
-// Parts of the families of a box and a triangle: a box in each of the three entries, and a family of queries of one.
+// Parts of the families of a box and a triangle: a box in each of the four entries, and a family of queries of one.
 #pragma once
 
 #include "fuzz/boxes/families/parts.h"
@@ -18,6 +18,10 @@ template <class Real>
 struct RealOfPair<BoxAndTriangle<Real>> {
   using type = Real;
 };
+template <class Real>
+struct RealOfPair<TurnedAndTriangle<Real>> {
+  using type = Real;
+};
 
 // A query of any entry in doubles.
 template <class Real>
@@ -26,6 +30,10 @@ std::array<Arrow, 3> corners_in_doubles(const std::array<Vec3<Real>, 3>& corner)
 }
 template <class Real>
 BoxAndTriangle<double> wide_query(const BoxAndTriangle<Real>& q) {
+  return {box_in_doubles(q.box), corners_in_doubles(q.corner)};
+}
+template <class Real>
+BoxAndTriangle<double> wide_query(const TurnedAndTriangle<Real>& q) {
   return {box_in_doubles(q.box), corners_in_doubles(q.corner)};
 }
 template <class Real>
@@ -63,9 +71,9 @@ void put_box(Stream& random, CornersAndTriangle<Real>& q) {
   const Vec3<Real> half = extents<Real>(random);
   q.high = q.low + half + half;
 }
-template <class Real>
-void put_box(Stream& random, BoxAndTriangle<Real>& q) {
-  CentredAndTriangle<Real> given;
+template <class Query>
+void put_box(Stream& random, Query& q) {
+  CentredAndTriangle<RealOf<Query>> given;
   put_box(random, given);
   q.box.centre = given.centre;
   q.box.half = given.half;

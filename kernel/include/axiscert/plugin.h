@@ -21,11 +21,16 @@
  *           none   nothing
  *           time   f(..., real* time)
  *           all    f(..., real* time, real* feature, real normal[3], real point[3])
- *   box-box: each box by its centre, half extents, and its axes, 0 1 2 one after the other, or a quaternion w x y z
+ *   box-box: each box by its centre, half extents, and its axes, 0 1 2 one after the other, or a quaternion w x y z; or
+ *   a box along the world's axes by its two corners
  *       AXISCERT_BOX_PLUGIN(real, "NAME", f, matrix)
  *           f(real a_centre[3], real a_half[3], real a_axes[9], real b_centre[3], real b_half[3], real b_axes[9])
  *       AXISCERT_BOX_PLUGIN(real, "NAME", f, quaternion)
  *           f(real a_centre[3], real a_half[3], real a_turn[4], real b_centre[3], real b_half[3], real b_turn[4])
+ *       AXISCERT_BOX_PLUGIN(real, "NAME", f, minmax)
+ *           f(real a_low[3], real a_high[3], real b_low[3], real b_high[3])
+ *       AXISCERT_BOX_PLUGIN(real, "NAME", f, minmax_quaternion)
+ *           f(real a_low[3], real a_high[3], real b_centre[3], real b_half[3], real b_turn[4])
  *   box-triangle: a box along the world's axes, by its centre or by its two corners, or an oriented one, and abc
  *       AXISCERT_BOX_TRIANGLE_PLUGIN(real, "NAME", f, centre)
  *           f(real centre[3], real half[3], real a[3], real b[3], real c[3])
@@ -33,6 +38,8 @@
  *           f(real low[3], real high[3], real a[3], real b[3], real c[3])
  *       AXISCERT_BOX_TRIANGLE_PLUGIN(real, "NAME", f, matrix)
  *           f(real centre[3], real half[3], real axes[9], real a[3], real b[3], real c[3])
+ *       AXISCERT_BOX_TRIANGLE_PLUGIN(real, "NAME", f, quaternion)
+ *           f(real centre[3], real half[3], real turn[4], real a[3], real b[3], real c[3])
  *
  * Such a kernel shows its verdicts, and touching is contact. One that shows its comparisons or declares more is a line
  * of AXISCERT_PLUGIN_OF; one that takes whole batches, or both precisions, fills in axiscert_kernel itself. Both are
@@ -243,10 +250,15 @@ AXISCERT_EXPORT const axiscert_kernel* axiscert_plugin(uint32_t index);
 #define AXISCERT_I_MOTION 16, AXISCERT_I_CORNERS(0), axiscert_i_v + 9, axiscert_i_v + 12, axiscert_i_v[15]
 #define AXISCERT_I_BOX_matrix "box-box", "matrix", 30, AXISCERT_I_TURNED(0), AXISCERT_I_TURNED(15)
 #define AXISCERT_I_BOX_quaternion "box-box", "quaternion", 20, AXISCERT_I_TURNED(0), AXISCERT_I_TURNED(10)
+#define AXISCERT_I_BOX_minmax "box-box", "minmax", 12, AXISCERT_I_CORNERS(0), axiscert_i_v + 9
+#define AXISCERT_I_BOX_minmax_quaternion \
+  "box-box", "minmax-quaternion", 16, axiscert_i_v, axiscert_i_v + 3, AXISCERT_I_TURNED(6)
 #define AXISCERT_I_BOX_TRIANGLE_centre "box-triangle", "centre", AXISCERT_I_UPRIGHT
 #define AXISCERT_I_BOX_TRIANGLE_minmax "box-triangle", "minmax", AXISCERT_I_UPRIGHT
 #define AXISCERT_I_UPRIGHT 15, axiscert_i_v, axiscert_i_v + 3, AXISCERT_I_CORNERS(6)
 #define AXISCERT_I_BOX_TRIANGLE_matrix "box-triangle", "matrix", 24, AXISCERT_I_TURNED(0), AXISCERT_I_CORNERS(15)
+#define AXISCERT_I_BOX_TRIANGLE_quaternion \
+  "box-triangle", "quaternion", 19, AXISCERT_I_TURNED(0), AXISCERT_I_CORNERS(10)
 #define AXISCERT_I_TURNED(first) axiscert_i_v + first, axiscert_i_v + first + 3, axiscert_i_v + first + 6
 #define AXISCERT_I_CORNERS(first) AXISCERT_I_TURNED(first) /* three points */
 
