@@ -36,6 +36,14 @@ std::string size_text(FamilyGroup group, double length, double depth, const Leng
   return has_lengths(group) ? length_in(group, length, unit) + ", " + share : share;
 }
 
+// "; 266 times late, by 12.4 cm at most, 0.957 of the way".
+std::string times_text(FamilyGroup group, const GroupResult::Times& times, const char* side, const LengthUnit* unit) {
+  if (times.count == 0 || !has_lengths(group)) return "";
+  return fmt::format("; {} time{} {}, by {} at most, {} of the way", thousands(times.count),
+                     times.count == 1 ? "" : "s", side, length_in(group, times.farthest, unit),
+                     amount(times.largest_share, 3));
+}
+
 std::string group_text(FamilyGroup group, const GroupResult& result, const LengthUnit* unit) {
   const std::string missed =
                         side_text(result.missed, "missed",
@@ -47,6 +55,7 @@ std::string group_text(FamilyGroup group, const GroupResult& result, const Lengt
   if (result.no_answer == result.looked_at) return text + "no verdict";
   if (result.missed + result.invented == 0) text += "no wrong verdict";
   else text += result.missed == 0 && result.invented != 0 ? invented + "; " + missed : missed + "; " + invented;
+  text += times_text(group, result.late, "late", unit) + times_text(group, result.early, "early", unit);
   if (result.no_answer != 0) text += fmt::format("; {} without a verdict", thousands(result.no_answer));
   return text;
 }
@@ -98,6 +107,14 @@ GroupResult group_result(const KernelRecord& kernel, FamilyGroup group) {
       offer(verdict.farthest_false_contact.best(), verdict.deepest_false_contact.best(), out.worst_invented,
             out.deepest_invented, out.invented_in);
     }
+    if (!result.motion || !result.motion->time) continue;
+    const auto add_times = [](GroupResult::Times& times, std::uint64_t count, const TimeErrors& errors) {
+      times.count += count;
+      times.farthest = std::max(times.farthest, errors.largest_length.best());
+      times.largest_share = std::max(times.largest_share, errors.largest_share.best());
+    };
+    add_times(out.late, result.motion->time->late, result.motion->time->late_errors);
+    add_times(out.early, result.motion->time->early, result.motion->time->early_errors);
   }
   return out;
 }

@@ -38,6 +38,12 @@ struct GroupResult {
   double worst_missed = 0, worst_invented = 0;      // lengths in the queries' unit
   double deepest_missed = 0, deepest_invented = 0;  // shares of the scene
   std::string missed_in, invented_in;               // the families of the worst lengths
+  // Times of first contacts on one side of the exact one.
+  struct Times {
+    std::uint64_t count = 0;
+    double farthest = 0, largest_share = 0;  // a length in the queries' unit, a share of the way
+  };
+  Times late, early;
   std::size_t families = 0;
 };
 GroupResult group_result(const KernelRecord& kernel, FamilyGroup group);
