@@ -24,7 +24,8 @@ int main(int argc, char** argv) {
     setrlimit(RLIMIT_NOFILE, &files);
   }
   // Where both are one file or pipe (2>&1), their lines keep their order.
-  struct stat out {}, error {};
+  struct stat out {
+  }, error{};
   if (fstat(STDOUT_FILENO, &out) == 0 && fstat(STDERR_FILENO, &error) == 0 && out.st_dev == error.st_dev &&
       out.st_ino == error.st_ino)
     std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);

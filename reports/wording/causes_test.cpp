@@ -70,8 +70,9 @@ TEST(CauseSentence, ANumberThatMayAsWellBeTheRangeIsNotSaid) {
 TEST(CauseSentence, WhereNoClassIsTheCauseAxesAre) {
   KernelRecord kernel = kernel_with(SlackSide::early, 0);
   kernel.cause->is_known = false;
-  const std::string none = "no class explains its 0 wrong verdicts on clear queries; the best, spheres nearest to edge "
-                           "bc, has 0 of them; ";
+  const std::string none =
+      "no class explains its 0 wrong verdicts on clear queries; the best, spheres nearest to edge "
+      "bc, has 0 of them; ";
   FamilyRecord& family = kernel.families.put("general");
   EXPECT_EQ(cause_sentence(kernel),
             none + "a kernel that shows its comparisons is told which of them decide (docs/plugins.md)");
