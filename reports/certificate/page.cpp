@@ -88,15 +88,20 @@ class CertificatePage {
     return first;
   }
 
-  // What came of every level, and of how many queries.
+  // What came of every level, and of how many queries. Those that were not checked are one row: another table says why.
   InstrumentTable states_table() const {
     InstrumentTable table{"The answer", {"level"}, {}};
     for (const Precision precision : predicate_.kernel.precisions)
       table.columns.insert(table.columns.end(), {cell(precision), "how much was looked at"});
+    std::vector<std::string> unchecked;
     for (const LevelState state : {LevelState::not_met, LevelState::met, LevelState::not_checked}) {
       for (const LevelStatement& level : predicate_.levels) {
         const auto is_there = [&](const auto& row) { return row[0] == level.level; };
         if (state_of_level(predicate_, level.level) != state || std::ranges::any_of(table.rows, is_there)) continue;
+        if (is_unchecked(level.level)) {
+          if (std::ranges::find(unchecked, level.level) == unchecked.end()) unchecked.push_back(level.level);
+          continue;
+        }
         std::vector<std::string> row = {level.level};
         for (const Precision precision : predicate_.kernel.precisions) {
           const LevelStatement* entry = find(level.level, precision);
@@ -108,6 +113,14 @@ class CertificatePage {
         table.rows.push_back(std::move(row));
       }
     }
+    if (unchecked.empty()) return table;
+    std::vector<std::string> row = {unchecked.size() == 1 ? unchecked.front()
+                                                          : fmt::format("{} more levels", unchecked.size())};
+    for (std::size_t i = 0; i < predicate_.kernel.precisions.size(); ++i) {
+      row.emplace_back(name(LevelState::not_checked));
+      row.push_back(i == 0 ? fmt::format("{}; why is below", fmt::join(unchecked, ", ")) : "");
+    }
+    table.rows.push_back(std::move(row));
     return table;
   }
 
