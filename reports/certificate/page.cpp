@@ -36,7 +36,6 @@ class CertificatePage {
     report.notes = {sentence(made_sentence(predicate_) + "; " + signer_sentence(predicate_)),
                     sentence("asked: " + asked_sentence(predicate_)), sentence(looked_sentence(predicate_)),
                     levels_note()};
-    report.notes.push_back(breaks_note(predicate_));
     if (std::string note = peculiarities_note(predicate_); !note.empty()) report.notes.push_back(std::move(note));
     for (const MarginStatement& margin : predicate_.safe_margin.precisions)
       for (std::string& note : margin_notes(margin)) report.notes.push_back(std::move(note));
@@ -79,6 +78,7 @@ class CertificatePage {
       first.worst = scene_of(predicate_.witnesses.front());
       first.worst->title = "The worst: " + first.worst->title;
     }
+    first.sentences.push_back(breaks_note(predicate_));
     if (record_ == nullptr) return first;
     for (const KernelRecord& kernel : record_->kernels) {
       if (kernel.id != predicate_.kernel.id) continue;
@@ -394,9 +394,12 @@ std::string table_words(const InstrumentTable& table) {
 
 std::string certificate_words(const InstrumentReport& report) {
   std::string text = wrapped(report.title, 0);
-  for (const std::string& note : report.notes) text += wrapped(note, 0);
-  if (report.first) {
-    for (const std::string& sentence : report.first->sentences) text += wrapped(sentence, 0);
+  // By whom, how much was asked and looked at, the levels; then what the page begins with, and the rest.
+  constexpr std::size_t notes_before = 4;
+  for (std::size_t i = 0; i < report.notes.size(); ++i) {
+    if (i == notes_before && report.first)
+      for (const std::string& sentence : report.first->sentences) text += wrapped(sentence, 0);
+    text += wrapped(report.notes[i], 0);
   }
   for (const InstrumentTable& table : report.tables) {
     text += "\n" + table_words(table);
