@@ -33,7 +33,6 @@
  *           f(real low[3], real high[3], real a[3], real b[3], real c[3])
  *       AXISCERT_BOX_TRIANGLE_PLUGIN(real, "NAME", f, matrix)
  *           f(real centre[3], real half[3], real axes[9], real a[3], real b[3], real c[3])
- *   Printed queries call a box's centre m, its half extents s, its axes b, its quaternion q.
  *
  * Such a kernel shows its verdicts, and touching is contact. One that shows its comparisons or declares more is a line
  * of AXISCERT_PLUGIN_OF; one that takes whole batches, or both precisions, fills in axiscert_kernel itself. Both are
