@@ -1,8 +1,11 @@
 // axiscert: judges collision tests beside exact arithmetic.
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <set>
 #include <string>
 #include <vector>
@@ -20,6 +23,12 @@ int main(int argc, char** argv) {
     files.rlim_cur = files.rlim_max;
     setrlimit(RLIMIT_NOFILE, &files);
   }
+  // Where both are one file or pipe (2>&1), their lines keep their order.
+  struct stat out {
+  }, error{};
+  if (fstat(STDOUT_FILENO, &out) == 0 && fstat(STDERR_FILENO, &error) == 0 && out.st_dev == error.st_dev &&
+      out.st_ino == error.st_ino)
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   CLI::App app;
   std::set<std::string> said;  // a file may be read again, of which nothing new is to be said
   set_query_notes([&](const std::string& note) {

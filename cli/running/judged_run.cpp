@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <chrono>
@@ -92,6 +93,15 @@ namespace {
 
 constexpr const char* shrunk_file = "witnesses-shrunk.jsonl";
 
+// Of a level that is not met: the family that has the most of it, where more is not said.
+std::string worst_failure_text(const std::vector<Failure>& failures) {
+  const auto worst = std::ranges::max_element(failures, {}, &Failure::count);
+  if (worst == failures.end()) return "";
+  const std::string where = worst->family.empty() ? "" : fmt::format("on {}: ", worst->family);
+  const std::string count = worst->family.empty() ? "" : fmt::format(": {}", worst->count);
+  return fmt::format("; {}{}{}", where, worst->what, count);
+}
+
 // Prints what came of each level: what is met, with what that says, on standard output; the rest on standard error.
 // Returns whether all pass.
 bool print_outcomes(const std::vector<LevelOutcome>& outcomes, bool quiet) {
@@ -105,7 +115,8 @@ bool print_outcomes(const std::vector<LevelOutcome>& outcomes, bool quiet) {
     for (const Failure& failure : outcome.failures) {
       fmt::print(stderr, "axiscert: --require {}: {}\n", outcome.asked.text, failure.text());
     }
-    fmt::print(stderr, "axiscert: --require: {}\n", outcome.text());
+    fmt::print(stderr, "axiscert: --require: {}{}\n", outcome.text(),
+               is_brief ? worst_failure_text(outcome.failures) : "");
   }
   return pass(outcomes);
 }

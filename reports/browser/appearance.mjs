@@ -1,11 +1,12 @@
 // How a page looks, prints and is reached: contrast, screenshots, keyboard.
 import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
 
 import {contrast_faults} from './contrast.mjs';
-import {first_card, opened, real, work} from './pages.mjs';
+import {axiscert, first_card, folder, opened, real, work} from './pages.mjs';
 
 for (const scheme of ['light', 'dark']) {
   test(`has the contrast of WCAG AA, ${scheme}, on screen and on paper`, async () => {
@@ -44,6 +45,27 @@ test('cuts no table on a screen of 1,280 pixels, whatever is unfolded', async ()
   assert.deepEqual(await tables.evaluateAll((all) => all.filter((box) => box.scrollWidth > box.clientWidth).map((box) => box.innerText.slice(0, 200))), []);
   await close();
 });
+
+// The pages of instruments, each with what it is made by.
+for (const [name, ...words] of [['certificate', 'certify', 'published', '--effort', 'smoke', '--quiet'], ['league', 'league', 'published', 'certified', '--trials', '256', '--no-speed'],
+                                ['ladder', 'ladder', '--trials', '64', '--no-speed']]) {
+  test(`shows a ${name} whole on screens of 1,440, 1,280 and 400 pixels`, async () => {
+    const into = folder(name);
+    execFileSync(axiscert, [...words, '--out', into], {stdio: ['ignore', 'ignore', 'inherit']});
+    const {page, close} = await opened(into, {}, `${name}.html`);
+    const boxes = async (which) => page.locator(which).evaluateAll((all) => all.filter((box) => box.scrollWidth > box.clientWidth).map((box) => box.innerText.slice(0, 200)));
+    for (const width of [1440, 1280, 400]) {
+      await page.setViewportSize({width, height: 800});
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${width} wide`);
+      assert.deepEqual(await boxes('.first .scroll'), [], `the first table, ${width} wide`);
+    }
+    await page.screenshot({path: path.join(work, `${name}.png`)});
+    await page.setViewportSize({width: 1280, height: 800});
+    await page.evaluate(() => document.querySelectorAll('details').forEach((some) => { some.open = true; }));
+    assert.deepEqual(await boxes('.scroll'), []);
+    await close();
+  });
+}
 
 test('says of each table that is cut on a narrow screen that it goes on', async () => {
   const {page, close} = await opened(real, {viewport: {width: 400, height: 800}});

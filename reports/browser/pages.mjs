@@ -73,7 +73,7 @@ export async function patient_page(context) {
 }
 
 // Opens a page without a network; the test fails on any error, error message, or request other than for the file.
-export async function opened(into, options = {}) {
+export async function opened(into, options = {}, file = 'report.html') {
   const context = await browser.newContext({viewport: {width: 1440, height: 900}, ...options});
   await context.setOffline(true);
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
@@ -82,8 +82,8 @@ export async function opened(into, options = {}) {
   page.on('console', (message) => { if (['error', 'warning'].includes(message.type())) problems.push(message.text()); });
   page.on('pageerror', (error) => problems.push(String(error)));
   page.on('request', (request) => { if (!/^(file|data|blob):/.test(request.url())) problems.push(`asks for ${request.url()}`); });
-  await page.goto(pathToFileURL(path.join(into, 'report.html')).href);
-  await page.waitForSelector('body.ready');
+  await page.goto(pathToFileURL(path.join(into, file)).href);
+  if (file === 'report.html') await page.waitForSelector('body.ready');
   return {page, close: async () => {
     await context.close();
     assert.deepEqual(problems, []);

@@ -257,10 +257,12 @@ std::vector<CertificateWitness> worst_of_certificate(const Record& record, const
       if (is_there || (another_family && !families.insert(witness->family).second)) continue;
       const Json query = query_of(*witness, predicate_of(record.plan));
       const std::string_view truth = witness->touching ? "touching" : name(witness->truth);
-      std::string depth =
-          witness->depth ? fmt::format(", {} of the scene deep", amount(*witness->depth, 3)) : std::string();
+      const std::string share =
+          witness->depth ? fmt::format("{} of the scene", amount(*witness->depth, 3)) : std::string();
       const std::string length = length_words(witness->family, witness->length.value_or(0), record.plan);
-      if (!length.empty()) depth += ", " + length;
+      const std::string depth = !length.empty() ? fmt::format(", {} deep, {}", length, share)
+                                : share.empty() ? ""
+                                                : fmt::format(", {} deep", share);
       worst.push_back({fmt::format("{} {}, family {}", kernel, name(witness->precision), witness->family),
                        fmt::format("The truth is {}, the kernel says {}{}. Address {}.", truth, name(witness->computed),
                                    depth, witness->address),

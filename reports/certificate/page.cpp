@@ -36,7 +36,6 @@ class CertificatePage {
     report.notes = {sentence(made_sentence(predicate_) + "; " + signer_sentence(predicate_)),
                     sentence("asked: " + asked_sentence(predicate_)), sentence(looked_sentence(predicate_)),
                     levels_note()};
-    report.notes.push_back(breaks_note(predicate_));
     if (std::string note = peculiarities_note(predicate_); !note.empty()) report.notes.push_back(std::move(note));
     for (const MarginStatement& margin : predicate_.safe_margin.precisions)
       for (std::string& note : margin_notes(margin)) report.notes.push_back(std::move(note));
@@ -79,6 +78,7 @@ class CertificatePage {
       first.worst = scene_of(predicate_.witnesses.front());
       first.worst->title = "The worst: " + first.worst->title;
     }
+    first.sentences.push_back(breaks_note(predicate_));
     if (record_ == nullptr) return first;
     for (const KernelRecord& kernel : record_->kernels) {
       if (kernel.id != predicate_.kernel.id) continue;
@@ -88,15 +88,20 @@ class CertificatePage {
     return first;
   }
 
-  // What came of every level, and of how many queries.
+  // What came of every level, and of how many queries. Those that were not checked are one row: another table says why.
   InstrumentTable states_table() const {
     InstrumentTable table{"The answer", {"level"}, {}};
     for (const Precision precision : predicate_.kernel.precisions)
       table.columns.insert(table.columns.end(), {cell(precision), "how much was looked at"});
+    std::vector<std::string> unchecked;
     for (const LevelState state : {LevelState::not_met, LevelState::met, LevelState::not_checked}) {
       for (const LevelStatement& level : predicate_.levels) {
         const auto is_there = [&](const auto& row) { return row[0] == level.level; };
         if (state_of_level(predicate_, level.level) != state || std::ranges::any_of(table.rows, is_there)) continue;
+        if (is_unchecked(level.level)) {
+          if (std::ranges::find(unchecked, level.level) == unchecked.end()) unchecked.push_back(level.level);
+          continue;
+        }
         std::vector<std::string> row = {level.level};
         for (const Precision precision : predicate_.kernel.precisions) {
           const LevelStatement* entry = find(level.level, precision);
@@ -108,6 +113,14 @@ class CertificatePage {
         table.rows.push_back(std::move(row));
       }
     }
+    if (unchecked.empty()) return table;
+    std::vector<std::string> row = {unchecked.size() == 1 ? unchecked.front()
+                                                          : fmt::format("{} more levels", unchecked.size())};
+    for (std::size_t i = 0; i < predicate_.kernel.precisions.size(); ++i) {
+      row.emplace_back(name(LevelState::not_checked));
+      row.push_back(i == 0 ? fmt::format("{}; why is below", fmt::join(unchecked, ", ")) : "");
+    }
+    table.rows.push_back(std::move(row));
     return table;
   }
 
@@ -381,9 +394,12 @@ std::string table_words(const InstrumentTable& table) {
 
 std::string certificate_words(const InstrumentReport& report) {
   std::string text = wrapped(report.title, 0);
-  for (const std::string& note : report.notes) text += wrapped(note, 0);
-  if (report.first) {
-    for (const std::string& sentence : report.first->sentences) text += wrapped(sentence, 0);
+  // By whom, how much was asked and looked at, the levels; then what the page begins with, and the rest.
+  constexpr std::size_t notes_before = 4;
+  for (std::size_t i = 0; i < report.notes.size(); ++i) {
+    if (i == notes_before && report.first)
+      for (const std::string& sentence : report.first->sentences) text += wrapped(sentence, 0);
+    text += wrapped(report.notes[i], 0);
   }
   for (const InstrumentTable& table : report.tables) {
     text += "\n" + table_words(table);

@@ -26,25 +26,8 @@ std::string direction_text(const AbsoluteSizeRecord& sizes, std::string_view whe
                      text.empty() ? "and no one number of its own explains it" : text);
 }
 
-// The powers nearest to 1, as exponents.
-struct NearestPowers {
-  std::optional<int> down, up;
-};
-NearestPowers nearest_powers(const CountsBySize& by_size) {
-  NearestPowers found;
-  for (const auto& [exponent, count] : by_size) {
-    if (exponent < 0) found.down = exponent;
-    else if (!found.up) found.up = exponent;
-  }
-  return found;
-}
-
-// Where the powers are in the outer half of the range of degree 6, a form of up to twice that degree has left its own.
 std::string degree_text(const CountsBySize& by_size, const ImageChangesRecord& scale) {
-  const auto [down, up] = nearest_powers(by_size);
-  const std::optional<PowerRangeRecord> range = scale.range.value_or(std::nullopt);
-  const bool is_outer = range && (!down || 2 * *down <= range->least) && (!up || 2 * *up >= range->greatest);
-  return is_outer ? ", or a form of a degree above 6 left its range" : "";
+  return are_outer(by_size, scale) ? ", or a form of a degree above 6 left its range" : "";
 }
 
 }  // namespace

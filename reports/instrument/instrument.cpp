@@ -91,15 +91,28 @@ std::string wrapped_html(const std::string& text) {
   return html + html_text(text.substr(begin));
 }
 
-std::string cells(const std::vector<std::string>& row, const char* tag) {
+// Of a cell whose text is a state of a level.
+const char* state_look(const std::string& cell) {
+  return cell == "met" ? "good" : cell == "not met" ? "bad" : cell == "NOT CHECKED" ? "warn" : nullptr;
+}
+
+// With `labels`, cells but the first have the heads of their columns: a phone shows them in place of the head.
+std::string cells(const std::vector<std::string>& row, const char* tag,
+                  const std::vector<std::string>* labels = nullptr) {
   std::string html;
   for (std::size_t i = 0; i < row.size(); ++i) {
     const char* element = i == 0 ? "th" : tag;
     // Sentences, names of sections and paths are wrapped: a table of advice, or of kernels by their files, has to fit
     // on the page.
     const bool is_long = row[i].size() > 16 && row[i].find_first_of(" #/") != std::string::npos;
-    const char* const look = is_long ? " class=\"words\"" : i != 0 && is_number(row[i]) ? " class=\"n\"" : "";
-    html += fmt::format("<{0}{1}>{2}</{0}>", element, look, is_long ? wrapped_html(row[i]) : html_text(row[i]));
+    const bool is_labelled = labels != nullptr && i != 0;
+    const char* const look = is_long                                        ? "words"
+                             : is_labelled && state_look(row[i]) != nullptr ? state_look(row[i])
+                             : i != 0 && is_number(row[i])                  ? "n"
+                                                                            : nullptr;
+    html += fmt::format("<{0}{1}{2}>{3}</{0}>", element, look == nullptr ? "" : fmt::format(" class=\"{}\"", look),
+                        is_labelled ? fmt::format(" data-label=\"{}\"", html_text((*labels)[i])) : "",
+                        is_long ? wrapped_html(row[i]) : html_text(row[i]));
   }
   return html;
 }
@@ -121,10 +134,13 @@ std::string scene_html(const InstrumentScene& scene) {
       paste_html("Judge it here", scene.command));
 }
 
-std::string grid_html(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows) {
-  std::string html = fmt::format("<div class=\"scroll\" tabindex=\"0\"><table><thead><tr>{}</tr></thead><tbody>\n",
-                                 cells(columns, "th"));
-  for (const auto& row : rows) html += fmt::format("<tr>{}</tr>\n", cells(row, "td"));
+constexpr std::size_t columns_that_fit = 12;  // of short cells, at the usual size of letters
+
+std::string grid_html(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
+                      bool has_labels = false) {
+  std::string html = fmt::format("<div class=\"scroll\" tabindex=\"0\"><table{}><thead><tr>{}</tr></thead><tbody>\n",
+                                 columns.size() > columns_that_fit ? " class=\"dense\"" : "", cells(columns, "th"));
+  for (const auto& row : rows) html += fmt::format("<tr>{}</tr>\n", cells(row, "td", has_labels ? &columns : nullptr));
   return html + "</tbody></table></div>\n";
 }
 
@@ -184,14 +200,16 @@ std::string first_html(const InstrumentFirst& first) {
                         html_text(first.worst->title), html_text(first.worst->sentence));
   }
   return fmt::format(
-      "<section id=\"answer\"><h2>{}</h2>\n<div class=\"first\"><div>{}<ul class=\"sentences\">{}</ul></div>{}</div>"
+      "<section id=\"answer\"><h2>{}</h2>\n<div class=\"first\"><div><ul class=\"sentences\">{}</ul>{}</div>{}</div>"
       "</section>\n",
-      html_text(first.table.caption), grids_html(first.table), sentences, worst);
+      html_text(first.table.caption), sentences, grid_html(first.table.columns, first.table.rows, true), worst);
 }
+
+std::string note_html(const std::string& note) { return fmt::format("<p class=\"lead\">{}</p>\n", html_text(note)); }
 
 std::string notes_html(const InstrumentReport& report) {
   std::string notes;
-  for (const std::string& note : report.notes) notes += fmt::format("<p class=\"lead\">{}</p>\n", html_text(note));
+  for (const std::string& note : report.notes) notes += note_html(note);
   const std::string heading = html_text(report.notes_heading);
   if (!report.are_notes_last) return fmt::format("<section><h2>{}</h2>\n{}</section>\n", heading, notes);
   return fmt::format("<section id=\"words\"><details><summary><h2>{}</h2></summary>\n{}</details></section>\n", heading,
@@ -234,9 +252,14 @@ Json plot_data(const InstrumentPlot& plot) {
 
 }  // namespace
 
-std::string instrument_page(const InstrumentReport& report) {
+std::string instrument_page(const InstrumentReport& given) {
+  InstrumentReport report = given;
+  // A page of figures begins with what was asked. The other notes say what words mean.
+  const bool has_lead = !report.first && report.notes.size() > 1;
+  const std::string lead = has_lead ? note_html(report.notes.front()) : "";
+  report.are_notes_last |= has_lead;
   const std::string notes = notes_html(report);
-  std::string body = report.are_notes_last ? "" : notes, folded;
+  std::string body = report.are_notes_last ? lead : notes, folded;
   Json plots = Json::array();
   for (const InstrumentPlot& plot : report.plots) {
     body += plot_html(plot);

@@ -72,7 +72,7 @@ TEST(InstrumentPage, BeginsWithTheAnswerAndEndsWithWords) {
   const std::string page = instrument_page(report);
   std::size_t at = 0;
   for (const char* part :
-       {"<section id=\"answer\"><h2>The answer</h2>", "<th>met</th>", "<li>All is well.</li>", "<h3>first</h3>",
+       {"<section id=\"answer\"><h2>The answer</h2>", "<li>All is well.</li>", "<th>met</th>", "<h3>first</h3>",
         "<h2>Errors &lt;u&gt;</h2>", "<details><summary><h2>Made from</h2></summary>",
         "<section id=\"words\"><details>", "In ulps; &lt;/section&gt; is text."}) {
     const std::size_t found = page.find(part, at);
@@ -81,6 +81,21 @@ TEST(InstrumentPage, BeginsWithTheAnswerAndEndsWithWords) {
   }
   EXPECT_NE(page.find("id=\"scenes\" type=\"application/json\">[{\"r\":\"0x1p+0\"},{\"r\""), page.npos)
       << "pictures are in the order of the page";
+}
+
+TEST(InstrumentPage, BeginsWithWhatWasAskedWhereThereIsNoAnswer) {
+  InstrumentReport report = hostile_report();
+  report.notes = {"256 queries.", "A window is an interval."};
+  const std::string page = instrument_page(report);
+  EXPECT_LT(page.find("<p class=\"lead\">256 queries.</p>"), page.find("<h2>Errors &lt;u&gt;</h2>"));
+  EXPECT_GT(page.find("A window is an interval."), page.find("<section id=\"words\"><details>"));
+}
+
+TEST(InstrumentPage, SaysOfEachCellOfTheAnswerWhatItIs) {
+  InstrumentReport report;
+  report.first = {{"The answer", {"level", "binary32"}, {{"exact", "not met"}}}, {}, {}};
+  EXPECT_NE(instrument_page(report).find("<th>exact</th><td class=\"bad\" data-label=\"binary32\">not met</td>"),
+            std::string::npos);
 }
 
 // No table is wider than a page: its columns are in one for each heading, and those that every one has come first.

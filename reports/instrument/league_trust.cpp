@@ -133,6 +133,7 @@ InstrumentFirst league_first(const League& league, const CampaignResult& result)
   if (has_scenes) kinds.emplace_back(TrustGroup::scene, "everyday scenes");
   kinds.emplace_back(std::nullopt, "all families");
   for (const auto& [group, words] : kinds) {
+    std::vector<std::string> told;  // of each precision
     for (const Precision precision : league.questions.precisions) {
       first.table.columns.push_back(fmt::format("{}, {}", words, name(precision)));
       std::map<std::string, std::vector<std::string>> by_answer;
@@ -150,14 +151,19 @@ InstrumentFirst league_first(const League& league, const CampaignResult& result)
         }
         first.table.rows[k].push_back(std::move(cell));
       }
-      std::string told = fmt::format("{}, {}: ", words, name(precision));
-      told[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(told[0])));
       const std::vector<std::string>& right = by_answer["yes"];
-      first.sentences.push_back(
-          told +
+      told.push_back(
           (right.empty() ? "nobody is right throughout" : fmt::format("right throughout: {}", fmt::join(right, ", "))) +
           (by_answer["rarely"].empty() ? "."
                                        : fmt::format("; rarely wrong: {}.", fmt::join(by_answer["rarely"], ", "))));
+    }
+    std::string heading = words;
+    heading[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(heading[0])));
+    // Once where every precision has the same.
+    const bool are_same = told.size() > 1 && std::ranges::count(told, told.front()) == std::ssize(told);
+    for (std::size_t i = 0; i < (are_same ? 1 : told.size()); ++i) {
+      const std::string of = are_same ? "" : fmt::format(", {}", name(league.questions.precisions[i]));
+      first.sentences.push_back(fmt::format("{}{}: {}", heading, of, told[i]));
     }
   }
   if (const std::optional<WorstQuery> worst = worst_scene_of(league, result)) {

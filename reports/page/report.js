@@ -106,7 +106,6 @@ async function show_report() {
   show_first(data);
   show_findings(data);
   show_answer(data);
-  show_next(data);
   show_heat(data);
   show_bounds(data);
   show_origins(data);

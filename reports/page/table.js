@@ -142,6 +142,7 @@ function table(caption, all_columns, rows, {row_class, groups} = {}) {
       columns.forEach((c, i) => {
         const cell = el(i === 0 ? 'th' : 'td', c.numeric && !c.left ? 'n' : '');
         if (i === 0) cell.scope = 'row';
+        else cell.dataset.label = c.label;
         c.cell(cell, c.get(row), row);
         tr.append(cell);
       });

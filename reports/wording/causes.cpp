@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <vector>
 
 #include "fuzz/slack/slack.h"
@@ -23,10 +26,25 @@ std::string compared_text(const AbsoluteSizeRecord& sizes) {
   return texts.empty() ? "" : fmt::format("as if an absolute number {}", fmt::join(texts, ", or one "));
 }
 
+NearestPowers nearest_powers(const CountsBySize& by_size) {
+  NearestPowers found;
+  for (const auto& [exponent, count] : by_size) {
+    if (exponent < 0) found.down = exponent;
+    else if (!found.up) found.up = exponent;
+  }
+  return found;
+}
+
+bool are_outer(const CountsBySize& by_size, const ImageChangesRecord& scale) {
+  const auto [down, up] = nearest_powers(by_size);
+  const std::optional<PowerRangeRecord> range = scale.range.value_or(std::nullopt);
+  return range && (!down || 2 * *down <= range->least) && (!up || 2 * *up >= range->greatest);
+}
+
 namespace {
 
 // Of the families that have queries in other units of length, that with the most bases: where in each of them one
-// number explains nearly all of them.
+// number explains nearly all of them. What may as well be the range of a form is no such number.
 std::string number_text(const KernelRecord& kernel) {
   constexpr std::uint64_t least_bases = 16;
   const AbsoluteSizeRecord* most = nullptr;
@@ -34,6 +52,7 @@ std::string number_text(const KernelRecord& kernel) {
     if (!family.invariance) continue;
     const auto scale = family.invariance->find(ImageKind::scale);
     if (scale == family.invariance->end() || !scale->second.wrong) continue;
+    if (are_outer(scale->second.wrong->by_size, scale->second)) continue;
     for (const AbsoluteSizeRecord* sizes : {&scale->second.wrong->where_small, &scale->second.wrong->where_large}) {
       if (sizes->bases < least_bases) continue;
       if (sizes->compared.empty() || 20 * sizes->compared.front().explains < 19 * sizes->bases) return "";
@@ -51,12 +70,38 @@ SlackText slack_text_of(const KernelRecord& kernel) {
   if (!kernel.slack || kernel.slack->found.empty()) return {};
   const std::vector<SlackRecord>& found = kernel.slack->found;
   SlackText slack{slack_text(found.front())};
-  if (found.size() > 1) slack.text += fmt::format(", as queries of {} more kinds show", found.size() - 1);
+  if (found.size() > 1) {
+    const bool is_one = found.size() == 2;
+    slack.text += fmt::format(", and {} other kind{} of query show{} one", found.size() - 1, is_one ? "" : "s",
+                              is_one ? "s" : "");
+  }
   std::uint64_t shown = 0;
   for (const SlackRecord& one : found) shown += one.shown;
   slack.is_local = 4 * shown < kernel.slack->bracketed;
   slack.is_late = found.front().side == SlackSide::late;
   return slack;
+}
+
+// Where no class is the cause: the axes at which it is decided, most often first; of a kernel that shows its verdicts
+// alone, that these would be named.
+std::string axes_text(const KernelRecord& kernel) {
+  if (kernel.cause->is_known) return "";
+  std::map<std::string, std::uint64_t> decisive;
+  std::uint64_t all = 0;
+  for (const auto& [name, family] : kernel.families) {
+    if (!family.axes) return "a kernel that shows its comparisons is told which of them decide (docs/plugins.md)";
+    for (const auto& [axis, tally] : *family.axes) {
+      decisive[axis] += tally.decisive;
+      all += tally.decisive;
+    }
+  }
+  std::vector<std::pair<std::uint64_t, std::string>> often;
+  for (const auto& [axis, count] : decisive)
+    if (count * 20 >= all && count != 0) often.emplace_back(count, axis);
+  std::ranges::sort(often, std::greater<>());
+  std::vector<std::string> texts;
+  for (const auto& [count, axis] : often) texts.push_back(fmt::format("{} {}", axis, thousands(count)));
+  return texts.empty() ? "" : fmt::format("axes that decide wrongly: {}", fmt::join(texts, ", "));
 }
 
 }  // namespace
@@ -72,8 +117,10 @@ std::string cause_sentence(const KernelRecord& kernel) {
   const bool is_class_first = slack.is_local && slack.is_late;
   if (!is_class_first && slack.is_local) add(slack.text);
   // Beside these, a class that is none says nothing.
-  if (kernel.cause && (kernel.cause->is_known || (texts.empty() && slack.text.empty()))) add(kernel.cause->sentence());
+  const bool is_said = kernel.cause && (kernel.cause->is_known || (texts.empty() && slack.text.empty()));
+  if (is_said) add(kernel.cause->sentence());
   if (is_class_first) add(slack.text);
+  if (is_said) add(axes_text(kernel));
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 

@@ -1,6 +1,7 @@
 // The cause of a kernel's wrong verdicts, in the words in which every report says it first.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "fuzz/record/record.h"
@@ -9,6 +10,15 @@ namespace axiscert {
 
 // "as if an absolute number near 0.01 (squared 0.0001) were compared with r, or one near ..."; empty where none was.
 std::string compared_text(const AbsoluteSizeRecord& sizes);
+
+// The powers of two nearest to 1, as exponents.
+struct NearestPowers {
+  std::optional<int> down, up;
+};
+NearestPowers nearest_powers(const CountsBySize& by_size);
+// Whether these powers are in the outer half of the range of degree 6, where a form of up to twice that degree has left
+// its own.
+bool are_outer(const CountsBySize& by_size, const ImageChangesRecord& scale);
 // Why the kernel is wrong: its slack; the absolute number that explains what changes with the unit of length; and the
 // class of queries in which it is wrong. A slack of few queries comes after the number, and one that is late there
 // after the class too: a part that is left out makes contacts late where it decides. Empty where none was found.

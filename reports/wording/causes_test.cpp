@@ -58,5 +58,30 @@ TEST(CauseSentence, ANumberExplainsNearlyAllBasesOfEachFamily) {
   EXPECT_EQ(cause_sentence(with_number(with_number(none, "units", 100, 100), "spans", 50, 40)), class_text);
 }
 
+TEST(CauseSentence, ANumberThatMayAsWellBeTheRangeIsNotSaid) {
+  KernelRecord kernel = with_number(kernel_with(SlackSide::early, 0), "units", 100, 100);
+  ImageChangesRecord& scale = (*kernel.families.put("units").invariance)[ImageKind::scale];
+  scale.range.emplace(PowerRangeRecord{-30, 30});
+  scale.wrong->by_size = {{-19, 5}, {16, 5}};
+  EXPECT_EQ(cause_sentence(kernel), class_text);
+  scale.wrong->by_size = {{-5, 5}};
+  EXPECT_EQ(cause_sentence(kernel), number + "; " + class_text);
+}
+TEST(CauseSentence, WhereNoClassIsTheCauseAxesAre) {
+  KernelRecord kernel = kernel_with(SlackSide::early, 0);
+  kernel.cause->is_known = false;
+  const std::string none =
+      "no class explains its 0 wrong verdicts on clear queries; the best, spheres nearest to edge "
+      "bc, has 0 of them; ";
+  FamilyRecord& family = kernel.families.put("general");
+  EXPECT_EQ(cause_sentence(kernel),
+            none + "a kernel that shows its comparisons is told which of them decide (docs/plugins.md)");
+  auto& axes = family.axes.emplace();
+  axes.put("a0b1").decisive = 10;
+  axes.put("a0b2").decisive = 1000;
+  axes.put("a1b0").decisive = 2000;
+  EXPECT_EQ(cause_sentence(kernel), none + "axes that decide wrongly: a1b0 2,000, a0b2 1,000");
+}
+
 }  // namespace
 }  // namespace axiscert

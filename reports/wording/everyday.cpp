@@ -36,6 +36,14 @@ std::string size_text(FamilyGroup group, double length, double depth, const Leng
   return has_lengths(group) ? length_in(group, length, unit) + ", " + share : share;
 }
 
+// "; 266 times late, by 12.4 cm at most, 0.957 of the way".
+std::string times_text(FamilyGroup group, const GroupResult::Times& times, const char* side, const LengthUnit* unit) {
+  if (times.count == 0 || !has_lengths(group)) return "";
+  return fmt::format("; {} time{} {}, by {} at most, {} of the way", thousands(times.count),
+                     times.count == 1 ? "" : "s", side, length_in(group, times.farthest, unit),
+                     amount(times.largest_share, 3));
+}
+
 std::string group_text(FamilyGroup group, const GroupResult& result, const LengthUnit* unit) {
   const std::string missed =
                         side_text(result.missed, "missed",
@@ -47,13 +55,8 @@ std::string group_text(FamilyGroup group, const GroupResult& result, const Lengt
   if (result.no_answer == result.looked_at) return text + "no verdict";
   if (result.missed + result.invented == 0) text += "no wrong verdict";
   else text += result.missed == 0 && result.invented != 0 ? invented + "; " + missed : missed + "; " + invented;
-  if (has_lengths(group) && result.earliest) {
-    const auto off = [&](double length, const char* side) {
-      return length == 0 ? fmt::format("none {}", side)
-                         : fmt::format("at most {} {}", length_in(group, length, unit), side);
-    };
-    text += fmt::format("; times {}, {}", off(*result.earliest, "early"), off(*result.latest, "late"));
-  }
+  text += times_text(group, result.late, "late", unit) + times_text(group, result.early, "early", unit);
+  if (has_lengths(group) && result.has_times && result.late.count + result.early.count == 0) text += "; no time late or early";
   if (result.no_answer != 0) text += fmt::format("; {} without a verdict", thousands(result.no_answer));
   return text;
 }
@@ -97,10 +100,6 @@ GroupResult group_result(const KernelRecord& kernel, FamilyGroup group) {
       farthest = std::max(farthest, length);
       deepest = std::max(deepest, depth);
     };
-    if (result.motion && result.motion->time) {
-      out.earliest = std::max(out.earliest.value_or(0), result.motion->time->early_errors.largest_length.best());
-      out.latest = std::max(out.latest.value_or(0), result.motion->time->late_errors.largest_length.best());
-    }
     if (verdict.false_separation != 0) {
       offer(verdict.farthest_false_separation.best(), verdict.deepest_false_separation.best(), out.worst_missed,
             out.deepest_missed, out.missed_in);
@@ -109,6 +108,15 @@ GroupResult group_result(const KernelRecord& kernel, FamilyGroup group) {
       offer(verdict.farthest_false_contact.best(), verdict.deepest_false_contact.best(), out.worst_invented,
             out.deepest_invented, out.invented_in);
     }
+    if (!result.motion || !result.motion->time) continue;
+    out.has_times = true;
+    const auto add_times = [](GroupResult::Times& times, std::uint64_t count, const TimeErrors& errors) {
+      times.count += count;
+      times.farthest = std::max(times.farthest, errors.largest_length.best());
+      times.largest_share = std::max(times.largest_share, errors.largest_share.best());
+    };
+    add_times(out.late, result.motion->time->late, result.motion->time->late_errors);
+    add_times(out.early, result.motion->time->early, result.motion->time->early_errors);
   }
   return out;
 }

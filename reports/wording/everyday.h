@@ -2,7 +2,6 @@
 // all others, then other units of length.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,9 +36,15 @@ struct GroupResult {
   std::uint64_t looked_at = 0;  // valid queries within the kernel's limits
   std::uint64_t missed = 0, invented = 0, no_answer = 0;
   double worst_missed = 0, worst_invented = 0;      // lengths in the queries' unit
-  std::optional<double> earliest, latest;           // of times, lengths of the way; empty: none is given
   double deepest_missed = 0, deepest_invented = 0;  // shares of the scene
   std::string missed_in, invented_in;               // the families of the worst lengths
+  // Times of first contacts on one side of the exact one.
+  struct Times {
+    std::uint64_t count = 0;
+    double farthest = 0, largest_share = 0;  // a length in the queries' unit, a share of the way
+  };
+  Times late, early;
+  bool has_times = false;  // the kernel gives them
   std::size_t families = 0;
 };
 GroupResult group_result(const KernelRecord& kernel, FamilyGroup group);

@@ -54,15 +54,28 @@ TEST(Everyday, ComesFirstInMetres) {
   EXPECT_THAT(first_sentences(kernel, plan)[1], testing::HasSubstr("worst 5 mm"));
 }
 
-TEST(Everyday, SaysHowFarTimesAreOffWhereTheKernelGivesThem) {
+TEST(Everyday, SaysThatNoTimeIsOffWhereTheKernelGivesThem) {
   FamilyRecord family = family_of(0, 0, 0, 0);
   family.motion.emplace();
   const auto said = [&] { return first_sentences(kernel_of({{"scene-walk", family}}), PlanRecord()).front(); };
-  EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict; times none early, none late");
-  family.motion->time->late_errors.largest_length.offer({0.166, 0});
-  EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict; times none early, at most 16.6 cm late");
+  EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict; no time late or early");
   family.motion->time.reset();
   EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict");
+}
+
+TEST(Everyday, SaysHowFarTimesAreOffInLengthAndOfTheWay) {
+  FamilyRecord family = family_of(0, 0, 0, 0);
+  TimeTally& time = *family.motion.emplace().time;
+  time.late = 266;
+  time.late_errors.largest_length.offer({0.124, 0});
+  time.late_errors.largest_share.offer({0.957, 0});
+  time.early = 1;
+  time.early_errors.largest_length.offer({2e-6, 0});
+  time.early_errors.largest_share.offer({1e-7, 0});
+  EXPECT_THAT(first_sentences(kernel_of({{"moving-sphere/scene_walk", family}, {"tangent", family}}), PlanRecord()),
+              ElementsAre("1,000 everyday scenes: no wrong verdict; 266 times late, by 12.4 cm at most, 0.957 of the "
+                          "way; 1 time early, by 2 um at most, 1e-07 of the way",
+                          "1,000 hard queries (touching, degenerate, huge, tiny): no wrong verdict"));
 }
 
 TEST(Everyday, SaysNothingOfAGroupThatWasNotAsked) {

@@ -83,9 +83,13 @@ InstrumentTable families_table(const LadderPlan& plan, const Entries& entries) {
   InstrumentTable table{"By family: wrong verdicts, then by kind of axis sign errors and worst error in u",
                         {"family", "kernel", "verdict flips"},
                         {}};
+  table.heading_of.resize(table.columns.size());
   for (const AxisKind kind : all_kinds) {
-    for (const char* what : {"signs", "by range", "median", "99 %", "worst"})
+    table.headings.push_back(kind_text(kind) + " axes");
+    for (const char* what : {"signs", "by range", "median", "99 %", "worst"}) {
       table.columns.push_back(kind_text(kind) + " " + what);
+      table.heading_of.push_back(table.headings.size());
+    }
   }
   for (std::size_t s = 0; s < plan.sources.size(); ++s) {
     for (const LadderEntry& entry : entries) {

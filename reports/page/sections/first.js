@@ -30,12 +30,13 @@ function worst_box(data) {
                    ', witness ', witness_link(data, worst.id), '.');
   const figure = witness ? scene_figure(witness) : '';
   if (witness) [...figure.querySelectorAll('button')].find(({textContent}) => textContent === 'Whole')?.click();
+  if (witness) [...figure.querySelectorAll('button')].find(({textContent}) => textContent === 'Sphere')?.click();
   return el('div', 'worst-box', el('h3', '', worst_headings[worst.group]), words, figure);
 }
 
 function sentences_list(data) {
   return data.kernels.flatMap((entry) => [el('h3', '', el('span', 'name', entry.id), ` ${entry.precision}`),
-    el('ul', 'sentences', ...entry.sentences.map((sentence) => el('li', '', `${sentence[0].toUpperCase()}${sentence.slice(1)}.`)))]);
+    el('ul', 'sentences', ...[entry.cause_text ?? [], entry.sentences].flat().map((sentence) => el('li', '', `${sentence[0].toUpperCase()}${sentence.slice(1)}.`)))]);
 }
 
 const kernels_at_once = 4;  // whose sentences are not folded
@@ -45,5 +46,6 @@ function show_first(data) {
   const more = sentences.slice(shown);
   document.getElementById('first').append(
     el('div', '', data.first.levels.length > 0 ? levels_table(data) : el('p', 'lead', data.first.lead), ...sentences.slice(0, shown),
-       more.length > 0 ? el('details', '', el('summary', 'label', 'The other kernels'), ...more) : ''), worst_box(data));
+       more.length > 0 ? el('details', '', el('summary', 'label', 'The other kernels'), ...more) : '', next_box(data)),
+    worst_box(data));
 }

@@ -49,8 +49,11 @@ function compare_step(data, entry) {
             '. ', ...word);
 }
 
-function show_next(data) {
-  if (data.kernels.length === 0) return;
+function next_box(data) {
+  const box = el('div', '');
+  box.id = 'next';
+  if (data.kernels.length === 0) return box;
   const entry = kernel_to_mend(data);
-  document.getElementById('next').append(el('ol', 'sentences', look_step(data, entry), mend_step(data, entry), compare_step(data, entry)));
+  box.append(el('h3', '', 'Next'), el('ol', 'sentences', look_step(data, entry), mend_step(data, entry), compare_step(data, entry)));
+  return box;
 }
