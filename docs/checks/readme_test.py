@@ -15,7 +15,7 @@ import unittest
 from fractions import Fraction
 from pathlib import Path
 
-from triangle_tables import answered, cells_of, Commands, declined, front, main_job, main_job_rows, options, row_of, short, shrunk, steps, with_rows
+from triangle_tables import answered, cells_of, Commands, declined, front, main_job, main_job_rows, options, row_of, short, shrunk, with_rows
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "kernel/peers/npm"))
@@ -245,7 +245,6 @@ TABLES = {
     "main-job": ("docs/main-job.md", main_job, "long"),
     "main-job-rows": ("docs/main-job.md", main_job_rows, "long"),
     "declined": ("docs/proofs.md", declined, "quick"),
-    "steps": ("docs/precision.md", steps, "long"),
     "answered": ("docs/precision.md", answered, "quick"),
     "sweeps": ("docs/moving.md", sweeps, "long"),
     "starts": ("docs/moving.md", starts, "long"),

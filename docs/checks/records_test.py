@@ -6,6 +6,7 @@
                       beside the steps of the certified predicate: proofs/theorems.txt
                       how many faults ./dev prove --planted has: proofs/faults.py
     docs/bounds.md    bounds: proofs/bounds.cpp, which Gappa proves; errors attained: proofs/bounds.h, and these those of docs/search.md
+    CITATION.bib    title, authors, version, date and the article: CITATION.cff
     CITATION.cff, CHANGELOG.md, docs/ci.md, docs/pipe.md    the version: CMakeLists.txt
     docs/moving.md    what strict sides and headings get wrong: exact/moving_sphere/twenty_axes_test.cpp
 """
@@ -137,6 +138,34 @@ class Citation(unittest.TestCase):
         said = re.search(r"collision tests \((.*?)\)", text_of("CITATION.cff"))[1].split(", ")
         listed = re.findall(r"^  X\((\w+)\)", text_of("kernel/predicate_list.h"), re.M)
         self.assertEqual([{*one.split(" and ")} for one in said], [{*name.replace("moving_sphere", "moving sphere_triangle").split("_")} for name in listed])
+
+
+def cited(text=text_of):
+    """What CITATION.cff and CITATION.bib say of the tool, then of the article: title, author, version or address, date or year."""
+    def of_cff(part):
+        def value(name): return re.search(rf'^ *(?:- )?{name}: "?(.*?)"?$', part, re.M)[1]
+        author = value("name") if "  - name:" in part else f"{value('family-names')}, {value('given-names')}"
+        return (value("title"), author, *((value("version"), value("date-released")) if "version:" in part else (value("url"), value("year"))))
+
+    def of_bib(entry):
+        fields = dict(re.findall(r"^  (\w+) = \{+(.*?)\}+,?$", entry, re.M))
+        return (fields["title"], fields["author"], *((fields["version"], fields["date"]) if "version" in fields else (fields["url"], fields["year"])))
+
+    tool, article = re.split(r"^references:\n", re.sub(r"^cff-version.*\n", "", text("CITATION.cff")), flags=re.M)
+    return [of_cff(tool), of_cff(article)], [of_bib(entry) for entry in re.split(r"^@", text("CITATION.bib"), flags=re.M)[1:]]
+
+
+class Bibliography(unittest.TestCase):
+    def test_both_citations_say_the_same(self):
+        cff, bib = cited()
+        self.assertEqual(cff, bib)
+
+    def test_a_difference_is_seen(self):
+        for old, new in (("axiscert: collision", "collision"), ("version = {0", "version = {9"), ("-11-", "-12-"), ("Ericson, C", "Erikson, C"), ("2010", "2011"), ("p=103", "p=104")):
+            changed = text_of("CITATION.bib").replace(old, new)
+            self.assertNotEqual(changed, text_of("CITATION.bib"), old)
+            cff, bib = cited(lambda path: changed if path.endswith("bib") else text_of(path))
+            self.assertNotEqual(cff, bib, old)
 
 
 class Version(unittest.TestCase):

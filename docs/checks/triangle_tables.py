@@ -1,7 +1,6 @@
 """The parts of which readme_test.py makes its tables, and the tables of sphere-triangle."""
 import json
 import re
-import struct
 import subprocess
 import tempfile
 from pathlib import Path
@@ -134,39 +133,6 @@ def shrunk(commands, old):
 
 
 # ---- docs/precision.md
-
-STEP_KERNELS = "ladder-0 ladder-4 ladder-5 ladder-6 ladder-7 ladder-8 published reduced".split()
-STEP_FAMILIES = "general tangent seam sliver far".split()
-TERRAIN = "HMP/terrain.hmp"
-
-
-def at_the_origin(query):
-    """The query with its centre at the origin: coordinates less those of P, rounded once to binary32."""
-    number = lambda x: float.fromhex(x) if isinstance(x, str) else float(x)
-    rounded = lambda x: struct.unpack("f", struct.pack("f", x))[0]
-    moved = {name: [rounded(number(x) - number(y)) for x, y in zip(query[name], query["p"])] for name in "abc"}
-    return {"id": query["id"].replace(":", "-"), "precision": "binary32", **moved, "p": [0, 0, 0], "r": query["r"]}
-
-
-def steps(commands, old):
-    """Missed / phantom; wrong signs of the edge axes. Rows are forms, columns samples of queries."""
-    made = commands.text("generate", *options("--family", STEP_FAMILIES), "--trials", "2048")
-    with tempfile.TemporaryDirectory() as folder:
-        centred = Path(folder) / "centred.jsonl"
-        centred.write_text("".join(json.dumps(at_the_origin(json.loads(line))) + "\n" for line in made.splitlines()))
-        samples = [(*options("--family", STEP_FAMILIES), "--trials", "2048"), ("--queries", str(centred)),
-                   ("--family", "scene-walk", "--trials", "20480"), ("--mesh", str(Path(commands.models) / TERRAIN), "--trials", "20000")]
-        records = [commands.run(*options("--kernel", STEP_KERNELS), *sample, "--precision", "binary32", "--shrink", "0")[1] for sample in samples]
-
-    def cell(record, kernel):
-        (found,) = [each["families"].values() for each in record["kernels"] if each["id"] == kernel]
-        missed, phantom = (sum(family["verdict"][kind] for family in found) for kind in ("false_separation", "false_contact"))
-        signs = sum(comparison[kind] for family in found for name, comparison in family["comparisons"].items() if name.startswith("edge")
-                    for kind in ("false_separation", "missed_separation"))
-        return f"{missed:,} / {phantom:,}; {signs:,}"
-
-    return with_rows(old, [[f"`{kernel}`", *(cell(record, kernel) for record in records)] for kernel in STEP_KERNELS])
-
 
 def answered(commands, old):
     """Of the edge comparisons that `published` gets wrong, those that `reduced` gets right, and the other way round."""

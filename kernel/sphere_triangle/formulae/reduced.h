@@ -13,9 +13,9 @@ AXISCERT_BEFORE_NAMESPACE();
 namespace axiscert {
 namespace AXISCERT_TARGET {
 
-// How the normal N of an edge is computed: A x B from its ends, or A x AB along it. A x AB seems better for a small
-// triangle far from the sphere, where A x B cancels; but the rounding of A - P and B - P has cost as much there before
-// either begins, and B - A adds a rounding. docs/precision.md has the figures.
+// How the normal N of an edge is computed: A x B from its ends, or A x AB along it. The products of A x B are as large
+// as |A| |B|: where the triangle is small beside the sphere, they cancel, and |N| loses what A x AB keeps. Where the
+// sphere is small, A x B is better, as B - A adds a rounding. docs/precision.md has the figures.
 enum class EdgeNormal { by_ends, along };
 // How the plane's normal V and offset d are computed. `shared` takes both from the edges' normals by their ends.
 enum class PlaneTerms { published, determinant, shared };
