@@ -29,17 +29,17 @@ double design_effect(const ClusteredTrials& of, const ClusterSums& sums, double 
   return std::max(1.0, squares * clusters / (clusters - 1) / (variance * static_cast<double>(of.trials)));
 }
 
-std::optional<Limits> wilson_limits(const ClusteredTrials& of, const ClusterSums& failures) {
+std::optional<RateLimits> wilson_limits(const ClusteredTrials& of, const ClusterSums& failures) {
   if (of.trials == 0) return std::nullopt;
   const auto trials = static_cast<double>(of.trials);
   const double rate = static_cast<double>(failures.total()) / trials;
-  if (rate == 0) return Limits{0, excluded_rate(of.clusters)};
+  if (rate == 0) return RateLimits{0, excluded_rate(of.clusters)};
   const double n = trials / design_effect(of, failures, rate * (1 - rate));
   constexpr double z = 1.959963984540054;  // of 97.5 % of a normal distribution
   const double middle = rate + z * z / (2 * n);
   const double half = z * std::sqrt(rate * (1 - rate) / n + z * z / (4 * n * n));
   const double scale = 1 + z * z / n;
-  return Limits{std::max(0.0, (middle - half) / scale), std::min(1.0, (middle + half) / scale)};
+  return RateLimits{std::max(0.0, (middle - half) / scale), std::min(1.0, (middle + half) / scale)};
 }
 
 }  // namespace axiscert

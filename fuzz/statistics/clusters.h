@@ -33,7 +33,7 @@ struct ClusteredTrials {
   double mean_size() const { return static_cast<double>(trials) / static_cast<double>(clusters); }
 };
 
-struct Limits {
+struct RateLimits {
   double low, high;
 };
 
@@ -44,6 +44,6 @@ double design_effect(const ClusteredTrials& of, const ClusterSums& sums, double 
 
 // Wilson's score limits of a rate, 95 %, of failures and trials divided by their design effect; without a failure
 // {0, excluded_rate(clusters)}. Empty without trials.
-std::optional<Limits> wilson_limits(const ClusteredTrials& of, const ClusterSums& failures);
+std::optional<RateLimits> wilson_limits(const ClusteredTrials& of, const ClusterSums& failures);
 
 }  // namespace axiscert

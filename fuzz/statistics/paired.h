@@ -36,7 +36,7 @@ Probability mcnemar_two_sided(std::uint64_t only_from, std::uint64_t only_to);
 // divided by their design effect. Empty without trials.
 struct RateDifference {
   double value, design_effect;
-  Limits limits;
+  RateLimits limits;
 };
 std::optional<RateDifference> rate_difference(const PairedCounts& counts);
 

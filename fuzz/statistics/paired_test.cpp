@@ -126,12 +126,12 @@ TEST(Paired, TangosLimitsAreWhereTheScoreIsTheQuantile) {
     return (b - c - n * d) / std::sqrt(n * (2 * q + d - d * d));
   };
   for (const auto& [c, b, n] : {std::array<std::uint64_t, 3>{2, 12, 50}, {1, 7, 14}, {150, 86, 1600}, {3, 0, 90}}) {
-    const Limits limits = rate_difference(independent(c, b, n))->limits;
+    const RateLimits limits = rate_difference(independent(c, b, n))->limits;
     const auto x = static_cast<double>(b), y = static_cast<double>(c), all = static_cast<double>(n);
     EXPECT_NEAR(score_at(x, y, all, limits.low), 1.96, 1e-3) << b << " " << c << " " << n;
     EXPECT_NEAR(score_at(x, y, all, limits.high), -1.96, 1e-3) << b << " " << c << " " << n;
   }
-  const Limits none = rate_difference(independent(0, 0, 1000))->limits;
+  const RateLimits none = rate_difference(independent(0, 0, 1000))->limits;
   EXPECT_NEAR(none.high, 3.8415 / 1003.8415, 1e-6) << "z^2 / (n + z^2)";
   EXPECT_NEAR(none.low, -none.high, 1e-12);
   EXPECT_FALSE(rate_difference({}));
