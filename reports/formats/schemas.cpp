@@ -132,10 +132,14 @@ DataTable ladder_rows(const Json& data) {
       {}};
   for (const Json& kernel : data["kernels"]) {
     for (const auto& [name, window] : kernel["windows"].items()) {
+      // The plane is an axis, and a kind of axis by itself.
       const bool is_kind = name == "plane" || name == "vertex" || name == "edge";
-      Json row = {{"kernel", kernel["id"]}, {"level", is_kind ? "kind" : "axis"}, {"name", name}};
-      if (window.is_array()) row["window"] = {{"low", window[0]}, {"high", window[1]}};
-      table.rows.push_back(std::move(row));
+      for (const char* level : {"axis", "kind"}) {
+        if (name != "plane" && is_kind != (level == std::string_view("kind"))) continue;
+        Json row = {{"kernel", kernel["id"]}, {"level", level}, {"name", name}};
+        if (window.is_array()) row["window"] = {{"low", window[0]}, {"high", window[1]}};
+        table.rows.push_back(std::move(row));
+      }
     }
     if (data.contains("speed")) {
       const Json& speed = data["speed"]["kernels"][kernel["id"].get<std::string>()];
