@@ -70,7 +70,8 @@ void require_comparisons(const Kernel& kernel) {
 int ladder(const LadderOptions& options) {
   LadderPlan plan;
   plan.precision = parse_precision(options.precision);
-  plan.kernels = instrument_kernels(options, options.factorial ? factorial_kernels() : default_kernels(), Measures::formulae);
+  plan.kernels =
+      instrument_kernels(options, options.factorial ? factorial_kernels() : default_kernels(), Measures::formulae);
   for (const Kernel* kernel : plan.kernels) require_comparisons(*kernel);
   plan.sources = instrument_sources(options, ladder_families);
   plan.trials = options.trials;
@@ -92,12 +93,14 @@ void add_ladder(CLI::App& app, Action& action) {
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);
   command->add_flag("--no-speed", options->no_speed,
                     "measure no times: the rest of the output is the same in every run");
-  command->add_flag("--factorial", options->factorial,
-                    "measure in place of the rungs every combination of the edges' four choices, and of the plane's two");
-  add_examples(*command, {{"The effect of each choice, all others alike", "axiscert ladder --factorial --trials 256 --no-speed"},
-                          {"Four steps, without times",
-                           "axiscert ladder ladder-0 ladder-3 ladder-6 published --trials 256 --no-speed"},
-                          {"All of the figures, with a page", "axiscert ladder --out ladder"}});
+  command->add_flag(
+      "--factorial", options->factorial,
+      "measure in place of the rungs every combination of the edges' four choices, and of the plane's two");
+  add_examples(
+      *command,
+      {{"The effect of each choice, all others alike", "axiscert ladder --factorial --trials 256 --no-speed"},
+       {"Four steps, without times", "axiscert ladder ladder-0 ladder-3 ladder-6 published --trials 256 --no-speed"},
+       {"All of the figures, with a page", "axiscert ladder --out ladder"}});
   command->callback([&action, options] { action = [options] { return ladder(*options); }; });
 }
 

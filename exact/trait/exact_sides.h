@@ -10,8 +10,8 @@
 namespace axiscert {
 
 // The sides of one comparison, `lhs > rhs` or `lhs >= rhs`. If it is rooted, the left side is the root of lhs.over,
-// over lhs.under, which is rhs.under; only a left side can be a root. If it is undefined, as by 0/0, it has no sides. If
-// the right side is a root, both are stored times that root: their order and their ratio are right, their sizes not.
+// over lhs.under, which is rhs.under; only a left side can be a root. If it is undefined, as by 0/0, it has no sides.
+// If the right side is a root, both are stored times that root: their order and their ratio are right, their sizes not.
 struct ExactComparison {
   const BinaryFraction &lhs, &rhs;
   bool is_rooted = false, is_undefined = false, is_times_root = false;

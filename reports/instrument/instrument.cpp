@@ -234,10 +234,8 @@ Json plot_data(const InstrumentPlot& plot) {
                {"y", {{"label", plot.y_label}, {"log", plot.y_log}}},
                {"series", Json::array()}};
   for (const InstrumentSeries& series : plot.series) {
-    data["series"].push_back({{"name", series.name},
-                              {"points", series.points},
-                              {"labels", series.labels},
-                              {"intervals", series.intervals}});
+    data["series"].push_back(
+        {{"name", series.name}, {"points", series.points}, {"labels", series.labels}, {"intervals", series.intervals}});
   }
   return data;
 }

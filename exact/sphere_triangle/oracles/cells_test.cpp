@@ -42,7 +42,8 @@ void expect_published(Formulae formulae, const Query<float>& q) {
   const bool has_area = !(normal.x.is_zero() && normal.y.is_zero() && normal.z.is_zero());
   const bool is_plane = has_word(formulae, "plane-");
   ComparisonBits expected = 0;
-  if (formulae == Formulae::plane_divided_rooted && !has_area) expected |= one_bit<ComparisonBits>(Comparison::plane_radius);
+  if (formulae == Formulae::plane_divided_rooted && !has_area)
+    expected |= one_bit<ComparisonBits>(Comparison::plane_radius);
   const Vec3<float> vertices[] = {q.a, q.b, q.c};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3<float>&from = vertices[i], &to = vertices[(i + 1) % 3];

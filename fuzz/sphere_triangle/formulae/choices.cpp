@@ -46,8 +46,8 @@ constexpr Operations reduced(int plane, int edge) {
   return {{plane, static_cast<int>(rungs::VertexForm::distributed), edge}};
 }
 constexpr int published_plane = published.of[AxisKind::plane];
-constexpr int normal_edge = of_cell({rungs::Frame::centred, rungs::Division::multiplied, rungs::Root::squared,
-                                     rungs::EdgeDegree::four});
+constexpr int normal_edge =
+    of_cell({rungs::Frame::centred, rungs::Division::multiplied, rungs::Root::squared, rungs::EdgeDegree::four});
 
 std::optional<Operations> operations_of(Formulae formulae) {
   switch (formulae) {

@@ -48,8 +48,8 @@ struct FactorialCell {
   std::uint8_t levels;
   bool has(Factor factor) const { return has_bit(levels, index_of(factor)); }
 };
-// The sixteen cells of the edges, then the four of the plane. The plane and the vertices of the former are the published
-// ones; the vertices and edges of the latter those of ladder-0.
+// The sixteen cells of the edges, then the four of the plane. The plane and the vertices of the former are the
+// published ones; the vertices and edges of the latter those of ladder-0.
 const std::vector<FactorialCell>& factorial_cells();
 // That of a kernel in plain arithmetic, with `>`.
 const FactorialCell* factorial_cell(const Kernel& kernel);

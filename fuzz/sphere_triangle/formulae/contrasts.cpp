@@ -91,8 +91,7 @@ std::uint64_t trials_per_query(Figure figure) {
 std::vector<Contrast> contrasts_of(const std::vector<const Kernel*>& kernels) {
   std::vector<Contrast> contrasts, effects;
   for (const LadderStep& step : ladder_steps(kernels)) {
-    contrasts.push_back(
-        {ContrastKind::step, std::nullopt, {step}, figures_of(*kernels[step.from], *kernels[step.to])});
+    contrasts.push_back({ContrastKind::step, std::nullopt, {step}, figures_of(*kernels[step.from], *kernels[step.to])});
   }
   for (const Factor factor : enumerators<Factor>) {
     Contrast effect{ContrastKind::effect, factor, {}, {}};
@@ -160,9 +159,8 @@ void ContrastCounter::add(std::uint64_t position, std::span<const QueryErrors> e
   if (cluster_ != cluster) close();
   cluster_ = cluster;
   ++into_.queries_;
-  static const EnumArray<AxisKind, ComparisonBits> of_kind = {comparisons_of_kind(AxisKind::plane),
-                                                              comparisons_of_kind(AxisKind::vertex),
-                                                              comparisons_of_kind(AxisKind::edge)};
+  static const EnumArray<AxisKind, ComparisonBits> of_kind = {
+      comparisons_of_kind(AxisKind::plane), comparisons_of_kind(AxisKind::vertex), comparisons_of_kind(AxisKind::edge)};
   // One bit for each trial that fails.
   const auto failures = [&](std::size_t kernel, Figure figure) -> unsigned {
     const QueryErrors& of = errors[kernel];

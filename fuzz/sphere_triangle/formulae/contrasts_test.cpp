@@ -77,9 +77,8 @@ TEST(Contrasts, ArePairsOfAnswersToTheSameQueries) {
   EXPECT_EQ(signs.only_to + errors[0], signs.only_from + errors[1]);
   EXPECT_EQ(static_cast<std::uint64_t>(result.by_source[0].form(1, Figure::edge_signs).total()), errors[1]);
   const auto missed = result.by_source[0].paired(0, 1, Figure::missed);
-  EXPECT_EQ(missed.sums.total(),
-            static_cast<std::int64_t>(result.entries[1].by_source[0].false_separation -
-                                      result.entries[0].by_source[0].false_separation));
+  EXPECT_EQ(missed.sums.total(), static_cast<std::int64_t>(result.entries[1].by_source[0].false_separation -
+                                                           result.entries[0].by_source[0].false_separation));
   EXPECT_GT(missed.only_from, missed.only_to) << "centring misses fewer contacts";
 }
 

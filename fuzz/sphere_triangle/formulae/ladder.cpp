@@ -44,8 +44,8 @@ ComparisonBits flips_by_range(ComparisonBits flips, const Kernel& kernel, Compar
 
 // Returns the flips.
 template <class Real>
-ComparisonBits count_comparisons(KernelAccuracy& into, const Kernel& kernel, const ExactSides& sides, const Query<Real>& q,
-                       const Answers<Real>& answers, std::size_t i) {
+ComparisonBits count_comparisons(KernelAccuracy& into, const Kernel& kernel, const ExactSides& sides,
+                                 const Query<Real>& q, const Answers<Real>& answers, std::size_t i) {
   const ComparisonBits computed = answers.bits[i], exact = sides.holding(nonstrict_comparisons(kernel.strictness));
   const auto flips = static_cast<ComparisonBits>(computed ^ exact);
   const ComparisonBits by_range = flips_by_range(flips, kernel, exact, q);

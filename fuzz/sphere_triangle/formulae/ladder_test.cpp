@@ -33,7 +33,7 @@ void expect_same(const LadderEntry& a, const LadderEntry& b) {
 TEST(Ladder, TheLastRungIsThePublishedTest) {
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {
     const auto entries = entries_of(ladder_plan({&find_kernel("published"), &find_kernel("ladder-9")},
-                                                    {"tangent", "sliver", "scale"}, 600, precision));
+                                                {"tangent", "sliver", "scale"}, 600, precision));
     EXPECT_GT(entries[0].all.verdict_flips(), 0u);
     EXPECT_FALSE(entries[0].all.radius_errors_ulps.empty());
     expect_same(entries[0], entries[1]);

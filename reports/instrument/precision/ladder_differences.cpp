@@ -144,9 +144,8 @@ InstrumentTable difference_table(std::string caption) {
 
 // Of each family and figure: how many differences are significant, and the least that each could have shown.
 InstrumentTable shown_table(const std::string& caption, const std::vector<const LadderDifferenceData*>& all) {
-  InstrumentTable table{caption,
-                        {"family", "what", "clusters", "differences", "significant", "least per million, from", "to"},
-                        {}};
+  InstrumentTable table{
+      caption, {"family", "what", "clusters", "differences", "significant", "least per million, from", "to"}, {}};
   std::vector<std::pair<std::string, std::string>> places;
   for (const LadderDifferenceData* one : all) {
     const std::pair<std::string, std::string> place(one->family, one->figure);
@@ -228,8 +227,9 @@ void add_difference_tables(InstrumentReport& report, const LadderPlan& plan, con
     for (const LadderDifferenceData* one : all) {
       if (is_significant(*one)) table.rows.push_back(difference_row(*one));
     }
-    table.caption = fmt::format("{}: the {} of {} differences with Holm's p of at most 5 %, per million; the data have all",
-                                words, table.rows.size(), all.size());
+    table.caption =
+        fmt::format("{}: the {} of {} differences with Holm's p of at most 5 %, per million; the data have all", words,
+                    table.rows.size(), all.size());
     report.tables.push_back(std::move(table));
     report.tables.push_back(shown_table(fmt::format("{}: what these queries can show", words), all));
   }
@@ -288,8 +288,7 @@ void add_difference_plots(InstrumentReport& report, const LadderPlan& plan, cons
     for (const SourcePtr& source : plan.sources) {
       InstrumentSeries series{source->name(), {}, {}, {}};
       for (const LadderDifferenceData* one : effects) {
-        if (one->figure != figure_names[figure] || one->family != source->name() || !one->difference)
-          continue;
+        if (one->figure != figure_names[figure] || one->family != source->name() || !one->difference) continue;
         auto place = std::ranges::find(plot.x_names, *one->factor);
         if (place == plot.x_names.end()) place = plot.x_names.insert(place, *one->factor);
         const auto x = static_cast<double>(place - plot.x_names.begin());

@@ -52,14 +52,12 @@ InstrumentTable kernels_table(const LadderPlan& plan, const LadderResult& result
     for (std::size_t k = 0; k < result.entries.size(); ++k) {
       const KernelAccuracy& here = result.entries[k].by_source[s];
       const auto& radii = here.radius_errors_ulps;
-      table.rows.push_back({plan.sources[s]->name(), result.entries[k].kernel->id,
-                            fmt::format("{}", here.false_separation),
-                            rate_text(ladder_rate(result, s, k, Figure::missed)),
-                            fmt::format("{}", here.false_contact),
-                            rate_text(ladder_rate(result, s, k, Figure::phantom)),
-                            fmt::format("{}", here.touching_flips),
-                            radii.empty() ? "" : ulps(radii[(radii.size() - 1) / 2]),
-                            radii.empty() ? "" : ulps(radii.back()), fmt::format("{}", here.radius_unbounded)});
+      table.rows.push_back(
+          {plan.sources[s]->name(), result.entries[k].kernel->id, fmt::format("{}", here.false_separation),
+           rate_text(ladder_rate(result, s, k, Figure::missed)), fmt::format("{}", here.false_contact),
+           rate_text(ladder_rate(result, s, k, Figure::phantom)), fmt::format("{}", here.touching_flips),
+           radii.empty() ? "" : ulps(radii[(radii.size() - 1) / 2]), radii.empty() ? "" : ulps(radii.back()),
+           fmt::format("{}", here.radius_unbounded)});
     }
   }
   return table;
@@ -76,9 +74,8 @@ InstrumentTable windows_table(const Entries& entries) {
 }
 
 InstrumentTable families_table(const LadderPlan& plan, const Entries& entries) {
-  InstrumentTable table{"By family: by kind of axis sign errors of comparisons and errors in u",
-                        {"family", "kernel"},
-                        {}};
+  InstrumentTable table{
+      "By family: by kind of axis sign errors of comparisons and errors in u", {"family", "kernel"}, {}};
   for (const AxisKind kind : all_kinds) {
     for (const char* what : {"signs", "by range", "median", "99 %", "worst"})
       table.columns.push_back(kind_text(kind) + " " + what);

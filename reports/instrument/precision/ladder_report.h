@@ -86,7 +86,8 @@ struct LadderRateData {
               {"clusters", "Independent parts of them: queries, image groups, or triangles that queries share."}),
         field(&Of::rate, {"rate", "failures / trials; null: none was asked.", "share"}),
         field(&Of::low, {"low", "Wilson's lower limit, 95 %, of clusters that may fail together.", "share"}),
-        field(&Of::high, {"high", "The upper one; without a failure the rate that so many clusters exclude.", "share"}));
+        field(&Of::high,
+              {"high", "The upper one; without a failure the rate that so many clusters exclude.", "share"}));
   }
 };
 
