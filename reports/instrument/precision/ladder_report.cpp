@@ -266,7 +266,7 @@ InstrumentReport ladder_report(const LadderPlan& plan, const LadderResult& resul
   }
   add_difference_plots(report, plan, result, differences);
   add_plots(report, plan, entries);
-  report.data = ladder_json(plan, result, command);
+  report.data = ladder_json(plan, result, differences, command);
   return report;
 }
 
@@ -345,7 +345,8 @@ LadderSpeedData speed_data(const std::vector<LadderEntry>& entries) {
 
 }  // namespace
 
-Json ladder_json(const LadderPlan& plan, const LadderResult& result, const std::string& command) {
+Json ladder_json(const LadderPlan& plan, const LadderResult& result,
+                 const std::vector<LadderDifferenceData>& differences, const std::string& command) {
   const Entries& entries = result.entries;
   const ExponentWindow scanned = scanned_exponents(plan.precision);
   LadderData data;
@@ -356,7 +357,7 @@ Json ladder_json(const LadderPlan& plan, const LadderResult& result, const std::
   for (const SourcePtr& source : plan.sources) data.families.push_back(source->name());
   data.scanned_exponents = {scanned.low, scanned.high};
   for (std::size_t k = 0; k < entries.size(); ++k) data.kernels.push_back(kernel_data(plan, result, k));
-  data.differences = ladder_differences(plan, result);
+  data.differences = differences;
   const std::vector<LadderStep> steps = ladder_steps(plan.kernels);
   for (const LadderStep& step : steps)
     data.steps.push_back({entries[step.from].kernel->id, entries[step.to].kernel->id});

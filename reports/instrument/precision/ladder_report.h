@@ -253,7 +253,8 @@ struct LadderData : CommandData<LadderData> {
 // Tables, plots, notes and the figures as JSON. `command` produces the report again.
 InstrumentReport ladder_report(const LadderPlan& plan, const LadderResult& result, const std::string& command);
 // The figures alone; all times are in the member "speed", which is absent where none were taken.
-Json ladder_json(const LadderPlan& plan, const LadderResult& result, const std::string& command);
+Json ladder_json(const LadderPlan& plan, const LadderResult& result,
+                 const std::vector<LadderDifferenceData>& differences, const std::string& command);
 
 // In ladder_differences.cpp: the differences, by kind, then by family; each kind corrected by itself. And what is shown
 // of them: the effects whole; of steps and pairs those that are significant, and what the others could have shown.
