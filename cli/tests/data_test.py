@@ -164,7 +164,7 @@ class Data(Case):
             self.assertEqual(float(rows["tangent", "rate", "missed"]["high"]), kernel["families"]["tangent"]["rates"]["missed"]["high"])
             self.assertEqual(int(rows["tangent", "comparison", "edge_ab.side_c"]["missed_separation"]),
                              kernel["families"]["tangent"]["comparisons"]["edge_ab.side_c"]["missed_separation"])
-            self.assertEqual([int(rows["", "axis", "plane"][f"window.{end}"]) for end in ("low", "high")], kernel["windows"]["plane"])
+            self.assertEqual([int(rows["", "axis", "plane"][f"window.{end}"]) for end in ("low", "high")], kernel["windows"]["axes"]["plane"])
         steps = [row for row in self.csv("ladder")[1] if row["level"] in ("step", "pair", "effect")]
         self.assertEqual([(row["level"], row["from"], row["kernel"], row["name"]) for row in steps],
                          [(row["kind"], row["from"], row["to"], row["figure"]) for row in self.json("ladder")["differences"]])

@@ -131,11 +131,8 @@ DataTable ladder_rows(const Json& data) {
                  "difference design_effect p p_is_bound mcnemar_p holm_p least"),
       {}};
   for (const Json& kernel : data["kernels"]) {
-    for (const auto& [name, window] : kernel["windows"].items()) {
-      // The plane is an axis, and a kind of axis by itself.
-      const bool is_kind = name == "plane" || name == "vertex" || name == "edge";
-      for (const char* level : {"axis", "kind"}) {
-        if (name != "plane" && is_kind != (level == std::string_view("kind"))) continue;
+    for (const auto& [members, level] : {std::pair("axes", "axis"), {"kinds", "kind"}}) {
+      for (const auto& [name, window] : kernel["windows"][members].items()) {
         Json row = {{"kernel", kernel["id"]}, {"level", level}, {"name", name}};
         if (window.is_array()) row["window"] = {{"low", window[0]}, {"high", window[1]}};
         table.rows.push_back(std::move(row));

@@ -101,7 +101,7 @@ void judge_formulae(const LadderPlan& plan, JudgedBatch<Real>& batch, KernelAccu
 }
 
 template <class Real>
-LadderCounts counts_of(const LadderPlan& plan, const std::vector<Contrast>& contrasts, const ShowProgress& report) {
+LadderCounts ladder_counts(const LadderPlan& plan, const std::vector<Contrast>& contrasts, const ShowProgress& report) {
   const std::uint64_t block = block_of_whole_clusters(plan.sources, 1024);
   JudgedPlan judged = judged_plan(plan.sources, plan.trials, plan.seed, block, plan.threads);
   judged.kernels = plan.kernels;
@@ -141,8 +141,8 @@ ComparisonAccuracy KernelAccuracy::of(ComparisonBits which) const {
 
 LadderResult measure_ladder(const LadderPlan& plan, const ShowProgress& report) {
   std::vector<Contrast> contrasts = contrasts_of(plan.kernels);
-  LadderCounts found = plan.precision == Precision::binary32 ? counts_of<float>(plan, contrasts, report)
-                                                             : counts_of<double>(plan, contrasts, report);
+  LadderCounts found = plan.precision == Precision::binary32 ? ladder_counts<float>(plan, contrasts, report)
+                                                             : ladder_counts<double>(plan, contrasts, report);
   std::vector<LadderEntry> entries;
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     LadderEntry& entry = entries.emplace_back();

@@ -11,17 +11,17 @@ namespace {
 
 constexpr double table_level = 0.05;
 
-std::string per_million(const std::optional<double>& share) {
+std::string million_text(const std::optional<double>& share) {
   return share ? fmt::format("{:.0f}", 1e6 * *share) : std::string();
 }
-std::string signed_per_million(const std::optional<double>& share) {
+std::string signed_million_text(const std::optional<double>& share) {
   return share ? fmt::format("{:+.0f}", 1e6 * *share) : std::string();
 }
 std::string probability(const std::optional<double>& p) {
   if (!p) return "";
   return *p < 1e-12 ? "<1e-12" : fmt::format("{:.2g}", *p);
 }
-std::string limits_text(const std::optional<double>& low, const std::optional<double>& high) {
+std::string difference_limits(const std::optional<double>& low, const std::optional<double>& high) {
   return low && high ? fmt::format("{:+.0f} to {:+.0f}", 1e6 * *low, 1e6 * *high) : std::string();
 }
 
@@ -128,11 +128,11 @@ std::vector<std::string> difference_row(const LadderDifferenceData& of) {
           fmt::format("{}", of.failures_to),
           fmt::format("{}", of.only_from),
           fmt::format("{}", of.only_to),
-          signed_per_million(of.difference),
-          limits_text(of.low, of.high),
+          signed_million_text(of.difference),
+          difference_limits(of.low, of.high),
           probability(of.p) + (of.p_is_bound ? " at most" : ""),
           probability(of.holm_p),
-          per_million(of.least)};
+          million_text(of.least)};
 }
 
 InstrumentTable difference_table(std::string caption) {
@@ -164,7 +164,7 @@ InstrumentTable shown_table(const std::string& caption, const std::vector<const 
       high = std::max(high.value_or(0), *one->least);
     }
     table.rows.push_back({family, figure, fmt::format("{}", clusters), fmt::format("{}", count),
-                          fmt::format("{}", significant), per_million(low), per_million(high)});
+                          fmt::format("{}", significant), million_text(low), million_text(high)});
   }
   return table;
 }

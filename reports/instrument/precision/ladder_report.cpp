@@ -317,9 +317,9 @@ LadderKernelData kernel_data(const LadderPlan& plan, const LadderResult& found, 
   const LadderEntry& entry = found.entries[k];
   const bool has_sides = entry.kernel->exposes == Exposure::sides;
   LadderKernelData kernel{entry.kernel->id, entry.kernel->summary, has_sides, {}, {}};
-  for (std::size_t i = 0; i < axis_count; ++i) kernel.windows.put(axis_names[i]) = window_data(entry.windows[i]);
+  for (std::size_t i = 0; i < axis_count; ++i) kernel.windows.axes.put(axis_names[i]) = window_data(entry.windows[i]);
   for (const AxisKind kind : enumerators<AxisKind>) {
-    kernel.windows.put(axis_kind_names[kind]) = window_data(common_window(entry.windows, axes_of_kind(kind)));
+    kernel.windows.kinds.put(axis_kind_names[kind]) = window_data(common_window(entry.windows, axes_of_kind(kind)));
   }
   for (std::size_t s = 0; s < plan.sources.size(); ++s) {
     LadderResultData& result = kernel.families.put(plan.sources[s]->name()) =

@@ -115,11 +115,24 @@ struct LadderResultData {
   }
 };
 
+struct LadderWindowsData {
+  NamedValues<WindowData> axes, kinds;
+
+  static constexpr std::string_view about =
+      "The exponents from which to which a scene can be scaled by a power of two, and nothing over- or underflows; "
+      "null: "
+      "none.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = LadderWindowsData;
+    return visit(field(&Of::axes, {"axes", "Of each axis."}), field(&Of::kinds, {"kinds", "Of each kind of axis."}));
+  }
+};
+
 struct LadderKernelData {
   Name id;
   std::string summary;
   bool shows_sides = false;
-  NamedValues<WindowData> windows;
+  LadderWindowsData windows;
   NamedValues<LadderResultData> families;
 
   static constexpr std::string_view about = "One kernel.";
@@ -127,9 +140,7 @@ struct LadderKernelData {
     using Of = LadderKernelData;
     return visit(field(&Of::id, {"id", "The kernel."}), field(&Of::summary, {"summary", "What it computes."}),
                  field(&Of::shows_sides, {"shows_sides", "Whether errors could be measured."}),
-                 field(&Of::windows, {"windows",
-                                      "Of each axis and kind of axis the exponents from which to which a scene can be "
-                                      "scaled by a power of two, and nothing over- or underflows; null: none."}),
+                 field(&Of::windows, {"windows", LadderWindowsData::about}),
                  field(&Of::families, {"families", "What it gets wrong, by family."}));
   }
 };
