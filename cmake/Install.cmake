@@ -66,7 +66,8 @@ install(FILES ${PROJECT_BINARY_DIR}/axiscertConfig.cmake ${PROJECT_BINARY_DIR}/a
 # The documents, where the links of README.md lead. Debian has its own place for the license and what changed.
 install(FILES README.md NOTICE CITATION.cff CITATION.bib DESTINATION share/doc/axiscert)
 install(FILES LICENSE CHANGELOG.md DESTINATION share/doc/axiscert ${here})
-install(DIRECTORY docs DESTINATION share/doc/axiscert FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN docs/checks EXCLUDE)
+install(DIRECTORY docs DESTINATION share/doc/axiscert FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN precision_claims.json
+        PATTERN docs/checks EXCLUDE)
 install(DIRECTORY examples/plugin examples/certified examples/plots examples/pipe examples/queries
         DESTINATION share/doc/axiscert/examples)
 install(FILES cmake/debian/copyright ${PROJECT_BINARY_DIR}/debian/changelog.gz DESTINATION share/doc/axiscert ${debian})

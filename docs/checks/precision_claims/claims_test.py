@@ -210,6 +210,11 @@ class Numbers(unittest.TestCase):
         self.assertEqual(columns.dtype, np.float32)
         self.assertEqual(forms.dot(*[forms.Vector(*columns[i:i + 3]) for i in (0, 3)]).dtype, np.float32)
 
+    def test_five_cells_are_rungs(self):
+        columns = np.concatenate([scenes.sample(name, 1, 1000)[0] for name in ("grazing", "sliver", "speck", "terrain")], axis=1)
+        for cell, rung in forms.RUNG_OF_CELL.items():
+            self.assertTrue(np.array_equal(forms.comparisons(cell, columns), forms.comparisons(rung, columns)), cell)
+
     def test_24_rounded_bits_are_binary32(self):
         """Rounded at 24 bits answers as the processor does, so at fewer it answers as a processor of so many bits would."""
         for name in ("grazing", "sliver", "terrain"):

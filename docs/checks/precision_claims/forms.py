@@ -64,6 +64,10 @@ def plane(form, A, B, C, r):
         d = dot(A, V) / root(dot(V, V))
         return [d * d > r * r]
     d, e = dot(A, V), dot(V, V)
+    if form == "divided rooted":
+        return [abs(d) / root(e) > r]
+    if form == "multiplied rooted":
+        return [abs(d) > r * root(e)]
     if form == "divided":
         return [(d * d) / e > r * r]
     return [d * d > (r * r) * e]  # multiplied
@@ -103,11 +107,11 @@ def article_edge(form, world, centred, r):
     return [far, dot(QP, QC) < 0]
 
 
-def cell_edge(cell, world, centred, r, V):
+def cell_edge(cell, world, centred, r, normals):
     """A cell of the factorial: (start, undivided or not, rooted or not, degree). One axis in all of its ways, each step a change of one of the four.
 
     Degree 6 finds the foot Q of the centre on AB, scaled by e = |AB|^2 where nothing is divided. Degree 4 takes N = (A - P) x (B - P), which in the
-    world is A x B - P x AB: |Q - P| = |N| / |AB|, and (Q - P).(C - Q) has the sign of -N.V.
+    world is A x B - P x AB: |Q - P| = |N| / |AB|, and (Q - P).(C - Q) has the sign of -N.V, V = AB x AC in the same coordinates.
     """
     start, division, roots, degree = cell
     A, B, C, P = world if start == "world" else centred
@@ -116,7 +120,7 @@ def cell_edge(cell, world, centred, r, V):
     if degree != "6":
         along = AB if degree == "4 along" else B  # A x AB = A x B
         N = cross(A, along) - cross(P, AB) if start == "world" else cross(A, along)
-        squared, e_power, beyond = dot(N, N), e, dot(N, V) < 0
+        squared, beyond = dot(N, N), dot(N, normals[start]) < 0
         if division == "divided":
             squared = squared / e
     else:
@@ -155,6 +159,11 @@ LADDER = {
 }
 CELLS = {f"edges-{start}-{division}-{roots}-{degree}": ("multiplied", "distributed", (start, division, roots, degree))
          for start in ("world", "centred") for division in ("divided", "multiplied") for roots in ("rooted", "squared") for degree in "64"}
+CELLS |= {f"plane-{division}-rooted": (f"{division} rooted", "rooted", "rooted") for division in ("divided", "multiplied")}
+# Cells that are rungs, by both names.
+RUNG_OF_CELL = {"edges-world-divided-rooted-6": "ladder-4", "edges-world-divided-squared-6": "ladder-5",
+                "edges-world-multiplied-squared-6": "ladder-7", "edges-centred-multiplied-squared-6": "ladder-8",
+                "edges-centred-multiplied-squared-4": "reduced"}
 FORMS = LADDER | CELLS | {"reduced": CELLS["edges-centred-multiplied-squared-4"],
                           "reduced-along": ("multiplied", "distributed", ("centred", "multiplied", "squared", "4 along"))}
 
@@ -172,11 +181,11 @@ def comparisons(name, columns, bits=24, emulated=False):
     with np.errstate(all="ignore"):
         world, centred = (A, B, C, P), (A - P, B - P, C - P, None)
         a, b, c, _ = centred
-        V = cross(b - a, c - a)
+        normals = {"world": cross(B - A, C - A), "centred": cross(b - a, c - a)}
 
         def edge(i, j, k):
             ends = [[points[x] for x in (i, j, k, 3)] for points in (world, centred)]
-            return cell_edge(edge_form, *ends, r, V) if isinstance(edge_form, tuple) else article_edge(edge_form, *ends, r)
+            return cell_edge(edge_form, *ends, r, normals) if isinstance(edge_form, tuple) else article_edge(edge_form, *ends, r)
         return np.array([*plane(plane_form, a, b, c, r), *vertex(vertex_form, a, b, c, r), *vertex(vertex_form, b, a, c, r),
                          *vertex(vertex_form, c, a, b, r), *edge(0, 1, 2), *edge(1, 2, 0), *edge(2, 0, 1)])
 
