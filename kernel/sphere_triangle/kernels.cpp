@@ -113,9 +113,10 @@ std::vector<Kernel> sphere_triangle_kernels() {
   return {
       evaluated<published>("published", "the article's last block: sixteen strict comparisons, seven axes"),
       evaluated<published, nonstrict>("nonstrict", "the same with >= in the nine side comparisons: right for degenerate triangles too"),
-      evaluated<reduced>("reduced", "edge axes of degree 4, |A x B|^2 > rr e: the published signs with less rounding"),
+      evaluated<reduced>("reduced", "edge axes of degree 4, |A x B|^2 > rr e: the published signs over the reals"),
       evaluated<reduced, nonstrict>("reduced-nonstrict", "the same with >= in the nine side comparisons: right for every triangle"),
       evaluated<reduced_along>("reduced-along", "reduced, the edge normals along the edges: A x AB for A x B"),
+      evaluated<reduced_along, nonstrict>("reduced-along-nonstrict", "the same with >= in the nine side comparisons: right for every triangle"),
       evaluated<reduced_determinant>("reduced-determinant", "reduced, the plane's offset as a determinant: C.(A x B) for A.V"),
       evaluated<reduced_shared>("reduced-shared", "reduced, V = A x B + B x C + C x A from the edges' normals: fewest operations"),
       evaluated<reduced_shared, nonstrict>("reduced-shared-nonstrict", "the same with >= in the nine side comparisons"),
