@@ -16,7 +16,7 @@ function levels_table(data) {
     column.text('state', (row) => row.state, {cell: (td, value, row) =>
       td.append(chip(value, row.state === 'NOT CHECKED' && !row.allowed && data.requirement ? 'bad' : state_kinds[value]),
                 row.allowed ? el('small', '', 'which is allowed') : '')}),
-    column.text('promised queries looked at', (row) => row.looked_at.replace(' promised queries looked at', ''), prose),
+    column.text('looked at', (row) => row.looked_at.replace(' promised queries looked at', ' promised'), prose),
     ...(data.first.levels.some(({reason, witness}) => reason !== '' || witness !== '') ? [why] : []),
   ], data.first.levels);
 }
