@@ -93,13 +93,13 @@ namespace {
 
 constexpr const char* shrunk_file = "witnesses-shrunk.jsonl";
 
-// Of a level that is not met: the family that has the most of it, where more is not said.
-std::string worst_failure_text(const std::vector<Failure>& failures) {
-  const auto worst = std::ranges::max_element(failures, {}, &Failure::count);
-  if (worst == failures.end()) return "";
-  const std::string where = worst->family.empty() ? "" : fmt::format("on {}: ", worst->family);
-  const std::string count = worst->family.empty() ? "" : fmt::format(": {}", worst->count);
-  return fmt::format("; {}{}{}", where, worst->what, count);
+// Of a level that is not met, where more is not said: the family that has the most of it, and without details of what.
+std::string most_failures_text(const std::vector<Failure>& failures) {
+  const auto most = std::ranges::max_element(failures, {}, &Failure::count);
+  if (most == failures.end()) return "";
+  if (most->family.empty()) return "; " + most->what;
+  const std::size_t details = std::min(most->what.find(','), most->what.find(" ("));
+  return fmt::format("; most on {}: {} {}", most->family, thousands(most->count), most->what.substr(0, details));
 }
 
 // Prints what came of each level: what is met, with what that says, on standard output; the rest on standard error.
@@ -116,7 +116,7 @@ bool print_outcomes(const std::vector<LevelOutcome>& outcomes, bool quiet) {
       fmt::print(stderr, "axiscert: --require {}: {}\n", outcome.asked.text, failure.text());
     }
     fmt::print(stderr, "axiscert: --require: {}{}\n", outcome.text(),
-               is_brief ? worst_failure_text(outcome.failures) : "");
+               is_brief ? most_failures_text(outcome.failures) : "");
   }
   return pass(outcomes);
 }

@@ -36,6 +36,9 @@ class CertificatePage {
     report.notes = {sentence(made_sentence(predicate_) + "; " + signer_sentence(predicate_)),
                     sentence("asked: " + asked_sentence(predicate_)), sentence(looked_sentence(predicate_)),
                     levels_note()};
+    for (const auto& [precision, told] : told_of_precisions())
+      for (std::size_t i = 1; i < told.size(); ++i)
+        report.notes.push_back(fmt::format("{}: {}.", name(precision), told[i]));
     if (std::string note = peculiarities_note(predicate_); !note.empty()) report.notes.push_back(std::move(note));
     for (const MarginStatement& margin : predicate_.safe_margin.precisions)
       for (std::string& note : margin_notes(margin)) report.notes.push_back(std::move(note));
@@ -79,20 +82,33 @@ class CertificatePage {
       first.worst->title = "The worst: " + first.worst->title;
     }
     first.sentences.push_back(breaks_note(predicate_));
-    if (record_ == nullptr) return first;
-    for (const KernelRecord& kernel : record_->kernels) {
-      if (kernel.id != predicate_.kernel.id) continue;
-      for (const std::string& told : first_sentences(kernel, record_->plan))
-        first.sentences.push_back(fmt::format("{}: {}.", name(kernel.precision), told));
-    }
+    for (const auto& [precision, told] : told_of_precisions())
+      if (!told.empty()) first.sentences.push_back(fmt::format("{}: {}.", name(precision), told.front()));
     return first;
+  }
+
+  // What is said first of a run's kernel, by precision: everyday scenes, and then all others.
+  std::vector<std::pair<Precision, std::vector<std::string>>> told_of_precisions() const {
+    std::vector<std::pair<Precision, std::vector<std::string>>> told;
+    if (record_ == nullptr) return told;
+    for (const KernelRecord& kernel : record_->kernels)
+      if (kernel.id == predicate_.kernel.id)
+        told.emplace_back(kernel.precision, first_sentences(kernel, record_->plan));
+    return told;
+  }
+
+  // "9 of 12", where the head of its column says of what.
+  static std::string figures_of(std::string looked_at) {
+    constexpr std::string_view of = " promised queries looked at";
+    if (const std::size_t at = looked_at.find(of); at != looked_at.npos) looked_at.erase(at, of.size());
+    return looked_at;
   }
 
   // What came of every level, and of how many queries. Those that were not checked are one row: another table says why.
   InstrumentTable states_table() const {
     InstrumentTable table{"The answer", {"level"}, {}};
     for (const Precision precision : predicate_.kernel.precisions)
-      table.columns.insert(table.columns.end(), {cell(precision), "how much was looked at"});
+      table.columns.insert(table.columns.end(), {cell(precision), "promised queries looked at"});
     std::vector<std::string> unchecked;
     for (const LevelState state : {LevelState::not_met, LevelState::met, LevelState::not_checked}) {
       for (const LevelStatement& level : predicate_.levels) {
@@ -107,7 +123,7 @@ class CertificatePage {
           const LevelStatement* entry = find(level.level, precision);
           row.emplace_back(entry ? name(entry->state) : "-");
           row.push_back(entry == nullptr            ? "-"
-                        : !entry->looked_at.empty() ? std::string(entry->looked_at)
+                        : !entry->looked_at.empty() ? figures_of(entry->looked_at)
                                                     : std::string(entry->reason.value_or("-")));
         }
         table.rows.push_back(std::move(row));

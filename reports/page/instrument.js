@@ -75,10 +75,7 @@ function drawPlots() {
 // A picture for each scene, and a button that copies what is to paste.
 function drawScenes() {
   const scenes = JSON.parse(document.getElementById('scenes').textContent);
-  document.querySelectorAll('.worst .picture').forEach((place, i) => {
-    place.append(scene_figure(scenes[i]));
-    [...place.querySelectorAll('button')].find(({textContent}) => textContent === 'Sphere')?.click();
-  });
+  document.querySelectorAll('.worst .picture').forEach((place, i) => place.append(scene_figure(scenes[i])));
   document.querySelectorAll('.worst .command').forEach((box) => box.append(copy_button(box.textContent)));
 }
 

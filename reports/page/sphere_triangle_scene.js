@@ -15,17 +15,17 @@ function scene_of(query) {
 class SphereTriangleView extends SceneView {
   constructor(scene) { super(scene, 'Sphere and triangle'); }
 
-  // The whole, the triangle, or the gap between the sphere and the nearest point; a sphere that is small in the whole alone too.
+  // The whole, the triangle, or the gap between the sphere and the nearest point; first a sphere that is small in the whole.
   looks() {
     const {triangle, r, closest} = this.scene;
     const distance = vec.size(closest.point);
     const middle = vec.mul(triangle.reduce(vec.add), 1 / 3);
     const whole = 1.15 * Math.max(r, ...triangle.map(vec.size));
     return {
+      ...(r > 0 && r < whole / 15 ? {Sphere: [[0, 0, 0], 2 * Math.max(r, distance)]} : {}),
       Whole: [[0, 0, 0], whole],
       Triangle: [middle, 1.3 * Math.max(1e-9, ...triangle.map((vertex) => vec.size(vec.sub(vertex, middle))))],
       'Nearest point': [closest.point, Math.max(1e-9, 4 * Math.abs(distance - r), distance * 1e-7)],
-      ...(r > 0 && r < whole / 15 ? {Sphere: [[0, 0, 0], 2 * Math.max(r, distance)]} : {}),
     };
   }
 

@@ -4,6 +4,11 @@ const state_kinds = {met: 'good', 'not met': 'bad', 'NOT CHECKED': 'warn'};
 
 function levels_table(data) {
   const prose = {cell: (td, value) => { td.classList.add('prose'); td.append(value); }};
+  const why = column.text('why', (row) => row.reason, {cell: (td, value, row) => {
+    td.classList.add('prose');
+    td.append(value);
+    if (row.witness !== '') td.append(', witness ', witness_link(data, row.witness));
+  }});
   return table(data.first.lead, [
     column.text('level', (row) => row.level, {cell: (th, value) => { th.classList.add('prose'); th.append(value); }}),
     column.text('kernel', (row) => row.kernel, {cell: (td, value, row) =>
@@ -11,12 +16,8 @@ function levels_table(data) {
     column.text('state', (row) => row.state, {cell: (td, value, row) =>
       td.append(chip(value, row.state === 'NOT CHECKED' && !row.allowed && data.requirement ? 'bad' : state_kinds[value]),
                 row.allowed ? el('small', '', 'which is allowed') : '')}),
-    column.text('how much was looked at', (row) => row.looked_at, prose),
-    column.text('why', (row) => row.reason, {cell: (td, value, row) => {
-      td.classList.add('prose');
-      td.append(value);
-      if (row.witness !== '') td.append(', witness ', witness_link(data, row.witness));
-    }}),
+    column.text('looked at', (row) => row.looked_at.replace(' promised queries looked at', ' promised'), prose),
+    ...(data.first.levels.some(({reason, witness}) => reason !== '' || witness !== '') ? [why] : []),
   ], data.first.levels);
 }
 
@@ -29,8 +30,6 @@ function worst_box(data) {
   const words = el('p', '', el('span', 'name', worst.kernel), ` ${worst.precision} ${worst.words}. Family `, el('span', 'name', worst.family),
                    ', witness ', witness_link(data, worst.id), '.');
   const figure = witness ? scene_figure(witness) : '';
-  if (witness) [...figure.querySelectorAll('button')].find(({textContent}) => textContent === 'Whole')?.click();
-  if (witness) [...figure.querySelectorAll('button')].find(({textContent}) => textContent === 'Sphere')?.click();
   return el('div', 'worst-box', el('h3', '', worst_headings[worst.group]), words, figure);
 }
 

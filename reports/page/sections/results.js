@@ -116,7 +116,7 @@ function motion_table(data, rows) {
   ];
   const of = (measure, member, type, label, more) => column[type](label,
     (row) => row.result.motion[measure] && row.result.motion[measure][member], {...none, ...more});
-  return el('div', '', el('h3', '', 'First contacts'), el('p', 'lead', data.motion_note), table('First contacts', [
+  return el('div', 'motions', el('h3', '', 'First contacts'), el('p', 'lead', data.motion_note), table('First contacts', [
     ...family_columns(told),
     column.count('contacts', (row) => row.result.motion.hits),
     ...side('late', 'bad'),
