@@ -51,7 +51,7 @@ function attach(into) {
   const figures = (worst) => Object.fromEntries(['plane', 'vertex_a', 'vertex_b', 'vertex_c', 'edge_ab', 'edge_bc', 'edge_ca']
     .map((axis) => [axis, {false_separation: 1, missed_separation: 2, p99_u: 3, worst_u: worst}]));
   write('ladder.json', {precision: 'binary32', trials: 100, kernels: [['slow', 2], ['fast', 200], ['beaten', 300]].map(([id, worst]) =>
-    ({id, queries: 1000, axes: figures(worst)})), speed: {kernels: {slow: {scalar: 30}, fast: {scalar: 10}, beaten: {scalar: 20}}}});
+    ({id, families: {general: {queries: 1000, axes: figures(worst)}}})), speed: {kernels: {slow: {scalar: 30}, fast: {scalar: 10}, beaten: {scalar: 20}}}});
   const at = (n) => ({verdict: {false_separation: n, false_contact: n}});
   write('precision.json', {precision: 'binary32', all: {queries: 100, kernels: {published: {precisions: [[8, 40], [24, 5], [64, 0]].map(([bits, n]) =>
     ({bits, unlimited: at(n), limited: at(n + 1)}))}}}});

@@ -147,10 +147,13 @@ Json ladder_data(const Path& file) {
   Json data = picked(whole, {"precision", "seed", "trials", "speed"});
   data["kernels"] = Json::array();
   for (const Json& row : rows_of(file, whole, {"kernels"})) {
-    Json& kernel = data["kernels"].emplace_back(picked(row, {"id", "summary", "queries", "verdict"}));
-    const Json axes = row.value("axes", Json::object());
-    for (const auto& [axis, figures] : axes.items()) {
-      kernel["axes"][axis] = picked(figures, {"false_separation", "missed_separation", "p99_u", "worst_u", "window"});
+    Json& kernel = data["kernels"].emplace_back(picked(row, {"id", "summary", "windows"}));
+    const Json families = row.value("families", Json::object());
+    for (const auto& [family, result] : families.items()) {
+      Json& shown = kernel["families"][family] = picked(result, {"queries", "verdict"});
+      const Json axes = result.value("axes", Json::object());
+      for (const auto& [axis, figures] : axes.items())
+        shown["axes"][axis] = picked(figures, {"false_separation", "missed_separation", "p99_u", "worst_u"});
     }
   }
   return data;

@@ -76,15 +76,16 @@ function front_of(points) {
 }
 
 const ladder_measures = [
-  ['sign errors per million', (figures, kernel) => 1e6 * (figures.false_separation + figures.missed_separation) / kernel.queries],
+  ['sign errors per million', (figures, family) => 1e6 * (figures.false_separation + figures.missed_separation) / family.queries],
   ['error that 99 % stay below, u', (figures) => figures.p99_u],
   ['worst error, u', (figures) => figures.worst_u],
 ];
 
-function ladder_points(ladder, axis, of) {
+function ladder_points(ladder, family, axis, of) {
   return ladder.kernels.flatMap((kernel) => {
     const time = ladder.speed?.kernels?.[kernel.id]?.scalar;
-    const value = kernel.axes?.[axis] ? of(kernel.axes[axis], kernel) : null;
+    const asked = kernel.families?.[family];
+    const value = asked?.axes?.[axis] ? of(asked.axes[axis], asked) : null;
     if (!time || typeof value !== 'number') return [];
     return [{x: time, y: Math.max(value, 1e-3), value, label: kernel.id}];
   });
@@ -94,26 +95,30 @@ function show_ladder(data) {
   const place = document.getElementById('ladder');
   const {ladder} = data.attached;
   if (ladder === null || !ladder.speed) return leave_out(place);
-  const axes = [...new Set(ladder.kernels.flatMap((kernel) => Object.keys(kernel.axes ?? {})))];
+  const families = [...new Set(ladder.kernels.flatMap((kernel) => Object.keys(kernel.families ?? {})))];
+  const axes = [...new Set(ladder.kernels.flatMap((kernel) => Object.values(kernel.families ?? {})
+    .flatMap((family) => Object.keys(family.axes ?? {}))))];
+  let family = families[0];
   let axis = axes[0];
   let measure = ladder_measures[0];
   const figures = el('div');
   const {box, redraw} = plot_box('Accuracy against speed of each form', (canvas) => {
-    const points = ladder_points(ladder, axis, measure[1]);
+    const points = ladder_points(ladder, family, axis, measure[1]);
     const front = front_of(points);
     const {series} = chart_colours();
     const dataset = (label, some, colour, style, is_front) => ({label, data: some, borderColor: colour, backgroundColor: colour,
       pointStyle: style, pointRadius: 7, showLine: is_front, borderWidth: 2, labelled: true});
     plot(canvas, [dataset('front: none is both faster and better', [...front].sort((p, q) => p.x - q.x), series[0], 'circle', true),
                   dataset('others', points.filter((p) => !front.includes(p)), series[1], 'rectRot', false)],
-         ['ns a query, scalar', false], [`${measure[0]}, ${axis} (0 is drawn at 0.001)`, true]);
-    figures.replaceChildren(table(`${axis}: ${measure[0]}`, [
+         ['ns a query, scalar', false], [`${measure[0]}, ${axis}, ${family} (0 is drawn at 0.001)`, true]);
+    figures.replaceChildren(table(`${family}, ${axis}: ${measure[0]}`, [
       column.text('kernel', (row) => row.label, {cell: (th, value) => th.append(el('span', 'name', value))}),
       column.amount('ns a query', (row) => row.x, {digits: 3}), column.amount(measure[0], (row) => row.value, {digits: 4}),
       column.text('front', (row) => (front.includes(row) ? 'yes' : '')),
     ], points));
   });
-  place.append(el('div', 'controls', choice('Axis', axes, (index) => { axis = axes[index]; redraw(); }),
+  place.append(el('div', 'controls', choice('Family', families, (index) => { family = families[index]; redraw(); }),
+                  choice('Axis', axes, (index) => { axis = axes[index]; redraw(); }),
                   choice('Accuracy', ladder_measures.map(([label]) => label), (index) => { measure = ladder_measures[index]; redraw(); })),
                el('p', 'lead', `${count(ladder.trials)} queries a family, ${ladder.precision}. Down and to the left is better.`),
                box, el('details', '', el('summary', 'label', 'The figures'), figures));
