@@ -212,7 +212,8 @@ TEST(NumberFormatHardware, X87IsLongDouble) {
   const FloatingScope scope = scope_of("x87");
   int subnormal = 0, infinite = 0;
   for (int i = 0; i < 30000; ++i) {
-    const int near = static_cast<int>(random() % 32600) - 16400;
+    // Half of them near the least numbers.
+    const int near = i % 2 == 0 ? static_cast<int>(random() % 32600) - 16400 : static_cast<int>(random() % 60) - 16460;
     volatile long double a = operand(near), b = operand(near);
     const Floating x = wide(a), y = wide(b);
     const std::array<std::pair<long double, Floating>, 5> results = {
@@ -407,7 +408,7 @@ TEST(NumberFormatNames, AreWhatTheyWere) {
             parse_number_format("binary32").exponents);
 }
 
-TEST(NumberFormatNames, ArefusedWithWhatWouldBeRight) {
+TEST(NumberFormatNames, AreRefusedWithWhatWouldBeRight) {
   const auto refusal = [](std::string_view text) {
     try {
       parse_number_format(text);

@@ -118,6 +118,8 @@ void measure_batch(const CriticalRadiusPlan& plan, JudgedBatch<Real>& batch, Cri
 template <class Real>
 CriticalRadiusResult measure_all(const CriticalRadiusPlan& plan, const ShowProgress& report) {
   JudgedPlan judged = judged_plan(plan.sources, plan.trials, plan.seed, 256, plan.threads);
+  for (std::size_t i = 0; i < judged.sources.size(); ++i)
+    judged.trials[i] = judged.sources[i]->fixed_size(plan.precision).value_or(plan.trials);
   judged.kernels = plan.kernels;
   CriticalRadiusResult none;
   none.left_out.resize(plan.sources.size());

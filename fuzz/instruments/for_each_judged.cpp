@@ -4,12 +4,11 @@
 
 namespace axiscert {
 
-std::vector<QueryBlock> JudgedPlan::blocks(Precision precision) const {
+std::vector<QueryBlock> JudgedPlan::blocks() const {
   std::vector<QueryBlock> blocks;
   for (std::size_t source = 0; source < sources.size(); ++source) {
-    const std::uint64_t size = sources[source]->fixed_size(precision).value_or(trials[source]);
-    for (std::uint64_t first = 0; first < size; first += block_size)
-      blocks.push_back({source, first, std::min(block_size, size - first)});
+    for (std::uint64_t first = 0; first < trials[source]; first += block_size)
+      blocks.push_back({source, first, std::min(block_size, trials[source] - first)});
   }
   if (order == BlockOrder::by_position) std::ranges::stable_sort(blocks, {}, &QueryBlock::first);
   return blocks;

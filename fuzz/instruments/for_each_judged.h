@@ -35,7 +35,7 @@ enum class BlockOrder : std::uint8_t {
 
 struct JudgedPlan {
   std::vector<SourcePtr> sources;
-  std::vector<std::uint64_t> trials;  // of each source whose number of queries the caller chooses
+  std::vector<std::uint64_t> trials;  // of each source
   std::uint64_t seed = 1;
   // One thread does one block, in batches. Each block begins its own kernels: the behaviour of foreign code in one
   // block does not influence another.
@@ -50,7 +50,7 @@ struct JudgedPlan {
   int threads = 0;                                 // 0: one per core
   const std::atomic<bool>* interrupted = nullptr;  // polled between blocks
 
-  std::vector<QueryBlock> blocks(Precision precision) const;
+  std::vector<QueryBlock> blocks() const;
 };
 
 // One thread's. What is asked for is found when it is first needed.
@@ -126,7 +126,7 @@ struct JudgedCounts {
 template <class Real, class Counts, class Visit, class Merge>
 JudgedCounts<Counts> for_each_judged(const JudgedPlan& plan, const Counts& none, const ShowProgress& report,
                                      std::string_view stage, const Visit& visit, const Merge& merge) {
-  const std::vector<QueryBlock> blocks = plan.blocks(precision_of<Real>);
+  const std::vector<QueryBlock> blocks = plan.blocks();
   ProgressCount progress(report, blocks.size(), stage);
   const auto judge = [&](const QueryBlock& block, JudgedCounts<Counts>& found) {
     if (plan.interrupted != nullptr && *plan.interrupted) {

@@ -26,8 +26,6 @@ struct FileInfo {
   std::string kernel = {};  // for kind "plugin": the id of the kernel that it is
 };
 
-struct SweepPoint;
-
 // Random access without state: any thread may ask for any position at any time.
 class Source {
  public:
@@ -43,10 +41,6 @@ class Source {
   // The number of triangles from which `trials` queries are drawn: queries that share a triangle are not independent.
   virtual std::uint64_t base_triangles(Precision, std::uint64_t trials) const { return trials; }
   virtual std::optional<FileInfo> file() const { return std::nullopt; }
-  // The value of a swept parameter that these queries have (fuzz/queries/sweep.h); null: there is none. And the
-  // queries without it.
-  virtual const SweepPoint* swept() const { return nullptr; }
-  virtual const Source& unswept() const { return *this; }
 
   // The predicate whose queries these are, and its entry in which their numbers are given.
   virtual const Predicate& predicate() const = 0;

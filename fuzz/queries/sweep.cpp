@@ -64,8 +64,8 @@ class SweptSource final : public Source {
   std::optional<FileInfo> file() const override { return of_->file(); }
   const Predicate& predicate() const override { return of_->predicate(); }
   std::size_t entry() const override { return of_->entry(); }
-  const SweepPoint* swept() const override { return &point_; }
-  const Source& unswept() const override { return *of_; }
+  const SweepPoint& point() const { return point_; }
+  const Source& unswept() const { return *of_; }
 
   void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<float>& out) const override {
     change(seed, first, count, out);
@@ -184,6 +184,8 @@ void require_within(const Sweep& sweep, Precision precision) {
   }
 }
 
+namespace {
+
 template <class Real>
 double scene_size_in(const Source& source, std::uint64_t seed) {
   const QueryShape shape = shape_of(source.predicate().entries[source.entry()]);
@@ -209,12 +211,23 @@ double scene_size_in(const Source& source, std::uint64_t seed) {
   return *middle;
 }
 
+}  // namespace
+
 double scene_size(const Source& source, std::uint64_t seed, Precision precision) {
   return precision == Precision::binary32 ? scene_size_in<float>(source, seed) : scene_size_in<double>(source, seed);
 }
 
 SourcePtr swept_source(SourcePtr source, const SweepPoint& point) {
   return std::make_shared<SweptSource>(std::move(source), point);
+}
+
+const SweepPoint* swept_point(const Source& source) {
+  const auto* swept = dynamic_cast<const SweptSource*>(&source);
+  return swept != nullptr ? &swept->point() : nullptr;
+}
+const Source& unswept(const Source& source) {
+  const auto* swept = dynamic_cast<const SweptSource*>(&source);
+  return swept != nullptr ? swept->unswept() : source;
 }
 
 std::pair<std::string_view, std::optional<SweepPoint>> split_swept(std::string_view address_name) {

@@ -46,6 +46,9 @@ void require_within(const Sweep& sweep, Precision precision);
 // The source's queries, changed. Its name is "tangent offset=2^8", and "tangent+offset=2^8" in an address: what makes
 // the same query again.
 SourcePtr swept_source(SourcePtr source, const SweepPoint& point);
+// The value that a source's queries have; null where none is swept. And the source without it.
+const SweepPoint* swept_point(const Source& source);
+const Source& unswept(const Source& source);
 // The median size of the source's first 1,000 queries: the greatest distance of a point from the last one, the sphere's
 // centre, in one coordinate, or the greatest length.
 double scene_size(const Source& source, std::uint64_t seed, Precision precision);

@@ -65,7 +65,7 @@ void expect_moved(const char* text, const std::function<void(const Query<Real>& 
   EXPECT_EQ(swept->name(), std::string("general ") + text);
   EXPECT_EQ(swept->address_name(), std::string("general+") + text);
   EXPECT_EQ(split_swept(swept->address_name()).first, "general");
-  EXPECT_EQ(split_swept(swept->address_name()).second, *swept->swept());
+  EXPECT_EQ(split_swept(swept->address_name()).second, *swept_point(*swept));
   QueryBatch<Real> batch(64, coordinate_count);
   swept->fill(3, 1000, 64, batch);
   for (std::uint64_t i = 0; i < 64; ++i) {

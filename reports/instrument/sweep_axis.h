@@ -9,6 +9,7 @@
 #include "fuzz/fields/field.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/queries/sweep.h"
+#include "kernel/kernel.h"
 #include "reports/instrument/instrument.h"
 
 namespace axiscert {
@@ -31,6 +32,8 @@ inline constexpr Field swept_field = {
 std::optional<SweepData> sweep_of(const std::vector<SourcePtr>& sources);
 // Of one source.
 std::optional<double> swept_value(const Source& source);
+
+std::vector<std::string> ids_of(const std::vector<const Kernel*>& kernels);
 
 // One line for each of `lines` and each source that was swept, over the values of the parameter that are above 0, on a
 // logarithmic axis; y(line, source) empty, or 0 or less: no point. Empty where nothing was swept.

@@ -87,6 +87,7 @@ Findings search_block(const ConditionPlan& plan, JudgedBatch<Real>& batch) {
 template <class Real>
 std::vector<Findings> search_all(const ConditionPlan& plan, const ShowProgress& report) {
   JudgedPlan judged = judged_plan(plan.sources, plan.trials, plan.seed, 512, plan.threads);
+  take_whole_files(judged, plan.precision);
   judged.kernels = plan.kernels;
   judged.second_opinion_stride = second_opinion_stride;
   const auto visit = [&](JudgedBatch<Real>& batch, std::vector<Findings>& found) {

@@ -88,6 +88,7 @@ void judge_formulae(const LadderPlan& plan, JudgedBatch<Real>& batch, KernelAccu
 template <class Real>
 Accuracies accuracies(const LadderPlan& plan, const ShowProgress& report) {
   JudgedPlan judged = judged_plan(plan.sources, plan.trials, plan.seed, 1024, plan.threads);
+  take_whole_files(judged, plan.precision);
   judged.kernels = plan.kernels;
   judged.second_opinion_stride = second_opinion_stride;
   const auto visit = [&](JudgedBatch<Real>& batch, Accuracies& found) {

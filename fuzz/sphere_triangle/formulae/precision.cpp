@@ -146,6 +146,7 @@ using PrecisionTallies = std::vector<PrecisionTally>;  // by source
 template <class Real>
 PrecisionTallies measure_sources(const PrecisionPlan& plan, const ShowProgress& report) {
   JudgedPlan judged = judged_plan(plan.sources, plan.trials, plan.seed, block, plan.threads);
+  take_whole_files(judged, plan.precision);
   judged.second_opinion_stride = second_opinion_stride;
   const auto visit = [&](JudgedBatch<Real>& batch, PrecisionTallies& tallies) {
     measure_batch(plan, batch, tallies[batch.source_index()]);

@@ -243,7 +243,7 @@ std::optional<InstrumentPlot> relative_plot(const PrecisionPlan& plan, const std
     InstrumentSeries series{fmt::format("{}, {}", plan.kernels[k]->id, plan.numbers[n].name), {}, {}};
     for (std::size_t s = 0; s < plan.sources.size(); ++s) {
       const auto offset = swept_value(*plan.sources[s]);
-      const double size = scene_size(plan.sources[s]->unswept(), plan.seed, plan.precision);
+      const double size = scene_size(unswept(*plan.sources[s]), plan.seed, plan.precision);
       const double y = sign_errors(plan, tallies[s].kernels[k], n);
       if (!offset || *offset <= 0 || size <= 0 || y <= 0) continue;
       series.points.emplace_back(std::ldexp(*offset, -plan.numbers[n].bits) / size, y);
@@ -348,8 +348,8 @@ Json precision_json(const PrecisionPlan& plan, const std::vector<PrecisionTally>
     const Source& source = *plan.sources[s];
     PrecisionTallyData& family = data.families.put(source.name()) = tally_data(plan, tallies[s]);
     family.swept = swept_value(source);
-    if (source.swept() != nullptr && source.swept()->parameter == SweepParameter::offset)
-      family.scene_size = scene_size(source.unswept(), plan.seed, plan.precision);
+    if (swept_point(source) != nullptr && swept_point(source)->parameter == SweepParameter::offset)
+      family.scene_size = scene_size(unswept(source), plan.seed, plan.precision);
   }
   return json_of(data);
 }
