@@ -69,6 +69,8 @@ std::string needs_of(const InstrumentOptions& options, const Kernel& kernel, Mea
   }
   if (measures == Measures::comparisons) {
     if (kernel.call != Call{}) return "this command measures formulae in an arithmetic, which '@CALL' does not change";
+    if (!kernel.file.empty() && kernel.may_decline)
+      return options.command + " counts the comparisons of every query, and this plug-in declares that it may decline";
     const bool has_claim = formulae_of(kernel) != Formulae::none;
     if (!kernel.file.empty() && (!has_claim || kernel.exposes == Exposure::verdict)) {
       return fmt::format(

@@ -3,11 +3,12 @@
 import csv
 import io
 import json
+import subprocess
 import unittest
 
 import numpy
 
-from command import MODELS, QUERY, Case, axiscert, schema_of
+from command import MODELS, QUERY, ROOT, Case, axiscert, schema_of
 from exact_predicates import truth
 
 QUERIES = ("--family", "tangent", "--trials", 400)
@@ -165,6 +166,31 @@ class OwnQueries(Case):
             self.refused(*plan, invalid, says=["invalid.jsonl", "none of its 1 queries", "valid"])
             self.refused(*plan, other, says=["other.jsonl", "binary64"])
             self.refused(*plan, self.folder / "none.jsonl", says=["none.jsonl"])
+
+
+class OwnKernels(Case):
+    def plugin(self, name, *flags):
+        """The published kernel as a plug-in."""
+        made = self.folder / f"{name}.so"
+        subprocess.run(["cc", "-O2", "-std=c11", "-ffp-contract=off", "-shared", "-fPIC", f"-I{ROOT}", *flags,
+                        ROOT / "kernel" / "sphere_triangle" / "faults" / "none.c", "-o", made], check=True)
+        return f"plugin:{made}"
+
+    def test_a_plug_in_that_shows_its_comparisons_is_measured_as_the_built_in_kernel_of_its_formulae(self):
+        own = self.plugin("own")
+        plan = ("--kernel", "published", "--kernel", own, "--family", "tangent", "--trials", 300, "--format", "json")
+        published, plugin = json.loads(axiscert("condition", *plan).stdout)["rows"]
+        self.assertEqual(plugin, {**published, "kernel": own})
+        self.assertGreater(published["total"]["flips"], 20)
+        published, plugin = json.loads(axiscert("ladder", *plan, "--no-speed").stdout)["kernels"]
+        for member in ("verdict", "axes", "comparisons", "queries"):
+            self.assertEqual(plugin[member], published[member], member)
+
+    def test_one_that_does_not_is_told_what_it_needs(self):
+        bare = self.plugin("bare", "-DEXPOSES=AXISCERT_VERDICT_ONLY")
+        for command in ("ladder", "condition"):
+            self.refused(command, "--kernel", bare, says=["bare.so", "declare `formulae`", "expose comparisons", "its verdict alone"])
+        self.refused("precision", "--kernel", self.plugin("own"), says=["own.so", "built-in formulae"])
 
 
 class Sweeps(Case):
