@@ -13,6 +13,7 @@
 #include "cli/help.h"
 #include "cli/progress_line.h"
 #include "cli/usage.h"
+#include "exact/numbers/number_format.h"
 #include "exact/sphere_triangle/unbounded/unbounded.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/family.h"
@@ -71,7 +72,7 @@ int ladder(const LadderOptions& options) {
   LadderPlan plan;
   plan.precision = parse_precision(options.precision);
   plan.kernels =
-      instrument_kernels(options, options.factorial ? factorial_kernels() : default_kernels(), Measures::formulae);
+      instrument_kernels(options, options.factorial ? factorial_kernels() : default_kernels(), Measures::comparisons);
   for (const Kernel* kernel : plan.kernels) require_comparisons(*kernel);
   plan.sources = instrument_sources(options, ladder_families);
   plan.trials = options.trials;
@@ -91,6 +92,7 @@ void add_ladder(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("ladder", "Measure what each step of the derivation costs: errors, range, time");
   auto options = std::make_shared<LadderOptions>();
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);
+  add_own_queries(*command, *options);
   command->add_flag("--no-speed", options->no_speed,
                     "measure no times: the rest of the output is the same in every run");
   options->asks_less = "--no-speed measures no times";
@@ -109,18 +111,42 @@ namespace {
 
 struct PrecisionOptions : InstrumentOptions {
   std::vector<int> bits;
+  std::vector<std::string> numbers;
+  std::string rounding = "nearest", contraction = "none";
+  std::uint64_t rounding_seeds = 3;
+  bool round_inputs = false;
 };
 
-std::vector<int> bits_of(const PrecisionOptions& options) {
-  std::vector<int> bits = options.bits.empty() ? default_precision_bits() : options.bits;
-  for (const int b : bits) {
+std::vector<NumberFormat> numbers_of(const PrecisionOptions& options) {
+  std::vector<NumberFormat> numbers;
+  for (const int b : options.bits) {
     if (b < least_bits || b > greatest_bits) {
       throw Error(fmt::format("--bits {}: a precision is {} to {} bits", b, least_bits, greatest_bits));
     }
+    numbers.push_back(format_of_bits(b));
   }
-  std::sort(bits.begin(), bits.end());
-  bits.erase(std::unique(bits.begin(), bits.end()), bits.end());
-  return bits;
+  for (const std::string& text : options.numbers) numbers.push_back(parse_number_format(text));
+  if (numbers.empty()) numbers = default_precision_numbers();
+  std::ranges::stable_sort(numbers, {}, &NumberFormat::bits);
+  std::vector<NumberFormat> once;
+  for (const NumberFormat& number : numbers) {
+    if (std::ranges::find(once, number) == once.end()) once.push_back(number);
+  }
+  return once;
+}
+
+template <class Enum>
+Enum enumerator_named(std::string_view text) {
+  for (const Enum each : enumerators<Enum>) {
+    if (name(each) == text) return each;
+  }
+  throw Error(fmt::format("unknown name '{}'", text));  // the options check it
+}
+template <class Enum>
+std::vector<std::string> all_names() {
+  std::vector<std::string> names;
+  for (const Enum each : enumerators<Enum>) names.emplace_back(name(each));
+  return names;
 }
 
 int measure(const PrecisionOptions& options) {
@@ -128,8 +154,12 @@ int measure(const PrecisionOptions& options) {
   plan.seed = options.seed;
   plan.trials = options.trials;
   plan.precision = parse_precision(options.precision);
-  plan.bits = bits_of(options);
+  plan.numbers = numbers_of(options);
   plan.threads = options.threads;
+  plan.rounding = enumerator_named<RoundingRule>(options.rounding);
+  plan.rounding_seeds = options.rounding_seeds;
+  plan.contraction = enumerator_named<Contraction>(options.contraction);
+  plan.round_inputs = options.round_inputs;
   plan.kernels = instrument_kernels(options,
                                     {"ladder-0", "ladder-1", "ladder-2", "ladder-3", "ladder-4", "ladder-5", "ladder-6",
                                      "ladder-7", "ladder-8", "ladder-9", "reduced", "reduced-nonstrict", "nonstrict"},
@@ -137,6 +167,12 @@ int measure(const PrecisionOptions& options) {
   plan.sources = instrument_sources(options, {"general", "tangent", "seam", "sliver", "scale", "collinear", "lattice"});
   std::string command = instrument_command("precision", options);
   for (const int b : options.bits) command += fmt::format(" --bits {}", b);
+  for (const std::string& number : options.numbers) command += " --number " + number;
+  const PrecisionOptions defaults;
+  if (options.rounding != defaults.rounding) command += " --rounding " + options.rounding;
+  if (is_by_chance(plan.rounding)) command += fmt::format(" --rounding-seeds {}", options.rounding_seeds);
+  if (options.contraction != defaults.contraction) command += " --contraction " + options.contraction;
+  if (options.round_inputs) command += " --round-inputs";
   const auto tallies =
       with_progress("precision", [&](const ShowProgress& show) { return measure_precision(plan, show); });
   return print_and_write_instrument(precision_report(plan, tallies, command), options);
@@ -145,16 +181,55 @@ int measure(const PrecisionOptions& options) {
 }  // namespace
 
 void add_precision(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand(
-      "precision", "Evaluate formulae at 8 to 256 bits: what rounding costs, apart from what range costs");
+  auto* command = app.add_subcommand("precision",
+                                     "Evaluate formulae in bfloat16, binary16, fp8 and other formats, or at 2 to 4096 "
+                                     "bits: what rounding costs, apart from what range costs");
   auto options = std::make_shared<PrecisionOptions>();
   add_instrument_options(*command, *options, std::uint64_t{1} << 11);
-  command->add_option("--bits", options->bits, "bits of precision, repeatable (default: 26 values from 8 to 256)")
+  add_own_queries(*command, *options);
+  command
+      ->add_option("--number", options->numbers,
+                   "format of the operations, repeatable: " + number_formats_text() +
+                       ", whose exponents are from 1-E to E; beside each, the same bits with unlimited exponents")
+      ->check(known_by([](const std::string& text) { parse_number_format(text); }))
       ->allow_extra_args(false);
-  options->asks_less = "each --bits is one precision in place of 26";
+  options->asks_less = "each --number and each --bits is one precision in place of 26";
+  command
+      ->add_option("--bits", options->bits,
+                   "bits of precision with the exponents of the queries, repeatable; with neither this nor --number 26 "
+                   "values from 8 to 256")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--rounding", options->rounding,
+                   "rounding of each operation: nearest, up, down, zero; faithful: to either neighbour by a coin; "
+                   "stochastic: with a probability proportional to the distance of the other neighbour")
+      ->check(one_of(all_names<RoundingRule>()))
+      ->capture_default_str();
+  command
+      ->add_option("--rounding-seeds", options->rounding_seeds,
+                   "of faithful and stochastic rounding, measure with the seeds 1 to so many")
+      ->check(whole_number(1, 1000))
+      ->capture_default_str();
+  command
+      ->add_option("--contraction", options->contraction,
+                   "operations that are fused: none, or dots, the dot and cross products")
+      ->check(one_of(all_names<Contraction>()))
+      ->capture_default_str();
+  command->add_flag("--round-inputs", options->round_inputs,
+                    "round each query to the format first, and judge it as what it has become; otherwise queries are "
+                    "taken as they are, and what the operations alone cost is shown");
   add_examples(*command,
                {{"At the bits of the two precisions", "axiscert precision published --bits 24 --bits 53 --trials 64"},
-                {"Another family, with a page", "axiscert precision reduced --family needle --out precision"}});
+                {"Another family, with a page", "axiscert precision reduced --family needle --out precision"},
+                {"Formats by name, on queries that these have",
+                 "axiscert precision published --number bfloat16 --number binary16 --number fp8-e4m3 --round-inputs "
+                 "--trials 64"},
+                {"A format of my own, rounded by chance",
+                 "axiscert precision published --number bits=10,emax=31 --rounding stochastic --trials 64"},
+                {"Far from the origin",
+                 "axiscert precision ladder-0 published --family tangent --number bits=16 "
+                 "--sweep offset=2^0..2^4 --precision binary64 --trials 64"},
+                {"My own queries", "axiscert precision published --queries mine.jsonl --number binary16"}});
   command->callback([&action, options] { action = [options] { return measure(*options); }; });
 }
 
@@ -166,7 +241,7 @@ struct ConditionOptions : InstrumentOptions {
 
 int measure(const ConditionOptions& options) {
   ConditionPlan plan{
-      instrument_kernels(options, {"published", "reduced", "ladder-0"}, Measures::formulae),
+      instrument_kernels(options, {"published", "reduced", "ladder-0"}, Measures::comparisons),
       instrument_sources(options, {"general", "tangent", "seam", "sliver", "collinear", "far", "ratio", "scale"}),
       parse_precision(options.precision),
       options.trials,
@@ -196,6 +271,7 @@ void add_condition(CLI::App& app, Action& action) {
       "condition", "Distinguish flips caused by the query's condition from those caused by the formula");
   auto options = std::make_shared<ConditionOptions>();
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);
+  add_own_queries(*command, *options);
   const CLI::Validator count = whole_number(0, std::uint64_t{1} << 32);
   command->add_option("--flips", options->flips, "flips evaluated per kernel, family and comparison")
       ->check(count)
@@ -271,7 +347,7 @@ void add_critical_radius(CLI::App& app, Action& action) {
       "error");
   auto options = std::make_shared<InstrumentOptions>();
   add_instrument_options(*command, *options, std::uint64_t{1} << 12);
-  add_query_files(*command, options->queries);
+  add_own_queries(*command, *options);
   add_examples(*command,
                {{"Two kernels", "axiscert critical-radius published certified --trials 64"},
                 {"One family, with a page", "axiscert critical-radius certified --family far --trials 64 --out radii"},

@@ -9,14 +9,15 @@
 #include "fuzz/files/corpus.h"
 #include "fuzz/files/file_parts.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/queries/sweep.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
 namespace {
 
-const Family& family_of(const Address& address) {
+const Family& family_of(const Address& address, std::string_view name) {
   try {
-    return find_family(address.name);
+    return find_family(name);
   } catch (const Error& unknown) {
     throw Error(fmt::format("address '{}': {}", text(address), unknown.what()));
   }
@@ -45,7 +46,9 @@ SourcePtr part_named(const std::string& path, const Address& address) {
 }
 
 // The source that an address names: a family, or the given file if its SHA-256 is the address's.
-SourcePtr source_of(const Address& address, const AddressFiles& files) {
+SourcePtr unswept_source_of(const Address& given, const AddressFiles& files) {
+  Address address = given;
+  address.name = split_swept(given.name).first;
   // A mesh has queries of several predicates, [PREDICATE/]mesh-SHA256.
   const Predicate* predicate = nullptr;
   std::string_view name = address.name;
@@ -58,7 +61,7 @@ SourcePtr source_of(const Address& address, const AddressFiles& files) {
   }
   const auto is_into = [&](const char* kind) { return name.starts_with(kind); };
   const bool is_mesh = predicate != nullptr, is_corpus = is_into("corpus-");
-  if (!is_mesh && !is_corpus && !is_into("queries-")) return family_source(family_of(address));
+  if (!is_mesh && !is_corpus && !is_into("queries-")) return family_source(family_of(given, address.name));
   const std::string& path = is_mesh ? files.mesh : is_corpus ? files.corpus : files.queries;
   const char* option = is_mesh ? "--mesh" : is_corpus ? "--corpus" : "--queries";
   if (path.empty() && !is_corpus) {
@@ -73,6 +76,13 @@ SourcePtr source_of(const Address& address, const AddressFiles& files) {
         fmt::format("{} {} is {}, but the address names {}", option, place, source->address_name(), address.name));
   }
   return source;
+}
+
+// With the value of a swept parameter that the address names.
+SourcePtr source_of(const Address& address, const AddressFiles& files) {
+  const SourcePtr source = unswept_source_of(address, files);
+  const auto point = split_swept(address.name).second;
+  return point ? swept_source(source, *point) : source;
 }
 
 // The source, which makes what the address says.

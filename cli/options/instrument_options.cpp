@@ -13,7 +13,11 @@
 #include "cli/progress_line.h"
 #include "cli/usage.h"
 #include "fuzz/files/file_parts.h"
+#include "fuzz/files/corpus.h"
+#include "fuzz/queries/query_shape.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/queries/sweep.h"
+#include "kernel/formulae_list.h"
 #include "reports/wording/reproduce.h"
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
@@ -36,6 +40,53 @@ void add_instrument_options(CLI::App& command, InstrumentOptions& o, std::uint64
   add_out(command, o.out, "the figures as JSON, as CSV and as a page");
 }
 
+void add_own_queries(CLI::App& command, InstrumentOptions& o) {
+  command.add_option("--mesh", o.meshes, "mesh file of any format assimp reads, repeatable")
+      ->allow_extra_args(false)
+      ->group(asked_group);
+  add_query_files(command, o.queries);
+  command.add_option("--corpus", o.corpus, "the corpus, from this folder or the one supplied with axiscert")
+      ->expected(0, 1)
+      ->default_str(default_corpus_folder())
+      ->group(asked_group);
+  command
+      .add_option(
+          "--sweep", o.sweep,
+          "measure all queries again with each value of a parameter: offset=2^0..2^20 moves them so far in every "
+          "coordinate, size=1,10,100 scales them about the sphere's centre, radius=0.5,1,2 multiplies the "
+          "radius; numbers are rounded to --precision, and a query is judged as what it has become")
+      ->check(known_by([](const std::string& text) { parse_sweep(text); }))
+      ->group(asked_group);
+}
+
+namespace {
+
+std::string needs_of(const InstrumentOptions& options, const Kernel& kernel, Measures measures) {
+  if (measures == Measures::formulae) {
+    if (!kernel.file.empty()) {
+      return "this command evaluates built-in formulae itself; a plug-in that declares `formulae` is measured by the "
+             "built-in kernel of these, and by run, check, ladder, condition, critical-radius and league as it is";
+    }
+    if (kernel.call != Call{}) return "this command measures formulae in an arithmetic, which '@CALL' does not change";
+  }
+  if (measures == Measures::comparisons) {
+    if (kernel.call != Call{}) return "this command measures formulae in an arithmetic, which '@CALL' does not change";
+    if (!kernel.file.empty() && kernel.may_decline)
+      return options.command + " counts the comparisons of every query, and this plug-in declares that it may decline";
+    const bool has_claim = formulae_of(kernel) != Formulae::none;
+    if (!kernel.file.empty() && (!has_claim || kernel.exposes == Exposure::verdict)) {
+      return fmt::format(
+          "{} holds comparisons to the formulae that a kernel evaluates: a plug-in has to declare `formulae`, and to "
+          "expose comparisons or sides; this one {} and exposes {}",
+          options.command, has_claim ? "declares formulae" : "declares no formulae",
+          kernel.exposes == Exposure::verdict ? "its verdict alone" : "comparisons");
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
 std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, std::vector<std::string> defaults,
                                               Measures measures, const std::vector<const Predicate*>& served) {
   const Precision precision = parse_precision(options.precision);
@@ -43,17 +94,9 @@ std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, 
   for (const std::string& id : options.kernels.empty() ? defaults : options.kernels) {
     const Kernel& kernel = find_kernel(id);
     require_served(options.command, *kernel.predicate, served);
-    if (measures == Measures::formulae && !kernel.file.empty()) {
-      throw Error(
-          fmt::format("--kernel {}: this command measures built-in formulae; plug-ins are accepted by run, check, "
-                      "critical-radius and league",
-                      id));
-    }
-    if (measures == Measures::formulae && kernel.call != Call{}) {
-      throw Error(fmt::format(
-          "--kernel {}: this command measures formulae in an arithmetic, which '@CALL' does not change", id));
-    }
     require_loaded(kernel);
+    if (const std::string needs = needs_of(options, kernel, measures); !needs.empty())
+      throw Error(fmt::format("--kernel {}: {}", id, needs));
     if (!kernel.has(precision)) {
       throw Error(fmt::format("--precision {}: kernel {} does not exist in it", options.precision, id));
     }
@@ -88,32 +131,83 @@ EntryAsked entry_asked(const InstrumentOptions& options) {
   return {&default_predicate(), 0};
 }
 
+namespace {
+
+template <class Real>
+bool has_valid_query(const Source& source) {
+  const QueryShape shape = shape_of(source.predicate().entries[source.entry()]);
+  const std::uint64_t size = source.fixed_size(precision_of<Real>).value_or(1);
+  for (std::uint64_t position = 0; position < size; ++position) {
+    if (may_be_valid(shape, source.make<Real>(0, position))) return true;
+  }
+  return false;
+}
+
+// Of a file of queries: that there are some of the precision, and a valid one.
+void require_valid_query(const Source& source, Precision precision) {
+  const auto size = source.fixed_size(precision);
+  if (!size) return;
+  const Precision other = precision == Precision::binary32 ? Precision::binary64 : Precision::binary32;
+  if (*size == 0) {
+    throw Error(fmt::format("{}: none of its queries is in {}; --precision {} measures the {} that it has",
+                            source.name(), name(precision), name(other), source.fixed_size(other).value_or(0)));
+  }
+  if (precision == Precision::binary32 ? has_valid_query<float>(source) : has_valid_query<double>(source)) return;
+  throw Error(
+      fmt::format("{}: none of its {} queries in {} is valid, so that there is nothing to measure; a valid one "
+                  "has {}",
+                  source.name(), *size, name(precision), source.predicate().entries[source.entry()].validity));
+}
+
+}  // namespace
+
 std::vector<SourcePtr> instrument_sources(const InstrumentOptions& options, std::vector<std::string> defaults,
                                           const std::vector<const Predicate*>& served) {
   if (!options.out.empty()) make_folder(options.out);  // refused before anything runs
   say_how_to_ask_less(options);
   const auto [predicate, entry] = entry_asked(options);
-  std::vector<SourcePtr> sources;
-  const Precision csv_precision = parse_precision(options.precision.empty() ? "binary32" : options.precision);
-  for (const std::string& file : options.queries) {
-    for (const SourcePtr& part : query_file_sources(file, csv_precision)) {
-      if (&part->predicate() == predicate && part->entry() == entry) sources.push_back(part);
+  const Precision precision = parse_precision(options.precision.empty() ? "binary32" : options.precision);
+  const bool are_own = !options.queries.empty() || !options.meshes.empty() || options.corpus;
+  SourceOptions asked;
+  asked.predicate = predicate->id;
+  asked.is_part = true;
+  asked.meshes = options.meshes;
+  asked.queries = options.queries;
+  asked.corpus = options.corpus;
+  asked.families = options.families.empty() && !are_own ? std::move(defaults) : options.families;
+  for (const Family* family : families_named(asked.families, *predicate, entry))
+    require_served(options.command, family->predicate(), served);
+  const std::vector<SourcePtr> sources = sources_of(asked, *predicate, entry, precision);
+  if (!options.precision.empty()) {
+    for (const SourcePtr& source : sources) {
+      if (&source->predicate() != predicate || source->entry() != entry) {
+        throw Error(
+            fmt::format("{}: its queries are of {}, but the kernels are of {}; give a kernel of the queries' "
+                        "predicate, if {} measures any",
+                        source->name(), part_text(source->predicate(), source->entry()), part_text(*predicate, entry),
+                        options.command));
+      }
+      require_valid_query(*source, precision);
     }
   }
-  if (!sources.empty() && options.families.empty()) return sources;
-  for (const Family* family :
-       families_named(options.families.empty() ? defaults : options.families, *predicate, entry)) {
-    require_served(options.command, family->predicate(), served);
-    sources.push_back(family_source(*family));
+  if (options.sweep.empty()) return sources;
+  const Sweep sweep = parse_sweep(options.sweep);
+  require_within(sweep, precision);
+  std::vector<SourcePtr> swept;
+  for (const SourcePtr& source : sources) {
+    for (const SweepPoint& point : sweep.points) swept.push_back(swept_source(source, point));
   }
-  return sources;
+  return swept;
 }
 
 std::string instrument_command(const std::string& name, const InstrumentOptions& options) {
   std::string command = "axiscert " + name;
   for (const std::string& kernel : options.kernels) command += " --kernel " + kernel;
   for (const std::string& family : options.families) command += " --family " + family;
+  for (const std::string& file : options.meshes) command += " --mesh " + shell_word(file);
   for (const std::string& file : options.queries) command += " --queries " + shell_word(file);
+  if (options.corpus) command += " --corpus " + shell_word(*options.corpus);
+  if (!options.sweep.empty()) command += " --sweep " + shell_word(options.sweep);
   command += fmt::format(" --trials {} --seed {}", options.trials, options.seed);
   return options.precision.empty() ? command : command + " --precision " + options.precision;
 }

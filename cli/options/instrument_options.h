@@ -10,9 +10,11 @@
 namespace axiscert {
 
 struct InstrumentOptions {
-  std::string command;                         // its name, for messages
-  std::vector<std::string> kernels, families;  // as given; empty: the subcommand's defaults
-  std::vector<std::string> queries = {};       // files, of a subcommand that takes them
+  std::string command;                                 // its name, for messages
+  std::vector<std::string> kernels, families;          // as given; empty: the subcommand's defaults
+  std::vector<std::string> queries = {}, meshes = {};  // files, of a subcommand that takes them
+  std::optional<std::string> corpus = {};              // its folder
+  std::string sweep = {};                              // PARAMETER=VALUES; empty: nothing is swept
   std::uint64_t trials = 0, seed = 1;
   std::string precision = "binary32", format = "text", out;
   int threads = 0;             // 0: all cores
@@ -23,8 +25,12 @@ struct InstrumentOptions {
 // `trials` is the default.
 void add_instrument_options(CLI::App& command, InstrumentOptions& options, std::uint64_t trials);
 
-// Whether an instrument uses only verdicts, or examines formulae, which only a built-in kernel is known to evaluate.
-enum class Measures { verdicts, formulae };
+// Adds --mesh, --queries, --corpus and --sweep.
+void add_own_queries(CLI::App& command, InstrumentOptions& options);
+
+// What an instrument uses of a kernel: its verdicts; its comparisons, which it holds to formulae that the kernel
+// claims; or the formulae alone, which it evaluates itself.
+enum class Measures { verdicts, comparisons, formulae };
 // The kernels given by the options, or `defaults`. Throws Error for one that does not exist in the precision, that the
 // instrument does not accept, or of a predicate that is none of `served`.
 std::vector<const Kernel*> instrument_kernels(
@@ -36,7 +42,8 @@ struct EntryAsked {
   std::size_t entry;
 };
 EntryAsked entry_asked(const InstrumentOptions& options);
-// The families given by the options, or `defaults`. Throws Error for one of a predicate that is none of `served`.
+// The families and files given by the options, or `defaults`, and each of these with each value of a swept parameter.
+// Throws Error for one of a predicate that is none of `served`, and for a file without a valid query.
 std::vector<SourcePtr> instrument_sources(const InstrumentOptions& options, std::vector<std::string> defaults,
                                           const std::vector<const Predicate*>& served = predicates_with(has_formulae));
 // The command line that produces the report again: "axiscert NAME --kernel ...".

@@ -40,20 +40,6 @@ bool names_a_kernel(std::string_view word) {
                              [&](const plugin::ShippedPlugins& shipped) { return word.starts_with(shipped.prefix); });
 }
 
-// Says what `look` throws of a text.
-template <class Look>
-CLI::Validator known_by(Look look) {
-  return {[=](std::string& text) -> std::string {
-            try {
-              look(text);
-              return "";
-            } catch (const Error& unknown) {
-              return unknown.what();
-            }
-          },
-          ""};
-}
-
 // A family given as a kernel is told where it belongs (cli/usage.cpp).
 CLI::Validator no_family() {
   return {[](std::string& word) -> std::string {
@@ -99,6 +85,18 @@ const CLI::Validator& count_of_trials() {
 }
 
 }  // namespace
+
+CLI::Validator known_by(std::function<void(const std::string&)> look) {
+  return {[look = std::move(look)](std::string& text) -> std::string {
+            try {
+              look(text);
+              return "";
+            } catch (const Error& unknown) {
+              return unknown.what();
+            }
+          },
+          ""};
+}
 
 KernelArguments add_kernels(CLI::App& command, std::vector<std::string>& kernels, const std::string& use,
                             const std::string& otherwise) {

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@
 namespace axiscert {
 
 // In each `otherwise` is what stands for an option that is not given, where its value does not say it.
+
+// A check that says what `look` throws of a value.
+CLI::Validator known_by(std::function<void(const std::string&)> look);
 
 // The kernels of a command: arguments, and values of --kernel, in the order in which they are given. `use` is what the
 // command does with them.

@@ -28,7 +28,7 @@ def per_million(counts, queries):
 def panel(axes, result, title):
     """One panel: a line for each kernel."""
     for name, kernel in result["kernels"].items():
-        points = [(row["bits"], per_million(row["unlimited"]["verdict"], result["queries"])) for row in kernel["precisions"]]
+        points = [(row["bits"], per_million(row["unlimited"]["verdict"], row["queries"])) for row in kernel["precisions"]]
         # Every second point has a marker, the last one or the only one always.
         (line,) = axes.plot(*zip(*[point for point in points if point[1] > 0]), marker="o", markersize=3, markevery=slice(None, None, -2), label=name)
         own = per_million(kernel["exact"], result["queries"])

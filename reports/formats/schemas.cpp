@@ -124,11 +124,12 @@ Json extended(Json first, const Json& row) {
 
 DataTable ladder_rows(const Json& data) {
   DataTable table{
-      columns_in("kernel family level name queries false_separation missed_separation false_contact touching_flips "
-                 "by_range median_u p99_u worst_u errors range_events error_without_scale window.low window.high "
-                 "critical_radius.median_ulps critical_radius.largest_ulps critical_radius.unbounded scalar_ns factor "
-                 "from pairs trials clusters failures rate low high failures_from failures_to only_from only_to "
-                 "difference design_effect p p_is_bound mcnemar_p holm_p least"),
+      columns_in(
+          "kernel family swept level name queries false_separation missed_separation false_contact touching_flips "
+          "by_range median_u p99_u worst_u errors range_events error_without_scale window.low window.high "
+          "critical_radius.median_ulps critical_radius.largest_ulps critical_radius.unbounded scalar_ns factor "
+          "from pairs trials clusters failures rate low high failures_from failures_to only_from only_to "
+          "difference design_effect p p_is_bound mcnemar_p holm_p least"),
       {}};
   for (const Json& kernel : data["kernels"]) {
     for (const auto& [members, level] : {std::pair("axes", "axis"), {"kinds", "kind"}}) {
@@ -144,7 +145,7 @@ DataTable ladder_rows(const Json& data) {
           {{"kernel", kernel["id"]}, {"level", "verdict"}, {"name", "verdict"}, {"scalar_ns", speed["scalar"]}});
     }
     for (const auto& [family, result] : kernel["families"].items()) {
-      const Json head = {{"kernel", kernel["id"]}, {"family", family}};
+      const Json head = {{"kernel", kernel["id"]}, {"family", family}, {"swept", result.value("swept", Json())}};
       const auto add_place = [&](const char* level, const std::string& name, const Json& figures) {
         table.rows.push_back(
             extended(extended(head, {{"level", level}, {"name", name}, {"queries", result["queries"]}}), figures));
@@ -171,18 +172,21 @@ DataTable ladder_rows(const Json& data) {
 }
 
 DataTable precision_rows(const Json& data) {
-  DataTable table{columns_in("kernel family bits exponents queries false_separation false_contact rounding range"), {}};
+  DataTable table{
+      columns_in("kernel family swept number bits rounding_seed exponents queries false_separation false_contact "
+                 "rounding range"),
+      {}};
   for (const ComparisonInfo& comparison : comparisons) table.columns.emplace_back(comparison.name);
   const auto add = [&](const Json& family, const Json& result) {
     for (const auto& [kernel, figures] : result["kernels"].items()) {
-      const Json head = {{"kernel", kernel}, {"family", family}, {"queries", result["queries"]}};
-      table.rows.push_back(extended(head, figures["exact"]));
+      const Json head = {{"kernel", kernel}, {"family", family}, {"swept", result.value("swept", Json())}};
+      table.rows.push_back(extended(extended(head, {{"queries", result["queries"]}}), figures["exact"]));
       for (const Json& step : figures["precisions"]) {
         for (const char* exponents : {"unlimited", "limited"}) {
-          Json row =
-              extended(extended(head, {{"bits", step["bits"]}, {"exponents", exponents}}), step[exponents]["verdict"]);
+          Json row = extended(extended(head, {{"exponents", exponents}}), step[exponents]["verdict"]);
           row.update(step[exponents]["comparisons"]);
-          row.update({{"rounding", step["rounding"]}, {"range", step["range"]}});
+          for (const char* member : {"number", "bits", "rounding_seed", "queries", "rounding", "range"})
+            row[member] = step[member];
           table.rows.push_back(std::move(row));
         }
       }
@@ -194,11 +198,11 @@ DataTable precision_rows(const Json& data) {
 }
 
 DataTable condition_rows(const Json& data) {
-  DataTable table{
-      with_columns_of<WrongVerdictsData>(with_columns_of<ConditionCountsData>(columns_in("kernel family comparison"))),
-      {}};
+  DataTable table{with_columns_of<WrongVerdictsData>(
+                      with_columns_of<ConditionCountsData>(columns_in("kernel family swept comparison"))),
+                  {}};
   for (const Json& row : data["rows"]) {
-    const Json head = {{"kernel", row["kernel"]}, {"family", row["family"]}};
+    const Json head = {{"kernel", row["kernel"]}, {"family", row["family"]}, {"swept", row.value("swept", Json())}};
     table.rows.push_back(extended(extended(head, row["total"]), row["wrong_verdicts"]));
     for (const auto& [name, counts] : row["comparisons"].items())
       table.rows.push_back(extended(extended(head, {{"comparison", name}}), counts));

@@ -99,35 +99,59 @@ template RoundedDecisions rounded<double>(Formulae, Arithmetic, Strictness, cons
 
 namespace {
 
-Outcome evaluate(Formulae formulae, Strictness strictness, const Query<double>& q, int bits,
-                 std::optional<Precision> exponents) {
-  static const UnboundedTable& plain = unbounded_table_plain();
-  const FloatingScope scope({bits, Rounding::nearest, exponents});
-  return plain.functions[formulae](q, strictness);
+Outcome evaluate(Formulae formulae, Strictness strictness, const Query<double>& q, const FloatingFormat& format,
+                 Contraction contraction) {
+  static const EnumArray<Contraction, const UnboundedTable*> tables = {&unbounded_table_plain(),
+                                                                       &unbounded_table_fma()};
+  const FloatingScope scope(format);
+  return tables[contraction]->functions[formulae](q, strictness);
 }
 
 }  // namespace
 
-static_assert(greatest_bits <= FloatingScope::greatest_precision);
-
 template <class Real>
 Outcome at_precision(Formulae formulae, Strictness strictness, const Query<Real>& q, int bits,
-                     std::optional<Precision> exponents) {
-  return evaluate(formulae, strictness, widened(q), bits, exponents);
+                     std::optional<ExponentLimits> exponents) {
+  return evaluate(formulae, strictness, widened(q), {bits, Rounding::nearest, exponents}, Contraction::none);
 }
-template Outcome at_precision<float>(Formulae, Strictness, const Query<float>&, int, std::optional<Precision>);
-template Outcome at_precision<double>(Formulae, Strictness, const Query<double>&, int, std::optional<Precision>);
+template Outcome at_precision<float>(Formulae, Strictness, const Query<float>&, int, std::optional<ExponentLimits>);
+template Outcome at_precision<double>(Formulae, Strictness, const Query<double>&, int, std::optional<ExponentLimits>);
+
+bool has_contraction(Formulae formulae, Contraction contraction) {
+  return contraction == Contraction::none || unbounded_table_fma().functions[formulae] != nullptr;
+}
 
 template <class Real>
-BothRanges at_precision_in_both_ranges(Formulae formulae, Strictness strictness, const Query<Real>& q, int bits,
-                                       Precision exponents) {
+BothRanges in_both_ranges(Formulae formulae, Strictness strictness, const Query<Real>& q, const FloatingFormat& format,
+                          Contraction contraction) {
   const Query<double>& wide = widened(q);
   mpfr_clear_flags();
-  const Outcome limited = evaluate(formulae, strictness, wide, bits, exponents);
+  const Outcome limited = evaluate(formulae, strictness, wide, format, contraction);
   if (!mpfr_overflow_p() && !mpfr_underflow_p()) return {limited, limited};
-  return {evaluate(formulae, strictness, wide, bits, std::nullopt), limited};
+  FloatingFormat unlimited = format;
+  unlimited.exponents.reset();
+  return {evaluate(formulae, strictness, wide, unlimited, contraction), limited};
 }
-template BothRanges at_precision_in_both_ranges<float>(Formulae, Strictness, const Query<float>&, int, Precision);
-template BothRanges at_precision_in_both_ranges<double>(Formulae, Strictness, const Query<double>&, int, Precision);
+template BothRanges in_both_ranges<float>(Formulae, Strictness, const Query<float>&, const FloatingFormat&,
+                                          Contraction);
+template BothRanges in_both_ranges<double>(Formulae, Strictness, const Query<double>&, const FloatingFormat&,
+                                           Contraction);
+
+template <class Real>
+std::optional<Query<Real>> rounded_to(const Query<Real>& q, const FloatingFormat& format) {
+  const FloatingScope scope({format.precision, Rounding::nearest, format.exponents});
+  bool is_there = true;
+  const auto rounded = [&](Real x) {
+    const Floating nearest = in_format(Floating(x));
+    const auto found = static_cast<Real>(mpfr_get_d(nearest.get(), MPFR_RNDN));
+    is_there &= mpfr_number_p(nearest.get()) != 0 && mpfr_cmp_d(nearest.get(), found) == 0;
+    return found;
+  };
+  std::array<Real, coordinate_count> numbers = coordinates(q);
+  for (Real& x : numbers) x = rounded(x);
+  return is_there ? std::optional(from_coordinates(numbers)) : std::nullopt;
+}
+template std::optional<Query<float>> rounded_to<float>(const Query<float>&, const FloatingFormat&);
+template std::optional<Query<double>> rounded_to<double>(const Query<double>&, const FloatingFormat&);
 
 }  // namespace axiscert

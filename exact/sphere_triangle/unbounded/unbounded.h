@@ -3,6 +3,7 @@
 #pragma once
 
 #include "exact/judge/judge.h"
+#include "exact/numbers/floating.h"
 #include "kernel/formulae_list.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 
@@ -24,21 +25,34 @@ Outcome unbounded_by_mpfr(Formulae formulae, Arithmetic arithmetic, Strictness s
 // The formulae at any precision: every operation is rounded once, to nearest even, to a number of bits chosen at run
 // time. Inputs are not rounded, so that any difference from the exact formulae comes from the operations alone.
 
-inline constexpr int least_bits = 2, greatest_bits = 256;
-
-// `exponents`: those of binary32 or binary64 with gradual underflow; empty: unbounded. At 24 bits with the exponents of
-// binary32, or 53 with those of binary64, this equals the plain scalar reference.
+// `exponents`: with gradual underflow; empty: unbounded. At 24 bits with the exponents of binary32, or 53 with those of
+// binary64, this equals the plain scalar reference.
 template <class Real>
 Outcome at_precision(Formulae formulae, Strictness strictness, const Query<Real>& q, int bits,
-                     std::optional<Precision> exponents);
+                     std::optional<ExponentLimits> exponents);
 
-// Results for both exponent ranges. If no operation over- or underflows, the second evaluation would repeat the first
-// bit for bit and is omitted.
+// Which operations are fused: none, or those of dot and cross products, as the arithmetic `fma` has them.
+enum class Contraction : std::uint8_t { none, dots };
+template <>
+inline constexpr std::size_t enum_count<Contraction> = 2;
+inline constexpr EnumArray<Contraction, std::string_view> contraction_names = {"none", "dots"};
+constexpr std::string_view name(Contraction contraction) { return contraction_names[contraction]; }
+// Whether the formulae have a form with it: every one without, the rungs with fused dot and cross products.
+bool has_contraction(Formulae formulae, Contraction contraction);
+
+// Results for both exponent ranges: unbounded, and those of the format, which has some. If no operation over- or
+// underflows, the second evaluation would repeat the first bit for bit and is omitted. The formulae have the
+// contraction.
 struct BothRanges {
   Outcome unlimited, limited;
 };
 template <class Real>
-BothRanges at_precision_in_both_ranges(Formulae formulae, Strictness strictness, const Query<Real>& q, int bits,
-                                       Precision exponents);
+BothRanges in_both_ranges(Formulae formulae, Strictness strictness, const Query<Real>& q, const FloatingFormat& format,
+                          Contraction contraction = Contraction::none);
+
+// The query whose numbers are rounded to the format, to nearest even; empty where one of them becomes infinite or NaN,
+// or is beyond the query's own precision.
+template <class Real>
+std::optional<Query<Real>> rounded_to(const Query<Real>& q, const FloatingFormat& format);
 
 }  // namespace axiscert

@@ -56,7 +56,8 @@ ComparisonBits exact_bits(const ExactSides& sides, const Kernel& kernel) {
 template <class Real>
 Findings search_block(const ConditionPlan& plan, JudgedBatch<Real>& batch) {
   Findings found{batch.source_index(), 0, std::vector<KernelFindings>(plan.kernels.size())};
-  const std::uint64_t stride = plan.sample == 0 ? 0 : (plan.trials + plan.sample - 1) / plan.sample;
+  const std::uint64_t size = batch.source().fixed_size(precision_of<Real>).value_or(plan.trials);
+  const std::uint64_t stride = plan.sample == 0 ? 0 : (size + plan.sample - 1) / plan.sample;
   std::vector<ByComparison> taken(plan.kernels.size());
   const auto search = [&](std::size_t i, AskedSphereTriangle<Real>& asked) {
     const std::uint64_t position = batch.position(i);
@@ -86,6 +87,7 @@ Findings search_block(const ConditionPlan& plan, JudgedBatch<Real>& batch) {
 template <class Real>
 std::vector<Findings> search_all(const ConditionPlan& plan, const ShowProgress& report) {
   JudgedPlan judged = judged_plan(plan.sources, plan.trials, plan.seed, 512, plan.threads);
+  take_whole_files(judged, plan.precision);
   judged.kernels = plan.kernels;
   judged.second_opinion_stride = second_opinion_stride;
   const auto visit = [&](JudgedBatch<Real>& batch, std::vector<Findings>& found) {

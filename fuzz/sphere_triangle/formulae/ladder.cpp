@@ -104,6 +104,7 @@ template <class Real>
 LadderCounts ladder_counts(const LadderPlan& plan, const std::vector<Contrast>& contrasts, const ShowProgress& report) {
   const std::uint64_t block = block_of_whole_clusters(plan.sources, 1024);
   JudgedPlan judged = judged_plan(plan.sources, plan.trials, plan.seed, block, plan.threads);
+  take_whole_files(judged, plan.precision);
   judged.kernels = plan.kernels;
   judged.second_opinion_stride = second_opinion_stride;
   const auto visit = [&](JudgedBatch<Real>& batch, LadderCounts& found) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <limits>
 
 #include "exact/sphere_triangle/unbounded/unbounded.h"
@@ -20,7 +21,7 @@ constexpr std::size_t block = 32;  // queries; a query takes milliseconds
 PrecisionTally no_precision(const PrecisionPlan& plan) {
   PrecisionTally tally;
   tally.kernels.resize(plan.kernels.size());
-  for (KernelPrecision& kernel : tally.kernels) kernel.steps.resize(plan.bits.size());
+  for (KernelPrecision& kernel : tally.kernels) kernel.steps.resize(plan.step_count());
   return tally;
 }
 
@@ -36,40 +37,106 @@ void count_step(PrecisionCounts& counts, const Outcome& found, const Outcome& ex
   for (std::size_t i = 0; i < comparison_count; ++i) counts.comparisons[i] += has_bit(flips, i);
 }
 
+// The arithmetic whose scalar reference a step has to agree with, in the format of the queries; empty: there is none.
+std::optional<Arithmetic> same_arithmetic(const PrecisionPlan& plan, std::size_t step, Formulae formulae) {
+  const NumberFormat& number = plan.number_of(step);
+  const ExponentLimits own = plan.precision;
+  const bool is_own = plan.precision == Precision::binary32 ? number.bits == std::numeric_limits<float>::digits
+                                                            : number.bits == std::numeric_limits<double>::digits;
+  if (!is_own || number.exponents.value_or(own) != own) return std::nullopt;
+  if (plan.contraction == Contraction::dots) {
+    return plan.rounding == RoundingRule::nearest ? std::optional(Arithmetic::fma) : std::nullopt;
+  }
+  if (plan.rounding == RoundingRule::nearest) return Arithmetic::plain;
+  if (kind_of(formulae) != FormulaeKind::rung) return std::nullopt;
+  switch (plan.rounding) {
+    case RoundingRule::up:
+      return Arithmetic::up;
+    case RoundingRule::down:
+      return Arithmetic::down;
+    case RoundingRule::zero:
+      return Arithmetic::chop;
+    case RoundingRule::nearest:
+    case RoundingRule::faithful:
+    case RoundingRule::stochastic:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+// Of the numbers of a query and a seed: the same at every position of every source.
 template <class Real>
-void measure_kernel(const PrecisionPlan& plan, const Kernel& kernel, const Query<Real>& q, const Outcome& exact,
-                    Verdict truth, KernelPrecision& out) {
-  count_step(out.exact, exact.verdict, truth);
-  for (std::size_t i = 0; i < plan.bits.size(); ++i) {
-    const BothRanges found =
-        at_precision_in_both_ranges(formulae_of(kernel), kernel.strictness, q, plan.bits[i], plan.precision);
-    if (plan.bits[i] == std::numeric_limits<Real>::digits) {
-      const Outcome reference = axiscert::reference(formulae_of(kernel), Arithmetic::plain, kernel.strictness, q);
-      if (!(found.limited == reference)) {
-        throw HarnessFault(
-            fmt::format("kernel {}: MPFR at {} bits with the exponents of {} is not the scalar reference", kernel.id,
-                        plan.bits[i], name(plan.precision)));
+std::uint64_t chance_seed(std::uint64_t seed, const Query<Real>& q) {
+  std::uint64_t hash = seed * 0x9e3779b97f4a7c15u;
+  for (const double x : coordinates(widened(q))) hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0xff51afd7ed558ccdu;
+  return hash ^ (hash >> 32);
+}
+
+// What is known of a query before its formulae are rounded.
+template <class Real>
+struct PrecisionQuery {
+  Query<Real> query;
+  std::vector<Outcome> exact;  // of each kernel's formulae
+  Verdict truth;
+
+  PrecisionQuery(const PrecisionPlan& plan, AskedSphereTriangle<Real>& asked)
+      : query(asked.query()), truth(asked.truth().verdict) {
+    for (const Kernel* kernel : plan.kernels) {
+      const ExactSides* own = asked.sides(*kernel);
+      exact.push_back(own ? outcome_of(own->holding(nonstrict_comparisons(kernel->strictness)))
+                          : Outcome{exact_verdict(formulae_of(*kernel), query), std::nullopt});
+    }
+  }
+};
+
+template <class Real>
+void measure_step(const PrecisionPlan& plan, std::size_t step, const PrecisionQuery<Real>& known,
+                  PrecisionTally& tally) {
+  const Query<Real>& q = known.query;
+  const NumberFormat& number = plan.number_of(step);
+  const std::optional<std::uint64_t> seed = plan.seed_of(step);
+  const FloatingFormat format = floating(number, plan.rounding, plan.precision, seed ? chance_seed(*seed, q) : 0);
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    const Kernel& kernel = *plan.kernels[k];
+    const Formulae formulae = formulae_of(kernel);
+    const Outcome& exact = known.exact[k];
+    const BothRanges found = in_both_ranges(formulae, kernel.strictness, q, format, plan.contraction);
+    if (const auto arithmetic = same_arithmetic(plan, step, formulae)) {
+      if (!(found.limited == axiscert::reference(formulae, *arithmetic, kernel.strictness, q))) {
+        throw HarnessFault(fmt::format("kernel {}: MPFR in {} is not the scalar reference in {}", kernel.id,
+                                       number.name, name(plan.precision)));
       }
     }
-    PrecisionStep& step = out.steps[i];
-    count_step(step.unlimited, found.unlimited, exact, truth);
-    count_step(step.limited, found.limited, exact, truth);
-    step.rounding += found.unlimited.verdict != exact.verdict;
-    step.range += found.limited.verdict != found.unlimited.verdict;
+    PrecisionStep& counts = tally.kernels[k].steps[step];
+    ++counts.queries;
+    count_step(counts.exact, exact.verdict, known.truth);
+    count_step(counts.unlimited, found.unlimited, exact, known.truth);
+    count_step(counts.limited, found.limited, exact, known.truth);
+    counts.rounding += found.unlimited.verdict != exact.verdict;
+    counts.range += found.limited.verdict != found.unlimited.verdict;
   }
 }
 
 template <class Real>
 void measure_batch(const PrecisionPlan& plan, JudgedBatch<Real>& batch, PrecisionTally& tally) {
-  for_each_valid(batch, [&](std::size_t, AskedSphereTriangle<Real>& asked) {
-    const Query<Real>& q = asked.query();
+  for_each_valid(batch, [&](std::size_t i, AskedSphereTriangle<Real>& asked) {
     ++tally.queries;
-    for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
-      const Kernel& kernel = *plan.kernels[k];
-      const ExactSides* own = asked.sides(kernel);
-      const Outcome exact = own ? outcome_of(own->holding(nonstrict_comparisons(kernel.strictness)))
-                                : Outcome{exact_verdict(formulae_of(kernel), q), std::nullopt};
-      measure_kernel(plan, kernel, q, exact, asked.truth().verdict, tally.kernels[k]);
+    const PrecisionQuery<Real> known(plan, asked);
+    for (std::size_t k = 0; k < plan.kernels.size(); ++k)
+      count_step(tally.kernels[k].exact, known.exact[k].verdict, known.truth);
+    const auto measure = [&](std::size_t number, const PrecisionQuery<Real>& query) {
+      for (std::size_t s = 0; s < plan.seeds(); ++s) measure_step(plan, number * plan.seeds() + s, query, tally);
+    };
+    for (std::size_t n = 0; n < plan.numbers.size(); ++n) {
+      if (!plan.round_inputs) {
+        measure(n, known);
+        continue;
+      }
+      const FloatingFormat format = floating(plan.numbers[n], RoundingRule::nearest, plan.precision);
+      const std::optional<Query<Real>> rounded = rounded_to(known.query, format);
+      if (!rounded) continue;
+      AskedSphereTriangle<Real> rounded_asked(*rounded, batch.opinion(i));
+      measure(n, PrecisionQuery<Real>(plan, rounded_asked));
     }
   });
 }
@@ -79,6 +146,7 @@ using PrecisionTallies = std::vector<PrecisionTally>;  // by source
 template <class Real>
 PrecisionTallies measure_sources(const PrecisionPlan& plan, const ShowProgress& report) {
   JudgedPlan judged = judged_plan(plan.sources, plan.trials, plan.seed, block, plan.threads);
+  take_whole_files(judged, plan.precision);
   judged.second_opinion_stride = second_opinion_stride;
   const auto visit = [&](JudgedBatch<Real>& batch, PrecisionTallies& tallies) {
     measure_batch(plan, batch, tallies[batch.source_index()]);
@@ -90,18 +158,27 @@ PrecisionTallies measure_sources(const PrecisionPlan& plan, const ShowProgress& 
 // The least number of bits from which on `flips` counts none.
 template <class Flips>
 std::optional<int> sufficient(const PrecisionPlan& plan, const KernelPrecision& kernel, Flips&& flips) {
-  std::optional<int> least;
-  for (std::size_t i = plan.bits.size(); i-- > 0;) {
-    if (flips(kernel.steps[i]) != 0) break;
-    least = plan.bits[i];
+  std::optional<int> least, greater;  // greater: the bits before them in the list
+  for (std::size_t i = plan.step_count(); i-- > 0;) {
+    if (flips(kernel.steps[i]) != 0) {
+      // Nothing is said of bits of which one step flips.
+      if (least == plan.number_of(i).bits) least = greater;
+      break;
+    }
+    if (least != plan.number_of(i).bits) greater = least;
+    least = plan.number_of(i).bits;
   }
   return least;
 }
 
 }  // namespace
 
-std::vector<int> default_precision_bits() {
-  return {8, 10, 11, 12, 14, 16, 18, 20, 22, 24, 26, 28, 32, 36, 40, 44, 48, 53, 64, 80, 96, 113, 128, 160, 192, 256};
+std::vector<NumberFormat> default_precision_numbers() {
+  std::vector<NumberFormat> numbers;
+  for (const int bits :
+       {8, 10, 11, 12, 14, 16, 18, 20, 22, 24, 26, 28, 32, 36, 40, 44, 48, 53, 64, 80, 96, 113, 128, 160, 192, 256})
+    numbers.push_back(format_of_bits(bits));
+  return numbers;
 }
 
 std::vector<PrecisionTally> measure_precision(const PrecisionPlan& plan, const ShowProgress& report) {
@@ -111,6 +188,12 @@ std::vector<PrecisionTally> measure_precision(const PrecisionPlan& plan, const S
           fmt::format("kernel {}: claims no formulae in plain arithmetic, so there is nothing to evaluate at "
                       "another precision",
                       kernel->id));
+    }
+    if (!has_contraction(formulae_of(*kernel), plan.contraction)) {
+      throw Error(
+          fmt::format("--contraction {}: kernel {} has no form with fused dot and cross products; the rungs "
+                      "have, `axiscert kernels` lists them with their arithmetics",
+                      name(plan.contraction), kernel->id));
     }
   }
   return plan.precision == Precision::binary32 ? measure_sources<float>(plan, report)

@@ -1,11 +1,13 @@
-// The cost of precision: the formulae of several kernels at every number of bits, with and without a limit on
-// exponents, so that faults of rounding are distinguished from faults of range.
+// The cost of precision: the formulae of several kernels in several formats of numbers, with and without their limits
+// on exponents, so that faults of rounding are distinguished from faults of range.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "exact/numbers/number_format.h"
+#include "exact/sphere_triangle/unbounded/unbounded.h"
 #include "fuzz/campaign/progress.h"
 #include "fuzz/fields/field.h"
 #include "fuzz/queries/source.h"
@@ -14,7 +16,7 @@
 
 namespace axiscert {
 
-// `unlimited` exponents are unbounded; `limited` ones are those of the plan's precision, with gradual underflow.
+// `unlimited` exponents are unbounded; `limited` ones are those of the format, with gradual underflow.
 enum class ExponentRange : std::uint8_t { unlimited, limited };
 template <>
 inline constexpr std::size_t enum_count<ExponentRange> = 2;
@@ -24,13 +26,30 @@ struct PrecisionPlan {
   std::uint64_t trials = 0;  // queries per source
   std::vector<const Kernel*> kernels;
   std::vector<SourcePtr> sources;
-  Precision precision = Precision::binary32;  // precision of the queries, and of the limited exponents
-  std::vector<int> bits;                      // ascending, each in [least_bits, greatest_bits]
+  Precision precision = Precision::binary32;  // of the queries
+  std::vector<NumberFormat> numbers;          // by bits, ascending
   int threads = 0;                            // 0: one per core
+
+  RoundingRule rounding = RoundingRule::nearest;
+  // Of rounding by chance: each format is evaluated with the seeds 1 to so many. What an operation draws follows from
+  // the seed and the query's numbers.
+  std::uint64_t rounding_seeds = 1;
+  Contraction contraction = Contraction::none;
+  // Whether the numbers of a query are rounded to the format, to nearest even, before anything is asked: the truth is
+  // that of the rounded query.
+  bool round_inputs = false;
+
+  // Each format with each seed.
+  std::size_t step_count() const { return numbers.size() * seeds(); }
+  std::uint64_t seeds() const { return is_by_chance(rounding) ? rounding_seeds : 1; }
+  const NumberFormat& number_of(std::size_t step) const { return numbers[step / seeds()]; }
+  std::optional<std::uint64_t> seed_of(std::size_t step) const {
+    return is_by_chance(rounding) ? std::optional(1 + step % seeds()) : std::nullopt;
+  }
 };
 
-// The numbers of bits used if no list is given: more closely spaced near the published formats.
-std::vector<int> default_precision_bits();
+// The formats used if none is named: bits=P, more closely spaced near the published formats.
+std::vector<NumberFormat> default_precision_numbers();
 
 // Wrong verdicts, relative to the geometric truth.
 struct VerdictFlips {
@@ -59,17 +78,21 @@ struct PrecisionCounts {
 };
 
 struct PrecisionStep {
+  std::uint64_t queries = 0;
+  VerdictFlips exact;
   PrecisionCounts unlimited, limited;
   std::uint64_t rounding = 0, range = 0;
   PrecisionCounts& in(ExponentRange which) { return which == ExponentRange::unlimited ? unlimited : limited; }
   const PrecisionCounts& in(ExponentRange which) const { return const_cast<PrecisionStep*>(this)->in(which); }
   bool operator==(const PrecisionStep&) const = default;
 
-  static constexpr std::string_view about = "At one number of bits.";
+  static constexpr std::string_view about = "In one format.";
   static constexpr auto fields(auto&& visit) {
     using Of = PrecisionStep;
-    return visit(field(&Of::unlimited, {"unlimited", "With exponents that have no limit."}),
-                 field(&Of::limited, {"limited", "With the exponents of the precision of the queries."}),
+    return visit(field(&Of::queries, {"queries", "Valid queries; of rounded ones, those that the format has."}),
+                 field(&Of::exact, {"exact", "Wrong verdicts of the formulae in exact arithmetic on these."}),
+                 field(&Of::unlimited, {"unlimited", "With exponents that have no limit."}),
+                 field(&Of::limited, {"limited", "With the exponents of the format."}),
                  field(&Of::rounding, {"rounding",
                                        "Verdicts that rounding changes: exact arithmetic's and, with unlimited "
                                        "exponents, that of these bits differ."}),
@@ -79,7 +102,7 @@ struct PrecisionStep {
 
 struct KernelPrecision {
   VerdictFlips exact;                // flips of the formulae in exact arithmetic: no number of bits removes these
-  std::vector<PrecisionStep> steps;  // one per entry of the plan's bits
+  std::vector<PrecisionStep> steps;  // of the plan
   bool operator==(const KernelPrecision&) const = default;
   static constexpr auto fields(auto&& visit) { return merged(visit, &KernelPrecision::exact, &KernelPrecision::steps); }
 };
@@ -95,13 +118,13 @@ struct PrecisionTally {
 };
 
 // One tally per source. Depends on the plan alone, not on threads. Throws Error for a kernel whose formulae are not
-// evaluated in plain arithmetic, OracleDisagreement, and HarnessFault if evaluation with the precision's own bits and
-// exponents does not give the scalar reference's answer.
+// evaluated in plain arithmetic, or have no form with the contraction, OracleDisagreement, and HarnessFault if
+// evaluation in the queries' own precision does not give the scalar reference's answer.
 std::vector<PrecisionTally> measure_precision(const PrecisionPlan& plan, const ShowProgress& report = {});
 PrecisionTally total(const std::vector<PrecisionTally>& tallies);
 
-// The least of the plan's bits from which on, with unlimited exponents, none of these occurs; empty if one occurs at
-// the last:
+// The least bits of the plan's formats from which on, with unlimited exponents, none of these occurs; empty if one
+// occurs at the last:
 //   verdict           a wrong verdict, against the geometric truth
 //   own_verdict       a verdict other than that of the kernel's formulae in exact arithmetic
 //   sufficient_bits   a flip of any of some comparisons

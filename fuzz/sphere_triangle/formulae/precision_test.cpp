@@ -63,7 +63,7 @@ TYPED_TEST(AtPrecisionTest, WhatIsLeftOutWouldRepeat) {
     for (const int bits : {8, 24, 53, 113}) {
       const auto formulae = static_cast<Formulae>(position % formulae_count);
       const BothRanges both =
-          at_precision_in_both_ranges(formulae, Strictness::strict, q, bits, precision_of<TypeParam>);
+          in_both_ranges(formulae, Strictness::strict, q, {bits, Rounding::nearest, precision_of<TypeParam>});
       EXPECT_EQ(both.unlimited, at_precision(formulae, Strictness::strict, q, bits, std::nullopt));
       EXPECT_EQ(both.limited, at_precision(formulae, Strictness::strict, q, bits, precision_of<TypeParam>));
     }
@@ -135,7 +135,7 @@ PrecisionPlan plan_of(std::vector<const char*> kernels, std::vector<const char*>
   plan.trials = trials;
   for (const char* id : kernels) plan.kernels.push_back(&find_kernel(id));
   for (const char* family : families) plan.sources.push_back(family_source(find_family(family)));
-  plan.bits = {8, 16, 24, 53, 256};
+  for (const int bits : {8, 16, 24, 53, 256}) plan.numbers.push_back(format_of_bits(bits));
   return plan;
 }
 
@@ -193,7 +193,7 @@ TEST(MeasurePrecision, TellsRoundingFromRangeAndBothFromTheFormulae) {
 TEST(MeasurePrecision, SufficientBitsAreTheLastRunWithoutAFlip) {
   PrecisionPlan plan = plan_of({"published"}, {}, 1);
   KernelPrecision kernel;
-  kernel.steps.resize(plan.bits.size());
+  kernel.steps.resize(plan.step_count());
   const auto side_c = index_of(Comparison::vertex_a_side_c);
   auto& flips = kernel.steps[1].unlimited;
   flips.comparisons[side_c] = 1;
@@ -210,6 +210,64 @@ TEST(MeasurePrecision, SufficientBitsAreTheLastRunWithoutAFlip) {
 
 TEST(MeasurePrecision, AnotherArithmeticIsRefused) {
   EXPECT_THROW(measure_precision(plan_of({"published+fma"}, {"general"}, 1)), Error);
+}
+
+// Directed and fused operations in the queries' own format are compared with the scalar reference on every query.
+TEST(MeasurePrecision, InTheOwnFormatEveryRuleIsTheReference) {
+  for (const RoundingRule rule : enumerators<RoundingRule>) {
+    for (const Contraction contraction : {Contraction::none, Contraction::dots}) {
+      PrecisionPlan plan = plan_of({"ladder-0", "ladder-9"}, {"tangent", "scale"}, 200);
+      plan.numbers = {parse_number_format("binary32"), parse_number_format("bits=24")};
+      plan.rounding = rule;
+      plan.contraction = contraction;
+      const auto found = measure_precision(plan);
+      for (const PrecisionTally& family : found) {
+        for (const KernelPrecision& kernel : family.kernels) {
+          ASSERT_EQ(kernel.steps.size(), 2u);
+          EXPECT_EQ(kernel.steps[0].limited, kernel.steps[1].limited) << name(rule);
+        }
+      }
+    }
+  }
+  PrecisionPlan variant = plan_of({"minkowski"}, {"general"}, 1);
+  variant.contraction = Contraction::dots;
+  EXPECT_THROW(measure_precision(variant), Error);
+}
+
+TEST(MeasurePrecision, ChanceIsReproducibleAndSeedsDiffer) {
+  PrecisionPlan plan = plan_of({"ladder-0", "ladder-9"}, {"tangent"}, 400);
+  plan.numbers = {parse_number_format("binary16"), parse_number_format("tf32")};
+  plan.rounding = RoundingRule::stochastic;
+  plan.rounding_seeds = 3;
+  std::vector<std::vector<PrecisionTally>> found;
+  for (const std::size_t threads : {1, 3}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    found.push_back(measure_precision(plan));
+  }
+  EXPECT_EQ(found[0], found[1]);
+  const KernelPrecision& kernel = found[0][0].kernels[0];
+  ASSERT_EQ(kernel.steps.size(), 6u);
+  EXPECT_NE(kernel.steps[0], kernel.steps[1]);
+  EXPECT_NE(kernel.steps[1], kernel.steps[2]);
+  EXPECT_EQ(plan.seed_of(4), 2u);
+  EXPECT_EQ(plan.number_of(4).name, "tf32");
+}
+
+// A query that is rounded first is another query, with its own truth; in a format that has all of its numbers nothing
+// changes.
+TEST(MeasurePrecision, RoundedInputsAreJudgedAsWhatTheyHaveBecome) {
+  PrecisionPlan plan = plan_of({"nonstrict"}, {"tangent", "far"}, 300);
+  plan.numbers = {parse_number_format("binary16"), parse_number_format("binary32")};
+  const auto taken = measure_precision(plan);
+  plan.round_inputs = true;
+  const auto rounded = measure_precision(plan);
+  for (std::size_t s = 0; s < 2; ++s) {
+    EXPECT_EQ(taken[s].kernels[0].steps[1], rounded[s].kernels[0].steps[1]);
+    EXPECT_NE(taken[s].kernels[0].steps[0], rounded[s].kernels[0].steps[0]);
+    EXPECT_EQ(rounded[s].kernels[0].steps[0].exact.total(), 0u) << "the truth is that of the rounded query";
+  }
+  EXPECT_EQ(rounded[0].kernels[0].steps[0].queries, rounded[0].queries);
+  EXPECT_LT(rounded[1].kernels[0].steps[0].queries, rounded[1].queries) << "10^5 is beyond binary16";
 }
 
 }  // namespace

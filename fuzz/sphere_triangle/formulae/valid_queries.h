@@ -6,6 +6,12 @@
 
 namespace axiscert {
 
+// Of a file all of its queries, whatever number the caller chose.
+inline void take_whole_files(JudgedPlan& plan, Precision precision) {
+  for (std::size_t i = 0; i < plan.sources.size(); ++i)
+    plan.trials[i] = plan.sources[i]->fixed_size(precision).value_or(plan.trials[i]);
+}
+
 // Calls visit(i, asked) for each, whose truth is known; returns how many of the batch are invalid. Throws
 // OracleDisagreement.
 template <class Real, class Visit>

@@ -191,8 +191,13 @@ class ConditionReport {
 
   ConditionRow row_of(std::size_t k, std::size_t s) const {
     const Cell& cell = result_.cells[k][s];
-    ConditionRow row{
-        plan_.kernels[k]->id, source(s).name(), result_.invalid[s], data_of(cell.total(), source(s)), {}, {}};
+    ConditionRow row{plan_.kernels[k]->id,
+                     source(s).name(),
+                     swept_value(source(s)),
+                     result_.invalid[s],
+                     data_of(cell.total(), source(s)),
+                     {},
+                     {}};
     for (std::size_t i = 0; i < comparison_count; ++i)
       row.comparisons.put(comparisons[i].name) = data_of(cell.comparisons[i], source(s));
     row.wrong_verdicts = {cell.false_separation, cell.false_contact, {}, {}, {}};
@@ -210,6 +215,7 @@ class ConditionReport {
     data.precision = plan_.precision;
     data.trials = plan_.trials;
     data.seed = {plan_.seed};
+    data.sweep = sweep_of(plan_.sources);
     data.flip_limit = plan_.flip_limit;
     data.sample = plan_.sample;
     for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
@@ -227,7 +233,14 @@ class ConditionReport {
 
 InstrumentReport condition_report(const ConditionPlan& plan, const ConditionResult& result,
                                   const std::string& command) {
-  return ConditionReport(plan, result).report(command);
+  InstrumentReport report = ConditionReport(plan, result).report(command);
+  const auto flips = [&](std::size_t k, std::size_t s) {
+    return std::optional(static_cast<double>(result.cells[k][s].total().flips));
+  };
+  if (auto plot = sweep_plot(plan.sources, "Flips over the swept parameter; none has no point", "flips",
+                             ids_of(plan.kernels), flips))
+    report.plots.push_back(*plot);
+  return report;
 }
 
 }  // namespace axiscert

@@ -4,6 +4,7 @@
 #include "fuzz/fields/field.h"
 #include "fuzz/sphere_triangle/formulae/condition.h"
 #include "reports/instrument/data.h"
+#include "reports/instrument/sweep_axis.h"
 #include "reports/instrument/instrument.h"
 
 namespace axiscert {
@@ -50,6 +51,7 @@ struct WrongVerdictsData {
 
 struct ConditionRow {
   Name kernel, family;
+  std::optional<double> swept;
   std::uint64_t invalid = 0;
   ConditionCountsData total;
   NamedValues<ConditionCountsData> comparisons;
@@ -59,7 +61,7 @@ struct ConditionRow {
   static constexpr auto fields(auto&& visit) {
     using Of = ConditionRow;
     return visit(field(&Of::kernel, {"kernel", "The kernel."}), field(&Of::family, {"family", "The family."}),
-                 field(&Of::invalid, {"invalid", "Queries that are not valid."}),
+                 field(&Of::swept, swept_field), field(&Of::invalid, {"invalid", "Queries that are not valid."}),
                  field(&Of::total, {"total", "All comparisons together."}),
                  field(&Of::comparisons, {"comparisons", "By comparison."}),
                  field(&Of::wrong_verdicts, {"wrong_verdicts", WrongVerdictsData::about}));
@@ -72,6 +74,7 @@ struct ConditionData : CommandData<ConditionData> {
   Precision precision = Precision::binary32;
   std::uint64_t trials = 0;
   WholeNumber seed;
+  std::optional<SweepData> sweep;
   std::uint64_t flip_limit = 0, sample = 0;
   std::vector<ConditionRow> rows;
 
@@ -81,7 +84,7 @@ struct ConditionData : CommandData<ConditionData> {
     using Of = ConditionData;
     return visit(base<Of, CommandData<Of>>(), field(&Of::precision, {"precision", "The precision of the queries."}),
                  field(&Of::trials, {"trials", "Queries of each family."}),
-                 field(&Of::seed, {"seed", "The seed of every family."}),
+                 field(&Of::seed, {"seed", "The seed of every family."}), field(&Of::sweep, SweepData::in_data),
                  field(&Of::flip_limit, {"flip_limit", "Flips examined of each kernel, family and comparison."}),
                  field(&Of::sample, {"sample", "Queries of a family whose right answers are examined."}),
                  field(&Of::rows, {"rows", "One for each kernel and family."}));

@@ -225,13 +225,8 @@ class CriticalRadiusReport {
     const auto worst_at = [&](const std::optional<MeasuredValue>& worst) {
       return worst ? std::optional(UlpsAt{worst->value, origin_.address(source(s), worst->position)}) : std::nullopt;
     };
-    CriticalRadiusRow row{plan_.kernels[k]->id,
-                          source(s).name(),
-                          data_of(cell),
-                          result_.left_out[s],
-                          worst_at(cell.worst_early),
-                          worst_at(cell.worst_late),
-                          {}};
+    CriticalRadiusRow row{plan_.kernels[k]->id, source(s).name(),           swept_value(source(s)),    data_of(cell),
+                          result_.left_out[s],  worst_at(cell.worst_early), worst_at(cell.worst_late), {}};
     if (const auto& reversal = cell.first_reversal) row.not_monotone_witness = {reversal->contact, reversal->separated};
     return row;
   }
@@ -242,6 +237,7 @@ class CriticalRadiusReport {
     data.precision = plan_.precision;
     data.trials = plan_.trials;
     data.seed = {plan_.seed};
+    data.sweep = sweep_of(plan_.sources);
     for (std::size_t k = 0; k < plan_.kernels.size(); ++k) {
       data.totals.push_back({plan_.kernels[k]->id, data_of(all(k))});
       for (std::size_t s = 0; s < plan_.sources.size(); ++s) data.rows.push_back(row_of(k, s));
@@ -270,7 +266,16 @@ std::vector<std::string> unmeasured_kernels(const CriticalRadiusPlan& plan, cons
 
 InstrumentReport critical_radius_report(const CriticalRadiusPlan& plan, const CriticalRadiusResult& result,
                                         const std::string& command) {
-  return CriticalRadiusReport(plan, result).report(command);
+  InstrumentReport report = CriticalRadiusReport(plan, result).report(command);
+  const auto median = [&](std::size_t k, std::size_t s) {
+    const CriticalRadii& cell = result.cells[k][s];
+    const auto error = cell.measured == 0 ? std::nullopt : cell.quantile(0.5);
+    return error && std::isfinite(error->value()) ? std::optional(error->value()) : std::nullopt;
+  };
+  if (auto plot = sweep_plot(plan.sources, "Median error over the swept parameter; 0 has no point",
+                             "ulps of the exact distance", ids_of(plan.kernels), median))
+    report.plots.push_back(*plot);
+  return report;
 }
 
 }  // namespace axiscert

@@ -4,6 +4,7 @@
 #include "fuzz/files/query_object.h"
 #include "fuzz/instruments/critical_radius.h"
 #include "reports/instrument/data.h"
+#include "reports/instrument/sweep_axis.h"
 #include "reports/instrument/instrument.h"
 
 namespace axiscert {
@@ -60,6 +61,7 @@ struct CriticalRadiusTotal {
 
 struct CriticalRadiusRow {
   Name kernel, family;
+  std::optional<double> swept;
   CriticalRadiiData radii;
   std::uint64_t left_out = 0;
   std::optional<UlpsAt> worst_early, worst_late;
@@ -69,7 +71,7 @@ struct CriticalRadiusRow {
     using Of = CriticalRadiusRow;
     return visit(
         field(&Of::kernel, {"kernel", "The kernel."}), field(&Of::family, {"family", "The family."}),
-        inlined(&Of::radii),
+        field(&Of::swept, swept_field), inlined(&Of::radii),
         field(&Of::left_out, {"left_out", "Queries that are not valid, or farther away than the greatest radius."}),
         field(&Of::worst_early, {"worst_early", "The greatest error of a contact too early; null: none."}),
         field(&Of::worst_late, {"worst_late", "The greatest error of one too late; null: none."}),
@@ -84,6 +86,7 @@ struct CriticalRadiusData : CommandData<CriticalRadiusData> {
   Precision precision = Precision::binary32;
   std::uint64_t trials = 0;
   WholeNumber seed;
+  std::optional<SweepData> sweep;
   std::vector<CriticalRadiusTotal> totals;
   std::vector<CriticalRadiusRow> rows;
 
@@ -93,7 +96,7 @@ struct CriticalRadiusData : CommandData<CriticalRadiusData> {
     using Of = CriticalRadiusData;
     return visit(base<Of, CommandData<Of>>(), field(&Of::precision, {"precision", "The precision of the queries."}),
                  field(&Of::trials, {"trials", "Triangles of each family."}),
-                 field(&Of::seed, {"seed", "The seed of every family."}),
+                 field(&Of::seed, {"seed", "The seed of every family."}), field(&Of::sweep, SweepData::in_data),
                  field(&Of::totals, {"totals", "One for each kernel, over all families."}),
                  field(&Of::rows, {"rows", "One for each kernel and family."}));
   }

@@ -186,6 +186,14 @@ void add_plots(InstrumentReport& report, const LadderPlan& plan, const Entries& 
     report.plots.push_back(by_kind("Worst error by rung, " + family, "error, u", entries, source,
                                    [](const ComparisonAccuracy& a) { return a.errors.worst().value(); }));
   }
+  const auto edge_signs = [&](std::size_t k, std::size_t s) {
+    return std::optional(
+        static_cast<double>(entries[k].by_source[s].of(comparisons_of_kind(AxisKind::edge)).sign_errors()));
+  };
+  if (auto plot =
+          sweep_plot(plan.sources, "Sign errors of edge comparisons over the swept parameter; none has no point",
+                     "comparison flips", ids(entries), edge_signs))
+    report.plots.push_back(*plot);
   if (!plan.speed) return;
   const auto scalar_ns = [](const LadderEntry& entry) { return std::optional(entry.speed->scalar_ns); };
   report.plots.push_back({"Time by rung",
@@ -328,6 +336,7 @@ LadderKernelData kernel_data(const LadderPlan& plan, const LadderResult& found, 
   for (std::size_t s = 0; s < plan.sources.size(); ++s) {
     LadderResultData& result = kernel.families.put(plan.sources[s]->name()) =
         result_data(entry.by_source[s], has_sides);
+    result.swept = swept_value(*plan.sources[s]);
     for (const Figure figure : enumerators<Figure>) {
       result.rates.put(figure_names[figure]) = ladder_rate(found, s, k, figure);
     }
@@ -359,6 +368,7 @@ Json ladder_json(const LadderPlan& plan, const LadderResult& result,
   data.seed = {plan.seed};
   data.trials = plan.trials;
   for (const SourcePtr& source : plan.sources) data.families.push_back(source->name());
+  data.sweep = sweep_of(plan.sources);
   data.scanned_exponents = {scanned.low, scanned.high};
   for (std::size_t k = 0; k < entries.size(); ++k) data.kernels.push_back(kernel_data(plan, result, k));
   data.differences = differences;

@@ -6,6 +6,7 @@
 #include "reports/instrument/data.h"
 #include "reports/instrument/figures.h"
 #include "reports/instrument/instrument.h"
+#include "reports/instrument/sweep_axis.h"
 
 namespace axiscert {
 // ladder.json: what `axiscert ladder` writes.
@@ -92,6 +93,7 @@ struct LadderRateData {
 };
 
 struct LadderResultData {
+  std::optional<double> swept;
   std::uint64_t queries = 0;
   LadderVerdictData verdict;
   RadiusSummary critical_radius;
@@ -103,7 +105,7 @@ struct LadderResultData {
   static constexpr std::string_view about = "Of one family.";
   static constexpr auto fields(auto&& visit) {
     using Of = LadderResultData;
-    return visit(field(&Of::queries, {"queries", "Valid queries."}),
+    return visit(field(&Of::swept, swept_field), field(&Of::queries, {"queries", "Valid queries."}),
                  field(&Of::verdict, {"verdict", LadderVerdictData::about}),
                  field(&Of::critical_radius, {"critical_radius", RadiusSummary::about}),
                  field(&Of::axes, {"axes", "By axis: all its comparisons together."}),
@@ -236,6 +238,7 @@ struct LadderData : CommandData<LadderData> {
   WholeNumber seed;
   std::uint64_t trials = 0;
   std::vector<Name> families;
+  std::optional<SweepData> sweep;
   std::array<int, 2> scanned_exponents{};
   std::vector<LadderKernelData> kernels;
   std::vector<LadderStepData> steps;
@@ -251,7 +254,7 @@ struct LadderData : CommandData<LadderData> {
         base<Of, CommandData<Of>>(), field(&Of::precision, {"precision", "The precision of the queries."}),
         field(&Of::seed, {"seed", "The seed of every family."}),
         field(&Of::trials, {"trials", "Queries of each family."}),
-        field(&Of::families, {"families", "The families asked."}),
+        field(&Of::families, {"families", "The families asked."}), field(&Of::sweep, SweepData::in_data),
         field(&Of::scanned_exponents, {"scanned_exponents", "The exponents between which windows were looked for."}),
         field(&Of::kernels, {"kernels", "The rungs, in the order of the derivation."}),
         field(&Of::steps, {"steps", "The steps between them."}),

@@ -50,11 +50,22 @@ std::uint64_t flips(const PrecisionCounts& counts, ComparisonBits which) {
 }
 
 std::string exponents_text(const PrecisionPlan& plan, ExponentRange range) {
-  return range == unlimited ? "unlimited exponents" : fmt::format("exponents of {}", name(plan.precision));
+  if (range == unlimited) return "unlimited exponents";
+  const bool are_of_queries =
+      std::ranges::all_of(plan.numbers, [](const NumberFormat& number) { return !number.exponents; });
+  return are_of_queries ? fmt::format("exponents of {}", name(plan.precision)) : "exponents of the format";
 }
 int own_digits(const PrecisionPlan& plan) {
   return plan.precision == Precision::binary32 ? std::numeric_limits<float>::digits
                                                : std::numeric_limits<double>::digits;
+}
+// The formats that tables of one format show: all where they are few, else that of the queries.
+std::vector<std::size_t> shown_numbers(const PrecisionPlan& plan, std::size_t few) {
+  std::vector<std::size_t> shown;
+  for (std::size_t n = 0; n < plan.numbers.size(); ++n) {
+    if (plan.numbers.size() <= few || plan.numbers[n].bits == own_digits(plan)) shown.push_back(n);
+  }
+  return shown;
 }
 
 std::vector<std::string> kernel_columns(const PrecisionPlan& plan, std::string first) {
@@ -63,49 +74,80 @@ std::vector<std::string> kernel_columns(const PrecisionPlan& plan, std::string f
   return columns;
 }
 
+// The mean over the seeds of a format, per million; of several seeds also the least and the greatest.
+template <class Count>
+std::string seeds_rate(const PrecisionPlan& plan, const KernelPrecision& kernel, std::size_t number, Count&& count) {
+  std::uint64_t found = 0, queries = 0;
+  double least = std::numeric_limits<double>::infinity(), greatest = 0;
+  for (std::size_t s = 0; s < plan.seeds(); ++s) {
+    const PrecisionStep& step = kernel.steps[number * plan.seeds() + s];
+    found += count(step);
+    queries += step.queries;
+    const double of_seed = rate_per_million(count(step), step.queries);
+    least = std::min(least, of_seed);
+    greatest = std::max(greatest, of_seed);
+  }
+  if (queries == 0) return "not measured";
+  if (plan.seeds() == 1 || least == greatest) return rate(found, queries);
+  return fmt::format("{} ({} to {})", rate(found, queries), amount(least, 3), amount(greatest, 3));
+}
+auto wrong_in(ExponentRange range) {
+  return [range](const PrecisionStep& step) { return step.in(range).verdict.total(); };
+}
+
 InstrumentTable verdict_table(const PrecisionPlan& plan, const PrecisionTally& all, ExponentRange range) {
   InstrumentTable table{
-      fmt::format("Wrong verdicts per million, {}", exponents_text(plan, range)), kernel_columns(plan, "bits"), {}};
-  for (std::size_t i = 0; i < plan.bits.size(); ++i) {
-    std::vector<std::string>& row = table.rows.emplace_back(1, fmt::format("{}", plan.bits[i]));
-    for (const KernelPrecision& k : all.kernels) row.push_back(rate(k.steps[i].in(range).verdict.total(), all.queries));
+      fmt::format("Wrong verdicts per million, {}", exponents_text(plan, range)), kernel_columns(plan, "number"), {}};
+  for (std::size_t n = 0; n < plan.numbers.size(); ++n) {
+    std::vector<std::string>& row = table.rows.emplace_back(1, plan.numbers[n].name);
+    for (const KernelPrecision& k : all.kernels) row.push_back(seeds_rate(plan, k, n, wrong_in(range)));
   }
   std::vector<std::string>& exact = table.rows.emplace_back(1, "exact");
   for (const KernelPrecision& k : all.kernels) exact.push_back(rate(k.exact.total(), all.queries));
   return table;
 }
 
-// Verdicts changed by the precision's own number of bits, next to those changed by its exponents. `step` is the
-// position of that number of bits in the plan.
-InstrumentTable separation_table(const PrecisionPlan& plan, const PrecisionTally& all, std::size_t step) {
-  InstrumentTable table{fmt::format("Rounding apart from range, at the {} bits of {}; per million", plan.bits[step],
-                                    name(plan.precision)),
-                        {"kernel", "wrong in exact arithmetic", "wrong, unlimited exponents",
+// Verdicts changed by the bits of a format, next to those changed by its exponents.
+InstrumentTable separation_table(const PrecisionPlan& plan, const PrecisionTally& all,
+                                 const std::vector<std::size_t>& numbers) {
+  InstrumentTable table{"Rounding apart from range; per million",
+                        {"kernel", "number", "wrong in exact arithmetic", "wrong, unlimited exponents",
                          "wrong, limited exponents", "verdicts changed by rounding", "verdicts changed by range"},
                         {}};
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
-    const KernelPrecision& kernel = all.kernels[k];
-    const PrecisionStep& s = kernel.steps[step];
-    std::vector<std::string>& row = table.rows.emplace_back(1, plan.kernels[k]->id);
-    for (const std::uint64_t count :
-         {kernel.exact.total(), s.in(unlimited).verdict.total(), s.in(limited).verdict.total(), s.rounding, s.range}) {
-      row.push_back(rate(count, all.queries));
+    for (const std::size_t n : numbers) {
+      std::vector<std::string>& row = table.rows.emplace_back(1, plan.kernels[k]->id);
+      row.push_back(plan.numbers[n].name);
+      const auto add = [&](auto&& count) { row.push_back(seeds_rate(plan, all.kernels[k], n, count)); };
+      add([](const PrecisionStep& step) { return step.exact.total(); });
+      add(wrong_in(unlimited));
+      add(wrong_in(limited));
+      add([](const PrecisionStep& step) { return step.rounding; });
+      add([](const PrecisionStep& step) { return step.range; });
     }
   }
   return table;
 }
 
-InstrumentTable family_table(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies, std::size_t step,
+InstrumentTable family_table(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies, std::size_t number,
                              ExponentRange range) {
-  InstrumentTable table{
-      fmt::format("Wrong verdicts per million at {} bits by family, {}", plan.bits[step], exponents_text(plan, range)),
-      kernel_columns(plan, "family"),
-      {}};
+  InstrumentTable table{fmt::format("Wrong verdicts per million at {} by family, {}", plan.numbers[number].name,
+                                    exponents_text(plan, range)),
+                        kernel_columns(plan, "family"),
+                        {}};
   for (std::size_t s = 0; s < tallies.size(); ++s) {
     std::vector<std::string>& row = table.rows.emplace_back(1, plan.sources[s]->name());
-    for (const KernelPrecision& k : tallies[s].kernels) {
-      row.push_back(rate(k.steps[step].in(range).verdict.total(), tallies[s].queries));
-    }
+    for (const KernelPrecision& k : tallies[s].kernels) row.push_back(seeds_rate(plan, k, number, wrong_in(range)));
+  }
+  return table;
+}
+
+// Queries that a format does not have: rounded to it, a number becomes infinite or NaN.
+InstrumentTable left_out_table(const PrecisionPlan& plan, const PrecisionTally& all) {
+  InstrumentTable table{"Queries that the format does not have", {"number", "of", "left out"}, {}};
+  for (std::size_t n = 0; n < plan.numbers.size(); ++n) {
+    const std::uint64_t there = all.kernels.front().steps[n * plan.seeds()].queries;
+    table.rows.push_back({plan.numbers[n].name, thousands(all.queries), thousands(all.queries - there)});
   }
   return table;
 }
@@ -139,27 +181,110 @@ InstrumentTable sufficient_table(const PrecisionPlan& plan, const PrecisionTally
   return table;
 }
 
+double mean_rate(const PrecisionPlan& plan, const KernelPrecision& kernel, std::size_t number, const auto& count) {
+  std::uint64_t found = 0, queries = 0;
+  for (std::size_t s = 0; s < plan.seeds(); ++s) {
+    const PrecisionStep& step = kernel.steps[number * plan.seeds() + s];
+    found += count(step);
+    queries += step.queries;
+  }
+  return rate_per_million(found, queries);
+}
+
 template <class Count>
 InstrumentPlot plot(const PrecisionPlan& plan, const PrecisionTally& all, std::string caption, std::string y_label,
                     Count&& count) {
   InstrumentPlot plot{std::move(caption), "bits", std::move(y_label), InstrumentPlot::Kind::line, false, true, {}};
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     InstrumentSeries series{plan.kernels[k]->id, {}, {}};
-    for (std::size_t i = 0; i < plan.bits.size(); ++i) {
-      const std::uint64_t found = count(all.kernels[k].steps[i]);
-      if (found > 0) series.points.emplace_back(plan.bits[i], rate_per_million(found, all.queries));
+    for (std::size_t n = 0; n < plan.numbers.size(); ++n) {
+      const double found = mean_rate(plan, all.kernels[k], n, count);
+      if (found == 0) continue;
+      series.points.emplace_back(plan.numbers[n].bits, found);
+      series.labels.push_back(plan.numbers[n].name);
     }
     plot.series.push_back(std::move(series));
   }
   return plot;
 }
 
-std::vector<InstrumentPlot> plots(const PrecisionPlan& plan, const PrecisionTally& all) {
+// Sign errors of the six edge comparisons, which alone have forms that are not centred; per million of them.
+double sign_errors(const PrecisionPlan& plan, const KernelPrecision& kernel, std::size_t number) {
+  const auto edges =
+      static_cast<ComparisonBits>(kinds()[edge_radius_kind].comparisons | kinds()[edge_sides_kind].comparisons);
+  return mean_rate(plan, kernel, number,
+                   [edges](const PrecisionStep& step) { return flips(step.in(unlimited), edges); }) /
+         6;
+}
+
+struct KernelNumber {
+  std::size_t kernel, number;
+};
+std::vector<KernelNumber> kernel_numbers(const PrecisionPlan& plan) {
+  std::vector<KernelNumber> all;
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    for (std::size_t n = 0; n < plan.numbers.size(); ++n) all.push_back({k, n});
+  }
+  return all;
+}
+
+// Of a swept offset: sign errors against offset x u / size, which puts the formats on one axis; u = 2^-bits.
+std::optional<InstrumentPlot> relative_plot(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies) {
+  const auto sweep = sweep_of(plan.sources);
+  if (!sweep || sweep->parameter != SweepParameter::offset) return std::nullopt;
+  InstrumentPlot plot{"Sign errors of edge comparisons, unlimited exponents, against the offset in units of the format",
+                      "offset x 2^-bits / size of the scene",
+                      "per million edge comparisons",
+                      InstrumentPlot::Kind::scatter,
+                      true,
+                      true,
+                      {}};
+  for (const auto& [k, n] : kernel_numbers(plan)) {
+    InstrumentSeries series{fmt::format("{}, {}", plan.kernels[k]->id, plan.numbers[n].name), {}, {}};
+    for (std::size_t s = 0; s < plan.sources.size(); ++s) {
+      const auto offset = swept_value(*plan.sources[s]);
+      const double size = scene_size(unswept(*plan.sources[s]), plan.seed, plan.precision);
+      const double y = sign_errors(plan, tallies[s].kernels[k], n);
+      if (!offset || *offset <= 0 || size <= 0 || y <= 0) continue;
+      series.points.emplace_back(std::ldexp(*offset, -plan.numbers[n].bits) / size, y);
+      series.labels.push_back(plan.sources[s]->name());
+    }
+    plot.series.push_back(std::move(series));
+  }
+  return plot;
+}
+
+void add_sweep_plots(std::vector<InstrumentPlot>& plots, const PrecisionPlan& plan,
+                     const std::vector<PrecisionTally>& tallies) {
+  const std::vector<KernelNumber> lines = kernel_numbers(plan);
+  std::vector<std::string> names;
+  for (const auto& [k, n] : lines) names.push_back(fmt::format("{}, {}", plan.kernels[k]->id, plan.numbers[n].name));
+  const auto wrong = [&](std::size_t line, std::size_t s) {
+    const auto [k, n] = lines[line];
+    return std::optional(mean_rate(plan, tallies[s].kernels[k], n, wrong_in(unlimited)));
+  };
+  const auto signs = [&](std::size_t line, std::size_t s) {
+    return std::optional(sign_errors(plan, tallies[s].kernels[lines[line].kernel], lines[line].number));
+  };
+  if (auto of_verdicts =
+          sweep_plot(plan.sources, "Wrong verdicts over the swept parameter, unlimited exponents; none has no point",
+                     "per million", names, wrong))
+    plots.push_back(*of_verdicts);
+  if (auto of_signs =
+          sweep_plot(plan.sources, "Sign errors of edge comparisons over the swept parameter, unlimited exponents",
+                     "per million edge comparisons", names, signs))
+    plots.push_back(*of_signs);
+  if (auto relative = relative_plot(plan, tallies)) plots.push_back(*relative);
+}
+
+std::vector<InstrumentPlot> plots(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies,
+                                  const PrecisionTally& all) {
   std::vector<InstrumentPlot> all_plots;
+  add_sweep_plots(all_plots, plan, tallies);
   for (const ExponentRange range : {unlimited, limited}) {
     all_plots.push_back(plot(
         plan, all, fmt::format("Wrong verdicts, {}; a kernel without any has no point", exponents_text(plan, range)),
-        "per million", [range](const PrecisionStep& step) { return step.in(range).verdict.total(); }));
+        "per million", wrong_in(range)));
   }
   all_plots.push_back(plot(plan, all, "Verdicts that rounding changes, unlimited exponents", "per million",
                            [](const PrecisionStep& step) { return step.rounding; }));
@@ -172,11 +297,14 @@ std::vector<InstrumentPlot> plots(const PrecisionPlan& plan, const PrecisionTall
 }
 
 PrecisionTallyData tally_data(const PrecisionPlan& plan, const PrecisionTally& tally) {
-  PrecisionTallyData data{tally.queries, {}};
+  PrecisionTallyData data{tally.queries, {}, {}, {}};
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     const KernelPrecision& kernel = tally.kernels[k];
     KernelPrecisionData& of = data.kernels.put(plan.kernels[k]->id) = {kernel.exact, {}};
-    for (std::size_t i = 0; i < plan.bits.size(); ++i) of.precisions.push_back({plan.bits[i], kernel.steps[i]});
+    for (std::size_t i = 0; i < plan.step_count(); ++i) {
+      const NumberFormat& number = plan.number_of(i);
+      of.precisions.push_back({number.name, number.bits, plan.seed_of(i), kernel.steps[i]});
+    }
   }
   return data;
 }
@@ -202,28 +330,76 @@ Json precision_json(const PrecisionPlan& plan, const std::vector<PrecisionTally>
   data.precision = plan.precision;
   data.trials = plan.trials;
   data.seed = {plan.seed};
-  data.bits = plan.bits;
+  for (const NumberFormat& number : plan.numbers) {
+    const ExponentLimits exponents = number.exponents.value_or(plan.precision);
+    data.numbers.push_back({number.name, number.bits, static_cast<int>(exponents.least),
+                            static_cast<int>(exponents.greatest), exponents.overflow});
+  }
+  data.rounding = plan.rounding;
+  if (is_by_chance(plan.rounding)) {
+    for (std::uint64_t seed = 1; seed <= plan.seeds(); ++seed) data.rounding_seeds.push_back(seed);
+  }
+  data.contraction = plan.contraction;
+  data.inputs_are_rounded = plan.round_inputs;
+  data.sweep = sweep_of(plan.sources);
   for (std::size_t k = 0; k < plan.kernels.size(); ++k)
     data.sufficient.put(plan.kernels[k]->id) = sufficient_data(plan, *plan.kernels[k], all.kernels[k]);
   data.all = tally_data(plan, all);
-  for (std::size_t s = 0; s < tallies.size(); ++s)
-    data.families.put(plan.sources[s]->name()) = tally_data(plan, tallies[s]);
+  for (std::size_t s = 0; s < tallies.size(); ++s) {
+    const Source& source = *plan.sources[s];
+    PrecisionTallyData& family = data.families.put(source.name()) = tally_data(plan, tallies[s]);
+    family.swept = swept_value(source);
+    if (swept_point(source) != nullptr && swept_point(source)->parameter == SweepParameter::offset)
+      family.scene_size = scene_size(unswept(source), plan.seed, plan.precision);
+  }
   return json_of(data);
+}
+
+std::string rounding_text(const PrecisionPlan& plan) {
+  switch (plan.rounding) {
+    case RoundingRule::nearest:
+      return "to nearest even";
+    case RoundingRule::up:
+      return "toward +infinity";
+    case RoundingRule::down:
+      return "toward -infinity";
+    case RoundingRule::zero:
+      return "toward zero";
+    case RoundingRule::faithful:
+      return fmt::format("to either neighbour by a coin (seeds 1 to {}: the mean, and the least and greatest of them)",
+                         plan.seeds());
+    case RoundingRule::stochastic:
+      return fmt::format(
+          "to either neighbour, with a probability proportional to the distance of the other (seeds 1 "
+          "to {}: the mean, and the least and greatest of them)",
+          plan.seeds());
+  }
+  return "";
 }
 
 std::vector<std::string> notes(const PrecisionPlan& plan, const PrecisionTally& all) {
   std::string families;
   for (const SourcePtr& source : plan.sources) families += (families.empty() ? "" : ", ") + source->name();
   const double limit = all.queries == 0 ? 1e6 : 1e6 * -std::expm1(std::log(0.05) / static_cast<double>(all.queries));
+  const bool is_checked = plan.rounding == RoundingRule::nearest;
   return {
-      fmt::format("{} valid {} queries, as many of each family: {}. Queries are taken as they are; every operation of "
-                  "the formulae is rounded to nearest even at the number of bits (MPFR). Kernels by their formulae: "
-                  "arithmetic is scalar and plain, and nothing is fused.",
-                  thousands(all.queries), name(plan.precision), families),
-      fmt::format("Unlimited exponents: errors come from rounding or from the formulae. Exponents of {}: with "
-                  "gradual underflow at that number of bits, so that {} bits are the scalar reference itself, which is "
-                  "checked on every query.",
-                  name(plan.precision), own_digits(plan)),
+      fmt::format("{} valid {} queries: {}. {} Every operation of the formulae is rounded {} in the format (MPFR). "
+                  "Kernels by their formulae: arithmetic is scalar and plain, and {}.",
+                  thousands(all.queries), name(plan.precision), families,
+                  plan.round_inputs
+                      ? "The numbers of a query are rounded to the format first, to nearest even: truth and exact "
+                        "signs are those of the rounded query, so that the format's error on its own inputs is shown."
+                      : "Queries are taken as they are, whatever the format: what the operations alone cost is shown.",
+                  rounding_text(plan),
+                  plan.contraction == Contraction::dots ? "dot and cross products are fused, as in `+fma`"
+                                                        : "nothing is fused"),
+      fmt::format("Unlimited exponents: errors come from rounding or from the formulae. Limited ones are those of the "
+                  "format, of bits=P those of {}, with gradual underflow. {}",
+                  name(plan.precision),
+                  is_checked ? fmt::format("{} bits with these are the scalar reference itself, which is checked on "
+                                           "every query.",
+                                           own_digits(plan))
+                             : ""),
       "A wrong verdict is one that differs from the geometry; the row `exact` has those of the formulae in exact "
       "arithmetic, which no number of bits mends. Rungs of one strictness agree there on every query: that is checked "
       "as well. With strict sides the count can rise with the bits: noise breaks the ties that the formulae answer "
@@ -248,14 +424,14 @@ InstrumentReport precision_report(const PrecisionPlan& plan, const std::vector<P
                           command,
                           notes(plan, all),
                           {verdict_table(plan, all, unlimited), verdict_table(plan, all, limited)},
-                          plots(plan, all),
+                          plots(plan, tallies, all),
                           precision_json(plan, tallies, all, command)};
-  const auto own = std::find(plan.bits.begin(), plan.bits.end(), own_digits(plan));
-  if (own != plan.bits.end()) {
-    const auto step = static_cast<std::size_t>(own - plan.bits.begin());
-    report.tables.push_back(separation_table(plan, all, step));
-    report.tables.push_back(family_table(plan, tallies, step, unlimited));
-    report.tables.push_back(family_table(plan, tallies, step, limited));
+  if (plan.round_inputs) report.tables.push_back(left_out_table(plan, all));
+  const std::vector<std::size_t> apart = shown_numbers(plan, 12);
+  if (!apart.empty()) report.tables.push_back(separation_table(plan, all, apart));
+  for (const std::size_t number : shown_numbers(plan, 4)) {
+    report.tables.push_back(family_table(plan, tallies, number, unlimited));
+    report.tables.push_back(family_table(plan, tallies, number, limited));
   }
   report.tables.push_back(sufficient_table(plan, all));
   return report;

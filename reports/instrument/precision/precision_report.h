@@ -4,6 +4,7 @@
 #include "fuzz/fields/field.h"
 #include "fuzz/sphere_triangle/formulae/precision.h"
 #include "reports/instrument/data.h"
+#include "reports/instrument/sweep_axis.h"
 #include "reports/instrument/instrument.h"
 
 namespace axiscert {
@@ -47,13 +48,36 @@ struct SufficientData {
   }
 };
 
-struct PrecisionStepData {
+struct NumberFormatData {
+  Name number;
   int bits = 0;
+  int e_min = 0, e_max = 0;
+  Overflow overflow = Overflow::infinity;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = NumberFormatData;
+    return visit(field(&Of::number, {"number", "Its name, as --number takes it."}),
+                 field(&Of::bits, {"bits", "Bits of the significand, the leading one included."}),
+                 field(&Of::e_min, {"e_min",
+                                    "The least exponent e of normal numbers m 2^e, 1 <= m < 2; below it underflow is "
+                                    "gradual."}),
+                 field(&Of::e_max, {"e_max", "The greatest."}),
+                 field(&Of::overflow, {"overflow", "What a result beyond the greatest number becomes."}));
+  }
+};
+
+struct PrecisionStepData {
+  Name number;
+  int bits = 0;
+  std::optional<std::uint64_t> rounding_seed;
   PrecisionStep step;
 
   static constexpr std::string_view about = PrecisionStep::about;
   static constexpr auto fields(auto&& visit) {
-    return visit(field(&PrecisionStepData::bits, {"bits", "Bits of precision."}), inlined(&PrecisionStepData::step));
+    using Of = PrecisionStepData;
+    return visit(field(&Of::number, {"number", "The format."}), field(&Of::bits, {"bits", "Its bits of precision."}),
+                 field(&Of::rounding_seed, {"rounding_seed", "The seed of rounding by chance; null: it is not."}),
+                 inlined(&Of::step));
   }
 };
 
@@ -63,28 +87,42 @@ struct KernelPrecisionData {
 
   static constexpr auto fields(auto&& visit) {
     using Of = KernelPrecisionData;
-    return visit(field(&Of::exact, {"exact", "Wrong verdicts of the formulae in exact arithmetic."}),
-                 field(&Of::precisions, {"precisions", "One for each number of bits."}));
+    return visit(
+        field(&Of::exact, {"exact", "Wrong verdicts of the formulae in exact arithmetic."}),
+        field(&Of::precisions, {"precisions", "One for each format, and of rounding by chance for each seed."}));
   }
 };
 
 struct PrecisionTallyData {
   std::uint64_t queries = 0;
+  std::optional<double> swept, scene_size;  // of one source
   NamedValues<KernelPrecisionData> kernels;
 
   static constexpr std::string_view about = "Of some queries.";
   static constexpr auto fields(auto&& visit) {
     return visit(field(&PrecisionTallyData::queries, {"queries", "Valid queries."}),
+                 field(&PrecisionTallyData::swept, swept_field),
+                 field(&PrecisionTallyData::scene_size,
+                       {.name = "scene_size",
+                        .about = "Of a family whose offset is swept: the median size of its scenes, the greatest "
+                                 "distance of a vertex from the centre in one coordinate, or the radius.",
+                        .unit = "units of length",
+                        .may_be_absent = true}),
                  field(&PrecisionTallyData::kernels, {"kernels", "By kernel."}));
   }
 };
 
 struct PrecisionData : CommandData<PrecisionData> {
-  static constexpr std::string_view format = "axiscert-precision/2", title = "What precision costs";
+  static constexpr std::string_view format = "axiscert-precision/3", title = "What precision costs";
   Precision precision = Precision::binary32;
   std::uint64_t trials = 0;
   WholeNumber seed;
-  std::vector<int> bits;
+  std::vector<NumberFormatData> numbers;
+  RoundingRule rounding = RoundingRule::nearest;
+  std::vector<std::uint64_t> rounding_seeds;
+  Contraction contraction = Contraction::none;
+  bool inputs_are_rounded = false;
+  std::optional<SweepData> sweep;
   NamedValues<SufficientData> sufficient;
   PrecisionTallyData all;
   NamedValues<PrecisionTallyData> families;
@@ -93,12 +131,20 @@ struct PrecisionData : CommandData<PrecisionData> {
       "precision.json, which `axiscert precision` writes. It depends on the command alone.";
   static constexpr auto fields(auto&& visit) {
     using Of = PrecisionData;
-    return visit(base<Of, CommandData<Of>>(), field(&Of::precision, {"precision", "The precision of the queries."}),
-                 field(&Of::trials, {"trials", "Queries of each family."}),
-                 field(&Of::seed, {"seed", "The seed of every family."}),
-                 field(&Of::bits, {"bits", "The numbers of bits."}),
-                 field(&Of::sufficient, {"sufficient", "The least bits from which on nothing flips, by kernel."}),
-                 field(&Of::all, {"all", "Over all families."}), field(&Of::families, {"families", "By family."}));
+    return visit(
+        base<Of, CommandData<Of>>(), field(&Of::precision, {"precision", "The precision of the queries."}),
+        field(&Of::trials, {"trials", "Queries of each family."}),
+        field(&Of::seed, {"seed", "The seed of every family."}),
+        field(&Of::numbers, {"numbers", "The formats, by bits."}),
+        field(&Of::rounding, {"rounding", "How each operation is rounded."}),
+        field(&Of::rounding_seeds, {"rounding_seeds", "The seeds of rounding by chance; empty: it is not."}),
+        field(&Of::contraction, {"contraction", "Which operations are fused."}),
+        field(&Of::inputs_are_rounded, {"inputs_are_rounded",
+                                        "Whether the queries are rounded to the format before anything is asked "
+                                        "of them; else they are taken as they are."}),
+        field(&Of::sweep, SweepData::in_data),
+        field(&Of::sufficient, {"sufficient", "The least bits from which on nothing flips, by kernel."}),
+        field(&Of::all, {"all", "Over all families."}), field(&Of::families, {"families", "By family."}));
   }
 };
 

@@ -1,0 +1,46 @@
+// A swept parameter as an axis of an instrument's output: its values, the value of each source, and plots against it.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fuzz/fields/field.h"
+#include "fuzz/queries/source.h"
+#include "fuzz/queries/sweep.h"
+#include "kernel/kernel.h"
+#include "reports/instrument/instrument.h"
+
+namespace axiscert {
+
+struct SweepData {
+  SweepParameter parameter = SweepParameter::offset;
+  std::vector<double> values;
+
+  static constexpr Field in_data = {
+      .name = "sweep", .about = "The swept parameter; absent: there is none.", .may_be_absent = true};
+  static constexpr auto fields(auto&& visit) {
+    return visit(field(&SweepData::parameter, {"parameter", "What is changed of the queries."}),
+                 field(&SweepData::values, {"values", "To which values, one after the other."}));
+  }
+};
+inline constexpr Field swept_field = {
+    .name = "swept", .about = "The value of the swept parameter; absent: none, or all of them.", .may_be_absent = true};
+
+// Of sources that were swept together; empty where none was.
+std::optional<SweepData> sweep_of(const std::vector<SourcePtr>& sources);
+// Of one source.
+std::optional<double> swept_value(const Source& source);
+
+std::vector<std::string> ids_of(const std::vector<const Kernel*>& kernels);
+
+// One line for each of `lines` and each source that was swept, over the values of the parameter that are above 0, on a
+// logarithmic axis; y(line, source) empty, or 0 or less: no point. Empty where nothing was swept.
+std::optional<InstrumentPlot> sweep_plot(
+    const std::vector<SourcePtr>& sources, std::string caption, std::string y_label,
+    const std::vector<std::string>& lines,
+    const std::function<std::optional<double>(std::size_t line, std::size_t source)>& y,
+    InstrumentPlot::Kind kind = InstrumentPlot::Kind::line);
+
+}  // namespace axiscert
