@@ -10,6 +10,7 @@
 #include "reports/wording/causes.h"
 #include "reports/wording/everyday.h"
 #include "reports/wording/reproduce.h"
+#include "reports/wording/summary.h"
 
 namespace axiscert {
 namespace {
@@ -97,6 +98,15 @@ std::string sentences_about(const Record& record, const std::string& id) {
   return text;
 }
 
+// Of levels that are not met: the family that has the most of it, and without details of what.
+std::string most_failures_text(const std::vector<Failure>& failures) {
+  const auto most = std::ranges::max_element(failures, {}, &Failure::count);
+  if (most == failures.end()) return "";
+  if (most->family.empty()) return "; " + most->what;
+  const std::size_t details = std::min(most->what.find(','), most->what.find(" ("));
+  return fmt::format("; most on {}: {} {}", most->family, thousands(most->count), most->what.substr(0, details));
+}
+
 }  // namespace
 
 std::string brief_text(const Record& record) {
@@ -114,18 +124,19 @@ BriefOutcomes brief_outcomes(const std::vector<LevelOutcome>& outcomes) {
     std::string kernel, state, reason;
     bool is_passing;
     SharedTexts levels;
+    std::vector<Failure> failures;
   };
   std::vector<Line> lines;
   SharedTexts precisions;  // by kernel
   for (const LevelOutcome& outcome : outcomes) {
-    const std::string state =
-        fmt::format("{}{}", name(outcome.state), outcome.is_allowed ? ", which is allowed" : "");
+    const std::string state = fmt::format("{}{}", name(outcome.state), outcome.is_allowed ? ", which is allowed" : "");
     auto line = std::ranges::find_if(lines, [&](const Line& one) {
       return one.kernel == outcome.kernel && one.state == state && one.reason == outcome.reason;
     });
     if (line == lines.end())
-      line = lines.insert(lines.end(), Line{outcome.kernel, state, outcome.reason, outcome.passes(), {}});
+      line = lines.insert(lines.end(), Line{outcome.kernel, state, outcome.reason, outcome.passes(), {}, {}});
     line->levels.add(outcome.asked.text, outcome.precision);
+    line->failures.insert(line->failures.end(), outcome.failures.begin(), outcome.failures.end());
     precisions.add(outcome.kernel, outcome.precision);
   }
   BriefOutcomes brief;
@@ -135,8 +146,8 @@ BriefOutcomes brief_outcomes(const std::vector<LevelOutcome>& outcomes) {
     for (const auto& [level, in] : line.levels.all())
       levels.push_back(in.size() == all.size() ? level : fmt::format("{} in {}", level, fmt::join(in, " and ")));
     (line.is_passing ? brief.passing : brief.failing)
-        .push_back(fmt::format("{}: {}: {}{}", line.kernel, line.state, fmt::join(levels, ", "),
-                               line.reason.empty() ? "" : ": " + line.reason));
+        .push_back(fmt::format("{}: {}: {}{}{}", line.kernel, line.state, fmt::join(levels, ", "),
+                               line.reason.empty() ? "" : ": " + line.reason, most_failures_text(line.failures)));
   }
   return brief;
 }

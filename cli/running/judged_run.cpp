@@ -93,15 +93,6 @@ namespace {
 
 constexpr const char* shrunk_file = "witnesses-shrunk.jsonl";
 
-// Of a level that is not met, where more is not said: the family that has the most of it, and without details of what.
-std::string most_failures_text(const std::vector<Failure>& failures) {
-  const auto most = std::ranges::max_element(failures, {}, &Failure::count);
-  if (most == failures.end()) return "";
-  if (most->family.empty()) return "; " + most->what;
-  const std::size_t details = std::min(most->what.find(','), most->what.find(" ("));
-  return fmt::format("; most on {}: {} {}", most->family, thousands(most->count), most->what.substr(0, details));
-}
-
 // Prints what came of each level: what is met, with what that says, on standard output; the rest on standard error.
 // Returns whether all pass.
 bool print_outcomes(const std::vector<LevelOutcome>& outcomes, bool quiet) {
@@ -115,8 +106,7 @@ bool print_outcomes(const std::vector<LevelOutcome>& outcomes, bool quiet) {
     for (const Failure& failure : outcome.failures) {
       fmt::print(stderr, "axiscert: --require {}: {}\n", outcome.asked.text, failure.text());
     }
-    fmt::print(stderr, "axiscert: --require: {}{}\n", outcome.text(),
-               is_brief ? most_failures_text(outcome.failures) : "");
+    fmt::print(stderr, "axiscert: --require: {}\n", outcome.text());
   }
   return pass(outcomes);
 }

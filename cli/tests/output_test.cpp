@@ -114,8 +114,11 @@ TEST(BriefOutput, LevelsOfOneOutcomeAreOneLineAndNameTheirPrecisionsWhereTheseDi
                                    outcome("early=1mm", "binary32", not_checked, "no times"),
                                    outcome("early=1mm", "binary64", not_checked, "no times")};
   all[4].is_allowed = all[5].is_allowed = true;
+  all[0].failures = {{"mine", "binary32", "scene-walk", 3, "missed contacts, the deepest 2 mm", ""},
+                     {"mine", "binary32", "scene-edge", 1027, "missed contacts, the deepest 1.1 mm", ""}};
   const BriefOutcomes brief = brief_outcomes(all);
-  EXPECT_THAT(brief.failing, testing::ElementsAre("mine: not met: depth=1mm in binary32, logic"));
+  EXPECT_THAT(brief.failing, testing::ElementsAre("mine: not met: depth=1mm in binary32, logic; most on scene-edge: "
+                                                  "1,027 missed contacts"));
   EXPECT_THAT(brief.passing, testing::ElementsAre("mine: met: depth=1mm in binary64",
                                                   "mine: NOT CHECKED, which is allowed: early=1mm: no times"));
 }

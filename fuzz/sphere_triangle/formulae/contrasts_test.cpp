@@ -53,7 +53,7 @@ TEST(Factorial, EachFactorHasEightPairsAndOneEffect) {
   EXPECT_EQ(std::ranges::count(few, ContrastKind::effect, &Contrast::kind), 0) << "an effect has all pairs";
 }
 
-LadderPlan plan_of(std::vector<const Kernel*> kernels, const char* family, std::uint64_t trials) {
+LadderPlan ladder_plan_of(std::vector<const Kernel*> kernels, const char* family, std::uint64_t trials) {
   LadderPlan plan;
   plan.kernels = std::move(kernels);
   plan.sources = {family_source(find_family(family))};
@@ -64,7 +64,7 @@ LadderPlan plan_of(std::vector<const Kernel*> kernels, const char* family, std::
 
 // Counted again query by query, from the answers themselves.
 TEST(Contrasts, ArePairsOfAnswersToTheSameQueries) {
-  const LadderPlan plan = plan_of({&find_kernel("ladder-7"), &find_kernel("ladder-8")}, "far", 3000);
+  const LadderPlan plan = ladder_plan_of({&find_kernel("ladder-7"), &find_kernel("ladder-8")}, "far", 3000);
   const LadderResult result = measure_ladder(plan);
   ASSERT_EQ(result.contrasts.size(), 2u) << "a step, and a pair that differs in the frame";
   const auto signs = result.by_source[0].paired(0, 1, Figure::edge_signs);
@@ -83,7 +83,7 @@ TEST(Contrasts, ArePairsOfAnswersToTheSameQueries) {
 }
 
 TEST(Contrasts, ImagesOfOneBaseAreOneCluster) {
-  LadderPlan plan = plan_of({&find_kernel("ladder-5"), &find_kernel("ladder-7")}, "orders", 6 * 400);
+  LadderPlan plan = ladder_plan_of({&find_kernel("ladder-5"), &find_kernel("ladder-7")}, "orders", 6 * 400);
   plan.sources.push_back(family_source(find_family("axes")));
   const LadderResult result = measure_ladder(plan);
   EXPECT_EQ(result.by_source[0].clusters(), 400u);
@@ -97,9 +97,9 @@ TEST(Contrasts, ImagesOfOneBaseAreOneCluster) {
 
 // A form against itself is no difference, whatever it gets wrong.
 TEST(Contrasts, AFormDoesNotDifferFromItself) {
-  const LadderPlan plan = plan_of({&find_kernel("ladder-9"), &find_kernel("published")}, "tangent", 2000);
+  const LadderPlan plan = ladder_plan_of({&find_kernel("ladder-9"), &find_kernel("published")}, "tangent", 2000);
   EXPECT_TRUE(measure_ladder(plan).contrasts.empty());
-  LadderPlan planted = plan_of({&find_kernel("ladder-8"), &find_kernel("ladder-9")}, "tangent", 2000);
+  LadderPlan planted = ladder_plan_of({&find_kernel("ladder-8"), &find_kernel("ladder-9")}, "tangent", 2000);
   Kernel same = find_kernel("ladder-8");
   same.formulae = "ladder-9";  // claims to be the next rung, and is not
   planted.kernels[1] = &same;
@@ -130,7 +130,7 @@ TEST(Contrasts, APlantedEffectIsSignificantAndOfItsSize) {
   Kernel planted = find_kernel("ladder-9");
   planted.id = "planted";
   planted.binary32 = [](std::string_view) { return phantom_in_twenty<float>(); };
-  const LadderPlan plan = plan_of({&find_kernel("ladder-8"), &planted}, "general", 4000);
+  const LadderPlan plan = ladder_plan_of({&find_kernel("ladder-8"), &planted}, "general", 4000);
   const LadderResult result = measure_ladder(plan);
   const auto phantom = result.by_source[0].paired(0, 1, Figure::phantom);
   const auto difference = rate_difference(phantom);

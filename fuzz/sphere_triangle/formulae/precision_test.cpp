@@ -139,7 +139,7 @@ PrecisionPlan plan_of(std::vector<const char*> kernels, std::vector<const char*>
   return plan;
 }
 
-// docs/precision.md: what bits beyond 80 are for, on thin triangles and on those without area.
+// What bits beyond 80 are for, on thin triangles and on those without area.
 TEST(AtPrecision, FromEightyBitsOnOnlyExactTiesFlip) {
   std::array<int, 2> flips_of_ties{};
   for (const char* name : {"sliver", "collinear"}) {
