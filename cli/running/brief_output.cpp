@@ -118,8 +118,7 @@ BriefOutcomes brief_outcomes(const std::vector<LevelOutcome>& outcomes) {
   std::vector<Line> lines;
   SharedTexts precisions;  // by kernel
   for (const LevelOutcome& outcome : outcomes) {
-    const std::string state =
-        fmt::format("{}{}", name(outcome.state), outcome.is_allowed ? ", which is allowed" : "");
+    const std::string state = fmt::format("{}{}", name(outcome.state), outcome.is_allowed ? ", which is allowed" : "");
     auto line = std::ranges::find_if(lines, [&](const Line& one) {
       return one.kernel == outcome.kernel && one.state == state && one.reason == outcome.reason;
     });
