@@ -10,8 +10,8 @@
 
 namespace axiscert {
 
-// The first finding with the command that reproduces it, or else the cause with its shortest witness; then the sentences
-// about each kernel.
+// The first finding with the command that reproduces it, or else the cause with its shortest witness; then the
+// sentences about each kernel.
 std::string brief_text(const Record& record);
 
 // What came of the levels: a line for each kernel and outcome, "ID: met: depth=1mm in binary64, logic". What passes and
