@@ -56,6 +56,7 @@ for (const [name, ...words] of [['certificate', 'certify', 'published', '--effor
     const boxes = async (which) => page.locator(which).evaluateAll((all) => all.filter((box) => box.scrollWidth > box.clientWidth).map((box) => box.innerText.slice(0, 200)));
     for (const width of [1440, 1280, 400]) {
       await page.setViewportSize({width, height: 800});
+      await page.waitForTimeout(1000);  // plots are drawn anew
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${width} wide`);
       assert.deepEqual(await boxes('.first .scroll'), [], `the first table, ${width} wide`);
     }
