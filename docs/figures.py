@@ -63,6 +63,10 @@ def draw(plot, caption, path):
         points = series["points"]
         x, y = [p[0] for p in points], [p[1] for p in points]
         style = {"color": COLOURS[i % len(COLOURS)], "label": series["name"], "marker": "osD^vPX*"[i % 8]}
+        if series.get("intervals"):
+            below = [v - low for v, (low, _) in zip(y, series["intervals"])]
+            above = [high - v for v, (_, high) in zip(y, series["intervals"])]
+            axes.errorbar(x, y, yerr=[below, above], fmt="none", ecolor=style["color"], elinewidth=0.9, capsize=2)
         if plot["kind"] == "line":
             # Long lines have a few markers, each at other points: lines upon one another are seen, and the file stays small.
             every = max(1, min(longest // 8, len(points))) if longest > 32 else 1

@@ -31,7 +31,7 @@ namespace axiscert {
 namespace {
 
 struct LadderOptions : InstrumentOptions {
-  bool no_speed = false;
+  bool no_speed = false, factorial = false;
 };
 
 // Every rung with `>`, in the order of formulae_list.h, but published, which is ladder-9 bit for bit.
@@ -46,6 +46,12 @@ std::vector<std::string> default_kernels() {
                    [](const Kernel* a, const Kernel* b) { return formulae_of(*a) < formulae_of(*b); });
   std::vector<std::string> ids;
   for (const Kernel* rung : rungs) ids.push_back(rung->id);
+  return ids;
+}
+// The cells of the factorial in their order.
+std::vector<std::string> factorial_kernels() {
+  std::vector<std::string> ids;
+  for (const FactorialCell& cell : factorial_cells()) ids.emplace_back(name(cell.formulae));
   return ids;
 }
 const std::vector<std::string> ladder_families = {"general", "tangent", "seam", "sliver", "far", "scale"};
@@ -65,7 +71,8 @@ void require_comparisons(const Kernel& kernel) {
 int ladder(const LadderOptions& options) {
   LadderPlan plan;
   plan.precision = parse_precision(options.precision);
-  plan.kernels = instrument_kernels(options, default_kernels(), Measures::comparisons);
+  plan.kernels =
+      instrument_kernels(options, options.factorial ? factorial_kernels() : default_kernels(), Measures::comparisons);
   for (const Kernel* kernel : plan.kernels) require_comparisons(*kernel);
   plan.sources = instrument_sources(options, ladder_families);
   plan.trials = options.trials;
@@ -73,9 +80,10 @@ int ladder(const LadderOptions& options) {
   plan.speed = !options.no_speed;
   plan.threads = options.threads;
   require_uncontracted(scalar_target);
-  const std::string command = instrument_command("ladder", options) + (options.no_speed ? " --no-speed" : "");
-  const auto entries = with_progress("ladder", [&](const ShowProgress& show) { return measure_ladder(plan, show); });
-  return print_and_write_instrument(ladder_report(plan, entries, command), options);
+  const std::string command = instrument_command("ladder", options) + (options.factorial ? " --factorial" : "") +
+                              (options.no_speed ? " --no-speed" : "");
+  const auto result = with_progress("ladder", [&](const ShowProgress& show) { return measure_ladder(plan, show); });
+  return print_and_write_instrument(ladder_report(plan, result, command), options);
 }
 
 }  // namespace
@@ -87,9 +95,14 @@ void add_ladder(CLI::App& app, Action& action) {
   add_own_queries(*command, *options);
   command->add_flag("--no-speed", options->no_speed,
                     "measure no times: the rest of the output is the same in every run");
-  add_examples(*command, {{"Four steps, without times",
-                           "axiscert ladder ladder-0 ladder-3 ladder-6 published --trials 256 --no-speed"},
-                          {"All of the figures, with a page", "axiscert ladder --out ladder"}});
+  command->add_flag(
+      "--factorial", options->factorial,
+      "measure in place of the rungs every combination of the edges' four choices, and of the plane's two");
+  add_examples(
+      *command,
+      {{"The effect of each choice, all others alike", "axiscert ladder --factorial --trials 256 --no-speed"},
+       {"Four steps, without times", "axiscert ladder ladder-0 ladder-3 ladder-6 published --trials 256 --no-speed"},
+       {"All of the figures, with a page", "axiscert ladder --out ladder"}});
   command->callback([&action, options] { action = [options] { return ladder(*options); }; });
 }
 

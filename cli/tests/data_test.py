@@ -16,7 +16,7 @@ from command import BUILD, QUERY, ROOT, Case, axiscert, schema_of
 # By the heading in docs/data.md: the schema, and a command with few queries.
 MUTATE = ("mutate", "--family", "general", "--trials", 64, "--no-controls", "--precision", "binary32", "--mutant")
 COMMANDS = {
-    "ladder": ("ladder", ("ladder", "--trials", 16, "--kernel", "published", "--kernel", "ladder-8+fma", "--family", "tangent")),
+    "ladder": ("ladder", ("ladder", "--trials", 16, "--kernel", "ladder-7", "--kernel", "ladder-8", "--kernel", "published", "--kernel", "ladder-8+fma", "--family", "tangent")),
     "precision": ("precision", ("precision", "--trials", 40, "--kernel", "published", "--kernel", "ladder-0", "--bits", 24, "--bits", 12, "--family", "tangent")),
     "condition": ("condition", ("condition", "--trials", 200, "--kernel", "published", "--family", "tangent", "--family", "ratio")),
     "critical-radius": ("critical-radius", ("critical-radius", "--trials", 40, "--kernel", "published", "--kernel", "ladder-0+prescaled", "--family", "scale")),
@@ -160,10 +160,15 @@ class Data(Case):
     def test_csv_has_the_figures_of_the_json(self):
         for kernel in self.json("ladder")["kernels"]:
             rows = {(row["family"], row["level"], row["name"]): row for row in self.csv("ladder")[1] if row["kernel"] == kernel["id"]}
-            self.assertEqual(int(rows["", "verdict", "verdict"]["false_contact"]), kernel["verdict"]["false_contact"])
+            self.assertEqual(int(rows["tangent", "verdict", "verdict"]["false_contact"]), kernel["families"]["tangent"]["verdict"]["false_contact"])
+            self.assertEqual(float(rows["tangent", "rate", "missed"]["high"]), kernel["families"]["tangent"]["rates"]["missed"]["high"])
             self.assertEqual(int(rows["tangent", "comparison", "edge_ab.side_c"]["missed_separation"]),
                              kernel["families"]["tangent"]["comparisons"]["edge_ab.side_c"]["missed_separation"])
-            self.assertEqual([int(rows["", "axis", "plane"][f"window.{end}"]) for end in ("low", "high")], kernel["axes"]["plane"]["window"])
+            self.assertEqual([int(rows["", "axis", "plane"][f"window.{end}"]) for end in ("low", "high")], kernel["windows"]["axes"]["plane"])
+        steps = [row for row in self.csv("ladder")[1] if row["level"] in ("step", "pair", "effect")]
+        self.assertEqual([(row["level"], row["from"], row["kernel"], row["name"]) for row in steps],
+                         [(row["kind"], row["from"], row["to"], row["figure"]) for row in self.json("ladder")["differences"]])
+        self.assertEqual([float(row["holm_p"]) for row in steps], [row["holm_p"] for row in self.json("ladder")["differences"]])
         for name, kernel in self.json("precision")["all"]["kernels"].items():
             rows = [row for row in self.csv("precision")[1] if (row["kernel"], row["family"]) == (name, "")]
             self.assertEqual([(row["bits"], row["exponents"]) for row in rows],

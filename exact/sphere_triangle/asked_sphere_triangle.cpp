@@ -40,7 +40,7 @@ const ExactSides* AskedSphereTriangle<Real>::sides(Formulae formulae) {
     if (known == formulae) return &sides;
   }
   const ExactSides& found = sides_.emplace_front(formulae, exact_sides(formulae, query_)).second;
-  if (formulae != Formulae::published && kind_of(formulae) == FormulaeKind::rung) {
+  if (formulae != Formulae::published && has_published_signs(formulae)) {
     if (const auto wrong = contradiction(found, *sides(Formulae::published))) {
       throw OracleDisagreement(fmt::format("formulae {}: {}", name(formulae), *wrong), Numbers<Real>(query_),
                                sphere_triangle_predicate());

@@ -38,7 +38,7 @@ class FilteredSphereTriangles final : public BatchOracle<Real> {
     const Formulae formulae = formulae_of(kernel);
     if (!is_known(i) || !has_comparisons(formulae)) return std::nullopt;
     // Rungs have the published signs on every query.
-    if (kind_of(formulae) == FormulaeKind::rung) return known_signs(i, kernel.strictness);
+    if (has_published_signs(formulae)) return known_signs(i, kernel.strictness);
     const ExactSides own = exact_sides(formulae, query(i));
     return KnownSigns{own.holding(nonstrict_comparisons(kernel.strictness)), own.ties, (*decided_)[i].certain_in_lanes};
   }

@@ -4,7 +4,7 @@ namespace axiscert {
 
 SideError::SideError(double computed_lhs, double computed_rhs, const ExactComparison& exact, int digits)
     : digits_(digits), is_rooted_(exact.is_rooted) {
-  if (exact.is_undefined) {
+  if (exact.is_undefined || exact.is_times_root) {
     kind_ = Kind::without_scale;
     return;
   }

@@ -17,7 +17,7 @@ class SideError {
  public:
   enum class Kind : std::uint8_t {
     finite,
-    without_scale,  // a non-zero difference over |l| + |r| = 0, or sides that exact arithmetic does not define
+    without_scale,  // a non-zero difference over |l| + |r| = 0, or sides of which exact arithmetic has no sizes
     range_event,    // a computed side is not finite
   };
 
@@ -57,7 +57,8 @@ template <class Real>
 double side_error_at_most(Real computed_lhs, Real computed_rhs, const ExactComparison& exact) {
   using Long = long double;
   constexpr double unknown = std::numeric_limits<double>::infinity();
-  if (exact.is_rooted || exact.is_undefined || !exact.lhs.is_whole() || !exact.rhs.is_whole()) return unknown;
+  if (exact.is_rooted || exact.is_undefined || exact.is_times_root || !exact.lhs.is_whole() || !exact.rhs.is_whole())
+    return unknown;
   // All that is rounded, and what the leading words leave out, is less than this part of the four numbers: a few
   // roundings, and 2^-63 of an exact side.
   constexpr Long lost = std::max(16 * std::numeric_limits<Long>::epsilon(), Long(0x1p-59));

@@ -353,6 +353,8 @@ TEST(QuerySource, GivesTheQueriesOfEachPrecisionInOrder) {
   EXPECT_EQ(source->fixed_size(Precision::binary64), 1u);
   EXPECT_EQ(source->base_triangles(Precision::binary32, 3), 2u);  // -0 is not 0, bit for bit
   EXPECT_EQ(source->base_triangles(Precision::binary64, 1), 1u);
+  EXPECT_EQ(source->cluster(Precision::binary32, 0), source->cluster(Precision::binary32, 1));
+  EXPECT_NE(source->cluster(Precision::binary32, 0), source->cluster(Precision::binary32, 2));
   const Query<float> q = source->make<float>(99, 1);
   EXPECT_EQ(q.r, 3);
   EXPECT_THROW(source->make<float>(1, 3), Error);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <iostream>
-#include <set>
+#include <map>
 
 #include "fuzz/files/corpus.h"
 #include "fuzz/files/file_parts.h"
@@ -33,18 +33,24 @@ class Rows {
   std::vector<Real> numbers_;
 };
 
-// How many queries differ, bit for bit, in their first `columns` numbers.
+// For each query the index, among all that differ, of its first `columns` numbers, bit for bit.
+struct DistinctParts {
+  std::vector<std::uint32_t> of_query;
+  std::uint64_t count = 0;
+};
 template <class Real>
-std::uint64_t distinct(const Rows<Real>& queries, std::size_t columns) {
-  std::set<std::vector<std::uint64_t>> found;
+DistinctParts distinct(const Rows<Real>& queries, std::size_t columns) {
+  DistinctParts parts;
+  std::map<std::vector<std::uint64_t>, std::uint32_t> found;
   for (std::size_t i = 0; i < queries.size(); ++i) {
     std::vector<std::uint64_t> bits(columns);
     for (std::size_t k = 0; k < columns; ++k) {
       bits[k] = std::bit_cast<std::uint64_t>(static_cast<double>(queries[i][k]));
     }
-    found.insert(std::move(bits));
+    parts.of_query.push_back(found.emplace(std::move(bits), static_cast<std::uint32_t>(found.size())).first->second);
   }
-  return found.size();
+  parts.count = found.size();
+  return parts;
 }
 
 class QueryFileSource final : public ColumnSource<QueryFileSource> {
@@ -72,8 +78,8 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
     }
     const PredicateEntry& entry = queries.front().columns();
     const std::size_t columns = entry.shared_columns != 0 ? entry.shared_columns : entry.columns.size();
-    independent32_ = distinct(binary32_, columns);
-    independent64_ = distinct(binary64_, columns);
+    parts32_ = distinct(binary32_, columns);
+    parts64_ = distinct(binary64_, columns);
     file_.kind = "queries";
     file_.sha256 = hash_of(bytes);
     file_.queries = binary32_.size() + binary64_.size();
@@ -96,8 +102,12 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
     return std::nullopt;
   }
   std::uint64_t base_triangles(Precision precision, std::uint64_t trials) const override {
-    return std::min(trials, precision == Precision::binary32 ? independent32_ : independent64_);
+    return std::min(trials, parts(precision).count);
   }
+  std::uint64_t cluster(Precision precision, std::uint64_t position) const override {
+    return parts(precision).of_query.at(position);
+  }
+  std::size_t cluster_run() const override { return 0; }
   std::optional<FileInfo> file() const override { return file_; }
 
   const Predicate& predicate() const override { return predicate_; }
@@ -121,6 +131,10 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
     else return binary64_;
   }
 
+  const DistinctParts& parts(Precision precision) const {
+    return precision == Precision::binary32 ? parts32_ : parts64_;
+  }
+
   static std::string hash_of(const std::string& bytes) { return sha256_hex(std::as_bytes(std::span(bytes))); }
 
   std::string kind_, addressed_;
@@ -128,7 +142,7 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
   std::size_t entry_;
   Rows<float> binary32_;
   Rows<double> binary64_;
-  std::uint64_t independent32_, independent64_;
+  DistinctParts parts32_, parts64_;
   FileInfo file_;
 };
 

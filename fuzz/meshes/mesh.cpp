@@ -252,6 +252,8 @@ class MeshSource final : public ColumnSource<MeshSource> {
   std::uint64_t base_triangles(Precision, std::uint64_t trials) const override {
     return std::min(trials, file_.triangles);
   }
+  std::uint64_t cluster(Precision, std::uint64_t position) const override { return position % file_.triangles; }
+  std::size_t cluster_run() const override { return 0; }
   std::optional<FileInfo> file() const override { return file_; }
 
   template <class Real>

@@ -283,6 +283,8 @@ TEST(MeshSource, NamesItsFileByBaseNameAndHash) {
   EXPECT_EQ(source->file()->kind, "mesh");
   EXPECT_EQ(source->version(), 2);
   EXPECT_EQ(source->base_triangles(Precision::binary32, 1000), 1u);
+  EXPECT_EQ(source->cluster(Precision::binary32, 999), 0u);
+  EXPECT_EQ(source->cluster_run(), 0u);
   EXPECT_EQ(source->fixed_size(Precision::binary32), std::nullopt);
 }
 

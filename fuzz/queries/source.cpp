@@ -18,7 +18,9 @@ namespace {
 
 class FamilySource final : public ColumnSource<FamilySource> {
  public:
-  explicit FamilySource(const Family& family) : family_(family) {}
+  explicit FamilySource(const Family& family) : family_(family) {
+    if (const ImageGroup* group = image_group(family.name)) group_size_ = group->size;
+  }
   std::string name() const override { return std::string(family_.name); }
   std::string address_name() const override { return std::string(family_.name); }
   std::string purpose() const override { return std::string(family_.purpose); }
@@ -26,9 +28,10 @@ class FamilySource final : public ColumnSource<FamilySource> {
   bool exact_arithmetic() const override { return family_.exact_arithmetic; }
   int trial_divisor() const override { return family_.trial_divisor; }
   std::uint64_t base_triangles(Precision, std::uint64_t trials) const override {
-    const ImageGroup* group = image_group(family_.name);
-    return group ? (trials + group->size - 1) / group->size : trials;
+    return (trials + group_size_ - 1) / group_size_;
   }
+  std::uint64_t cluster(Precision, std::uint64_t position) const override { return position / group_size_; }
+  std::size_t cluster_run() const override { return group_size_; }
   const Predicate& predicate() const override { return family_.predicate(); }
   std::size_t entry() const override { return family_.entry; }
   template <class Real>
@@ -38,6 +41,7 @@ class FamilySource final : public ColumnSource<FamilySource> {
 
  private:
   const Family& family_;
+  std::size_t group_size_ = 1;  // of images
 };
 
 }  // namespace

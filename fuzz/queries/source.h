@@ -40,6 +40,11 @@ class Source {
   virtual std::optional<std::uint64_t> fixed_size(Precision) const { return std::nullopt; }
   // The number of triangles from which `trials` queries are drawn: queries that share a triangle are not independent.
   virtual std::uint64_t base_triangles(Precision, std::uint64_t trials) const { return trials; }
+  // Which of these the query at a position shares: an image group, a triangle. Statistics count queries that share one
+  // as one cluster. `cluster_run` positions after each other, from a multiple of it on, share one; 0: a triangle comes
+  // again later.
+  virtual std::uint64_t cluster(Precision, std::uint64_t position) const { return position; }
+  virtual std::size_t cluster_run() const { return 1; }
   virtual std::optional<FileInfo> file() const { return std::nullopt; }
 
   // The predicate whose queries these are, and its entry in which their numbers are given.

@@ -61,6 +61,10 @@ class SweptSource final : public Source {
   std::uint64_t base_triangles(Precision precision, std::uint64_t trials) const override {
     return of_->base_triangles(precision, trials);
   }
+  std::uint64_t cluster(Precision precision, std::uint64_t position) const override {
+    return of_->cluster(precision, position);
+  }
+  std::size_t cluster_run() const override { return of_->cluster_run(); }
   std::optional<FileInfo> file() const override { return of_->file(); }
   const Predicate& predicate() const override { return of_->predicate(); }
   std::size_t entry() const override { return of_->entry(); }

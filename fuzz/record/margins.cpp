@@ -30,7 +30,7 @@ Rational power_of_two(int exponent) {
 template <class Real>
 std::optional<int> margin_exponent(const ExactComparison& exact) {
   const SideError margin(Real(0), Real(0), exact);
-  if (exact.is_undefined) return std::nullopt;
+  if (exact.is_undefined || exact.is_times_root) return std::nullopt;
   // 0/0 and a margin of exactly 0 are ties.
   if (margin.kind() == SideError::Kind::without_scale || margin.upper() == 0) return tied_margin;
   if (margin.lower() > 0 && std::isfinite(margin.upper())) {

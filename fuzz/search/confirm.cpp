@@ -49,7 +49,7 @@ std::optional<SideErrors> side_errors(const Kernel& kernel, const Implementation
     const Real lhs = reply.answers.lhs[k][0], rhs = reply.answers.rhs[k][0];
     const ExactComparison sides = own->comparison(k);
     const SideError relative(lhs, rhs, sides);
-    if (sides.is_undefined || relative.kind() == SideError::Kind::range_event) continue;
+    if (sides.is_undefined || sides.is_times_root || relative.kind() == SideError::Kind::range_event) continue;
     all.absolute[k] = absolute_error(lhs, rhs, sides);
     if (relative.kind() == SideError::Kind::finite) all.relative[k] = relative.rounded_up();
   }

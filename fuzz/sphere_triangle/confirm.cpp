@@ -242,14 +242,15 @@ SidesRecord sides_of(const ExactComparison& sides, const std::optional<ShownSide
   SidesRecord record;
   const Rational lhs = rational(sides.lhs.over), rhs = rational(sides.rhs.over),
                  denominator = rational(sides.rhs.under);
-  if (!sides.is_undefined) {
+  const bool has_sizes = !sides.is_undefined && !sides.is_times_root;
+  if (has_sizes) {
     record.exact = {digits_of(lhs, sides.is_rooted, 0, denominator), digits_of(rhs, false, 0, denominator),
                     digits_of(lhs, sides.is_rooted, rhs, denominator)};
   }
   if (!computed) return record;
   const auto l = static_cast<Real>(computed->lhs[i]), r = static_cast<Real>(computed->rhs[i]);
   record.computed = {format_number(l), format_number(r)};
-  if (sides.is_undefined) return record;
+  if (!has_sizes) return record;
   if (!sides.is_rooted) record.lhs_ulps = error_ulps<Real>(computed->lhs[i], lhs / denominator);
   record.rhs_ulps = error_ulps<Real>(computed->rhs[i], rhs / denominator);
   const SideError error(l, r, sides);

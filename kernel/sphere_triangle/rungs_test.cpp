@@ -5,6 +5,9 @@
 #include <cmath>
 #include <random>
 
+#include "kernel/sphere_triangle/formulae/ladder.h"
+#include "kernel/sphere_triangle/formulae/reduced.h"
+#include "kernel/sphere_triangle/reference/evaluate.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/testing/queries.h"
 #include "kernel/testing/random.h"
@@ -35,6 +38,71 @@ TYPED_TEST(RungsTest, TheLastRungIsThePublishedTestBitForBit) {
     for (std::size_t k = 0; k < comparison_count; ++k) {
       ASSERT_TRUE(same(last.lhs[k], published.lhs[k]) && same(last.rhs[k], published.rhs[k]))
           << "query " << i << " of seed " << seed << " " << comparisons[k].name;
+    }
+  }
+}
+
+// The edges AB, BC and CA as the article writes them, form by form: what the cells' one text has to give again.
+enum class Article { rooted, squared, scaled, undivided, centred };
+
+template <Article form, class Real>
+struct EdgeSides {
+  Real radius_lhs, radius_rhs, side_lhs, side_rhs;
+
+  EdgeSides(Vec3<Real> A, Vec3<Real> B, Vec3<Real> C, Vec3<Real> P, Real r) {
+    using enum Article;
+    if (form == centred) A = A - P, B = B - P, C = C - P;
+    const Vec3<Real> AB = B - A;
+    const Real d = form == centred ? dot(A, AB) : dot(P - A, AB), e = dot(AB, AB), rr = r * r;
+    side_lhs = side_rhs = 0;
+    if (form == centred) {
+      const Vec3<Real> Q = A * e - AB * d;
+      radius_lhs = dot(Q, Q), radius_rhs = rr * e * e, side_lhs = dot(Q, C * e - Q);
+    } else if (form == undivided) {
+      const Vec3<Real> Q = A * e + AB * d, QP = P * e - Q;
+      radius_lhs = dot(QP, QP), radius_rhs = rr * e * e, side_rhs = dot(QP, C * e - Q);
+    } else {
+      const Vec3<Real> Q = A + AB * (d / e);
+      Vec3<Real> QP = P - Q, QC = C - Q;
+      if (form == scaled) QP = QP * e, QC = QC * e;
+      radius_lhs = form == rooted ? std::sqrt(dot(QP, QP)) : dot(QP, QP);
+      radius_rhs = form == rooted ? r : form == squared ? rr : rr * e * e;
+      side_rhs = dot(QP, QC);
+    }
+  }
+};
+
+template <Article form, class Real>
+void expect_article(Formulae formulae, const Query<Real>& q, int query) {
+  Sides<Real> found;
+  reference(formulae, Arithmetic::plain, Strictness::strict, q, &found);
+  const Vec3<Real> v[] = {q.a, q.b, q.c};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const EdgeSides<form, Real> edge(v[i], v[(i + 1) % 3], v[(i + 2) % 3], q.p, q.r);
+    const std::size_t radius = index_of(edge_ab_radius) + 2 * i;
+    EXPECT_TRUE(same(found.lhs[radius], edge.radius_lhs) && same(found.rhs[radius], edge.radius_rhs) &&
+                same(found.lhs[radius + 1], edge.side_lhs) && same(found.rhs[radius + 1], edge.side_rhs))
+        << name(formulae) << ", edge " << i << ", query " << query;
+  }
+}
+
+TYPED_TEST(RungsTest, TheArticlesEdgesAreCellsBitForBit) {
+  using Real = TypeParam;
+  std::mt19937_64 random(51);  // seed 51
+  for (int i = 0; i < 20000; ++i) {
+    const auto q = random_query<Real>(random, i % 2 == 1);
+    expect_article<Article::rooted>(Formulae::ladder_4, q, i);
+    expect_article<Article::squared>(Formulae::ladder_5, q, i);
+    expect_article<Article::scaled>(Formulae::ladder_6, q, i);
+    expect_article<Article::undivided>(Formulae::ladder_7, q, i);
+    expect_article<Article::centred>(Formulae::ladder_8, q, i);
+    const auto reduced = sides_of<portable::ReducedFormulae>(problem_as<Real>(q, [](Real x) { return x; }));
+    using Cell = rungs::EdgesCell<rungs::Frame::centred, rungs::Division::multiplied, rungs::Root::squared,
+                                  rungs::EdgeDegree::four>;
+    const auto cell = sides_of<Cell>(problem_as<Real>(q, [](Real x) { return x; }));
+    for (std::size_t k = 0; k < comparison_count; ++k) {
+      ASSERT_TRUE(same(cell.lhs[k], reduced.lhs[k]) && same(cell.rhs[k], reduced.rhs[k]))
+          << "reduced, query " << i << " " << comparisons[k].name;
     }
   }
 }
@@ -90,6 +158,29 @@ TYPED_TEST(RungsTest, TheEdgesAreSquaredScaledUndividedCentredAndReduced) {
     EXPECT_EQ(radius(id), (Pair{9 * 16, 4 * 16})) << id;
     EXPECT_EQ(side(id), (Pair{0, -192})) << id;
   }
+}
+
+// The same centre: every cell on its own, at a query on which all is exact. |Q - P| = 3, e = 16, |N| = 12.
+TYPED_TEST(RungsTest, EachCellHasTheSidesOfItsChoices) {
+  const auto radius = [](std::string_view id) { return sides_at<TypeParam>(id, {1, -3, 0}, 2, edge_ab_radius); };
+  const auto side = [](std::string_view id) { return sides_at<TypeParam>(id, {1, -3, 0}, 2, edge_ab_side_c); };
+  for (const std::string frame : {"world", "centred"}) {
+    EXPECT_EQ(radius("edges-" + frame + "-multiplied-rooted-6"), (Pair{3 * 16, 2 * 16})) << frame;
+    EXPECT_EQ(radius("edges-" + frame + "-divided-rooted-4"), (Pair{3, 2})) << frame;
+    EXPECT_EQ(radius("edges-" + frame + "-divided-squared-4"), (Pair{9, 4})) << frame;
+    EXPECT_EQ(radius("edges-" + frame + "-multiplied-rooted-4"), (Pair{12, 2 * 4})) << frame;
+    for (const char* rest : {"-divided-rooted-4", "-divided-squared-4", "-multiplied-rooted-4"}) {
+      EXPECT_EQ(side("edges-" + frame + rest), (Pair{0, -192})) << frame << rest;
+    }
+  }
+  EXPECT_EQ(radius("edges-world-multiplied-squared-4"), (Pair{9 * 16, 4 * 16}));
+  EXPECT_EQ(radius("edges-centred-divided-rooted-6"), (Pair{3, 2}));
+  EXPECT_EQ(radius("edges-centred-divided-squared-6"), (Pair{9, 4}));
+  EXPECT_EQ(side("edges-centred-divided-squared-6"), (Pair{12, 0}));
+  EXPECT_EQ(side("edges-world-multiplied-rooted-6"), (Pair{0, -12 * 256}));
+  const auto plane = [](std::string_view id) { return sides_at<TypeParam>(id, {1, 1, 3}, 2, plane_radius); };
+  EXPECT_EQ(plane("plane-divided-rooted"), (Pair{3, 2}));
+  EXPECT_EQ(plane("plane-multiplied-rooted"), (Pair{3 * 16, 2 * 16}));
 }
 
 // Each slip changes the comparisons in which it occurs: QC = C e + Q and ac = B.B.

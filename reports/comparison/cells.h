@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/comparison/two_proportions.h"
+#include "fuzz/statistics/proportions.h"
 #include "fuzz/record/record.h"
 
 namespace axiscert {

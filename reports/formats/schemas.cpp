@@ -127,22 +127,30 @@ DataTable ladder_rows(const Json& data) {
       columns_in(
           "kernel family swept level name queries false_separation missed_separation false_contact touching_flips "
           "by_range median_u p99_u worst_u errors range_events error_without_scale window.low window.high "
-          "critical_radius.median_ulps critical_radius.largest_ulps critical_radius.unbounded scalar_ns"),
+          "critical_radius.median_ulps critical_radius.largest_ulps critical_radius.unbounded scalar_ns factor "
+          "from pairs trials clusters failures rate low high failures_from failures_to only_from only_to "
+          "difference design_effect p p_is_bound mcnemar_p holm_p least"),
       {}};
   for (const Json& kernel : data["kernels"]) {
-    const auto add = [&](const Json& family, const Json& result) {
+    for (const auto& [members, level] : {std::pair("axes", "axis"), {"kinds", "kind"}}) {
+      for (const auto& [name, window] : kernel["windows"][members].items()) {
+        Json row = {{"kernel", kernel["id"]}, {"level", level}, {"name", name}};
+        if (window.is_array()) row["window"] = {{"low", window[0]}, {"high", window[1]}};
+        table.rows.push_back(std::move(row));
+      }
+    }
+    if (data.contains("speed")) {
+      const Json& speed = data["speed"]["kernels"][kernel["id"].get<std::string>()];
+      table.rows.push_back(
+          {{"kernel", kernel["id"]}, {"level", "verdict"}, {"name", "verdict"}, {"scalar_ns", speed["scalar"]}});
+    }
+    for (const auto& [family, result] : kernel["families"].items()) {
       const Json head = {{"kernel", kernel["id"]}, {"family", family}, {"swept", result.value("swept", Json())}};
       const auto add_place = [&](const char* level, const std::string& name, const Json& figures) {
-        Json row =
-            extended(extended(head, {{"level", level}, {"name", name}, {"queries", result["queries"]}}), figures);
-        if (const Json window = figures.value("window", Json()); window.is_array())
-          row["window"] = {{"low", window[0]}, {"high", window[1]}};
-        table.rows.push_back(std::move(row));
+        table.rows.push_back(
+            extended(extended(head, {{"level", level}, {"name", name}, {"queries", result["queries"]}}), figures));
       };
-      Json verdict = extended(result["verdict"], {{"critical_radius", result["critical_radius"]}});
-      if (family.is_null() && data.contains("speed"))
-        verdict["scalar_ns"] = data["speed"]["kernels"][kernel["id"].get<std::string>()]["scalar"];
-      add_place("verdict", "verdict", verdict);
+      add_place("verdict", "verdict", extended(result["verdict"], {{"critical_radius", result["critical_radius"]}}));
       for (const auto& [name, figures] : result["axes"].items()) add_place("axis", name, figures);
       for (const auto& [name, figures] : result["kinds"].items()) {
         add_place("kind", name, figures);
@@ -151,9 +159,14 @@ DataTable ladder_rows(const Json& data) {
         }
       }
       for (const auto& [name, figures] : result["comparisons"].items()) add_place("comparison", name, figures);
-    };
-    add(nullptr, kernel);
-    for (const auto& [family, result] : kernel["families"].items()) add(family, result);
+      for (const auto& [name, rate] : result["rates"].items()) add_place("rate", name, rate);
+    }
+  }
+  for (Json row : data["differences"]) {
+    row["kernel"] = row["to"];
+    row["level"] = row["kind"];
+    row["name"] = row["figure"];
+    table.rows.push_back(std::move(row));
   }
   return table;
 }
@@ -161,7 +174,7 @@ DataTable ladder_rows(const Json& data) {
 DataTable precision_rows(const Json& data) {
   DataTable table{
       columns_in("kernel family swept number bits rounding_seed exponents queries false_separation false_contact "
-                 "rounding range"),
+                 "rate low high rounding range"),
       {}};
   for (const ComparisonInfo& comparison : comparisons) table.columns.emplace_back(comparison.name);
   const auto add = [&](const Json& family, const Json& result) {
@@ -172,6 +185,7 @@ DataTable precision_rows(const Json& data) {
         for (const char* exponents : {"unlimited", "limited"}) {
           Json row = extended(extended(head, {{"exponents", exponents}}), step[exponents]["verdict"]);
           row.update(step[exponents]["comparisons"]);
+          if (const Json& rate = step[exponents + std::string("_rate")]; rate.is_object()) row.update(rate);
           for (const char* member : {"number", "bits", "rounding_seed", "queries", "rounding", "range"})
             row[member] = step[member];
           table.rows.push_back(std::move(row));

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "fuzz/statistics/proportions.h"
 #include "kernel/base/error.h"
 #include "reports/comparison/compare.h"
-#include "reports/comparison/two_proportions.h"
 #include "reports/gates/level.h"
 #include "reports/wording/summary.h"
 

@@ -200,15 +200,22 @@ std::string notes_html(const InstrumentReport& report) {
 
 // The figures of a plot, for a reader who does not see the plot.
 std::string figures_html(const InstrumentPlot& plot) {
+  const bool has_intervals =
+      std::ranges::any_of(plot.series, [](const InstrumentSeries& series) { return !series.intervals.empty(); });
   std::string html = fmt::format(
       "<details><summary>The figures</summary><table><thead><tr><th>series</th><th>{}</th>"
-      "<th>{}</th></tr></thead><tbody>",
-      html_text(plot.x_label), html_text(plot.y_label));
+      "<th>{}</th>{}</tr></thead><tbody>",
+      html_text(plot.x_label), html_text(plot.y_label), has_intervals ? "<th>from</th><th>to</th>" : "");
   for (const InstrumentSeries& series : plot.series) {
     for (std::size_t i = 0; i < series.points.size(); ++i) {
       const std::string& label = i < series.labels.size() ? series.labels[i] : series.name;
-      html += fmt::format("<tr><th>{}</th><td class=\"n\">{:.6g}</td><td class=\"n\">{:.6g}</td></tr>\n",
-                          html_text(label), series.points[i].first, series.points[i].second);
+      html += fmt::format("<tr><th>{}</th><td class=\"n\">{:.6g}</td><td class=\"n\">{:.6g}</td>", html_text(label),
+                          series.points[i].first, series.points[i].second);
+      if (i < series.intervals.size()) {
+        html += fmt::format("<td class=\"n\">{:.6g}</td><td class=\"n\">{:.6g}</td>", series.intervals[i].first,
+                            series.intervals[i].second);
+      }
+      html += "</tr>\n";
     }
   }
   return html + "</tbody></table></details>";
@@ -227,7 +234,8 @@ Json plot_data(const InstrumentPlot& plot) {
                {"y", {{"label", plot.y_label}, {"log", plot.y_log}}},
                {"series", Json::array()}};
   for (const InstrumentSeries& series : plot.series) {
-    data["series"].push_back({{"name", series.name}, {"points", series.points}, {"labels", series.labels}});
+    data["series"].push_back(
+        {{"name", series.name}, {"points", series.points}, {"labels", series.labels}, {"intervals", series.intervals}});
   }
   return data;
 }

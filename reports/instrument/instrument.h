@@ -48,8 +48,9 @@ struct InstrumentFirst {
 
 struct InstrumentSeries {
   std::string name;
-  std::vector<std::pair<double, double>> points;  // finite; all above 0 on a logarithmic axis
-  std::vector<std::string> labels;                // one for each point, or none
+  std::vector<std::pair<double, double>> points;       // finite; all above 0 on a logarithmic axis
+  std::vector<std::string> labels;                     // one for each point, or none
+  std::vector<std::pair<double, double>> intervals{};  // of y, drawn as error bars: one for each point, or none
 };
 
 struct InstrumentPlot {

@@ -51,6 +51,16 @@ TEST(InstrumentPage, HasAPlaceForThePictureOfAScene) {
             std::string::npos);
 }
 
+TEST(InstrumentPage, HasTheIntervalsOfPointsAsFiguresAndForTheErrorBars) {
+  InstrumentReport report = hostile_report();
+  EXPECT_NE(instrument_page(report).find("\"intervals\":[]"), std::string::npos) << "none, and no bars";
+  EXPECT_EQ(instrument_page(report).find("<th>from</th>"), std::string::npos);
+  report.plots[0].series[0].intervals = {{1.5, 2.5}, {3, 5.25}};
+  const std::string page = instrument_page(report);
+  EXPECT_NE(page.find("<td class=\"n\">4</td><td class=\"n\">3</td><td class=\"n\">5.25</td>"), std::string::npos);
+  EXPECT_NE(page.find("\"intervals\":[[1.5,2.5],[3.0,5.25]]"), std::string::npos);
+}
+
 TEST(InstrumentPage, KeepsWhatItIsGivenAsText) {
   const std::string page = instrument_page(hostile_report());
   EXPECT_EQ(page.find("<script>alert"), std::string::npos);

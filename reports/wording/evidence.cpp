@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "fuzz/record/tally.h"
+#include "fuzz/statistics/proportions.h"
 #include "fuzz/fields/merge.h"
 
 namespace axiscert {
@@ -14,9 +15,6 @@ namespace {
 
 // A record is checked when it is read; one that is made in a predicate may be off.
 std::uint64_t without(std::uint64_t all, std::uint64_t part) { return all - std::min(all, part); }
-
-// 1 - 0.05^(1/n): the rate of failures that n right answers exclude, with 95 % confidence.
-double excluded_rate(std::uint64_t n) { return n == 0 ? 1 : -std::expm1(std::log(0.05) / static_cast<double>(n)); }
 
 }  // namespace
 

@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 """Tests of the measuring subcommands: figures for programs, text, pages, one clear line for every bad input."""
+import collections
 import json
+import math
 import unittest
+from fractions import Fraction
 
 import jsonschema
 
@@ -42,10 +45,16 @@ class Ladder(Case):
         data = json.loads(done.stdout)
         self.assertEqual([k["id"] for k in data["kernels"]], ["ladder-8", "ladder-9", "reduced", "ladder-9+in-double"])
         for kernel in data["kernels"]:
-            self.assertEqual(tuple(kernel["axes"]), self.AXES)
-            for axis in kernel["axes"].values():
-                self.assertEqual("worst_u" in axis, kernel["shows_sides"])
-            self.assertEqual(sum(f["queries"] for f in kernel["families"].values()), kernel["queries"])
+            self.assertEqual(tuple(kernel["windows"]["axes"]), self.AXES)
+            for result in kernel["families"].values():
+                self.assertEqual(tuple(result["axes"]), self.AXES)
+                for axis in result["axes"].values():
+                    self.assertEqual("worst_u" in axis, kernel["shows_sides"])
+                self.assertEqual(result["rates"]["missed"]["failures"], result["verdict"]["false_separation"])
+                self.assertEqual(result["rates"]["edge_signs"]["trials"], 6 * result["queries"])
+                for rate in result["rates"].values():
+                    self.assertLessEqual(rate["low"], rate["rate"])
+                    self.assertLessEqual(rate["rate"], rate["high"])
         self.assertEqual([(s["from"], s["to"]) for s in data["steps"]],
                          [("ladder-8", "ladder-9"), ("ladder-9", "reduced"), ("ladder-9", "ladder-9+in-double")])
         self.assertIn("reduced", data["speed"]["kernels"])
@@ -77,6 +86,44 @@ class Ladder(Case):
         self.assertEqual(measured[:11], [f"ladder-{step}" for step in range(10)] + ["reduced"])
         # Each but the first has a rung that it was made from.
         self.assertEqual([step["to"] for step in data["steps"]], measured[1:])
+
+    def test_the_factorial_has_pairs_and_effects_by_family(self):
+        done = axiscert("ladder", "--factorial", "--trials", 600, "--family", "tangent", "--family", "orders", "--no-speed",
+                        "--format", "json", "--out", self.folder / "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        data = json.loads(done.stdout)
+        self.assertEqual(len(data["kernels"]), 20)
+        kinds = collections.Counter((row["kind"], row["factor"]) for row in data["differences"])
+        # Two families; missed, phantom and the signs of the axes that a factor changes.
+        for factor in ("frame", "division", "root", "degree"):
+            self.assertEqual((kinds["pair", factor], kinds["effect", factor]), (2 * 3 * 8, 2 * 3))
+        for factor in ("plane division", "plane root"):
+            self.assertEqual((kinds["pair", factor], kinds["effect", factor]), (2 * 3 * 2, 2 * 3))
+        rows = [row for row in data["differences"] if row["kind"] == "pair"]
+        for row in data["differences"]:
+            self.assertEqual(row["only_to"] - row["only_from"], row["failures_to"] - row["failures_from"])
+            self.assertAlmostEqual(row["difference"], (row["failures_to"] - row["failures_from"]) / row["trials"])
+            self.assertTrue(row["low"] <= row["difference"] <= row["high"], row)
+            self.assertTrue(0 < row["p"] <= row["holm_p"] <= 1, row)
+            self.assertEqual(row["clusters"], 600 if row["family"] == "tangent" else 100)
+        # McNemar's test in rational arithmetic, where each query is by itself; Holm's correction of all pairs.
+        for row in rows:
+            low, all_ = min(row["only_from"], row["only_to"]), row["only_from"] + row["only_to"]
+            exact = min(Fraction(1), Fraction(2 * sum(math.comb(all_, k) for k in range(low + 1)), 2 ** all_))
+            self.assertAlmostEqual(row["mcnemar_p"], float(exact), delta=2e-7 * float(exact) + 1e-300)
+            if row["family"] == "tangent" and row["figure"] in ("missed", "phantom"):
+                self.assertEqual(row["p"], row["mcnemar_p"])
+        least = 0
+        for i, row in enumerate(sorted(rows, key=lambda row: row["p"])):
+            least = max(least, min(1, row["p"] * (len(rows) - i)))
+            self.assertAlmostEqual(row["holm_p"], least)
+        effect, = (row for row in data["differences"] if (row["kind"], row["factor"], row["family"], row["figure"])
+                   == ("effect", "degree", "tangent", "edge_signs"))
+        parts = [row for row in rows if (row["factor"], row["family"], row["figure"]) == ("degree", "tangent", "edge_signs")]
+        self.assertEqual(effect["only_to"], sum(row["only_to"] for row in parts))
+        self.assertLess(effect["high"], 0, "degree 4 has fewer sign errors")
+        page = (self.folder / "out/ladder.html").read_text()
+        self.assertIn('"intervals":[[', page)
 
     def test_bad_input(self):
         self.refused("ladder", "--kernel", "nosuch", says=["unknown kernel 'nosuch'", "ladder-9"])

@@ -11,8 +11,16 @@
 namespace axiscert {
 namespace {
 
-// Both sides over one denominator; a root, which only a lhs can be, as its square.
+// Both sides over one denominator; a root on the left as its square. Of a root on the right both sides are taken times
+// that root: the order stays, and the right side is none any more. The left side is a length then, and not negative.
 void set(ExactSides& sides, std::size_t i, const Surd& lhs, const Surd& rhs) {
+  if (!rhs.is_rational() && !rhs.is_undefined() && !lhs.is_undefined()) {
+    if (rhs.radicand().is_zero()) return set(sides, i, lhs, Surd());
+    const Surd square(rhs.radicand()), root = square_root(square);
+    set(sides, i, lhs.is_rational() ? lhs * root : square_root(lhs * lhs * square), rhs * root);
+    sides.times_root |= one_bit<ComparisonBits>(i);
+    return;
+  }
   if (lhs.is_undefined() || rhs.is_undefined()) {
     sides.undefined |= one_bit<ComparisonBits>(i);
     return;

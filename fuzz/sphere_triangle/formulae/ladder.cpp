@@ -18,7 +18,14 @@
 namespace axiscert {
 namespace {
 
-using Accuracies = std::vector<KernelAccuracy>;  // source by source, the kernels in each
+// Source by source, the kernels in each; and what they get wrong, by source.
+struct LadderCounts {
+  std::vector<KernelAccuracy> accuracies;
+  std::vector<SourceContrasts> contrasts;
+  static constexpr auto fields(auto&& visit) {
+    return merged(visit, &LadderCounts::accuracies, &LadderCounts::contrasts);
+  }
+};
 
 void count_verdict(KernelAccuracy& into, const Truth& truth, Verdict verdict) {
   ++into.queries;
@@ -35,9 +42,10 @@ ComparisonBits flips_by_range(ComparisonBits flips, const Kernel& kernel, Compar
   return static_cast<ComparisonBits>(flips & (*found.reference.bits ^ exact) & ~(*found.range_free.bits ^ exact));
 }
 
+// Returns the flips.
 template <class Real>
-void count_comparisons(KernelAccuracy& into, const Kernel& kernel, const ExactSides& sides, const Query<Real>& q,
-                       const Answers<Real>& answers, std::size_t i) {
+ComparisonBits count_comparisons(KernelAccuracy& into, const Kernel& kernel, const ExactSides& sides,
+                                 const Query<Real>& q, const Answers<Real>& answers, std::size_t i) {
   const ComparisonBits computed = answers.bits[i], exact = sides.holding(nonstrict_comparisons(kernel.strictness));
   const auto flips = static_cast<ComparisonBits>(computed ^ exact);
   const ComparisonBits by_range = flips_by_range(flips, kernel, exact, q);
@@ -59,6 +67,7 @@ void count_comparisons(KernelAccuracy& into, const Kernel& kernel, const ExactSi
         break;
     }
   }
+  return flips;
 }
 
 template <class Real>
@@ -71,7 +80,8 @@ void count_critical_radius(KernelAccuracy& into, const Implementation<Real>& ker
 
 // `into` points to the kernels' results on the batch's source.
 template <class Real>
-void judge_formulae(const LadderPlan& plan, JudgedBatch<Real>& batch, KernelAccuracy* into) {
+void judge_formulae(const LadderPlan& plan, JudgedBatch<Real>& batch, KernelAccuracy* into, ContrastCounter& counter) {
+  std::vector<QueryErrors> errors(plan.kernels.size());
   for_each_valid(batch, [&](std::size_t i, AskedSphereTriangle<Real>& asked) {
     const Query<Real>& q = asked.query();
     std::optional<Rational> distance;
@@ -79,23 +89,33 @@ void judge_formulae(const LadderPlan& plan, JudgedBatch<Real>& batch, KernelAccu
     for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
       const Reply<Real>& reply = batch.reply(k);
       count_verdict(into[k], asked.truth(), reply.verdicts[i]);
-      count_comparisons(into[k], *plan.kernels[k], *asked.sides(*plan.kernels[k]), q, reply.answers, i);
+      const bool is_wrong = reply.verdicts[i] != asked.truth().verdict;
+      errors[k].missed = is_wrong && reply.verdicts[i] == Verdict::separated;
+      errors[k].phantom = is_wrong && !errors[k].missed;
+      errors[k].signs =
+          count_comparisons(into[k], *plan.kernels[k], *asked.sides(*plan.kernels[k]), q, reply.answers, i);
       if (distance) count_critical_radius(into[k], batch.kernel(k), q, *distance);
     }
+    counter.add(batch.position(i), errors);
   });
 }
 
 template <class Real>
-Accuracies accuracies(const LadderPlan& plan, const ShowProgress& report) {
-  JudgedPlan judged = judged_plan(plan.sources, plan.trials, plan.seed, 1024, plan.threads);
+LadderCounts ladder_counts(const LadderPlan& plan, const std::vector<Contrast>& contrasts, const ShowProgress& report) {
+  const std::uint64_t block = block_of_whole_clusters(plan.sources, 1024);
+  JudgedPlan judged = judged_plan(plan.sources, plan.trials, plan.seed, block, plan.threads);
   take_whole_files(judged, plan.precision);
   judged.kernels = plan.kernels;
   judged.second_opinion_stride = second_opinion_stride;
-  const auto visit = [&](JudgedBatch<Real>& batch, Accuracies& found) {
-    judge_formulae(plan, batch, found.data() + batch.source_index() * plan.kernels.size());
+  const auto visit = [&](JudgedBatch<Real>& batch, LadderCounts& found) {
+    const std::size_t source = batch.source_index();
+    ContrastCounter counter(contrasts, batch.source(), plan.precision, found.contrasts[source]);
+    judge_formulae(plan, batch, found.accuracies.data() + source * plan.kernels.size(), counter);
   };
-  const Accuracies none(plan.sources.size() * plan.kernels.size());
-  return for_each_judged<Real>(judged, none, report, "accuracy", visit, axiscert::merge<Accuracies>).counts;
+  const LadderCounts none{
+      std::vector<KernelAccuracy>(plan.sources.size() * plan.kernels.size()),
+      std::vector<SourceContrasts>(plan.sources.size(), SourceContrasts(plan.kernels.size(), contrasts.size()))};
+  return for_each_judged<Real>(judged, none, report, "accuracy", visit, axiscert::merge<LadderCounts>).counts;
 }
 
 template <class Real>
@@ -120,15 +140,16 @@ ComparisonAccuracy KernelAccuracy::of(ComparisonBits which) const {
   return sum;
 }
 
-std::vector<LadderEntry> measure_ladder(const LadderPlan& plan, const ShowProgress& report) {
-  Accuracies found =
-      plan.precision == Precision::binary32 ? accuracies<float>(plan, report) : accuracies<double>(plan, report);
+LadderResult measure_ladder(const LadderPlan& plan, const ShowProgress& report) {
+  std::vector<Contrast> contrasts = contrasts_of(plan.kernels);
+  LadderCounts found = plan.precision == Precision::binary32 ? ladder_counts<float>(plan, contrasts, report)
+                                                             : ladder_counts<double>(plan, contrasts, report);
   std::vector<LadderEntry> entries;
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     LadderEntry& entry = entries.emplace_back();
     entry.kernel = plan.kernels[k];
     for (std::size_t s = 0; s < plan.sources.size(); ++s) {
-      KernelAccuracy& one = found[s * plan.kernels.size() + k];
+      KernelAccuracy& one = found.accuracies[s * plan.kernels.size() + k];
       std::sort(one.radius_errors_ulps.begin(), one.radius_errors_ulps.end());
       merge_fields(entry.all, one);
       entry.by_source.push_back(std::move(one));
@@ -137,58 +158,14 @@ std::vector<LadderEntry> measure_ladder(const LadderPlan& plan, const ShowProgre
   }
   if (plan.precision == Precision::binary32) measure_range_and_speed<float>(plan, entries, report);
   else measure_range_and_speed<double>(plan, entries, report);
-  return entries;
+  return {std::move(entries), std::move(contrasts), std::move(found.contrasts)};
 }
 
 namespace {
 
-// The formulae from which a set of formulae was rewritten, the nearest first.
-std::vector<Formulae> origins(Formulae formulae) {
-  using enum Formulae;
-  if (formulae == none) return {};
-  switch (formulae) {
-    case ladder_1:
-    case ladder_2:
-    case ladder_3:
-    case ladder_4:
-    case ladder_5:
-    case ladder_6:
-    case ladder_7:
-    case ladder_8:
-    case ladder_9:
-      return {static_cast<Formulae>(static_cast<int>(formulae) - 1)};
-    case published:
-    case ladder_0:
-      return {};
-    default:
-      if (kind_of(formulae) != FormulaeKind::rung) return {};
-      return {ladder_9, published};
-  }
-}
-
-std::optional<std::size_t> find(const std::vector<LadderEntry>& entries, Formulae formulae, Arithmetic arithmetic,
-                                Strictness strictness) {
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const Kernel& kernel = *entries[i].kernel;
-    if (formulae_of(kernel) == formulae && kernel.arithmetic == arithmetic && kernel.strictness == strictness) return i;
-  }
-  return std::nullopt;
-}
-
 double log10_of(Decimal6 error) { return std::log10(error.mantissa) + error.exponent; }
 
 }  // namespace
-
-AxisBits axes_of_kind(AxisKind kind) {
-  constexpr EnumArray<AxisKind, AxisBits> axes = {0b0000001, 0b0001110, 0b1110000};
-  return axes[kind];
-}
-
-ComparisonBits comparisons_of_kind(AxisKind kind) {
-  ComparisonBits bits = 0;
-  for_each_bit(axes_of_kind(kind), [&](std::size_t axis) { bits |= axis_comparisons[axis]; });
-  return bits;
-}
 
 std::optional<ExponentWindow> common_window(const AxisWindows& windows, AxisBits axes) {
   std::optional<ExponentWindow> common;
@@ -201,25 +178,8 @@ std::optional<ExponentWindow> common_window(const AxisWindows& windows, AxisBits
   return common;
 }
 
-std::vector<LadderStep> ladder_steps(const std::vector<LadderEntry>& entries) {
-  std::vector<LadderStep> steps;
-  for (std::size_t to = 0; to < entries.size(); ++to) {
-    const Kernel& kernel = *entries[to].kernel;
-    std::optional<std::size_t> from;
-    if (kernel.arithmetic != Arithmetic::plain) {
-      from = find(entries, formulae_of(kernel), Arithmetic::plain, kernel.strictness);
-    } else {
-      for (const Formulae origin : origins(formulae_of(kernel))) {
-        if (!from) from = find(entries, origin, kernel.arithmetic, kernel.strictness);
-      }
-    }
-    if (from) steps.push_back({*from, to});
-  }
-  return steps;
-}
-
 CostliestSteps costliest_steps(const std::vector<LadderEntry>& entries, const std::vector<LadderStep>& steps,
-                               AxisKind kind) {
+                               AxisKind kind, std::size_t source) {
   CostliestSteps costliest;
   double most_signs = 0, most_rounding = 0, most_error = 0, most_range = 0;
   const auto take = [](std::optional<std::size_t>& place, double& most, std::size_t step, double cost) {
@@ -230,7 +190,7 @@ CostliestSteps costliest_steps(const std::vector<LadderEntry>& entries, const st
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const LadderEntry &from = entries[steps[i].from], &to = entries[steps[i].to];
     const ComparisonBits which = comparisons_of_kind(kind);
-    const ComparisonAccuracy before = from.all.of(which), after = to.all.of(which);
+    const ComparisonAccuracy before = from.by_source[source].of(which), after = to.by_source[source].of(which);
     const auto increase = [](std::uint64_t a, std::uint64_t b) {
       return static_cast<double>(b) - static_cast<double>(a);
     };

@@ -11,6 +11,7 @@
 #include "fuzz/fields/field.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/sphere_triangle/formulae/axis_windows.h"
+#include "fuzz/sphere_triangle/formulae/contrasts.h"
 #include "fuzz/sphere_triangle/formulae/kernel_speed.h"
 #include "kernel/kernel.h"
 
@@ -125,38 +126,25 @@ struct KernelAccuracy {
 
 struct LadderEntry {
   const Kernel* kernel;
-  KernelAccuracy all;                     // over the sources together
+  KernelAccuracy all;                     // over the sources together: each weighs as much as it has valid queries
   std::vector<KernelAccuracy> by_source;  // in the plan's order
   AxisWindows windows;
   std::optional<KernelSpeed> speed;
 };
 
-// One entry per kernel, in the plan's order. Everything but `speed` depends on the plan alone, not on its threads.
-// Throws OracleDisagreement.
-std::vector<LadderEntry> measure_ladder(const LadderPlan& plan, const ShowProgress& report = {});
+struct LadderResult {
+  std::vector<LadderEntry> entries;  // one per kernel, in the plan's order
+  std::vector<Contrast> contrasts;
+  std::vector<SourceContrasts> by_source;  // what the forms get wrong, by clusters; in the plan's order
+};
+
+// Everything but `speed` depends on the plan alone, not on its threads. Throws OracleDisagreement.
+LadderResult measure_ladder(const LadderPlan& plan, const ShowProgress& report = {});
 
 // Steps from one form of the predicate to the next: the effect of each rewriting, and the most costly ones.
 
-// Kinds of axes that are rewritten in the same way.
-enum class AxisKind : std::uint8_t { plane, vertex, edge };
-template <>
-inline constexpr std::size_t enum_count<AxisKind> = 3;
-inline constexpr std::size_t axis_kind_count = enum_count<AxisKind>;
-inline constexpr EnumArray<AxisKind, std::string_view> axis_kind_names = {"plane", "vertex", "edge"};
-// The axes of a kind, and their comparisons.
-AxisBits axes_of_kind(AxisKind kind);
-ComparisonBits comparisons_of_kind(AxisKind kind);
-
 // The interval in which all of the axes are sound.
 std::optional<ExponentWindow> common_window(const AxisWindows& windows, AxisBits axes);
-
-// Positions among the entries.
-struct LadderStep {
-  std::size_t from, to;
-};
-// Each kernel with the one from which it was made, if both are among the entries: rung k from rung k - 1, a rung past
-// the last (the reduced forms) from ladder-9 or otherwise published, a rung in another arithmetic from the rung.
-std::vector<LadderStep> ladder_steps(const std::vector<LadderEntry>& entries);
 
 // The step that worsens a figure most, among the steps that worsen it at all.
 struct CostliestSteps {
@@ -165,11 +153,12 @@ struct CostliestSteps {
   std::optional<std::size_t> worst_error;           // the greatest factor
   std::optional<std::size_t> range;                 // the most octaves lost
 };
+// On the queries of one source, by its place in the plan.
 CostliestSteps costliest_steps(const std::vector<LadderEntry>& entries, const std::vector<LadderStep>& steps,
-                               AxisKind kind);
+                               AxisKind kind, std::size_t source);
 
-// The positions of the entries for which no other entry is both faster and wrong less often; the fastest first. All
-// entries must have `speed`.
+// The positions of the entries for which no other entry is both faster and wrong less often, over the sources together;
+// the fastest first. All entries must have `speed`.
 std::vector<std::size_t> accuracy_speed_front(const std::vector<LadderEntry>& entries);
 
 }  // namespace axiscert

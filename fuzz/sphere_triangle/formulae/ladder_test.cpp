@@ -22,6 +22,8 @@ LadderPlan ladder_plan(std::vector<const Kernel*> kernels, std::vector<std::stri
   return plan;
 }
 
+std::vector<LadderEntry> entries_of(const LadderPlan& plan) { return measure_ladder(plan).entries; }
+
 void expect_same(const LadderEntry& a, const LadderEntry& b) {
   EXPECT_TRUE(a.all == b.all);
   EXPECT_TRUE(a.by_source == b.by_source);
@@ -30,8 +32,8 @@ void expect_same(const LadderEntry& a, const LadderEntry& b) {
 
 TEST(Ladder, TheLastRungIsThePublishedTest) {
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {
-    const auto entries = measure_ladder(ladder_plan({&find_kernel("published"), &find_kernel("ladder-9")},
-                                                    {"tangent", "sliver", "scale"}, 600, precision));
+    const auto entries = entries_of(ladder_plan({&find_kernel("published"), &find_kernel("ladder-9")},
+                                                {"tangent", "sliver", "scale"}, 600, precision));
     EXPECT_GT(entries[0].all.verdict_flips(), 0u);
     EXPECT_FALSE(entries[0].all.radius_errors_ulps.empty());
     expect_same(entries[0], entries[1]);
@@ -59,7 +61,7 @@ TEST(Ladder, APlantedErrorShowsOnItsAxisAndNowhereElse) {
   Kernel planted = find_kernel("published");
   planted.id = "planted";
   planted.binary32 = [](std::string_view) { return off_on_one_edge<float>(); };
-  const auto entries = measure_ladder(ladder_plan({&find_kernel("published"), &planted}, {"general", "tangent"}, 2000));
+  const auto entries = entries_of(ladder_plan({&find_kernel("published"), &planted}, {"general", "tangent"}, 2000));
   for (std::size_t i = 0; i < axis_count; ++i) {
     const ComparisonAccuracy sound = entries[0].all.of(axis_comparisons[i]),
                              off = entries[1].all.of(axis_comparisons[i]);
@@ -77,7 +79,7 @@ TEST(Ladder, APlantedErrorShowsOnItsAxisAndNowhereElse) {
 }
 
 TEST(Ladder, SignErrorsAreToldApartByRange) {
-  const auto entries = measure_ladder(ladder_plan({&find_kernel("published")}, {"tangent", "scale"}, 1000));
+  const auto entries = entries_of(ladder_plan({&find_kernel("published")}, {"tangent", "scale"}, 1000));
   const ComparisonAccuracy tangent = entries[0].by_source[0].of(0xffff), scale = entries[0].by_source[1].of(0xffff);
   EXPECT_GT(tangent.rounding_sign_errors(), 0u);
   EXPECT_EQ(tangent.by_range, 0u);
@@ -87,14 +89,15 @@ TEST(Ladder, SignErrorsAreToldApartByRange) {
 TEST(Ladder, ThreadsChangeNothing) {
   LadderPlan plan = ladder_plan({&find_kernel("ladder-0"), &find_kernel("reduced-shared")}, {"general", "far"}, 6000);
   plan.threads = 1;
-  const auto one = measure_ladder(plan);
+  const LadderResult one = measure_ladder(plan);
   plan.threads = 3;
-  const auto three = measure_ladder(plan);
-  for (std::size_t k = 0; k < one.size(); ++k) expect_same(one[k], three[k]);
+  const LadderResult three = measure_ladder(plan);
+  for (std::size_t k = 0; k < one.entries.size(); ++k) expect_same(one.entries[k], three.entries[k]);
+  EXPECT_TRUE(one.by_source == three.by_source);
 }
 
 TEST(Ladder, AKernelThatKeepsItsSidesToItselfHasSignsAndNoErrors) {
-  const auto entries = measure_ladder(ladder_plan({&find_kernel("published+in-double")}, {"tangent"}, 1000));
+  const auto entries = entries_of(ladder_plan({&find_kernel("published+in-double")}, {"tangent"}, 1000));
   EXPECT_EQ(entries[0].all.of(0xffff).errors.count(), 0u);
   EXPECT_EQ(entries[0].all.of(0xffff).sign_errors(), 0u) << "binary64 decides binary32 queries";
 }
@@ -153,12 +156,12 @@ TEST(ErrorSpread, QuantilesAreLowerOrderStatisticsOfTheErrors) {
 }
 
 TEST(LadderSteps, ARungFollowsTheOneBeforeAndTheReducedFormsTheLast) {
-  std::vector<LadderEntry> entries;
+  std::vector<const Kernel*> kernels;
   for (const char* id : {"ladder-7", "ladder-8", "ladder-9", "reduced", "reduced-shared", "reduced+fma", "segments"}) {
-    entries.emplace_back().kernel = &find_kernel(id);
+    kernels.push_back(&find_kernel(id));
   }
   std::vector<std::pair<std::size_t, std::size_t>> found;
-  for (const LadderStep& step : ladder_steps(entries)) found.emplace_back(step.from, step.to);
+  for (const LadderStep& step : ladder_steps(kernels)) found.emplace_back(step.from, step.to);
   EXPECT_EQ(found, (decltype(found){{0, 1}, {1, 2}, {2, 3}, {2, 4}, {3, 5}}));
 }
 

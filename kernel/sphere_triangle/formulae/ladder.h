@@ -7,20 +7,17 @@
 // published comparisons are 0 > 0: neither ever separates.
 #pragma once
 
-#include "kernel/sphere_triangle/formulae.h"
+#include "kernel/sphere_triangle/formulae/edges.h"
 
 namespace axiscert::rungs {
 
-using portable::CentredProblem, portable::Problem, portable::Vec3, portable::magnitude, portable::square_root,
-    portable::times_square;
+using portable::CentredProblem, portable::Problem, portable::magnitude;
 
 // |A.N| > r with N = V/|V|   ->   (A.V/|V|)^2 > rr   ->   (A.V)^2/(V.V) > rr   ->   (A.V)^2 > rr (V.V).
-enum class PlaneForm { normalised, squared, divided, cross_multiplied };
+// The last two with lengths for squares, which are no steps of the article: |A.V|/|V| > r and |A.V| > r |V|.
+enum class PlaneForm { normalised, squared, divided, cross_multiplied, divided_rooted, multiplied_rooted };
 // sqrt(A.A) > r, (B - A).A > 0   ->   A.A > rr, A.B > A.A.
 enum class VertexForm { rooted, distributed };
-// Q = A + (d/e) AB, |Q - P| > r   ->   squared   ->   both sides times e^2   ->   Q e = A e + d AB, no division   ->
-// centred, d = A.AB   ->   d = A.B - A.A.
-enum class EdgeForm { rooted, squared, scaled, undivided, centred, distributed };
 
 template <PlaneForm form, class T, class Emit>
 AXISCERT_INLINE void plane(const CentredProblem<T>& centred, const T& r, Emit&& emit) {
@@ -36,7 +33,9 @@ AXISCERT_INLINE void plane(const CentredProblem<T>& centred, const T& r, Emit&& 
   } else {
     const T d = dot(A, V), e = dot(V, V);
     if constexpr (form == divided) emit(Comparison::plane_radius, (d * d) / e, centred.rr);
-    else emit(Comparison::plane_radius, d * d, centred.rr * e);
+    else if constexpr (form == cross_multiplied) emit(Comparison::plane_radius, d * d, centred.rr * e);
+    else if constexpr (form == divided_rooted) emit(Comparison::plane_radius, magnitude(d) / square_root(e), r);
+    else emit(Comparison::plane_radius, magnitude(d), r * square_root(e));
   }
 }
 
@@ -58,54 +57,14 @@ AXISCERT_INLINE void vertex(const Vec3<T>& A, const Vec3<T>& B, const Vec3<T>& C
   }
 }
 
-// The two comparisons of the axis of edge AB; C is the opposite vertex. All three are centred.
-template <EdgeForm form, class T, class Emit>
-AXISCERT_INLINE void centred_edge(const Vec3<T>& A, const Vec3<T>& B, const Vec3<T>& C, const T& rr, const T& zero,
-                                  Comparison radius, Emit&& emit) {
-  const auto side = static_cast<Comparison>(static_cast<int>(radius) + 1);
-  const Vec3<T> AB = B - A;
-  const T d = form == EdgeForm::centred ? dot(A, AB) : dot(A, B) - dot(A, A), e = dot(AB, AB);
-  const Vec3<T> Q = A * e - AB * d;
-  const Vec3<T> QC = C * e - Q;
-  emit(radius, dot(Q, Q), times_square(rr, e));
-  emit(side, dot(Q, QC), zero);
-}
-
-// The two comparisons before the derivation moves the centre P to the origin, from the vertices as given.
-template <EdgeForm form, class T, class Emit>
-AXISCERT_INLINE void uncentred_edge(const Vec3<T>& A, const Vec3<T>& B, const Vec3<T>& C, const Vec3<T>& P, const T& r,
-                                    const T& rr, const T& zero, Comparison radius, Emit&& emit) {
-  using enum EdgeForm;
-  const auto side = static_cast<Comparison>(static_cast<int>(radius) + 1);
-  const Vec3<T> AB = B - A;
-  const T d = dot(P - A, AB), e = dot(AB, AB);
-  if constexpr (form == undivided) {
-    const Vec3<T> Q = A * e + AB * d;
-    const Vec3<T> QP = P * e - Q, QC = C * e - Q;
-    emit(radius, dot(QP, QP), times_square(rr, e));
-    emit(side, zero, dot(QP, QC));
-    return;
-  } else {
-    const Vec3<T> Q = A + AB * (d / e);
-    const Vec3<T> QP = P - Q, QC = C - Q;
-    if constexpr (form == scaled) {
-      const Vec3<T> scaled_QP = QP * e;
-      emit(radius, dot(scaled_QP, scaled_QP), times_square(rr, e));
-      emit(side, zero, dot(scaled_QP, QC * e));
-    } else {
-      if constexpr (form == rooted) emit(radius, square_root(dot(QP, QP)), r);
-      else emit(radius, dot(QP, QP), rr);
-      emit(side, zero, dot(QP, QC));
-    }
-  }
-}
-
 // A complete test: one form for each kind of axis. Emits all sixteen comparisons, in their order.
-template <PlaneForm plane_form, VertexForm vertex_form, EdgeForm edge_form>
+template <PlaneForm plane_form_, VertexForm vertex_form_, class Edge_>
 struct Rung {
+  static constexpr PlaneForm plane_form = plane_form_;
+  static constexpr VertexForm vertex_form = vertex_form_;
+  using Edge = Edge_;
   static constexpr bool is_ring =
-      plane_form == PlaneForm::cross_multiplied && vertex_form == VertexForm::distributed &&
-      (edge_form == EdgeForm::undivided || edge_form == EdgeForm::centred || edge_form == EdgeForm::distributed);
+      plane_form == PlaneForm::cross_multiplied && vertex_form == VertexForm::distributed && Edge::is_ring;
 
   template <class T, class Emit>
   AXISCERT_INLINE static void comparisons(const Problem<T>& q, Emit&& emit) {
@@ -116,28 +75,55 @@ struct Rung {
     vertex<vertex_form>(A, B, C, q.r, rr, q.zero, vertex_a_radius, emit);
     vertex<vertex_form>(B, A, C, q.r, rr, q.zero, vertex_b_radius, emit);
     vertex<vertex_form>(C, A, B, q.r, rr, q.zero, vertex_c_radius, emit);
-    if constexpr (edge_form == EdgeForm::centred || edge_form == EdgeForm::distributed) {
-      centred_edge<edge_form>(A, B, C, rr, q.zero, edge_ab_radius, emit);
-      centred_edge<edge_form>(B, C, A, rr, q.zero, edge_bc_radius, emit);
-      centred_edge<edge_form>(C, A, B, rr, q.zero, edge_ca_radius, emit);
-    } else {
-      uncentred_edge<edge_form>(q.a, q.b, q.c, q.p, q.r, rr, q.zero, edge_ab_radius, emit);
-      uncentred_edge<edge_form>(q.b, q.c, q.a, q.p, q.r, rr, q.zero, edge_bc_radius, emit);
-      uncentred_edge<edge_form>(q.c, q.a, q.b, q.p, q.r, rr, q.zero, edge_ca_radius, emit);
-    }
+    if constexpr (Edge::frame == Frame::centred) edges(A, B, C, q, rr, emit);
+    else edges(q.a, q.b, q.c, q, rr, emit);
+  }
+
+ private:
+  template <class T, class Emit>
+  AXISCERT_INLINE static void edges(const Vec3<T>& A, const Vec3<T>& B, const Vec3<T>& C, const Problem<T>& q,
+                                    const T& rr, Emit&& emit) {
+    const Vec3<T> V = Edge::takes_normal ? cross(B - A, C - A) : Vec3<T>{q.zero, q.zero, q.zero};
+    const EdgeProblem<T> edge{q.p, V, q.r, rr, q.zero};
+    Edge::comparisons(A, B, C, edge, Comparison::edge_ab_radius, emit);
+    Edge::comparisons(B, C, A, edge, Comparison::edge_bc_radius, emit);
+    Edge::comparisons(C, A, B, edge, Comparison::edge_ca_radius, emit);
   }
 };
 
-// Each step makes one rewriting, in the article's order: the plane, the vertices, the edges.
-using Ladder0 = Rung<PlaneForm::normalised, VertexForm::rooted, EdgeForm::rooted>;
-using Ladder1 = Rung<PlaneForm::squared, VertexForm::rooted, EdgeForm::rooted>;
-using Ladder2 = Rung<PlaneForm::divided, VertexForm::rooted, EdgeForm::rooted>;
-using Ladder3 = Rung<PlaneForm::cross_multiplied, VertexForm::rooted, EdgeForm::rooted>;
-using Ladder4 = Rung<PlaneForm::cross_multiplied, VertexForm::distributed, EdgeForm::rooted>;
-using Ladder5 = Rung<PlaneForm::cross_multiplied, VertexForm::distributed, EdgeForm::squared>;
-using Ladder6 = Rung<PlaneForm::cross_multiplied, VertexForm::distributed, EdgeForm::scaled>;
-using Ladder7 = Rung<PlaneForm::cross_multiplied, VertexForm::distributed, EdgeForm::undivided>;
-using Ladder8 = Rung<PlaneForm::cross_multiplied, VertexForm::distributed, EdgeForm::centred>;
-using Ladder9 = Rung<PlaneForm::cross_multiplied, VertexForm::distributed, EdgeForm::distributed>;
+// The plane and the vertices as published, the edges by choice.
+template <Frame frame, Division division, Root root, EdgeDegree degree>
+using EdgesCell =
+    Rung<PlaneForm::cross_multiplied, VertexForm::distributed, EdgeCell<EdgeChoices{frame, division, root, degree}>>;
+
+// Each step makes one rewriting, in the article's order: the plane, the vertices, the edges. Ladder4, 5, 7 and 8 are
+// cells of the edges' choices; so is the reduced form, of degree 4 where Ladder8 has 6.
+using RootedWorldEdge = EdgeCell<EdgeChoices{Frame::world, Division::divided, Root::rooted, EdgeDegree::six}>;
+using Ladder0 = Rung<PlaneForm::normalised, VertexForm::rooted, RootedWorldEdge>;
+using Ladder1 = Rung<PlaneForm::squared, VertexForm::rooted, RootedWorldEdge>;
+using Ladder2 = Rung<PlaneForm::divided, VertexForm::rooted, RootedWorldEdge>;
+using Ladder3 = Rung<PlaneForm::cross_multiplied, VertexForm::rooted, RootedWorldEdge>;
+using Ladder4 = EdgesCell<Frame::world, Division::divided, Root::rooted, EdgeDegree::six>;
+using Ladder5 = EdgesCell<Frame::world, Division::divided, Root::squared, EdgeDegree::six>;
+using Ladder6 = Rung<PlaneForm::cross_multiplied, VertexForm::distributed, ScaledEdge>;
+using Ladder7 = EdgesCell<Frame::world, Division::multiplied, Root::squared, EdgeDegree::six>;
+using Ladder8 = EdgesCell<Frame::centred, Division::multiplied, Root::squared, EdgeDegree::six>;
+using Ladder9 = Rung<PlaneForm::cross_multiplied, VertexForm::distributed, DistributedEdge>;
+
+// The cells off the article's path.
+using EdgesWorldMultipliedRooted6 = EdgesCell<Frame::world, Division::multiplied, Root::rooted, EdgeDegree::six>;
+using EdgesCentredDividedRooted6 = EdgesCell<Frame::centred, Division::divided, Root::rooted, EdgeDegree::six>;
+using EdgesCentredDividedSquared6 = EdgesCell<Frame::centred, Division::divided, Root::squared, EdgeDegree::six>;
+using EdgesCentredMultipliedRooted6 = EdgesCell<Frame::centred, Division::multiplied, Root::rooted, EdgeDegree::six>;
+using EdgesWorldDividedRooted4 = EdgesCell<Frame::world, Division::divided, Root::rooted, EdgeDegree::four>;
+using EdgesWorldDividedSquared4 = EdgesCell<Frame::world, Division::divided, Root::squared, EdgeDegree::four>;
+using EdgesWorldMultipliedRooted4 = EdgesCell<Frame::world, Division::multiplied, Root::rooted, EdgeDegree::four>;
+using EdgesWorldMultipliedSquared4 = EdgesCell<Frame::world, Division::multiplied, Root::squared, EdgeDegree::four>;
+using EdgesCentredDividedRooted4 = EdgesCell<Frame::centred, Division::divided, Root::rooted, EdgeDegree::four>;
+using EdgesCentredDividedSquared4 = EdgesCell<Frame::centred, Division::divided, Root::squared, EdgeDegree::four>;
+using EdgesCentredMultipliedRooted4 = EdgesCell<Frame::centred, Division::multiplied, Root::rooted, EdgeDegree::four>;
+// Those of the plane: Ladder2 and Ladder3 are the squared ones.
+using PlaneDividedRooted = Rung<PlaneForm::divided_rooted, VertexForm::rooted, RootedWorldEdge>;
+using PlaneMultipliedRooted = Rung<PlaneForm::multiplied_rooted, VertexForm::rooted, RootedWorldEdge>;
 
 }  // namespace axiscert::rungs

@@ -37,52 +37,45 @@ std::string window_of(const LadderEntry& entry, AxisKind kind) {
 std::string ulps(double value) { return fmt::format("{:.4g}", value); }
 std::string ns(double value) { return fmt::format("{:.1f}", value); }
 
-InstrumentTable kernels_table(const LadderPlan& plan, const Entries& entries) {
-  InstrumentTable table{"Kernels, over all families",
-                        {"kernel", "false_separation", "false_contact", "touching_flips", "flips per million",
-                         "critical radius: median ulps", "worst ulps", "unbounded"},
-                        {}};
-  if (plan.speed) table.columns.insert(table.columns.end(), {"ns scalar", "ns best target"});
-  for (const LadderEntry& entry : entries) {
-    const KernelAccuracy& all = entry.all;
-    const auto& radii = all.radius_errors_ulps;
-    auto& row = table.rows.emplace_back(std::vector<std::string>{
-        entry.kernel->id, fmt::format("{}", all.false_separation), fmt::format("{}", all.false_contact),
-        fmt::format("{}", all.touching_flips), fmt::format("{:.1f}", all.flips_per_million()),
-        radii.empty() ? "" : ulps(radii[(radii.size() - 1) / 2]), radii.empty() ? "" : ulps(radii.back()),
-        fmt::format("{}", all.radius_unbounded)});
-    if (!plan.speed) continue;
-    const auto& best = entry.speed->best_target;
-    row.push_back(ns(entry.speed->scalar_ns));
-    row.push_back(best ? fmt::format("{} {}", ns(best->second), best->first) : "");
-  }
-  return table;
+// "20500 [18600, 22500]", of a million.
+std::string rate_text(const LadderRateData& rate) {
+  if (!rate.rate) return "";
+  return fmt::format("{:.0f} [{:.0f}, {:.0f}]", 1e6 * *rate.rate, 1e6 * *rate.low, 1e6 * *rate.high);
 }
 
-InstrumentTable axes_table(const Entries& entries) {
-  InstrumentTable table{"Axes, over all families: sign errors of their comparisons, errors in u, exponent window",
-                        {"kernel", "axis", "false_separation", "missed_separation", "by range", "median", "99 %",
-                         "worst", "worst of radius", "range events", "window"},
+InstrumentTable kernels_table(const LadderPlan& plan, const LadderResult& result) {
+  InstrumentTable table{"Kernels, by family: wrong verdicts, also per million with their limits, 95 %",
+                        {"family", "kernel", "missed", "per million", "phantom", "per million", "touching flips",
+                         "critical radius: median ulps", "worst ulps", "unbounded"},
                         {}};
-  for (const LadderEntry& entry : entries) {
-    for (std::size_t i = 0; i < axis_count; ++i) {
-      const ComparisonAccuracy axis = entry.all.of(axis_comparisons[i]);
-      const ComparisonAccuracy radius =
-          entry.all.of(axis_comparisons[i] & static_cast<ComparisonBits>(~side_comparisons));
-      table.rows.push_back({entry.kernel->id, std::string(axis_names[i]), fmt::format("{}", axis.false_separation),
-                            fmt::format("{}", axis.missed_separation), fmt::format("{}", axis.by_range),
-                            has_sides(entry) ? quantile(axis, 50) : "no sides shown", quantile(axis, 99), worst(axis),
-                            worst(radius), has_sides(entry) ? fmt::format("{}", axis.range_events) : "",
-                            text(entry.windows[i])});
+  for (std::size_t s = 0; s < plan.sources.size(); ++s) {
+    for (std::size_t k = 0; k < result.entries.size(); ++k) {
+      const KernelAccuracy& here = result.entries[k].by_source[s];
+      const auto& radii = here.radius_errors_ulps;
+      table.rows.push_back(
+          {plan.sources[s]->name(), result.entries[k].kernel->id, fmt::format("{}", here.false_separation),
+           rate_text(ladder_rate(result, s, k, Figure::missed)), fmt::format("{}", here.false_contact),
+           rate_text(ladder_rate(result, s, k, Figure::phantom)), fmt::format("{}", here.touching_flips),
+           radii.empty() ? "" : ulps(radii[(radii.size() - 1) / 2]), radii.empty() ? "" : ulps(radii.back()),
+           fmt::format("{}", here.radius_unbounded)});
     }
   }
   return table;
 }
 
+InstrumentTable windows_table(const Entries& entries) {
+  InstrumentTable table{"Exponent windows, by axis", {"kernel"}, {}};
+  for (const std::string_view axis : axis_names) table.columns.emplace_back(axis);
+  for (const LadderEntry& entry : entries) {
+    auto& row = table.rows.emplace_back(std::vector<std::string>{entry.kernel->id});
+    for (const auto& window : entry.windows) row.push_back(text(window));
+  }
+  return table;
+}
+
 InstrumentTable families_table(const LadderPlan& plan, const Entries& entries) {
-  InstrumentTable table{"By family: wrong verdicts, then by kind of axis sign errors and worst error in u",
-                        {"family", "kernel", "verdict flips"},
-                        {}};
+  InstrumentTable table{
+      "By family: by kind of axis sign errors of comparisons and errors in u", {"family", "kernel"}, {}};
   for (const AxisKind kind : all_kinds) {
     for (const char* what : {"signs", "by range", "median", "99 %", "worst"})
       table.columns.push_back(kind_text(kind) + " " + what);
@@ -90,75 +83,58 @@ InstrumentTable families_table(const LadderPlan& plan, const Entries& entries) {
   for (std::size_t s = 0; s < plan.sources.size(); ++s) {
     for (const LadderEntry& entry : entries) {
       const KernelAccuracy& here = entry.by_source[s];
-      auto& row = table.rows.emplace_back(
-          std::vector<std::string>{plan.sources[s]->name(), entry.kernel->id, fmt::format("{}", here.verdict_flips())});
+      auto& row = table.rows.emplace_back(std::vector<std::string>{plan.sources[s]->name(), entry.kernel->id});
       for (const AxisKind kind : all_kinds) {
         const ComparisonAccuracy accuracy = here.of(comparisons_of_kind(kind));
         row.insert(row.end(), {fmt::format("{}", accuracy.sign_errors()), fmt::format("{}", accuracy.by_range),
-                               quantile(accuracy, 50), quantile(accuracy, 99), worst(accuracy)});
+                               has_sides(entry) ? quantile(accuracy, 50) : "no sides shown", quantile(accuracy, 99),
+                               worst(accuracy)});
       }
     }
   }
   return table;
 }
 
-// One row for each step and kind of axis whose figures the step changes: a step rewrites one kind and leaves the others
-// alone.
-InstrumentTable steps_table(const LadderPlan& plan, const Entries& entries, const std::vector<LadderStep>& steps) {
+InstrumentTable costliest_table(const LadderPlan& plan, const Entries& entries, const std::vector<LadderStep>& steps) {
   InstrumentTable table{
-      "Steps: from one form to the next, over all families; the kinds of axes whose figures change",
-      {"from", "to", "axes", "sign errors", "change", "by rounding", "change", "median", "", "worst", "", "window", ""},
-      {}};
-  if (plan.speed) table.columns.push_back("ns of the whole test");
-  for (const LadderStep& step : steps) {
-    const LadderEntry &from = entries[step.from], &to = entries[step.to];
+      "The step that costs most, by family and kind of axis", {"family", "axes", "in", "step", "from", "to"}, {}};
+  for (std::size_t s = 0; s < plan.sources.size(); ++s) {
     for (const AxisKind kind : all_kinds) {
-      const ComparisonAccuracy before = from.all.of(comparisons_of_kind(kind)),
-                               after = to.all.of(comparisons_of_kind(kind));
-      if (before == after && window_of(from, kind) == window_of(to, kind)) continue;
-      const auto change = [](std::uint64_t a, std::uint64_t b) {
-        return fmt::format("{:+}", static_cast<std::int64_t>(b - a));
+      const CostliestSteps costliest = costliest_steps(entries, steps, kind, s);
+      const auto add = [&](const char* what, std::optional<std::size_t> i, auto&& shown_of) {
+        if (!i) return;  // no step worsens it
+        const LadderEntry &from = entries[steps[*i].from], &to = entries[steps[*i].to];
+        table.rows.push_back({plan.sources[s]->name(), kind_text(kind), what,
+                              fmt::format("{} to {}", from.kernel->id, to.kernel->id), shown_of(from), shown_of(to)});
       };
-      auto& row = table.rows.emplace_back(std::vector<std::string>{
-          from.kernel->id, to.kernel->id, kind_text(kind), fmt::format("{}", after.sign_errors()),
-          change(before.sign_errors(), after.sign_errors()), fmt::format("{}", after.rounding_sign_errors()),
-          change(before.rounding_sign_errors(), after.rounding_sign_errors()), quantile(before, 50),
-          "to " + quantile(after, 50), worst(before), "to " + worst(after), window_of(from, kind),
-          "to " + window_of(to, kind)});
-      if (plan.speed) row.push_back(fmt::format("{:+.1f}", to.speed->scalar_ns - from.speed->scalar_ns));
+      const auto of = [&](const LadderEntry& entry) { return entry.by_source[s].of(comparisons_of_kind(kind)); };
+      add("sign errors", costliest.sign_errors,
+          [&](const LadderEntry& e) { return fmt::format("{}", of(e).sign_errors()); });
+      add("sign errors by rounding", costliest.rounding_sign_errors,
+          [&](const LadderEntry& e) { return fmt::format("{}", of(e).rounding_sign_errors()); });
+      add("worst error, u", costliest.worst_error, [&](const LadderEntry& e) { return worst(of(e)); });
+      if (s == 0) add("range", costliest.range, [&](const LadderEntry& e) { return window_of(e, kind); });
     }
   }
   return table;
 }
 
-InstrumentTable costliest_table(const Entries& entries, const std::vector<LadderStep>& steps) {
-  InstrumentTable table{"The step that costs most, by kind of axis", {"axes", "in", "step", "from", "to"}, {}};
-  for (const AxisKind kind : all_kinds) {
-    const CostliestSteps costliest = costliest_steps(entries, steps, kind);
-    const auto add = [&](const char* what, std::optional<std::size_t> i, auto&& figure) {
-      if (!i) {
-        table.rows.push_back({kind_text(kind), what, "no step worsens it", "", ""});
-        return;
-      }
-      const LadderEntry &from = entries[steps[*i].from], &to = entries[steps[*i].to];
-      table.rows.push_back(
-          {kind_text(kind), what, fmt::format("{} to {}", from.kernel->id, to.kernel->id), figure(from), figure(to)});
-    };
-    const auto of = [&](const LadderEntry& entry) { return entry.all.of(comparisons_of_kind(kind)); };
-    add("sign errors", costliest.sign_errors,
-        [&](const LadderEntry& e) { return fmt::format("{}", of(e).sign_errors()); });
-    add("sign errors by rounding", costliest.rounding_sign_errors,
-        [&](const LadderEntry& e) { return fmt::format("{}", of(e).rounding_sign_errors()); });
-    add("worst error, u", costliest.worst_error, [&](const LadderEntry& e) { return worst(of(e)); });
-    add("range", costliest.range, [&](const LadderEntry& e) { return window_of(e, kind); });
+InstrumentTable times_table(const Entries& entries) {
+  InstrumentTable table{"Times", {"kernel", "ns scalar", "ns best target"}, {}};
+  for (const LadderEntry& entry : entries) {
+    const auto& best = entry.speed->best_target;
+    table.rows.push_back({entry.kernel->id, ns(entry.speed->scalar_ns),
+                          best ? fmt::format("{} {}", ns(best->second), best->first) : ""});
   }
   return table;
 }
 
 InstrumentTable front_table(const Entries& entries) {
-  InstrumentTable table{"The front: no kernel is both faster and wrong less often than one of these",
-                        {"kernel", "ns scalar", "verdict flips per million"},
-                        {}};
+  InstrumentTable table{
+      "The front: no kernel is both faster and wrong less often than one of these, each query of each family with the "
+      "same weight",
+      {"kernel", "ns scalar", "wrong verdicts per million"},
+      {}};
   for (const std::size_t i : accuracy_speed_front(entries)) {
     table.rows.push_back({entries[i].kernel->id, ns(entries[i].speed->scalar_ns),
                           fmt::format("{:.1f}", entries[i].all.flips_per_million())});
@@ -167,8 +143,8 @@ InstrumentTable front_table(const Entries& entries) {
 }
 
 // x is the position in the list of kernels: with the default kernels, rung k is at k.
-template <class Figure>
-InstrumentSeries by_kernel(std::string series_name, const Entries& entries, Figure&& figure) {
+template <class Shown>
+InstrumentSeries by_kernel(std::string series_name, const Entries& entries, Shown&& figure) {
   InstrumentSeries series{std::move(series_name), {}, {}};
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const std::optional<double> y = figure(entries[i]);
@@ -185,25 +161,37 @@ std::vector<std::string> ids(const Entries& entries) {
   return all;
 }
 
-template <class Figure>
-InstrumentPlot by_kind(std::string caption, std::string y_label, const Entries& entries, Figure&& figure) {
+template <class Shown>
+InstrumentPlot by_kind(std::string caption, std::string y_label, const Entries& entries, std::size_t source,
+                       Shown&& figure) {
   InstrumentPlot plot{std::move(caption), "kernel", std::move(y_label), InstrumentPlot::Kind::line, false, true, {}};
   for (const AxisKind kind : all_kinds) {
     plot.series.push_back(by_kernel(kind_text(kind), entries, [&](const LadderEntry& entry) -> std::optional<double> {
-      return figure(entry.all.of(comparisons_of_kind(kind)));
+      return figure(entry.by_source[source].of(comparisons_of_kind(kind)));
     }));
   }
   plot.x_names = ids(entries);
   return plot;
 }
 
+void add_sweep_plot(InstrumentReport& report, const LadderPlan& plan, const Entries& entries) {
+  const auto wrong = [&](std::size_t k, std::size_t s) {
+    const KernelAccuracy& found = entries[k].by_source[s];
+    return std::optional(SweepY{static_cast<double>(found.false_separation + found.false_contact)});
+  };
+  if (auto plot = sweep_plot(plan.sources, "Wrong verdicts over the swept parameter; none has no point", "queries",
+                             ids_of(plan.kernels), wrong))
+    report.plots.push_back(*plot);
+}
+
 void add_plots(InstrumentReport& report, const LadderPlan& plan, const Entries& entries) {
-  report.plots.push_back(by_kind("Median error by rung", "error, u", entries,
-                                 [](const ComparisonAccuracy& a) { return a.errors.quantile(50); }));
-  report.plots.push_back(by_kind("Worst error by rung", "error, u", entries,
-                                 [](const ComparisonAccuracy& a) { return a.errors.worst().value(); }));
-  report.plots.push_back(by_kind("Sign errors by rung", "comparison flips", entries,
-                                 [](const ComparisonAccuracy& a) { return static_cast<double>(a.sign_errors()); }));
+  for (std::size_t source = 0; source < plan.sources.size(); ++source) {
+    const std::string family = plan.sources[source]->name();
+    report.plots.push_back(by_kind("Median error by rung, " + family, "error, u", entries, source,
+                                   [](const ComparisonAccuracy& a) { return a.errors.quantile(50); }));
+    report.plots.push_back(by_kind("Worst error by rung, " + family, "error, u", entries, source,
+                                   [](const ComparisonAccuracy& a) { return a.errors.worst().value(); }));
+  }
   if (!plan.speed) return;
   const auto scalar_ns = [](const LadderEntry& entry) { return std::optional(entry.speed->scalar_ns); };
   report.plots.push_back({"Time by rung",
@@ -223,7 +211,7 @@ void add_plots(InstrumentReport& report, const LadderPlan& plan, const Entries& 
   }
   report.plots.push_back({"Accuracy and speed",
                           "ns a query, scalar",
-                          "verdict flips per million",
+                          "wrong verdicts per million, each query of each family with the same weight",
                           InstrumentPlot::Kind::scatter,
                           false,
                           false,
@@ -268,21 +256,28 @@ std::vector<std::string> notes(const LadderPlan& plan, const Entries& entries) {
 
 }  // namespace
 
-InstrumentReport ladder_report(const LadderPlan& plan, const Entries& entries, const std::string& command) {
+InstrumentReport ladder_report(const LadderPlan& plan, const LadderResult& result, const std::string& command) {
+  const Entries& entries = result.entries;
   InstrumentReport report;
   report.name = "ladder";
   report.title = fmt::format("What each step of the derivation costs, {}", axiscert::name(plan.precision));
   report.command = command;
   report.notes = notes(plan, entries);
-  const std::vector<LadderStep> steps = ladder_steps(entries);
-  report.tables = {kernels_table(plan, entries), axes_table(entries), families_table(plan, entries)};
-  if (!steps.empty()) {
-    report.tables.push_back(steps_table(plan, entries, steps));
-    report.tables.push_back(costliest_table(entries, steps));
+  const std::vector<LadderStep> steps = ladder_steps(plan.kernels);
+  const std::vector<LadderDifferenceData> differences = ladder_differences(plan, result);
+  report.tables = {kernels_table(plan, result)};
+  add_difference_tables(report, plan, result, differences);
+  report.tables.push_back(families_table(plan, entries));
+  report.tables.push_back(windows_table(entries));
+  if (!steps.empty()) report.tables.push_back(costliest_table(plan, entries, steps));
+  if (plan.speed) {
+    report.tables.push_back(times_table(entries));
+    report.tables.push_back(front_table(entries));
   }
-  if (plan.speed) report.tables.push_back(front_table(entries));
+  add_difference_plots(report, plan, result, differences);
   add_plots(report, plan, entries);
-  report.data = ladder_json(plan, entries, command);
+  add_sweep_plot(report, plan, entries);
+  report.data = ladder_json(plan, result, differences, command);
   return report;
 }
 
@@ -293,7 +288,7 @@ WindowData window_data(const std::optional<ExponentWindow>& window) {
 }
 
 FiguresData figures_data(const ComparisonAccuracy& accuracy, bool has_sides) {
-  FiguresData figures{accuracy, {}, {}, {}, {}, {}, {}, {}};
+  FiguresData figures{accuracy, {}, {}, {}, {}, {}, {}};
   if (!has_sides) return figures;
   const ErrorSpread& errors = accuracy.errors;
   const auto at = [&](unsigned percent) {
@@ -329,16 +324,22 @@ LadderResultData result_data(const KernelAccuracy& accuracy, bool has_sides) {
   return result;
 }
 
-LadderKernelData kernel_data(const LadderPlan& plan, const LadderEntry& entry) {
+LadderKernelData kernel_data(const LadderPlan& plan, const LadderResult& found, std::size_t k) {
+  const LadderEntry& entry = found.entries[k];
   const bool has_sides = entry.kernel->exposes == Exposure::sides;
-  LadderKernelData kernel{entry.kernel->id, entry.kernel->summary, has_sides, result_data(entry.all, has_sides), {}};
-  for (std::size_t i = 0; i < axis_count; ++i) kernel.all.axes[i].window.emplace(window_data(entry.windows[i]));
-  for (std::size_t i = 0; i < axis_kind_count; ++i) {
-    kernel.all.kinds[i].figures.window.emplace(
-        window_data(common_window(entry.windows, axes_of_kind(static_cast<AxisKind>(i)))));
+  LadderKernelData kernel{entry.kernel->id, entry.kernel->summary, has_sides, {}, {}};
+  for (std::size_t i = 0; i < axis_count; ++i) kernel.windows.axes.put(axis_names[i]) = window_data(entry.windows[i]);
+  for (const AxisKind kind : enumerators<AxisKind>) {
+    kernel.windows.kinds.put(axis_kind_names[kind]) = window_data(common_window(entry.windows, axes_of_kind(kind)));
   }
-  for (std::size_t s = 0; s < plan.sources.size(); ++s)
-    kernel.families.put(plan.sources[s]->name()) = result_data(entry.by_source[s], has_sides);
+  for (std::size_t s = 0; s < plan.sources.size(); ++s) {
+    LadderResultData& result = kernel.families.put(plan.sources[s]->name()) =
+        result_data(entry.by_source[s], has_sides);
+    result.swept = swept_value(*plan.sources[s]);
+    for (const Figure figure : enumerators<Figure>) {
+      result.rates.put(figure_names[figure]) = ladder_rate(found, s, k, figure);
+    }
+  }
   return kernel;
 }
 
@@ -356,7 +357,9 @@ LadderSpeedData speed_data(const std::vector<LadderEntry>& entries) {
 
 }  // namespace
 
-Json ladder_json(const LadderPlan& plan, const std::vector<LadderEntry>& entries, const std::string& command) {
+Json ladder_json(const LadderPlan& plan, const LadderResult& result,
+                 const std::vector<LadderDifferenceData>& differences, const std::string& command) {
+  const Entries& entries = result.entries;
   const ExponentWindow scanned = scanned_exponents(plan.precision);
   LadderData data;
   data.command = command;
@@ -364,19 +367,23 @@ Json ladder_json(const LadderPlan& plan, const std::vector<LadderEntry>& entries
   data.seed = {plan.seed};
   data.trials = plan.trials;
   for (const SourcePtr& source : plan.sources) data.families.push_back(source->name());
+  data.sweep = sweep_of(plan.sources);
   data.scanned_exponents = {scanned.low, scanned.high};
-  for (const LadderEntry& entry : entries) data.kernels.push_back(kernel_data(plan, entry));
-  const std::vector<LadderStep> steps = ladder_steps(entries);
+  for (std::size_t k = 0; k < entries.size(); ++k) data.kernels.push_back(kernel_data(plan, result, k));
+  data.differences = differences;
+  const std::vector<LadderStep> steps = ladder_steps(plan.kernels);
   for (const LadderStep& step : steps)
     data.steps.push_back({entries[step.from].kernel->id, entries[step.to].kernel->id});
   const auto made = [&](std::optional<std::size_t> i) {
     return i ? std::optional<Name>(entries[steps[*i].to].kernel->id) : std::nullopt;
   };
-  for (const AxisKind kind : enumerators<AxisKind>) {
-    const CostliestSteps costliest = costliest_steps(entries, steps, kind);
-    data.costliest_steps.put(axis_kind_names[kind]) = {made(costliest.sign_errors),
-                                                       made(costliest.rounding_sign_errors),
-                                                       made(costliest.worst_error), made(costliest.range)};
+  for (std::size_t s = 0; s < plan.sources.size(); ++s) {
+    NamedValues<CostliestData>& family = data.costliest_steps.put(plan.sources[s]->name());
+    for (const AxisKind kind : enumerators<AxisKind>) {
+      const CostliestSteps costliest = costliest_steps(entries, steps, kind, s);
+      family.put(axis_kind_names[kind]) = {made(costliest.sign_errors), made(costliest.rounding_sign_errors),
+                                           made(costliest.worst_error), made(costliest.range)};
+    }
   }
   if (plan.speed) data.speed = speed_data(entries);
   return json_of(data);

@@ -1,41 +1,14 @@
-#include "reports/comparison/two_proportions.h"
-
-#include <mpfr.h>
+#include "fuzz/statistics/proportions.h"
 
 #include <algorithm>
 #include <boost/math/distributions/beta.hpp>
 #include <cmath>
 #include <numeric>
 
+#include "fuzz/statistics/log_factorials.h"
+
 namespace axiscert {
 namespace {
-
-// log(n!) to 192 bits. For n < 2^64 it is below 2^70, so the nine logarithms of a hypergeometric probability and their
-// sum together have an error below 10 * 2^(70 - 192) < 2^-118 in the logarithm.
-class LogFactorials {
- public:
-  LogFactorials() { mpfr_inits2(192, sum_, term_, nullptr); }
-  LogFactorials(const LogFactorials&) = delete;
-  ~LogFactorials() { mpfr_clears(sum_, term_, nullptr); }
-
-  void start() { mpfr_set_zero(sum_, 1); }
-  void add(std::uint64_t n, int sign) {
-    mpfr_set_uj(term_, n, MPFR_RNDN);
-    mpfr_add_ui(term_, term_, 1, MPFR_RNDN);
-    mpfr_lngamma(term_, term_, MPFR_RNDN);
-    if (sign > 0) mpfr_add(sum_, sum_, term_, MPFR_RNDN);
-    else mpfr_sub(sum_, sum_, term_, MPFR_RNDN);
-  }
-  // exp of the sum, rounded up; at least 2^-1000, so that smaller terms, each wrong by up to 2^-1075 by underflow, are
-  // together below 2^-53 of it.
-  double exp() {
-    mpfr_exp(term_, sum_, MPFR_RNDU);
-    return std::max(mpfr_get_d(term_, MPFR_RNDU), 0x1p-1000);
-  }
-
- private:
-  mpfr_t sum_, term_;
-};
 
 // The probability that, with `failures` failures among `trials` trials, exactly x of them fall among n of the trials.
 double hypergeometric(std::uint64_t x, std::uint64_t n, std::uint64_t failures, std::uint64_t trials) {
@@ -106,5 +79,7 @@ std::pair<double, double> rate_limits(Proportion x) {
   const double high = x.failures == x.trials ? 1 : quantile(beta_distribution<>(k + 1, n - k), 0.975);
   return {low, high};
 }
+
+double excluded_rate(std::uint64_t n) { return n == 0 ? 1 : -std::expm1(std::log(0.05) / static_cast<double>(n)); }
 
 }  // namespace axiscert

@@ -1,5 +1,5 @@
 // Fisher's and Holm's tests and the limits of rates, against exact rationals and against their definitions.
-#include "reports/comparison/two_proportions.h"
+#include "fuzz/statistics/proportions.h"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Tests of whether two counts of failures have the same rate, valid at any count, however small.
+// Rates of failures, and tests of whether two of independent trials are the same, valid at any count, however small.
+// `clusters.h` has trials that are not independent, `paired.h` the same trials of two kernels.
 #pragma once
 
 #include <cstdint>
@@ -24,5 +25,8 @@ std::vector<double> holm(const std::vector<double>& p);
 
 // Clopper and Pearson's limits of the rate: the rate lies outside them with a probability of at most 5 %.
 std::pair<double, double> rate_limits(Proportion x);
+
+// 1 - 0.05^(1/n): the rate of failures that n right answers exclude, with 95 % confidence.
+double excluded_rate(std::uint64_t n);
 
 }  // namespace axiscert

@@ -1,0 +1,49 @@
+// Rates of failures among trials that come in clusters: queries that share a triangle or are images of one base, and
+// the comparisons of one query, are not independent of each other; clusters are.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+
+#include "fuzz/statistics/proportions.h"
+
+namespace axiscert {
+
+// Sums of the clusters of which the sum is not 0: how many clusters have each. Merging does not depend on the order.
+class ClusterSums {
+ public:
+  void add(std::int64_t sum) {
+    if (sum != 0) ++clusters_[sum];
+  }
+  void merge(const ClusterSums& other) {
+    for (const auto& [sum, count] : other.clusters_) clusters_[sum] += count;
+  }
+  const std::map<std::int64_t, std::uint64_t>& clusters() const { return clusters_; }
+  std::int64_t total() const;
+  double total_of_squares() const;
+  bool operator==(const ClusterSums&) const = default;
+
+ private:
+  std::map<std::int64_t, std::uint64_t> clusters_;
+};
+
+struct ClusteredTrials {
+  std::uint64_t trials = 0, clusters = 0;  // clusters <= trials, of about the same number of trials each
+  double mean_size() const { return static_cast<double>(trials) / static_cast<double>(clusters); }
+};
+
+struct RateLimits {
+  double low, high;
+};
+
+// By how many times the variance of a total over clusters is that of as many independent trials, at least 1 (Rao and
+// Scott, Biometrics 48, 1992: dividing counts by it makes them those of independent trials). `variance` is that of one
+// trial if all were independent. Where it is 0 the data tell nothing, and the trials of a cluster count as one.
+double design_effect(const ClusteredTrials& of, const ClusterSums& sums, double variance);
+
+// Wilson's score limits of a rate, 95 %, of failures and trials divided by their design effect; without a failure
+// {0, excluded_rate(clusters)}. Empty without trials.
+std::optional<RateLimits> wilson_limits(const ClusteredTrials& of, const ClusterSums& failures);
+
+}  // namespace axiscert
