@@ -385,7 +385,8 @@ Json precision_json(const PrecisionPlan& plan, const std::vector<PrecisionTally>
   data.seed = {plan.seed};
   for (const NumberFormat& number : plan.numbers) {
     const ExponentLimits exponents = number.exponents.value_or(plan.precision);
-    data.numbers.push_back({number.name, number.bits, exponents.least, exponents.greatest, exponents.overflow});
+    data.numbers.push_back({number.name, number.bits, static_cast<int>(exponents.least),
+                            static_cast<int>(exponents.greatest), exponents.overflow});
   }
   data.rounding = plan.rounding;
   if (is_by_chance(plan.rounding)) {

@@ -51,7 +51,7 @@ struct SufficientData {
 struct NumberFormatData {
   Name number;
   int bits = 0;
-  std::int64_t e_min = 0, e_max = 0;
+  int e_min = 0, e_max = 0;
   Overflow overflow = Overflow::infinity;
 
   static constexpr auto fields(auto&& visit) {
