@@ -37,13 +37,13 @@ struct ScriptEntry {
 };
 
 std::string kernel_of(const Setting& setting) {
-  return std::string(name(setting.form)) + (setting.contraction == Contraction::fma ? "+fma" : "");
+  return std::string(name(setting.form)) + (setting.contraction == proofs::Contraction::fma ? "+fma" : "");
 }
 
 std::vector<ScriptEntry> entries_of(const ProveOptions& options) {
   std::vector<ScriptEntry> entries;
   for (const Form form : {Form::published, Form::reduced}) {
-    for (const Contraction contraction : {Contraction::plain, Contraction::fma}) {
+    for (const proofs::Contraction contraction : {proofs::Contraction::plain, proofs::Contraction::fma}) {
       for (const Precision precision : {Precision::binary32, Precision::binary64}) {
         if (!options.precision.empty() && precision != parse_precision(options.precision)) continue;
         for (const Domain domain : {Domain::scaled, Domain::absolute}) {
