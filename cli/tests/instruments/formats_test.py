@@ -183,8 +183,10 @@ class OwnKernels(Case):
         self.assertEqual(plugin, {**published, "kernel": own})
         self.assertGreater(published["total"]["flips"], 20)
         published, plugin = json.loads(axiscert("ladder", *plan, "--no-speed").stdout)["kernels"]
-        for member in ("verdict", "axes", "comparisons", "queries"):
-            self.assertEqual(plugin[member], published[member], member)
+        own, built_in = plugin["families"]["tangent"], published["families"]["tangent"]
+        self.assertEqual((own["verdict"], own["queries"]), (built_in["verdict"], built_in["queries"]))
+        for name, counts in own["comparisons"].items():  # it shows no sides, so that errors are not measured
+            self.assertEqual(counts, {member: built_in["comparisons"][name][member] for member in counts}, name)
 
     def test_one_that_does_not_is_told_what_it_needs(self):
         bare = self.plugin("bare", "-DEXPOSES=AXISCERT_VERDICT_ONLY")
@@ -209,11 +211,9 @@ class Sweeps(Case):
             self.assertTrue({"0", "16", "4096"} <= {value.removesuffix(".0") for row in rows for value in row.values() if value}, command)
 
     def test_an_address_makes_the_query_again_as_it_was_judged(self):
-        done = axiscert("condition", "--kernel", "published", "--family", "tangent", "--trials", 400, "--sweep", "offset=2^6", "--format", "json")
+        done = axiscert("critical-radius", "--kernel", "published", "--family", "tangent", "--trials", 100, "--sweep", "offset=2^6", "--format", "json")
         (row,) = json.loads(done.stdout)["rows"]
-        addresses = [counts["least_unstable"]["address"] for counts in row["comparisons"].values() if counts["least_unstable"]]
-        addresses += [row["deepest"]["address"]] if row.get("deepest") else []
-        self.assertTrue(addresses)
+        addresses = [row[worst]["address"] for worst in ("worst_early", "worst_late")]
         for address in addresses:
             self.assertIn(":tangent+offset=2^6:", address)
             moved = json.loads(axiscert("query", address).stdout)
