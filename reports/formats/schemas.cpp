@@ -174,7 +174,7 @@ DataTable ladder_rows(const Json& data) {
 DataTable precision_rows(const Json& data) {
   DataTable table{
       columns_in("kernel family swept number bits rounding_seed exponents queries false_separation false_contact "
-                 "rounding range"),
+                 "rate low high rounding range"),
       {}};
   for (const ComparisonInfo& comparison : comparisons) table.columns.emplace_back(comparison.name);
   const auto add = [&](const Json& family, const Json& result) {
@@ -185,6 +185,7 @@ DataTable precision_rows(const Json& data) {
         for (const char* exponents : {"unlimited", "limited"}) {
           Json row = extended(extended(head, {{"exponents", exponents}}), step[exponents]["verdict"]);
           row.update(step[exponents]["comparisons"]);
+          if (const Json& rate = step[exponents + std::string("_rate")]; rate.is_object()) row.update(rate);
           for (const char* member : {"number", "bits", "rounding_seed", "queries", "rounding", "range"})
             row[member] = step[member];
           table.rows.push_back(std::move(row));

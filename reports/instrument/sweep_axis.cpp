@@ -31,7 +31,7 @@ std::vector<std::string> ids_of(const std::vector<const Kernel*>& kernels) {
 std::optional<InstrumentPlot> sweep_plot(
     const std::vector<SourcePtr>& sources, std::string caption, std::string y_label,
     const std::vector<std::string>& lines,
-    const std::function<std::optional<double>(std::size_t line, std::size_t source)>& y, InstrumentPlot::Kind kind) {
+    const std::function<std::optional<SweepY>(std::size_t line, std::size_t source)>& y, InstrumentPlot::Kind kind) {
   const auto sweep = sweep_of(sources);
   if (!sweep) return std::nullopt;
   std::vector<std::string> bases;
@@ -43,13 +43,18 @@ std::optional<InstrumentPlot> sweep_plot(
   for (const std::string& base : bases) {
     for (std::size_t line = 0; line < lines.size(); ++line) {
       InstrumentSeries series{bases.size() == 1 ? lines[line] : fmt::format("{}, {}", lines[line], base), {}, {}};
+      std::vector<std::pair<double, SweepY>> found;
       for (std::size_t s = 0; s < sources.size(); ++s) {
         const auto value = swept_value(*sources[s]);
         if (!value || *value <= 0 || unswept(*sources[s]).name() != base) continue;
-        const std::optional<double> found = y(line, s);
-        if (found && *found > 0) series.points.emplace_back(*value, *found);
+        const std::optional<SweepY> at = y(line, s);
+        if (at && at->y > 0) found.emplace_back(*value, *at);
       }
-      std::ranges::sort(series.points);
+      std::ranges::sort(found, {}, [](const auto& point) { return point.first; });
+      for (const auto& [x, at] : found) {
+        series.points.emplace_back(x, at.y);
+        if (at.interval) series.intervals.push_back(*at.interval);
+      }
       plot.series.push_back(std::move(series));
     }
   }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fuzz/fields/field.h"
@@ -35,12 +36,17 @@ std::optional<double> swept_value(const Source& source);
 
 std::vector<std::string> ids_of(const std::vector<const Kernel*>& kernels);
 
+struct SweepY {
+  double y;
+  std::optional<std::pair<double, double>> interval = {};  // drawn as an error bar: of all points, or of none
+};
+
 // One line for each of `lines` and each source that was swept, over the values of the parameter that are above 0, on a
 // logarithmic axis; y(line, source) empty, or 0 or less: no point. Empty where nothing was swept.
 std::optional<InstrumentPlot> sweep_plot(
     const std::vector<SourcePtr>& sources, std::string caption, std::string y_label,
     const std::vector<std::string>& lines,
-    const std::function<std::optional<double>(std::size_t line, std::size_t source)>& y,
+    const std::function<std::optional<SweepY>(std::size_t line, std::size_t source)>& y,
     InstrumentPlot::Kind kind = InstrumentPlot::Kind::line);
 
 }  // namespace axiscert

@@ -235,7 +235,7 @@ InstrumentReport condition_report(const ConditionPlan& plan, const ConditionResu
                                   const std::string& command) {
   InstrumentReport report = ConditionReport(plan, result).report(command);
   const auto flips = [&](std::size_t k, std::size_t s) {
-    return std::optional(static_cast<double>(result.cells[k][s].total().flips));
+    return std::optional(SweepY{static_cast<double>(result.cells[k][s].total().flips)});
   };
   if (auto plot = sweep_plot(plan.sources, "Flips over the swept parameter; none has no point", "flips",
                              ids_of(plan.kernels), flips))

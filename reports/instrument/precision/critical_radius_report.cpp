@@ -270,7 +270,7 @@ InstrumentReport critical_radius_report(const CriticalRadiusPlan& plan, const Cr
   const auto median = [&](std::size_t k, std::size_t s) {
     const CriticalRadii& cell = result.cells[k][s];
     const auto error = cell.measured == 0 ? std::nullopt : cell.quantile(0.5);
-    return error && std::isfinite(error->value()) ? std::optional(error->value()) : std::nullopt;
+    return error && std::isfinite(error->value()) ? std::optional(SweepY{error->value()}) : std::nullopt;
   };
   if (auto plot = sweep_plot(plan.sources, "Median error over the swept parameter; 0 has no point",
                              "ulps of the exact distance", ids_of(plan.kernels), median))

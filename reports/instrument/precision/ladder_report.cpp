@@ -178,6 +178,16 @@ InstrumentPlot by_kind(std::string caption, std::string y_label, const Entries& 
   return plot;
 }
 
+void add_sweep_plot(InstrumentReport& report, const LadderPlan& plan, const Entries& entries) {
+  const auto wrong = [&](std::size_t k, std::size_t s) {
+    const KernelAccuracy& found = entries[k].by_source[s];
+    return std::optional(SweepY{static_cast<double>(found.false_separation + found.false_contact)});
+  };
+  if (auto plot = sweep_plot(plan.sources, "Wrong verdicts over the swept parameter; none has no point", "queries",
+                             ids_of(plan.kernels), wrong))
+    report.plots.push_back(*plot);
+}
+
 void add_plots(InstrumentReport& report, const LadderPlan& plan, const Entries& entries) {
   for (std::size_t source = 0; source < plan.sources.size(); ++source) {
     const std::string family = plan.sources[source]->name();
@@ -186,14 +196,6 @@ void add_plots(InstrumentReport& report, const LadderPlan& plan, const Entries& 
     report.plots.push_back(by_kind("Worst error by rung, " + family, "error, u", entries, source,
                                    [](const ComparisonAccuracy& a) { return a.errors.worst().value(); }));
   }
-  const auto edge_signs = [&](std::size_t k, std::size_t s) {
-    return std::optional(
-        static_cast<double>(entries[k].by_source[s].of(comparisons_of_kind(AxisKind::edge)).sign_errors()));
-  };
-  if (auto plot =
-          sweep_plot(plan.sources, "Sign errors of edge comparisons over the swept parameter; none has no point",
-                     "comparison flips", ids(entries), edge_signs))
-    report.plots.push_back(*plot);
   if (!plan.speed) return;
   const auto scalar_ns = [](const LadderEntry& entry) { return std::optional(entry.speed->scalar_ns); };
   report.plots.push_back({"Time by rung",
@@ -278,6 +280,7 @@ InstrumentReport ladder_report(const LadderPlan& plan, const LadderResult& resul
   }
   add_difference_plots(report, plan, result, differences);
   add_plots(report, plan, entries);
+  add_sweep_plot(report, plan, entries);
   report.data = ladder_json(plan, result, differences, command);
   return report;
 }

@@ -93,7 +93,6 @@ struct LadderRateData {
 };
 
 struct LadderResultData {
-  std::optional<double> swept;
   std::uint64_t queries = 0;
   LadderVerdictData verdict;
   RadiusSummary critical_radius;
@@ -101,11 +100,12 @@ struct LadderResultData {
   NamedValues<KindData> kinds;
   NamedValues<FiguresData> comparisons;
   NamedValues<LadderRateData> rates;
+  std::optional<double> swept;
 
   static constexpr std::string_view about = "Of one family.";
   static constexpr auto fields(auto&& visit) {
     using Of = LadderResultData;
-    return visit(field(&Of::swept, swept_field), field(&Of::queries, {"queries", "Valid queries."}),
+    return visit(field(&Of::queries, {"queries", "Valid queries."}),
                  field(&Of::verdict, {"verdict", LadderVerdictData::about}),
                  field(&Of::critical_radius, {"critical_radius", RadiusSummary::about}),
                  field(&Of::axes, {"axes", "By axis: all its comparisons together."}),
@@ -113,7 +113,8 @@ struct LadderResultData {
                  field(&Of::comparisons, {"comparisons", "By comparison."}),
                  field(&Of::rates, {"rates",
                                     "missed and phantom: wrong verdicts; plane_signs, vertex_signs and edge_signs: "
-                                    "sign errors of comparisons."}));
+                                    "sign errors of comparisons."}),
+                 field(&Of::swept, swept_field));
   }
 };
 

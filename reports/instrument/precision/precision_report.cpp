@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "exact/sphere_triangle/unbounded/degree.h"
+#include "fuzz/statistics/clusters.h"
 #include "kernel/formulae_list.h"
 #include "reports/wording/summary.h"
 
@@ -181,40 +182,83 @@ InstrumentTable sufficient_table(const PrecisionPlan& plan, const PrecisionTally
   return table;
 }
 
-double mean_rate(const PrecisionPlan& plan, const KernelPrecision& kernel, std::size_t number, const auto& count) {
+// How many queries share a triangle or an image group, on average.
+double cluster_size(const PrecisionPlan& plan, std::size_t source) {
+  const Source& of = *plan.sources[source];
+  const std::uint64_t trials = of.fixed_size(plan.precision).value_or(plan.trials);
+  const std::uint64_t clusters = of.base_triangles(plan.precision, trials);
+  return clusters == 0 ? 1 : std::max(1.0, static_cast<double>(trials) / static_cast<double>(clusters));
+}
+double cluster_size(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies) {
+  double queries = 0, clusters = 0;
+  for (std::size_t s = 0; s < tallies.size(); ++s) {
+    queries += static_cast<double>(tallies[s].queries);
+    clusters += static_cast<double>(tallies[s].queries) / cluster_size(plan, s);
+  }
+  return clusters == 0 ? 1 : queries / clusters;
+}
+
+// A rate with its limits, where clusters of so many trials fail together: the most that they can depend on each other.
+std::optional<WrongRateData> rate_with_limits(std::uint64_t failures, std::uint64_t trials, double size) {
+  if (trials == 0) return std::nullopt;
+  const auto clusters = static_cast<std::uint64_t>(std::ceil(static_cast<double>(trials) / size));
+  const auto together = static_cast<std::uint64_t>(std::llround(size));
+  ClusterSums sums;
+  for (std::uint64_t left = failures; left > 0;) {
+    const std::uint64_t fails = std::min(left, together);
+    sums.add(static_cast<std::int64_t>(fails));
+    left -= fails;
+  }
+  const auto limits = wilson_limits({trials, clusters}, sums);
+  if (!limits) return std::nullopt;
+  return WrongRateData{static_cast<double>(failures) / static_cast<double>(trials), limits->low, limits->high};
+}
+
+// What `count` counts in a format, over its seeds, with limits: the seeds of a query and what else is counted of it, of
+// which `each` are in a query, are one trial.
+template <class Count>
+std::optional<WrongRateData> mean_rate(const PrecisionPlan& plan, const KernelPrecision& kernel, std::size_t number,
+                                       double size, const Count& count, std::uint64_t each = 1) {
   std::uint64_t found = 0, queries = 0;
   for (std::size_t s = 0; s < plan.seeds(); ++s) {
     const PrecisionStep& step = kernel.steps[number * plan.seeds() + s];
     found += count(step);
     queries += step.queries;
   }
-  return rate_per_million(found, queries);
+  return rate_with_limits(found, queries * each, size * static_cast<double>(plan.seeds() * each));
+}
+
+// Adds a point per million with its error bar, where the rate is above 0.
+void add_point(InstrumentSeries& series, double x, const std::optional<WrongRateData>& rate, std::string label) {
+  if (!rate || rate->rate <= 0) return;
+  series.points.emplace_back(x, 1e6 * rate->rate);
+  series.intervals.emplace_back(1e6 * rate->low, 1e6 * rate->high);
+  series.labels.push_back(std::move(label));
 }
 
 template <class Count>
-InstrumentPlot plot(const PrecisionPlan& plan, const PrecisionTally& all, std::string caption, std::string y_label,
-                    Count&& count) {
+InstrumentPlot plot(const PrecisionPlan& plan, const PrecisionTally& all, double size, std::string caption,
+                    std::string y_label, Count&& count) {
   InstrumentPlot plot{std::move(caption), "bits", std::move(y_label), InstrumentPlot::Kind::line, false, true, {}};
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     InstrumentSeries series{plan.kernels[k]->id, {}, {}};
-    for (std::size_t n = 0; n < plan.numbers.size(); ++n) {
-      const double found = mean_rate(plan, all.kernels[k], n, count);
-      if (found == 0) continue;
-      series.points.emplace_back(plan.numbers[n].bits, found);
-      series.labels.push_back(plan.numbers[n].name);
-    }
+    for (std::size_t n = 0; n < plan.numbers.size(); ++n)
+      add_point(series, plan.numbers[n].bits, mean_rate(plan, all.kernels[k], n, size, count), plan.numbers[n].name);
     plot.series.push_back(std::move(series));
   }
   return plot;
 }
 
-// Sign errors of the six edge comparisons, which alone have forms that are not centred; per million of them.
-double sign_errors(const PrecisionPlan& plan, const KernelPrecision& kernel, std::size_t number) {
-  const auto edges =
-      static_cast<ComparisonBits>(kinds()[edge_radius_kind].comparisons | kinds()[edge_sides_kind].comparisons);
-  return mean_rate(plan, kernel, number,
-                   [edges](const PrecisionStep& step) { return flips(step.in(unlimited), edges); }) /
-         6;
+constexpr std::uint64_t edge_comparisons = 6;
+
+std::uint64_t edge_flips(const PrecisionStep& step) {
+  return flips(step.in(unlimited), static_cast<ComparisonBits>(kinds()[edge_radius_kind].comparisons |
+                                                               kinds()[edge_sides_kind].comparisons));
+}
+// Sign errors of the edge comparisons, which alone have forms that are not centred.
+std::optional<WrongRateData> sign_errors(const PrecisionPlan& plan, const PrecisionTally& tally, std::size_t kernel,
+                                         std::size_t number, double size) {
+  return mean_rate(plan, tally.kernels[kernel], number, size, edge_flips, edge_comparisons);
 }
 
 struct KernelNumber {
@@ -244,14 +288,18 @@ std::optional<InstrumentPlot> relative_plot(const PrecisionPlan& plan, const std
     for (std::size_t s = 0; s < plan.sources.size(); ++s) {
       const auto offset = swept_value(*plan.sources[s]);
       const double size = scene_size(unswept(*plan.sources[s]), plan.seed, plan.precision);
-      const double y = sign_errors(plan, tallies[s].kernels[k], n);
-      if (!offset || *offset <= 0 || size <= 0 || y <= 0) continue;
-      series.points.emplace_back(std::ldexp(*offset, -plan.numbers[n].bits) / size, y);
-      series.labels.push_back(plan.sources[s]->name());
+      if (!offset || *offset <= 0 || size <= 0) continue;
+      add_point(series, std::ldexp(*offset, -plan.numbers[n].bits) / size,
+                sign_errors(plan, tallies[s], k, n, cluster_size(plan, s)), plan.sources[s]->name());
     }
     plot.series.push_back(std::move(series));
   }
   return plot;
+}
+
+std::optional<SweepY> y_of(const std::optional<WrongRateData>& rate) {
+  if (!rate) return std::nullopt;
+  return SweepY{1e6 * rate->rate, std::pair(1e6 * rate->low, 1e6 * rate->high)};
 }
 
 void add_sweep_plots(std::vector<InstrumentPlot>& plots, const PrecisionPlan& plan,
@@ -261,10 +309,11 @@ void add_sweep_plots(std::vector<InstrumentPlot>& plots, const PrecisionPlan& pl
   for (const auto& [k, n] : lines) names.push_back(fmt::format("{}, {}", plan.kernels[k]->id, plan.numbers[n].name));
   const auto wrong = [&](std::size_t line, std::size_t s) {
     const auto [k, n] = lines[line];
-    return std::optional(mean_rate(plan, tallies[s].kernels[k], n, wrong_in(unlimited)));
+    return y_of(mean_rate(plan, tallies[s].kernels[k], n, cluster_size(plan, s), wrong_in(unlimited)));
   };
   const auto signs = [&](std::size_t line, std::size_t s) {
-    return std::optional(sign_errors(plan, tallies[s].kernels[lines[line].kernel], lines[line].number));
+    const auto [k, n] = lines[line];
+    return y_of(sign_errors(plan, tallies[s], k, n, cluster_size(plan, s)));
   };
   if (auto of_verdicts =
           sweep_plot(plan.sources, "Wrong verdicts over the swept parameter, unlimited exponents; none has no point",
@@ -280,30 +329,34 @@ void add_sweep_plots(std::vector<InstrumentPlot>& plots, const PrecisionPlan& pl
 std::vector<InstrumentPlot> plots(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies,
                                   const PrecisionTally& all) {
   std::vector<InstrumentPlot> all_plots;
+  const double size = cluster_size(plan, tallies);
   add_sweep_plots(all_plots, plan, tallies);
   for (const ExponentRange range : {unlimited, limited}) {
-    all_plots.push_back(plot(
-        plan, all, fmt::format("Wrong verdicts, {}; a kernel without any has no point", exponents_text(plan, range)),
-        "per million", wrong_in(range)));
+    all_plots.push_back(
+        plot(plan, all, size,
+             fmt::format("Wrong verdicts, {}; a kernel without any has no point", exponents_text(plan, range)),
+             "per million", wrong_in(range)));
   }
-  all_plots.push_back(plot(plan, all, "Verdicts that rounding changes, unlimited exponents", "per million",
+  all_plots.push_back(plot(plan, all, size, "Verdicts that rounding changes, unlimited exponents", "per million",
                            [](const PrecisionStep& step) { return step.rounding; }));
-  const auto edges =
-      static_cast<ComparisonBits>(kinds()[edge_radius_kind].comparisons | kinds()[edge_sides_kind].comparisons);
-  all_plots.push_back(plot(plan, all, "Flips of the six edge comparisons together, unlimited exponents",
-                           "per million queries",
-                           [edges](const PrecisionStep& step) { return flips(step.in(unlimited), edges); }));
+  all_plots.push_back(plot(plan, all, size * edge_comparisons,
+                           "Flips of the six edge comparisons together, unlimited exponents", "per million queries",
+                           edge_flips));
   return all_plots;
 }
 
-PrecisionTallyData tally_data(const PrecisionPlan& plan, const PrecisionTally& tally) {
+PrecisionTallyData tally_data(const PrecisionPlan& plan, const PrecisionTally& tally, double size) {
   PrecisionTallyData data{tally.queries, {}, {}, {}};
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     const KernelPrecision& kernel = tally.kernels[k];
     KernelPrecisionData& of = data.kernels.put(plan.kernels[k]->id) = {kernel.exact, {}};
     for (std::size_t i = 0; i < plan.step_count(); ++i) {
       const NumberFormat& number = plan.number_of(i);
-      of.precisions.push_back({number.name, number.bits, plan.seed_of(i), kernel.steps[i]});
+      const PrecisionStep& step = kernel.steps[i];
+      const auto rate = [&](ExponentRange range) {
+        return rate_with_limits(step.in(range).verdict.total(), step.queries, size);
+      };
+      of.precisions.push_back({number.name, number.bits, plan.seed_of(i), rate(unlimited), rate(limited), step});
     }
   }
   return data;
@@ -344,10 +397,10 @@ Json precision_json(const PrecisionPlan& plan, const std::vector<PrecisionTally>
   data.sweep = sweep_of(plan.sources);
   for (std::size_t k = 0; k < plan.kernels.size(); ++k)
     data.sufficient.put(plan.kernels[k]->id) = sufficient_data(plan, *plan.kernels[k], all.kernels[k]);
-  data.all = tally_data(plan, all);
+  data.all = tally_data(plan, all, cluster_size(plan, tallies));
   for (std::size_t s = 0; s < tallies.size(); ++s) {
     const Source& source = *plan.sources[s];
-    PrecisionTallyData& family = data.families.put(source.name()) = tally_data(plan, tallies[s]);
+    PrecisionTallyData& family = data.families.put(source.name()) = tally_data(plan, tallies[s], cluster_size(plan, s));
     family.swept = swept_value(source);
     if (swept_point(source) != nullptr && swept_point(source)->parameter == SweepParameter::offset)
       family.scene_size = scene_size(unswept(source), plan.seed, plan.precision);
@@ -410,6 +463,9 @@ std::vector<std::string> notes(const PrecisionPlan& plan, const PrecisionTally& 
       "where a form divides or takes a root. Floats whose exponents differ need more. Least bits seen: of those "
       "listed, "
       "over these queries; nothing is proved by it.",
+      "Error bars, and in the JSON and CSV `low` and `high`: Wilson's limits of a rate, 95 %. Queries of one triangle "
+      "or "
+      "image group, the comparisons of a query and its seeds count as one.",
       fmt::format("0 among these queries means less than {} per million of them, 95 %, for these generators only.",
                   amount(limit, 3))};
 }

@@ -66,10 +66,28 @@ struct NumberFormatData {
   }
 };
 
+// Of wrong verdicts.
+struct WrongRateData {
+  double rate = 0, low = 0, high = 0;
+
+  static constexpr std::string_view about =
+      "The rate of wrong verdicts with its limits (Wilson), 95 %; null without queries. Queries of one triangle or "
+      "image "
+      "group count as one.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = WrongRateData;
+    return visit(
+        field(&Of::rate, {"rate", "Wrong verdicts over queries.", "share"}),
+        field(&Of::low, {"low", "Its lower limit.", "share"}),
+        field(&Of::high, {"high", "Its upper limit; of 0 wrong verdicts, the rate that they exclude.", "share"}));
+  }
+};
+
 struct PrecisionStepData {
   Name number;
   int bits = 0;
   std::optional<std::uint64_t> rounding_seed;
+  std::optional<WrongRateData> unlimited_rate, limited_rate;
   PrecisionStep step;
 
   static constexpr std::string_view about = PrecisionStep::about;
@@ -77,6 +95,8 @@ struct PrecisionStepData {
     using Of = PrecisionStepData;
     return visit(field(&Of::number, {"number", "The format."}), field(&Of::bits, {"bits", "Its bits of precision."}),
                  field(&Of::rounding_seed, {"rounding_seed", "The seed of rounding by chance; null: it is not."}),
+                 field(&Of::unlimited_rate, {"unlimited_rate", WrongRateData::about}),
+                 field(&Of::limited_rate, {"limited_rate", "The same with the exponents of the format."}),
                  inlined(&Of::step));
   }
 };
