@@ -217,7 +217,7 @@ double scene_size_in(const Source& source, std::uint64_t seed) {
 
 }  // namespace
 
-double scene_size(const Source& source, std::uint64_t seed, Precision precision) {
+double median_scene_size(const Source& source, std::uint64_t seed, Precision precision) {
   return precision == Precision::binary32 ? scene_size_in<float>(source, seed) : scene_size_in<double>(source, seed);
 }
 

@@ -51,7 +51,7 @@ const SweepPoint* swept_point(const Source& source);
 const Source& unswept(const Source& source);
 // The median size of the source's first 1,000 queries: the greatest distance of a point from the last one, the sphere's
 // centre, in one coordinate, or the greatest length.
-double scene_size(const Source& source, std::uint64_t seed, Precision precision);
+double median_scene_size(const Source& source, std::uint64_t seed, Precision precision);
 // The name of a source in an address, without its point, and the point; empty where it has none. Throws Error.
 std::pair<std::string_view, std::optional<SweepPoint>> split_swept(std::string_view address_name);
 

@@ -99,7 +99,7 @@ TEST(Sweep, ARadiusMultipliesTheRadiusAlone) {
 }
 
 TEST(Sweep, TheSizeOfScenesIsThatOfTheFamily) {
-  const double size = scene_size(*family_source(find_family("general")), 1, Precision::binary64);
+  const double size = median_scene_size(*family_source(find_family("general")), 1, Precision::binary64);
   EXPECT_GT(size, 0.5);
   EXPECT_LT(size, 2);
 }

@@ -287,7 +287,7 @@ std::optional<InstrumentPlot> relative_plot(const PrecisionPlan& plan, const std
     InstrumentSeries series{fmt::format("{}, {}", plan.kernels[k]->id, plan.numbers[n].name), {}, {}};
     for (std::size_t s = 0; s < plan.sources.size(); ++s) {
       const auto offset = swept_value(*plan.sources[s]);
-      const double size = scene_size(unswept(*plan.sources[s]), plan.seed, plan.precision);
+      const double size = median_scene_size(unswept(*plan.sources[s]), plan.seed, plan.precision);
       if (!offset || *offset <= 0 || size <= 0) continue;
       add_point(series, std::ldexp(*offset, -plan.numbers[n].bits) / size,
                 sign_errors(plan, tallies[s], k, n, cluster_size(plan, s)), plan.sources[s]->name());
@@ -403,7 +403,7 @@ Json precision_json(const PrecisionPlan& plan, const std::vector<PrecisionTally>
     PrecisionTallyData& family = data.families.put(source.name()) = tally_data(plan, tallies[s], cluster_size(plan, s));
     family.swept = swept_value(source);
     if (swept_point(source) != nullptr && swept_point(source)->parameter == SweepParameter::offset)
-      family.scene_size = scene_size(unswept(source), plan.seed, plan.precision);
+      family.scene_size = median_scene_size(unswept(source), plan.seed, plan.precision);
   }
   return json_of(data);
 }
