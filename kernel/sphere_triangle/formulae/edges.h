@@ -18,8 +18,8 @@ enum class Frame : std::uint8_t { world, centred };
 enum class Division : std::uint8_t { divided, multiplied };
 // Whether lengths are compared, or their squares.
 enum class Root : std::uint8_t { rooted, squared };
-// From the foot Q of P on line AB, of degree 6 where nothing divides; or from the normal N of the plane through A, B and
-// P, of degree 4: |N|^2 = e |Q - P|^2.
+// From the foot Q of P on line AB, of degree 6 where nothing divides; or from the normal N of the plane through A, B
+// and P, of degree 4: |N|^2 = e |Q - P|^2.
 enum class EdgeDegree : std::uint8_t { six, four };
 
 struct EdgeChoices {
