@@ -118,10 +118,10 @@ class Ladder(Case):
             least = max(least, min(1, row["p"] * (len(rows) - i)))
             self.assertAlmostEqual(row["holm_p"], least)
         effect, = (row for row in data["differences"] if (row["kind"], row["factor"], row["family"], row["figure"])
-                   == ("effect", "degree", "tangent", "edge_signs"))
-        parts = [row for row in rows if (row["factor"], row["family"], row["figure"]) == ("degree", "tangent", "edge_signs")]
+                   == ("effect", "frame", "tangent", "edge_signs"))
+        parts = [row for row in rows if (row["factor"], row["family"], row["figure"]) == ("frame", "tangent", "edge_signs")]
         self.assertEqual(effect["only_to"], sum(row["only_to"] for row in parts))
-        self.assertLess(effect["high"], 0, "degree 4 has fewer sign errors")
+        self.assertLess(effect["high"], 0, "centring has fewer sign errors")
         page = (self.folder / "out/ladder.html").read_text()
         self.assertIn('"intervals":[[', page)
 
