@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import re
 import subprocess
 import unittest
 
@@ -111,6 +112,18 @@ class Formats(Case):
             self.assertEqual({**step, "number": ""}, {**eight[0], "number": ""})
         self.assertEqual(nan["unlimited"], saturating["unlimited"])
         self.assertEqual([n["overflow"] for n in found["numbers"]][:2], ["nan", "greatest"])
+
+    def test_the_formats_of_docs_queries_are_those_that_there_are(self):
+        rows = re.findall(r"^\| (`.*?) \| (\d+) \| (-\d+) to (\d+) \| (\w+)", (ROOT / "docs/queries.md").read_text(), re.M)
+        said = []
+        for names, bits, least, greatest, beyond in rows:
+            for name in re.findall(r"`(.*?)`", names):
+                overflow = "greatest" if name.endswith("-saturating") else beyond.lower()
+                said.append({"number": name, "bits": int(bits), "e_min": int(least), "e_max": int(greatest), "overflow": overflow})
+        found = precision("--family", "tangent", "--trials", 1, "--kernel", "published", *(word for one in said for word in ("--number", one["number"])))
+        self.assertEqual(found["numbers"], sorted(said, key=lambda one: one["bits"]))
+        listed = re.search(r"format of the operations, repeatable: (.*?), or bits=", " ".join(axiscert("precision", "--help").stdout.split()))[1]
+        self.assertEqual([one["number"] for one in said], listed.split(", "))
 
     def test_rounding_by_chance_says_its_seeds_and_repeats(self):
         plan = (*QUERIES, "--kernel", "published", "--number", "binary16", "--rounding", "stochastic", "--rounding-seeds", 4)

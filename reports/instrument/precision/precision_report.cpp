@@ -433,7 +433,7 @@ std::string rounding_text(const PrecisionPlan& plan) {
 std::vector<std::string> notes(const PrecisionPlan& plan, const PrecisionTally& all) {
   std::string families;
   for (const SourcePtr& source : plan.sources) families += (families.empty() ? "" : ", ") + source->name();
-  const double limit = all.queries == 0 ? 1e6 : 1e6 * -std::expm1(std::log(0.05) / static_cast<double>(all.queries));
+  const double limit = 1e6 * excluded_rate(all.queries);
   const bool is_checked = plan.rounding == RoundingRule::nearest;
   return {
       fmt::format("{} valid {} queries: {}. {} Every operation of the formulae is rounded {} in the format (MPFR). "
@@ -459,13 +459,10 @@ std::vector<std::string> notes(const PrecisionPlan& plan, const PrecisionTally& 
       "wrongly. A flip of a comparison is a difference from the kernel's own exact sign.",
       "Degree: all coordinates and the radius times s multiply a side by s to that power. Bits for integers: enough to "
       "evaluate the comparison without a rounding where coordinates and radius are integers of b bits, sign apart; "
-      "none "
-      "where a form divides or takes a root. Floats whose exponents differ need more. Least bits seen: of those "
-      "listed, "
-      "over these queries; nothing is proved by it.",
+      "none where a form divides or takes a root. Floats whose exponents differ need more. Least bits seen: of those "
+      "listed, over these queries; nothing is proved by it.",
       "Error bars, and in the JSON and CSV `low` and `high`: Wilson's limits of a rate, 95 %. Queries of one triangle "
-      "or "
-      "image group, the comparisons of a query and its seeds count as one.",
+      "or image group, the comparisons of a query and its seeds count as one.",
       fmt::format("0 among these queries means less than {} per million of them, 95 %, for these generators only.",
                   amount(limit, 3))};
 }

@@ -72,8 +72,7 @@ struct WrongRateData {
 
   static constexpr std::string_view about =
       "The rate of wrong verdicts with its limits (Wilson), 95 %; null without queries. Queries of one triangle or "
-      "image "
-      "group count as one.";
+      "image group count as one.";
   static constexpr auto fields(auto&& visit) {
     using Of = WrongRateData;
     return visit(
