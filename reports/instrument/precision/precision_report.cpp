@@ -288,8 +288,8 @@ std::optional<InstrumentPlot> relative_plot(const PrecisionPlan& plan, const std
     for (std::size_t s = 0; s < plan.sources.size(); ++s) {
       const auto offset = swept_value(*plan.sources[s]);
       const double size = median_scene_size(unswept(*plan.sources[s]), plan.seed, plan.precision);
-      if (!offset || *offset <= 0 || size <= 0) continue;
-      add_point(series, std::ldexp(*offset, -plan.numbers[n].bits) / size,
+      if (!offset || offset->value <= 0 || size <= 0) continue;
+      add_point(series, std::ldexp(offset->value, -plan.numbers[n].bits) / size,
                 sign_errors(plan, tallies[s], k, n, cluster_size(plan, s)), plan.sources[s]->name());
     }
     plot.series.push_back(std::move(series));

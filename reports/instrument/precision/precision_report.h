@@ -114,7 +114,8 @@ struct KernelPrecisionData {
 
 struct PrecisionTallyData {
   std::uint64_t queries = 0;
-  std::optional<double> swept, scene_size;  // of one source
+  std::optional<SignedNumber> swept;  // of one source
+  std::optional<double> scene_size;
   NamedValues<KernelPrecisionData> kernels;
 
   static constexpr std::string_view about = "Of some queries.";
