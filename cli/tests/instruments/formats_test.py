@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import re
 import subprocess
 import unittest
 
@@ -111,6 +112,20 @@ class Formats(Case):
             self.assertEqual({**step, "number": ""}, {**eight[0], "number": ""})
         self.assertEqual(nan["unlimited"], saturating["unlimited"])
         self.assertEqual([n["overflow"] for n in found["numbers"]][:2], ["nan", "greatest"])
+
+    def test_the_table_of_docs_queries_is_of_these_formats(self):
+        page = (ROOT / "docs/queries.md").read_text()
+        rows = re.findall(r"^\| (`[^|]*`) \| (\d+) \| (-\d+) to (\d+) \| ([^|]*) \|$", page, re.M)
+        listed = {}
+        for names, *numbers, beyond in rows:
+            for name in re.findall("`(.*?)`", names):
+                listed[name] = (*map(int, numbers), "greatest" if name.endswith("-saturating") else
+                                "nan" if beyond.startswith("NaN") else "infinity")
+        found = precision("--family", "tangent", "--trials", 1, "--kernel", "published",
+                          *(word for name in listed for word in ("--number", name)))
+        self.assertEqual({n["number"]: (n["bits"], n["e_min"], n["e_max"], n["overflow"]) for n in found["numbers"]}, listed)
+        known = re.search(r"number formats: (.*)", axiscert("precision", "--number", "half").stderr).group(1).split(", ")
+        self.assertEqual({*known} - {"bits=P,emax=E"}, {*listed})
 
     def test_rounding_by_chance_says_its_seeds_and_repeats(self):
         plan = (*QUERIES, "--kernel", "published", "--number", "binary16", "--rounding", "stochastic", "--rounding-seeds", 4)

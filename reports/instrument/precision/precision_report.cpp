@@ -463,6 +463,7 @@ std::vector<std::string> notes(const PrecisionPlan& plan, const PrecisionTally& 
       "where a form divides or takes a root. Floats whose exponents differ need more. Least bits seen: of those "
       "listed, "
       "over these queries; nothing is proved by it.",
+      "Figures of all families together have each query with the same weight; those by family stand below.",
       "Error bars, and in the JSON and CSV `low` and `high`: Wilson's limits of a rate, 95 %. Queries of one triangle "
       "or "
       "image group, the comparisons of a query and its seeds count as one.",
