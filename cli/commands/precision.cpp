@@ -219,17 +219,14 @@ void add_precision(CLI::App& app, Action& action) {
                     "round each query to the format first, and judge it as what it has become; otherwise queries are "
                     "taken as they are, and what the operations alone cost is shown");
   add_examples(*command,
-               {{"At the bits of the two precisions", "axiscert precision published --bits 24 --bits 53 --trials 64"},
-                {"Another family, with a page", "axiscert precision reduced --family needle --out precision"},
-                {"Formats by name, on queries that these have",
+               {{"Formats by name, on queries that these have",
                  "axiscert precision published --number bfloat16 --number binary16 --number fp8-e4m3 --round-inputs "
                  "--trials 64"},
                 {"A format of my own, rounded by chance",
                  "axiscert precision published --number bits=10,emax=31 --rounding stochastic --trials 64"},
-                {"Far from the origin",
-                 "axiscert precision ladder-0 published --family tangent --number bits=16 "
-                 "--sweep offset=2^0..2^4 --precision binary64 --trials 64"},
-                {"My own queries", "axiscert precision published --queries mine.jsonl --number binary16"}});
+                {"Far from the origin, with a page",
+                 "axiscert precision ladder-0 published --family tangent --bits 16 --bits 24 "
+                 "--sweep offset=2^0..2^4 --precision binary64 --trials 64 --out far"}});
   command->callback([&action, options] { action = [options] { return measure(*options); }; });
 }
 

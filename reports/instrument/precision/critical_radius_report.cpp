@@ -54,6 +54,7 @@ class CriticalRadiusReport {
         "separated at the greatest finite radius; the median and the 99 % quantile count it as infinite.",
         "Of two boxes the radius is the half extent of A's first axis, and the distance that at which they touch, "
         "exactly.",
+        "Figures over all families have each query with the same weight.",
         "An error can be many ulps long: those of a distance near 0 are short, the least subnormal for 0 itself.",
         "Not monotone: contact at a radius and separated at a greater one, among 0, the greatest finite radius, every "
         "power "

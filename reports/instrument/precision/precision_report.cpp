@@ -461,6 +461,7 @@ std::vector<std::string> notes(const PrecisionPlan& plan, const PrecisionTally& 
       "evaluate the comparison without a rounding where coordinates and radius are integers of b bits, sign apart; "
       "none where a form divides or takes a root. Floats whose exponents differ need more. Least bits seen: of those "
       "listed, over these queries; nothing is proved by it.",
+      "Figures of all families together have each query with the same weight; those by family stand below.",
       "Error bars, and in the JSON and CSV `low` and `high`: Wilson's limits of a rate, 95 %. Queries of one triangle "
       "or image group, the comparisons of a query and its seeds count as one.",
       fmt::format("0 among these queries means less than {} per million of them, 95 %, for these generators only.",
