@@ -14,15 +14,15 @@ constexpr double table_level = 0.05;
 std::string million_text(const std::optional<double>& share) {
   return share ? fmt::format("{:.0f}", 1e6 * *share) : std::string();
 }
-std::string signed_million_text(const std::optional<double>& share) {
-  return share ? fmt::format("{:+.0f}", 1e6 * *share) : std::string();
+std::string signed_million_text(const std::optional<SignedNumber>& share) {
+  return share ? fmt::format("{:+.0f}", 1e6 * share->value) : std::string();
 }
 std::string probability(const std::optional<double>& p) {
   if (!p) return "";
   return *p < 1e-12 ? "<1e-12" : fmt::format("{:.2g}", *p);
 }
-std::string difference_limits(const std::optional<double>& low, const std::optional<double>& high) {
-  return low && high ? fmt::format("{:+.0f} to {:+.0f}", 1e6 * *low, 1e6 * *high) : std::string();
+std::string difference_limits(const std::optional<SignedNumber>& low, const std::optional<SignedNumber>& high) {
+  return low && high ? fmt::format("{:+.0f} to {:+.0f}", 1e6 * low->value, 1e6 * high->value) : std::string();
 }
 
 bool is_significant(const LadderDifferenceData& difference) {
@@ -57,9 +57,9 @@ LadderDifferenceData difference_of(const LadderPlan& plan, const LadderResult& r
   data.only_to = paired.only_to;
   const auto difference = rate_difference(paired);
   if (!difference) return data;
-  data.difference = difference->value;
-  data.low = difference->limits.low;
-  data.high = difference->limits.high;
+  data.difference = SignedNumber{difference->value};
+  data.low = SignedNumber{difference->limits.low};
+  data.high = SignedNumber{difference->limits.high};
   data.design_effect = difference->design_effect;
   const Probability p = sign_flip_two_sided(paired.sums);
   data.p = p.value;
@@ -293,8 +293,8 @@ void add_difference_plots(InstrumentReport& report, const LadderPlan& plan, cons
         if (place == plot.x_names.end()) place = plot.x_names.insert(place, *one->factor);
         const auto x = static_cast<double>(place - plot.x_names.begin());
         // Beside each other: a tenth of a place for each family.
-        series.points.emplace_back(x + 0.1 * static_cast<double>(plot.series.size()), million(*one->difference));
-        series.intervals.emplace_back(million(*one->low), million(*one->high));
+        series.points.emplace_back(x + 0.1 * static_cast<double>(plot.series.size()), million(one->difference->value));
+        series.intervals.emplace_back(million(one->low->value), million(one->high->value));
       }
       plot.series.push_back(std::move(series));
     }

@@ -163,7 +163,8 @@ struct LadderDifferenceData {
   std::optional<Name> factor;
   Name from, to, family, figure;
   std::uint64_t pairs = 1, trials = 0, clusters = 0, failures_from = 0, failures_to = 0, only_from = 0, only_to = 0;
-  std::optional<double> difference, low, high, design_effect, p;
+  std::optional<SignedNumber> difference, low, high;
+  std::optional<double> design_effect, p;
   bool p_is_bound = false;
   std::optional<double> mcnemar_p, holm_p, least;
 
