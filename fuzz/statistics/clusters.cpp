@@ -35,7 +35,7 @@ std::optional<RateLimits> wilson_limits(const ClusteredTrials& of, const Cluster
   const double rate = static_cast<double>(failures.total()) / trials;
   if (rate == 0) return RateLimits{0, excluded_rate(of.clusters)};
   const double n = trials / design_effect(of, failures, rate * (1 - rate));
-  constexpr double z = 1.959963984540054;  // of 97.5 % of a normal distribution
+  constexpr double z = z_of_limits;
   const double middle = rate + z * z / (2 * n);
   const double half = z * std::sqrt(rate * (1 - rate) / n + z * z / (4 * n * n));
   const double scale = 1 + z * z / n;

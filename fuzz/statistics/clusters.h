@@ -42,6 +42,8 @@ struct RateLimits {
 // trial if all were independent. Where it is 0 the data tell nothing, and the trials of a cluster count as one.
 double design_effect(const ClusteredTrials& of, const ClusterSums& sums, double variance);
 
+inline constexpr double z_of_limits = 1.959963984540054;  // of 97.5 % of a normal distribution
+
 // Wilson's score limits of a rate, 95 %, of failures and trials divided by their design effect; without a failure
 // {0, excluded_rate(clusters)}. Empty without trials.
 std::optional<RateLimits> wilson_limits(const ClusteredTrials& of, const ClusterSums& failures);

@@ -111,8 +111,6 @@ Probability mcnemar_two_sided(std::uint64_t only_from, std::uint64_t only_to) {
 
 namespace {
 
-constexpr double z_of_limits = 1.959963984540054;  // of 97.5 % of a normal distribution
-
 // Tango's statistic at a difference d, of b trials that fail in `to` alone, c in `from` alone, n in all.
 double score(double b, double c, double n, double d) {
   const double linear = -b - c + (2 * n - b + c) * d, constant = -c * d * (1 - d);

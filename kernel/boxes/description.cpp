@@ -4,7 +4,6 @@
 namespace axiscert {
 namespace {
 
-// Columns of one box; `names` has "x y z" of each vector in the order of the entry.
 void add_group(std::vector<PredicateColumn>& columns, Role role, std::string_view group,
                std::initializer_list<std::string_view> names) {
   for (const std::string_view name : names) columns.push_back({name, role, group});
@@ -48,14 +47,12 @@ std::vector<PredicateColumn> minmax_columns() {
   return columns;
 }
 
+// A's of the former, B's of quaternions.
 std::vector<PredicateColumn> mixed_columns() {
-  constexpr Role place = Role::coordinate;
-  std::vector<PredicateColumn> columns;
-  add_group(columns, place, "a.min", {"a.minx", "a.miny", "a.minz"});
-  add_group(columns, place, "a.max", {"a.maxx", "a.maxy", "a.maxz"});
-  add_group(columns, place, "b.m", {"b.mx", "b.my", "b.mz"});
-  add_group(columns, Role::length, "b.s", {"b.s0", "b.s1", "b.s2"});
-  add_group(columns, Role::direction, "b.q", {"b.qw", "b.qx", "b.qy", "b.qz"});
+  std::vector<PredicateColumn> columns = minmax_columns();
+  const std::vector<PredicateColumn> turned = quaternion_columns();
+  columns.erase(columns.begin() + 6, columns.end());
+  columns.insert(columns.end(), turned.begin() + 10, turned.end());
   return columns;
 }
 

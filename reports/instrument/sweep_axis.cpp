@@ -6,9 +6,9 @@
 
 namespace axiscert {
 
-std::optional<double> swept_value(const Source& source) {
+std::optional<SignedNumber> swept_value(const Source& source) {
   const SweepPoint* point = swept_point(source);
-  return point != nullptr ? std::optional(point->value) : std::nullopt;
+  return point != nullptr ? std::optional(SignedNumber{point->value}) : std::nullopt;
 }
 
 std::optional<SweepData> sweep_of(const std::vector<SourcePtr>& sources) {
@@ -17,7 +17,8 @@ std::optional<SweepData> sweep_of(const std::vector<SourcePtr>& sources) {
     const SweepPoint* point = swept_point(*source);
     if (point == nullptr) continue;
     if (!sweep) sweep = {point->parameter, {}};
-    if (std::ranges::find(sweep->values, point->value) == sweep->values.end()) sweep->values.push_back(point->value);
+    if (std::ranges::find(sweep->values, point->value, &SignedNumber::value) == sweep->values.end())
+      sweep->values.push_back({point->value});
   }
   return sweep;
 }
@@ -46,9 +47,9 @@ std::optional<InstrumentPlot> sweep_plot(
       std::vector<std::pair<double, SweepY>> found;
       for (std::size_t s = 0; s < sources.size(); ++s) {
         const auto value = swept_value(*sources[s]);
-        if (!value || *value <= 0 || unswept(*sources[s]).name() != base) continue;
+        if (!value || value->value <= 0 || unswept(*sources[s]).name() != base) continue;
         const std::optional<SweepY> at = y(line, s);
-        if (at && at->y > 0) found.emplace_back(*value, *at);
+        if (at && at->y > 0) found.emplace_back(value->value, *at);
       }
       std::ranges::sort(found, {}, [](const auto& point) { return point.first; });
       for (const auto& [x, at] : found) {

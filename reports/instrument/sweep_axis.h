@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fuzz/fields/field.h"
+#include "fuzz/fields/json_values.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/queries/sweep.h"
 #include "kernel/kernel.h"
@@ -17,7 +18,7 @@ namespace axiscert {
 
 struct SweepData {
   SweepParameter parameter = SweepParameter::offset;
-  std::vector<double> values;
+  std::vector<SignedNumber> values;
 
   static constexpr Field in_data = {
       .name = "sweep", .about = "The swept parameter; absent: there is none.", .may_be_absent = true};
@@ -32,7 +33,7 @@ inline constexpr Field swept_field = {
 // Of sources that were swept together; empty where none was.
 std::optional<SweepData> sweep_of(const std::vector<SourcePtr>& sources);
 // Of one source.
-std::optional<double> swept_value(const Source& source);
+std::optional<SignedNumber> swept_value(const Source& source);
 
 std::vector<std::string> ids_of(const std::vector<const Kernel*>& kernels);
 

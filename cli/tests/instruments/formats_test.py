@@ -7,6 +7,7 @@ import re
 import subprocess
 import unittest
 
+import jsonschema
 import numpy
 
 from command import MODELS, QUERY, ROOT, Case, axiscert, schema_of
@@ -213,17 +214,18 @@ class OwnKernels(Case):
 class Sweeps(Case):
     def test_the_parameter_is_an_axis_of_each_instrument(self):
         for command in OwnQueries.COMMANDS:
-            done = axiscert(*command, "--kernel", "published", "--family", "tangent", "--trials", 60, "--sweep", "offset=0,2^4,2^12",
+            done = axiscert(*command, "--kernel", "published", "--family", "tangent", "--trials", 60, "--sweep", "offset=-8,0,2^4,2^12",
                             "--format", "json", "--out", self.folder / command[0])
             self.assertEqual(done.returncode, 0, done.stderr)
             found = json.loads(done.stdout)
-            self.assertEqual(found["sweep"], {"parameter": "offset", "values": [0, 16, 4096]}, command)
-            for name in ("tangent offset=0", "tangent offset=2^4", "tangent offset=2^12"):
+            self.assertEqual(found["sweep"], {"parameter": "offset", "values": [-8, 0, 16, 4096]}, command)
+            self.assertEqual([error.message for error in jsonschema.Draft202012Validator(schema_of(command[0])).iter_errors(found)], [])
+            for name in ("tangent offset=-8", "tangent offset=0", "tangent offset=2^4", "tangent offset=2^12"):
                 self.assertIn(name, done.stdout, command)
             page = (self.folder / command[0] / f"{command[0]}.html").read_text()
             self.assertIn("over the swept parameter", page, command)
             rows = list(csv.DictReader(io.StringIO((self.folder / command[0] / f"{command[0]}.csv").read_text())))
-            self.assertTrue({"0", "16", "4096"} <= {value.removesuffix(".0") for row in rows for value in row.values() if value}, command)
+            self.assertTrue({"-8", "0", "16", "4096"} <= {value.removesuffix(".0") for row in rows for value in row.values() if value}, command)
 
     def test_an_address_makes_the_query_again_as_it_was_judged(self):
         done = axiscert("critical-radius", "--kernel", "published", "--family", "tangent", "--trials", 100, "--sweep", "offset=2^6", "--format", "json")

@@ -84,7 +84,8 @@ struct LadderPlan {
 // One comparison, or several together, relative to the kernel's own formulae in exact arithmetic.
 struct ComparisonAccuracy {
   std::uint64_t false_separation = 0, missed_separation = 0, by_range = 0;
-  // Computed sides that are not finite; errors over |l| + |r| = 0. Neither is among the errors.
+  // Computed sides that are not finite; errors over |l| + |r| = 0, or of a right side that is a root. Neither is among
+  // the errors.
   std::uint64_t range_events = 0, without_scale = 0;
   ErrorSpread errors;  // empty if the kernel does not expose its sides
 
@@ -140,8 +141,6 @@ struct LadderResult {
 
 // Everything but `speed` depends on the plan alone, not on its threads. Throws OracleDisagreement.
 LadderResult measure_ladder(const LadderPlan& plan, const ShowProgress& report = {});
-
-// Steps from one form of the predicate to the next: the effect of each rewriting, and the most costly ones.
 
 // The interval in which all of the axes are sound.
 std::optional<ExponentWindow> common_window(const AxisWindows& windows, AxisBits axes);

@@ -51,7 +51,7 @@ struct WrongVerdictsData {
 
 struct ConditionRow {
   Name kernel, family;
-  std::optional<double> swept;
+  std::optional<SignedNumber> swept;
   std::uint64_t invalid = 0;
   ConditionCountsData total;
   NamedValues<ConditionCountsData> comparisons;

@@ -61,7 +61,7 @@ struct CriticalRadiusTotal {
 
 struct CriticalRadiusRow {
   Name kernel, family;
-  std::optional<double> swept;
+  std::optional<SignedNumber> swept;
   CriticalRadiiData radii;
   std::uint64_t left_out = 0;
   std::optional<UlpsAt> worst_early, worst_late;

@@ -22,7 +22,7 @@ std::string probability(const std::optional<double>& p) {
   return *p < 1e-12 ? "<1e-12" : fmt::format("{:.2g}", *p);
 }
 std::string difference_limits(const std::optional<SignedNumber>& low, const std::optional<SignedNumber>& high) {
-  return low && high ? fmt::format("{:+.0f} to {:+.0f}", 1e6 * low->value, 1e6 * high->value) : std::string();
+  return low && high ? signed_million_text(low) + " to " + signed_million_text(high) : std::string();
 }
 
 bool is_significant(const LadderDifferenceData& difference) {
@@ -246,8 +246,7 @@ void add_difference_tables(InstrumentReport& report, const LadderPlan& plan, con
 void add_difference_plots(InstrumentReport& report, const LadderPlan& plan, const LadderResult& result,
                           const std::vector<LadderDifferenceData>& differences) {
   const auto million = [](double share) { return 1e6 * share; };
-  std::vector<std::string> ids;
-  for (const LadderEntry& entry : result.entries) ids.push_back(entry.kernel->id);
+  const std::vector<std::string> ids = ids_of(plan.kernels);
   const auto rates = [&](std::size_t source, const char* what, std::initializer_list<Figure> figures) {
     InstrumentPlot plot{fmt::format("{}, {}", what, plan.sources[source]->name()),
                         "kernel",

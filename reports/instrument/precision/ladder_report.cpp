@@ -14,7 +14,6 @@ namespace {
 
 using Entries = std::vector<LadderEntry>;
 
-constexpr AxisKind all_kinds[] = {AxisKind::plane, AxisKind::vertex, AxisKind::edge};
 std::string kind_text(AxisKind kind) { return std::string(axis_kind_names[kind]); }
 
 bool has_sides(const LadderEntry& entry) { return entry.kernel->exposes == Exposure::sides; }
@@ -77,7 +76,7 @@ InstrumentTable families_table(const LadderPlan& plan, const Entries& entries) {
   InstrumentTable table{
       "By family: by kind of axis sign errors of comparisons and errors in u", {"family", "kernel"}, {}};
   table.heading_of.resize(table.columns.size());
-  for (const AxisKind kind : all_kinds) {
+  for (const AxisKind kind : enumerators<AxisKind>) {
     table.headings.push_back(kind_text(kind) + " axes");
     for (const char* what : {"signs", "by range", "median", "99 %", "worst"}) {
       table.columns.push_back(kind_text(kind) + " " + what);
@@ -88,7 +87,7 @@ InstrumentTable families_table(const LadderPlan& plan, const Entries& entries) {
     for (const LadderEntry& entry : entries) {
       const KernelAccuracy& here = entry.by_source[s];
       auto& row = table.rows.emplace_back(std::vector<std::string>{plan.sources[s]->name(), entry.kernel->id});
-      for (const AxisKind kind : all_kinds) {
+      for (const AxisKind kind : enumerators<AxisKind>) {
         const ComparisonAccuracy accuracy = here.of(comparisons_of_kind(kind));
         row.insert(row.end(), {fmt::format("{}", accuracy.sign_errors()), fmt::format("{}", accuracy.by_range),
                                has_sides(entry) ? quantile(accuracy, 50) : "no sides shown", quantile(accuracy, 99),
@@ -103,21 +102,23 @@ InstrumentTable costliest_table(const LadderPlan& plan, const Entries& entries, 
   InstrumentTable table{
       "The step that costs most, by family and kind of axis", {"family", "axes", "in", "step", "from", "to"}, {}};
   for (std::size_t s = 0; s < plan.sources.size(); ++s) {
-    for (const AxisKind kind : all_kinds) {
+    for (const AxisKind kind : enumerators<AxisKind>) {
       const CostliestSteps costliest = costliest_steps(entries, steps, kind, s);
-      const auto add = [&](const char* what, std::optional<std::size_t> i, auto&& shown_of) {
+      const auto add = [&](const std::string& family, const char* what, std::optional<std::size_t> i, auto&& shown_of) {
         if (!i) return;  // no step worsens it
         const LadderEntry &from = entries[steps[*i].from], &to = entries[steps[*i].to];
-        table.rows.push_back({plan.sources[s]->name(), kind_text(kind), what,
-                              fmt::format("{} to {}", from.kernel->id, to.kernel->id), shown_of(from), shown_of(to)});
+        table.rows.push_back({family, kind_text(kind), what, fmt::format("{} to {}", from.kernel->id, to.kernel->id),
+                              shown_of(from), shown_of(to)});
       };
       const auto of = [&](const LadderEntry& entry) { return entry.by_source[s].of(comparisons_of_kind(kind)); };
-      add("sign errors", costliest.sign_errors,
+      const std::string name = plan.sources[s]->name();
+      add(name, "sign errors", costliest.sign_errors,
           [&](const LadderEntry& e) { return fmt::format("{}", of(e).sign_errors()); });
-      add("sign errors by rounding", costliest.rounding_sign_errors,
+      add(name, "sign errors by rounding", costliest.rounding_sign_errors,
           [&](const LadderEntry& e) { return fmt::format("{}", of(e).rounding_sign_errors()); });
-      add("worst error, u", costliest.worst_error, [&](const LadderEntry& e) { return worst(of(e)); });
-      if (s == 0) add("range", costliest.range, [&](const LadderEntry& e) { return window_of(e, kind); });
+      add(name, "worst error, u", costliest.worst_error, [&](const LadderEntry& e) { return worst(of(e)); });
+      // Windows are of no family.
+      if (s == 0) add("", "range", costliest.range, [&](const LadderEntry& e) { return window_of(e, kind); });
     }
   }
   return table;
@@ -159,22 +160,16 @@ InstrumentSeries by_kernel(std::string series_name, const Entries& entries, Show
   return series;
 }
 
-std::vector<std::string> ids(const Entries& entries) {
-  std::vector<std::string> all;
-  for (const LadderEntry& entry : entries) all.push_back(entry.kernel->id);
-  return all;
-}
-
 template <class Shown>
-InstrumentPlot by_kind(std::string caption, std::string y_label, const Entries& entries, std::size_t source,
-                       Shown&& figure) {
+InstrumentPlot by_kind(std::string caption, std::string y_label, const LadderPlan& plan, const Entries& entries,
+                       std::size_t source, Shown&& figure) {
   InstrumentPlot plot{std::move(caption), "kernel", std::move(y_label), InstrumentPlot::Kind::line, false, true, {}};
-  for (const AxisKind kind : all_kinds) {
+  for (const AxisKind kind : enumerators<AxisKind>) {
     plot.series.push_back(by_kernel(kind_text(kind), entries, [&](const LadderEntry& entry) -> std::optional<double> {
       return figure(entry.by_source[source].of(comparisons_of_kind(kind)));
     }));
   }
-  plot.x_names = ids(entries);
+  plot.x_names = ids_of(plan.kernels);
   return plot;
 }
 
@@ -191,9 +186,9 @@ void add_sweep_plot(InstrumentReport& report, const LadderPlan& plan, const Entr
 void add_plots(InstrumentReport& report, const LadderPlan& plan, const Entries& entries) {
   for (std::size_t source = 0; source < plan.sources.size(); ++source) {
     const std::string family = plan.sources[source]->name();
-    report.plots.push_back(by_kind("Median error by rung, " + family, "error, u", entries, source,
+    report.plots.push_back(by_kind("Median error by rung, " + family, "error, u", plan, entries, source,
                                    [](const ComparisonAccuracy& a) { return a.errors.quantile(50); }));
-    report.plots.push_back(by_kind("Worst error by rung, " + family, "error, u", entries, source,
+    report.plots.push_back(by_kind("Worst error by rung, " + family, "error, u", plan, entries, source,
                                    [](const ComparisonAccuracy& a) { return a.errors.worst().value(); }));
   }
   if (!plan.speed) return;
@@ -205,7 +200,7 @@ void add_plots(InstrumentReport& report, const LadderPlan& plan, const Entries& 
                           false,
                           false,
                           {by_kernel("scalar", entries, scalar_ns)},
-                          ids(entries)});
+                          ids_of(plan.kernels)});
   InstrumentSeries front{"front", {}, {}}, others{"beaten", {}, {}};
   const auto best = accuracy_speed_front(entries);
   for (std::size_t i = 0; i < entries.size(); ++i) {

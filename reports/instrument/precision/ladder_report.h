@@ -100,7 +100,7 @@ struct LadderResultData {
   NamedValues<KindData> kinds;
   NamedValues<FiguresData> comparisons;
   NamedValues<LadderRateData> rates;
-  std::optional<double> swept;
+  std::optional<SignedNumber> swept;
 
   static constexpr std::string_view about = "Of one family.";
   static constexpr auto fields(auto&& visit) {
@@ -123,8 +123,7 @@ struct LadderWindowsData {
 
   static constexpr std::string_view about =
       "The exponents from which to which a scene can be scaled by a power of two, and nothing over- or underflows; "
-      "null: "
-      "none.";
+      "null: none.";
   static constexpr auto fields(auto&& visit) {
     using Of = LadderWindowsData;
     return visit(field(&Of::axes, {"axes", "Of each axis."}), field(&Of::kinds, {"kinds", "Of each kind of axis."}));

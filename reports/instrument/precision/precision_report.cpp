@@ -288,8 +288,8 @@ std::optional<InstrumentPlot> relative_plot(const PrecisionPlan& plan, const std
     for (std::size_t s = 0; s < plan.sources.size(); ++s) {
       const auto offset = swept_value(*plan.sources[s]);
       const double size = median_scene_size(unswept(*plan.sources[s]), plan.seed, plan.precision);
-      if (!offset || *offset <= 0 || size <= 0) continue;
-      add_point(series, std::ldexp(*offset, -plan.numbers[n].bits) / size,
+      if (!offset || offset->value <= 0 || size <= 0) continue;
+      add_point(series, std::ldexp(offset->value, -plan.numbers[n].bits) / size,
                 sign_errors(plan, tallies[s], k, n, cluster_size(plan, s)), plan.sources[s]->name());
     }
     plot.series.push_back(std::move(series));
@@ -433,7 +433,7 @@ std::string rounding_text(const PrecisionPlan& plan) {
 std::vector<std::string> notes(const PrecisionPlan& plan, const PrecisionTally& all) {
   std::string families;
   for (const SourcePtr& source : plan.sources) families += (families.empty() ? "" : ", ") + source->name();
-  const double limit = all.queries == 0 ? 1e6 : 1e6 * -std::expm1(std::log(0.05) / static_cast<double>(all.queries));
+  const double limit = 1e6 * excluded_rate(all.queries);
   const bool is_checked = plan.rounding == RoundingRule::nearest;
   return {
       fmt::format("{} valid {} queries: {}. {} Every operation of the formulae is rounded {} in the format (MPFR). "
@@ -459,14 +459,11 @@ std::vector<std::string> notes(const PrecisionPlan& plan, const PrecisionTally& 
       "wrongly. A flip of a comparison is a difference from the kernel's own exact sign.",
       "Degree: all coordinates and the radius times s multiply a side by s to that power. Bits for integers: enough to "
       "evaluate the comparison without a rounding where coordinates and radius are integers of b bits, sign apart; "
-      "none "
-      "where a form divides or takes a root. Floats whose exponents differ need more. Least bits seen: of those "
-      "listed, "
-      "over these queries; nothing is proved by it.",
+      "none where a form divides or takes a root. Floats whose exponents differ need more. Least bits seen: of those "
+      "listed, over these queries; nothing is proved by it.",
       "Figures of all families together have each query with the same weight; those by family stand below.",
       "Error bars, and in the JSON and CSV `low` and `high`: Wilson's limits of a rate, 95 %. Queries of one triangle "
-      "or "
-      "image group, the comparisons of a query and its seeds count as one.",
+      "or image group, the comparisons of a query and its seeds count as one.",
       fmt::format("0 among these queries means less than {} per million of them, 95 %, for these generators only.",
                   amount(limit, 3))};
 }

@@ -72,8 +72,7 @@ struct WrongRateData {
 
   static constexpr std::string_view about =
       "The rate of wrong verdicts with its limits (Wilson), 95 %; null without queries. Queries of one triangle or "
-      "image "
-      "group count as one.";
+      "image group count as one.";
   static constexpr auto fields(auto&& visit) {
     using Of = WrongRateData;
     return visit(
@@ -115,7 +114,8 @@ struct KernelPrecisionData {
 
 struct PrecisionTallyData {
   std::uint64_t queries = 0;
-  std::optional<double> swept, scene_size;  // of one source
+  std::optional<SignedNumber> swept;  // of one source
+  std::optional<double> scene_size;
   NamedValues<KernelPrecisionData> kernels;
 
   static constexpr std::string_view about = "Of some queries.";
