@@ -36,7 +36,7 @@ double magnitude(const Json& number) {
 
 const EnumArray<Link, CauseWords> link_words = {{
     {"The formulae are wrong even in exact arithmetic: no precision mends it.",
-     "The formulae are wrong over the reals: take others, as those of `nonstrict` or `reduced-nonstrict`.",
+     "The formulae are wrong over the reals: take others, as those of `nonstrict` or `reduced-along-nonstrict`.",
      "docs/precision.md#the-reduced-rung"},
     {"Rounding each operation to the precision changed the answer, exponents unlimited.",
      "Let r grow by the safe margin, or take a form that rounds less, or libaxiscert.",
