@@ -59,10 +59,12 @@ class Commands:
 def draw(plot, caption, path):
     figure, axes = plt.subplots(figsize=(8, 4.2))
     longest = max((len(series["points"]) for series in plot["series"]), default=0)
+    is_labelled = sum(len(series["points"]) for series in plot["series"]) <= 40
     for i, series in enumerate(plot["series"]):
         points = series["points"]
         x, y = [p[0] for p in points], [p[1] for p in points]
-        style = {"color": COLOURS[i % len(COLOURS)], "label": series["name"], "marker": "osD^vPX*"[i % 8]}
+        turn = i // len(COLOURS)  # of the colours: a colour that comes again has another marker
+        style = {"color": COLOURS[i % len(COLOURS)], "label": series["name"], "marker": "osD^vPX*"[(i + turn) % 8]}
         if series.get("intervals"):
             below = [v - low for v, (low, _) in zip(y, series["intervals"])]
             above = [high - v for v, (_, high) in zip(y, series["intervals"])]
@@ -73,7 +75,7 @@ def draw(plot, caption, path):
             axes.plot(x, y, markersize=4, markevery=(i % every, every), linestyle="-" if i < len(COLOURS) else "--", **style)
         else:
             axes.scatter(x, y, **style)
-            for point, label in zip(points, series["labels"]):
+            for point, label in zip(points, series["labels"] if is_labelled else ()):
                 axes.annotate(label, point, textcoords="offset points", xytext=(6, 4), fontsize=8)
     for axis, name in ((axes.xaxis, "x"), (axes.yaxis, "y")):
         axis.set_label_text(plot[name]["label"])
@@ -82,7 +84,8 @@ def draw(plot, caption, path):
         if plot[name].get("names"):
             axis.set_ticks(range(len(plot[name]["names"])), plot[name]["names"], rotation=40, ha="right")
     axes.set_title(caption, fontsize=11)
-    axes.legend(fontsize=8, frameon=False)
+    beside = {"loc": "upper left", "bbox_to_anchor": (1.01, 1)} if len(plot["series"]) > len(COLOURS) else {}
+    axes.legend(fontsize=8, frameon=False, **beside)
     svg = io.StringIO()
     figure.savefig(svg, format="svg", metadata={"Date": None}, bbox_inches="tight")
     plt.close(figure)

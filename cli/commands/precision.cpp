@@ -193,7 +193,7 @@ void add_precision(CLI::App& app, Action& action) {
                        ", whose exponents are from 1-E to E; beside each, the same bits with unlimited exponents")
       ->check(known_by([](const std::string& text) { parse_number_format(text); }))
       ->allow_extra_args(false);
-  options->asks_less = "each --number and each --bits is one precision in place of 26";
+  options->asks_less = "each --number or --bits is one format in place of 26";
   command
       ->add_option("--bits", options->bits,
                    "bits of precision with the exponents of the queries, repeatable; with neither this nor --number 26 "

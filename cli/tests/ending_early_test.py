@@ -120,7 +120,7 @@ class Interrupted(EndingCase):
 
     def test_what_keeps_nothing_says_so_and_how_to_ask_less(self):
         for command, says in ((("precision",), "precision keeps nothing of a part of its figures; it asks less by fewer --trials (a tenth: --trials 204), kernels "
-                               "and families, and each --number and each --bits is one precision in place of 26"),
+                               "and families, and each --number or --bits is one format in place of 26"),
                               (("ladder", "--trials", 1 << 22), "(a tenth: --trials 419430), kernels and families, and --no-speed measures no times"),
                               (("league", "--no-engines", "--trials", 1 << 20), "--no-speed and --no-engines leave out the times and the engines"),
                               (("map", "1:general:2:binary32:0:0", "--size", 4096), "--size 2048 draws a quarter of the pixels, and --what fewer than these "),

@@ -163,9 +163,10 @@ class LookedAt(Case):
                         ("league", "--kernel", alone, "--no-speed", "--precision", "binary32")):
             self.refused(*command, stdin=json.dumps(CONTACT), says=["does not exist"])
 
-    def test_instruments_of_formulae_take_no_plug_in(self):
-        for command in ("ladder", "precision", "condition"):
-            self.refused(command, "--kernel", promise("declines"), says=["measures built-in formulae"])
+    def test_instruments_of_formulae_say_what_a_plug_in_needs(self):
+        for command, says in (("ladder", "declare `formulae`"), ("condition", "declare `formulae`"),
+                              ("precision", "evaluates built-in formulae itself")):
+            self.refused(command, "--kernel", promise("keeps_its_promise"), says=[says])
 
 
 if __name__ == "__main__":

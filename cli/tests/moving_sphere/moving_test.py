@@ -152,7 +152,7 @@ class MovingSphere(Case):
         (total,) = json.loads(done.stdout)["totals"]
         self.assertEqual(total["measured"], 40)
         self.refused("critical-radius", "--kernel", "moving-sphere/twenty", "--family", "general",
-                     says=["is of the predicate moving-sphere", "sphere-triangle"])
+                     says=["its queries are of sphere-triangle, but the kernels are of moving-sphere"])
 
     def test_bad_numbers_are_told_with_their_field(self):
         self.refused("check", "-", stdin=GRAZE.replace('"d":[1,0,0]', '"d":[1,0]'), says=["field 'd'", "three numbers"])
