@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "exact/sphere_triangle/unbounded/degree.h"
-#include "fuzz/statistics/clusters.h"
+#include "fuzz/statistics/proportions.h"
 #include "kernel/formulae_list.h"
 #include "reports/wording/summary.h"
 
@@ -37,25 +37,12 @@ const std::array<Kind, 5>& kinds() {
   }();
   return all;
 }
-constexpr std::size_t edge_radius_kind = 3, edge_sides_kind = 4;
 
 double rate_per_million(std::uint64_t count, std::uint64_t queries) {
   return queries == 0 ? 0 : 1e6 * static_cast<double>(count) / static_cast<double>(queries);
 }
 std::string rate(std::uint64_t count, std::uint64_t queries) { return amount(rate_per_million(count, queries), 3); }
 
-std::uint64_t flips(const PrecisionCounts& counts, ComparisonBits which) {
-  std::uint64_t sum = 0;
-  for_each_bit(which, [&](std::size_t i) { sum += counts.comparisons[i]; });
-  return sum;
-}
-
-std::string exponents_text(const PrecisionPlan& plan, ExponentRange range) {
-  if (range == unlimited) return "unlimited exponents";
-  const bool are_of_queries =
-      std::ranges::all_of(plan.numbers, [](const NumberFormat& number) { return !number.exponents; });
-  return are_of_queries ? fmt::format("exponents of {}", name(plan.precision)) : "exponents of the format";
-}
 int own_digits(const PrecisionPlan& plan) {
   return plan.precision == Precision::binary32 ? std::numeric_limits<float>::digits
                                                : std::numeric_limits<double>::digits;
@@ -92,10 +79,6 @@ std::string seeds_rate(const PrecisionPlan& plan, const KernelPrecision& kernel,
   if (plan.seeds() == 1 || least == greatest) return rate(found, queries);
   return fmt::format("{} ({} to {})", rate(found, queries), amount(least, 3), amount(greatest, 3));
 }
-auto wrong_in(ExponentRange range) {
-  return [range](const PrecisionStep& step) { return step.in(range).verdict.total(); };
-}
-
 InstrumentTable verdict_table(const PrecisionPlan& plan, const PrecisionTally& all, ExponentRange range) {
   InstrumentTable table{
       fmt::format("Wrong verdicts per million, {}", exponents_text(plan, range)), kernel_columns(plan, "number"), {}};
@@ -180,169 +163,6 @@ InstrumentTable sufficient_table(const PrecisionPlan& plan, const PrecisionTally
     table.rows.push_back({id, "verdict, as the geometry", "", "", "", "", sufficient_text(verdict.verdict)});
   }
   return table;
-}
-
-// How many queries share a triangle or an image group, on average.
-double cluster_size(const PrecisionPlan& plan, std::size_t source) {
-  const Source& of = *plan.sources[source];
-  const std::uint64_t trials = of.fixed_size(plan.precision).value_or(plan.trials);
-  const std::uint64_t clusters = of.base_triangles(plan.precision, trials);
-  return clusters == 0 ? 1 : std::max(1.0, static_cast<double>(trials) / static_cast<double>(clusters));
-}
-double cluster_size(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies) {
-  double queries = 0, clusters = 0;
-  for (std::size_t s = 0; s < tallies.size(); ++s) {
-    queries += static_cast<double>(tallies[s].queries);
-    clusters += static_cast<double>(tallies[s].queries) / cluster_size(plan, s);
-  }
-  return clusters == 0 ? 1 : queries / clusters;
-}
-
-// A rate with its limits, where clusters of so many trials fail together: the most that they can depend on each other.
-std::optional<WrongRateData> rate_with_limits(std::uint64_t failures, std::uint64_t trials, double size) {
-  if (trials == 0) return std::nullopt;
-  const auto clusters = static_cast<std::uint64_t>(std::ceil(static_cast<double>(trials) / size));
-  const auto together = static_cast<std::uint64_t>(std::llround(size));
-  ClusterSums sums;
-  for (std::uint64_t left = failures; left > 0;) {
-    const std::uint64_t fails = std::min(left, together);
-    sums.add(static_cast<std::int64_t>(fails));
-    left -= fails;
-  }
-  const auto limits = wilson_limits({trials, clusters}, sums);
-  if (!limits) return std::nullopt;
-  return WrongRateData{static_cast<double>(failures) / static_cast<double>(trials), limits->low, limits->high};
-}
-
-// What `count` counts in a format, over its seeds, with limits: the seeds of a query and what else is counted of it, of
-// which `each` are in a query, are one trial.
-template <class Count>
-std::optional<WrongRateData> mean_rate(const PrecisionPlan& plan, const KernelPrecision& kernel, std::size_t number,
-                                       double size, const Count& count, std::uint64_t each = 1) {
-  std::uint64_t found = 0, queries = 0;
-  for (std::size_t s = 0; s < plan.seeds(); ++s) {
-    const PrecisionStep& step = kernel.steps[number * plan.seeds() + s];
-    found += count(step);
-    queries += step.queries;
-  }
-  return rate_with_limits(found, queries * each, size * static_cast<double>(plan.seeds() * each));
-}
-
-// Adds a point per million with its error bar, where the rate is above 0.
-void add_point(InstrumentSeries& series, double x, const std::optional<WrongRateData>& rate, std::string label) {
-  if (!rate || rate->rate <= 0) return;
-  series.points.emplace_back(x, 1e6 * rate->rate);
-  series.intervals.emplace_back(1e6 * rate->low, 1e6 * rate->high);
-  series.labels.push_back(std::move(label));
-}
-
-template <class Count>
-InstrumentPlot plot(const PrecisionPlan& plan, const PrecisionTally& all, double size, std::string caption,
-                    std::string y_label, Count&& count) {
-  InstrumentPlot plot{std::move(caption), "bits", std::move(y_label), InstrumentPlot::Kind::line, false, true, {}};
-  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
-    InstrumentSeries series{plan.kernels[k]->id, {}, {}};
-    for (std::size_t n = 0; n < plan.numbers.size(); ++n)
-      add_point(series, plan.numbers[n].bits, mean_rate(plan, all.kernels[k], n, size, count), plan.numbers[n].name);
-    plot.series.push_back(std::move(series));
-  }
-  return plot;
-}
-
-constexpr std::uint64_t edge_comparisons = 6;
-
-std::uint64_t edge_flips(const PrecisionStep& step) {
-  return flips(step.in(unlimited), static_cast<ComparisonBits>(kinds()[edge_radius_kind].comparisons |
-                                                               kinds()[edge_sides_kind].comparisons));
-}
-// Sign errors of the edge comparisons, which alone have forms that are not centred.
-std::optional<WrongRateData> sign_errors(const PrecisionPlan& plan, const PrecisionTally& tally, std::size_t kernel,
-                                         std::size_t number, double size) {
-  return mean_rate(plan, tally.kernels[kernel], number, size, edge_flips, edge_comparisons);
-}
-
-struct KernelNumber {
-  std::size_t kernel, number;
-};
-std::vector<KernelNumber> kernel_numbers(const PrecisionPlan& plan) {
-  std::vector<KernelNumber> all;
-  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
-    for (std::size_t n = 0; n < plan.numbers.size(); ++n) all.push_back({k, n});
-  }
-  return all;
-}
-
-// Of a swept offset: sign errors against offset x u / size, which puts the formats on one axis; u = 2^-bits.
-std::optional<InstrumentPlot> relative_plot(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies) {
-  const auto sweep = sweep_of(plan.sources);
-  if (!sweep || sweep->parameter != SweepParameter::offset) return std::nullopt;
-  InstrumentPlot plot{"Sign errors of edge comparisons, unlimited exponents, against the offset in units of the format",
-                      "offset x 2^-bits / size of the scene",
-                      "per million edge comparisons",
-                      InstrumentPlot::Kind::scatter,
-                      true,
-                      true,
-                      {}};
-  for (const auto& [k, n] : kernel_numbers(plan)) {
-    InstrumentSeries series{fmt::format("{}, {}", plan.kernels[k]->id, plan.numbers[n].name), {}, {}};
-    for (std::size_t s = 0; s < plan.sources.size(); ++s) {
-      const auto offset = swept_value(*plan.sources[s]);
-      const double size = median_scene_size(unswept(*plan.sources[s]), plan.seed, plan.precision);
-      if (!offset || offset->value <= 0 || size <= 0) continue;
-      add_point(series, std::ldexp(offset->value, -plan.numbers[n].bits) / size,
-                sign_errors(plan, tallies[s], k, n, cluster_size(plan, s)), plan.sources[s]->name());
-    }
-    plot.series.push_back(std::move(series));
-  }
-  return plot;
-}
-
-std::optional<SweepY> y_of(const std::optional<WrongRateData>& rate) {
-  if (!rate) return std::nullopt;
-  return SweepY{1e6 * rate->rate, std::pair(1e6 * rate->low, 1e6 * rate->high)};
-}
-
-void add_sweep_plots(std::vector<InstrumentPlot>& plots, const PrecisionPlan& plan,
-                     const std::vector<PrecisionTally>& tallies) {
-  const std::vector<KernelNumber> lines = kernel_numbers(plan);
-  std::vector<std::string> names;
-  for (const auto& [k, n] : lines) names.push_back(fmt::format("{}, {}", plan.kernels[k]->id, plan.numbers[n].name));
-  const auto wrong = [&](std::size_t line, std::size_t s) {
-    const auto [k, n] = lines[line];
-    return y_of(mean_rate(plan, tallies[s].kernels[k], n, cluster_size(plan, s), wrong_in(unlimited)));
-  };
-  const auto signs = [&](std::size_t line, std::size_t s) {
-    const auto [k, n] = lines[line];
-    return y_of(sign_errors(plan, tallies[s], k, n, cluster_size(plan, s)));
-  };
-  if (auto of_verdicts =
-          sweep_plot(plan.sources, "Wrong verdicts over the swept parameter, unlimited exponents; none has no point",
-                     "per million", names, wrong))
-    plots.push_back(*of_verdicts);
-  if (auto of_signs =
-          sweep_plot(plan.sources, "Sign errors of edge comparisons over the swept parameter, unlimited exponents",
-                     "per million edge comparisons", names, signs))
-    plots.push_back(*of_signs);
-  if (auto relative = relative_plot(plan, tallies)) plots.push_back(*relative);
-}
-
-std::vector<InstrumentPlot> plots(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies,
-                                  const PrecisionTally& all) {
-  std::vector<InstrumentPlot> all_plots;
-  const double size = cluster_size(plan, tallies);
-  add_sweep_plots(all_plots, plan, tallies);
-  for (const ExponentRange range : {unlimited, limited}) {
-    all_plots.push_back(
-        plot(plan, all, size,
-             fmt::format("Wrong verdicts, {}; a kernel without any has no point", exponents_text(plan, range)),
-             "per million", wrong_in(range)));
-  }
-  all_plots.push_back(plot(plan, all, size, "Verdicts that rounding changes, unlimited exponents", "per million",
-                           [](const PrecisionStep& step) { return step.rounding; }));
-  all_plots.push_back(plot(plan, all, size * edge_comparisons,
-                           "Flips of the six edge comparisons together, unlimited exponents", "per million queries",
-                           edge_flips));
-  return all_plots;
 }
 
 PrecisionTallyData tally_data(const PrecisionPlan& plan, const PrecisionTally& tally, double size) {
@@ -478,7 +298,7 @@ InstrumentReport precision_report(const PrecisionPlan& plan, const std::vector<P
                           command,
                           notes(plan, all),
                           {verdict_table(plan, all, unlimited), verdict_table(plan, all, limited)},
-                          plots(plan, tallies, all),
+                          precision_plots(plan, tallies, all),
                           precision_json(plan, tallies, all, command)};
   if (plan.round_inputs) report.tables.push_back(left_out_table(plan, all));
   const std::vector<std::size_t> apart = shown_numbers(plan, 12);

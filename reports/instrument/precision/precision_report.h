@@ -172,4 +172,18 @@ struct PrecisionData : CommandData<PrecisionData> {
 InstrumentReport precision_report(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies,
                                   const std::string& command);
 
+// In precision_plots.cpp.
+
+std::string exponents_text(const PrecisionPlan& plan, ExponentRange range);
+inline auto wrong_in(ExponentRange range) {
+  return [range](const PrecisionStep& step) { return step.in(range).verdict.total(); };
+}
+// How many queries share a triangle or an image group, on average: of a source, and of all together.
+double cluster_size(const PrecisionPlan& plan, std::size_t source);
+double cluster_size(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies);
+// A rate with its limits, where clusters of so many trials fail together: the most that they can depend on each other.
+std::optional<WrongRateData> rate_with_limits(std::uint64_t failures, std::uint64_t trials, double size);
+std::vector<InstrumentPlot> precision_plots(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies,
+                                            const PrecisionTally& all);
+
 }  // namespace axiscert
