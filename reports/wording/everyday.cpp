@@ -56,7 +56,8 @@ std::string group_text(FamilyGroup group, const GroupResult& result, const Lengt
   if (result.missed + result.invented == 0) text += "no wrong verdict";
   else text += result.missed == 0 && result.invented != 0 ? invented + "; " + missed : missed + "; " + invented;
   text += times_text(group, result.late, "late", unit) + times_text(group, result.early, "early", unit);
-  if (has_lengths(group) && result.has_times && result.late.count + result.early.count == 0) text += "; no time late or early";
+  if (has_lengths(group) && result.has_times && result.late.count + result.early.count == 0)
+    text += "; no time late or early";
   if (result.no_answer != 0) text += fmt::format("; {} without a verdict", thousands(result.no_answer));
   return text;
 }

@@ -226,32 +226,30 @@ Numbers<RealOf<Pair>> numbers_by(Stream& random, std::uint64_t position) {
   return numbers_of(Made::template make<Pair>(random, position));
 }
 
-// The family in the entry `matrix`, and that of quaternions. The version changes with the queries of `Made`.
-template <class Made, std::uint32_t version = 1>
-constexpr Family matrix_family(std::string_view name, const Situation& situation, std::string_view purpose,
-                               bool exact_arithmetic = false) {
-  return {.predicate = box_box_predicate,
+// The family in an entry of either predicate. The version changes with the queries of `Made`.
+template <class Made, class Entry, std::uint32_t version = 1>
+constexpr Family family_in_entry(std::string_view name, const Situation& situation, std::string_view purpose,
+                                 bool exact_arithmetic = false) {
+  return {.predicate = Entry::description,
           .name = name,
           .purpose = purpose,
           .version = version,
           .exact_arithmetic = exact_arithmetic,
-          .binary32 = fill_one_by_one<numbers_by<Made, BoxPair<float>>, float>,
-          .binary64 = fill_one_by_one<numbers_by<Made, BoxPair<double>>, double>,
+          .binary32 = fill_one_by_one<numbers_by<Made, typename Entry::template Problem<float>>, float>,
+          .binary64 = fill_one_by_one<numbers_by<Made, typename Entry::template Problem<double>>, double>,
           .situation = &situation,
-          .entry = MatrixBoxes::entry};
+          .entry = Entry::entry};
+}
+// That of matrices, and that of quaternions.
+template <class Made, std::uint32_t version = 1>
+constexpr Family matrix_family(std::string_view name, const Situation& situation, std::string_view purpose,
+                               bool exact_arithmetic = false) {
+  return family_in_entry<Made, MatrixBoxes, version>(name, situation, purpose, exact_arithmetic);
 }
 template <class Made, std::uint32_t version = 1>
 constexpr Family turned_family(std::string_view name, const Situation& situation, std::string_view purpose,
                                bool exact_arithmetic = false) {
-  return {.predicate = box_box_predicate,
-          .name = name,
-          .purpose = purpose,
-          .version = version,
-          .exact_arithmetic = exact_arithmetic,
-          .binary32 = fill_one_by_one<numbers_by<Made, TurnedPair<float>>, float>,
-          .binary64 = fill_one_by_one<numbers_by<Made, TurnedPair<double>>, double>,
-          .situation = &situation,
-          .entry = QuaternionBoxes::entry};
+  return family_in_entry<Made, QuaternionBoxes, version>(name, situation, purpose, exact_arithmetic);
 }
 
 }  // namespace axiscert::boxes

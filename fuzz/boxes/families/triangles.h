@@ -97,15 +97,9 @@ void scale_query(Query& q, int power) {
 template <class Made, class Entry>
 constexpr Family triangle_family(std::string_view name, const Situation& situation, std::string_view purpose,
                                  bool exact_arithmetic = false, int version = 1) {
-  return {.predicate = box_triangle_predicate,
-          .name = name,
-          .purpose = purpose,
-          .version = version,
-          .exact_arithmetic = exact_arithmetic,
-          .binary32 = fill_one_by_one<numbers_by<Made, typename Entry::template Problem<float>>, float>,
-          .binary64 = fill_one_by_one<numbers_by<Made, typename Entry::template Problem<double>>, double>,
-          .situation = &situation,
-          .entry = Entry::entry};
+  Family family = family_in_entry<Made, Entry>(name, situation, purpose, exact_arithmetic);
+  family.version = version;
+  return family;
 }
 
 }  // namespace axiscert::boxes

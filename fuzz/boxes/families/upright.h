@@ -25,15 +25,7 @@ MixedPair<Real> with_corners(const TurnedPair<Real>& q) {
 template <class Made, class Entry = MinmaxBoxes>
 constexpr Family upright_family(std::string_view name, const Situation& situation, std::string_view purpose,
                                 bool exact_arithmetic = false) {
-  return {.predicate = box_box_predicate,
-          .name = name,
-          .purpose = purpose,
-          .version = 1,
-          .exact_arithmetic = exact_arithmetic,
-          .binary32 = fill_one_by_one<numbers_by<Made, typename Entry::template Problem<float>>, float>,
-          .binary64 = fill_one_by_one<numbers_by<Made, typename Entry::template Problem<double>>, double>,
-          .situation = &situation,
-          .entry = Entry::entry};
+  return family_in_entry<Made, Entry>(name, situation, purpose, exact_arithmetic);
 }
 
 }  // namespace axiscert::boxes
