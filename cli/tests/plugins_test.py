@@ -253,9 +253,8 @@ class Plugins(Case):
         ns = [float(row.split()[-2]) for row in (published, certified)]
         self.assertAlmostEqual(float(published.split()[-1]), ns[0] / ns[1], delta=0.02 * ns[0] / ns[1])
 
-    def test_what_measures_formulae_takes_no_plugin(self):
-        for command in ("ladder", "precision", "condition"):
-            self.refused(command, "--kernel", "fault/none", says=["fault/none", "critical-radius"])
+    def test_what_evaluates_formulae_itself_takes_no_plugin(self):
+        self.refused("precision", "--kernel", "fault/none", says=["fault/none", "critical-radius"])
 
 
 if __name__ == "__main__":
