@@ -59,7 +59,7 @@ class Commands:
 def draw(plot, caption, path):
     figure, axes = plt.subplots(figsize=(8, 4.2))
     longest = max((len(series["points"]) for series in plot["series"]), default=0)
-    is_labelled = sum(len(series["points"]) for series in plot["series"]) <= 40
+    is_full = sum(len(series["points"]) for series in plot["series"]) > 40
     for i, series in enumerate(plot["series"]):
         points = series["points"]
         x, y = [p[0] for p in points], [p[1] for p in points]
@@ -68,19 +68,22 @@ def draw(plot, caption, path):
         if series.get("intervals"):
             below = [v - low for v, (low, _) in zip(y, series["intervals"])]
             above = [high - v for v, (_, high) in zip(y, series["intervals"])]
-            axes.errorbar(x, y, yerr=[below, above], fmt="none", ecolor=style["color"], elinewidth=0.9, capsize=2)
+            # Of many points every fourth has its interval, without caps: the file stays small.
+            axes.errorbar(x, y, yerr=[below, above], fmt="none", ecolor=style["color"], elinewidth=0.9, capsize=0 if is_full else 2,
+                          errorevery=(i % 4, 4) if is_full else 1)
         if plot["kind"] == "line":
             # Long lines have a few markers, each at other points: lines upon one another are seen, and the file stays small.
             every = max(1, min(longest // 8, len(points))) if longest > 32 else 1
             axes.plot(x, y, markersize=4, markevery=(i % every, every), linestyle="-" if i < len(COLOURS) else "--", **style)
         else:
             axes.scatter(x, y, **style)
-            for point, label in zip(points, series["labels"] if is_labelled else ()):
+            for point, label in zip(points, () if is_full else series["labels"]):
                 axes.annotate(label, point, textcoords="offset points", xytext=(6, 4), fontsize=8)
     for axis, name in ((axes.xaxis, "x"), (axes.yaxis, "y")):
         axis.set_label_text(plot[name]["label"])
         if plot[name]["log"]:
             getattr(axes, f"set_{name}scale")("log")
+            axis.set_tick_params(which="minor", length=0 if is_full else 2)
         if plot[name].get("names"):
             axis.set_ticks(range(len(plot[name]["names"])), plot[name]["names"], rotation=40, ha="right")
     axes.set_title(caption, fontsize=11)
