@@ -69,6 +69,10 @@ void require_comparisons(const Kernel& kernel) {
 }
 
 int ladder(const LadderOptions& options) {
+  if (options.factorial && !options.kernels.empty()) {
+    throw Error(fmt::format("--factorial measures kernels of its own, and {} is given; leave out one of the two",
+                            options.kernels.front()));
+  }
   LadderPlan plan;
   plan.precision = parse_precision(options.precision);
   plan.kernels =
@@ -324,6 +328,12 @@ int measure_radii(const InstrumentOptions& options) {
   if (parts.empty()) return measure_part(options);
   if (parts.size() > 1 && !options.families.empty())
     throw Error(fmt::format("--family is of one predicate, and the queries are of {}", parts.size()));
+  if (parts.size() > 1 && options.format != "text" && options.out.empty()) {
+    throw Error(
+        fmt::format("--format {}: the queries are of {} predicates or entries, and a document is of one; "
+                    "--out DIR has a folder of each",
+                    options.format, parts.size()));
+  }
   int code = exit_done;
   for (const QueryPart& part : parts) {
     InstrumentOptions own = options;

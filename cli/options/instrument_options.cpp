@@ -100,7 +100,7 @@ std::vector<const Kernel*> instrument_kernels(const InstrumentOptions& options, 
     if (!kernel.has(precision)) {
       throw Error(fmt::format("--precision {}: kernel {} does not exist in it", options.precision, id));
     }
-    kernels.push_back(&kernel);
+    if (std::ranges::find(kernels, &kernel) == kernels.end()) kernels.push_back(&kernel);
   }
   print_first_look(kernels);
   return kernels;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/numbers/rational.h"
 #include "fuzz/queries/query_shape.h"
 #include "kernel/base/error.h"
 #include "kernel/base/text.h"
@@ -15,14 +16,15 @@ namespace axiscert {
 namespace {
 
 constexpr std::string_view sweep_examples = "offset=2^0..2^20 or size=1,10,100";
-constexpr int greatest_power = 1074;  // of two in binary64, to its least subnormal number
+constexpr int greatest_power = 1074, greatest_double_power = 1023;  // of two in binary64: 2^-1074 to 2^1023
 
 std::optional<int> power_of_two(std::string_view text) {
   if (!text.starts_with("2^")) return std::nullopt;
   text.remove_prefix(2);
   int power = 0;
   const auto [stop, problem] = std::from_chars(text.data(), text.data() + text.size(), power);
-  if (problem != std::errc() || stop != text.data() + text.size() || std::abs(power) > greatest_power)
+  if (problem != std::errc() || stop != text.data() + text.size() || power < -greatest_power ||
+      power > greatest_double_power)
     return std::nullopt;
   return power;
 }
@@ -89,15 +91,20 @@ class SweptSource final : public Source {
       columns.set(i, q);
     }
   }
-  // Each new number is computed in binary64, of numbers of the query's precision, and rounded to it.
+  // Each new number is exact and rounded once; a number that is not finite, or that nothing changes, stays.
   template <class Real>
   void change(Numbers<Real>& q) const {
-    const double value = point_.value;
-    const auto multiply = [value](Real& x) { x = static_cast<Real>(static_cast<double>(x) * value); };
+    if (point_.value == (point_.parameter == SweepParameter::offset ? 0 : 1)) return;
+    const Rational value = exact(point_.value);
+    const auto multiply = [&](Real& x) {
+      if (std::isfinite(x)) x = nearest<Real>(Rational(exact(x) * value));
+    };
     if (point_.parameter == SweepParameter::offset) {
       for (const std::size_t point : shape_.points) {
-        for (std::size_t k = 0; k < shape_.axes; ++k)
-          q[point + k] = static_cast<Real>(static_cast<double>(q[point + k]) + value);
+        for (std::size_t k = 0; k < shape_.axes; ++k) {
+          Real& x = q[point + k];
+          if (std::isfinite(x)) x = nearest<Real>(Rational(exact(x) + value));
+        }
       }
       return;
     }
@@ -107,9 +114,11 @@ class SweptSource final : public Source {
     if (point_.parameter == SweepParameter::radius) return;
     for (std::size_t i = 0; i < shape_.vertices(); ++i) {
       for (std::size_t k = 0; k < shape_.axes; ++k) {
-        const double centre = q[shape_.points.back() + k];
+        const Real of_centre = q[shape_.points.back() + k];
         Real& x = q[shape_.points[i] + k];
-        x = static_cast<Real>(centre + (static_cast<double>(x) - centre) * value);
+        if (!std::isfinite(of_centre) || !std::isfinite(x)) continue;
+        const Rational centre = exact(of_centre);
+        x = nearest<Real>(Rational(centre + (exact(x) - centre) * value));
       }
     }
     for (const std::size_t direction : shape_.directions) {
@@ -152,9 +161,10 @@ Sweep parse_sweep(std::string_view given) {
   if (const std::size_t dots = values.find(".."); dots != values.npos) {
     const auto first = power_of_two(values.substr(0, dots)), last = power_of_two(values.substr(dots + 2));
     if (!first || !last) {
-      throw Error(
-          fmt::format("sweep '{}': a range is of powers of two, 2^A..2^B, not '{}'; other values are listed: {}", given,
-                      values, sweep_examples));
+      throw Error(fmt::format(
+          "sweep '{}': a range is of powers of two from 2^-{} to 2^{}, 2^A..2^B, not '{}'; other values are "
+          "listed: {}",
+          given, greatest_power, greatest_double_power, values, sweep_examples));
     }
     if (*first > *last) {
       throw Error(fmt::format("sweep '{}': the range is empty, for 2^{} is greater than 2^{}; give 2^{}..2^{}", given,

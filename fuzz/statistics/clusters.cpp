@@ -34,6 +34,7 @@ std::optional<RateLimits> wilson_limits(const ClusteredTrials& of, const Cluster
   const auto trials = static_cast<double>(of.trials);
   const double rate = static_cast<double>(failures.total()) / trials;
   if (rate == 0) return RateLimits{0, excluded_rate(of.clusters)};
+  if (!of.has_limits()) return std::nullopt;
   const double n = trials / design_effect(of, failures, rate * (1 - rate));
   constexpr double z = z_of_limits;
   const double middle = rate + z * z / (2 * n);

@@ -28,9 +28,13 @@ class ClusterSums {
   std::map<std::int64_t, std::uint64_t> clusters_;
 };
 
+// Of fewer clusters of several trials a design effect is too uncertain for limits: their coverage falls below 93 %.
+inline constexpr std::uint64_t fewest_clusters = 20;
+
 struct ClusteredTrials {
   std::uint64_t trials = 0, clusters = 0;  // clusters <= trials, of about the same number of trials each
   double mean_size() const { return static_cast<double>(trials) / static_cast<double>(clusters); }
+  bool has_limits() const { return trials != 0 && (clusters == trials || clusters >= fewest_clusters); }
 };
 
 struct RateLimits {
@@ -45,7 +49,7 @@ double design_effect(const ClusteredTrials& of, const ClusterSums& sums, double 
 inline constexpr double z_of_limits = 1.959963984540054;  // of 97.5 % of a normal distribution
 
 // Wilson's score limits of a rate, 95 %, of failures and trials divided by their design effect; without a failure
-// {0, excluded_rate(clusters)}. Empty without trials.
+// {0, excluded_rate(clusters)}. Empty without trials, and of too few clusters.
 std::optional<RateLimits> wilson_limits(const ClusteredTrials& of, const ClusterSums& failures);
 
 }  // namespace axiscert

@@ -143,8 +143,11 @@ std::optional<RateDifference> rate_difference(const PairedCounts& counts) {
   const double effect = effect_of_design(counts);
   const double b = static_cast<double>(counts.only_to) / effect, c = static_cast<double>(counts.only_from) / effect,
                n = static_cast<double>(counts.of.trials) / effect;
-  return RateDifference{
-      (b - c) / n, effect, {difference_at_score(b, c, n, z_of_limits), difference_at_score(b, c, n, -z_of_limits)}};
+  RateDifference difference{(b - c) / n, effect, std::nullopt};
+  if (counts.of.has_limits()) {
+    difference.limits = {difference_at_score(b, c, n, z_of_limits), difference_at_score(b, c, n, -z_of_limits)};
+  }
+  return difference;
 }
 
 std::optional<double> least_difference(const PairedCounts& counts, double level) {
@@ -155,7 +158,7 @@ std::optional<double> least_difference(const PairedCounts& counts, double level)
   const double by_error = z * std::sqrt(counts.sums.total_of_squares()) / n;
   // So many trials that differ, all on one side, are the fewest with 2 * 2^-fewest <= level.
   const double fewest = std::ceil(1 - std::log2(level) - 1e-12), independent = n / effect_of_design(counts);
-  if (!(fewest <= independent)) return std::nullopt;
+  if (!(fewest <= independent && fewest <= static_cast<double>(counts.of.clusters))) return std::nullopt;
   const double one_sided = quantile(boost::math::beta_distribution<>(fewest, independent - fewest + 1), shown_power);
   return std::max(by_error, one_sided);
 }

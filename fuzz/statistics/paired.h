@@ -36,7 +36,7 @@ Probability mcnemar_two_sided(std::uint64_t only_from, std::uint64_t only_to);
 // divided by their design effect. Empty without trials.
 struct RateDifference {
   double value, design_effect;
-  RateLimits limits;
+  std::optional<RateLimits> limits;  // empty of too few clusters
 };
 std::optional<RateDifference> rate_difference(const PairedCounts& counts);
 
@@ -44,7 +44,8 @@ inline constexpr double shown_power = 0.8;
 // The least true difference of the rates that a test at this level, two-sided, would find with a probability of 80 %:
 // the greater of two. The first is (z(1 - level/2) + z(0.8)) times the standard error under equal rates, with as many
 // trials that differ as here (Connor, Biometrics 43, 1987). The second has all differing trials on one side: as many
-// as the exact test needs at least have to be among the independent trials. Empty where no outcome would be enough.
+// as the exact test needs at least have to be among the independent trials, and so many clusters. Empty where no
+// outcome would be enough.
 std::optional<double> least_difference(const PairedCounts& counts, double level);
 
 }  // namespace axiscert

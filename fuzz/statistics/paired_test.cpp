@@ -60,8 +60,8 @@ TEST(Paired, ThePrimeMinistersApproval) {
   const auto difference = rate_difference(counts);
   EXPECT_DOUBLE_EQ(difference->value, -0.04);
   EXPECT_EQ(difference->design_effect, 1);
-  EXPECT_NEAR(difference->limits.low, -0.059, 6e-4);
-  EXPECT_NEAR(difference->limits.high, -0.021, 6e-4);
+  EXPECT_NEAR(difference->limits->low, -0.059, 6e-4);
+  EXPECT_NEAR(difference->limits->high, -0.021, 6e-4);
 }
 
 // Every assignment of signs, one after the other.
@@ -107,8 +107,27 @@ TEST(Paired, ClustersThatAgreeCountOnce) {
   const auto difference = rate_difference(copies), of_alone = rate_difference(alone);
   EXPECT_NEAR(difference->design_effect, 10, 0.5);
   EXPECT_NEAR(difference->value, of_alone->value, 1e-15);
-  EXPECT_NEAR(difference->limits.low, of_alone->limits.low, 0.005);
-  EXPECT_NEAR(difference->limits.high, of_alone->limits.high, 0.005);
+  EXPECT_NEAR(difference->limits->low, of_alone->limits->low, 0.005);
+  EXPECT_NEAR(difference->limits->high, of_alone->limits->high, 0.005);
+}
+
+// Two triangles asked 4,096 times: no outcome has p below 1/2, and there is no interval to claim. 19 clusters are too
+// few too, 20 are not, and as many clusters as trials always have limits.
+TEST(Paired, FewClustersHaveNoLimitsAndNoLeastDifference) {
+  const auto with = [](std::uint64_t trials, std::uint64_t clusters) {
+    PairedCounts counts{{trials, clusters}, 0, 18, {}};
+    for (int i = 0; i < 2; ++i) counts.sums.add(9);
+    return counts;
+  };
+  EXPECT_EQ(sign_flip_two_sided(with(4096, 2).sums).value, 0.5 * (1 + 1e-7));
+  for (const std::uint64_t clusters : {2, 19}) {
+    EXPECT_FALSE(rate_difference(with(4096, clusters))->limits) << clusters;
+    EXPECT_FALSE(wilson_limits({4096, clusters}, with(4096, clusters).sums)) << clusters;
+    EXPECT_TRUE(wilson_limits({4096, clusters}, {})) << "without a failure " << clusters << " clusters exclude a rate";
+  }
+  EXPECT_FALSE(least_difference(with(4096, 2), 0.05));
+  EXPECT_TRUE(rate_difference(with(4096, 20))->limits);
+  EXPECT_TRUE(rate_difference(independent(0, 2, 14))->limits);
 }
 
 // At a limit the score is the normal quantile, with the nuisance rate found by a search for the greatest likelihood.
@@ -126,12 +145,12 @@ TEST(Paired, TangosLimitsAreWhereTheScoreIsTheQuantile) {
     return (b - c - n * d) / std::sqrt(n * (2 * q + d - d * d));
   };
   for (const auto& [c, b, n] : {std::array<std::uint64_t, 3>{2, 12, 50}, {1, 7, 14}, {150, 86, 1600}, {3, 0, 90}}) {
-    const RateLimits limits = rate_difference(independent(c, b, n))->limits;
+    const RateLimits limits = *rate_difference(independent(c, b, n))->limits;
     const auto x = static_cast<double>(b), y = static_cast<double>(c), all = static_cast<double>(n);
     EXPECT_NEAR(score_at(x, y, all, limits.low), 1.96, 1e-3) << b << " " << c << " " << n;
     EXPECT_NEAR(score_at(x, y, all, limits.high), -1.96, 1e-3) << b << " " << c << " " << n;
   }
-  const RateLimits none = rate_difference(independent(0, 0, 1000))->limits;
+  const RateLimits none = *rate_difference(independent(0, 0, 1000))->limits;
   EXPECT_NEAR(none.high, 3.8415 / 1003.8415, 1e-6) << "z^2 / (n + z^2)";
   EXPECT_NEAR(none.low, -none.high, 1e-12);
   EXPECT_FALSE(rate_difference({}));

@@ -135,8 +135,8 @@ TEST(Contrasts, APlantedEffectIsSignificantAndOfItsSize) {
   const auto phantom = result.by_source[0].paired(0, 1, Figure::phantom);
   const auto difference = rate_difference(phantom);
   EXPECT_LT(sign_flip_two_sided(phantom.sums).value, 1e-9);
-  EXPECT_GT(difference->limits.low, 0.005);
-  EXPECT_LT(difference->limits.high, 0.05);
+  EXPECT_GT(difference->limits->low, 0.005);
+  EXPECT_LT(difference->limits->high, 0.05);
   const auto missed = result.by_source[0].paired(0, 1, Figure::missed);
   EXPECT_EQ(sign_flip_two_sided(missed.sums).value, 1) << "and of nothing else";
 }

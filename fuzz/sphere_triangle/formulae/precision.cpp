@@ -67,9 +67,15 @@ std::optional<Arithmetic> same_arithmetic(const PrecisionPlan& plan, std::size_t
 // Of the numbers of a query and a seed: the same at every position of every source.
 template <class Real>
 std::uint64_t chance_seed(std::uint64_t seed, const Query<Real>& q) {
-  std::uint64_t hash = seed * 0x9e3779b97f4a7c15u;
-  for (const double x : coordinates(widened(q))) hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0xff51afd7ed558ccdu;
-  return hash ^ (hash >> 32);
+  // SplitMix64's finaliser after each number: high bits reach low ones, so that signs and small integers count.
+  std::uint64_t hash = seed;
+  for (const double x : coordinates(widened(q))) {
+    hash += 0x9e3779b97f4a7c15u ^ std::bit_cast<std::uint64_t>(x);
+    hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
+    hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
+    hash ^= hash >> 31;
+  }
+  return hash;
 }
 
 // What is known of a query before its formulae are rounded.

@@ -20,14 +20,15 @@ class ConditionReport {
       : plan_(plan), result_(result), origin_{plan.seed, plan.precision} {}
 
   InstrumentReport report(const std::string& command) const {
-    return {"condition",
-            fmt::format("Flips caused by the query's condition and by the formula, {}, {} queries of each family",
-                        name(plan_.precision), thousands(plan_.trials)),
-            command,
-            notes(),
-            {by_family(), by_comparison(), wrong_verdicts()},
-            {distribution()},
-            data(command)};
+    return {
+        "condition",
+        fmt::format("Flips caused by the query's condition and by the formula, {}, at most {} queries of each source",
+                    name(plan_.precision), thousands(plan_.trials)),
+        command,
+        notes(),
+        {by_family(), by_comparison(), wrong_verdicts()},
+        {distribution()},
+        data(command)};
   }
 
  private:

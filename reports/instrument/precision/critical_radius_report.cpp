@@ -35,8 +35,8 @@ class CriticalRadiusReport {
 
  private:
   std::string title() const {
-    std::string text =
-        fmt::format("Critical radii, {}, {} triangles of each family", name(plan_.precision), thousands(plan_.trials));
+    std::string text = fmt::format("Critical radii, {}, at most {} queries of each source", name(plan_.precision),
+                                   thousands(plan_.trials));
     const std::vector<std::string> silent = unmeasured_kernels(plan_, result_);
     return silent.empty() ? text : fmt::format("Nothing was measured of {}. {}", fmt::join(silent, ", "), text);
   }

@@ -58,8 +58,10 @@ LadderDifferenceData difference_of(const LadderPlan& plan, const LadderResult& r
   const auto difference = rate_difference(paired);
   if (!difference) return data;
   data.difference = SignedNumber{difference->value};
-  data.low = SignedNumber{difference->limits.low};
-  data.high = SignedNumber{difference->limits.high};
+  if (difference->limits) {
+    data.low = SignedNumber{difference->limits->low};
+    data.high = SignedNumber{difference->limits->high};
+  }
   data.design_effect = difference->design_effect;
   const Probability p = sign_flip_two_sided(paired.sums);
   data.p = p.value;
@@ -260,7 +262,7 @@ void add_difference_plots(InstrumentReport& report, const LadderPlan& plan, cons
       InstrumentSeries series{std::string(figure_names[figure]), {}, {}, {}};
       for (std::size_t k = 0; k < result.entries.size(); ++k) {
         const LadderRateData rate = ladder_rate(result, source, k, figure);
-        if (!rate.rate) continue;
+        if (!rate.low || !rate.high) continue;
         series.points.emplace_back(static_cast<double>(k), million(*rate.rate));
         series.intervals.emplace_back(million(*rate.low), million(*rate.high));
         series.labels.push_back(ids[k]);
@@ -287,7 +289,7 @@ void add_difference_plots(InstrumentReport& report, const LadderPlan& plan, cons
     for (const SourcePtr& source : plan.sources) {
       InstrumentSeries series{source->name(), {}, {}, {}};
       for (const LadderDifferenceData* one : effects) {
-        if (one->figure != figure_names[figure] || one->family != source->name() || !one->difference) continue;
+        if (one->figure != figure_names[figure] || one->family != source->name() || !one->low || !one->high) continue;
         auto place = std::ranges::find(plot.x_names, *one->factor);
         if (place == plot.x_names.end()) place = plot.x_names.insert(place, *one->factor);
         const auto x = static_cast<double>(place - plot.x_names.begin());

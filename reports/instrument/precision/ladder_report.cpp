@@ -39,6 +39,7 @@ std::string ns(double value) { return fmt::format("{:.1f}", value); }
 // "20500 [18600, 22500]", of a million.
 std::string rate_text(const LadderRateData& rate) {
   if (!rate.rate) return "";
+  if (!rate.low || !rate.high) return fmt::format("{:.0f}", 1e6 * *rate.rate);
   return fmt::format("{:.0f} [{:.0f}, {:.0f}]", 1e6 * *rate.rate, 1e6 * *rate.low, 1e6 * *rate.high);
 }
 
@@ -222,7 +223,7 @@ std::vector<std::string> notes(const LadderPlan& plan, const Entries& entries) {
   for (const SourcePtr& source : plan.sources) names.push_back(source->name());
   const ExponentWindow scanned = scanned_exponents(plan.precision);
   std::vector<std::string> all = {
-      fmt::format("{}, {} queries of each family ({}), seed {}.", axiscert::name(plan.precision), plan.trials,
+      fmt::format("{}, at most {} queries of each source ({}), seed {}.", axiscert::name(plan.precision), plan.trials,
                   fmt::join(names, ", "), plan.seed),
       "Sign errors are flips of comparisons against the kernel's own formulae in exact arithmetic; verdict flips are "
       "against the geometric truth, in which touching is contact. By range are those that the same operations with an "

@@ -86,7 +86,9 @@ struct LadderRateData {
         field(&Of::clusters,
               {"clusters", "Independent parts of them: queries, image groups, or triangles that queries share."}),
         field(&Of::rate, {"rate", "failures / trials; null: none was asked.", "share"}),
-        field(&Of::low, {"low", "Wilson's lower limit, 95 %, of clusters that may fail together.", "share"}),
+        field(&Of::low,
+              {"low", "Wilson's lower limit, 95 %, of clusters that may fail together; null: of fewer than 20.",
+               "share"}),
         field(&Of::high,
               {"high", "The upper one; without a failure the rate that so many clusters exclude.", "share"}));
   }
@@ -186,7 +188,9 @@ struct LadderDifferenceData {
         field(&Of::only_from, {"only_from", "Those before that are none after."}),
         field(&Of::only_to, {"only_to", "Those after that were none before."}),
         field(&Of::difference, {"difference", "The rate after less that before; null: none was asked.", "share"}),
-        field(&Of::low, {"low", "Tango's lower limit of it, 95 %, of counts divided by design_effect.", "share"}),
+        field(&Of::low,
+              {"low", "Tango's lower limit of it, 95 %, of counts divided by design_effect; null: below 20 clusters.",
+               "share"}),
         field(&Of::high, {"high", "The upper one.", "share"}),
         field(&Of::design_effect,
               {"design_effect", "The variance over that of as many independent trials, at least 1.", "times"}),
