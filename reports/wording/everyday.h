@@ -45,6 +45,8 @@ struct GroupResult {
   };
   Times late, early;
   bool has_times = false;  // the kernel gives them
+  std::uint64_t wrong_features = 0;
+  double largest_normal_angle = 0, largest_point_error = 0;  // radians, a share of the scene
   std::size_t families = 0;
 };
 GroupResult group_result(const KernelRecord& kernel, FamilyGroup group);

@@ -78,6 +78,25 @@ TEST(Everyday, SaysHowFarTimesAreOffInLengthAndOfTheWay) {
                           "1,000 hard queries (touching, degenerate, huge, tiny): no wrong verdict"));
 }
 
+TEST(Everyday, SaysWhatElseOfContactsAPersonWouldSee) {
+  FamilyRecord family = family_of(0, 0, 0, 0);
+  MotionTally& motion = family.motion.emplace();
+  motion.time.reset();
+  const auto said = [&] {
+    return first_sentences(kernel_of({{"moving-sphere/scene_walk", family}}), PlanRecord()).front();
+  };
+  motion.normal->largest_angle.offer({0.017, 0});
+  motion.point->largest_error.offer({9e-4, 0});
+  EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict") << "below a degree and a thousandth";
+  motion.feature->wrong = 259;
+  motion.normal->largest_angle.offer({2.43, 1});
+  motion.point->largest_error.offer({0.2, 1});
+  EXPECT_EQ(
+      said(),
+      "1,000 everyday scenes: no wrong verdict; 259 features wrong; normals up to 139 degrees off; points up to 0.2 of "
+      "the scene off");
+}
+
 TEST(Everyday, SaysNothingOfAGroupThatWasNotAsked) {
   EXPECT_TRUE(first_sentences(KernelRecord(), PlanRecord()).empty());
   FamilyRecord none = family_of(0, 0, 0, 0);
