@@ -82,7 +82,9 @@ SourcePtr unswept_source_of(const Address& given, const AddressFiles& files) {
 SourcePtr source_of(const Address& address, const AddressFiles& files) {
   const SourcePtr source = unswept_source_of(address, files);
   const auto point = split_swept(address.name).second;
-  return point ? swept_source(source, *point) : source;
+  if (!point) return source;
+  require_within({point->parameter, {*point}}, address.precision);
+  return swept_source(source, *point);
 }
 
 // The source, which makes what the address says.

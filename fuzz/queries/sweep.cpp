@@ -232,6 +232,11 @@ double median_scene_size(const Source& source, std::uint64_t seed, Precision pre
 }
 
 SourcePtr swept_source(SourcePtr source, const SweepPoint& point) {
+  const QueryShape shape = shape_of(source->predicate().entries[source->entry()]);
+  if (point.parameter == SweepParameter::radius && std::ranges::count(shape.is_length, true) == 0) {
+    throw Error(fmt::format("sweep {}: the queries of {} have no radius or other length; offset and size change them",
+                            point.name(), source->name()));
+  }
   return std::make_shared<SweptSource>(std::move(source), point);
 }
 

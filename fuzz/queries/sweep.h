@@ -44,7 +44,7 @@ Sweep parse_sweep(std::string_view text);
 void require_within(const Sweep& sweep, Precision precision);
 
 // The source's queries, changed. Its name is "tangent offset=2^8", and "tangent+offset=2^8" in an address: what makes
-// the same query again.
+// the same query again. Throws Error for a radius where queries have none.
 SourcePtr swept_source(SourcePtr source, const SweepPoint& point);
 // The value that a source's queries have; null where none is swept. And the source without it.
 const SweepPoint* swept_point(const Source& source);

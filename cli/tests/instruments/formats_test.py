@@ -246,6 +246,12 @@ class Sweeps(Case):
         self.assertEqual((one["swept"], two["swept"]), (1, 2))
         self.assertGreater(wrong(one["kernels"]["published"]["precisions"][0]), wrong(two["kernels"]["published"]["precisions"][0]))
 
+    def test_what_a_sweep_cannot_change_is_refused(self):
+        self.refused("critical-radius", "--kernel", "box-box/intervals-minmax", "--family", "box-box/general_minmax", "--sweep", "radius=2",
+                     says=["have no radius", "box-box/general_minmax"])
+        self.refused("query", "1:tangent+offset=2^200:2:binary32:0:7", says=["offset=2^200", "--precision binary64"])
+        self.refused("ladder", "published", "--factorial", says=["--factorial", "published"])
+
     def test_bad_input(self):
         for given, says in (("ofset=1", "did you mean 'offset'"), ("offset=2^3..2^1", "empty"), ("offset=1..3", "2^A..2^B"),
                             ("offset=2^200", "binary32"), ("size=0", "above 0"), ("size", "PARAMETER=VALUES")):
