@@ -229,8 +229,8 @@ void add_precision(CLI::App& app, Action& action) {
                 {"A format of my own, rounded by chance",
                  "axiscert precision published --number bits=10,emax=31 --rounding stochastic --trials 64"},
                 {"Far from the origin, with a page",
-                 "axiscert precision ladder-0 published --family tangent --bits 16 --bits 24 "
-                 "--sweep offset=2^0..2^4 --precision binary64 --trials 64 --out far"}});
+                 "axiscert precision published --bits 16 --bits 24 --sweep offset=2^0..2^4 --precision binary64 "
+                 "--trials 64 --out far"}});
   command->callback([&action, options] { action = [options] { return measure(*options); }; });
 }
 
