@@ -247,8 +247,7 @@ class Sweeps(Case):
         self.assertGreater(wrong(one["kernels"]["published"]["precisions"][0]), wrong(two["kernels"]["published"]["precisions"][0]))
 
     def test_what_a_sweep_cannot_change_is_refused(self):
-        self.refused("critical-radius", "--kernel", "box-box/intervals-minmax", "--family", "box-box/general_minmax", "--sweep", "radius=2",
-                     says=["have no radius", "box-box/general_minmax"])
+        self.refused("query", "1:box-box/general_minmax+radius=2:1:binary32:0:7", says=["have no radius", "box-box/general_minmax"])
         self.refused("query", "1:tangent+offset=2^200:2:binary32:0:7", says=["offset=2^200", "--precision binary64"])
         self.refused("ladder", "published", "--factorial", says=["--factorial", "published"])
 
