@@ -172,31 +172,31 @@ InstrumentTable shown_table(const std::string& caption, const std::vector<const 
 }
 
 InstrumentTable cells_table(const LadderPlan& plan, const LadderResult& result) {
-  InstrumentTable table{"Cells: plane and vertices as published, the edges by four choices; the article's path",
-                        {"kernel", "frame", "division", "root", "degree", "path"},
-                        {}};
-  for (const Figure figure : {Figure::missed, Figure::phantom, Figure::edge_signs}) {
-    for (const SourcePtr& source : plan.sources) {
-      table.columns.push_back(source->name() + " " + std::string(figure_names[figure]));
-    }
-  }
-  for (std::size_t k = 0; k < result.entries.size(); ++k) {
-    const FactorialCell* cell = factorial_cell(*result.entries[k].kernel);
-    if (!cell || cell >= factorial_cells().data() + edge_cell_count) continue;
-    auto& row = table.rows.emplace_back(std::vector<std::string>{result.entries[k].kernel->id});
-    for (const Factor factor : {Factor::frame, Factor::division, Factor::root, Factor::degree}) {
-      const FactorWords& words = factor_words[factor];
-      row.emplace_back(cell->has(factor) ? words.to : words.from);
-    }
-    using enum Formulae;
-    constexpr std::pair<Formulae, const char*> path[] = {
-        {ladder_4, "1"}, {ladder_5, "2: root"}, {ladder_7, "3: division"}, {ladder_8, "4: frame"}, {reduced, "degree"}};
-    const auto found = std::ranges::find(path, cell->formulae, &std::pair<Formulae, const char*>::first);
-    row.emplace_back(found == std::end(path) ? "" : found->second);
-    for (const Figure figure : {Figure::missed, Figure::phantom, Figure::edge_signs}) {
-      for (std::size_t s = 0; s < plan.sources.size(); ++s) {
-        row.push_back(fmt::format("{}", result.by_source[s].form(k, figure).total()));
+  constexpr Figure figures[] = {Figure::missed, Figure::phantom, Figure::edge_signs};
+  InstrumentTable table{
+      "Cells, by family: plane and vertices as published, the edges by four choices; the article's path",
+      {"family", "kernel", "frame", "division", "root", "degree", "path"},
+      {}};
+  for (const Figure figure : figures) table.columns.emplace_back(figure_names[figure]);
+  for (std::size_t s = 0; s < plan.sources.size(); ++s) {
+    for (std::size_t k = 0; k < result.entries.size(); ++k) {
+      const FactorialCell* cell = factorial_cell(*result.entries[k].kernel);
+      if (!cell || cell >= factorial_cells().data() + edge_cell_count) continue;
+      auto& row =
+          table.rows.emplace_back(std::vector<std::string>{plan.sources[s]->name(), result.entries[k].kernel->id});
+      for (const Factor factor : {Factor::frame, Factor::division, Factor::root, Factor::degree}) {
+        const FactorWords& words = factor_words[factor];
+        row.emplace_back(cell->has(factor) ? words.to : words.from);
       }
+      using enum Formulae;
+      constexpr std::pair<Formulae, const char*> path[] = {{ladder_4, "1"},
+                                                           {ladder_5, "2: root"},
+                                                           {ladder_7, "3: division"},
+                                                           {ladder_8, "4: frame"},
+                                                           {reduced, "degree"}};
+      const auto found = std::ranges::find(path, cell->formulae, &std::pair<Formulae, const char*>::first);
+      row.emplace_back(found == std::end(path) ? "" : found->second);
+      for (const Figure figure : figures) row.push_back(fmt::format("{}", result.by_source[s].form(k, figure).total()));
     }
   }
   return table;
