@@ -1,19 +1,13 @@
 #include "exact/numbers/floating.h"
 
+#include "kernel/base/split_mix.h"
+
 namespace axiscert {
 namespace {
 
 thread_local FloatingFormat format;
 thread_local mpfr_rnd_t rounding = MPFR_RNDN;
 thread_local std::uint64_t chance_state = 0;
-
-// SplitMix64 (Steele, Lea and Flood, 2014).
-std::uint64_t random_word() {
-  std::uint64_t z = chance_state += 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
 
 // MPFR's exponent range belongs to the thread as well. Outside `limit` it is the widest possible, so that a number made
 // from a double equals that double even if it lies outside the format's range.
@@ -29,6 +23,19 @@ void put_in_force(const FloatingFormat& wanted) {
   chance_state = wanted.seed;
   set_widest_exponents();
 }
+
+// A number of the caller's own precision.
+class WideNumber {
+ public:
+  explicit WideNumber(mpfr_prec_t precision) { mpfr_init2(value_, precision); }
+  ~WideNumber() { mpfr_clear(value_); }
+  WideNumber(const WideNumber&) = delete;
+  WideNumber& operator=(const WideNumber&) = delete;
+  mpfr_ptr get() { return value_; }
+
+ private:
+  mpfr_t value_;
+};
 
 // The exponent e of m 2^e, 1 <= m < 2; MPFR's significands lie in [1/2, 1).
 mpfr_exp_t exponent_of(mpfr_srcptr value) { return mpfr_get_exp(value) - 1; }
@@ -55,13 +62,9 @@ void overflow(mpfr_ptr value, const ExponentLimits& limits, bool toward_zero) {
 bool is_beyond(mpfr_srcptr value, const ExponentLimits& limits) {
   const mpfr_exp_t exponent = exponent_of(value);
   if (exponent != limits.greatest || !limits.ones_are_nan) return exponent > limits.greatest;
-  mpfr_t ones;
-  mpfr_init2(ones, format.precision);
-  mpfr_set_ui_2exp(ones, 1, limits.greatest + 1, MPFR_RNDN);
-  mpfr_nextbelow(ones);
-  const bool is_ones = mpfr_cmpabs(value, ones) >= 0;
-  mpfr_clear(ones);
-  return is_ones;
+  WideNumber greatest(format.precision);
+  set_greatest(greatest.get(), limits);
+  return mpfr_cmpabs(value, greatest.get()) > 0;
 }
 
 // Brings a result with unbounded exponent into the format's range: overflow, and gradual underflow without a second
@@ -81,19 +84,6 @@ void limit(mpfr_ptr value, int ternary) {
   mpfr_set_underflow();
   set_widest_exponents();
 }
-
-// A number of the caller's own precision.
-class WideNumber {
- public:
-  explicit WideNumber(mpfr_prec_t precision) { mpfr_init2(value_, precision); }
-  ~WideNumber() { mpfr_clear(value_); }
-  WideNumber(const WideNumber&) = delete;
-  WideNumber& operator=(const WideNumber&) = delete;
-  mpfr_ptr get() { return value_; }
-
- private:
-  mpfr_t value_;
-};
 
 // Takes the next 64 bits off a fraction in [0, 1).
 std::uint64_t next_word(mpfr_ptr fraction) {
@@ -137,7 +127,7 @@ Floating Floating::by_chance(Operation operation, const Operands&... operands) {
     bool is_away = false;
     bool is_decided = is_exact;
     for (int i = 0; i < words && !is_decided; ++i) {
-      if (i == words - 1) drawn[i] = random_word();
+      if (i == words - 1) drawn[i] = split_mix(chance_state);
       const std::uint64_t word = next_word(wide.get());
       is_decided = word != drawn[i];
       is_away = drawn[i] < word;
@@ -159,7 +149,7 @@ Floating Floating::by_chance(Operation operation, const Operands&... operands) {
 template <class Operation, class... Operands>
 Floating Floating::rounded(Operation operation, const Operands&... operands) {
   if (format.chance == Chance::stochastic) return by_chance(operation, operands...);
-  if (format.chance == Chance::faithful) rounding = random_word() >> 63 != 0 ? MPFR_RNDU : MPFR_RNDD;
+  if (format.chance == Chance::faithful) rounding = split_mix(chance_state) >> 63 != 0 ? MPFR_RNDU : MPFR_RNDD;
   Floating result{Uninitialised()};
   const int ternary = operation(result.value_, operands.value_..., rounding);
   if (format.exponents) limit(result.value_, ternary);

@@ -5,23 +5,17 @@
 
 #include "fuzz/queries/query_shape.h"
 #include "fuzz/queries/random.h"
+#include "kernel/base/split_mix.h"
 #include "kernel/query.h"
 
 namespace axiscert {
-// The random numbers of a search, which uses about a dozen for every query that it tries: SplitMix64 (Steele, Lea and
-// Flood, "Fast splittable pseudorandom number generators", 2014). It is an order of magnitude faster than the
-// counter-based stream that seeds it, and equally independent of the machine.
+// The random numbers of a search, which uses about a dozen for every query that it tries. SplitMix64 is an order of
+// magnitude faster than the counter-based stream that seeds it, and equally independent of the machine.
 class Dice {
  public:
   explicit Dice(Stream& seed) : state_(seed.bits()) {}
 
-  std::uint64_t bits() {
-    state_ += 0x9e3779b97f4a7c15u;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
+  std::uint64_t bits() { return split_mix(state_); }
   // Uniform below n, which is at most 2^32.
   std::uint64_t below(std::uint64_t n) { return ((bits() >> 32) * n) >> 32; }
   std::int64_t integer(std::int64_t low, std::int64_t high) {

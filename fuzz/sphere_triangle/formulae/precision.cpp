@@ -10,6 +10,7 @@
 #include "fuzz/fields/merge.h"
 #include "fuzz/sphere_triangle/formulae/valid_queries.h"
 #include "fuzz/instruments/for_each_judged.h"
+#include "kernel/base/split_mix.h"
 
 namespace axiscert {
 namespace {
@@ -64,21 +65,15 @@ std::optional<Arithmetic> same_arithmetic(const PrecisionPlan& plan, std::size_t
   return std::nullopt;
 }
 
-// Of the numbers of a query and a seed: the same at every position of every source.
+// A seed for the numbers of a query: the same at every position of every source.
 template <class Real>
 std::uint64_t chance_seed(std::uint64_t seed, const Query<Real>& q) {
-  // SplitMix64's finaliser after each number: high bits reach low ones, so that signs and small integers count.
   std::uint64_t hash = seed;
-  for (const double x : coordinates(widened(q))) {
-    hash += 0x9e3779b97f4a7c15u ^ std::bit_cast<std::uint64_t>(x);
-    hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
-    hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
-    hash ^= hash >> 31;
-  }
+  for (const double x : coordinates(widened(q))) hash = mixed(hash + (golden_gamma ^ std::bit_cast<std::uint64_t>(x)));
   return hash;
 }
 
-// What is known of a query before its formulae are rounded.
+// A query, and all that is known of it before its formulae are rounded.
 template <class Real>
 struct PrecisionQuery {
   Query<Real> query;
