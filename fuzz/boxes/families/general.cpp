@@ -19,7 +19,7 @@ struct Lattice {
   template <class Pair>
   static Pair make(Stream& random, std::uint64_t position) {
     using Real = RealOf<Pair>;
-    const std::int64_t bound = std::array<std::int64_t, 3>{2, 5, 40}[position % 3];
+    const std::int64_t bound = lattice_bound(position);
     Pair q{};
     const auto fill = [&](auto& box) {
       for (Real* x : {&box.centre.x, &box.centre.y, &box.centre.z}) {

@@ -178,6 +178,19 @@ Pair of_ordinary_size(Stream& random, std::uint64_t position) {
   return q;
 }
 
+// B's centre within 2 of A's on each axis.
+template <class Pair>
+void place_beside(Stream& random, Pair& q) {
+  using Real = RealOf<Pair>;
+  const Real x = random.symmetric<Real>(), y = random.symmetric<Real>(), z = random.symmetric<Real>();
+  q.b.centre = q.a.centre + Vec3<Real>{x + x, y + y, z + z};
+}
+
+// The greatest integer of a query of small integers: 2, 5 or 40 in turn.
+inline std::int64_t lattice_bound(std::uint64_t position) {
+  return std::array<std::int64_t, 3>{2, 5, 40}[position % 3];
+}
+
 template <class Real>
 void scale_by_power(Vec3<Real>& v, int power) {
   for (Real* x : {&v.x, &v.y, &v.z}) *x = std::ldexp(*x, power);
@@ -192,12 +205,10 @@ void scale_by_power(Box& box, int power) {
 // Ordinary boxes, each turned by any rotation, the centres up to 2 apart in each coordinate.
 template <class Pair>
 Pair anywhere(Stream& random, std::uint64_t position) {
-  using Real = RealOf<Pair>;
   Pair q = of_ordinary_size<Pair>(random, position);
   turn(q.a, random_turn(random));
   turn(q.b, random_turn(random));
-  const Real x = random.symmetric<Real>(), y = random.symmetric<Real>(), z = random.symmetric<Real>();
-  q.b.centre = q.a.centre + Vec3<Real>{x + x, y + y, z + z};
+  place_beside(random, q);
   return q;
 }
 

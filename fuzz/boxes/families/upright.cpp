@@ -21,8 +21,7 @@ struct UprightAnywhere {
   static Pair make(Stream& random, std::uint64_t position) {
     using Real = RealOf<Pair>;
     BoxPair<Real> q = upright_boxes<Real>(random, position);
-    const Real x = random.symmetric<Real>(), y = random.symmetric<Real>(), z = random.symmetric<Real>();
-    q.b.centre = q.a.centre + Vec3<Real>{x + x, y + y, z + z};
+    place_beside(random, q);
     return by_corners(q);
   }
 };
@@ -32,7 +31,7 @@ struct UprightLattice {
   template <class Pair>
   static Pair make(Stream& random, std::uint64_t position) {
     using Real = RealOf<Pair>;
-    const std::int64_t bound = std::array<std::int64_t, 3>{2, 5, 40}[position % 3];
+    const std::int64_t bound = lattice_bound(position);
     Pair q{};
     for (CornersBox<Real>* box : {&q.a, &q.b}) {
       for (const auto& [low, high] : {std::pair(&box->low.x, &box->high.x), std::pair(&box->low.y, &box->high.y),
@@ -141,8 +140,7 @@ TurnedPair<Real> beside_upright(Stream& random, std::uint64_t position) {
   auto q = of_ordinary_size<TurnedPair<Real>>(random, position);
   q.a.q = {1, 0, 0, 0};
   turn(q.b, random_turn(random));
-  const Real x = random.symmetric<Real>(), y = random.symmetric<Real>(), z = random.symmetric<Real>();
-  q.b.centre = q.a.centre + Vec3<Real>{x + x, y + y, z + z};
+  place_beside(random, q);
   return q;
 }
 
@@ -169,7 +167,7 @@ struct MixedLattice {
   template <class Pair>
   static Pair make(Stream& random, std::uint64_t position) {
     using Real = RealOf<Pair>;
-    const std::int64_t bound = std::array<std::int64_t, 3>{2, 5, 40}[position % 3];
+    const std::int64_t bound = lattice_bound(position);
     const auto place = [&] {
       const auto x = random.integer(-bound, bound), y = random.integer(-bound, bound),
                  z = random.integer(-bound, bound);
