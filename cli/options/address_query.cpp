@@ -45,10 +45,11 @@ SourcePtr part_named(const std::string& path, const Address& address) {
   return named == parts.end() ? parts.front() : *named;
 }
 
-// The source that an address names: a family, or the given file if its SHA-256 is the address's.
-SourcePtr unswept_source_of(const Address& given, const AddressFiles& files) {
+// The source that an address names, `own_name` without a swept value: a family, or the given file if its SHA-256 is the
+// address's.
+SourcePtr unswept_source_of(const Address& given, std::string_view own_name, const AddressFiles& files) {
   Address address = given;
-  address.name = split_swept(given.name).first;
+  address.name = own_name;
   // A mesh has queries of several predicates, [PREDICATE/]mesh-SHA256.
   const Predicate* predicate = nullptr;
   std::string_view name = address.name;
@@ -80,8 +81,8 @@ SourcePtr unswept_source_of(const Address& given, const AddressFiles& files) {
 
 // With the value of a swept parameter that the address names.
 SourcePtr source_of(const Address& address, const AddressFiles& files) {
-  const SourcePtr source = unswept_source_of(address, files);
-  const auto point = split_swept(address.name).second;
+  const auto [own_name, point] = split_swept(address.name);
+  const SourcePtr source = unswept_source_of(address, own_name, files);
   if (!point) return source;
   require_within({point->parameter, {*point}}, address.precision);
   return swept_source(source, *point);

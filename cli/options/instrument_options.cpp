@@ -62,27 +62,23 @@ void add_own_queries(CLI::App& command, InstrumentOptions& o) {
 namespace {
 
 std::string needs_of(const InstrumentOptions& options, const Kernel& kernel, Measures measures) {
-  if (measures == Measures::formulae) {
-    if (!kernel.file.empty()) {
-      return "this command evaluates built-in formulae itself; a plug-in that declares `formulae` is measured by the "
-             "built-in kernel of these, and by run, check, ladder, condition, critical-radius and league as it is";
-    }
-    if (kernel.call != Call{}) return "this command measures formulae in an arithmetic, which '@CALL' does not change";
+  const bool is_plugin = !kernel.file.empty();
+  if (measures == Measures::verdicts) return "";
+  if (measures == Measures::formulae && is_plugin) {
+    return "this command evaluates built-in formulae itself; a plug-in that declares `formulae` is measured by the "
+           "built-in kernel of these, and by run, check, ladder, condition, critical-radius and league as it is";
   }
-  if (measures == Measures::comparisons) {
-    if (kernel.call != Call{}) return "this command measures formulae in an arithmetic, which '@CALL' does not change";
-    if (!kernel.file.empty() && kernel.may_decline)
-      return options.command + " counts the comparisons of every query, and this plug-in declares that it may decline";
-    const bool has_claim = formulae_of(kernel) != Formulae::none;
-    if (!kernel.file.empty() && (!has_claim || kernel.exposes == Exposure::verdict)) {
-      return fmt::format(
-          "{} holds comparisons to the formulae that a kernel evaluates: a plug-in has to declare `formulae`, and to "
-          "expose comparisons or sides; this one {} and exposes {}",
-          options.command, has_claim ? "declares formulae" : "declares no formulae",
-          kernel.exposes == Exposure::verdict ? "its verdict alone" : "comparisons");
-    }
-  }
-  return "";
+  if (kernel.call != Call{}) return "this command measures formulae in an arithmetic, which '@CALL' does not change";
+  if (!is_plugin) return "";
+  if (kernel.may_decline)
+    return options.command + " counts the comparisons of every query, and this plug-in declares that it may decline";
+  const bool has_claim = formulae_of(kernel) != Formulae::none, shows_verdict = kernel.exposes == Exposure::verdict;
+  if (has_claim && !shows_verdict) return "";
+  return fmt::format(
+      "{} holds comparisons to the formulae that a kernel evaluates: a plug-in has to declare `formulae`, and to "
+      "expose comparisons or sides; this one {} and exposes {}",
+      options.command, has_claim ? "declares formulae" : "declares no formulae",
+      shows_verdict ? "its verdict alone" : "comparisons");
 }
 
 }  // namespace
@@ -143,7 +139,7 @@ bool has_valid_query(const Source& source) {
   return false;
 }
 
-// Of a file of queries: that there are some of the precision, and a valid one.
+// Throws Error where a file of queries has none of the precision, or no valid one.
 void require_valid_query(const Source& source, Precision precision) {
   const auto size = source.fixed_size(precision);
   if (!size) return;

@@ -28,7 +28,7 @@ void add_instrument_options(CLI::App& command, InstrumentOptions& options, std::
 // Adds --mesh, --queries, --corpus and --sweep.
 void add_own_queries(CLI::App& command, InstrumentOptions& options);
 
-// What an instrument uses of a kernel: its verdicts; its comparisons, which it holds to formulae that the kernel
+// An instrument uses the verdicts of a kernel; its comparisons, which it holds to formulae that the kernel
 // claims; or the formulae alone, which it evaluates itself.
 enum class Measures { verdicts, comparisons, formulae };
 // The kernels given by the options, or `defaults`. Throws Error for one that does not exist in the precision, that the

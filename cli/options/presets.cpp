@@ -45,7 +45,8 @@ void ask_scenes(const Predicate& predicate, std::size_t entry, bool gives_times,
   if (!options.trials) options.trials = std::uint64_t{1} << (has_filters(predicate) ? 16 : 13);
   if (options.required.levels.empty()) {
     options.required.levels = {"depth=1mm", "logic"};
-    // Of a kernel with a reference, or of own queries none of which is clear; of other kernels that give no times.
+    // A kernel with a reference, or own queries none of which is clear, may leave these unchecked; so may kernels that
+    // give no times.
     options.required.allow_unchecked = {"logic"};
     for (const char* level : {"early=1mm", "never-late=1mm"}) {
       if (!gives_times) continue;

@@ -39,7 +39,7 @@ std::vector<std::string> ids_in_order(const Record& record) {
   return ids;
 }
 
-// Of more findings the report has the rest.
+// The report has further findings.
 std::string first_finding(const Record& record) {
   const std::vector<FindingGroup> groups = finding_groups(record);
   if (groups.empty()) return "";
@@ -52,7 +52,7 @@ std::string first_finding(const Record& record) {
   return text;
 }
 
-// Of another cause in another precision the report has the sentence.
+// The report has the cause in another precision, where it is another.
 std::string first_cause(const Record& record, const std::string& id) {
   SharedTexts causes;
   std::string witness;
@@ -98,7 +98,7 @@ std::string sentences_about(const Record& record, const std::string& id) {
   return text;
 }
 
-// Of levels that are not met: the family that has the most of it, and without details of what.
+// The family with the most failures of levels that are not met, without their details.
 std::string most_failures_text(const std::vector<Failure>& failures) {
   const auto most = std::ranges::max_element(failures, {}, &Failure::count);
   if (most == failures.end()) return "";

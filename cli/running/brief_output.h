@@ -1,5 +1,5 @@
-// What `run --preset game` prints: at most ten lines of a kernel, whatever its precisions are. What these have alike is
-// one line.
+// The output of `run --preset game`: at most ten lines of a kernel, whatever its precisions are. Results that these
+// share are one line.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ namespace axiscert {
 // sentences about each kernel.
 std::string brief_text(const Record& record);
 
-// What came of the levels: a line for each kernel and outcome, "ID: met: depth=1mm in binary64, logic". What passes and
-// what does not are apart.
+// The outcomes of levels: a line for each kernel and outcome, "ID: met: depth=1mm in binary64, logic". Those that pass
+// and those that do not are apart.
 struct BriefOutcomes {
   std::vector<std::string> passing, failing;
 };

@@ -91,7 +91,7 @@ std::string wrapped_html(const std::string& text) {
   return html + html_text(text.substr(begin));
 }
 
-// Of a cell whose text is a state of a level.
+// The look of a cell whose text is a state of a level; null for any other text.
 const char* state_look(const std::string& cell) {
   return cell == "met" ? "good" : cell == "not met" ? "bad" : cell == "NOT CHECKED" ? "warn" : nullptr;
 }

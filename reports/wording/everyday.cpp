@@ -39,18 +39,17 @@ std::string size_text(FamilyGroup group, double length, double depth, const Leng
 
 // "; 266 times late, by 12.4 cm at most, 0.957 of the way".
 std::string times_text(FamilyGroup group, const GroupResult::Times& times, const char* side, const LengthUnit* unit) {
-  if (times.count == 0 || !has_lengths(group)) return "";
+  if (times.count == 0) return "";
   return fmt::format("; {} time{} {}, by {} at most, {} of the way", thousands(times.count),
                      times.count == 1 ? "" : "s", side, length_in(group, times.farthest, unit),
                      amount(times.largest_share, 3));
 }
 
-// What else a kernel says of first contacts, where a person would see it: "; 259 features wrong; normals up to 139
-// degrees off; points up to 0.2 of the scene off". Normals from one degree on, points from a thousandth of the scene
-// on.
-std::string contacts_text(FamilyGroup group, const GroupResult& result) {
-  if (!has_lengths(group)) return "";
-  std::string text;
+// Errors of first contacts as a person would see them: times, then "; 259 features wrong; normals up to 139 degrees
+// off; points up to 0.2 of the scene off". Normals from one degree on, points from a thousandth of the scene on.
+std::string contacts_text(FamilyGroup group, const GroupResult& result, const LengthUnit* unit) {
+  std::string text = times_text(group, result.late, "late", unit) + times_text(group, result.early, "early", unit);
+  if (result.has_times && text.empty()) text += "; no time late or early";
   if (result.wrong_features != 0)
     text +=
         fmt::format("; {} feature{} wrong", thousands(result.wrong_features), result.wrong_features == 1 ? "" : "s");
@@ -72,10 +71,7 @@ std::string group_text(FamilyGroup group, const GroupResult& result, const Lengt
   if (result.no_answer == result.looked_at) return text + "no verdict";
   if (result.missed + result.invented == 0) text += "no wrong verdict";
   else text += result.missed == 0 && result.invented != 0 ? invented + "; " + missed : missed + "; " + invented;
-  text += times_text(group, result.late, "late", unit) + times_text(group, result.early, "early", unit);
-  if (has_lengths(group) && result.has_times && result.late.count + result.early.count == 0)
-    text += "; no time late or early";
-  text += contacts_text(group, result);
+  if (has_lengths(group)) text += contacts_text(group, result, unit);
   if (result.no_answer != 0) text += fmt::format("; {} without a verdict", thousands(result.no_answer));
   return text;
 }

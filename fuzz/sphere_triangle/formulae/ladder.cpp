@@ -27,11 +27,14 @@ struct LadderCounts {
   }
 };
 
-void count_verdict(KernelAccuracy& into, const Truth& truth, Verdict verdict) {
+void count_verdict(KernelAccuracy& into, const Truth& truth, Verdict verdict, QueryErrors& errors) {
+  const bool is_wrong = verdict != truth.verdict;
+  errors.missed = is_wrong && verdict == Verdict::separated;
+  errors.phantom = is_wrong && !errors.missed;
   ++into.queries;
-  if (verdict == truth.verdict) return;
-  ++(verdict == Verdict::separated ? into.false_separation : into.false_contact);
-  into.touching_flips += truth.touching;
+  into.false_separation += errors.missed;
+  into.false_contact += errors.phantom;
+  into.touching_flips += is_wrong && truth.touching;
 }
 
 // Those of the flips that range alone explains: the reference has them too, but an unbounded exponent does not.
@@ -88,10 +91,7 @@ void judge_formulae(const LadderPlan& plan, JudgedBatch<Real>& batch, KernelAccu
     if (has_critical_radius(batch.position(i))) distance = squared_distance(q);
     for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
       const Reply<Real>& reply = batch.reply(k);
-      count_verdict(into[k], asked.truth(), reply.verdicts[i]);
-      const bool is_wrong = reply.verdicts[i] != asked.truth().verdict;
-      errors[k].missed = is_wrong && reply.verdicts[i] == Verdict::separated;
-      errors[k].phantom = is_wrong && !errors[k].missed;
+      count_verdict(into[k], asked.truth(), reply.verdicts[i], errors[k]);
       errors[k].signs =
           count_comparisons(into[k], *plan.kernels[k], *asked.sides(*plan.kernels[k]), q, reply.answers, i);
       if (distance) count_critical_radius(into[k], batch.kernel(k), q, *distance);

@@ -110,7 +110,7 @@ std::vector<KernelNumber> kernel_numbers(const PrecisionPlan& plan) {
   return all;
 }
 
-// Of a swept offset: sign errors against offset x u / size, which puts the formats on one axis; u = 2^-bits.
+// Sign errors against offset x u / size, where the offset is swept: that puts the formats on one axis; u = 2^-bits.
 std::optional<InstrumentPlot> relative_plot(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies) {
   const auto sweep = sweep_of(plan.sources);
   if (!sweep || sweep->parameter != SweepParameter::offset) return std::nullopt;
@@ -121,13 +121,15 @@ std::optional<InstrumentPlot> relative_plot(const PrecisionPlan& plan, const std
                       true,
                       true,
                       {}};
+  std::vector<double> sizes;  // by source
+  for (const SourcePtr& source : plan.sources)
+    sizes.push_back(median_scene_size(unswept(*source), plan.seed, plan.precision));
   for (const auto& [k, n] : kernel_numbers(plan)) {
     InstrumentSeries series{fmt::format("{}, {}", plan.kernels[k]->id, plan.numbers[n].name), {}, {}};
     for (std::size_t s = 0; s < plan.sources.size(); ++s) {
       const auto offset = swept_value(*plan.sources[s]);
-      const double size = median_scene_size(unswept(*plan.sources[s]), plan.seed, plan.precision);
-      if (!offset || offset->value <= 0 || size <= 0) continue;
-      add_point(series, std::ldexp(offset->value, -plan.numbers[n].bits) / size,
+      if (!offset || offset->value <= 0 || sizes[s] <= 0) continue;
+      add_point(series, std::ldexp(offset->value, -plan.numbers[n].bits) / sizes[s],
                 sign_errors(plan, tallies[s], k, n, cluster_size(plan, s)), plan.sources[s]->name());
     }
     plot.series.push_back(std::move(series));
