@@ -55,7 +55,7 @@ class Examples(unittest.TestCase):
         out = Path(tempfile.mkdtemp(dir=self.folder))
         arguments = [part for kernel in kernels for part in ("--kernel", kernel)]
         arguments += [part for name in families for part in ("--family", name)]
-        self.installed("run", *arguments, "--trials", max(20000 // DIVISOR, 2000), *options, "--out", out)
+        self.installed("run", *arguments, "--trials", max(4000 // DIVISOR, 2000), *options, "--out", out)
         return json.loads((out / "record.json").read_text())
 
     def test_installed_is_what_a_user_needs(self):
