@@ -22,18 +22,17 @@ class ContactStep {
     const T aa = dot(A, A), g1 = dot(A, AB), g2 = dot(A, AC), f = dot(AB, AC), e1 = dot(AB, AB), e3 = dot(AC, AC);
     const T E = e1 + e3, S = aa + E;
     const T by2 = number(ContactBounds::side_2 * v) * S, by4 = number(ContactBounds::side_4 * v) * (S * E);
-    const T g3 = g1 + e1, g6 = g2 + e3, to_bc = (g2 + f) - g3, to_cb = (g1 + f) - g6;
+    const T g3 = g1 + e1, g6 = g2 + e3, bc = g3 - (g2 + f), cb = g6 - (g1 + f);
     const T beyond_ab = g1 * f - e1 * g2, beyond_ca = f * g2 - g1 * e3;
     const T beyond_bc = (e1 * e3 - f * f) - (beyond_ab + beyond_ca);
     const T minus2 = -by2, minus4 = -by4;
 
-    const Mask on_a = hn::And(above(g1, by2), above(g2, by2));
-    const Mask on_b = hn::And(above(minus2, g3), above(to_bc, by2));
-    const Mask on_c = hn::And(above(minus2, g6), above(to_cb, by2));
+    const Mask on_a = above(least(g1, g2), by2);
+    const Mask on_b = above(minus2, greatest(g3, bc)), on_c = above(minus2, greatest(g6, cb));
     const Mask on_ab = hn::And(hn::And(above(minus2, g1), above(g3, by2)), above(minus4, beyond_ab));
-    const Mask on_bc = hn::And(hn::And(above(minus2, to_bc), above(minus2, to_cb)), above(minus4, beyond_bc));
+    const Mask on_bc = hn::And(above(least(bc, cb), by2), above(minus4, beyond_bc));
     const Mask on_ca = hn::And(hn::And(above(minus2, g2), above(g6, by2)), above(minus4, beyond_ca));
-    const Mask on_face = hn::And(hn::And(above(beyond_ab, by4), above(beyond_bc, by4)), above(beyond_ca, by4));
+    const Mask on_face = above(least(least(beyond_ab, beyond_bc), beyond_ca), by4);
     const Mask on_vertex = hn::Or(hn::Or(on_a, on_b), on_c), on_edge = hn::Or(hn::Or(on_ab, on_bc), on_ca);
     feature[0] = hn::Or(hn::Or(on_b, on_ab), on_ca);
     feature[1] = hn::Or(hn::Or(on_c, on_ab), on_face);
@@ -43,34 +42,33 @@ class ContactStep {
     const Vector to = either(on_ab, q.b, either(on_ca, q.a, q.c));
     const Vector b = Q - q.p, y = to - Q;
     Vector w;
-    Mask is_accurate;  // for what is not a vertex, but that w is not too short beside b
+    Mask is_sound;  // the normal that w is made of is accurate
     if constexpr (is_narrow) {
       const Vector along = either(on_face, cross(AB, AC), y);
       const T square = dot(along, along);
       const Vector part = along * T{hn::Div(dot(b, along).v, square.v)};
       w = either(on_vertex, b, either(on_face, part, b - part));
-      is_accurate = hn::Or(on_edge, above(square, number(ContactBounds::least_normal_32) * (e1 * e3)));
+      is_sound = above(square, number(ContactBounds::least_normal_32) * (e1 * e3));
     } else {
       const Vector of = either(on_face, q.b, Q), from = either(on_face, Q, q.p), x = of - from;
       const Vector N = accurate_cross(of, from, to, Q);
       const T nn = dot(N, N), yy = dot(y, y);
       const T factor{hn::Div(either(on_face, dot(b, N), number(1)).v, either(on_face, nn, yy).v)};
       w = either(on_vertex, b, either(on_face, N, cross(y, N)) * factor);
-      is_accurate = hn::And(above(nn, number(ContactBounds::least_normal_64) * (dot(x, x) * yy)),
-                            above(nn, number(ContactBounds::least_normal)));
+      is_sound = hn::And(above(nn, number(ContactBounds::least_normal_64) * (dot(x, x) * yy)),
+                         above(nn, number(ContactBounds::least_normal)));
     }
     const T ww = dot(w, w), d{hn::Sqrt(ww.v)};
     separation = d - q.r;
     normal = w * T{hn::Div(number(-1).v, d.v)};
     point = either(on_vertex, Q, q.p + w);
 
-    const T least = number(is_narrow ? ContactBounds::certain_32 : ContactBounds::certain_64) * S;
-    decided = hn::And(hn::Or(on_vertex, hn::And(hn::Or(on_face, on_edge), is_accurate)),
-                      hn::And(above(ww, least), above(separation * separation, least)));
-    decided = hn::And(decided, hn::And(hn::Ge(q.r.v, hn::Zero(D())), hn::Le(q.r.v, greatest())));
-    if constexpr (is_narrow) {
-      decided = hn::And(decided, hn::Or(on_face, above(ww, number(ContactBounds::least_edge_32) * S)));
-    } else {
+    const T certain = number(is_narrow ? ContactBounds::certain_32 : ContactBounds::certain_64) * S;
+    const Mask is_long = is_narrow ? above(ww, number(ContactBounds::least_edge_32) * S) : is_sound;
+    decided = hn::Or(on_vertex, hn::Or(hn::And(on_face, is_sound), hn::And(on_edge, is_long)));
+    decided = hn::And(decided, hn::And(above(ww, certain), above(separation * separation, certain)));
+    decided = hn::And(decided, hn::And(hn::Ge(q.r.v, hn::Zero(D())), hn::Le(q.r.v, greatest_number())));
+    if constexpr (!is_narrow) {
       decided = hn::And(decided, hn::And(above(E, number(ContactBounds::least_triangle)),
                                          above(number(ContactBounds::greatest_square), S)));
     }
@@ -81,7 +79,7 @@ class ContactStep {
   static constexpr double v = 0x1p-53;
   static constexpr bool is_narrow = sizeof(Real) == 4;
   AXISCERT_INLINE static T number(double x) { return {hn::Set(D(), x)}; }
-  AXISCERT_INLINE static hn::Vec<D> greatest() {
+  AXISCERT_INLINE static hn::Vec<D> greatest_number() {
     return hn::Set(D(), static_cast<double>(std::numeric_limits<Real>::max()));
   }
   AXISCERT_INLINE static T magnitude(const T& x) { return {hn::Abs(x.v)}; }

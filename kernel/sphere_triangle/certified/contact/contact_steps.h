@@ -35,7 +35,7 @@
 // Signs: S = A'.A' + E, E = AB.AB + AC.AC, with A' = A - P and so on, g1 = A'.AB, g2 = A'.AC, f = AB.AC:
 //   dots       two differences, a product, two sums: 5 v |x| |y|, |x| |y| <= (x.x + y.y) / 2
 //   B'.AB      g1 + AB.AB: 2.5 v S + 5 v E + v (1.5 S), and so on
-//   B'.BC      (g2 + f) - (g1 + AB.AB): (5 + 2.5 + 5) v S and 3 v of at most 3 S; of 24 v S allowed
+//   BC.B'      (g1 + AB.AB) - (g2 + f): (5 + 2.5 + 5) v S and 3 v of at most 3 S; of 24 v S allowed
 //   AB's N.V   g1 f - AB.AB g2: 11 v of each product, at most S / 2 E / 2, and v of each: 6 v S E; likewise CA's
 //   BC's       AB.AB AC.AC - f^2 less these two: 24 v E^2 / 4, 12 v S E, three sums 3 v (S E / 2 + E^2 / 2); of 24 v S
 //   E
