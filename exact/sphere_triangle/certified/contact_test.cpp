@@ -30,7 +30,7 @@ std::array<Real, 13> close_query(std::mt19937_64& random) {
   const std::size_t i = 3 * (random() % 3), j = 3 * (random() % 3);
   Real s = std::abs(one()), t = std::abs(one());
   if (s + t > 1) s = 1 - s, t = 1 - t;
-  const int kind = static_cast<int>(random() % 8), size = static_cast<int>(random() % (sizeof(Real) == 4 ? 270 : 2090));
+  const int kind = static_cast<int>(random() % 9), size = static_cast<int>(random() % (sizeof(Real) == 4 ? 270 : 2090));
   const int least = sizeof(Real) == 4 ? -145 : -1070;
   for (std::size_t k = 0; k < 3; ++k) {
     if (kind == 0) q[6 + k] = q[k] + s * (q[3 + k] - q[k]) + small();  // hardly any area
@@ -39,7 +39,14 @@ std::array<Real, 13> close_query(std::mt19937_64& random) {
     if (kind == 3) q[9 + k] = q[i + k] + s * (q[j + k] - q[i + k]) + small();                  // near an edge
     if (kind == 4) q[9 + k] = q[i + k] + small();
   }
-  if (kind >= 5) {
+  if (kind == 8) {  // above the middle of a thin face
+    const Real thin = std::ldexp(one(), -static_cast<int>(random() % (sizeof(Real) == 4 ? 22 : 50)));
+    for (std::size_t k = 0; k < 3; ++k) q[6 + k] = q[k] + s * (q[3 + k] - q[k]) + thin * q[6 + k];
+    const Vec3<Real> a{q[0], q[1], q[2]}, b{q[3], q[4], q[5]}, c{q[6], q[7], q[8]}, V = cross(b - a, c - a);
+    const Real height = q[12] / std::sqrt(dot(V, V));
+    const Vec3<Real> centre = (a + b + c) * (Real(1) / 3) + V * height;
+    if (std::isfinite(height)) q[9] = centre.x, q[10] = centre.y, q[11] = centre.z;
+  } else if (kind >= 5) {
     for (Real& x : q) {
       const int own = static_cast<int>(random() % (sizeof(Real) == 4 ? 270 : 2090));
       const Real whole = static_cast<Real>(static_cast<int>(random() % 9) - 4);
