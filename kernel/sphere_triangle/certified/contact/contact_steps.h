@@ -15,15 +15,14 @@
 // is along the edge, V = AB x AC; w leads from P to the nearest point: d = |w|, normal = -w / |w|, point = P + w. A
 // component of a difference is (1 + v) times the exact one.
 //   vertex    w = b: v d;  |w|: w.w and the root 2.5 v more                                    |w|: 3.5 v d
-// binary32, with V off by D |V|, D = 5.66 v |AB| |AC| / |V| (../thresholds.h): V.V >= 2^-24 AB.AB AC.AC makes it
-// 2^-38.4.
+// binary32, V off by D |V|, D = 5.66 v |AB| |AC| / |V| (../thresholds.h); V.V >= 2^-24 AB.AB AC.AC makes it 2^-38.4:
 //   edge      w = b - y (b.y / y.y): b.y 5 v |b| |y|, y.y 5 v, the quotient, the product and y 3 v of at most |b|; b v,
 //             the difference v d: 15 v |b|; d >= 2^-15 |b| (asked as 2^-15 sqrt S) makes it 2^-33.6 d
 //   face      w = V (b.V / V.V): b.V (4 v + D) |b| |V|; V.V 3 v and its D, with V's own one in all; two products and a
 //             division 3 v: (10 v + 2 D) |b|                                                   |w|: (12.5 v + 2 D) |b|
 // binary64, with N = x cross y off by D |N|, x = b or, for the face, x, y = AB, AC and N = V: differences with their
 // errors, exact products, 17 v^2 (|x_i y_j| + |x_j y_i|) for all low parts and what is left out, the rounding of the
-// sum: D = v + 24 v^2 |x| |y| / |N|; N.N >= 2^-60 x.x y.y makes it 1.01 v.
+// sum: D = v + 24 v^2 |x| |y| / |N|; N.N >= 2^-60 x.x y.y makes it 1.01 v:
 //   edge      w = (y x N) / y.y: y x N 1 + 2.83 v and D, y.y 5 v, 1 / y.y and its product 2 v: 11.9 v d
 //                                                                                              |w|: 14.4 v d
 //   face      as above with this D: 12.1 v |b|                                                 |w|: 14.6 v |b|
@@ -37,8 +36,7 @@
 //   B'.AB      g1 + AB.AB: 2.5 v S + 5 v E + v (1.5 S), and so on
 //   BC.B'      (g1 + AB.AB) - (g2 + f): (5 + 2.5 + 5) v S and 3 v of at most 3 S; of 24 v S allowed
 //   AB's N.V   g1 f - AB.AB g2: 11 v of each product, at most S / 2 E / 2, and v of each: 6 v S E; likewise CA's
-//   BC's       AB.AB AC.AC - f^2 less these two: 24 v E^2 / 4, 12 v S E, three sums 3 v (S E / 2 + E^2 / 2); of 24 v S
-//   E
+//   BC's       AB.AB AC.AC - f^2 less these two: 6 v E^2, 12 v S E, three sums 3 v S E; of 24 v S E allowed
 // The rest is for terms of v^2 and the roundings of S and E.
 //
 // Range. What is widened from binary32 neither overflows nor underflows: nonzero values of degree 4 are between 2^-596
@@ -46,12 +44,11 @@
 // 2^-1074, below v^4 of each threshold; a component of N below 2^-600 counts as 0, less than 2^-350 of |N|, so that no
 // bit depends on whether a low part that underflowed was fused.
 //
-// Which part is nearest. A point F of a convex set is the nearest to P iff (P - F).(X - F) <= 0 for each corner X. So,
-// on every triangle, those without area too:
+// Which part is nearest, as Coq has accepted it (proofs/coq/reals/NearestPart.v). A point F of a convex set is the
+// nearest to P iff (P - F).(X - F) <= 0 for each corner X. So, on every triangle, those without area too:
 //   vertex A     A'.AB >= 0 and A'.AC >= 0
-//   edge AB      A'.AB < 0 < B'.AB: the foot F is between A and B; and N.V <= 0, N = A' x AB, which is -|AB|^2 (F -
-//   P).AC
-//                and g1 f - AB.AB g2 the negative of it: nearest iff C is not on P's side of F
+//   edge AB      A'.AB < 0 < B'.AB, so that the foot F is between A and B; and N.V <= 0, N = A' x AB, which is
+//                g1 f - AB.AB g2 = -|AB|^2 (F - P).AC: nearest iff C is not on P's side of F
 //   face         otherwise: V is not 0 then
 // The answer is the part of the least dimension that holds the nearest point; among several, where vertices coincide or
 // edges overlap, the first of A, B, C, AB, BC, CA.
