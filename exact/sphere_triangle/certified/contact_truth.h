@@ -45,6 +45,10 @@ struct WideVector {
   Wide length() const { return std::sqrt(dot(*this, *this)); }
 };
 
+inline bool has_sign_of_verdict(bool open, const ContactSaid& said) {
+  return (said.verdict == 0) == (open ? said.separation < 0 : said.separation <= 0);
+}
+
 // Whether all is right, where long double is certain of it. Each quantity is off by less than 64 units of its roundoff
 // times the sizes that it is made of; `slack` is 2^-57 of these.
 template <class Real>
@@ -89,7 +93,7 @@ bool is_surely_right(const std::array<double, 13>& q, bool open, const ContactSa
   }
   const Wide d = w.length(), separation = d - r;
   if (!(d > 0) || !(std::fabs(separation) > error) || (said.verdict == 0) != (separation < 0)) return false;
-  static_cast<void>(open);  // the two spheres differ where the separation is 0
+  if (!has_sign_of_verdict(open, said)) return false;
   if (!(std::fabs(said.separation - separation) + error <=
         Promise::of_separation * std::fabs(separation) + Promise::of_scene * scene))
     return false;
@@ -218,6 +222,8 @@ std::string exactly_wrong(const std::array<double, 13>& q, bool open, const Cont
   const bool contact = open ? square < limit : square <= limit;
   if (said.verdict != (contact ? 0 : 1)) return "verdict " + std::to_string(said.verdict);
   if (said.has_normal != (square != 0 ? 1 : 0)) return "has_normal " + std::to_string(said.has_normal);
+
+  if (!has_sign_of_verdict(open, said)) return "separation " + std::to_string(said.separation) + " beside its verdict";
 
   const auto with_unit = [unit](const Mpfr& x) { return x.shifted(unit); };
   Mpfr scene(r);

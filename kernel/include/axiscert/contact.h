@@ -6,7 +6,7 @@
  *       push(sphere, at.normal, -at.separation);
  *
  * Verdict and feature are exact. The numbers are within these bounds of the exact ones, with u = 2^-24 (f32) or 2^-53
- * (f64), M = max(|A-P|, |B-P|, |C-P|, r), and half of the least subnormal number more for each:
+ * (f64), M = max(|A-P|, |B-P|, |C-P|, r), and the least subnormal number more for each:
  *
  *                                               f32                         f64
  *   separation  distance - r                    u |separation| + 2^-13 u M  16 u M
@@ -15,8 +15,9 @@
  *   point       of the triangle, the nearest    u |point| + 2^-12 u M       u |point| + 14 u M
  *               to the centre
  *
- * Of vectors it is the length of the difference. A nearest vertex is given as it stands. A separation above the
- * greatest number is infinite.
+ * Of vectors it is the length of the difference. A nearest vertex is given as it stands. A separation has the sign of
+ * its verdict: of the closed sphere it is at most 0 in contact and else positive, of the open one negative in contact
+ * and else at least 0. One above the greatest number is infinite.
  *
  * Where the centre is on the triangle, no direction leads from the point to it: has_normal is 0, and the normal is that
  * of the face, on the side from which A, B, C turn counterclockwise; of a triangle without area one across its longest

@@ -12,8 +12,9 @@ class ContactStep {
   using Mask = hn::Mask<D>;
   using Vector = Vec3<T>;
 
-  Mask decided, contact;
-  Mask feature[3];  // its binary digits
+  Mask measured;          // the feature is certain, and the numbers keep their bounds
+  Mask decided, contact;  // the verdict is certain too
+  Mask feature[3];        // its binary digits
   T separation;
   Vector normal, point;
 
@@ -65,13 +66,16 @@ class ContactStep {
 
     const T certain = number(is_narrow ? ContactBounds::certain_32 : ContactBounds::certain_64) * S;
     const Mask is_long = is_narrow ? above(ww, number(ContactBounds::least_edge_32) * S) : is_sound;
-    decided = hn::Or(on_vertex, hn::Or(hn::And(on_face, is_sound), hn::And(on_edge, is_long)));
-    decided = hn::And(decided, hn::And(above(ww, certain), above(separation * separation, certain)));
-    decided = hn::And(decided, hn::And(hn::Ge(q.r.v, hn::Zero(D())), hn::Le(q.r.v, greatest_number())));
+    measured =
+        hn::And(hn::Or(on_vertex, hn::Or(hn::And(on_face, is_sound), hn::And(on_edge, is_long))), above(ww, certain));
+    measured = hn::And(measured, hn::And(hn::Ge(q.r.v, hn::Zero(D())), hn::Le(q.r.v, greatest_number())));
     if constexpr (!is_narrow) {
-      decided = hn::And(decided, hn::And(above(E, number(ContactBounds::least_triangle)),
-                                         above(number(ContactBounds::greatest_square), S)));
+      measured = hn::And(measured, hn::And(above(E, number(ContactBounds::least_triangle)),
+                                           above(number(ContactBounds::greatest_square), S)));
     }
+    // So great that it is not 0 as a float.
+    const T shown = is_narrow ? certain + number(ContactBounds::least_shown_32) : certain;
+    decided = hn::And(measured, above(separation * separation, shown));
     contact = hn::And(decided, hn::Lt(separation.v, hn::Zero(D())));
   }
 
@@ -118,13 +122,17 @@ class Contacts {
   HWY_NOINLINE void run() noexcept {
     std::size_t i = 0;
     for (; i + lanes <= block_.size; i += lanes) take(block_, i, i, lanes, to_);
-    if (i == block_.size) return;
+    if (i == block_.size) {
+      settle_unsure();
+      return;
+    }
     const Tail<Real, lanes> tail(block_, i);
     Real room[7][lanes];
     const ContactColumns<Real> to{room[0], {room[1], room[2], room[3]}, {room[4], room[5], room[6]}};
     const std::uint64_t open = take_vector(tail.block, 0, i, block_.size - i, to);
     for (std::size_t k = 0; k < 7; ++k) std::memcpy(column(k) + i, room[k], (block_.size - i) * sizeof(Real));
     settle(open, i);
+    settle_unsure();
   }
 
  private:
@@ -156,10 +164,13 @@ class Contacts {
     store(step.point.x, to.point[0]);
     store(step.point.y, to.point[1]);
     store(step.point.z, to.point[2]);
-    const std::uint64_t decided = bits_of(d, step.decided) & low_bits(count);
-    answer_.contact[i / 64] |= (bits_of(d, step.contact) & decided) << (i % 64);
-    for (int k = 0; k < 3; ++k) answer_.feature[k][i / 64] |= (bits_of(d, step.feature[k]) & decided) << (i % 64);
-    return low_bits(count) & ~decided;
+    const std::uint64_t measured = bits_of(d, step.measured) & low_bits(count);
+    answer_.contact[i / 64] |= (bits_of(d, step.contact) & measured) << (i % 64);
+    for (int k = 0; k < 3; ++k) answer_.feature[k][i / 64] |= (bits_of(d, step.feature[k]) & measured) << (i % 64);
+    for (std::uint64_t rest = measured & ~bits_of(d, step.decided); rest != 0; rest &= rest - 1) {
+      unsure_[unsure_count_++] = static_cast<std::uint16_t>(i + first_bit(rest));
+    }
+    return low_bits(count) & ~measured;
   }
   HWY_NOINLINE void settle(std::uint64_t open, std::size_t i) noexcept {
     for (; open != 0; open &= open - 1) {
@@ -170,9 +181,15 @@ class Contacts {
     }
   }
 
+  void settle_unsure() noexcept {
+    if (unsure_count_ != 0) settle_verdicts(block_, unsure_, unsure_count_, question_, to_, answer_);
+  }
+
   const Block<Real>& block_;
   const Question question_;
   const ContactColumns<Real>& to_;
+  std::uint16_t unsure_[block_size];  // queries that lack their verdict alone
+  std::size_t unsure_count_ = 0;
   BlockContacts& answer_;
 };
 

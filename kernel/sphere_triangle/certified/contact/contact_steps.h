@@ -1,15 +1,17 @@
 // The numbers beside the verdict: how far apart, which part of the triangle is nearest, where, and in which direction.
 //
 // Two steps. The first (contact_step-inl.h) takes one query a lane, in doubles without fused operations, so that its
-// bits are the same on every instruction set; a query whose verdict, feature or accuracy it is not certain of goes to
-// the second (exact_contact.h), whose signs are those of integers. Both keep the bounds below.
+// bits are the same on every instruction set; a query whose feature or accuracy it is not certain of goes to the second
+// (exact_contact.h), whose signs are those of integers. Both keep the bounds below. What lacks its verdict alone goes
+// to the steps of certified.h. Where a separation has not the sign of its verdict, it is moved to 0 or the least number
+// on that side, which is nearer to the exact one.
 //
 // u is the unit roundoff of the input's type, 2^-24 or 2^-53, M = max(|A-P|, |B-P|, |C-P|, r):
 //                binary32                        binary64
 //   separation   u |d - r| + 2^-13 u M           16 u M
 //   normal       (1 + 2^-9) u                    12 u               the length of the difference of the vectors
 //   point        u |point| + 2^-12 u M           u |point| + 14 u M likewise; a vertex is given as it stands
-// and half of the least subnormal number for each component. A separation beyond the greatest number is infinite.
+// and the least subnormal number for each component. A separation beyond the greatest number is infinite.
 //
 // Why the first step keeps them. v = 2^-53. Q is the vertex, or the first end of the edge, or A; b = Q - P, |b| <= M; y
 // is along the edge, V = AB x AC; w leads from P to the nearest point: d = |w|, normal = -w / |w|, point = P + w. A
@@ -65,6 +67,7 @@ struct ContactBounds {
   static constexpr double side_2 = 24, side_4 = 24;                    // of v S, of v S E
   static constexpr double certain_32 = 0x1p-73, certain_64 = 0x1p-97;  // the squares of |d - r| and of d, of S
   static constexpr double least_normal_32 = 0x1p-24, least_normal_64 = 0x1p-60;  // N.N, of x.x y.y
+  static constexpr double least_shown_32 = 0x1p-298;                             // the square of the least float
   static constexpr double least_edge_32 = 0x1p-30;                               // the square of d, of S
   // Of binary64 alone.
   static constexpr double least_triangle = 0x1p-300, greatest_square = 0x1p240, least_normal = 0x1p-500,

@@ -197,7 +197,40 @@ void write_normal(const ScaledVector& n, double sign, std::size_t i, const Conta
   to.normal[2][i] = static_cast<Real>(n.z * by);
 }
 
+// The separation, or the nearest to it that has the verdict's sign: of contact with the closed sphere at most 0, with
+// the open one below it.
+template <class Real>
+Real agreeing(Real separation, bool contact, Question question) noexcept {
+  constexpr Real least = std::numeric_limits<Real>::denorm_min();
+  const bool is_open = question == Question::open_sphere;
+  return contact ? std::min(separation, is_open ? -least : Real(0)) : std::max(separation, is_open ? Real(0) : least);
+}
+
 }  // namespace
+
+template <class Real>
+void settle_verdicts(const Block<Real>& block, const std::uint16_t* index, std::size_t count, Question question,
+                     const ContactColumns<Real>& to, BlockContacts& answer) noexcept {
+  Real column[13][block_size];
+  Block<Real> packed{{}, count, block.one_sphere};
+  for (std::size_t k = 0; k < 13; ++k) {
+    const bool is_one = block.one_sphere && k >= 9;
+    packed.column[k] = is_one ? block.column[k] : column[k];
+    for (std::size_t j = 0; j < count && !is_one; ++j) column[k][j] = block.column[k][index[j]];
+  }
+  BlockAnswer found;
+  chosen_forms().block<Real>()(packed, question, found);
+  for (std::size_t j = 0; j < count; ++j) {
+    const std::size_t i = index[j];
+    const bool contact = has_bit(found.contact[j / 64], j % 64);
+    answer.contact[i / 64] |= std::uint64_t{contact} << (i % 64);
+    to.separation[i] = agreeing(to.separation[i], contact, question);
+  }
+}
+template void settle_verdicts<float>(const Block<float>&, const std::uint16_t*, std::size_t, Question,
+                                     const ContactColumns<float>&, BlockContacts&) noexcept;
+template void settle_verdicts<double>(const Block<double>&, const std::uint16_t*, std::size_t, Question,
+                                      const ContactColumns<double>&, BlockContacts&) noexcept;
 
 template <class Real>
 void settle_contact(const double (&q)[13], Question question, std::size_t i, const ContactColumns<Real>& to,
@@ -219,7 +252,8 @@ void settle_contact(const double (&q)[13], Question question, std::size_t i, con
     for (int k = 0; k < 3; ++k) to.normal[k][i] = to.point[k][i] = nan;
     return;
   }
-  if (!exactly_separated(q, question, {})) answer.contact[i / 64] |= bit;
+  const bool contact = !exactly_separated(q, question, {});
+  if (contact) answer.contact[i / 64] |= bit;
 
   const Place place = nearest(q);
   note_feature(place.feature);
@@ -232,6 +266,7 @@ void settle_contact(const double (&q)[13], Question question, std::size_t i, con
     to.separation[i] = static_cast<Real>(sum(-q[12], std::sqrt(dot(w, w)), w.e));
     write_normal(w, -1, i, to);
   }
+  to.separation[i] = agreeing(to.separation[i], contact, question);
   const double from_centre[3] = {w.x, w.y, w.z};
   for (std::size_t k = 0; k < 3; ++k) {
     const double a = q[k], b = q[3 + k], c = q[6 + k], p = q[9 + k];

@@ -11,9 +11,17 @@ namespace axiscert::certified {
 template <class Real>
 void settle_contact(const double (&query)[13], Question question, std::size_t i, const ContactColumns<Real>& to,
                     BlockContacts& answer) noexcept;
+// The verdicts of `count` queries of a block by the steps of certified.h; their numbers are there.
+template <class Real>
+void settle_verdicts(const Block<Real>& block, const std::uint16_t* index, std::size_t count, Question question,
+                     const ContactColumns<Real>& to, BlockContacts& answer) noexcept;
 extern template void settle_contact<float>(const double (&)[13], Question, std::size_t, const ContactColumns<float>&,
                                            BlockContacts&) noexcept;
 extern template void settle_contact<double>(const double (&)[13], Question, std::size_t, const ContactColumns<double>&,
                                             BlockContacts&) noexcept;
+extern template void settle_verdicts<float>(const Block<float>&, const std::uint16_t*, std::size_t, Question,
+                                            const ContactColumns<float>&, BlockContacts&) noexcept;
+extern template void settle_verdicts<double>(const Block<double>&, const std::uint16_t*, std::size_t, Question,
+                                             const ContactColumns<double>&, BlockContacts&) noexcept;
 
 }  // namespace axiscert::certified
