@@ -61,7 +61,8 @@ class ContactStep {
     }
     const T ww = dot(w, w), d{hn::Sqrt(ww.v)};
     separation = d - q.r;
-    normal = w * T{hn::Div(number(-1).v, d.v)};
+    const T zero = number(0);
+    normal = w * T{hn::Div(number(-1).v, d.v)} + Vector{zero, zero, zero};  // no -0
     point = either(on_vertex, Q, q.p + w);
 
     const T certain = number(is_narrow ? ContactBounds::certain_32 : ContactBounds::certain_64) * S;

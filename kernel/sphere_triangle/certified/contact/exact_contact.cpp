@@ -192,9 +192,9 @@ ScaledVector chosen_normal(const Place& place) noexcept {
 template <class Real>
 void write_normal(const ScaledVector& n, double sign, std::size_t i, const ContactColumns<Real>& to) noexcept {
   const double by = sign / std::sqrt(dot(n, n));
-  to.normal[0][i] = static_cast<Real>(n.x * by);
-  to.normal[1][i] = static_cast<Real>(n.y * by);
-  to.normal[2][i] = static_cast<Real>(n.z * by);
+  to.normal[0][i] = static_cast<Real>(n.x * by + 0.0);
+  to.normal[1][i] = static_cast<Real>(n.y * by + 0.0);
+  to.normal[2][i] = static_cast<Real>(n.z * by + 0.0);  // no -0
 }
 
 // The separation, or the nearest to it that has the verdict's sign: of contact with the closed sphere at most 0, with
@@ -260,7 +260,7 @@ void settle_contact(const double (&q)[13], Question question, std::size_t i, con
   const ScaledVector& w = place.from_centre;
   if (w.is_zero()) {
     answer.no_normal[i / 64] |= bit;
-    to.separation[i] = static_cast<Real>(-q[12]);
+    to.separation[i] = static_cast<Real>(0 - q[12]);
     write_normal(chosen_normal(place), 1, i, to);
   } else {
     to.separation[i] = static_cast<Real>(sum(-q[12], std::sqrt(dot(w, w)), w.e));
