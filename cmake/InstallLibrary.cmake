@@ -30,7 +30,8 @@ function(axiscert_install_library component lib runtime)
           DESTINATION ${lib}/cmake/axiscert ${with})
   install(FILES ${PROJECT_BINARY_DIR}/axiscertConfig.cmake ${PROJECT_BINARY_DIR}/axiscertConfigVersion.cmake
           DESTINATION ${lib}/cmake/axiscert ${with})
-  install(FILES kernel/include/axiscert/certified.h kernel/include/axiscert/certified.hpp kernel/include/axiscert/plugin.h DESTINATION include/axiscert ${with})
+  install(FILES kernel/include/axiscert/certified.h kernel/include/axiscert/certified.hpp kernel/include/axiscert/contact.h kernel/include/axiscert/contact.hpp
+          kernel/include/axiscert/plugin.h DESTINATION include/axiscert ${with})
 endfunction()
 
 axiscert_install_library(library lib library)

@@ -20,4 +20,5 @@
   X(moving_sphere)             \
   X(box_box)                   \
   X(box_triangle)              \
+  X(capsule_triangle)          \
   AXISCERT_MORE_PREDICATES(X)

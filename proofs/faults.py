@@ -60,6 +60,8 @@ FAULTS = {
         "Box.v", "then Bplus mode_NE p r else B754_infinity false", "then Bplus mode_NE p r else p", "Box.v"),
     "a tie that counts as beyond for the closed sphere": (
         "Known.v", "q = open_sphere /\\ has_normal A B C K)", "has_normal A B C K)", "Known.v"),
+    "an edge that is nearest from the inside": (
+        "NearestPart.v", "corner_beyond A B C <= 0.\n", "0 <= corner_beyond A B C.\n", "NearestPart.v"),
     "a contact that one axis without a bit is enough for": (
         "Known.v", "is_contact (k : known) : bool := forallb", "is_contact (k : known) : bool := existsb", "Known.v"),
     # Faults that an audit planted in the sources of the certified predicate and no random query showed, as the recorder would emit them.

@@ -128,6 +128,10 @@ def moving_sphere(numbers, entry):
     return closed(segment_from_triangle(p, q, triangle), r)
 
 
+def capsule_triangle(numbers, entry):
+    return moving_sphere(numbers, "endpoints")
+
+
 def box(centre, half, axes):
     """The corners of a box and its edges; empty if there is no such box."""
     if min(half) < 0 or dot(axes[0], cross(axes[1], axes[2])) == 0:
@@ -184,7 +188,7 @@ def point_box(numbers, entry):
 
 
 PREDICATES = {"sphere-triangle": sphere_triangle, "moving-sphere": moving_sphere, "box-box": box_box, "box-triangle": box_triangle,
-              "point-box": point_box}
+              "capsule-triangle": capsule_triangle, "point-box": point_box}
 
 
 def truth(predicate, entry, numbers):

@@ -55,7 +55,7 @@ static int f(const float a[3], const float b[3], const float c[3], const float p
 AXISCERT_MOTION_PLUGIN(float, "late", f, displacement, time)
 """
 UNTIMED = LATE.replace(", float *time)", ")").replace("displacement, time", "displacement, none").replace("  *time = (float)fmin(1, high + 0.01 / sqrt(dot(by, by)));\n", "")
-PREDICATES = ("sphere-triangle", "moving-sphere", "box-box", "box-triangle")
+PREDICATES = ("sphere-triangle", "moving-sphere", "box-box", "box-triangle", "capsule-triangle")
 
 
 class Game(Case):

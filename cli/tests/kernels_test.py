@@ -24,7 +24,7 @@ class Kernels(Case):
         for kernel in listed:
             self.assertIn([c["arithmetic"] for c in kernel["arithmetics"]], [arithmetics, []], kernel["id"])
         refused = axiscert("check", "-", "--kernel", "nosuch").stderr.strip()
-        others = [kernel["id"] for predicate in ("moving-sphere", "box-box", "box-triangle")
+        others = [kernel["id"] for predicate in ("moving-sphere", "box-box", "box-triangle", "capsule-triangle")
                   for kernel in json.loads(axiscert("kernels", "--predicate", predicate, "--format", "json").stdout)["kernels"]]
         built_in = [kernel["id"] for kernel in listed] + [id for id in others if "/peer/" not in id]
         self.assertEqual(sorted(refused.split("; kernels: ")[1].split(", ")), sorted(built_in))

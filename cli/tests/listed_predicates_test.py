@@ -53,7 +53,7 @@ class Tests(Case):
 
     def test_an_unknown_test_is_one_clear_line(self):
         for command in ("run", "plan", "generate", "kernels", "families"):
-            done = self.refused(command, "--predicate", "nosuch", says=["unknown predicate 'nosuch'; predicates: box-box, moving-sphere, box-triangle, sphere-triangle"])
+            done = self.refused(command, "--predicate", "nosuch", says=["unknown predicate 'nosuch'; predicates: box-box, moving-sphere, box-triangle, capsule-triangle, sphere-triangle"])
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
         self.refused("run", "--plan", "plan.json", "--predicate", "sphere-triangle", says=["--plan", "--predicate"])
 

@@ -20,6 +20,7 @@ PLANS = {
     "box-triangle": Plan("axiscert", ["box-triangle/textbook", "box-triangle/textbook-minmax", "box-triangle/textbook-oriented",
                                       "box-triangle/textbook-turned"],
                          "box-triangle/touching", ("box.m.x", "box.s.x")),
+    "capsule-triangle": Plan("axiscert", ["capsule-triangle/twenty"], "capsule-triangle/line", ("p.x", "r")),
     "point-box": Plan("axiscert_toy", ["point-box/fault"], "point-box/general", ("p.x", "p.z")),
 }
 

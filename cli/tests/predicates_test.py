@@ -12,16 +12,16 @@ from exact_predicates import PREDICATES
 from predicate_case import PLANS, PredicateCase
 from predicate_queries import turned_round
 
-# In order: sphere-triangle, moving-sphere, box-box, box-triangle, point-box (the suite's own, fuzz/testing/point_box).
+# In order: sphere-triangle, moving-sphere, box-box, box-triangle, capsule-triangle, point-box (the suite's own, fuzz/testing/point_box).
 # x: works; -: is refused, in one line that names the predicate and the command; .: asks about no predicate.
 TABLE = {
-    "run":             "x x x x x", "certify":   "x x x x x", "verify":   "x x x x x", "check":      "x x x x x",
-    "report":          "x x x x x", "diagnose":  "x x x x x", "shrink":   "x x x x x", "search":     "x x x x x",
-    "map":             "x x x x x", "generate":  "x x x x x", "judge":    "x x x x x", "league":     "x - - - -",
-    "kernels":         "x x x x x", "predicates": "x x x x x", "compare":  "x x x x x", "corpus":     "x x x x x",
-    "plan":            "x x x x x", "merge":     "x x x x x", "ladder":   "x - - - -", "precision":  "x - - - -",
-    "condition":       "x - - - -", "mutate":    "x x - - -", "prove":    ". . . . .", "explain":    ". . . . .",
-    "critical-radius": "x x x - -", "families":  "x x x x x", "query":    "x x x x x", "completion": ". . . . .",
+    "run":             "x x x x x x", "certify":   "x x x x x x", "verify":   "x x x x x x", "check":      "x x x x x x",
+    "report":          "x x x x x x", "diagnose":  "x x x x x x", "shrink":   "x x x x x x", "search":     "x x x x x x",
+    "map":             "x x x x x x", "generate":  "x x x x x x", "judge":    "x x x x x x", "league":     "x - - - - -",
+    "kernels":         "x x x x x x", "predicates": "x x x x x x", "compare":  "x x x x x x", "corpus":     "x x x x x x",
+    "plan":            "x x x x x x", "merge":     "x x x x x x", "ladder":   "x - - - - -", "precision":  "x - - - - -",
+    "condition":       "x - - - - -", "mutate":    "x x - - - -", "prove":    ". . . . . .", "explain":    ". . . . . .",
+    "critical-radius": "x x x - - -", "families":  "x x x x x x", "query":    "x x x x x x", "completion": ". . . . . .",
 }
 # These repeat queries, names or files, and say nothing of a verdict.
 SILENT = {"generate", "kernels", "predicates", "families", "query", "plan", "verify"}
@@ -88,6 +88,10 @@ class BoxBoxCommands(EveryCommand, PredicateCase):
 
 class BoxTriangleCommands(EveryCommand, PredicateCase):
     predicate = "box-triangle"
+
+
+class CapsuleTriangleCommands(EveryCommand, PredicateCase):
+    predicate = "capsule-triangle"
 
 
 class PointBoxCommands(EveryCommand, PredicateCase):

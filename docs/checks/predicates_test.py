@@ -17,8 +17,8 @@ if LIST:
     sys.argv.remove("--list")
 ROOT = Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]
 LAYERS = ("kernel", "exact", "fuzz", "reports", "cli")
-PREDICATES = ("sphere_triangle", "moving_sphere", "boxes", "point_box")
-NAMES = "sphere_triangle|moving_sphere|box_box|box_triangle|point_box"  # as in kernel/predicate_list.h, and the suite's own
+PREDICATES = ("sphere_triangle", "moving_sphere", "boxes", "capsule_triangle", "point_box")
+NAMES = "sphere_triangle|moving_sphere|box_box|box_triangle|capsule_triangle|point_box"  # as in kernel/predicate_list.h, and the suite's own
 ROOM = "|".join(PREDICATES)
 
 # Each count is the most that there may be, by layer. They only fall.

@@ -21,7 +21,7 @@
 #include "fuzz/bench/naive_judges.h"
 #include "fuzz/campaign/machine.h"
 #include "fuzz/queries/source.h"
-#include "kernel/include/axiscert/certified.hpp"
+#include "kernel/include/axiscert/contact.hpp"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/names.h"
 
@@ -177,9 +177,13 @@ struct TimedFunction {
   double nanoseconds() const { return median(seconds) / static_cast<double>(passes * query_count) * 1e9; }
 };
 
-// Prints the row of a family, and returns its row of the second table.
+// Rows of the tables after the first.
+struct OtherRows {
+  std::string exact_only, contacts;
+};
+// Prints the row of a family, and adds its rows of the other tables.
 template <class Real>
-std::string measure(const Source& source, const std::string& target) {
+void measure(const Source& source, const std::string& target, OtherRows& rows) {
   QueryBatch<Real> batch(query_count, coordinate_count);
   source.fill(1, 0, query_count, batch);
   const QueryColumns<Real> columns = batch.columns();
@@ -206,6 +210,25 @@ std::string measure(const Source& source, const std::string& target) {
                    const axiscert_results to{reinterpret_cast<std::uint8_t*>(verdicts.data()), nullptr, nullptr};
                    certified::pairs(pointers, query_count, AXISCERT_EXACT_ONLY, to);
                  }});
+  std::vector<std::uint8_t> features(query_count), has_normal(query_count);
+  std::array<std::vector<Real>, 7> numbers;
+  for (auto& column : numbers) column.resize(query_count);
+  const auto number = [&](std::size_t k) { return numbers[k].data(); };
+  all.push_back({"contacts", [&] {
+                   certified::contact_pairs(pointers, query_count, AXISCERT_CLOSED_SPHERE,
+                                            {reinterpret_cast<std::uint8_t*>(verdicts.data()),
+                                             features.data(),
+                                             has_normal.data(),
+                                             number(0),
+                                             {number(1), number(2), number(3)},
+                                             {number(4), number(5), number(6)}});
+                 }});
+  all.push_back({"one contact", [&] {
+                   certified::ContactData<Real> at;
+                   for (const auto& v : flat) {
+                     contacts += certified::contact(v.data(), v.data() + 9, at) == AXISCERT_CONTACT;
+                   }
+                 }});
   for (TimedFunction& timed : all) timed.find_passes();
   for (int i = 0; i < repetitions; ++i) {
     for (TimedFunction& timed : all) {
@@ -225,8 +248,9 @@ std::string measure(const Source& source, const std::string& target) {
              all[4].nanoseconds(), of(5, all[4].nanoseconds()), epick.nanoseconds(),
              epick.nanoseconds() / all[2].nanoseconds());
   std::fflush(stdout);
-  return fmt::format("| {} | {} | {:.1f} | {} |\n", source.name(), name(precision_of<Real>), all[2].nanoseconds(),
-                     of(6, all[2].nanoseconds()));
+  const auto row = fmt::format("| {} | {} | {:.1f} |", source.name(), name(precision_of<Real>), all[2].nanoseconds());
+  rows.exact_only += fmt::format("{} {} |\n", row, of(6, all[2].nanoseconds()));
+  rows.contacts += fmt::format("{} {} | {} |\n", row, of(7, all[2].nanoseconds()), of(8, all[5].nanoseconds()));
 }
 
 void run(std::vector<std::string_view> names) {
@@ -249,16 +273,19 @@ void run(std::vector<std::string_view> names) {
       "CGAL EPICK |\n"
       "|---|---|---:|---:|---:|---:|---:|---:|---:|\n",
       processor_name(), compiler_name(), compiler_flags(), target, repetitions, query_count);
-  std::string exact_only;
+  OtherRows rows;
   for (const SourcePtr& source : sources) {
-    exact_only += measure<float>(*source, target);
-    exact_only += measure<double>(*source, target);
+    measure<float>(*source, target, rows);
+    measure<double>(*source, target, rows);
   }
   fmt::print(
       "\nAXISCERT_EXACT_ONLY, straight to the exact step: (times certified)\n\n"
       "| family | precision | certified | exact only |\n"
-      "|---|---|---:|---:|\n{}",
-      exact_only);
+      "|---|---|---:|---:|\n{}"
+      "\naxiscert_contact, with all numbers: many pairs (times certified), one pair (times one pair without them)\n\n"
+      "| family | precision | certified | contacts | one contact |\n"
+      "|---|---|---:|---:|---:|\n{}",
+      rows.exact_only, rows.contacts);
   if (names.empty()) print_certified_streams();
 }
 

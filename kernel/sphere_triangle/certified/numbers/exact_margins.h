@@ -45,6 +45,7 @@ class ExactMargins {
     for (int i = 0; i < 3; ++i) from_centre_[i] = vertex_[i] - centre;
   }
 
+  const Point& from_centre(int i) const noexcept { return from_centre_[i]; }
   static int next(int i) noexcept { return i == 2 ? 0 : i + 1; }
   static int last(int i) noexcept { return i == 0 ? 2 : i - 1; }
   // A difference of the vertices themselves. Computed from their differences with a far centre, it would be a ball too
@@ -56,8 +57,9 @@ class ExactMargins {
 
   Two vertex_radius(int i) const noexcept { return dot<Two>(from_centre_[i], from_centre_[i]) - rr_; }
   Two vertex_side(int i, int to) const noexcept { return dot<Two>(from_centre_[i], between(i, to)); }
+  Three plane_offset(const Normal& V) const noexcept { return dot<Three>(from_centre_[0], V); }
   Six plane_radius(const Normal& V) const noexcept {
-    const Three d = dot<Three>(from_centre_[0], V);
+    const Three d = plane_offset(V);
     return difference_of_products<Six>(d, d, rr_, dot<Four>(V, V));
   }
   Four edge_radius(const Normal& N, const Point& along) const noexcept {

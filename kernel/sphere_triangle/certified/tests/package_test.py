@@ -16,6 +16,12 @@ EXAMPLE = ROOT / "examples" / "certified"
 VERSION = re.search(r"^CMAKE_PROJECT_VERSION:STATIC=(\S+)$", (BUILD / "CMakeCache.txt").read_text(), re.M)[1]
 TOUCHES = "touching, closed sphere: contact\ntouching, open sphere: separated\nan ulp smaller: separated\n"
 HITS = "3\n4\n"
+CONTACT = """contact: face, separation -0.25, point 1 1 0, normal 0 0 1
+contact: edge AB, separation 0, point 2 0 0, normal 0 -0.6 0.8
+separated: vertex B, separation 3, point 4 0 0, normal 0.6 -0.8 0
+contact: face, separation -1, point 1 2 0, normal 0 0 1 (chosen)
+"""
+SAID = {"touches": TOUCHES, "contact": CONTACT, "hits": HITS}
 
 
 # The fences of these lines in the page are marked as held by this test.
@@ -31,7 +37,7 @@ def run_lines(lines, folder, **places):
     for line in lines:
         program = re.search(r" -o (\w+)", line)[1]
         done("bash", "-c", line, cwd=folder)
-        assert done(folder / program) == {"touches": TOUCHES, "hits": HITS}[program], line
+        assert done(folder / program) == SAID[program], line
         (folder / program).unlink()
 
 
@@ -55,16 +61,16 @@ class Package(unittest.TestCase):
         build = self.folder / "cmake"
         done("cmake", "-S", EXAMPLE, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}")
         done("cmake", "--build", build)
-        self.assertEqual(done(build / "touches"), TOUCHES)
-        self.assertEqual(done(build / "hits"), HITS)
+        self.assertEqual({program: done(build / program) for program in SAID}, SAID)
 
     def test_by_pkg_config_in_strict_c99_and_cpp17(self):
         environment = {**os.environ, "PKG_CONFIG_PATH": str(self.prefix / "lib/pkgconfig"),
                        "LD_LIBRARY_PATH": str(self.prefix / "lib")}
         flags = done("pkg-config", "--cflags", "--libs", "axiscert", env=environment).split()
-        for compiler, source, said in ((["cc", "-std=c99"], "touches.c", TOUCHES), (["c++", "-std=c++17"], "hits.cpp", HITS)):
-            program = self.folder / source.split(".")[0]
-            done(*compiler, "-pedantic-errors", "-Wall", "-Wextra", "-Werror", EXAMPLE / source, "-o", program, *flags)
+        for name, said in SAID.items():
+            program = self.folder / name
+            compiler, ending = (["c++", "-std=c++17"], "cpp") if name == "hits" else (["cc", "-std=c99"], "c")
+            done(*compiler, "-pedantic-errors", "-Wall", "-Wextra", "-Werror", EXAMPLE / f"{name}.{ending}", "-o", program, *flags)
             self.assertEqual(done(program, env=environment), said)
 
     def test_the_lines_of_the_page_link_the_shared_library(self):
@@ -75,9 +81,9 @@ class Package(unittest.TestCase):
     def test_it_exports_its_functions_and_needs_no_exact_library(self):
         library = self.prefix / "lib/libaxiscert.so"
         exported = {line.split()[-1] for line in done("nm", "--dynamic", "--defined-only", library).splitlines()}
-        header = (self.prefix / "include/axiscert/certified.h").read_text()
+        header = "".join((self.prefix / "include/axiscert" / name).read_text() for name in ("certified.h", "contact.h"))
         declared = set(re.findall(r"\b(axiscert_\w+_f(?:32|64)|axiscert_passed_self_check)\(", header))
-        self.assertEqual(len(declared), 11)
+        self.assertEqual(len(declared), 19)
         self.assertEqual({name for name in exported if not name.startswith("_Z")}, declared)
         needed = set(re.findall(r"\(NEEDED\).*\[(.*?)\.so", done("readelf", "--dynamic", library)))
         self.assertLessEqual(needed, {"libhwy", "libstdc++", "libm", "libgcc_s", "libc", "ld-linux-x86-64"})
@@ -131,12 +137,12 @@ class Included(unittest.TestCase):
         done("cmake", "-G", "Ninja", "-S", self.folder, "-B", self.build, "-DCMAKE_BUILD_TYPE=Debug",
              "-DCMAKE_CXX_FLAGS=-DHWY_COMPILE_ONLY_STATIC", *options)  # one instruction set: a fifth of the time
         done("cmake", "--build", self.build)
-        self.assertEqual(done(self.build / "example/touches"), TOUCHES)
-        self.assertEqual(done(self.build / "example/hits"), HITS)
+        self.assertEqual({program: done(self.build / "example" / program) for program in SAID}, SAID)
         self.assertTrue((self.build / "my_kernel.so").is_file())
         axiscert = self.build / "_deps/axiscert-build"
         self.assertEqual({path.name for path in axiscert.rglob("*.o")},
-                         {f"{name}.cpp.o" for name in ("exact_only", "exact_step", "forms", "library", "self_check")})
+                         {f"{name}.cpp.o" for name in ("contact_forms", "contact_library", "exact_contact", "exact_only", "exact_step", "forms",
+                                                       "library", "self_check")})
         self.assertIn("Total Tests: 0", done("ctest", "--test-dir", self.build, "-N"))
         return {path.name for path in axiscert.rglob("libaxiscert.*") if not path.is_symlink()}
 

@@ -1,0 +1,39 @@
+// The truth of a capsule is that of a moving sphere by its ends: feature by feature in rationals, compared on every
+// query with CGAL's distance and, by the theorem of docs/moving.md, with the twenty axes.
+#include "exact/moving_sphere/trait.h"
+#include "exact/trait/oracles_of.h"
+#include "kernel/capsule_triangle/capsule.h"
+
+namespace axiscert {
+namespace {
+
+// What is asked of motions alone is not: the details, policies and measures.
+struct CapsuleTrait : Capsule {
+  using Motion = moving_sphere::MovingEndsTrait;
+  using AllFormulae = Motion::AllFormulae;
+  using ClearForms = Motion::ClearForms;
+
+  static bool is_valid(const Numbers<double>& numbers) { return Motion::is_valid(numbers); }
+  static Truth geometric_truth(const Numbers<double>& numbers) { return Motion::geometric_truth(numbers); }
+  static std::string contradiction(const Numbers<double>& numbers, const Truth& truth, ComparisonBits holds,
+                                   ComparisonBits ties) {
+    return Motion::contradiction(numbers, truth, holds, ties);
+  }
+  static ExactDepth exact_depth(const Numbers<double>& numbers) { return Motion::exact_depth(numbers); }
+  static Distance distance(const Numbers<double>& numbers) { return Motion::distance(numbers); }
+  template <class Real>
+  static bool is_degenerate(const Numbers<double>& numbers) {
+    return Motion::is_degenerate<Real>(numbers);
+  }
+};
+
+}  // namespace
+
+template class OraclesOf<CapsuleTrait>;
+
+const Oracles& capsule_triangle_oracles(std::size_t) {
+  static const OraclesOf<CapsuleTrait> oracles;
+  return oracles;
+}
+
+}  // namespace axiscert

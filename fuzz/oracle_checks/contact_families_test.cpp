@@ -1,0 +1,55 @@
+// The numbers of contacts over every family and a mesh, within their bounds of the exact ones.
+#include <gtest/gtest.h>
+
+#include "exact/sphere_triangle/certified/contact_truth.h"
+#include "fuzz/queries/source.h"
+#include "kernel/include/axiscert/contact.hpp"
+#include "kernel/sphere_triangle/query.h"
+
+namespace axiscert {
+namespace {
+
+// Families whose queries take the truth long are asked a part, as a run asks them.
+template <class Real>
+void expect_within_bounds(const Source& source, std::size_t size, axiscert_question question) {
+  QueryBatch<Real> batch(size, coordinate_count);
+  source.fill(7, 0, size, batch);
+  std::array<const Real*, coordinate_count> columns;
+  std::copy_n(batch.columns().column.begin(), coordinate_count, columns.begin());
+  std::vector<std::uint8_t> verdict(size), feature(size), has_normal(size);
+  std::array<std::vector<Real>, 7> n;
+  for (auto& column : n) column.resize(size);
+  certified::contact_pairs(columns, size, question,
+                           {verdict.data(),
+                            feature.data(),
+                            has_normal.data(),
+                            n[0].data(),
+                            {n[1].data(), n[2].data(), n[3].data()},
+                            {n[4].data(), n[5].data(), n[6].data()}});
+  for (std::size_t i = 0; i < size; ++i) {
+    std::array<double, 13> q;
+    for (std::size_t k = 0; k < 13; ++k) q[k] = columns[k][i];
+    const testing_support::ContactSaid said{
+        verdict[i], feature[i], has_normal[i], n[0][i], {n[1][i], n[2][i], n[3][i]}, {n[4][i], n[5][i], n[6][i]}};
+    ASSERT_EQ(testing_support::what_is_wrong<Real>(q, question == AXISCERT_OPEN_SPHERE, said), "")
+        << source.name() << ", query " << i << ", question " << question << ": " << testing::PrintToString(q);
+  }
+}
+void expect_within_bounds(std::size_t size) {
+  const auto both = [size](const Source& source, std::size_t divisor) {
+    expect_within_bounds<float>(source, size / divisor, AXISCERT_CLOSED_SPHERE);
+    expect_within_bounds<double>(source, size / divisor, AXISCERT_CLOSED_SPHERE);
+    expect_within_bounds<float>(source, size / divisor / 4, AXISCERT_OPEN_SPHERE);
+    expect_within_bounds<double>(source, size / divisor / 4, AXISCERT_OPEN_SPHERE);
+  };
+  for (const Family* family : families_of(sphere_triangle_predicate())) {
+    both(*family_source(*family), family->cost > 1 ? 16 : 1);
+  }
+  both(*mesh_source(TEST_MODELS "/OBJ/spider.obj", sphere_triangle_predicate()), 1);
+}
+
+TEST(ContactFamilies, WithinTheirBounds) { expect_within_bounds(4096 / TRIAL_DIVISOR); }
+TEST(ContactFamiliesLong, WithinTheirBounds) { expect_within_bounds((std::size_t{1} << 17) / TRIAL_DIVISOR); }
+
+}  // namespace
+}  // namespace axiscert

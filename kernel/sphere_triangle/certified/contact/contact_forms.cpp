@@ -1,0 +1,41 @@
+// The first step of contacts compiled for every instruction set.
+#include <cstring>
+#include <limits>
+
+#include "kernel/sphere_triangle/certified/contact/contact_steps.h"
+#include "kernel/sphere_triangle/certified/contact/exact_contact.h"
+#include "kernel/sphere_triangle/certified/thresholds.h"
+#include "hwy/cache_control.h"
+#include "kernel/sphere_triangle/certified/exact_step.h"
+
+#define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: tests have to reach each of them
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernel/sphere_triangle/certified/contact/contact_forms.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+#define AXISCERT_PER_TARGET
+#include "kernel/base/geometry.h"
+#include "kernel/sphere_triangle/certified/coarse_step-inl.h"
+#include "kernel/sphere_triangle/certified/numbers/pairs-inl.h"
+#include "kernel/sphere_triangle/certified/leftovers-inl.h"
+#include "kernel/sphere_triangle/certified/contact/contact_step-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace axiscert::certified::HWY_NAMESPACE {
+ContactForms contact_forms() {
+  using Doubles = hn::ScalableTag<double>;
+  using OneDouble = hn::CappedTag<double, 1>;
+  return {decide_contacts<Doubles, float>, decide_contacts<Doubles, double>, decide_contacts<OneDouble, float>,
+          decide_contacts<OneDouble, double>};
+}
+}  // namespace axiscert::certified::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace axiscert::certified {
+HWY_EXPORT(contact_forms);
+
+ContactForms chosen_contact_forms() { return HWY_DYNAMIC_DISPATCH(contact_forms)(); }
+}  // namespace axiscert::certified
+#endif
