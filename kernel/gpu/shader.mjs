@@ -1,7 +1,8 @@
 // A shader as a program of the pipe (docs/pipe.md, docs/gpu.md): one dispatch for each batch of queries.
 //
-//   node shader.mjs FILE.wgsl [QUESTION] < queries > replies
+//   node shader.mjs FILE.wgsl [QUESTION [DEVICE]] < queries > replies
 //
+// DEVICE is a word that the adapter's name has to have, so that a manifest can say in its own name which device answers.
 // FILE has `fn separated(...) -> u32` with the arguments of the question (arguments below), and is compiled with what is
 // put behind it here. It returns 0 contact, 1 separated, 2 undecided.
 import {readFileSync} from 'node:fs';
@@ -68,10 +69,10 @@ async function compile(device, file, text, types) {
   return pipeline;
 }
 
-const [file, question = 'sphere-triangle'] = process.argv.slice(2);
+const [file, question = 'sphere-triangle', wanted = ''] = process.argv.slice(2);
 const types = arguments_of[question];
 if (file === undefined || types === undefined) {
-  fail(`node shader.mjs FILE.wgsl [QUESTION]; the question is one of ${Object.keys(arguments_of).join(', ')}`);
+  fail(`node shader.mjs FILE.wgsl [QUESTION [DEVICE]]; the question is one of ${Object.keys(arguments_of).join(', ')}`);
 }
 let text;
 try {
@@ -82,6 +83,7 @@ try {
 
 await serve(async () => {
   const adapter = await openAdapter().catch((error) => fail(error.message));
+  if (!nameOf(adapter).toLowerCase().includes(wanted.toLowerCase())) fail(`NOT CHECKED: the GPU adapter is '${nameOf(adapter)}', not ${wanted}`);
   const device = await adapter.requestDevice();
   // Without this, a lost device would answer zeros: contact.
   device.lost.then(({reason, message}) => reason !== 'destroyed' && fail(`the device was lost (${reason}): ${message}`));

@@ -159,6 +159,13 @@ class Told(Shaders):
             self.assertEqual((done.returncode, done.stdout), (2, ""))
 
 
+    def test_a_manifest_that_names_its_device_is_asked_on_no_other(self):
+        for device, code in (("SwiftShader", 0), ("GeForce", 2)):
+            done = self.axiscert("run", "--kernel", self.shader(PUBLISHED, "sphere-triangle", device), "--family", "general", "--trials", "100")
+            self.assertEqual(done.returncode, code, done.stderr)
+        self.assertRegex(done.stderr, "NOT CHECKED: the GPU adapter is 'google, swiftshader.*', not GeForce")
+
+
 class Manifests(unittest.TestCase):
     def test_each_shader_has_one_that_says_what_is_installed(self):
         package = json.loads((FOLDER / "package.json").read_text())["dependencies"]

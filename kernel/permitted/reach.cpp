@@ -236,7 +236,9 @@ struct Text {
 };
 
 std::string Evaluation::text(Value v, bool greatest, std::span<const std::string> input_names) const {
-  return Text{*this, input_names}.of(v, greatest);
+  std::string text = Text{*this, input_names}.of(v, greatest);
+  for (std::size_t at; (at = text.find(" + -")) != text.npos;) text.replace(at, 4, " - ");
+  return text;
 }
 
 }  // namespace axiscert::permitted
