@@ -17,7 +17,7 @@ AXISCERT = Path(sys.argv.pop(1)).resolve()
 WRITE = "--write" in sys.argv
 if WRITE:
     sys.argv.remove("--write")
-TABLE = re.compile(r"(<!-- held by kernel/permitted/table_test.py -->\n)((?:\|.*\n)+)\n```\n(.*?)```", re.S)
+TABLE = re.compile(r"(<!-- held by kernel/permitted/table_test.py -->\n)((?:\|[^\n]*\n)+)\n```\n(.*?)```", re.S)
 
 
 def cell(verdict):
