@@ -4,6 +4,7 @@ words. They run on SwiftShader. Where node, the package webgpu or SwiftShader is
 
 shaders_test.py AXISCERT [unittest arguments]
 """
+import csv
 import json
 import os
 import shutil
@@ -99,6 +100,21 @@ class Right(Shaders):
                     wrong.append({kind: family["verdict"][kind] for kind in ("false_separation", "false_contact", "deepest", "unanswered")})
                 self.assertEqual(wrong[0], wrong[1])
                 self.assertEqual(record["findings"], [])
+
+    def test_answers_are_within_what_wgsl_permits(self):
+        for name in ("published", "reduced-nonstrict", "moving-sphere/twenty-nonstrict"):
+            file = FOLDER / f"{name if '/' in name else 'sphere-triangle/' + name}.json"
+            family = ["--predicate", "moving-sphere", "--family", "moving-sphere/graze"] if "/" in name else ["--family", "tangent"]
+            first = json.loads(self.axiscert("generate", *family, "--trials", 1).stdout)["id"]
+            kernels = [f"program:{file}", f"{name}+wgsl-misses", f"{name}+wgsl-invents"]
+            done = self.axiscert("check", f"{first}-299", *[word for kernel in kernels for word in ("--kernel", kernel)], "--format", "csv")
+            rows = list(csv.DictReader(done.stdout.splitlines()))
+            verdict = {(row["address"], row["kernel"]): row["computed.verdict"] for row in rows}
+            shader = {address: said for (address, kernel), said in verdict.items() if kernel == kernels[0]}
+            self.assertEqual((len(shader), len(rows)), (300, 900), done.stderr)
+            for address, said in shader.items():
+                within = kernels[1] if said == "separated" else kernels[2]
+                self.assertEqual(verdict[address, within], said, f"{name}: {address}")
 
     def test_what_is_behind_a_barrier_is_computed_as_it_stands(self):
         text = "fn separated(a: vec3f, b: vec3f, c: vec3f, p: vec3f, r: f32) -> u32 { return u32((%s) + p.x == a.x); }"
