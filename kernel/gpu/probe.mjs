@@ -25,6 +25,8 @@ const questions = [
   ['x y + x z', [1.0118216276168823, 1.4504636526107788, -1.460378885269165], 'x * y + x * z',
    {'as written': -0.010032415390014648, factored: -0.010032447054982185, contracted: -0.01003239955753088, 'contracted the other way': -0.01003246195614338}],
   ['x + y < x, y negative and tiny', [1, -(2 ** -30)], 'f32(x + y < x)', {'as written': 0, 'y < 0': 1}],
+  ['(x - y) + y', [1.2345678806304932, 4096], '(x - y) + y', {'as written': 1.234619140625, x: 1.2345678806304932}],
+  ['the same behind a barrier', [1.2345678806304932, 4096], 'kept(x - y) + y', {'as written': 1.234619140625, x: 1.2345678806304932}],
   ['(x / y) y', [1, 41], '(x / y) * y', {'as written': 1 - u, cancelled: 1}],
   ['a subnormal times 1', [2 ** -130, 1], 'x * y', {kept: 2 ** -130, flushed: 0}],
   ['2^-126 / 2', [2 ** -126, 0.5], 'x * y', {kept: 2 ** -127, flushed: 0}],
