@@ -50,7 +50,7 @@ constexpr ComparisonBits nonstrict_comparisons() {
 
 // The comparisons of formulae F that hold on one query. `see(i, lhs, rhs)` is shown both sides of each.
 template <class F, class T, class Problem, class See>
-ComparisonBits bits_of(const Problem& problem, See&& see) {
+constexpr ComparisonBits bits_of(const Problem& problem, See&& see) {
   ComparisonBits bits = 0;
   const auto sink = [&](std::size_t i, const T& lhs, const T& rhs) {
     const bool holds = has_bit(nonstrict_comparisons<F>(), i) ? lhs >= rhs : lhs > rhs;

@@ -20,6 +20,7 @@
 #include "fuzz/files/file_parts.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/confirm/record.h"
+#include "kernel/permitted/kernels.h"
 
 namespace axiscert {
 namespace {
@@ -173,6 +174,9 @@ int check(const CheckOptions& options) {
       fmt::print("{}\n", check_text(stored.id, kernel, found));
       if (const std::string facts = facts_text(found, options.exact); !facts.empty()) fmt::print("{}\n", facts);
       if (options.errors) fmt::print("{}\n", errors_text(*kernel.predicate, errors_of(stored, kernel, target)));
+      if (const auto* query = std::get_if<Numbers<float>>(&stored.numbers)) {
+        for (const std::string& line : permitted::evaluation(kernel, *query)) fmt::print("  {}\n", line);
+      }
     } else {
       CheckLine line = check_line(stored.id, kernel, found);
       if (options.errors) line.errors.emplace(errors_line(*kernel.predicate, errors_of(stored, kernel, target)));

@@ -10,6 +10,7 @@
 #include "fuzz/confirm/record.h"
 #include "fuzz/queries/family.h"
 #include "kernel/kernel.h"
+#include "kernel/permitted/permissions.h"
 #include "kernel/plugin/load.h"
 #include "kernel/predicate.h"
 #include "kernel/registry/called.h"
@@ -76,6 +77,12 @@ void print_arithmetics() {
     fmt::print("{:<20} {}; {}\n", "+" + arithmetic.name, arithmetic.summary,
                fmt::join(words_of(precisions_of(arithmetic)), " "));
   }
+  fmt::print(
+      "\nKERNEL+PART-misses and KERNEL+PART-invents, of sums and products alone, separate and touch where any "
+      "evaluation "
+      "does that PART permits; binary32:\n");
+  for (const permitted::Part& part : permitted::parts)
+    fmt::print("{:<20} {}\n", fmt::format("+{}-", part.name), part.summary);
 }
 
 void print_kernels(const Predicate& predicate) {

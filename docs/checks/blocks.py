@@ -24,7 +24,7 @@ from pathlib import Path
 FIGURES, TABLES, SESSIONS = "docs/figures.py", "docs/checks/readme_test.py", "docs/checks/sessions_test.py"
 UPSTREAM = "kernel/peers/npm/upstream_test.py"
 UNHELD = "docs/checks/unheld.txt"
-LANGUAGES = ("c", "cpp", "js", "json", "python", "cmake", "yaml", "rust")
+LANGUAGES = ("c", "cpp", "js", "json", "python", "cmake", "yaml", "rust", "wgsl")
 COMMENT = re.compile(r"<!-- (.*?) -->")
 SESSION = re.compile(r"^<!-- session(, long)? -->$", re.M)
 # A line of a block of commands: a program, its arguments, perhaps a comment. No program that is listed here prints its own name first.

@@ -13,4 +13,8 @@
 #define AXISCERT_BEFORE_NAMESPACE() static_assert(true)
 #define AXISCERT_AFTER_NAMESPACE() static_assert(true)
 #endif
+#ifdef __CUDACC__
+#define AXISCERT_INLINE __host__ __device__ inline
+#else
 #define AXISCERT_INLINE [[gnu::always_inline]] inline
+#endif

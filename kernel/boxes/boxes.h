@@ -71,7 +71,7 @@ OrientedBox<T> with_matrix(const CornersBox<T>& box) {
 }
 
 template <class T, class Load>
-Vec3<T> vector_at(Load&& load, std::size_t k) {
+constexpr Vec3<T> vector_at(Load&& load, std::size_t k) {
   return {load(k), load(k + 1), load(k + 2)};
 }
 
@@ -83,7 +83,7 @@ struct MatrixBoxes {
   template <class T>
   using Problem = BoxPair<T>;
   template <class T, class Load>
-  static Problem<T> problem(Load&& load) {
+  constexpr static Problem<T> problem(Load&& load) {
     const auto box = [&](std::size_t k) {
       return OrientedBox<T>{vector_at<T>(load, k),
                             {{load(k + 3), load(k + 4), load(k + 5)}},
@@ -101,7 +101,7 @@ struct QuaternionBoxes {
   template <class T>
   using Problem = TurnedPair<T>;
   template <class T, class Load>
-  static Problem<T> problem(Load&& load) {
+  constexpr static Problem<T> problem(Load&& load) {
     const auto box = [&](std::size_t k) {
       return TurnedBox<T>{vector_at<T>(load, k),
                           {{load(k + 3), load(k + 4), load(k + 5)}},
@@ -119,7 +119,7 @@ struct MinmaxBoxes {
   template <class T>
   using Problem = CornersPair<T>;
   template <class T, class Load>
-  static Problem<T> problem(Load&& load) {
+  constexpr static Problem<T> problem(Load&& load) {
     return {{vector_at<T>(load, 0), vector_at<T>(load, 3)}, {vector_at<T>(load, 6), vector_at<T>(load, 9)}};
   }
 };
@@ -133,7 +133,7 @@ struct MixedBoxes {
   template <class T>
   using Problem = MixedPair<T>;
   template <class T, class Load>
-  static Problem<T> problem(Load&& load) {
+  constexpr static Problem<T> problem(Load&& load) {
     return {{vector_at<T>(load, 0), vector_at<T>(load, 3)},
             {vector_at<T>(load, 6), {{load(9), load(10), load(11)}}, {{load(12), load(13), load(14), load(15)}}}};
   }
@@ -150,8 +150,8 @@ template <class Real>
 Numbers<Real> numbers_of(const CornersPair<Real>& q) {
   Numbers<Real> numbers(12);
   std::size_t k = 0;
-  for (const Vec3<Real>* v : {&q.a.low, &q.a.high, &q.b.low, &q.b.high}) {
-    for (const Real x : {v->x, v->y, v->z}) numbers[k++] = x;
+  for (const Vec3<Real>* v : std::array{&q.a.low, &q.a.high, &q.b.low, &q.b.high}) {
+    for (const Real x : std::array{v->x, v->y, v->z}) numbers[k++] = x;
   }
   return numbers;
 }
@@ -160,9 +160,9 @@ Numbers<Real> numbers_of(const BoxPair<Real>& q) {
   Numbers<Real> numbers(30);
   std::size_t k = 0;
   const auto put = [&](const Vec3<Real>& v) {
-    for (const Real x : {v.x, v.y, v.z}) numbers[k++] = x;
+    for (const Real x : std::array{v.x, v.y, v.z}) numbers[k++] = x;
   };
-  for (const OrientedBox<Real>* box : {&q.a, &q.b}) {
+  for (const OrientedBox<Real>* box : std::array{&q.a, &q.b}) {
     put(box->centre);
     for (const Real s : box->half) numbers[k++] = s;
     for (const Vec3<Real>& axis : box->axis) put(axis);
@@ -173,8 +173,8 @@ template <class Real>
 Numbers<Real> numbers_of(const TurnedPair<Real>& q) {
   Numbers<Real> numbers(20);
   std::size_t k = 0;
-  for (const TurnedBox<Real>* box : {&q.a, &q.b}) {
-    for (const Real x : {box->centre.x, box->centre.y, box->centre.z}) numbers[k++] = x;
+  for (const TurnedBox<Real>* box : std::array{&q.a, &q.b}) {
+    for (const Real x : std::array{box->centre.x, box->centre.y, box->centre.z}) numbers[k++] = x;
     for (const Real s : box->half) numbers[k++] = s;
     for (const Real x : box->q) numbers[k++] = x;
   }

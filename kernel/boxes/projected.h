@@ -17,7 +17,7 @@ struct ProjectedFifteen {
   static constexpr FormulaeKind kind_if_orthonormal = FormulaeKind::rung;
 
   template <class T, class Sink>
-  static void comparisons(const BoxPair<T>& q, Sink& sink) {
+  constexpr static void comparisons(const BoxPair<T>& q, Sink& sink) {
     const Vec3<T> between = q.b.centre - q.a.centre;
     for (std::size_t i = 0; i < axis_count; ++i) {
       const Vec3<T> along = direction(q, i);
@@ -34,7 +34,7 @@ struct Columns {
   static constexpr FormulaeKind kind_if_orthonormal = FormulaeKind::rung;
 
   template <class T, class Sink>
-  static void comparisons(const BoxPair<T>& q, Sink& sink) {
+  constexpr static void comparisons(const BoxPair<T>& q, Sink& sink) {
     const Vec3<T> between = q.b.centre - q.a.centre;
     for (std::size_t i = 0; i < axis_count; ++i) {
       const Vec3<T> along = i < 3 ? q.a.axis[i] : i < 6 ? q.b.axis[i - 3] : direction(q, i);
@@ -52,7 +52,7 @@ struct DroppedFifteen {
   static constexpr FormulaeKind kind_if_orthonormal = FormulaeKind::rung;
 
   template <class T, class Sink>
-  static void comparisons(const BoxPair<T>& q, Sink& sink) {
+  constexpr static void comparisons(const BoxPair<T>& q, Sink& sink) {
     const Vec3<T> between = q.b.centre - q.a.centre;
     const auto facets = [&](const OrientedBox<T>& own, const OrientedBox<T>& other, std::size_t first) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -72,7 +72,7 @@ struct DroppedFifteen {
 
  private:
   template <class T>
-  static T without(const OrientedBox<T>& box, std::size_t edge, const Vec3<T>& along) {
+  constexpr static T without(const OrientedBox<T>& box, std::size_t edge, const Vec3<T>& along) {
     const auto term = [&](std::size_t k) { return box.half[k] * magnitude(dot(along, box.axis[k])); };
     return term(next(edge)) + term(last(edge));
   }

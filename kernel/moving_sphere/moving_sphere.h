@@ -37,7 +37,7 @@ struct MovingSphere {
   template <class T>
   using Problem = MovingQuery<T>;
   template <class T, class Load>
-  static Problem<T> problem(Load&& load) {
+  constexpr static Problem<T> problem(Load&& load) {
     const auto vector = [&](std::size_t k) { return portable::Vec3<T>{load(k), load(k + 1), load(k + 2)}; };
     return {vector(0), vector(3), vector(6), vector(9), vector(12), load(15)};
   }
@@ -51,7 +51,7 @@ struct MovingEnds {
   template <class T>
   using Problem = EndsQuery<T>;
   template <class T, class Load>
-  static Problem<T> problem(Load&& load) {
+  constexpr static Problem<T> problem(Load&& load) {
     const auto vector = [&](std::size_t k) { return portable::Vec3<T>{load(k), load(k + 1), load(k + 2)}; };
     return {vector(0), vector(3), vector(6), vector(9), vector(12), load(15)};
   }

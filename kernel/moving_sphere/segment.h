@@ -17,7 +17,7 @@ namespace axiscert::moving_sphere {
 // its thresholds.
 struct Segment {
   template <class Real>
-  static bool separated(const MovingQuery<Real>& q) {
+  constexpr static bool separated(const MovingQuery<Real>& q) {
     using portable::dot;
     const portable::CentredProblem<Real> start{q.a - q.p, q.b - q.p, q.c - q.p, q.r * q.r};
     const auto& [a, b, c, rr] = start;
@@ -33,8 +33,8 @@ struct Segment {
  private:
   // From the path 0 to `d` to the segment `from` to `to`.
   template <class Real>
-  static Real squared_distance(const portable::Vec3<Real>& d, const portable::Vec3<Real>& from,
-                               const portable::Vec3<Real>& to) {
+  constexpr static Real squared_distance(const portable::Vec3<Real>& d, const portable::Vec3<Real>& from,
+                                         const portable::Vec3<Real>& to) {
     using portable::dot;
     const auto in_unit = [](Real x) { return std::clamp(x, Real(0), Real(1)); };
     const portable::Vec3<Real> along = to - from;
@@ -58,8 +58,8 @@ struct Segment {
   }
 
   template <class Real>
-  static bool crosses(const portable::Vec3<Real>& d, const portable::Vec3<Real>& a, const portable::Vec3<Real>& b,
-                      const portable::Vec3<Real>& c) {
+  constexpr static bool crosses(const portable::Vec3<Real>& d, const portable::Vec3<Real>& a,
+                                const portable::Vec3<Real>& b, const portable::Vec3<Real>& c) {
     using portable::cross;
     using portable::dot;
     const portable::Vec3<Real> normal = cross(b - a, c - a);

@@ -13,6 +13,7 @@
 #include "kernel/base/error.h"
 #include "kernel/formulae_list.h"
 #include "kernel/moving_sphere/kernels.h"
+#include "kernel/permitted/kernels.h"
 #include "kernel/plugin/load.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 #include "kernel/mutants/mutant.h"
@@ -176,6 +177,9 @@ const Kernel& find_kernel(std::string_view id) {
   const std::string_view rung_id = id.substr(0, plus), arithmetic_name = id.substr(plus + 1);
   const Kernel* rung = registered(rung_id);
   std::vector<std::string_view> known;
+  const std::vector<std::string> permitted = permitted::names();
+  if (rung && std::find(permitted.begin(), permitted.end(), arithmetic_name) != permitted.end())
+    return kept(id, [&] { return *permitted::kernel(id, *rung, arithmetic_name); });
   for (const Kernel& kernel : registry()) {
     if (kernel.takes_arithmetic) known.push_back(kernel.id);
   }
@@ -188,6 +192,7 @@ const Kernel& find_kernel(std::string_view id) {
     if (arithmetic.name == arithmetic_name) return kept(id, [&] { return composed(id, *rung, arithmetic); });
     known.push_back(arithmetic.name);
   }
+  known.insert(known.end(), permitted.begin(), permitted.end());
   throw Error(fmt::format("kernel '{}': {}", id, unknown_name("arithmetic", "arithmetics", arithmetic_name, known)));
 }
 

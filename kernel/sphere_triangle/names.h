@@ -76,6 +76,8 @@ inline constexpr ComparisonBits side_comparisons = [] {
   return bits;
 }();
 
+constexpr bool is_radius(Comparison c) { return !has_bit(side_comparisons, c); }
+
 // Those that are lhs >= rhs.
 constexpr ComparisonBits nonstrict_comparisons(Strictness strictness) {
   return strictness == Strictness::strict ? 0 : side_comparisons;

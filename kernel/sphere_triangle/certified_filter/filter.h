@@ -21,11 +21,11 @@ namespace AXISCERT_TARGET {
 
 struct PublishedFilter {
   using Formulae = PublishedFormulae;
-  static constexpr const auto& thresholds = filter::published_thresholds;
+  static constexpr auto thresholds = filter::published_thresholds;
 };
 struct ReducedFilter {
   using Formulae = ReducedFormulae;
-  static constexpr const auto& thresholds = filter::reduced_thresholds;
+  static constexpr auto thresholds = filter::reduced_thresholds;
 };
 
 // Certain answers to a query, or to each lane's query. If both are false, the query is undecided.
@@ -47,8 +47,8 @@ AXISCERT_INLINE auto greatest_magnitude_of(const Problem<T>& query) {
   const T greatest = constant_as(query.r, filter::greatest_magnitude<Real>);
   Magnitude<T, decltype(less(query.r, query.r))> found{query.r,
                                                        both(at_most(query.zero, query.r), at_most(query.r, greatest))};
-  for (const Vec3<T>& v : {vertices.a, vertices.b, vertices.c}) {
-    for (const T& x : {v.x, v.y, v.z}) {
+  for (const Vec3<T>& v : std::array{vertices.a, vertices.b, vertices.c}) {
+    for (const T& x : std::array{v.x, v.y, v.z}) {
       const T size = magnitude(x);
       found.m = greater_of(found.m, size);
       found.inside = both(found.inside, at_most(size, greatest));
@@ -69,15 +69,16 @@ struct FilterSink {
 
   AXISCERT_INLINE void operator()(Comparison which, const T& lhs, const T& rhs) {
     const auto k = index_of(which);
-    const auto [n, degree] = Filter::thresholds[k];
+    constexpr auto thresholds = Filter::thresholds;  // a copy, which code for a GPU can index
+    const auto [n, degree] = thresholds[k];
     constexpr Real u = sizeof(Real) == 4 ? static_cast<Real>(0x1p-24) : static_cast<Real>(0x1p-53);
     const T limit = constant_as(m2, static_cast<Real>(n) * u) * (degree == 2 ? m2 : degree == 4 ? m4 : m6);
     const T margin = lhs - rhs;
     const Mask greater = less(limit, margin), lesser = less(margin, negated(limit));
-    const bool first = info(which).is_radius;
+    const bool first = is_radius(which);
     all_greater = first ? greater : both(all_greater, greater);
     any_less = first ? lesser : either(any_less, lesser);
-    if (k + 1 < comparison_count && !comparisons[k + 1].is_radius) return;
+    if (k + 1 < comparison_count && !is_radius(static_cast<Comparison>(k + 1))) return;
     separated = which == Comparison::plane_radius ? all_greater : either(separated, all_greater);
     contact = which == Comparison::plane_radius ? any_less : both(contact, any_less);
   }

@@ -15,7 +15,7 @@ struct ClosestPoint {
   static constexpr bool is_ring = false;
 
   template <class T>
-  static portable::Vec3<T> closest(const portable::CentredProblem<T>& centred, const T& zero) {
+  constexpr static portable::Vec3<T> closest(const portable::CentredProblem<T>& centred, const T& zero) {
     const auto& [A, B, C, rr] = centred;
     const auto AB = B - A, AC = C - A;
     const T one_a = zero - dot(AB, A), two_a = zero - dot(AC, A);
@@ -36,7 +36,7 @@ struct ClosestPoint {
   }
 
   template <class T>
-  static bool separated(const portable::Problem<T>& q) {
+  constexpr static bool separated(const portable::Problem<T>& q) {
     const auto centred = portable::centred(q);
     const auto Q = closest(centred, q.zero);
     return dot(Q, Q) > centred.rr;
@@ -55,7 +55,7 @@ struct ClosestPoint {
 struct Minkowski {
   static constexpr bool is_ring = true;
   template <class T>
-  static bool separated(const portable::Problem<T>& q) {
+  constexpr static bool separated(const portable::Problem<T>& q) {
     const auto centred = portable::centred(q);
     const auto& [A, B, C, rr] = centred;
     const auto outside_sphere = [&](const auto& at) { return dot(at, at) > rr; };

@@ -9,6 +9,9 @@
 // a contact, what `hit` makes of it, for streams that ask for measures. Queries that are none (a number that is not
 // finite, a negative length, a quaternion 0) are answered `invalid` and not handed on.
 //
+// A function that has a member `batch`, a number, answers up to so many queries at once: it is given the numbers of all, and
+// returns a promise of their verdicts. If it throws, the program ends.
+//
 // An exception declines the query: `undecided`, with a line on standard error. After a trap of WebAssembly the engine's
 // memory cannot be trusted, and after an abort it answers nothing: it is made anew.
 import {readSync, writeSync} from 'node:fs';
@@ -42,7 +45,7 @@ function say(...words) {
 // Standard output carries replies alone; engines print on the console.
 console.log = console.info = console.warn = console.error = console.debug = say;
 
-function fail(why) {
+export function fail(why) {
   lines = 0;
   say(`${process.argv[1]}: ${why}`);
   process.exit(2);
@@ -127,19 +130,25 @@ export async function serve(make) {
   for (let header; (header = readHeader(answers)) !== null;) {
     lines = 0;
     const {id, columns, recordSize, replySize, measures} = header;
-    const records = Buffer.from(new ArrayBuffer(QUERIES_A_WRITE * recordSize));
+    const {batch} = answers[id], most = batch ?? QUERIES_A_WRITE;
+    const records = Buffer.from(new ArrayBuffer(Math.min(most, header.count) * recordSize));
     const numbers = new (header.precision === 32 ? Float32Array : Float64Array)(records.buffer);
     const put = header.precision === 32 ? Buffer.prototype.writeFloatLE : Buffer.prototype.writeDoubleLE;
     writeAll(1, header.bytes);
-    for (let first = 0; first < header.count; first += QUERIES_A_WRITE) {
-      const count = Math.min(QUERIES_A_WRITE, header.count - first);
+    for (let first = 0; first < header.count; first += most) {
+      const count = Math.min(most, header.count - first);
       const got = readAll(records.subarray(0, count * recordSize));
       if (got < count * recordSize) fail(`the stream ends after ${first + Math.floor(got / recordSize)} of ${header.count} queries`);
       const replies = Buffer.alloc(count * replySize);
+      const verdicts = batch ? await answers[id](numbers.subarray(0, count * columns)).catch((error) => fail(error.message)) : [];
       for (let i = 0; i < count; ++i) {
         const q = numbers.subarray(i * columns, (i + 1) * columns);
         let verdict = INVALID, said = [];
-        if (isQuery(predicates[id], q)) {
+        if (!isQuery(predicates[id], q)) {
+          // It stays invalid.
+        } else if (batch) {
+          verdict = verdicts[i];
+        } else {
           try {
             const answer = answers[id](q);
             ({verdict, measures: said} = typeof answer === 'object' ? answer : {verdict: answer, measures: []});

@@ -1,0 +1,100 @@
+#include "kernel/permitted/graph.h"
+
+#include <algorithm>
+#include <set>
+
+#include "kernel/base/error.h"
+
+namespace axiscert::permitted {
+
+thread_local Graph* RecordedNumber::graph = nullptr;
+
+std::uint32_t Graph::made(Kind kind, double payload, std::vector<Value> children) {
+  if (children.size() > most_children) throw HarnessFault("a sum or product of too many terms to try every grouping");
+  if (kind == Kind::sum || kind == Kind::product) std::sort(children.begin(), children.end());  // both commute exactly
+  const auto key = std::tuple(kind, payload, children);
+  if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  std::vector<Factoring> factorings;
+  if (kind == Kind::sum && permissions_.factored) factorings = factorings_of(children);
+  nodes_.push_back({kind, payload, std::move(children), std::move(factorings)});
+  const auto number = static_cast<std::uint32_t>(nodes_.size() - 1);
+  known_.emplace(key, number);
+  return number;
+}
+
+Value Graph::sum(Value a, Value b) {
+  if (is_zero(a)) return b;
+  if (is_zero(b)) return a;
+  std::vector<Value> terms;
+  for (const Value v : {a, b}) {
+    if (permissions_.reassociated && nodes_[v.node].kind == Kind::sum) {
+      for (const Value child : nodes_[v.node].children) terms.push_back(v.is_negative ? -child : child);
+    } else {
+      terms.push_back(v);
+    }
+  }
+  return sum_of(std::move(terms));
+}
+
+// Of a sum and its negative one is a node.
+Value Graph::sum_of(std::vector<Value> terms) {
+  std::sort(terms.begin(), terms.end());
+  const bool is_negative = terms.front().is_negative;
+  if (is_negative) {
+    for (Value& term : terms) term = -term;
+  }
+  return {made(Kind::sum, 0, std::move(terms)), is_negative};
+}
+
+Value Graph::product(Value a, Value b) { return product_of({a, b}); }
+
+Value Graph::product_of(std::vector<Value> factors) {
+  bool is_negative = false;
+  std::vector<Value> all;
+  for (const Value v : factors) {
+    is_negative ^= v.is_negative;
+    if (permissions_.reassociated && nodes_[v.node].kind == Kind::product) {
+      all.insert(all.end(), nodes_[v.node].children.begin(), nodes_[v.node].children.end());
+    } else {
+      all.push_back({v.node});
+    }
+  }
+  return {made(Kind::product, 0, std::move(all)), is_negative};
+}
+
+std::vector<Factoring> Graph::factorings_of(const std::vector<Value>& terms) {
+  std::set<std::uint32_t> factors;
+  for (const Value term : terms) {
+    if (nodes_[term.node].kind != Kind::product) continue;
+    for (const Value factor : nodes_[term.node].children) factors.insert(factor.node);
+  }
+  std::vector<Factoring> found;
+  for (const std::uint32_t factor : factors) {
+    std::vector<std::pair<std::uint32_t, Value>> rests;  // bit of the term, and what is left of it
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      if (nodes_[terms[i].node].kind != Kind::product) continue;
+      std::vector<Value> left = nodes_[terms[i].node].children;
+      const auto at = std::find(left.begin(), left.end(), Value{factor});
+      if (at == left.end()) continue;
+      left.erase(at);
+      const Value rest = left.size() == 1 ? left.front() : product_of(std::move(left));
+      rests.emplace_back(std::uint32_t{1} << i, terms[i].is_negative ? -rest : rest);
+    }
+    for (std::uint32_t chosen = 0; chosen < std::uint32_t{1} << rests.size(); ++chosen) {
+      std::uint32_t mask = 0;
+      std::vector<Value> left;
+      for (std::size_t i = 0; i < rests.size(); ++i) {
+        if (((chosen >> i) & 1) == 0) continue;
+        mask |= rests[i].first;
+        left.push_back(rests[i].second);
+      }
+      if (left.size() < 2) continue;
+      Value inner = left.front();
+      for (std::size_t i = 1; i < left.size(); ++i) inner = sum(inner, left[i]);
+      found.push_back({mask, product({factor}, inner)});
+    }
+  }
+  return found;
+}
+
+}  // namespace axiscert::permitted

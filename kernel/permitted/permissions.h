@@ -1,0 +1,39 @@
+// What a compiler of shaders may do to an expression, as sets of permissions by name (docs/gpu.md).
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace axiscert::permitted {
+
+struct Permissions {
+  bool faithful = false;      // a result is either float around the exact one; else the nearest
+  bool reassociated = false;  // sums and products of several terms, in any order and grouping, across statements
+  bool fused = false;         // a product and a sum may be rounded once
+  bool factored = false;      // a b + a c may be a (b + c)
+  bool flushed = false;       // what is below 2^-126 in size may be 0, operands and results
+  bool kept = false;          // the translated vertices are behind barriers: one value each, at every use
+};
+
+struct Part {
+  std::string_view name;
+  Permissions permissions;
+  std::string_view summary;
+};
+
+// Source of `wgsl`: WebGPU Shading Language, sections 15.7.2 to 15.7.5, and `factored`, which compilers do beyond it.
+inline constexpr auto parts = std::to_array<Part>({
+    {"faithful", {.faithful = true}, "either float around each result"},
+    {"reassociated", {.reassociated = true}, "sums and products in any order and grouping"},
+    {"fused", {.fused = true}, "any product and sum rounded once"},
+    {"factored", {.reassociated = true, .factored = true}, "any order and grouping, and common factors taken out"},
+    {"flushed", {.flushed = true}, "any subnormal operand or result 0"},
+    {"wgsl",
+     {.faithful = true, .reassociated = true, .fused = true, .factored = true, .flushed = true},
+     "all that WGSL permits, and common factors taken out"},
+    {"wgsl-kept",
+     {.faithful = true, .reassociated = true, .fused = true, .factored = true, .flushed = true, .kept = true},
+     "the same, with the translated vertices behind barriers"},
+});
+
+}  // namespace axiscert::permitted

@@ -1,0 +1,209 @@
+// Permitted evaluations: the ends of sums and products are those of every order, grouping and rounding tried one by
+// one; the arithmetics that a permission allows answer within it; where nothing is rounded nothing is permitted to
+// differ.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "kernel/base/error.h"
+#include "kernel/permitted/kernels.h"
+#include "kernel/permitted/reach.h"
+#include "kernel/sphere_triangle/formulae/methods.h"
+#include "kernel/testing/queries.h"
+#include "kernel/testing/random.h"
+
+namespace axiscert::permitted {
+namespace {
+
+using Values = std::set<float>;
+constexpr std::uint64_t seed = 20261127;
+
+// What one operation may give, by the definition: the float below or at the exact value, and that above or at it.
+void put_rounded(const Permissions& permissions, long double exact, Values& to) {
+  const auto nearest = static_cast<float>(exact);
+  Values some = {nearest};
+  if (permissions.faithful && nearest < exact) some.insert(std::nextafter(nearest, HUGE_VALF));
+  if (permissions.faithful && nearest > exact) some.insert(std::nextafter(nearest, -HUGE_VALF));
+  if (permissions.flushed && std::fabs(exact) < 0x1p-126L) some.insert(0);
+  to.merge(some);
+}
+
+// Every value of a subset of the terms (or factors), by every way to part it in two.
+Values every(const Permissions& permissions, const std::vector<Values>& terms, unsigned mask, bool is_sum) {
+  if ((mask & (mask - 1)) == 0) return terms[static_cast<std::size_t>(__builtin_ctz(mask))];
+  Values found;
+  for (unsigned sub = (mask - 1) & mask; sub != 0; sub = (sub - 1) & mask) {
+    for (const float x : every(permissions, terms, sub, is_sum)) {
+      for (const float y : every(permissions, terms, mask & ~sub, is_sum)) {
+        const long double a = x, b = y;  // 64 bits hold the exact sum and product of the numbers below
+        put_rounded(permissions, is_sum ? a + b : a * b, found);
+      }
+    }
+  }
+  return found;
+}
+
+const Part& part(std::string_view name) {
+  for (const Part& one : parts) {
+    if (one.name == name) return one;
+  }
+  throw HarnessFault("no such part");
+}
+
+TEST(Reach, EndsAreThoseOfEveryEvaluationTriedOneByOne) {
+  std::mt19937_64 random(seed);
+  // Of few bits and sizes near each other, so that long doubles are exact, and that roundings and ties are many.
+  const auto number = [&] {
+    return std::ldexp(static_cast<float>(static_cast<int>(random() % 0x1ffffff) - 0xffffff),
+                      static_cast<int>(random() % 12));
+  };
+  std::size_t wide = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const Permissions permissions{.faithful = trial % 2 == 0, .reassociated = true};
+    const std::size_t count = 2 + random() % 3;
+    Graph graph(permissions);
+    std::vector<float> inputs;
+    std::vector<Values> terms;
+    Value sum = graph.constant(0);
+    // Sums of x y + z: products are terms of the sum, to which their own values lead.
+    for (std::size_t i = 0; i < count; ++i) {
+      const float x = number(), y = i % 2 == 0 ? 1 : number() / 0x1p24F;
+      const Value product = y == 1 ? graph.input(inputs.size())
+                                   : graph.product(graph.input(inputs.size()), graph.input(inputs.size() + 1));
+      const bool minus = random() % 2 == 0;
+      sum = graph.sum(sum, minus ? -product : product);
+      Values values;
+      if (y == 1) values = {x};
+      else put_rounded(permissions, static_cast<long double>(x) * y, values);
+      inputs.push_back(x);
+      if (y != 1) inputs.push_back(y);
+      Values signs;
+      for (const float value : values) signs.insert(minus ? -value : value);
+      terms.push_back(signs);
+    }
+    Evaluation evaluation(graph);
+    evaluation.evaluate(inputs);
+    const Values all = every(permissions, terms, (1u << count) - 1, true);
+    EXPECT_EQ(evaluation.of(sum), (Reach{*all.begin(), *all.rbegin()})) << "seed " << seed << " trial " << trial;
+    wide += all.size() > 2 ? 1 : 0;
+  }
+  EXPECT_GT(wide, 100u);
+}
+
+TEST(Reach, FlushingAndOverflowAreTheEndsThatTheyAllow) {
+  Graph graph(part("wgsl").permissions);
+  const Value product = graph.product(graph.input(0), graph.input(1));
+  Evaluation evaluation(graph);
+  const auto reach = [&](float x, float y) {
+    evaluation.evaluate(std::vector<float>{x, y});
+    return evaluation.of(product);
+  };
+  EXPECT_EQ(reach(0x1p-100F, 0x1p-30F), (Reach{0, 0x1p-130F}));
+  EXPECT_EQ(reach(-0x1p-130F, 1), (Reach{-0x1p-130F, 0}));
+  EXPECT_EQ(reach(0x1p100F, 0x1p30F), (Reach{-HUGE_VALF, HUGE_VALF}));
+}
+
+TEST(Reach, CommonFactorsAreTakenOutWherePermitted) {
+  for (const char* name : {"reassociated", "factored"}) {
+    Graph graph(part(name).permissions);
+    const Value x = graph.input(0), y = graph.input(1), z = graph.input(2);
+    const Value sum = graph.sum(graph.product(x, y), graph.product(x, z));
+    Evaluation evaluation(graph);
+    const float a = 1.0118216276168823F, b = 1.4504636526107788F, c = -1.460378885269165F;
+    evaluation.evaluate(std::vector<float>{a, b, c});
+    const float written = a * b + a * c, factored = a * (b + c);
+    ASSERT_LT(factored, written);
+    EXPECT_EQ(evaluation.of(sum), (Reach{name == std::string("factored") ? factored : written, written}));
+  }
+}
+
+// A query whose sphere nearly touches, at the origin or far away.
+Query<float> near_query(std::mt19937_64& random) {
+  Query<float> q = testing_support::random_query<float>(random, false);
+  const float away = random() % 2 == 0 ? 0 : 100;
+  for (Vec3<float>* v : {&q.a, &q.b, &q.c, &q.p}) v->x += away;
+  const auto wide = [](const Vec3<float>& v) { return portable::Vec3<double>{v.x, v.y, v.z}; };
+  const auto nearest = methods::ClosestPoint::closest(
+      portable::CentredProblem<double>{wide(q.a) - wide(q.p), wide(q.b) - wide(q.p), wide(q.c) - wide(q.p), 0}, 0.0);
+  q.r = static_cast<float>(std::sqrt(dot(nearest, nearest)));
+  for (int i = static_cast<int>(random() % 5); i > 0; --i) q.r = std::nextafter(q.r, random() % 2 == 0 ? 0.0F : 4.0F);
+  return q;
+}
+
+Verdict verdict_in(const std::string& id, const Query<float>& q) {
+  return ask(find_kernel(id).on<float>(scalar_target), q).outcome(0).verdict;
+}
+
+TEST(Kernels, WhatAPermissionAllowsIsWithinIt) {
+  const struct {
+    const char* part;
+    std::vector<const char*> arithmetics;
+  } within[] = {{"faithful", {"up", "down", "chop"}},
+                {"reassociated", {"dot-yz-x", "dot-xz-y", "rr-ee"}},
+                {"fused", {"fma"}},
+                {"flushed", {"ftz"}},
+                {"wgsl", {"up", "down", "chop", "dot-yz-x", "dot-xz-y", "rr-ee", "fma", "ftz"}}};
+  std::mt19937_64 random(seed);
+  std::map<std::string, int> differ;
+  for (int trial = 0; trial < 300; ++trial) {
+    const Query<float> q =
+        trial % 10 == 0 ? testing_support::coarse_query<float>(random, trial % 20 == 0 ? -64 : 0) : near_query(random);
+    for (const std::string rung : {"published", "reduced-nonstrict"}) {
+      const bool plain = verdict_in(rung, q) == Verdict::separated;
+      for (const auto& [part, arithmetics] : within) {
+        const bool can_separate = verdict_in(rung + "+" + part + "-misses", q) == Verdict::separated;
+        const bool can_touch = verdict_in(rung + "+" + part + "-invents", q) == Verdict::contact;
+        EXPECT_TRUE(plain ? can_separate : can_touch) << rung << " " << part << " trial " << trial << " seed " << seed;
+        differ[part] += can_separate && can_touch ? 1 : 0;
+        for (const char* arithmetic : arithmetics) {
+          const bool separated = verdict_in(rung + "+" + arithmetic, q) == Verdict::separated;
+          EXPECT_TRUE(separated ? can_separate : can_touch)
+              << rung << "+" << arithmetic << " is not within " << part << ", trial " << trial << " seed " << seed;
+        }
+        if (part == std::string("wgsl")) continue;
+        EXPECT_TRUE(!can_separate || verdict_in(rung + "+wgsl-misses", q) == Verdict::separated);
+        EXPECT_TRUE(!can_touch || verdict_in(rung + "+wgsl-invents", q) == Verdict::contact);
+      }
+      // Behind barriers less is permitted.
+      EXPECT_TRUE(verdict_in(rung + "+wgsl-kept-misses", q) == Verdict::contact ||
+                  verdict_in(rung + "+wgsl-misses", q) == Verdict::separated);
+    }
+  }
+  for (const auto& [part, count] : differ) EXPECT_GT(count, part == "flushed" ? 0 : 10) << part;
+}
+
+TEST(Kernels, WhereNothingIsRoundedAllAnswerAsThePlainOne) {
+  std::mt19937_64 random(seed);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Query<float> q = testing_support::coarse_query<float>(random, 0);
+    for (const std::string rung : {"published", "reduced-nonstrict"}) {
+      for (const std::string& name : names())
+        EXPECT_EQ(verdict_in(rung + "+" + name, q), verdict_in(rung, q)) << rung << "+" << name;
+    }
+  }
+}
+
+TEST(Kernels, AnEvaluationIsPrintedAsAnExpression) {
+  // |A - P|^2 is 1 + 2^-46 exactly, and so rounded to nearest the square of r: a faithful rounding makes it more.
+  const Query<float> q{{1, 0x1p-23F, 0}, {2, 1, 0}, {2, 0, 1}, {0, 0, 0}, 1};
+  const Kernel& kernel = find_kernel("published+faithful-misses");
+  const std::vector<std::string> lines = evaluation(kernel, q);
+  ASSERT_FALSE(lines.empty());
+  EXPECT_THAT(lines[0], testing::StartsWith("vertex_a.radius holds: "));
+  EXPECT_THAT(lines[0], testing::HasSubstr("up("));
+  EXPECT_THAT(lines[0], testing::HasSubstr("= 1.00000012 > (r r) = 1"));
+  EXPECT_TRUE(evaluation(find_kernel("published"), q).empty());
+}
+
+TEST(Kernels, WhatDividesOrTakesRootsIsRefused) {
+  EXPECT_THROW(find_kernel("ladder-0+wgsl-misses"), Error);
+  EXPECT_THROW(find_kernel("closest-point+wgsl-misses"), Error);
+  EXPECT_NO_THROW(find_kernel("moving-sphere/twenty-nonstrict+wgsl-misses"));
+  EXPECT_NO_THROW(find_kernel("box-box/projected+wgsl-invents"));
+}
+
+}  // namespace
+}  // namespace axiscert::permitted
