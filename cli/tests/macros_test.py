@@ -165,7 +165,7 @@ TIMES = ("never-late", "early=1")
 # Each macro, with where its queries are (a family, or `queries` below) and what it is required to meet.
 MACROS = [
     ('AXISCERT_PLUGIN(real, "x", rests)', "p", ()),
-    ('AXISCERT_CONTACT_PLUGIN(real, "x", rests_all, all)', "p", ("separation=0", "feature", "normal=0", "unit=0", "no-flip", "left=0", "point=0")),
+    ('AXISCERT_CONTACT_PLUGIN(real, "x", rests_all, all)', "p", ("separation=0", "feature", "normal=0", "unit=0", "point=0")),
     ('AXISCERT_CONTACT_PLUGIN(real, "x", rests_separation, separation)', "p", ("separation=0",)),
     ('AXISCERT_CONTACT_PLUGIN(real, "x", rests, none)', "p", ()),
     ('AXISCERT_MOTION_PLUGIN(real, "x", none_d, displacement, none)', "d", ()),

@@ -159,7 +159,7 @@ FamilyRecord family_of(const SeededSource& of, const Kernel& kernel, const Toler
   family.base_triangles = of.source.base_triangles(of.precision, tally.trials);
   family.exact_arithmetic = of.source.exact_arithmetic();
   if (asymmetry) {
-    family.asymmetry = asymmetry_record(*asymmetry, address);
+    family.asymmetry = asymmetry_record(*asymmetry, address, kernel.measure_count != 0);
     family.invariance = invariance_of(of, *asymmetry);
   }
   return family;

@@ -102,7 +102,7 @@ std::optional<ExactContactRecord> exact_contact_of(const Oracles& oracles, const
   if (judge == nullptr) return record;
   const ContactPlace place = judge->place();
   record.after_time = place.after_best;
-  record.separation = place.separation;
+  if (place.separation) record.separation = SignedNumber{*place.separation};
   const auto put = [](std::optional<PlaceNumbers>& into, const std::optional<std::array<double, 3>>& at) {
     if (at) into = place_numbers(*at);
   };

@@ -199,7 +199,7 @@ ProbeFinding normals(Subject<Real>& subject) {
   if (all.size() < fewest) return too_few(all.size(), kind);
   const auto angle = [](const Judged<Real>& one) { return *one.found.normal_angle; };
   const auto length = [](const Judged<Real>& one) { return one.found.normal_length_error.value_or(0); };
-  const auto is_wrong = [&](const Judged<Real>& one) { return angle(one) > 4 * small<Real>; };
+  const auto is_wrong = [&](const Judged<Real>& one) { return angle(one) > small<Real>; };
   const auto count = [&](auto&& holds) { return static_cast<std::size_t>(std::ranges::count_if(all, holds)); };
   const auto shown = std::ranges::max_element(all, {}, angle);
   const std::size_t wrong = count(is_wrong);
@@ -227,7 +227,7 @@ ProbeFinding normals(Subject<Real>& subject) {
                    fmt::format("{}: so on {} of {} clear queries, where that is another direction.", like->sentence,
                                wrong, all.size()));
     const auto is_usual = [&](const Judged<Real>& one) { return angle(one) <= 1.5 * usual; };
-    if (usual > 4 * small<Real> && holds_on_most(count(is_usual), all.size()))
+    if (usual > small<Real> && holds_on_most(count(is_usual), all.size()))
       return found(Normals::tilted,
                    fmt::format("Its normals are tilted, by {:.3g} radians and hardly ever more.", usual));
     return found(Normals::wrong,

@@ -207,7 +207,8 @@ struct ExactContactRecord {
   std::optional<std::optional<HexNumber>> time;
   std::optional<std::optional<std::vector<Name>>> features;
   std::optional<Name> start;
-  std::optional<double> after_time, separation;
+  std::optional<double> after_time;
+  std::optional<SignedNumber> separation;
   std::optional<PlaceNumbers> point, point_b, point_from_a;
   std::optional<std::optional<PlaceNumbers>> normal;
 

@@ -122,7 +122,7 @@ Pushed pushed(const std::array<RationalVector, 3>& vertex, const RationalVector&
   if (sgn(high) <= 0 || (sgn(low) <= 0 && !exceeds(0))) return out;
   // What is less than 2^-230 of the depth is told as that at most.
   Decimal6 rounded = round_up(sgn(low) > 0 ? low : high);
-  while (sgn(low) > 0 && exceeds(exact(rounded))) rounded = next(rounded);
+  if (sgn(low) > 0 && rounded != round_up(high) && exceeds(exact(rounded))) rounded = next(rounded);
   out.left = rounded;
   const Rational sixteenth = Rational(1, 16);
   const bool is_wide = sgn(dot(along, away)) < 0;
