@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "exact/trait/oracles.h"
+#include "fuzz/confirm/image_numbers.h"
 #include "kernel/ask.h"
 
 namespace axiscert {
@@ -103,6 +104,18 @@ void Invariance::merge(const Invariance& later) {
   append(units.large, later.units.large);
 }
 
+void ImageNumbers::merge(const ImageNumbers& later) {
+  images += later.images;
+  features += later.features;
+  if (!first_feature) first_feature = later.first_feature;
+  const auto take = [](WorstImage& mine, const WorstImage& its) {
+    if (its.size > mine.size) mine = its;
+  };
+  take(separation, later.separation);
+  take(angle, later.angle);
+  take(point, later.point);
+}
+
 template <class Real>
 void count_invariance(Invariance& into, const AnsweredGroup<Real>& answered) {
   const ImageGroup& group = answered.group;
@@ -187,6 +200,43 @@ class AsymmetryBlock {
       }
     }
     count_invariance<Real>(found_.invariance, {group_, position, queries_, verdicts_});
+    const bool is_decided = base && (base->verdict == Verdict::contact || base->verdict == Verdict::separated);
+    if (kernel_.measure_count != 0 && group_.parts == 1 && is_decided) count_numbers_of(position, in_batch);
+  }
+
+  std::vector<double> measures(std::uint64_t position, std::size_t in_batch) const {
+    return replies_ ? replies_->measures(of_.source, precision_of<Real>, position) : reply_.measures(in_batch);
+  }
+  static Numbers<double> widened(const Numbers<Real>& q) {
+    Numbers<double> wide(q.size());
+    for (std::size_t k = 0; k < q.size(); ++k) wide[k] = static_cast<double>(q[k]);
+    return wide;
+  }
+
+  // The numbers on the images of a base against those on the base, where the verdicts are one.
+  void count_numbers_of(std::uint64_t position, std::size_t in_batch) {
+    const Predicate& predicate = *kernel_.predicate;
+    const PredicateEntry& entry = predicate.entries[kernel_.entry];
+    const Numbers<double> base = widened(queries_[0]);
+    const std::vector<double> of_base = measures(position, in_batch);
+    for (std::size_t i = 1; i < group_.size; ++i) {
+      if (!verdicts_[i] || verdicts_[i] != verdicts_[0]) continue;
+      const Numbers<double> image = widened(queries_[i]);
+      const bool is_scaled = group_.kind(i) == ImageKind::scale && group_.exponent != nullptr;
+      const int exponent = is_scaled ? group_.exponent(precision_of<Real>, position / group_.size, i) : 0;
+      const std::optional<ImageMap> map = image_map(entry, group_, i, exponent, base, image);
+      if (!map) continue;
+      const ImageErrors errors = image_errors(predicate, entry, image, mapped_measures(predicate, *map, of_base),
+                                              measures(position + i, in_batch + i));
+      const ImagePair pair{position, position + i};
+      ImageNumbers& numbers = found_.numbers;
+      ++numbers.images;
+      numbers.separation.offer(errors.separation, pair);
+      numbers.angle.offer(errors.angle, pair);
+      numbers.point.offer(errors.point, pair);
+      numbers.features += errors.is_other_feature;
+      if (errors.is_other_feature && !numbers.first_feature) numbers.first_feature = pair;
+    }
   }
 
   // The verdict of image i: separated where every part is, and in contact where any is.
@@ -254,6 +304,7 @@ std::optional<Asymmetry> asymmetry_of(const SeededSource& of, std::uint64_t quer
     if (!all.first_verdict) all.first_verdict = block.first_verdict;
     if (!all.first_comparison) all.first_comparison = block.first_comparison;
     all.invariance.merge(block.invariance);
+    all.numbers.merge(block.numbers);
   }
   if (replies) return all;
   for (auto* flips : {&all.invariance.units.small, &all.invariance.units.large}) {
@@ -278,9 +329,25 @@ AbsoluteSizeRecord size_record(const std::vector<UnitFlip>& flips, const std::ve
 
 }  // namespace
 
-AsymmetryRecord asymmetry_record(const Asymmetry& asymmetry, const AddressOf& address) {
-  return {asymmetry.images, asymmetry.verdicts, asymmetry.comparisons, addresses_of(asymmetry.first_verdict, address),
-          addresses_of(asymmetry.first_comparison, address)};
+AsymmetryRecord asymmetry_record(const Asymmetry& asymmetry, const AddressOf& address, bool has_numbers) {
+  AsymmetryRecord record{asymmetry.images,
+                         asymmetry.verdicts,
+                         asymmetry.comparisons,
+                         addresses_of(asymmetry.first_verdict, address),
+                         addresses_of(asymmetry.first_comparison, address),
+                         {}};
+  if (!has_numbers) return record;
+  const ImageNumbers& numbers = asymmetry.numbers;
+  record.numbers = {numbers.images,
+                    numbers.features,
+                    numbers.separation.size,
+                    numbers.angle.size,
+                    numbers.point.size,
+                    addresses_of(numbers.separation.pair, address),
+                    addresses_of(numbers.angle.pair, address),
+                    addresses_of(numbers.point.pair, address),
+                    addresses_of(numbers.first_feature, address)};
+  return record;
 }
 
 std::map<ImageKind, ImageChangesRecord> invariance_record(

@@ -71,6 +71,22 @@ struct AnsweredGroup {
 template <class Real>
 void count_invariance(Invariance& into, const AnsweredGroup<Real>& answered);
 
+// The greatest of a difference over images, with the first pair that has it.
+struct WorstImage {
+  double size = 0;
+  std::optional<ImagePair> pair;
+  void offer(const std::optional<double>& found, const ImagePair& of) {
+    if (found && *found > size) *this = {*found, of};
+  }
+};
+// What is said beside verdicts on images, against that on their base (fuzz/confirm/image_numbers.h).
+struct ImageNumbers {
+  std::uint64_t images = 0, features = 0;
+  WorstImage separation, angle, point;
+  std::optional<ImagePair> first_feature;
+  void merge(const ImageNumbers& later);
+};
+
 struct Asymmetry {
   std::uint64_t images = 0;       // compared with their base, which decides them; both answered and within the kernel's
                                   // limits
@@ -78,6 +94,7 @@ struct Asymmetry {
   std::uint64_t comparisons = 0;  // images with a comparison that differs, by the base's names, whatever the verdict
   std::optional<ImagePair> first_verdict, first_comparison;
   Invariance invariance;  // the same images by kind and size
+  ImageNumbers numbers;   // of a kernel with measures
 };
 
 // A long run is not repeated in full: this many queries are examined, or all if there are fewer.
@@ -90,7 +107,8 @@ std::optional<Asymmetry> asymmetry_of(const SeededSource& of, std::uint64_t quer
 
 // Asymmetries and invariance in the form in which the record lists them.
 
-AsymmetryRecord asymmetry_record(const Asymmetry& asymmetry, const AddressOf& address);
+// `has_numbers`: of a kernel with measures.
+AsymmetryRecord asymmetry_record(const Asymmetry& asymmetry, const AddressOf& address, bool has_numbers);
 // `sizes` estimates the numbers that explain flips (absolute_sizes).
 std::map<ImageKind, ImageChangesRecord> invariance_record(
     const Invariance& invariance, const ImageGroup& group, Precision precision, const AddressOf& address,

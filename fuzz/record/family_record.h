@@ -75,9 +75,36 @@ struct AddressPair {
   }
 };
 
+struct ImageNumbersRecord {
+  std::uint64_t images = 0, features = 0;
+  double largest_separation = 0, largest_angle = 0, largest_point = 0;
+  std::optional<AddressPair> worst_separation, worst_angle, worst_point, first_feature;
+
+  static constexpr std::string_view about =
+      "What the kernel says beside its verdict on images, against the same of their base, turned, mirrored, moved or "
+      "scaled with it. Sizes are of binary64, and relative to the image's extent. Absent for a kernel without "
+      "measures.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = ImageNumbersRecord;
+    return visit(
+        field(&Of::images, {"images", "Images compared with their base, with one verdict on both."}),
+        field(&Of::features,
+              {"features",
+               "Those with another feature than the base's. Where several parts are nearest both may be right."}),
+        field(&Of::largest_separation, {"largest_separation", "Greatest difference of separations.", "of the extent"}),
+        field(&Of::largest_angle, {"largest_angle", "Greatest angle between the two normals.", "radians"}),
+        field(&Of::largest_point, {"largest_point", "Greatest distance of the two points.", "of the extent"}),
+        field(&Of::worst_separation, {"worst_separation", "The pair with it; null: none."}),
+        field(&Of::worst_angle, {"worst_angle", "The pair with it; null: none."}),
+        field(&Of::worst_point, {"worst_point", "The pair with it; null: none."}),
+        field(&Of::first_feature, {"first_feature", "The first with another feature; null: none."}));
+  }
+};
+
 struct AsymmetryRecord {
   std::uint64_t images = 0, verdicts = 0, comparisons = 0;
   std::optional<AddressPair> first_verdict, first_comparison;
+  std::optional<ImageNumbersRecord> numbers;
 
   static constexpr std::string_view about =
       "For a family of images: answers of the kernel to an exact image of a query, in another order of its vertices, "
@@ -97,7 +124,8 @@ struct AsymmetryRecord {
                "Images with another comparison by the base's names, whatever the verdict; 0 for a kernel that shows "
                "none."}),
         field(&Of::first_verdict, {"first_verdict", "The first with another verdict; null: none."}),
-        field(&Of::first_comparison, {"first_comparison", "The first with another comparison; null: none."}));
+        field(&Of::first_comparison, {"first_comparison", "The first with another comparison; null: none."}),
+        field(&Of::numbers, {.name = "numbers", .about = ImageNumbersRecord::about, .may_be_absent = true}));
   }
 };
 
@@ -225,7 +253,7 @@ struct FamilyCounts {
   VerdictTally verdict;
   std::optional<NamedValues<AxisTally>> axes;
   std::optional<NamedValues<ComparisonTally>> comparisons;
-  std::optional<MotionTally> motion;
+  std::optional<ContactTally> contacts;
   std::optional<std::uint64_t> asked_again;
 
   static constexpr auto fields(auto&& visit) {
@@ -246,11 +274,10 @@ struct FamilyCounts {
               {"comparisons",
                "Results per comparison, in the order of the strings of bits; null for a kernel that shows only "
                "verdicts."}),
-        field(&Of::motion,
-              {.name = "motion",
-               .about =
-                   "The first contacts that the kernel reports, against the exact one. Absent for a predicate without "
-                   "measures.",
+        field(&Of::contacts,
+              {.name = "contacts",
+               .about = "What the kernel says beside its verdicts, against what is exact. Absent for a kernel without "
+                        "measures of a predicate without motions, and where a predicate has none.",
                .may_be_absent = true}),
         field(&Of::asked_again,
               {.name = "asked_again",

@@ -1,0 +1,140 @@
+#include "fuzz/confirm/image_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscert {
+namespace {
+
+// The permutations of three axes.
+constexpr std::array<std::array<std::uint8_t, 3>, 6> orders_of_axes = {
+    {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+
+bool is_vector_kind(MeasureKind kind) {
+  return kind == MeasureKind::normal || kind == MeasureKind::point || kind == MeasureKind::point_a ||
+         kind == MeasureKind::point_b;
+}
+
+// Parts of a triangle whose vertices are in another order: vertex i of the image is vertex order[i] of the base.
+double part_of_image(double part, const std::array<std::uint8_t, 3>& order) {
+  constexpr double face = 6;
+  if (!(part >= 0 && part < face) || part != std::floor(part)) return part;
+  const auto place_of = [&](std::size_t vertex) {
+    return static_cast<std::size_t>(std::ranges::find(order, vertex) - order.begin());
+  };
+  const auto number = static_cast<std::size_t>(part);
+  if (number < 3) return static_cast<double>(place_of(number));
+  // The edge from vertex k to the next: the one that the third vertex is not on.
+  const std::size_t opposite = place_of((number - 3 + 2) % 3);
+  return static_cast<double>(3 + (opposite + 1) % 3);
+}
+
+// The greatest difference of two places of the query, or length.
+double extent_of(const PredicateEntry& entry, const Numbers<double>& numbers) {
+  double most = 0;
+  std::array<double, 3> least = {INFINITY, INFINITY, INFINITY}, greatest = {-INFINITY, -INFINITY, -INFINITY};
+  for (std::size_t k = 0; k < numbers.size(); k += exact_images::is_vector(entry, k) ? 3 : 1) {
+    if (entry.columns[k].role == Role::length) most = std::max(most, std::fabs(numbers[k]));
+    if (!exact_images::is_vector(entry, k) || entry.columns[k].role != Role::coordinate) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      least[i] = std::min(least[i], numbers[k + i]);
+      greatest[i] = std::max(greatest[i], numbers[k + i]);
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i) most = std::max(most, greatest[i] - least[i]);
+  return most;
+}
+
+std::optional<std::array<double, 3>> vector_of(std::span<const double> measures, std::size_t first) {
+  if (measures.size() < first + 3) return std::nullopt;
+  std::array<double, 3> v;
+  for (std::size_t i = 0; i < 3; ++i) v[i] = measures[first + i];
+  const bool is_finite = std::ranges::all_of(v, [](double x) { return std::isfinite(x); });
+  return is_finite ? std::optional(v) : std::nullopt;
+}
+
+double length_of(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
+
+double angle_of(const std::array<double, 3>& u, const std::array<double, 3>& v) {
+  const std::array<double, 3> across = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                                        u[0] * v[1] - u[1] * v[0]};
+  return std::atan2(length_of(across), u[0] * v[0] + u[1] * v[1] + u[2] * v[2]);
+}
+
+}  // namespace
+
+std::optional<ImageMap> image_map(const PredicateEntry& entry, const ImageGroup& group, std::size_t image, int exponent,
+                                  const Numbers<double>& base, const Numbers<double>& numbers) {
+  ImageMap map;
+  map.order = group.order(image);
+  switch (group.kind(image)) {
+    case ImageKind::order:
+      return map;
+    case ImageKind::scale:
+      map.exponent = exponent;
+      return map;
+    case ImageKind::translation:
+      for (std::size_t i = 0; i < 3; ++i) map.moved[i] = numbers[i] - base[i];
+      return exact_images::is_vector(entry, 0) ? std::optional(map) : std::nullopt;
+    case ImageKind::axes:
+    case ImageKind::mirror:
+      for (const auto& axes : orders_of_axes) {
+        for (std::uint8_t signs = 0; signs < 8; ++signs) {
+          const Numbers<double> made = exact_images::with_axes(base, entry, axes, signs);
+          if (!std::equal(made.begin(), made.end(), numbers.begin(), numbers.end())) continue;
+          map.axes = axes;
+          map.signs = signs;
+          return map;
+        }
+      }
+      return std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::vector<double> mapped_measures(const Predicate& predicate, const ImageMap& map, std::span<const double> measures) {
+  std::vector<double> mapped(measures.begin(), measures.end());
+  for (std::size_t k = 0; k < measures.size(); ++k) {
+    const MeasureKind kind = predicate.measures[k].kind;
+    if (kind == MeasureKind::separation) mapped[k] = std::ldexp(measures[k], map.exponent);
+    if (kind == MeasureKind::feature) mapped[k] = part_of_image(measures[k], map.order);
+    if (!is_vector_kind(kind) || first_measure(predicate, kind) != k || k + 3 > measures.size()) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double x = measures[k + map.axes[i]], turned = has_bit(map.signs, i) ? -x : x;
+      mapped[k + i] = kind == MeasureKind::normal ? turned : std::ldexp(turned, map.exponent) + map.moved[i];
+    }
+  }
+  return mapped;
+}
+
+ImageErrors image_errors(const Predicate& predicate, const PredicateEntry& entry, const Numbers<double>& image,
+                         std::span<const double> expected, std::span<const double> measures) {
+  ImageErrors errors;
+  const double extent = extent_of(entry, image);
+  if (!(extent > 0 && std::isfinite(extent))) return errors;
+  const auto at = [&](std::span<const double> from, MeasureKind kind) -> std::optional<double> {
+    const auto first = first_measure(predicate, kind);
+    return first && *first < from.size() && std::isfinite(from[*first]) ? std::optional(from[*first]) : std::nullopt;
+  };
+  const auto both = [&](MeasureKind kind, auto&& see) {
+    const auto first = first_measure(predicate, kind);
+    if (!first) return;
+    const auto u = vector_of(expected, *first), v = vector_of(measures, *first);
+    if (u && v) see(*u, *v);
+  };
+  if (const auto u = at(expected, MeasureKind::separation), v = at(measures, MeasureKind::separation); u && v)
+    errors.separation = std::fabs(*u - *v) / extent;
+  if (const auto u = at(expected, MeasureKind::feature), v = at(measures, MeasureKind::feature); u && v)
+    errors.is_other_feature = *u != *v;
+  both(MeasureKind::normal, [&](const auto& u, const auto& v) { errors.angle = angle_of(u, v); });
+  for (const MeasureKind kind : {MeasureKind::point, MeasureKind::point_a, MeasureKind::point_b}) {
+    both(kind, [&](const auto& u, const auto& v) {
+      const double off = length_of({u[0] - v[0], u[1] - v[1], u[2] - v[2]}) / extent;
+      errors.point = std::max(errors.point.value_or(0), off);
+    });
+  }
+  return errors;
+}
+
+}  // namespace axiscert

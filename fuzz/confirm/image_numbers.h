@@ -1,0 +1,41 @@
+// The numbers beside the verdicts on a query and on an exact image of it: what those of the image have to be.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fuzz/queries/image_groups.h"
+#include "kernel/predicate.h"
+#include "kernel/query.h"
+
+namespace axiscert {
+
+// How an image is made of its base, found from their numbers: coordinate i of a vector of the image is coordinate
+// axes[i] of the base, with its sign changed where bit i of `signs` is set, times 2^exponent; a place is moved too.
+struct ImageMap {
+  std::array<std::uint8_t, 3> axes = {0, 1, 2}, order = {0, 1, 2};  // order: ImageGroup::order
+  std::uint8_t signs = 0;
+  int exponent = 0;
+  std::array<double, 3> moved = {0, 0, 0};
+};
+// Empty for images of a kind that is no map of places (a motion in parts), and where no map is found.
+std::optional<ImageMap> image_map(const PredicateEntry& entry, const ImageGroup& group, std::size_t image, int exponent,
+                                  const Numbers<double>& base, const Numbers<double>& numbers);
+
+// The measures of the base as the image has them, in doubles.
+std::vector<double> mapped_measures(const Predicate& predicate, const ImageMap& map, std::span<const double> measures);
+
+// How far the measures of an image are from those: of binary64, shown and not decided by. Empty where one of the two is
+// not given, or the predicate has none.
+struct ImageErrors {
+  std::optional<double> separation, point;  // relative to the greatest difference of the image's coordinates
+  std::optional<double> angle;              // of the normals, in radians
+  bool is_other_feature = false;
+};
+ImageErrors image_errors(const Predicate& predicate, const PredicateEntry& entry, const Numbers<double>& image,
+                         std::span<const double> expected, std::span<const double> measures);
+
+}  // namespace axiscert

@@ -1,0 +1,75 @@
+// What a diagnosis says of the numbers beside a verdict, on kernels with one planted fault each.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+#include "fuzz/diagnosis/diagnosis.h"
+#include "fuzz/diagnosis/probes.h"
+#include "kernel/testing/planted_contacts.h"
+
+namespace axiscert::diagnosis {
+namespace {
+
+// By property, the values that are not to be expected of a right kernel.
+std::map<std::string, std::string> said_of(const Kernel& kernel) {
+  const DiagnosisOptions options;
+  std::map<std::string, std::string> said;
+  const auto ask = [&](const char* name, ProbeFinding (*probe)(Subject<float>&)) {
+    Subject<float> subject(kernel, options);
+    const ProbeFinding found = probe(subject);
+    EXPECT_FALSE(found.sentence.empty());
+    if (found.value != "right") said[name] = found.value;
+    EXPECT_EQ(found.witnesses.empty(), found.value == "right" || found.value == not_asked) << found.sentence;
+  };
+  ask("separation", separations<float>);
+  ask("normal", normals<float>);
+  ask("feature", features<float>);
+  ask("contact_point", contact_points<float>);
+  return said;
+}
+
+TEST(ContactProbes, NameEachPlantedFaultAndNoRightChoice) {
+  using Said = std::map<std::string, std::string>;
+  const std::map<std::string, Said> due = {{"right", {}},
+                                           {"other-side-of-a-tie", {}},
+                                           {"nothing-beside-separated", {}},
+                                           {"flipped", {{"normal", "flipped"}}},
+                                           {"tilted", {{"normal", "tilted"}}},
+                                           {"not-normalised", {{"normal", "not_normalised"}}},
+                                           {"face-always", {{"feature", "one_part"}}},
+                                           {"depth-against-the-plane", {{"separation", "against_plane"}}},
+                                           {"on-the-sphere", {{"contact_point", "other_body"}}},
+                                           {"margin-of-5-mm", {{"separation", "margin"}}},
+                                           {"never-positive", {{"separation", "never_positive"}}},
+                                           {"no-separation", {{"separation", "not_known"}}}};
+  const Kernel& right = find_kernel("minkowski");
+  for (const PlantedContact& planted : planted_contacts()) {
+    if (planted.name == std::string_view("no-separation")) continue;  // which has no query to show
+    const Kernel kernel = with_edit(right, planted.name, planted.change);
+    EXPECT_EQ(said_of(kernel), due.at(planted.name)) << planted.name;
+  }
+}
+
+TEST(ContactProbes, TellTheSizeOfAMargin) {
+  const DiagnosisOptions options;
+  const Kernel& right = find_kernel("minkowski");
+  const Kernel kernel = with_edit(
+      right, "margin", [](MeasureColumns& m, const QueryColumns<float>&, std::size_t i) { m[0][i] -= 0.005f; });
+  Subject<float> subject(kernel, options);
+  const ProbeFinding found = separations(subject);
+  EXPECT_NEAR(found.measured["margin"].get<double>(), -0.005, 1e-5) << found.sentence;
+}
+
+TEST(ContactProbes, AreNotAskedOfAKernelThatGivesNone) {
+  const Kernel& kernel = find_kernel("published");
+  for (const auto& [property, value] : said_of(kernel)) EXPECT_EQ(value, not_asked) << property;
+  EXPECT_EQ(said_of(kernel).size(), 4u);
+}
+
+TEST(ContactProbes, AreRightOfTheTwoMethods) {
+  for (const char* id : {"minkowski", "closest-point"}) EXPECT_TRUE(said_of(find_kernel(id)).empty()) << id;
+}
+
+}  // namespace
+}  // namespace axiscert::diagnosis
