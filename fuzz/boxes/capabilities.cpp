@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "exact/boxes/box_facts.h"
+#include "fuzz/boxes/contact_likenesses.h"
 #include "fuzz/boxes/families/situations.h"
 #include "fuzz/boxes/quantities.h"
 #include "fuzz/boxes/slack_scenes.h"
@@ -142,6 +143,7 @@ const Capabilities& box_box_capabilities() {
                                    .diagnosis_scenes = &box_scenes,
                                    .slack_scenes = &box_box_slack_scenes,
                                    .traits = &box_box_traits(),
+                                   .contact_likenesses = boxes::box_box_contact_likenesses(),
                                    .exact_facts = facts_of_pair};
   return all;
 }
@@ -155,6 +157,7 @@ const Capabilities& box_triangle_capabilities() {
                                    .diagnosis_scenes = &box_scenes,
                                    .slack_scenes = &box_triangle_slack_scenes,
                                    .traits = &box_triangle_traits(),
+                                   .contact_likenesses = boxes::box_triangle_contact_likenesses(),
                                    .exact_facts = facts_of_triangle};
   return all;
 }
