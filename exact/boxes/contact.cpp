@@ -186,21 +186,11 @@ Decimal6 ExactContact::left(const Point& n) const {
   return round_up(guess, [&](const Rational& f) { return compare_left(n, f); });
 }
 
-Rational ExactContact::squared_side() const {
-  std::optional<Rational> narrowest;
-  for (std::size_t i = 0; i < pushes_.size(); i += 2) {
-    if (pushes_[i].squared != least().squared) continue;
-    const Rational more = pushes_[i + 1].rest - pushes_[i].rest;
-    Rational squared = more * more / pushes_[i].squared_length;
-    if (!narrowest || squared < *narrowest) narrowest = std::move(squared);
-  }
-  return in_squares(*narrowest);
-}
-
 // As a difference of squares, in which nothing cancels.
-Rational ExactContact::mismatch(const Point& a, const Point& b) const {
+Rational ExactContact::mismatch(const Point& a, const Point& b, bool turned) const {
   const Point between = a - b;
   const Rational apart = dot(between, between);
+  if (turned) return root_below(apart) + root_below(squared_);
   if (apart == squared_) return 0;
   return abs(Rational(apart - squared_)) / (root_below(apart) + root_below(squared_));
 }

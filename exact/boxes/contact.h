@@ -51,16 +51,12 @@ class ExactContact {
   // The sign of that share less F.
   int compare_left(const Point& n, const Rational& f) const;
 
-  // Of bodies in contact, the square of how much longer the push to the other side is on an axis that is least; of
-  // several the least.
-  Rational squared_side() const;
-
   // The square of a point's distance from its body.
   Rational squared_distance_from_a(const Point& p) const { return in_squares(squared_distance({p * unit_}, a_)); }
   Rational squared_distance_from_b(const Point& p) const { return in_squares(squared_distance({p * unit_}, b_)); }
 
-  // | |a - b| - |separation| |, relatively to 2^-240.
-  Rational mismatch(const Point& a, const Point& b) const;
+  // | |a - b| - |separation| |, relatively to 2^-240; with |a - b| as negative where `turned`.
+  Rational mismatch(const Point& a, const Point& b, bool turned = false) const;
 
  private:
   // The bodies in units of length that make all numbers integers: quotients of rationals would take twice as long.

@@ -46,24 +46,25 @@ void BoxContactJudge<Real>::measure_normal(const Point& normal, ContactJudgement
   if (exact().is_apart() || exact().squared_separation() == 0 || sgn(Rational(dot(normal, normal))) == 0) return;
   const bool is_backwards =
       std::ranges::all_of(exact().normals(), [&](const Point& right) { return sgn(Rational(dot(normal, right))) < 0; });
-  // The vector from centre to centre and its product with an axis are computed to 8 u of the scene: a normal of the
-  // other side is no flip where both sides are as deep but for that.
-  const Rational side_error(mpz_class(1), mpz_class(1) << (std::numeric_limits<Real>::digits - 3));
-  const bool has_sides = exact().squared_side() > side_error * side_error * exact().squared_scene();
+  // An overlap is computed to 8 u of the scene, and what is along a normal from centre to centre to 4 u: a normal that
+  // is taken for that leaves at most a sixteenth of a depth of 128 u.
+  const Rational clear(mpz_class(1), mpz_class(1) << (std::numeric_limits<Real>::digits - 7));
+  const bool is_clear = exact().squared_separation() > clear * clear * exact().squared_scene();
   out.pushed =
-      Pushed{exact().left(normal), is_backwards && has_sides && exact().compare_left(normal, most_left_of_no_flip) > 0};
+      Pushed{exact().left(normal), is_backwards && is_clear && exact().compare_left(normal, most_left_of_no_flip) > 0};
 }
 
+// Points of their bodies that are as far apart as the separation, along the normal, are the exact ones where these are
+// the only ones. Their distance from those is no figure: of two faces that are parallel but for a rounding it is any.
 template <class Real>
-void BoxContactJudge<Real>::measure_points(const Point& a, const Point& b, ContactJudgement& out) const {
+void BoxContactJudge<Real>::measure_points(const Point& a, const Point& b, const std::optional<Point>& normal,
+                                           ContactJudgement& out) const {
   const Rational& scene = exact().squared_scene();
   out.point_a_error = share_of(exact().squared_distance_from_a(a), scene);
   out.point_b_error = share_of(exact().squared_distance_from_b(b), scene);
-  const Rational mismatch = exact().mismatch(a, b);
+  const int along = normal ? sgn(Rational(dot(b - a, *normal))) : 0;
+  const Rational mismatch = exact().mismatch(a, b, along == (exact().is_apart() ? -1 : 1));
   out.points_apart = share_of(Rational(mismatch * mismatch), scene);
-  if (!exact().only_points()) return;
-  const Point off_a = a - exact().only_points()->a, off_b = b - exact().only_points()->b;
-  out.point_error = share_of(std::max(Rational(dot(off_a, off_a)), Rational(dot(off_b, off_b))), scene);
 }
 
 template <class Real>
@@ -78,13 +79,15 @@ ContactJudgement BoxContactJudge<Real>::judge(Verdict said, std::span<const doub
     if (std::isfinite(measures[separation_measure])) measure_separation(said, measures[separation_measure], out);
     else out.lacks_separation = is_asked;
   }
+  std::optional<Point> normal;
   if (gives(normal_measure, 3)) {
-    if (const auto normal = axiscert::vector_at(measures, normal_measure)) measure_normal(*normal, out);
+    normal = axiscert::vector_at(measures, normal_measure);
+    if (normal) measure_normal(*normal, out);
     else out.lacks_normal = is_asked;
   }
   if (gives(point_b_measure, 3)) {
     const auto a = axiscert::vector_at(measures, point_a_measure), b = axiscert::vector_at(measures, point_b_measure);
-    if (a && b) measure_points(*a, *b, out);
+    if (a && b) measure_points(*a, *b, normal, out);
     else out.lacks_point = is_asked;
   }
   const bool lacks = out.lacks_separation || out.lacks_normal || out.lacks_point;

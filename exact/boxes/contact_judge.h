@@ -23,7 +23,7 @@ class BoxContactJudge final : public ContactJudge {
   const ExactContact& exact() const;
   void measure_separation(Verdict said, double separation, ContactJudgement& out) const;
   void measure_normal(const Point& normal, ContactJudgement& out) const;
-  void measure_points(const Point& a, const Point& b, ContactJudgement& out) const;
+  void measure_points(const Point& a, const Point& b, const std::optional<Point>& normal, ContactJudgement& out) const;
 
   std::function<ExactContact()> find_;
   mutable std::optional<ExactContact> exact_;

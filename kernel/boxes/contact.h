@@ -152,21 +152,27 @@ FacePoints<T> points_of_face(const Sides<T>& sides, const Polygon<T>& incident, 
   return {deepest + normal * overlap, deepest};
 }
 
-// That of the three of which the number is least, the first of several.
+// That of the three of which the number is least, the first of several; a NaN is the least of nothing.
 template <class T, class Number>
 ContactPoints<T> least_of(const ContactPoints<T>& one, const ContactPoints<T>& other, const ContactPoints<T>& third,
                           const Number& number) {
-  const ContactPoints<T>& best = number(other) < number(one) ? other : one;
+  const ContactPoints<T>& best = number(one) <= number(other) ? one : other;
   return number(third) < number(best) ? third : best;
 }
 
 // The nearest points of the lines p + s u and q + t v, which are not parallel.
 template <class T>
 ContactPoints<T> points_of_lines(const Vec3<T>& p, const Vec3<T>& u, const Vec3<T>& q, const Vec3<T>& v) {
-  const Vec3<T> between = q - p;
-  const T uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), scale = uu * vv - uv * uv;
-  const T of_u = dot(between, u), of_v = dot(between, v);
-  return {p + u * ((of_u * vv - of_v * uv) / scale), q + v * ((of_u * uv - of_v * uu) / scale)};
+  const Vec3<T> between = q - p, across = cross(u, v);
+  const T scale = dot(across, across);
+  return {p + u * (dot(cross(between, v), across) / scale), q + v * (dot(cross(between, u), across) / scale)};
+}
+
+// How far their distance is from the overlap.
+template <class T>
+T mismatch(const ContactPoints<T>& points, T overlap) {
+  const Vec3<T> between = points.a - points.b;
+  return magnitude(std::sqrt(dot(between, between)) - overlap);
 }
 
 // How far a point is outside of a body, 0 or less within: of a box the greatest along an axis, of a triangle that from
@@ -194,7 +200,8 @@ void put_contact(bool is_contact, const LeastAxis<T>& least, const ContactPoints
   constexpr T unsaid = std::numeric_limits<T>::quiet_NaN();
   const bool says = is_contact && least.is_found();
   const Vec3<T> vectors[] = {least.normal, points.a, points.b};
-  *out++ = says ? -least.overlap : unsaid;
+  // The verdict may be that of other formulae, which hold two for touching that are apart by a rounding here.
+  *out++ = says ? T(0) - greater(least.overlap, T(0)) : unsaid;
   for (const Vec3<T>& v : vectors) {
     for (const T x : {v.x, v.y, v.z}) *out++ = says ? x : unsaid;
   }
@@ -211,7 +218,8 @@ Vec3<T> unit(const Vec3<T>& v) {
 }
 
 // The least of the fifteen, by the cofactors of R: on an edge axis the overlap is that of the axis which is used, so
-// its error stays relative where two edges are nearly parallel.
+// its error stays relative where two edges are nearly parallel. The normal is that same axis, made of entries of R: the
+// product of the edges themselves is another one then, or 0.
 template <class T>
 LeastAxis<T> least_axis(const BoxPair<T>& q, T edge_weight) {
   const Relative<T> r = relative(q);
@@ -229,14 +237,14 @@ LeastAxis<T> least_axis(const BoxPair<T>& q, T edge_weight) {
       const AxisSides<T> sides = edge_sides(r, i, j, size, minors);
       if (!(squared > 0) || !found.take(edges(i, j), (sides.rhs - sides.lhs) / std::sqrt(squared), edge_weight))
         continue;
-      found.normal = facing(unit(cross(q.a.axis[i], q.b.axis[j])), between);
+      found.normal = facing(unit(q.a.axis[last(i)] * x - q.a.axis[next(i)] * y), between);
     }
   }
   return found;
 }
 
 // Where an axis of two edges ties with a facet's, the edges are any of a face: of the points that edges and faces give
-// those are taken that are least outside of the bodies.
+// those are taken that are least outside of the bodies, and as far apart as they should be.
 template <class T>
 ContactPoints<T> contact_points(const BoxPair<T>& q, const LeastAxis<T>& least) {
   const Vec3<T>& n = least.normal;
@@ -253,7 +261,7 @@ ContactPoints<T> contact_points(const BoxPair<T>& q, const LeastAxis<T>& least) 
   if (least.index < edges(0, 0)) return by_face_of_b();
   const std::size_t i = (least.index - edges(0, 0)) / 3, j = (least.index - edges(0, 0)) % 3;
   const auto off = [&](const ContactPoints<T>& points) {
-    return greater(outside(q.a, points.a), outside(q.b, points.b));
+    return greater(greater(outside(q.a, points.a), outside(q.b, points.b)), mismatch(points, least.overlap));
   };
   return least_of(points_of_lines(edge_along(q.a, i, n), q.a.axis[i], edge_along(q.b, j, back), q.b.axis[j]),
                   by_face_of_a(), by_face_of_b(), off);
@@ -325,7 +333,8 @@ ContactPoints<T> contact_points(const BoxAndTriangle<T>& q, const LeastAxis<T>& 
   if (!(dot(face, face) > 0)) return lines;
   const Vec3<T> normal = unit(face);
   const auto off = [&](const ContactPoints<T>& points) {
-    return greater(outside(q.box, points.a), outside(q.corner, normal, points.b));
+    return greater(greater(outside(q.box, points.a), outside(q.corner, normal, points.b)),
+                   mismatch(points, least.overlap));
   };
   return least_of(lines, by_face_of_box(), by_triangle(), off);
 }
