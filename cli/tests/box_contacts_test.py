@@ -65,7 +65,7 @@ class BoxContacts(Case):
             return {"m": [float(x).hex() for x in one["m"]], "s": [float(x).hex() for x in one["s"]],
                     "b": [[float(x).hex() for x in axis] for axis in one["b"]]}
         file = self.folder / "boxes.jsonl"
-        file.write_text("".join(json.dumps({"id": str(number), "test": "box-box", "precision": "binary32", "a": written(a), "b": written(b)}) + "\n"
+        file.write_text("".join(json.dumps({"id": str(number), "predicate": "box-box", "precision": "binary32", "a": written(a), "b": written(b)}) + "\n"
                                 for number, (a, b) in enumerate(made)))
         done = axiscert("check", file, "--kernel", kernel, "--format", "jsonl")
         self.assertIn(done.returncode, (0, 1), done.stderr)
