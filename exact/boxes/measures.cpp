@@ -94,8 +94,9 @@ std::vector<AxisRest> axis_rests(const ExactPair& q) {
     const Point along = direction(q, i);
     const Rational squared_length = dot(along, along), apart = dot(along, between);
     if (squared_length == 0) continue;
-    const Rational rest = extent_along(q.a, along) + extent_along(q.b, along) - abs(apart);
-    found.push_back({i, apart < 0 ? Point{} - along : along, apart == 0, rest, squared_length});
+    const Rational radii = extent_along(q.a, along) + extent_along(q.b, along), beside = abs(apart);
+    found.push_back(
+        {i, apart < 0 ? Point{} - along : along, apart == 0, radii - beside, radii + beside, squared_length});
   }
   return found;
 }
@@ -229,8 +230,9 @@ std::vector<AxisRest> axis_rests(const ExactBoxAndTriangle& q) {
     std::array<Rational, 3> at;
     for (std::size_t k = 0; k < 3; ++k) at[k] = dot(along, q.corner[k] - q.box.centre);
     const auto [least, greatest] = std::minmax_element(at.begin(), at.end());
-    const Rational ahead = *least, behind = -*greatest, rest = extent_along(q.box, along) - std::max(ahead, behind);
-    found.push_back({i, behind > ahead ? Point{} - along : along, behind == ahead, rest, squared_length});
+    const Rational ahead = *least, behind = -*greatest, half = extent_along(q.box, along);
+    found.push_back({i, behind > ahead ? Point{} - along : along, behind == ahead, half - std::max(ahead, behind),
+                     half - std::min(ahead, behind), squared_length});
   }
   return found;
 }

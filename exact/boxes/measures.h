@@ -35,12 +35,12 @@ Hull hull_of(const std::array<Point, 3>& corners);
 
 // An axis that is not 0, as the direction in which the second body comes to leave the first; `either_way`: so does its
 // opposite. `rest` is what is left of the extents beside the distance, times the axis' length: negative where it parts
-// them.
+// them. `back` is the same of the opposite direction, and no less.
 struct AxisRest {
   std::size_t index;
   Point along;
   bool either_way;
-  Rational rest, squared_length;
+  Rational rest, back, squared_length;
   Rational squared() const { return rest * rest / squared_length; }
 };
 std::vector<AxisRest> axis_rests(const ExactPair& q);

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 
+#include "exact/boxes/contact_judge.h"
 #include "exact/boxes/measures.h"
 #include "exact/boxes/truth.h"
 #include "exact/trait/oracles.h"
@@ -63,6 +65,10 @@ struct BoxTrait : Boxes {
 
   static ExactDepth exact_depth(const Numbers<double>& numbers) { return boxes::exact_depth(exactly(numbers)); }
   static Distance distance(const Numbers<double>& numbers) { return {squared_distance(exactly(numbers)), 0}; }
+  template <class Real>
+  static std::unique_ptr<ContactJudge> contact_judge(const Numbers<double>& numbers) {
+    return std::make_unique<BoxContactJudge<Real>>([numbers] { return ExactContact(exactly(numbers)); });
+  }
 
   // That of the half extent of A's first axis at which the boxes touch, in an entry that has it.
   static std::optional<Rational> squared_critical_length(const Numbers<double>& numbers)

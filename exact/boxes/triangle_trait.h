@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <memory>
 
+#include "exact/boxes/contact_judge.h"
 #include "exact/boxes/truth.h"
 #include "exact/boxes/measures.h"
 #include "exact/trait/oracles.h"
@@ -53,6 +55,10 @@ struct TriangleTrait : Entry {
 
   static ExactDepth exact_depth(const Numbers<double>& numbers) { return boxes::exact_depth(exactly(numbers)); }
   static Distance distance(const Numbers<double>& numbers) { return {squared_distance(exactly(numbers)), 0}; }
+  template <class Real>
+  static std::unique_ptr<ContactJudge> contact_judge(const Numbers<double>& numbers) {
+    return std::make_unique<BoxContactJudge<Real>>([numbers] { return ExactContact(exactly(numbers)); });
+  }
   static bool is_in_front(const Numbers<double>& numbers) {
     const ExactBoxAndTriangle q = exactly(numbers);
     const auto& [a, b, c] = q.corner;

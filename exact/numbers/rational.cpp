@@ -143,6 +143,7 @@ mpz_class power_of_ten(int n) {
 }  // namespace
 
 Rational exact(const Decimal6& d) {
+  if (d.is_zero()) return 0;
   Rational value(d.mantissa);
   const Rational power(power_of_ten(std::abs(d.exponent)));
   return d.exponent < 0 ? Rational(value / power) : Rational(value * power);

@@ -8,6 +8,7 @@
 #include "fuzz/boxes/quantities.h"
 #include "fuzz/boxes/slack_scenes.h"
 #include "fuzz/boxes/traits.h"
+#include "fuzz/diagnosis/contact_likenesses.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/meshes/mesh.h"
 #include "fuzz/queries/capabilities.h"
@@ -130,6 +131,74 @@ std::vector<ExactFact> facts_of_triangle(const Numbers<double>& q, std::size_t e
 
 }  // namespace
 
+}  // namespace axiscert
+
+namespace axiscert::boxes {
+// Numbers that kernels give in place of those of a contact.
+
+namespace {
+
+// Calls see(query) with the problem of the entry that has so many columns, of those given.
+template <class... Entries, class See>
+std::vector<double> seen_by_columns(const Numbers<double>& q, const See& see) {
+  std::vector<double> found;
+  const auto ask = [&]<class Entry>() {
+    if (Entry::description().entries[Entry::entry].columns.size() == q.size())
+      found = see(Entry::template problem<double>([&](std::size_t k) { return q[k]; }));
+  };
+  (ask.template operator()<Entries>(), ...);
+  return found;
+}
+
+Vec3<double> centre_of(const CornersBox<double>& box) { return (box.low + box.high) * 0.5; }
+template <class Box>
+Vec3<double> centre_of(const Box& box) {
+  return box.centre;
+}
+Vec3<double> centre_of_box(const CentredAndTriangle<double>& q) { return q.centre; }
+template <class Problem>
+Vec3<double> centre_of_box(const Problem& q) {
+  return q.box.centre;
+}
+
+std::vector<double> unit_numbers(const Vec3<double>& v) {
+  const double size = std::sqrt(dot(v, v));
+  return size > 0 ? std::vector{v.x / size, v.y / size, v.z / size} : std::vector<double>();
+}
+
+std::vector<double> from_centre_to_centre(const Numbers<double>& q) {
+  return seen_by_columns<MatrixBoxes, QuaternionBoxes, MinmaxBoxes, MixedBoxes>(
+      q, [](const auto& pair) { return unit_numbers(centre_of(pair.b) - centre_of(pair.a)); });
+}
+
+// The entries of a box by centre and by corners have as many columns: the first is taken.
+std::vector<double> from_centre_to_triangle(const Numbers<double>& q) {
+  return seen_by_columns<CentreEntry, OrientedEntry, TurnedEntry>(q, [](const auto& given) {
+    return unit_numbers((given.corner[0] + given.corner[1] + given.corner[2]) / 3.0 - centre_of_box(given));
+  });
+}
+
+}  // namespace
+
+std::span<const ContactLikeness* const> box_box_contact_likenesses() {
+  static constexpr ContactLikeness centres = {MeasureKind::normal, "of_centres", "It goes from centre to centre",
+                                              from_centre_to_centre};
+  static constexpr const ContactLikeness* all[] = {&centres};
+  return all;
+}
+
+std::span<const ContactLikeness* const> box_triangle_contact_likenesses() {
+  static constexpr ContactLikeness centres = {MeasureKind::normal, "of_centres",
+                                              "It goes from the centre of the box to the middle of the triangle",
+                                              from_centre_to_triangle};
+  static constexpr const ContactLikeness* all[] = {&centres};
+  return all;
+}
+
+}  // namespace axiscert::boxes
+
+namespace axiscert {
+
 // families/clear_boxes.cpp, families/clear_triangles.cpp
 std::span<const ImageGroup* const> box_box_image_groups();
 std::span<const ImageGroup* const> box_triangle_image_groups();
@@ -142,6 +211,7 @@ const Capabilities& box_box_capabilities() {
                                    .diagnosis_scenes = &box_scenes,
                                    .slack_scenes = &box_box_slack_scenes,
                                    .traits = &box_box_traits(),
+                                   .contact_likenesses = boxes::box_box_contact_likenesses(),
                                    .exact_facts = facts_of_pair};
   return all;
 }
@@ -155,6 +225,7 @@ const Capabilities& box_triangle_capabilities() {
                                    .diagnosis_scenes = &box_scenes,
                                    .slack_scenes = &box_triangle_slack_scenes,
                                    .traits = &box_triangle_traits(),
+                                   .contact_likenesses = boxes::box_triangle_contact_likenesses(),
                                    .exact_facts = facts_of_triangle};
   return all;
 }

@@ -184,6 +184,20 @@ ProbeFinding separations(Subject<Real>& subject) {
                              margin < 0 ? "less" : "more", std::fabs(margin)),
                  std::move(numbers));
   }
+  std::vector<double> factors;
+  for (const Judged<Real>& one : all) {
+    if (*one.exact.separation != 0) factors.push_back(given(one) / *one.exact.separation);
+  }
+  const double factor = factors.empty() ? 1 : median(factors);
+  if (holds_on_most(
+          count([&](const Judged<Real>& one) { return is_off_by(one, (factor - 1) * *one.exact.separation); }),
+          all.size())) {
+    Json numbers = measured;
+    numbers["factor"] = factor;
+    return found(Separations::scaled,
+                 fmt::format("Its separations are {:.3g} times what they are, everywhere.", factor),
+                 std::move(numbers));
+  }
   return found(Separations::wrong,
                fmt::format("{} of {} separations on clear queries are wrong, by up to {:.3g} of the scene: no rule.",
                            wrong, all.size(), shown->found.separation->share),
@@ -285,8 +299,10 @@ ProbeFinding contact_points(Subject<Real>& subject) {
   std::vector<Judged<Real>> all = judged_queries(subject);
   const auto error = [&](const Judged<Real>& one) {
     const ContactJudgement& found = one.found;
-    return has_pair ? std::max(found.point_a_error.value_or(0), found.point_b_error.value_or(0))
-                    : found.point_error.value_or(0);
+    const double off = found.point_error.value_or(0);
+    if (!has_pair) return off;
+    return std::max(
+        {off, found.point_a_error.value_or(0), found.point_b_error.value_or(0), found.points_apart.value_or(0)});
   };
   std::erase_if(all,
                 [&](const Judged<Real>& one) { return has_pair ? !one.found.point_b_error : !one.found.point_error; });
@@ -304,6 +320,25 @@ ProbeFinding contact_points(Subject<Real>& subject) {
     return decided(value_named<Points>(like->value),
                    fmt::format("{}: so on {} of {} clear queries.", like->sentence, wrong, all.size()), witnesses,
                    measured);
+  if (has_pair) {
+    // Where the exact ones are known and more than a rounding apart.
+    const std::size_t first = *first_measure(subject.predicate(), MeasureKind::point_a),
+                      second = *first_measure(subject.predicate(), kind);
+    std::size_t known = 0, exchanged = 0;
+    for (const Judged<Real>& one : all) {
+      if (!is_wrong(one) || !one.exact.point || !one.exact.point_b) continue;
+      const auto at = [&](std::size_t place, const std::array<double, 3>& point) {
+        return is_like({point.begin(), point.end()}, std::span(one.measures).subspan(place, 3), 16 * small<Real>);
+      };
+      ++known;
+      exchanged += at(first, *one.exact.point_b) && at(second, *one.exact.point);
+    }
+    if (known >= fewest && holds_on_most(exchanged, known))
+      return decided(
+          Points::exchanged,
+          fmt::format("It says of each body the point of the other: so on {} of {} clear queries.", exchanged, known),
+          witnesses, measured);
+  }
   return decided(Points::wrong,
                  fmt::format("{} of {} points on clear queries are wrong, by up to {:.3g} of the scene: no rule.",
                              wrong, all.size(), error(*shown)),

@@ -1,5 +1,6 @@
 // The description and the kernels of a box and a triangle.
 #include "kernel/boxes/akenine_moller.h"
+#include "kernel/boxes/contact.h"
 #include "kernel/boxes/thirteen.h"
 
 namespace axiscert {
@@ -70,7 +71,7 @@ Predicate box_triangle_described() {
                    turned_columns()}},
       .comparisons = {},
       .clauses = {},
-      .measures = {},
+      .measures = boxes::measures_of_contacts("of the box's point", "of the triangle's point"),
       .has_front = true,
   };
   for (std::size_t i = 0; i < boxes::thirteen_count; ++i) {
@@ -91,22 +92,23 @@ const Predicate& box_triangle_predicate() {
 
 std::vector<Kernel> box_triangle_kernels() {
   return {
-      formulae_kernel<CentreEntry, TextbookThirteen>("box-triangle/textbook",
-                                                     "thirteen axes, terms that are 0 left out, as in books"),
+      formulae_kernel<CentreEntry, WithTriangleContact<TextbookThirteen>>(
+          "box-triangle/textbook",
+          "thirteen axes, terms that are 0 left out, as in books; numbers by the least of them"),
       formulae_kernel<CentreEntry, AkenineMoller>(
           "box-triangle/akenine-moller", "the same axes as the paper's program has them (Akenine-Moller, 2001)"),
       formulae_kernel<CentreEntry, Thirteen>("box-triangle/thirteen", "the same, products of the edges, all terms"),
-      formulae_kernel<MinmaxEntry, TextbookThirteen>("box-triangle/textbook-minmax",
-                                                     "textbook, centre and half extents computed of two corners"),
+      formulae_kernel<MinmaxEntry, WithTriangleContact<TextbookThirteen>>(
+          "box-triangle/textbook-minmax", "textbook, centre and half extents computed of two corners"),
       formulae_kernel<MinmaxEntry, AkenineMoller>("box-triangle/akenine-moller-minmax",
                                                   "akenine-moller, centre and half extents computed of two corners"),
       formulae_kernel<MinmaxEntry, Thirteen>("box-triangle/thirteen-minmax", "thirteen, of two corners"),
-      formulae_kernel<OrientedEntry, FramedThirteen>("box-triangle/textbook-oriented",
-                                                     "the triangle in the frame of an oriented box, then textbook"),
+      formulae_kernel<OrientedEntry, WithTriangleContact<FramedThirteen>>(
+          "box-triangle/textbook-oriented", "the triangle in the frame of an oriented box, then textbook"),
       formulae_kernel<OrientedEntry, Thirteen>("box-triangle/thirteen-oriented",
                                                "thirteen, products of the box's own vectors: right over the reals"),
-      formulae_kernel<TurnedEntry, TurnedThirteen>("box-triangle/textbook-turned",
-                                                   "textbook-oriented, the quaternion turned into a matrix"),
+      formulae_kernel<TurnedEntry, WithTriangleContact<TurnedThirteen>>(
+          "box-triangle/textbook-turned", "textbook-oriented, the quaternion turned into a matrix"),
       formulae_kernel<TurnedEntry, Thirteen>("box-triangle/thirteen-turned",
                                              "thirteen-oriented, the quaternion turned into a matrix"),
   };

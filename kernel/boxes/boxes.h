@@ -12,6 +12,9 @@ const Predicate& box_box_predicate();
 
 namespace boxes {
 
+// The numbers beside a verdict, in words for the second body: "B".
+std::vector<PredicateMeasure> measures_of_contacts(std::string_view point_a, std::string_view point_b);
+
 using portable::cross, portable::dot, portable::magnitude, portable::Vec3;
 
 // The closed body of all points centre + sum of t_k half_k axis_k with |t_k| <= 1, the numbers taken as exact. The half

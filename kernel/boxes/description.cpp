@@ -74,7 +74,7 @@ Predicate box_box_described() {
                    mixed_columns()}},
       .comparisons = {},
       .clauses = {},
-      .measures = {},
+      .measures = boxes::measures_of_contacts("of A's point", "of B's point"),
       .greatest_depth = 1.58,
   };
   for (std::size_t i = 0; i < boxes::axis_count; ++i) {
@@ -85,6 +85,30 @@ Predicate box_box_described() {
 }
 
 }  // namespace
+
+std::vector<PredicateMeasure> boxes::measures_of_contacts(std::string_view point_a, std::string_view point_b) {
+  constexpr std::string_view normal = "of the unit vector in which the second body is pushed",
+                             angle =
+                                 "of the three, the angle in radians where one axis is least; and what a push by the "
+                                 "exact depth leaves of it",
+                             distance =
+                                 "of the three, the distance from its body, relative to the scene, as a depth; and "
+                                 "how far both are from as far apart as the separation is";
+  return {{"separation",
+           "distance of bodies apart, less the penetration of others, in the unit of the coordinates; NaN: "
+           "none is given",
+           "relative to the scene, in ulps of the number nearest to the exact one, and in u of the scene",
+           MeasureKind::separation},
+          {"normal_x", normal, angle, MeasureKind::normal},
+          {"normal_y", normal, angle, MeasureKind::normal},
+          {"normal_z", normal, angle, MeasureKind::normal},
+          {"point_a_x", point_a, distance, MeasureKind::point_a},
+          {"point_a_y", point_a, distance, MeasureKind::point_a},
+          {"point_a_z", point_a, distance, MeasureKind::point_a},
+          {"point_b_x", point_b, distance, MeasureKind::point_b},
+          {"point_b_y", point_b, distance, MeasureKind::point_b},
+          {"point_b_z", point_b, distance, MeasureKind::point_b}};
+}
 
 const Predicate& box_box_predicate() {
   static const Predicate predicate = box_box_described();

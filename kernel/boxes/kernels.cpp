@@ -1,3 +1,4 @@
+#include "kernel/boxes/contact.h"
 #include "kernel/boxes/textbook.h"
 #include "kernel/boxes/projected.h"
 #include "kernel/boxes/simd.h"
@@ -30,10 +31,10 @@ template <class F>
 Kernel of_quaternions(std::string id, std::string summary) {
   return formulae_kernel<QuaternionBoxes, F>(std::move(id), std::move(summary));
 }
-template <class F>
+template <class F, class Formulae = ByMatrices<F>>
 Kernel turned() {
-  return of_quaternions<ByMatrices<F>>("box-box/" + std::string(F::name) + "-turned",
-                                       std::string(F::name) + ", each quaternion turned into a matrix");
+  return of_quaternions<Formulae>("box-box/" + std::string(F::name) + "-turned",
+                                  std::string(F::name) + ", each quaternion turned into a matrix");
 }
 
 template <class F>
@@ -41,10 +42,10 @@ Kernel of_corners(std::string_view summary) {
   return formulae_kernel<MinmaxBoxes, F>("box-box/" + std::string(F::name) + "-minmax", std::string(summary));
 }
 
-template <class F>
+template <class F, class Formulae = ByMatrices<F>>
 Kernel of_both() {
-  return formulae_kernel<MixedBoxes, ByMatrices<F>>("box-box/" + std::string(F::name) + "-mixed",
-                                                    std::string(F::name) + ", A by two corners and B by a quaternion");
+  return formulae_kernel<MixedBoxes, Formulae>("box-box/" + std::string(F::name) + "-mixed",
+                                               std::string(F::name) + ", A by two corners and B by a quaternion");
 }
 
 }  // namespace
@@ -60,8 +61,13 @@ std::vector<Kernel> box_box_kernels() {
       of_matrices<Rtcd>("textbook, 2^-23 added to |R|"),
       of_matrices<Gottschalk>("textbook, 1e-6 added to |R|"),
       of_matrices<Bullet>("textbook, on the edges 1e-5 added to |R| and more than 2^-23 asked"),
-      with_lane_forms(of_matrices<Cofactor>("textbook, cofactors of R for R in B's radius on the edges; no epsilon"),
-                      simd_cofactor),
+      with_lane_forms(
+          of_matrices<WithContact<Cofactor>>("textbook, cofactors of R for R in B's radius on the edges; no "
+                                             "epsilon; numbers by the least of the axes"),
+          simd_cofactor),
+      formulae_kernel<MatrixBoxes, WithContact<Cofactor, 105>>(
+          "box-box/favours-facets",
+          "cofactor, and numbers as engines have them: an edge axis has to be less than a facet's by 5%"),
       of_matrices<SlipOfTheBook>("textbook with a slip: t[1] = T.a2 (the book's first printing)"),
       of_matrices<SlipOfTheFrame>("textbook with a slip: T is not turned into A's frame"),
       of_matrices<SlipOfEpsilon>("textbook with a slip: an epsilon of 2^-149, C#'s float.Epsilon"),
@@ -76,15 +82,15 @@ std::vector<Kernel> box_box_kernels() {
       turned<Rtcd>(),
       turned<Gottschalk>(),
       turned<Bullet>(),
-      turned<Cofactor>(),
+      turned<Cofactor, WithContact<ByMatrices<Cofactor>>>(),
       of_quaternions<Homogeneous>("box-box/homogeneous", "textbook of quaternions, multiplied out: no division"),
       of_corners<Intervals>("the mins and maxes of two upright boxes compared: nothing is rounded"),
       of_corners<ByMatrices<ProjectedFifteen>>("projected, centre and half extents computed of two corners"),
       of_corners<ByMatrices<Textbook>>("textbook, centre and half extents computed of two corners"),
-      of_corners<ByMatrices<Cofactor>>("cofactor, centre and half extents computed of two corners"),
+      of_corners<WithContact<ByMatrices<Cofactor>>>("cofactor, centre and half extents computed of two corners"),
       of_both<ProjectedFifteen>(),
       of_both<Textbook>(),
-      of_both<Cofactor>(),
+      of_both<Cofactor, WithContact<ByMatrices<Cofactor>>>(),
   };
 }
 

@@ -19,4 +19,9 @@ constexpr std::size_t edges(std::size_t i, std::size_t j) { return 6 + 3 * i + j
 constexpr std::size_t next(std::size_t k) { return (k + 1) % 3; }
 constexpr std::size_t last(std::size_t k) { return (k + 2) % 3; }
 
+// Where the measures of each kind begin, of two boxes and of a box and a triangle: a separation, a normal of three, and
+// a point of three of each body.
+inline constexpr std::size_t separation_measure = 0, normal_measure = 1, point_a_measure = 4, point_b_measure = 7,
+                             contact_measures = 10;
+
 }  // namespace axiscert::boxes

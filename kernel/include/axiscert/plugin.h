@@ -154,7 +154,11 @@ typedef struct axiscert_answers {
    *   2, 3, 4     normal: unit vector from the triangle's nearest point to the centre then
    *   5, 6, 7     point: the triangle's point
    * Those of sphere-triangle stand beside both verdicts: the same, of the sphere as it is, with
-   *   0 separation   distance of the centre less the radius: below 0 where the two overlap */
+   *   0 separation   distance of the centre less the radius: below 0 where the two overlap
+   * Those of box-box and box-triangle stand beside both verdicts too:
+   *   0 separation   distance of the two, or less their penetration
+   *   1, 2, 3        normal: unit vector in which the second is pushed
+   *   4 to 6, 7 to 9 a point of the first, and one of the second */
   size_t measure_count;
   void* const* measure;
 } axiscert_answers;
@@ -228,9 +232,10 @@ AXISCERT_EXPORT const axiscert_kernel* axiscert_plugin(uint32_t index);
   AXISCERT_I_PLUGIN(real, kernel_name, one_query, AXISCERT_I_GIVE_none, , AXISCERT_I_BOX_TRIANGLE_##entry)
 
 /* All that those can be, and more. `predicate` is TRIANGLE (whose entry is vertices), MOTION, BOX or BOX_TRIANGLE.
- * `gives` is none, time or separation (the first measure), all, or comparisons: then the last argument of the function
- * is a `uint64_t* comparisons`, 0 before, whose bits it sets, and a kernel of another predicate than sphere-triangle
- * declares formulae or conforms_to. `declarations` are any number of AXISCERT_DECLARE(member, value), of
+ * `gives` is none, time or separation (the first measure), all, of two bodies pair (real* separation, real normal[3],
+ * real point_a[3], real point_b[3]), or comparisons: then the last argument of the function is a `uint64_t*
+ * comparisons`, 0 before, whose bits it sets, and a kernel of another predicate than sphere-triangle declares formulae
+ * or conforms_to. `declarations` are any number of AXISCERT_DECLARE(member, value), of
  * axiscert_kernel: AXISCERT_PLUGIN_OF(float, "my-boxes", my_boxes, BOX, matrix, comparisons,
  *                        AXISCERT_DECLARE(conforms_to, "box-box/cofactor"))
  */
@@ -279,8 +284,10 @@ AXISCERT_EXPORT const axiscert_kernel* axiscert_plugin(uint32_t index);
 #define AXISCERT_I_GIVE_separation(real, one_query, ...) AXISCERT_I_MEASURED(real, one_query, __VA_ARGS__, axiscert_i_m)
 #define AXISCERT_I_GIVE_all(real, one_query, ...) \
   AXISCERT_I_MEASURED(real, one_query, __VA_ARGS__, axiscert_i_m, axiscert_i_m + 1, axiscert_i_m + 2, axiscert_i_m + 5)
+#define AXISCERT_I_GIVE_pair(real, one_query, ...) \
+  AXISCERT_I_MEASURED(real, one_query, __VA_ARGS__, axiscert_i_m, axiscert_i_m + 1, axiscert_i_m + 4, axiscert_i_m + 7)
 #define AXISCERT_I_MEASURED(real, one_query, ...)                                                  \
-  real axiscert_i_m[8];                                                                            \
+  real axiscert_i_m[10];                                                                           \
   for (axiscert_i_k = 0; axiscert_i_k < sizeof axiscert_i_m; ++axiscert_i_k) {                     \
     ((unsigned char*)axiscert_i_m)[axiscert_i_k] = 0xff;                                           \
   }                                                                                                \
@@ -294,6 +301,7 @@ AXISCERT_EXPORT const axiscert_kernel* axiscert_plugin(uint32_t index);
 #define AXISCERT_I_DECLARE_time AXISCERT_DECLARE(measure_count, 1)
 #define AXISCERT_I_DECLARE_separation AXISCERT_DECLARE(measure_count, 1)
 #define AXISCERT_I_DECLARE_all AXISCERT_DECLARE(measure_count, 8)
+#define AXISCERT_I_DECLARE_pair AXISCERT_DECLARE(measure_count, 10)
 
 /* The batch function, and the kernel around it; the last arguments are those of an entry. */
 #define AXISCERT_I_BATCH(batch_function, real, one_query, give, ...) \

@@ -6,10 +6,12 @@
 // the peer is `undecided`, which every one of these declares.
 //
 // A peer is a type with a number type `Real` and `int operator()(const Boxes<Real>&)`, which returns an
-// axiscert_verdict. It lives for one batch, and keeps nothing from query to query.
+// axiscert_verdict. It lives for one batch, and keeps nothing from query to query. One that says more than its verdict
+// has a constant `measure_count` and takes a BoxContact<Real>& too.
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "kernel/peers/peer.h"
 
@@ -58,6 +60,32 @@ Real row(const Box<Real>& box, std::size_t i, std::size_t k) {
   return i == 0 ? column.x : i == 1 ? column.y : column.z;
 }
 
+// What a library says of a contact, turned to one convention; what it does not say is NaN. Of several contacts it is
+// the deepest, the first of those. The members stand in the order of the predicate's measures, of which a peer gives
+// the first `measure_count`.
+template <class Real>
+struct BoxContact {
+  static constexpr Real unsaid = std::numeric_limits<Real>::quiet_NaN();
+  Real separation = unsaid;                       // minus the depth
+  Vec3<Real> normal = {unsaid, unsaid, unsaid};   // in which B is pushed
+  Vec3<Real> point_a = {unsaid, unsaid, unsaid};  // of A
+  Vec3<Real> point_b = {unsaid, unsaid, unsaid};
+
+  // Whether this contact is deeper than what there is, or the first.
+  bool is_new_deepest(Real at) const { return !(separation <= at); }
+  std::array<Real, 10> in_order() const {
+    return {separation, normal.x, normal.y, normal.z, point_a.x, point_a.y, point_a.z, point_b.x, point_b.y, point_b.z};
+  }
+};
+// Where a library says a separation and a normal, and one point that it does not give to either body.
+inline constexpr std::size_t contact_without_points = 4, whole_contact = 10;
+
+template <class Peer>
+constexpr std::size_t measures_of() {
+  if constexpr (requires { Peer::measure_count; }) return Peer::measure_count;
+  else return 0;
+}
+
 // Answers a batch of queries in `Input`, whose numbers are exact in the peer's own number type.
 template <class Peer, std::floating_point Input>
 void run_boxes(const axiscert_batch* batch, const axiscert_answers* answers) {
@@ -75,15 +103,22 @@ void run_boxes(const axiscert_batch* batch, const axiscert_answers* answers) {
       is_query = is_query && box->half.x >= 0 && box->half.y >= 0 && box->half.z >= 0;
     }
     int verdict = AXISCERT_INVALID;
+    BoxContact<Real> contact;
     if (is_query) {
       verdict = AXISCERT_UNDECIDED;
       if (is_nearly_orthonormal(q.a) && is_nearly_orthonormal(q.b)) {
         make_right_handed(q.a);
         make_right_handed(q.b);
-        verdict = peer(q);
+        if constexpr (measures_of<Peer>() == 0) verdict = peer(q);
+        else verdict = peer(q, contact);
       }
     }
     answers->verdict[i] = static_cast<std::uint8_t>(verdict);
+    if (verdict != AXISCERT_CONTACT) contact = {};
+    const auto measures = contact.in_order();
+    for (std::size_t k = 0; k < answers->measure_count; ++k) {
+      static_cast<Input*>(answers->measure[k])[i] = static_cast<Input>(measures[k]);
+    }
   }
 }
 
@@ -93,6 +128,7 @@ const axiscert_kernel* boxes_kernel(std::uint32_t index, const Description& says
     axiscert_kernel made = verdict_kernel<Input>(says, boxes_columns, run_boxes<Peer, Input>);
     made.predicate = "box-box";
     made.entry = "matrix";
+    made.measure_count = measures_of<Peer>();
     made.may_decline = 1;
     return made;
   });

@@ -99,6 +99,40 @@ std::string ask_boxes(const std::string& name, const std::vector<Boxes<double>>&
   return reply.bytes;
 }
 
+// The measures that a peer gives of one query in double; none where it gives none, or no kernel in double.
+std::vector<double> ask_numbers(const std::string& name, const Boxes<double>& q) {
+  const Reply reply = in_peer("box-box/" + name, [&](AxiscertPlugin* plugin) -> std::string {
+    const axiscert_kernel* kernel = plugin(1);
+    if (kernel == nullptr) return "";
+    std::vector<double> numbers;
+    for (const Box<double>* box : {&q.a, &q.b}) {
+      for (const Vec3<double>& v : {box->centre, box->half, box->axis[0], box->axis[1], box->axis[2]})
+        numbers.insert(numbers.end(), {v.x, v.y, v.z});
+    }
+    std::vector<const void*> columns;
+    for (const double& x : numbers) columns.push_back(&x);
+    std::vector<double> given(kernel->measure_count);
+    std::vector<void*> measures;
+    for (double& x : given) measures.push_back(&x);
+    std::uint8_t verdict = 255;
+    const axiscert_batch asked{sizeof asked, 1, columns.size(), columns.data()};
+    axiscert_answers answers{};
+    answers.size = sizeof answers;
+    answers.verdict = &verdict;
+    answers.measure_count = given.size();
+    answers.measure = measures.data();
+    kernel->run(&asked, &answers);
+    std::string text;
+    for (const double x : given) text += fmt::format("{} ", x);
+    return text;
+  });
+  EXPECT_EQ(reply.signal, 0) << name;
+  std::istringstream words(reply.bytes);
+  std::vector<double> found;
+  for (std::string word; words >> word;) found.push_back(std::stod(word));
+  return found;
+}
+
 class BoxPeer : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(All, BoxPeer, testing::ValuesIn(built_names()), [](const auto& parameter) {
   std::string name = parameter.param;
@@ -144,6 +178,37 @@ TEST_P(BoxPeer, RefusesNumbersThatAreNotAQueryOrNotARotation) {
   if (GetParam() != "ode-unimportant") {
     EXPECT_EQ(ask_boxes<float>(GetParam(), queries).back(), 'c');
   }
+}
+
+// One convention for all: the depth as a negative separation, the normal in which B is pushed, and a point of each box.
+TEST_P(BoxPeer, TurnsItsNumbersToOneConvention) {
+  const Boxes<double> q{cube({0, 0, 0}), cube({0.5, 0.25, 1.875})};
+  const std::vector<double> found = ask_numbers(GetParam(), q);
+  if (found.empty()) return;
+  EXPECT_TRUE(found.size() == 4 || found.size() == 10) << found.size();
+  // MuJoCo's depth of two faces is half of what it is: below.
+  if (GetParam() != "mujoco") {
+    EXPECT_NEAR(found[0], -0.125, 1e-6);
+  }
+  EXPECT_NEAR(found[1], 0, 1e-6);
+  EXPECT_NEAR(found[2], 0, 1e-6);
+  EXPECT_NEAR(found[3], 1, 1e-6);
+  if (found.size() != 10 || GetParam() == "mujoco") return;
+  EXPECT_NEAR(found[6], 1, 1e-6) << "the top of A";
+  EXPECT_NEAR(found[9], 0.875, 1e-6) << "the bottom of B";
+}
+
+// MuJoCo 2.2.2 says half of the depth where a face decides, in the middle of both surfaces, and the whole of it where
+// two edges do.
+TEST(BoxPeerFaults, MujocoHalvesTheDepthOfFaces) {
+  if (!is_built("mujoco")) return;
+  const std::vector<double> faces = ask_numbers("mujoco", {cube({0, 0, 0}), cube({0.5, 0.25, 1.875})});
+  EXPECT_NEAR(faces[0], -0.0625, 1e-12);
+  EXPECT_NEAR(faces[6], 0.96875, 1e-12);
+  EXPECT_NEAR(faces[9], 0.90625, 1e-12);
+  const std::vector<double> edges =
+      ask_numbers("mujoco", {cube({0, 0, 0}, turned_by(45, 0, 0)), cube({0.1, 0.2, 2.5}, turned_by(0, 45, 0))});
+  EXPECT_NEAR(edges[0], 2.5 - 2 * std::sqrt(2.0), 1e-9);
 }
 
 // Two unit cubes, one a quarter turn further than the other, overlapping by 0.985: ODE finds no contact, and of the two

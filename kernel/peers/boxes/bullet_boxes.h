@@ -15,8 +15,9 @@ namespace axiscert::peer {
 
 struct BulletBoxes {
   using Real = btScalar;
+  static constexpr std::size_t measure_count = whole_contact;
 
-  int operator()(const Boxes<btScalar>& q) const {
+  int operator()(const Boxes<btScalar>& q, BoxContact<btScalar>& contact) const {
     btBoxShape a(vector(q.a.half)), b(vector(q.b.half));
     btBoxBoxDetector detector(&a, &b);
     btDiscreteCollisionDetectorInterface::ClosestPointInput input;
@@ -25,6 +26,7 @@ struct BulletBoxes {
     input.m_maximumDistanceSquared = BT_LARGE_FLOAT;
     Points points;
     detector.getClosestPoints(input, points, nullptr);
+    contact = points.deepest;
     return points.is_nan ? AXISCERT_INVALID : verdict_of(points.count > 0);
   }
 
@@ -32,14 +34,20 @@ struct BulletBoxes {
   struct Points : btDiscreteCollisionDetectorInterface::Result {
     int count = 0;
     bool is_nan = false;
+    BoxContact<btScalar> deepest;
     void setShapeIdentifiersA(int, int) override {}
     void setShapeIdentifiersB(int, int) override {}
-    void addContactPoint(const btVector3&, const btVector3&, btScalar depth) override {
+    // The normal is that of B's surface, and the point is B's; A's is beyond it by the depth, which is negative.
+    void addContactPoint(const btVector3& normal, const btVector3& at_b, btScalar depth) override {
       ++count;
       is_nan = is_nan || std::isnan(depth);
+      if (!deepest.is_new_deepest(depth)) return;
+      const btVector3 at_a = at_b + normal * depth;
+      deepest = {depth, plain(-normal), plain(at_a), plain(at_b)};
     }
   };
 
+  static Vec3<btScalar> plain(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
   static btVector3 vector(const Vec3<btScalar>& v) { return {v.x, v.y, v.z}; }
   static btTransform placed(const Box<btScalar>& box) {
     btMatrix3x3 rows;

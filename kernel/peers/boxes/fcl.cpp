@@ -7,12 +7,20 @@ namespace {
 
 struct FclBoxes {
   using Real = double;
+  // It says one point, and not of which body.
+  static constexpr std::size_t measure_count = contact_without_points;
 
-  int operator()(const Boxes<double>& q) const {
+  int operator()(const Boxes<double>& q, BoxContact<double>& contact) const {
     const fcl::Box<double> a(fcl_vector(q.a.half) * 2), b(fcl_vector(q.b.half) * 2);
-    const fcl::CollisionRequest<double> asked;
+    const fcl::CollisionRequest<double> asked(8, true);
     fcl::CollisionResult<double> found;
     fcl::collide<double>(&a, placed(q.a), &b, placed(q.b), asked, found);
+    for (std::size_t i = 0; i < found.numContacts(); ++i) {
+      const fcl::Contact<double>& one = found.getContact(i);
+      if (!contact.is_new_deepest(-one.penetration_depth)) continue;
+      contact.separation = -one.penetration_depth;
+      contact.normal = {one.normal.x(), one.normal.y(), one.normal.z()};
+    }
     return verdict_of(found.isCollision());
   }
 

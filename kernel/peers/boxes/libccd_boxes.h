@@ -35,4 +35,24 @@ inline ccd_t two_boxes() {
   return ccd;
 }
 
+// The verdict of a function that answers yes or no, and of boxes in contact what the penetration's says: it is a second
+// question, and may be answered by no. It says one point, and not of which body.
+template <auto intersect, auto penetrate>
+struct LibccdBoxes {
+  using Real = double;
+  static constexpr std::size_t measure_count = contact_without_points;
+
+  int operator()(const Boxes<double>& q, BoxContact<double>& contact) const {
+    const ccd_t ccd = two_boxes();
+    if (intersect(&q.a, &q.b, &ccd) == 0) return AXISCERT_SEPARATED;
+    ccd_real_t depth = 0;
+    ccd_vec3_t way, place;
+    if (penetrate(&q.a, &q.b, &ccd, &depth, &way, &place) == 0) {
+      contact.separation = -depth;
+      contact.normal = {way.v[0], way.v[1], way.v[2]};
+    }
+    return AXISCERT_CONTACT;
+  }
+};
+
 }  // namespace axiscert::peer

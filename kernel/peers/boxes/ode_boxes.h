@@ -38,8 +38,10 @@ template <int flags>
 class OdeBoxes {
  public:
   using Real = double;
+  // It says one point, which is of B, or of two edges the middle of one of each, and does not say which.
+  static constexpr std::size_t measure_count = contact_without_points;
 
-  int operator()(const Boxes<double>& q) const {
+  int operator()(const Boxes<double>& q, BoxContact<double>& contact) const {
     if (!ode_.is_ready()) return AXISCERT_UNDECIDED;
     const dGeomID a = placed(q.a), b = placed(q.b);
     dContactGeom contacts[8];
@@ -47,7 +49,11 @@ class OdeBoxes {
     dGeomDestroy(a);
     dGeomDestroy(b);
     for (int i = 0; i < count; ++i) {
-      if (std::isnan(contacts[i].depth)) return AXISCERT_INVALID;
+      const dContactGeom& one = contacts[i];
+      if (std::isnan(one.depth)) return AXISCERT_INVALID;
+      if (!contact.is_new_deepest(-one.depth)) continue;
+      contact.separation = -one.depth;
+      contact.normal = {-one.normal[0], -one.normal[1], -one.normal[2]};  // its own pushes A
     }
     return verdict_of(count > 0);
   }

@@ -1,0 +1,91 @@
+// The numbers beside the verdict of two boxes, or of a box and a triangle, exactly: separation, normals and points, and
+// how far a given normal and given points are from being right.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "exact/boxes/measures.h"
+
+namespace axiscert::boxes {
+
+// A direction in which the second body can be pushed, as one of the axes has it: after `rest / |along|` of it that axis
+// parts the bodies. `rest` is negative where it parts them already.
+struct Push {
+  Point along;
+  Rational rest, squared_length;
+  Rational squared;  // of that length of the push, in contact
+};
+
+// The second body less `way` touches the first where they are apart; with it added where they are in contact. No
+// shorter way does it.
+class ExactContact {
+ public:
+  explicit ExactContact(const ExactPair& q);
+  explicit ExactContact(const ExactBoxAndTriangle& q);
+
+  // Apart, with a distance above 0. Touching bodies are not: their distance is 0, and so is their penetration.
+  bool is_apart() const { return is_apart_; }
+  // The square of the separation: of the distance where apart, else of the penetration.
+  const Rational& squared_separation() const { return squared_; }
+  const Rational& squared_scene() const { return scene_; }
+
+  // Every direction in which a push as long as the penetration parts them, each once; of bodies apart, the one from the
+  // nearest point of the first to that of the second. They are of any length.
+  const std::vector<Point>& normals() const { return normals_; }
+  // That one; empty where there are several.
+  std::optional<Point> only_normal() const;
+  // The axes that decide, as deciding() has them.
+  const std::vector<std::size_t>& least_axes() const { return least_axes_; }
+
+  // The point of each body that touches the other after the way of the only normal; empty where other pairs do too, or
+  // there are several normals. Found when it is asked for first.
+  const std::optional<NearestPair>& only_points() const;
+
+  // What is left of the penetration, as a share of it, when the second body is pushed by the exact penetration along a
+  // vector n that is not 0: the least over all pushes u of (rest_u / |u| - d u.n / |u| |n|) / d, d the penetration.
+  // It is at most 2, 0 exactly where n has one of the directions `normals`, and at most 1 - cos(t) at an angle t to
+  // one. Rounded up once: it is above a number F of at most six digits exactly where the share is. Precondition: in
+  // contact, and the penetration is not 0.
+  Decimal6 left(const Point& n) const;
+  // The sign of that share less F.
+  int compare_left(const Point& n, const Rational& f) const;
+
+  // The square of a point's distance from its body.
+  Rational squared_distance_from_a(const Point& p) const { return in_squares(squared_distance({p * unit_}, a_)); }
+  Rational squared_distance_from_b(const Point& p) const { return in_squares(squared_distance({p * unit_}, b_)); }
+
+  // | |a - b| - |separation| |, relatively to 2^-240; with |a - b| as negative where `turned`.
+  Rational mismatch(const Point& a, const Point& b, bool turned = false) const;
+
+ private:
+  // The bodies in units of length that make all numbers integers: quotients of rationals would take twice as long.
+  template <class Bodies>
+  struct InUnits;
+  template <class Bodies>
+  explicit ExactContact(const InUnits<Bodies>& q);
+  Rational in_squares(const Rational& squared) const { return squared / (unit_ * unit_); }
+  void find_apart();
+  void find_in_contact();
+  std::optional<NearestPair> touching_points() const;
+  const Push& least() const { return pushes_[least_]; }
+  // That of one push, relatively to 2^-240: a sum of two shares that are not negative. The first alone is above `share`
+  // where the push is longer than 1 + share times the least.
+  Rational approximate_left(const Push& push, const Point& n) const;
+  bool is_longer(const Push& push, const Rational& share) const {
+    return push.squared > (1 + share) * (1 + share) * least().squared;
+  }
+
+  Rational unit_;  // so many units are 1; the bodies and the pushes are in units
+  Hull a_, b_;
+  std::vector<Push> pushes_;  // both ways of each axis
+  std::size_t least_ = 0;
+  Rational scene_, squared_;
+  bool is_apart_ = false;
+  std::vector<Point> normals_;
+  std::vector<std::size_t> least_axes_;
+  std::optional<NearestPair> nearest_;  // of bodies apart
+  mutable std::optional<std::optional<NearestPair>> points_;
+};
+
+}  // namespace axiscert::boxes
