@@ -47,6 +47,23 @@ std::vector<ColumnGroup> groups_of(const PredicateEntry& entry) {
   return groups;
 }
 
+std::optional<std::size_t> first_measure(const Predicate& predicate, MeasureKind kind) {
+  for (std::size_t k = 0; k < predicate.measures.size(); ++k) {
+    if (predicate.measures[k].kind == kind) return k;
+  }
+  return std::nullopt;
+}
+
+bool gives_measure(const Predicate& predicate, std::size_t count, MeasureKind kind) {
+  bool is_there = false;
+  for (std::size_t k = 0; k < predicate.measures.size(); ++k) {
+    if (predicate.measures[k].kind != kind) continue;
+    if (k >= count) return false;
+    is_there = true;
+  }
+  return is_there;
+}
+
 Predicate checked(Predicate predicate) {
   if (predicate.entries.empty())
     throw HarnessFault(fmt::format("predicate '{}' has no entry; at least one", predicate.id));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -56,10 +57,29 @@ struct PredicateClause {
   ComparisonBits comparisons;  // the clause holds where all of these do; bit i is comparison i
 };
 
+// The meaning of a number beside the verdict decides how it is judged (exact/judge/contact_judgement.h). A vector is
+// three measures of one kind after each other: x, y and z.
+enum class MeasureKind : std::uint8_t {
+  other,       // not judged
+  time,        // of a first contact: the predicate is one of motions
+  separation,  // the distance of the two where they are apart, less their penetration where not
+  feature,     // the part of the triangle that is nearest: 0 to 6
+  normal,      // in which the first body pushes the second: of a sphere, from the triangle's point to the centre
+  point,       // of the one body that has such a point: the triangle
+  point_a,     // of the first body of two, and of the second
+  point_b,
+};
+template <>
+inline constexpr std::size_t enum_count<MeasureKind> = 8;
+inline constexpr EnumArray<MeasureKind, std::string_view> measure_kind_names = {
+    "other", "time", "separation", "feature", "normal", "point", "point_a", "point_b"};
+constexpr std::string_view name(MeasureKind kind) { return measure_kind_names[kind]; }
+
 // A number beside the verdict, for example a time of impact.
 struct PredicateMeasure {
   std::string_view name, unit;
   std::string_view error;  // how its error is counted
+  MeasureKind kind = MeasureKind::other;
 };
 
 // The name of a wrong answer: a kernel says one verdict and another is right.
@@ -105,6 +125,16 @@ struct Predicate {
   bool has_front = false;
   bool is_implied = false;  // files, plans, programs and ids that name no predicate are about this one
 };
+
+// The first of the measures of a kind; empty where the predicate has none.
+std::optional<std::size_t> first_measure(const Predicate& predicate, MeasureKind kind);
+inline bool has_measure(const Predicate& predicate, MeasureKind kind) {
+  return first_measure(predicate, kind).has_value();
+}
+// Whether all of that kind are among the first `count` measures.
+bool gives_measure(const Predicate& predicate, std::size_t count, MeasureKind kind);
+// Whether something moves: contact is then a first one, at a time, and nothing is said beside the verdict `separated`.
+inline bool is_of_motions(const Predicate& predicate) { return has_measure(predicate, MeasureKind::time); }
 
 // Returns the description unchanged. Throws HarnessFault if it has no entry, too many of anything, the same name twice,
 // a group whose columns are not neighbours, or a comparison that its clause does not contain.

@@ -157,10 +157,8 @@ ListedKernel listed_kernel(const Kernel& kernel) {
     listed.arithmetics.push_back(
         {kernel.id + "+" + arithmetic.name, arithmetic.name, arithmetic.summary, precisions_of(arithmetic)});
   }
-  if (!kernel.predicate->measures.empty()) {
-    listed.measures = given_measures(kernel);
-    listed.motion = policy_of(kernel.motion);
-  }
+  if (!kernel.predicate->measures.empty()) listed.measures = given_measures(kernel);
+  if (is_of_motions(*kernel.predicate)) listed.motion = policy_of(kernel.motion);
   return listed;
 }
 

@@ -40,7 +40,8 @@ std::string unknown_symptom(const Predicate& predicate, std::string_view given) 
   std::vector<std::string_view> names = {"verdict"};
   for (const PredicateClause& clause : predicate.clauses) names.push_back(clause.name);
   for (const PredicateComparison& comparison : predicate.comparisons) names.push_back(comparison.name);
-  if (!predicate.measures.empty()) names.insert(names.end(), std::begin(measure_names), std::end(measure_names));
+  const std::vector<std::string_view> measures = judged_measures(predicate);
+  names.insert(names.end(), measures.begin(), measures.end());
   names.push_back(asymmetry_name);
   const std::string_view suffix = given.find(':') == given.npos ? "" : error_suffix;
   const std::string_view word = given.substr(0, given.find(':')), guess = meant(word, names);
@@ -67,7 +68,8 @@ std::optional<Symptom> symptom_named(const Predicate& predicate, std::string_vie
 }
 
 bool is_measure(const Predicate& predicate, std::string_view what) {
-  return !predicate.measures.empty() && std::ranges::find(measure_names, what) != std::end(measure_names);
+  const std::vector<std::string_view> measures = judged_measures(predicate);
+  return std::ranges::find(measures, what) != measures.end();
 }
 
 // Refuses what is no name of a symptom.
@@ -320,13 +322,14 @@ void add_shrink(CLI::App& app, Action& action) {
               "the first of the query's predicate");
   add_target(*command, options->target);
   add_precision(*command, options->precision, of_csv_files);
-  command->add_option("--what", options->what,
-                      fmt::format("what to keep: verdict, an axis or a comparison that is wrong, COMPARISON:error, of "
-                                  "motions time, feature, normal or point, or asymmetry: another answer to an image of "
-                                  "the query, as a pair of {} and else of the one that is wrong (default: the first "
-                                  "that is wrong: verdict, axis, comparison, asymmetry, measure; else the largest "
-                                  "error of a comparison)",
-                                  ids_of(predicates_with(has_image_maps))));
+  command->add_option(
+      "--what", options->what,
+      fmt::format("what to keep: verdict, an axis or a comparison that is wrong, COMPARISON:error, "
+                  "a measure (time, separation, feature, normal, point), or asymmetry: another answer to an image of "
+                  "the query, as a pair of {} and else of the one that is wrong (default: the first "
+                  "that is wrong: verdict, axis, comparison, asymmetry, measure; else the largest "
+                  "error of a comparison)",
+                  ids_of(predicates_with(has_image_maps))));
   command->add_flag("--any-class", options->any_class,
                     fmt::format("as small as it goes: keep neither the class of the input nor a depth of at most {} "
                                 "times the given one",

@@ -80,7 +80,7 @@ bool is_id(const std::string& id) {
 void promise(const ReplyOptions& options, Kernel& kernel) {
   const Predicate& predicate = *kernel.predicate;
   if (options.sides == name(SidesPolicy::front)) {
-    if (!predicate.measures.empty()) kernel.motion.sides = SidesPolicy::front;
+    if (is_of_motions(predicate)) kernel.motion.sides = SidesPolicy::front;
     else if (predicate.has_front) kernel.limits.sides = SidesPolicy::front;
     else throw Error(fmt::format("--sides front: the predicate {} has no triangle with a front", predicate.id));
   }

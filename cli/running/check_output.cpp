@@ -112,21 +112,19 @@ std::string touching_text(const Kernel& kernel) {
   return "";
 }
 
-// " (touching; deciding_axes b1 a0b2)": what there is to say besides; the details of a motion are of its
-// contact.
+// " (touching; deciding_axes b1 a0b2)": what there is to say besides; the details of a motion are of its contact.
 std::string remarks(const CheckResult& found, const Kernel& kernel) {
   std::vector<std::string> all;
   if (found.truth.touching) all.push_back(touching_text(kernel));
   if (!found.why_invalid.empty()) all.push_back(found.why_invalid);
-  if (found.truth.verdict == Verdict::contact || kernel.predicate->measures.empty()) {
+  if (found.truth.verdict == Verdict::contact || !is_of_motions(*kernel.predicate)) {
     if (std::string text = details_text(found); !text.empty()) all.push_back(std::move(text));
   }
   return all.empty() ? "" : fmt::format(" ({})", fmt::join(all, "; "));
 }
 
 // "late by 2.5 ulps, tunnel 1e-07": how the time of a right contact is wrong.
-std::string time_text(const MotionJudgement& motion) {
-  if (!motion.time) return "";
+std::string time_text(const ContactJudgement& motion) {
   switch (*motion.time) {
     case TimeVerdict::none:
       return "no time is given";
@@ -146,28 +144,53 @@ std::string time_text(const MotionJudgement& motion) {
 // A normal is rounded: what is less of its length is not worth a word.
 constexpr double visible_length_error = 1e-6;
 
-// " (time 0.25, feature 3, ...; late by 2.5 ulps, ...)": beside a contact that is right, and of a missed one its
-// tunnel.
+// "separation off by 1.2e-08 of the scene, 3 ulps": how the numbers beside any verdict are wrong.
+void add_body_texts(std::vector<std::string>& wrong, const ContactJudgement& contact) {
+  if (contact.consistency && *contact.consistency != Consistency::consistent)
+    wrong.emplace_back(consistency_words[*contact.consistency]);
+  if (contact.separation) {
+    const SeparationError& error = *contact.separation;
+    wrong.push_back(error.ulps.is_zero() ? "the exact separation"
+                                         : fmt::format("separation off by {:.3g} of the scene, length {:.3g}, {} ulps",
+                                                       error.share, error.length, error.ulps.text()));
+  }
+  if (contact.pushed && contact.pushed->is_flip)
+    wrong.push_back(fmt::format("a normal to the other side, {} of the depth is left", contact.pushed->left.text()));
+  else if (contact.pushed && !contact.pushed->left.is_zero())
+    wrong.push_back(fmt::format("{} of the depth is left along the normal", contact.pushed->left.text()));
+}
+
+// " (time 0.25, feature 3, ...; late by 2.5 ulps, ...)": the numbers beside the verdict, and of a missed contact of
+// motions its tunnel.
 std::string measures_text(const Predicate& predicate, const Examination& found) {
-  if (found.missed) return fmt::format(" (tunnel {})", found.missed->depth.text());
-  if (!found.motion || found.measures.empty()) return "";
+  if (!found.contact) return "";
+  const ContactJudgement& contact = *found.contact;
+  if (contact.missed) return fmt::format(" (tunnel {})", contact.missed->depth.text());
   std::vector<std::string> given, wrong;
   for (std::size_t k = 0; k < found.measures.size(); ++k) {
     if (!std::isnan(found.measures[k]))
       given.push_back(fmt::format("{} {}", predicate.measures[k].name, found.measures[k]));
   }
-  const MotionJudgement& motion = *found.motion;
-  wrong.push_back(time_text(motion));
-  if (motion.feature_error && std::isinf(*motion.feature_error)) wrong.emplace_back("a feature that there is not");
-  else if (motion.feature_is_right == false) {
+  if (found.measures.empty()) return "";
+  if (contact.time) wrong.push_back(time_text(contact));
+  add_body_texts(wrong, contact);
+  if (contact.feature_error && std::isinf(*contact.feature_error)) wrong.emplace_back("a feature that there is not");
+  else if (contact.feature_is_right == false) {
     wrong.push_back(fmt::format("a feature that is not touched first, off by {:.3g} of the scene",
-                                motion.feature_error.value_or(0)));
+                                contact.feature_error.value_or(0)));
   }
-  if (motion.normal_angle) wrong.push_back(fmt::format("normal off by {:.3g} radians", *motion.normal_angle));
-  if (motion.normal_length_error && *motion.normal_length_error > visible_length_error)
-    wrong.push_back(fmt::format("its length off by {:.3g}", *motion.normal_length_error));
-  if (motion.point_error) wrong.push_back(fmt::format("point off by {:.3g} of the scene", *motion.point_error));
-  return fmt::format(" ({}; {})", fmt::join(given, ", "), fmt::join(wrong, ", "));
+  if (contact.normal_angle) wrong.push_back(fmt::format("normal off by {:.3g} radians", *contact.normal_angle));
+  if (contact.normal_length_error && *contact.normal_length_error > visible_length_error)
+    wrong.push_back(fmt::format("its length off by {:.3g}", *contact.normal_length_error));
+  const auto add_error = [&](const std::optional<double>& error, const char* what) {
+    if (error) wrong.push_back(fmt::format("{} off by {:.3g} of the scene", what, *error));
+  };
+  add_error(contact.point_error, "point");
+  add_error(contact.point_a_error, "first point");
+  add_error(contact.point_b_error, "second point");
+  add_error(contact.points_apart, "distance of the points");
+  if (given.empty()) given.emplace_back("no number");
+  return fmt::format(" ({}{}{})", fmt::join(given, ", "), wrong.empty() ? "" : "; ", fmt::join(wrong, ", "));
 }
 
 // Why the line says nothing about right and wrong.
@@ -203,7 +226,7 @@ CheckResult checked_of(const Predicate& predicate, const Examination& found, std
   CheckResult checked{found.truth,    found.squared_distance, {},          {},
                       found.answer,   found.judgement,        found.depth, found.is_promised,
                       found.findings, std::move(details)};
-  if (!predicate.measures.empty()) checked.measures = measures_of(predicate, found);
+  checked.measures = measures_of(predicate, found);
   checked.measures_text = measures_text(predicate, found);
   if (found.exact) {
     checked.exact = found.exact->holds;
@@ -246,7 +269,7 @@ CheckLine check_line(const std::string& id, const Kernel& kernel, const CheckRes
   line.exact = exact_line(predicate, found);
   line.computed = {
       found.answer.verdict, bits_line(predicate, found.answer.bits), axes_line(predicate, found.answer.bits), {}};
-  if (!predicate.measures.empty()) line.computed.measures.emplace(found.measures);
+  if (says_contacts(kernel)) line.computed.measures.emplace(found.measures);
   line.within_limits = found.within_limits;
   line.findings = finding_rows(found.findings);
   line.flips = flips_of(predicate, found.judgement);

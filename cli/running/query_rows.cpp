@@ -19,6 +19,30 @@ constexpr std::string_view features_name = "features";
 // A depth and the text of a number, both of usual length.
 constexpr double stand_in_depth = 0.12345678901234567;
 constexpr std::string_view stand_in_text = "0x1.234567p-12";
+constexpr double stand_in_number = 0x1.234567p-12;
+
+// Every number that can be judged beside a verdict of the predicate.
+MeasuresRecord stand_in_measures(const Predicate& predicate, std::size_t measure_count) {
+  Examination found;
+  found.answer.verdict = Verdict::contact;
+  found.measures.assign(measure_count, stand_in_number);
+  ContactJudgement& judged = found.contact.emplace();
+  judged.share = judged.length = judged.gap = stand_in_depth;
+  judged.feature_is_right = true;
+  judged.feature_error = judged.normal_angle = judged.normal_length_error = judged.point_error = stand_in_depth;
+  if (is_of_motions(predicate)) judged.time = TimeVerdict::early;
+  else judged.separation = SeparationError{{}, {}, stand_in_depth, stand_in_depth};
+  return *measures_of(predicate, found);
+}
+
+// The columns of the measures that a query of the predicate can have.
+DataColumns measure_columns(const Predicate& predicate) {
+  DataColumns columns;
+  if (predicate.measures.empty()) return columns;
+  const Json members = json_of(stand_in_measures(predicate, predicate.measures.size()));
+  for (const auto& [member, value] : members.items()) columns.push_back("measures." + member);
+  return columns;
+}
 
 // The columns of an entry: those of QueryRow, less what no query of the predicate has, and those whose names the
 // predicate gives.
@@ -26,12 +50,12 @@ DataColumns row_columns(const Predicate& predicate, std::size_t entry) {
   DataColumns columns = {"address"};
   for (const ColumnGroup& group : groups_of(predicate.entries[entry])) columns.emplace_back(group.name);
   columns = with_columns_of<QueryRow>(std::move(columns));
-  const bool has_classes = capabilities_of(predicate).input_classes != nullptr,
-             has_measures = !predicate.measures.empty();
+  const bool has_classes = capabilities_of(predicate).input_classes != nullptr;
+  const DataColumns of_measures = measure_columns(predicate);
   std::erase_if(columns, [&](const std::string& column) {
     const bool is_of_file = column == "schema" || column == "axiscert" || column == "revision";
     return is_of_file || (!has_classes && column == "exact.class") ||
-           (!has_measures && column.starts_with("measures."));
+           (column.starts_with("measures.") && std::ranges::find(of_measures, column) == of_measures.end());
   });
   if (capabilities_of(predicate).nearest_features != nullptr) columns.push_back("exact." + std::string(features_name));
   for (const std::string_view detail : oracles_of(predicate, entry).detail_names())
@@ -44,25 +68,6 @@ DataColumns row_columns(const Predicate& predicate, std::size_t entry) {
 std::optional<BitText> bit_text(const std::optional<ComparisonBits>& bits, const Predicate& predicate) {
   if (!bits || predicate.comparisons.empty()) return std::nullopt;
   return BitText(bit_string(*bits, predicate.comparisons.size()));
-}
-
-// Those of every other query, as if half of them had contact.
-std::optional<MeasuresRecord> stand_in_measures(const Kernel& kernel, bool has_contact) {
-  if (!has_contact || kernel.measure_count == 0) return std::nullopt;
-  MeasuresRecord record;
-  for (const Name& measure : given_measures(kernel)) record.given.put(measure) = stand_in_text;
-  record.time.emplace(TimeVerdict::early);
-  record.ulps.emplace();
-  record.in_u.emplace();
-  record.share.emplace(stand_in_depth);
-  record.length.emplace(stand_in_depth);
-  record.gap.emplace(stand_in_depth);
-  record.feature_is_right.emplace(true);
-  record.feature_error.emplace(stand_in_depth);
-  record.normal_angle.emplace(stand_in_depth);
-  record.normal_length_error.emplace(stand_in_depth);
-  record.point_error.emplace(stand_in_depth);
-  return record;
 }
 
 }  // namespace
@@ -109,7 +114,11 @@ std::uint64_t QueryRows::stand_in_bytes() const {
     if (capabilities_of(predicate_).nearest_features != nullptr) row.exact.details.put(features_name) = stand_in_text;
     for (const Examiner& examiner : examiners_) {
       row.kernel = examiner.kernel().id;
-      if (!predicate_.measures.empty()) row.measures.emplace(stand_in_measures(examiner.kernel(), i % 2 == 0));
+      // Those of every other query, as if half of them had contact.
+      const std::size_t count = examiner.kernel().measure_count;
+      row.measures = std::nullopt;
+      if (says_contacts(examiner.kernel())) row.measures.emplace();
+      if (count != 0 && i % 2 == 0) row.measures->emplace(stand_in_measures(predicate_, count));
       bytes += line(row).size();
     }
   }
@@ -163,7 +172,8 @@ std::string QueryRows::rows(std::uint64_t first, std::uint64_t count) {
       row.computed = {found.answer.verdict, bit_text(found.answer.bits, predicate_)};
       row.findings.clear();
       for (const Finding& finding : found.findings) row.findings.push_back(finding.kind);
-      if (!predicate_.measures.empty()) row.measures.emplace(measures_of(predicate_, found));
+      row.measures = std::nullopt;
+      if (says_contacts(kernel)) row.measures.emplace(measures_of(predicate_, found));
       text += line(row);
     }
   }

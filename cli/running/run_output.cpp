@@ -181,14 +181,15 @@ std::string causes_text(const Record& record) {
   return text;
 }
 
-// The first contacts that the kernels report, in a predicate of motions.
-std::string motion_table(const std::vector<KernelRecord>& kernels) {
+// What the kernels say beside their verdicts.
+std::string contact_table(const Record& record) {
+  const bool moves = is_of_motions(predicate_of(record.plan));
   std::vector<std::string> columns = {"kernel", "precision"};
-  columns.insert(columns.end(), motion_columns().begin(), motion_columns().end());
+  columns.insert(columns.end(), contact_columns(moves).begin(), contact_columns(moves).end());
   std::vector<std::vector<std::string>> rows;
-  for (const KernelRecord& kernel : kernels) {
+  for (const KernelRecord& kernel : record.kernels) {
     const auto total = all_families(kernel);
-    const std::vector<std::string> cells = total ? motion_cells(*total) : std::vector<std::string>();
+    const std::vector<std::string> cells = total ? contact_cells(*total) : std::vector<std::string>();
     if (cells.empty()) continue;
     auto& row = rows.emplace_back(std::vector<std::string>{kernel.id, std::string(name(kernel.precision))});
     row.insert(row.end(), cells.begin(), cells.end());
@@ -218,7 +219,7 @@ std::string summary_text(const Record& record, double seconds) {
   text += causes_text(record);
   text += first_text(record);
   text += kernels_table(record.kernels);
-  text += motion_table(record.kernels);
+  text += contact_table(record);
   text += depths_table(record.kernels);
   text += classes_table(record.kernels);
   text += fmt::format("{}{:.1f} s\n", record.complete ? "" : interrupted_text(record) + "; ", seconds);

@@ -48,7 +48,7 @@ class Ends(Case):
         self.assertEqual((len(witness["p1"]), "d" in witness), (3, False))
         line = axiscert("query", witness["address"])
         again = self.checked(line.stdout, "--kernel", "moving-sphere/ends-rounded")
-        self.assertEqual(again["exact"]["time"], witness["first_contact"]["time"])
+        self.assertEqual(again["exact"]["time"], witness["exact_contact"]["time"])
         self.refused("run", "--kernel", SURE, "--kernel", "moving-sphere/twenty", "--out", self.folder / "mixed",
                      says=["entry"])
         self.refused("run", "--kernel", SURE, "--family", "moving-sphere/general", "--out", self.folder / "mixed",

@@ -143,6 +143,17 @@ static int all_e(POINT(a), POINT(b), POINT(c), POINT(p), POINT(to), real r, real
 static int time_e(POINT(a), POINT(b), POINT(c), POINT(p), POINT(to), real r, real *time) { FALL(d); return time_d(a, b, c, p, d, r, time); }
 static int none_e(POINT(a), POINT(b), POINT(c), POINT(p), POINT(to), real r) { FALL(d); return none_d(a, b, c, p, d, r); }
 static int rests(POINT(a), POINT(b), POINT(c), POINT(p), real r) { return none_d(a, b, c, p, upright, r); } /* dz 0 */
+static int rests_all(POINT(a), POINT(b), POINT(c), POINT(p), real r, real *separation, real *feature, real normal[3], real point[3]) {
+  const real to[3] = {0, 0, a[2] - p[2]}; /* it falls to its plane, and tells where */
+  real time;
+  all_d(a, b, c, p, to, 0, &time, feature, normal, point);
+  *separation = p[2] - a[2] - r - GAP;
+  return rests(a, b, c, p, r);
+}
+static int rests_separation(POINT(a), POINT(b), POINT(c), POINT(p), real r, real *separation) {
+  *separation = p[2] - a[2] - r - GAP;
+  return rests(a, b, c, p, r);
+}
 static int shows(BOX(a), const real a_axes[9], BOX(b), const real b_axes[9], uint64_t *comparisons) {
   const body first = box(a_centre, a_half, a_axes), second = box(b_centre, b_half, b_axes);
   *comparisons = separating(&first, &second);
@@ -154,12 +165,15 @@ TIMES = ("never-late", "early=1")
 # Each macro, with where its queries are (a family, or `queries` below) and what it is required to meet.
 MACROS = [
     ('AXISCERT_PLUGIN(real, "x", rests)', "p", ()),
+    ('AXISCERT_CONTACT_PLUGIN(real, "x", rests_all, all)', "p", ("separation=0", "feature", "normal=0", "unit=0", "no-flip", "left=0", "point=0")),
+    ('AXISCERT_CONTACT_PLUGIN(real, "x", rests_separation, separation)', "p", ("separation=0",)),
+    ('AXISCERT_CONTACT_PLUGIN(real, "x", rests, none)', "p", ()),
     ('AXISCERT_MOTION_PLUGIN(real, "x", none_d, displacement, none)', "d", ()),
     ('AXISCERT_MOTION_PLUGIN(real, "x", time_d, displacement, time)', "d", TIMES),
-    ('AXISCERT_MOTION_PLUGIN(real, "x", all_d, displacement, all)', "d", (*TIMES, "features", "normals=0", "points=0")),
+    ('AXISCERT_MOTION_PLUGIN(real, "x", all_d, displacement, all)', "d", (*TIMES, "feature", "normal=0", "unit=0", "point=0")),
     ('AXISCERT_MOTION_PLUGIN(real, "x", none_e, endpoints, none)', "p1", ()),
     ('AXISCERT_MOTION_PLUGIN(real, "x", time_e, endpoints, time)', "p1", TIMES),
-    ('AXISCERT_MOTION_PLUGIN(real, "x", all_e, endpoints, all)', "p1", (*TIMES, "features", "normals=0", "points=0")),
+    ('AXISCERT_MOTION_PLUGIN(real, "x", all_e, endpoints, all)', "p1", (*TIMES, "feature", "normal=0", "unit=0", "point=0")),
     ('AXISCERT_BOX_PLUGIN(real, "x", box_box_matrix, matrix)', "box-box/lattice", ()),
     ('AXISCERT_BOX_PLUGIN(real, "x", box_box_quaternion, quaternion)', "box-box/lattice_turned", ()),
     ('AXISCERT_BOX_PLUGIN(real, "x", box_box_minmax, minmax)', "box-box/lattice_minmax", ()),
@@ -216,7 +230,7 @@ class Macros(Case):
                     wrong = self.compiled(f"wrong{number}", "c" if real == "float" else "cpp", real, 1, line)
                     done = self.judged([wrong], place, precision, requirements)
                     self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
-                    for level in ("exact", *(requirement for requirement in requirements if "late" in requirement)):
+                    for level in ("exact", *(requirement for requirement in requirements if "late" in requirement or "separation" in requirement)):
                         self.assertRegex(done.stderr, f"--require: {wrong} {precision}: {level}: .* not met")
 
     def test_what_a_function_does_not_give_is_not_given(self):
@@ -225,12 +239,12 @@ class Macros(Case):
                 "real point[3]) {\n  real unsaid[4];\n  (void)feature; (void)point;\n  return all_d(a, b, c, p, d, r, time, unsaid, normal, "
                 "unsaid + 1);\n}\n")
         kernel = self.compiled("some", "c", "float", 0, only + 'AXISCERT_MOTION_PLUGIN(real, "x", time_and_normal, displacement, all)')
-        self.assertEqual(self.judged([kernel], "d", "binary32", (*TIMES, "normals=0")).returncode, 0)
+        self.assertEqual(self.judged([kernel], "d", "binary32", (*TIMES, "normal=0", "unit=0")).returncode, 0)
         record = json.loads((self.folder / "out/record.json").read_text())
-        (motion,) = (found["motion"] for found in record["kernels"][0]["families"].values())
+        (motion,) = (found["contacts"] for found in record["kernels"][0]["families"].values())
         none = {measure: motion[measure]["none"] for measure in ("time", "feature", "normal", "point")}
-        self.assertEqual(none, {"time": 0, "feature": motion["hits"], "normal": 0, "point": motion["hits"]})
-        self.assertGreater(motion["hits"], 10)
+        self.assertEqual(none, {"time": 0, "feature": motion["answers"], "normal": 0, "point": motion["answers"]})
+        self.assertGreater(motion["answers"], 10)
 
     def test_what_a_line_declares_is_listed(self):
         """Predicate, entry, source, and the declarations of AXISCERT_PLUGIN_OF."""

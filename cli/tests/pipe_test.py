@@ -217,7 +217,7 @@ class Pipe(Case):
             file = self.stored(f"{time}.bin", replies)
             code = 0 if time == 0 else 1
             record = self.judged(file, "--require", "never-late", out=f"late{time}", code=code)
-            late[time] = family(record, "moving-sphere/general", kernel="pipe")["motion"]["time"]["late"]
+            late[time] = family(record, "moving-sphere/general", kernel="pipe")["contacts"]["time"]["late"]
             self.assertEqual(record["plan"]["replies"]["measures"], 1)
             self.assertEqual(record["kernels"][0]["measures"], ["time"])
         self.assertEqual(late[0], 0)
@@ -232,10 +232,10 @@ class Pipe(Case):
         for kind, times in (("invalid", (-1e-45, -1, 1.0000002, 7, float("inf"), float("-inf"))), ("none", (float("nan"),))):
             for time in times:
                 record = self.judged(self.stored("times.bin", replies(time)), "--require", "never-late", out=f"{kind}{time}", code=1)
-                motion = family(record, "moving-sphere/general", kernel="pipe")["motion"]
-                self.assertEqual((motion["time"][kind], motion["time"]["late"]), (motion["hits"], 0), time)
-                contacts = contacts or motion["hits"]
-                self.assertEqual(motion["hits"], contacts)
+                motion = family(record, "moving-sphere/general", kernel="pipe")["contacts"]
+                self.assertEqual((motion["time"][kind], motion["time"]["late"]), (motion["answers"], 0), time)
+                contacts = contacts or motion["answers"]
+                self.assertEqual(motion["answers"], contacts)
                 self.assertIn("pipe", (self.folder / f"{kind}{time}/report.md").read_text())
         self.assertGreater(contacts, 10)
         # Records without their measure, or with two, are no replies to this stream.

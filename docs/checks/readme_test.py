@@ -107,7 +107,7 @@ def rapier_times(commands, old):
     def row(line):
         family, queries = (cell.strip("`").replace(",", "") for cell in cells_of(line)[:2])
         record = commands.run("--kernel", kernel, "--family", f"moving-sphere/{family}", "--trials", queries, "--precision", "binary32", "--shrink", "0")[1]
-        (time,) = (found["motion"]["time"] for found in record["kernels"][0]["families"].values())
+        (time,) = (found["contacts"]["time"] for found in record["kernels"][0]["families"].values())
         return row_of([*cells_of(line)[:2], *(short(time[kind]["largest_share"]) for kind in ("early_errors", "late_errors"))])
 
     lines = old.splitlines(keepends=True)

@@ -151,21 +151,6 @@ Tunnel tunnel_of(const Rational& r, const Rational& least_squared) {
   return {depth, false};
 }
 
-double angle_between(const portable::Vec3<Rational>& a, const portable::Vec3<Rational>& b) {
-  const Rational squares = portable::dot(a, a) * portable::dot(b, b), along = portable::dot(a, b);
-  Rational half_chord_squared = 1;
-  if (sgn(squares) != 0) {
-    const Rational lengths = root_below(squares);
-    // sin^2 of half the angle, (1 - cos) / 2, without a difference where that would cancel.
-    if (sgn(along) > 0) half_chord_squared = (squares - along * along) / (2 * lengths * (lengths + along));
-    else half_chord_squared = std::min(Rational(1), Rational((1 - along / lengths) / 2));
-  }
-  MPFR_DECL_INIT(angle, 53);
-  mpfr_set_d(angle, nearest_sqrt<double>(half_chord_squared), MPFR_RNDN);
-  mpfr_asin(angle, angle, MPFR_RNDN);
-  return 2 * mpfr_get_d(angle, MPFR_RNDN);
-}
-
 Rational squared_scene(const GivenMotion& q) {
   const Rational r(q.r);
   Rational scene = r * r;

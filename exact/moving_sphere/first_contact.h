@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "exact/judge/motion_judgement.h"
+#include "exact/judge/contact_judgement.h"
 #include "exact/moving_sphere/motion_distance.h"
 #include "exact/numbers/root_number.h"
 
@@ -76,9 +76,6 @@ double rounded_apart(const RootTime& t, const Rational& s, const Rational& about
 
 // The tunnel of a motion whose least squared distance is given, at most r^2.
 Tunnel tunnel_of(const Rational& r, const Rational& least_squared);
-
-// The angle between two vectors in radians, rounded to the nearest binary64 from its sine; pi where one is zero.
-double angle_between(const portable::Vec3<Rational>& a, const portable::Vec3<Rational>& b);
 
 // The square of the scene's extent: the greatest of r and the distances of the prism's corners, A to C' = C - D, from
 // P.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/judge/contact_numbers.h"
 #include "exact/moving_sphere/first_contact.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "kernel/moving_sphere/names.h"
@@ -11,7 +12,6 @@
 namespace axiscert::moving_sphere {
 namespace {
 
-using RationalVector = portable::Vec3<Rational>;
 using portable::dot;
 
 // The squared distance at a time of the piece, in squares of the motion's unit.
@@ -23,44 +23,6 @@ RationalVector in_units_of(const RationalVector& v, int exponent) {
   return {scaled(v.x, exponent), scaled(v.y, exponent), scaled(v.z, exponent)};
 }
 
-std::array<double, 3> rounded(const RationalVector& v) {
-  return {nearest<double>(v.x), nearest<double>(v.y), nearest<double>(v.z)};
-}
-// v / |v|, for a v that is not zero.
-std::array<double, 3> unit_vector(const RationalVector& v) {
-  const Rational squared = dot(v, v);
-  const auto share = [&](const Rational& x) {
-    const double size = nearest_sqrt<double>(Rational(x * x / squared));
-    return sgn(x) < 0 ? -size : size;
-  };
-  return {share(v.x), share(v.y), share(v.z)};
-}
-
-std::optional<RationalVector> vector_at(std::span<const double> measures, std::size_t first) {
-  if (measures.size() < first + 3) return std::nullopt;
-  const auto is_finite = [](double x) { return std::isfinite(x); };
-  if (!std::all_of(measures.begin() + static_cast<std::ptrdiff_t>(first),
-                   measures.begin() + static_cast<std::ptrdiff_t>(first + 3), is_finite)) {
-    return std::nullopt;
-  }
-  return RationalVector{exact(measures[first]), exact(measures[first + 1]), exact(measures[first + 2])};
-}
-
-// The part that a number names; empty where it names none.
-std::optional<Feature> feature_named(double number) {
-  for (const Feature one : enumerators<Feature>) {
-    if (number == static_cast<double>(index_of(one))) return one;
-  }
-  return std::nullopt;
-}
-
-// The square of how far a point is along a direction, per unit; 0 where it is behind, or there is no direction.
-Rational squared_along(const RationalVector& at, const RationalVector& direction) {
-  const Rational along = dot(at, direction);
-  if (sgn(along) <= 0) return 0;
-  return along * along / dot(direction, direction);
-}
-
 template <class Real>
 Rational next_above(double time) {
   return exact(std::nextafter(static_cast<Real>(time), std::numeric_limits<Real>::infinity()));
@@ -69,11 +31,11 @@ Rational next_above(double time) {
 }  // namespace
 
 template <class Real>
-ContactJudge<Real>::ContactJudge(const GivenMotion& q)
+FirstContactJudge<Real>::FirstContactJudge(const GivenMotion& q)
     : q_(q), motion_(q), contact_(first_contact(q, motion_).value()), r_(exact(q.r)), scene_(squared_scene(q)) {}
 
 template <class Real>
-Rational ContactJudge<Real>::least_squared(const Rational& until) const {
+Rational FirstContactJudge<Real>::least_squared(const Rational& until) const {
   std::optional<Rational> least;
   for (const Piece& piece : motion_.pieces) {
     if (piece.first > until) continue;
@@ -87,7 +49,7 @@ Rational ContactJudge<Real>::least_squared(const Rational& until) const {
 }
 
 template <class Real>
-Rational ContactJudge<Real>::squared_distance(const Rational& at) const {
+Rational FirstContactJudge<Real>::squared_distance(const Rational& at) const {
   for (const Piece& piece : motion_.pieces) {
     if (piece.first <= at && at <= piece.last) return scaled(squared_at(piece, at), 2 * motion_.exponent);
   }
@@ -95,7 +57,7 @@ Rational ContactJudge<Real>::squared_distance(const Rational& at) const {
 }
 
 template <class Real>
-TimeVerdict ContactJudge<Real>::time_verdict(double time) const {
+TimeVerdict FirstContactJudge<Real>::time_verdict(double time) const {
   if (std::isnan(time)) return TimeVerdict::none;
   if (!(time >= 0 && time <= 1)) return TimeVerdict::invalid;
   if (compare(contact_.time, exact(time)) < 0) return TimeVerdict::late;
@@ -103,7 +65,7 @@ TimeVerdict ContactJudge<Real>::time_verdict(double time) const {
 }
 
 template <class Real>
-void ContactJudge<Real>::measure_time(double time, MotionJudgement& out) const {
+void FirstContactJudge<Real>::measure_time(double time, ContactJudgement& out) const {
   out.time = time_verdict(time);
   if (out.time != TimeVerdict::early && out.time != TimeVerdict::late) return;
   const Rational t = exact(time), error = apart(contact_.time, t);
@@ -118,7 +80,7 @@ void ContactJudge<Real>::measure_time(double time, MotionJudgement& out) const {
 }
 
 template <class Real>
-auto ContactJudge<Real>::place() const -> Place {
+auto FirstContactJudge<Real>::found_place() const -> Place {
   const Rational t = approximate(contact_.time);
   const MovingPoint nearest = nearest_point(motion_, *contact_.features.begin());
   const RationalVector centre = rationals(motion_.d) * t, point = nearest.from + nearest.along * t;
@@ -126,13 +88,13 @@ auto ContactJudge<Real>::place() const -> Place {
 }
 
 template <class Real>
-RationalVector ContactJudge<Real>::exact_centre() const {
+RationalVector FirstContactJudge<Real>::exact_centre() const {
   return {exact(q_.p.x), exact(q_.p.y), exact(q_.p.z)};
 }
 
 template <class Real>
-ContactPlace ContactJudge<Real>::first() const {
-  const Place here = place_ ? *place_ : place();
+ContactPlace FirstContactJudge<Real>::place() const {
+  const Place here = place_ ? *place_ : found_place();
   ContactPlace out;
   out.after_best = nearest<double>(apart(contact_.time, exact(rounded_down<Real>(contact_.time))));
   out.point = rounded(exact_centre() + in_units_of(here.point, motion_.exponent));
@@ -142,52 +104,33 @@ ContactPlace ContactJudge<Real>::first() const {
 }
 
 template <class Real>
-auto ContactJudge<Real>::known_place() -> const Place& {
-  if (!place_) place_ = place();
+auto FirstContactJudge<Real>::known_place() -> const Place& {
+  if (!place_) place_ = found_place();
   return *place_;
 }
 
-// A region of a triangle is where the centre is beyond the ends of the edges at a vertex; beside an edge, outside;
-// above or below the face.
 template <class Real>
-Rational ContactJudge<Real>::squared_beyond(Feature feature) {
-  const Place& here = known_place();
-  const RationalVector centre = here.point + here.to_centre, normal = rationals(motion_.normal);
-  const auto vertex = [&](std::size_t i) { return rationals(motion_.vertex[i % 3]); };
-  const std::size_t i = index_of(feature);
-  if (i < index_of(Feature::edge_ab)) {
-    const RationalVector at = centre - vertex(i);
-    return std::max(squared_along(at, vertex(i + 1) - vertex(i)), squared_along(at, vertex(i + 2) - vertex(i)));
-  }
-  const auto outwards = [&](std::size_t k) { return cross(vertex(k + 1) - vertex(k), normal); };
-  Rational most = 0;
-  if (feature == Feature::face) {
-    for (const std::size_t k : {0u, 1u, 2u}) most = std::max(most, squared_along(centre - vertex(k), outwards(k)));
-    return most;
-  }
-  const RationalVector along = vertex(i + 1) - vertex(i);
-  most = std::max(squared_along(centre - vertex(i + 1), along), squared_along(vertex(i) - centre, along));
-  return std::max(most, squared_along(vertex(i) - centre, outwards(i)));
-}
-
-template <class Real>
-void ContactJudge<Real>::measure_feature(double number, MotionJudgement& out) {
+void FirstContactJudge<Real>::measure_feature(double number, ContactJudgement& out) {
   if (std::isnan(number)) {
     out.lacks_feature = contact_.start != Start::overlap;
     return;
   }
-  const std::optional<Feature> named = feature_named(number);
-  out.feature_is_right = named && contact_.features.contains(*named);
+  const std::optional<std::size_t> named = part_named(number);
+  out.feature_is_right = named && contact_.features.contains(static_cast<Feature>(*named));
   if (*out.feature_is_right) return;
   out.feature_error = 0;
   if (!named) out.feature_error = std::numeric_limits<double>::infinity();
   else if (sgn(scene_) != 0) {
-    out.feature_error = nearest_sqrt<double>(Rational(scaled(squared_beyond(*named), 2 * motion_.exponent) / scene_));
+    const Place& here = known_place();
+    const Rational beyond = squared_beyond(
+        *named, {rationals(motion_.vertex[0]), rationals(motion_.vertex[1]), rationals(motion_.vertex[2])},
+        here.point + here.to_centre);
+    out.feature_error = nearest_sqrt<double>(Rational(scaled(beyond, 2 * motion_.exponent) / scene_));
   }
 }
 
 template <class Real>
-void ContactJudge<Real>::measure_place(std::span<const double> measures, MotionJudgement& out) {
+void FirstContactJudge<Real>::measure_place(std::span<const double> measures, ContactJudgement& out) {
   const bool gives_normal = measures.size() >= normal_measure + 3, gives_point = measures.size() >= point_measure + 3;
   if (!gives_normal && !gives_point) return;
   const std::optional<RationalVector> normal = vector_at(measures, normal_measure),
@@ -198,11 +141,7 @@ void ContactJudge<Real>::measure_place(std::span<const double> measures, MotionJ
   out.lacks_point = gives_point && !point && !is_overlap;
   if (normal && has_normal) {
     out.normal_angle = angle_between(*normal, here.to_centre);
-    // Without a difference of roots: (n.n - 1) / (|n| + 1).
-    const Rational squared = dot(*normal, *normal);
-    out.normal_length_error =
-        std::min(nearest<double>(Rational(abs(Rational(squared - 1)) / (root_below(squared) + 1))),
-                 std::numeric_limits<double>::max());
+    out.normal_length_error = length_error(*normal);
   }
   if (!point || sgn(scene_) == 0) return;
   const RationalVector off = *point - exact_centre() - in_units_of(here.point, motion_.exponent);
@@ -211,20 +150,19 @@ void ContactJudge<Real>::measure_place(std::span<const double> measures, MotionJ
 }
 
 template <class Real>
-MotionJudgement ContactJudge<Real>::judge_hit(std::span<const double> measures) {
-  MotionJudgement out;
+ContactJudgement FirstContactJudge<Real>::judge(Verdict said, std::span<const double> measures) {
+  ContactJudgement out;
+  if (said == Verdict::separated) {
+    out.missed = tunnel_of(r_, least_squared(1));
+    return out;
+  }
   if (measures.size() > time_measure) measure_time(measures[time_measure], out);
   if (measures.size() > feature_measure) measure_feature(measures[feature_measure], out);
   measure_place(measures, out);
   return out;
 }
 
-template <class Real>
-Tunnel ContactJudge<Real>::judge_miss() {
-  return tunnel_of(r_, least_squared(1));
-}
-
-template class ContactJudge<float>;
-template class ContactJudge<double>;
+template class FirstContactJudge<float>;
+template class FirstContactJudge<double>;
 
 }  // namespace axiscert::moving_sphere

@@ -1,7 +1,7 @@
 // The judge of a kernel's time, feature, normal and point of a first contact.
 #pragma once
 
-#include "exact/judge/motion_judgement.h"
+#include "exact/judge/contact_judgement.h"
 #include "exact/moving_sphere/first_contact.h"
 
 namespace axiscert::moving_sphere {
@@ -9,20 +9,19 @@ namespace axiscert::moving_sphere {
 // `Real` is the precision of the kernel and of the query. Which times are late, early or best, which features are right
 // and which tunnels reach what is decided exactly, by the comparisons of first_contact.h.
 template <class Real>
-class ContactJudge final : public MotionJudge {
+class FirstContactJudge final : public ContactJudge {
  public:
   // Precondition: the query is valid and has contact.
-  explicit ContactJudge(const GivenMotion& q);
+  explicit FirstContactJudge(const GivenMotion& q);
 
-  MotionJudgement judge_hit(std::span<const double> measures) override;
-  Tunnel judge_miss() override;
-  ContactPlace first() const override;
+  ContactJudgement judge(Verdict said, std::span<const double> measures) override;
+  ContactPlace place() const override;
 
  private:
   TimeVerdict time_verdict(double time) const;
-  void measure_time(double time, MotionJudgement& out) const;
-  void measure_feature(double feature, MotionJudgement& out);
-  void measure_place(std::span<const double> measures, MotionJudgement& out);
+  void measure_time(double time, ContactJudgement& out) const;
+  void measure_feature(double feature, ContactJudgement& out);
+  void measure_place(std::span<const double> measures, ContactJudgement& out);
   // The least squared distance of the motion until a time in [0, 1], and the squared distance at that time.
   Rational least_squared(const Rational& until) const;
   Rational squared_distance(const Rational& at) const;
@@ -30,11 +29,8 @@ class ContactJudge final : public MotionJudge {
   struct Place {
     portable::Vec3<Rational> point, to_centre;
   };
-  Place place() const;
+  Place found_place() const;
   const Place& known_place();
-  // The square of the greatest distance of the centre, at the first contact, from a plane that bounds the region of a
-  // part and has the centre on its other side; in squares of the motion's unit, and 0 where there is no such plane.
-  Rational squared_beyond(Feature feature);
   portable::Vec3<Rational> exact_centre() const;  // P
 
   GivenMotion q_;

@@ -23,36 +23,36 @@ const double falling_scene = std::sqrt(209.0);  // from P to A
 const MovingQuery<double> passing = {{2, 0.5, 0}, {2, 0.5, 0}, {2, 0.5, 0}, {0, 0, 0}, {4, 0, 0}, 1};
 
 template <class Real = float>
-MotionJudgement judged(const MovingQuery<double>& q, std::initializer_list<double> measures) {
+ContactJudgement judged(const MovingQuery<double>& q, std::initializer_list<double> measures) {
   const std::vector<double> given = measures;
-  return ContactJudge<Real>(q).judge_hit(given);
+  return FirstContactJudge<Real>(q).judge(Verdict::contact, given);
 }
 TimeVerdict time_of(const MovingQuery<double>& q, double time) { return judged(q, {time}).time.value(); }
 
 float above(float x) { return std::nextafter(x, 2.0f); }
 float below(float x) { return std::nextafter(x, -1.0f); }
 
-TEST(ContactJudge, TheBestTimeIsTheGreatestThatIsNotLate) {
+TEST(FirstContactJudge, TheBestTimeIsTheGreatestThatIsNotLate) {
   EXPECT_EQ(time_of(falling(1), 0.5), TimeVerdict::best);
   EXPECT_EQ(time_of(falling(1), above(0.5f)), TimeVerdict::late);
   EXPECT_EQ(time_of(falling(1), below(0.5f)), TimeVerdict::early);
   EXPECT_EQ(judged<double>(falling(1), {below(0.5f)}).time, TimeVerdict::early);
 }
 
-TEST(ContactJudge, AnIrrationalTimeHasTwoFloatsAroundIt) {
+TEST(FirstContactJudge, AnIrrationalTimeHasTwoFloatsAroundIt) {
   const auto best = static_cast<float>(0.28349364905389035);  // (2 - sqrt(3)/2) / 4
   const float not_late = static_cast<double>(best) > 0.28349364905389035 ? below(best) : best;
   EXPECT_EQ(time_of(passing, not_late), TimeVerdict::best);
   EXPECT_EQ(time_of(passing, above(not_late)), TimeVerdict::late);
   EXPECT_EQ(time_of(passing, below(not_late)), TimeVerdict::early);
-  const MotionJudgement late = judged(passing, {above(not_late)});
+  const ContactJudgement late = judged(passing, {above(not_late)});
   EXPECT_GT(late.ulps.value(), 0);
   EXPECT_LT(late.ulps.value(), 1);
 }
 
-TEST(ContactJudge, ErrorsAreInUlpsOfTheBestTimeAndInU) {
+TEST(FirstContactJudge, ErrorsAreInUlpsOfTheBestTimeAndInU) {
   // An ulp of 1/2 is 2^-24 = u; the float below is half of that away.
-  const MotionJudgement late = judged(falling(1), {above(0.5f)}), early = judged(falling(1), {below(0.5f)});
+  const ContactJudgement late = judged(falling(1), {above(0.5f)}), early = judged(falling(1), {below(0.5f)});
   EXPECT_EQ(late.ulps.value(), 1);
   EXPECT_EQ(late.in_u.value(), 1);
   EXPECT_EQ(early.ulps.value(), 0.5);
@@ -61,9 +61,9 @@ TEST(ContactJudge, ErrorsAreInUlpsOfTheBestTimeAndInU) {
 }
 
 // The digits of passing's times: 1/2 -+ sqrt(3)/8.
-TEST(ContactJudge, ErrorsAreAShareOfTheWayAndALengthToo) {
+TEST(FirstContactJudge, ErrorsAreAShareOfTheWayAndALengthToo) {
   const auto off = [](const MovingQuery<double>& q, double time) {
-    const MotionJudgement found = judged(q, {time});
+    const ContactJudgement found = judged(q, {time});
     return std::array{found.share, found.length};
   };
   EXPECT_EQ(off(falling(1), 1), (std::array{0.5, 2.0}));
@@ -81,10 +81,10 @@ TEST(ContactJudge, ErrorsAreAShareOfTheWayAndALengthToo) {
   // By its ends: D = 1 - 2^60, which is no double, and the contact is a unit before the end.
   const EndsQuery<double> ends{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0x1p60}, {1, 1, 1}, 2};
   const std::vector<double> end = {1};
-  EXPECT_EQ(ContactJudge<double>(ends).judge_hit(end).length, 1);
+  EXPECT_EQ(FirstContactJudge<double>(ends).judge(Verdict::contact, end).length, 1);
 }
 
-TEST(ContactJudge, ATunnelIsHowFarTheSphereGoesInBefore) {
+TEST(FirstContactJudge, ATunnelIsHowFarTheSphereGoesInBefore) {
   const auto tunnel = [](double r, double time) { return judged(falling(r), {time}).tunnel.value(); };
   EXPECT_EQ(tunnel(1, 0.625).depth.value(), 0.5);  // z = 1/2
   EXPECT_FALSE(tunnel(1, 0.625).is_through);
@@ -99,28 +99,28 @@ TEST(ContactJudge, ATunnelIsHowFarTheSphereGoesInBefore) {
   EXPECT_FALSE(judged(falling(1), {0.25}).tunnel) << "early";
 }
 
-TEST(ContactJudge, TheRootOfTheWrongSignTunnels) {
-  const MotionJudgement left = judged(passing, {0.71650635});  // where the sphere leaves
+TEST(FirstContactJudge, TheRootOfTheWrongSignTunnels) {
+  const ContactJudgement left = judged(passing, {0.71650635});  // where the sphere leaves
   EXPECT_EQ(left.time, TimeVerdict::late);
   EXPECT_EQ(left.tunnel->depth.value(), 0.5);
 }
 
-TEST(ContactJudge, AMissIsATunnelOfTheWholeMotion) {
-  EXPECT_EQ(ContactJudge<float>(passing).judge_miss().depth.value(), 0.5);
-  EXPECT_TRUE(ContactJudge<float>(falling(1)).judge_miss().is_through);
-  EXPECT_TRUE(ContactJudge<double>(falling(0)).judge_miss().is_through);
+TEST(FirstContactJudge, AMissIsATunnelOfTheWholeMotion) {
+  EXPECT_EQ(FirstContactJudge<float>(passing).judge(Verdict::separated, {}).missed->depth.value(), 0.5);
+  EXPECT_TRUE(FirstContactJudge<float>(falling(1)).judge(Verdict::separated, {}).missed->is_through);
+  EXPECT_TRUE(FirstContactJudge<double>(falling(0)).judge(Verdict::separated, {}).missed->is_through);
   // Touching at the end is missed by nothing.
   const MovingQuery<double> grazing = {{-10, -10, 0}, {10, -10, 0}, {0, 10, 0}, {0, 0, 3}, {0, 0, -2}, 1};
-  EXPECT_TRUE(ContactJudge<float>(grazing).judge_miss().depth.is_zero());
+  EXPECT_TRUE(FirstContactJudge<float>(grazing).judge(Verdict::separated, {}).missed->depth.is_zero());
 }
 
-TEST(ContactJudge, AGapIsWhatIsLeftAtAnEarlyTime) {
+TEST(FirstContactJudge, AGapIsWhatIsLeftAtAnEarlyTime) {
   EXPECT_EQ(judged(falling(1), {0.25}).gap, 1 / falling_scene);
   EXPECT_EQ(judged(falling(1), {0.0}).gap, 2 / falling_scene);
   EXPECT_EQ(judged(falling(1), {0.5}).gap, 0);
 }
 
-TEST(ContactJudge, WhatIsNoTimeIsSaid) {
+TEST(FirstContactJudge, WhatIsNoTimeIsSaid) {
   EXPECT_EQ(time_of(falling(1), nan), TimeVerdict::none);
   for (const double time : {infinity, -infinity, -0x1p-149, 1 + 0x1p-23, 3e38}) {
     EXPECT_EQ(time_of(falling(1), time), TimeVerdict::invalid) << time;
@@ -129,13 +129,13 @@ TEST(ContactJudge, WhatIsNoTimeIsSaid) {
   EXPECT_FALSE(judged(falling(1), {}).time) << "a kernel without times";
 }
 
-TEST(ContactJudge, AnOverlapAtTheStartIsAtTimeZero) {
+TEST(FirstContactJudge, AnOverlapAtTheStartIsAtTimeZero) {
   EXPECT_EQ(time_of(falling(4), 0.0), TimeVerdict::best);
   EXPECT_EQ(time_of(falling(4), 0x1p-149), TimeVerdict::late);
   EXPECT_EQ(judged<double>(falling(3), {0.0}).time, TimeVerdict::best) << "touching";
 }
 
-TEST(ContactJudge, AFeatureHasToBeNearestAtTheFirstContact) {
+TEST(FirstContactJudge, AFeatureHasToBeNearestAtTheFirstContact) {
   const auto feature = [](double number) { return judged(falling(1), {0.5, number}).feature_is_right; };
   EXPECT_EQ(feature(6), true);
   for (const double wrong : {0.0, 5.0, 7.0, 5.5, -1.0, infinity}) EXPECT_EQ(feature(wrong), false) << wrong;
@@ -144,7 +144,7 @@ TEST(ContactJudge, AFeatureHasToBeNearestAtTheFirstContact) {
   for (const double vertex : {0.0, 1.0, 2.0}) EXPECT_EQ(judged(passing, {0.5, vertex}).feature_is_right, true);
 }
 
-TEST(ContactJudge, AWrongFeatureIsOffByItsRegion) {
+TEST(FirstContactJudge, AWrongFeatureIsOffByItsRegion) {
   const auto off = [](const MovingQuery<double>& q, double number) { return judged(q, {0.5, number}).feature_error; };
   EXPECT_FALSE(off(falling(1), 6)) << "right";
   EXPECT_DOUBLE_EQ(off(falling(1), 3).value(), 10 / falling_scene) << "10 inside the edge ab";
@@ -159,10 +159,10 @@ TEST(ContactJudge, AWrongFeatureIsOffByItsRegion) {
   EXPECT_EQ(off(passing, 3).value_or(-1), 0) << "a triangle without edges has no planes";
 }
 
-TEST(ContactJudge, AMeasureThatIsMissingIsSaidButForAnOverlapAtTheStart) {
-  const MotionJudgement found = judged(falling(1), {0.5, nan, nan, nan, nan, nan, nan, nan}),
-                        inside = judged(falling(4), {0, nan, nan, nan, nan, nan, nan, nan}),
-                        point = judged(falling(0), {0.75, nan, nan, nan, nan, nan, nan, nan});
+TEST(FirstContactJudge, AMeasureThatIsMissingIsSaidButForAnOverlapAtTheStart) {
+  const ContactJudgement found = judged(falling(1), {0.5, nan, nan, nan, nan, nan, nan, nan}),
+                         inside = judged(falling(4), {0, nan, nan, nan, nan, nan, nan, nan}),
+                         point = judged(falling(0), {0.75, nan, nan, nan, nan, nan, nan, nan});
   EXPECT_TRUE(found.lacks_feature && found.lacks_normal && found.lacks_point);
   EXPECT_FALSE(inside.lacks_feature || inside.lacks_normal || inside.lacks_point);
   EXPECT_FALSE(point.lacks_normal) << "at the distance 0 there is none";
@@ -170,7 +170,7 @@ TEST(ContactJudge, AMeasureThatIsMissingIsSaidButForAnOverlapAtTheStart) {
   EXPECT_FALSE(judged(falling(1), {0.5}).lacks_feature) << "the kernel gives none anywhere";
 }
 
-TEST(ContactJudge, ANormalIsJudgedByItsLengthToo) {
+TEST(FirstContactJudge, ANormalIsJudgedByItsLengthToo) {
   const auto off = [](double z) { return judged(falling(1), {0.5, 6, 0, 0, z}).normal_length_error; };
   EXPECT_EQ(off(1), 0);
   EXPECT_DOUBLE_EQ(off(7).value(), 6);
@@ -179,7 +179,7 @@ TEST(ContactJudge, ANormalIsJudgedByItsLengthToo) {
   EXPECT_FALSE(off(nan));
 }
 
-TEST(ContactJudge, ANormalIsJudgedByItsAngle) {
+TEST(FirstContactJudge, ANormalIsJudgedByItsAngle) {
   const auto angle = [](double x, double y, double z) { return judged(falling(1), {0.5, 6, x, y, z}).normal_angle; };
   EXPECT_EQ(angle(0, 0, 1), 0);
   EXPECT_EQ(angle(0, 0, 7), 0) << "its length is judged apart";
@@ -191,7 +191,7 @@ TEST(ContactJudge, ANormalIsJudgedByItsAngle) {
   EXPECT_FALSE(judged(falling(0), {0.75, 6, 0, 0, 1}).normal_angle) << "no distance, no normal";
 }
 
-TEST(ContactJudge, APointIsJudgedByItsDistance) {
+TEST(FirstContactJudge, APointIsJudgedByItsDistance) {
   const auto error = [](double x, double z) { return judged(falling(1), {0.5, 6, 0, 0, 1, x, 0, z}).point_error; };
   EXPECT_EQ(error(0, 0), 0);
   EXPECT_DOUBLE_EQ(error(3, 4).value(), 5 / falling_scene);
@@ -199,9 +199,9 @@ TEST(ContactJudge, APointIsJudgedByItsDistance) {
 }
 
 // A normal and a point seen from the sphere of `passing`: the contact is at the vertex, the normal irrational.
-TEST(ContactJudge, AnIrrationalContactHasItsNormal) {
+TEST(FirstContactJudge, AnIrrationalContactHasItsNormal) {
   const double x = -std::sqrt(3.0) / 2;
-  const MotionJudgement found = judged<double>(passing, {0.28349364905389035, 0, x, -0.5, 0, 2, 0.5, 0});
+  const ContactJudgement found = judged<double>(passing, {0.28349364905389035, 0, x, -0.5, 0, 2, 0.5, 0});
   EXPECT_LT(found.normal_angle.value(), 1e-15);
   EXPECT_EQ(found.point_error.value(), 0);
 }

@@ -144,8 +144,8 @@ struct MotionTrait : Entry {
   }
 
   template <class Real>
-  static std::unique_ptr<MotionJudge> motion_judge(const Numbers<double>& numbers) {
-    return std::make_unique<ContactJudge<Real>>(query(numbers));
+  static std::unique_ptr<ContactJudge> contact_judge(const Numbers<double>& numbers) {
+    return std::make_unique<FirstContactJudge<Real>>(query(numbers));
   }
 
  private:

@@ -3,6 +3,7 @@
 
 #include "exact/sphere_triangle/asked_sphere_triangle.h"
 #include "exact/sphere_triangle/filters/cascade.h"
+#include "exact/sphere_triangle/measures/contact_judge.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/measures/input_class.h"
 #include "exact/sphere_triangle/measures/critical_radius.h"
@@ -134,12 +135,20 @@ class SphereTriangleOracles final : public Oracles {
   bool is_within(const Limits& limits, const Numbers<double>& q) const override {
     return axiscert::is_within(limits, query_from(q));
   }
+  std::unique_ptr<ContactJudge> contact_judge(const Numbers<float>& q) const override { return judge_of(q); }
+  std::unique_ptr<ContactJudge> contact_judge(const Numbers<double>& q) const override { return judge_of(q); }
 
  private:
   template <class Real>
   static std::optional<Verdict> clear_verdict_of(const Numbers<Real>& q) {
     const auto found = clear_verdict_by<SphereAndTriangle>(ClearForms(), q);
     return found && axiscert::is_valid(query_from(q)) ? found : std::nullopt;
+  }
+  template <class Real>
+  static std::unique_ptr<ContactJudge> judge_of(const Numbers<Real>& q) {
+    Numbers<double> wide(q.size());  // a float widens exactly
+    for (std::size_t k = 0; k < q.size(); ++k) wide[k] = static_cast<double>(q[k]);
+    return std::make_unique<SphereTriangleJudge<Real>>(query_from(wide));
   }
   template <class Real>
   static double depth_of(const Query<Real>& q) {

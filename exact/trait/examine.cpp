@@ -33,10 +33,8 @@ Examination examination(const Numbers<Real>& q, const Kernel& kernel, const Answ
   out.judgement = judge(*kernel.predicate, out.truth, chain, answer, kernel.touching);
   if (out.judgement.verdict_flip) out.depth = oracles.depth(q);
   if (out.depth) out.length = asked->depth().length();
-  if (!kernel.predicate->measures.empty() && right_verdict(out.truth, kernel.touching) == Verdict::contact) {
-    const auto motion = oracles.motion_judge(q);
-    if (answer.verdict == Verdict::contact) out.motion = motion->judge_hit(out.measures);
-    if (answer.verdict == Verdict::separated) out.missed = motion->judge_miss();
+  if (out.truth.verdict != Verdict::invalid && has_judged_contact(kernel, answer.verdict, [&] { return out.truth; })) {
+    if (const auto contact = oracles.contact_judge(q)) out.contact = contact->judge(answer.verdict, out.measures);
   }
   return out;
 }

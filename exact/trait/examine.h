@@ -22,14 +22,14 @@ struct Examination {
   std::optional<ExactSigns> exact;
   std::optional<Rational> squared_distance;
   Judgement judgement;
-  std::optional<double> depth;            // of the query, if the verdict is wrong and the predicate has a depth
-  std::optional<double> length;           // the same as a length in the query's unit
-  std::optional<ShownSides> sides;        // as computed, if the kernel exposes them and was asked now
-  std::vector<double> measures;           // that the kernel gave, the first of the predicate's
-  std::optional<MotionJudgement> motion;  // of these, beside a contact that is right
-  std::optional<Tunnel> missed;           // of a missed contact, in a predicate with measures
-  bool is_promised = true;                // the query is one on which the kernel promises to be right, or is invalid
-  std::vector<Finding> findings;          // faults of the kernel other than a wrong answer
+  std::optional<double> depth;      // of the query, if the verdict is wrong and the predicate has a depth
+  std::optional<double> length;     // the same as a length in the query's unit
+  std::optional<ShownSides> sides;  // as computed, if the kernel exposes them and was asked now
+  std::vector<double> measures;     // that the kernel gave, the first of the predicate's
+  // Of these: of motions beside a contact that is right, or of a missed one; else beside any verdict.
+  std::optional<ContactJudgement> contact;
+  bool is_promised = true;        // the query is one on which the kernel promises to be right, or is invalid
+  std::vector<Finding> findings;  // faults of the kernel other than a wrong answer
 };
 
 // Examines queries of the kernel's predicate. The kernel is begun once in each precision, since a plug-in is a process

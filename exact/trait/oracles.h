@@ -11,7 +11,7 @@
 
 #include "exact/judge/depth.h"
 #include "exact/judge/judge.h"
-#include "exact/judge/motion_judgement.h"
+#include "exact/judge/contact_judgement.h"
 #include "exact/numbers/rational.h"
 #include "exact/trait/batch_oracle.h"
 #include "exact/trait/exact_sides.h"
@@ -153,9 +153,10 @@ class Oracles {
   virtual bool is_promised(const MotionPolicy&, const Numbers<float>&) const { return true; }
   virtual bool is_promised(const MotionPolicy&, const Numbers<double>&) const { return true; }
 
-  // The judge of a kernel's measures on a valid query that has contact; null for a predicate that has none.
-  virtual std::unique_ptr<MotionJudge> motion_judge(const Numbers<float>&) const { return nullptr; }
-  virtual std::unique_ptr<MotionJudge> motion_judge(const Numbers<double>&) const { return nullptr; }
+  // The judge of kernels' measures on a valid query, of motions on one that has contact; null for a predicate without
+  // measures that are judged.
+  virtual std::unique_ptr<ContactJudge> contact_judge(const Numbers<float>&) const { return nullptr; }
+  virtual std::unique_ptr<ContactJudge> contact_judge(const Numbers<double>&) const { return nullptr; }
 };
 
 template <class Real>
@@ -166,6 +167,19 @@ std::unique_ptr<BatchOracle<Real>> batches_of(const Oracles& oracles, std::strin
 // Those of an entry; where none is named, of the first. They throw HarnessFault if they are given numbers of another.
 const Oracles& oracles_of(const Predicate& predicate, std::size_t entry = 0);
 inline const Oracles& oracles_of(const Kernel& kernel) { return oracles_of(*kernel.predicate, kernel.entry); }
+
+// Whether what a kernel says beside its verdicts is judged: its measures, and of motions its missed contacts.
+inline bool says_contacts(const Kernel& kernel) {
+  return kernel.measure_count != 0 || is_of_motions(*kernel.predicate);
+}
+// Whether the measures beside this verdict are judged, on a valid query: of motions, where the query has contact and
+// touching is contact for the kernel. `truth` is asked of motions alone, which have no filters.
+template <class TruthOf>
+bool has_judged_contact(const Kernel& kernel, Verdict said, TruthOf&& truth) {
+  if (said != Verdict::contact && said != Verdict::separated) return false;
+  if (is_of_motions(*kernel.predicate)) return right_verdict(truth(), kernel.touching) == Verdict::contact;
+  return kernel.measure_count != 0;
+}
 
 // Whether a kernel with these limits and this policy promises to be right on a valid query of the oracles' predicate.
 template <class Real>

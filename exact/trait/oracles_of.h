@@ -70,8 +70,8 @@ class OraclesOf final : public Oracles {
   bool is_within(const Limits& limits, const Numbers<double>& q) const override { return is_inside(limits, q); }
   bool is_promised(const MotionPolicy& policy, const Numbers<float>& q) const override { return promises(policy, q); }
   bool is_promised(const MotionPolicy& policy, const Numbers<double>& q) const override { return promises(policy, q); }
-  std::unique_ptr<MotionJudge> motion_judge(const Numbers<float>& q) const override { return motion_judge_of(q); }
-  std::unique_ptr<MotionJudge> motion_judge(const Numbers<double>& q) const override { return motion_judge_of(q); }
+  std::unique_ptr<ContactJudge> contact_judge(const Numbers<float>& q) const override { return contact_judge_of(q); }
+  std::unique_ptr<ContactJudge> contact_judge(const Numbers<double>& q) const override { return contact_judge_of(q); }
 
  private:
   using Exact = ExactOf<Trait>;
@@ -333,8 +333,8 @@ class OraclesOf final : public Oracles {
     else return true;
   }
   template <class Real>
-  static std::unique_ptr<MotionJudge> motion_judge_of(const Numbers<Real>& q) {
-    if constexpr (HasMotionJudge<Trait, Real>) return Trait::template motion_judge<Real>(widened(q));
+  static std::unique_ptr<ContactJudge> contact_judge_of(const Numbers<Real>& q) {
+    if constexpr (HasContactJudge<Trait, Real>) return Trait::template contact_judge<Real>(widened(q));
     else return nullptr;
   }
 };

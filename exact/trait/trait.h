@@ -72,8 +72,10 @@ struct ExactNumber {
 //                      has them gives too (exact/trait/oracles.h)
 //   distance           optional: what a kernel's margin is held against
 //   is_in_front        of a predicate with a front (kernel/predicate.h): whether the centre is in front of the triangle
-//   is_promised        of a predicate of motions, optional: whether a kernel with this policy promises to be right on a
-//   query motion_judge<Real> of a predicate with measures: the judge of those of a query that has contact
+//   is_promised        of a predicate of motions, optional: whether a kernel with this policy promises to be right on
+//                      a query
+//   contact_judge<Real> of a predicate with measures that are judged: a judge of those of a valid query; of motions, of
+//                      one that has contact
 template <class Trait>
 concept PredicateTrait = requires(const Numbers<double>& numbers, ComparisonBits holds, ComparisonBits ties) {
   { Trait::description() } -> std::same_as<const Predicate&>;
@@ -123,6 +125,6 @@ concept HasDistance = requires(const Numbers<double>& numbers) {
 };
 
 template <class Trait, class Real>
-concept HasMotionJudge = requires(const Numbers<double>& numbers) { Trait::template motion_judge<Real>(numbers); };
+concept HasContactJudge = requires(const Numbers<double>& numbers) { Trait::template contact_judge<Real>(numbers); };
 
 }  // namespace axiscert

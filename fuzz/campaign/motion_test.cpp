@@ -117,26 +117,26 @@ CampaignResult run_motions(const Plan& plan) {
 }
 
 // The kernel's tallies added up.
-MotionTally tallied(const Kernel& kernel) {
-  MotionTally sum;
-  for (const CellResult& cell : run_motions(plan_of_motions(kernel)).cells) merge_fields(sum, cell.tallies[0].motion);
-  EXPECT_GT(sum.hits + sum.missed.through, motion_queries / 2) << "of " << 6 * motion_queries;
+ContactTally tallied(const Kernel& kernel) {
+  ContactTally sum;
+  for (const CellResult& cell : run_motions(plan_of_motions(kernel)).cells) merge_fields(sum, cell.tallies[0].contacts);
+  EXPECT_GT(sum.answers + sum.missed->through, motion_queries / 2) << "of " << 6 * motion_queries;
   return sum;
 }
 
 TEST(Motion, TheBestTimesAreTheBest) {
-  const MotionTally found = tallied(PLANTED(right_told));
-  EXPECT_EQ(found.time->best, found.hits);
-  EXPECT_EQ(found.feature->judged, found.hits);
+  const ContactTally found = tallied(PLANTED(right_told));
+  EXPECT_EQ(found.time->best, found.answers);
+  EXPECT_EQ(found.feature->judged, found.answers);
   EXPECT_EQ(found.feature->wrong, 0u);
-  EXPECT_EQ(found.time->late_tunnels.through + found.missed.through, 0u);
+  EXPECT_EQ(found.time->late_tunnels.through + found.missed->through, 0u);
 }
 
 TEST(Motion, OneUlpTooLateIsLate) {
-  const MotionTally found = tallied(PLANTED(late_by_one));
+  const ContactTally found = tallied(PLANTED(late_by_one));
   // Past the end of the motion it is no time.
-  EXPECT_EQ(found.time->late + found.time->invalid, found.hits);
-  EXPECT_LT(found.time->invalid, found.hits / 2);
+  EXPECT_EQ(found.time->late + found.time->invalid, found.answers);
+  EXPECT_LT(found.time->invalid, found.answers / 2);
   EXPECT_EQ(found.time->late_errors.by_power[0], found.time->late) << "by at most one ulp";
   EXPECT_GT(found.time->late_errors.largest_ulps.best().value(), 0.9);
   EXPECT_LE(found.time->late_errors.largest_ulps.best().value(), 1);
@@ -145,16 +145,16 @@ TEST(Motion, OneUlpTooLateIsLate) {
 }
 
 TEST(Motion, OneUlpTooEarlyIsEarly) {
-  const MotionTally found = tallied(PLANTED(early_by_one));
-  EXPECT_EQ(found.time->early + found.time->best, found.hits);
-  EXPECT_GT(found.time->early, found.hits / 2);
+  const ContactTally found = tallied(PLANTED(early_by_one));
+  EXPECT_EQ(found.time->early + found.time->best, found.answers);
+  EXPECT_GT(found.time->early, found.answers / 2);
   EXPECT_LE(found.time->early_errors.largest_ulps.best().value(), 2);
   EXPECT_GE(found.time->largest_gap.best(), 0);
 }
 
 TEST(Motion, TheEndOfTheMotionTunnels) {
-  const MotionTally found = tallied(PLANTED(of_the_end));
-  EXPECT_EQ(found.time->late + found.time->best, found.hits);
+  const ContactTally found = tallied(PLANTED(of_the_end));
+  EXPECT_EQ(found.time->late + found.time->best, found.answers);
   EXPECT_GT(found.time->late_tunnels.deepest.best().value(), 0.1);
   EXPECT_GT(found.time->late_errors.largest_share.best(), 0.1);
   EXPECT_GT(found.time->late_errors.largest_length.best(), 0);
@@ -163,24 +163,24 @@ TEST(Motion, TheEndOfTheMotionTunnels) {
 
 TEST(Motion, WhatIsNoTimeIsCountedApart) {
   for (const Kernel& kernel : {PLANTED(negative), PLANTED(beyond)}) {
-    const MotionTally found = tallied(kernel);
-    EXPECT_EQ(found.time->invalid, found.hits);
-    EXPECT_EQ(found.feature->judged, found.hits) << "nothing is lost";
+    const ContactTally found = tallied(kernel);
+    EXPECT_EQ(found.time->invalid, found.answers);
+    EXPECT_EQ(found.feature->judged, found.answers) << "nothing is lost";
   }
-  const MotionTally without = tallied(PLANTED(not_told));
-  EXPECT_EQ(without.time->none, without.hits);
+  const ContactTally without = tallied(PLANTED(not_told));
+  EXPECT_EQ(without.time->none, without.answers);
 }
 
 TEST(Motion, AnotherFeatureIsWrong) {
-  const MotionTally found = tallied(PLANTED(other_feature));
-  EXPECT_EQ(found.feature->wrong, found.hits);
-  EXPECT_EQ(found.time->best, found.hits);
+  const ContactTally found = tallied(PLANTED(other_feature));
+  EXPECT_EQ(found.feature->wrong, found.answers);
+  EXPECT_EQ(found.time->best, found.answers);
 }
 
 TEST(Motion, AMissTunnels) {
-  const MotionTally found = tallied(planted_motion<right_told<float>, right_told<double>>(true));
-  EXPECT_EQ(found.hits, 0u);
-  EXPECT_GT(found.missed.through, motion_queries / 2) << "each contact of a point";
+  const ContactTally found = tallied(planted_motion<right_told<float>, right_told<double>>(true));
+  EXPECT_EQ(found.answers, 0u);
+  EXPECT_GT(found.missed->through, motion_queries / 2) << "each contact of a point";
 }
 
 // A kernel that never reports a contact is wrong on every one of its promise, and on no other.
@@ -214,17 +214,17 @@ TEST(Motion, TheRecordHasTheWorstAndItsWitness) {
   const Json record = json_of(record_of(plan, run_motions(plan), {}));
   const Json& entry = record["kernels"][0];
   EXPECT_EQ(entry["measures"], Json({"time", "feature"}));
-  const Json& motion = entry["families"]["moving-sphere/general"]["motion"];
+  const Json& motion = entry["families"]["moving-sphere/general"]["contacts"];
   EXPECT_EQ(motion["time"]["late"], motion["time"]["late_errors"]["by_power"]["0"]);
   EXPECT_TRUE(motion["normal"].is_null());
   bool is_shown = false, is_length_shown = false;
   const auto motion_of = [&](const Json& witness) {
-    return entry["families"][witness["family"].get<std::string>()]["motion"]["time"];
+    return entry["families"][witness["family"].get<std::string>()]["contacts"]["time"];
   };
   for (const Json& witness : record["witnesses"]) {
     const Json& measures = witness["measures"];
     ASSERT_TRUE(measures["given"].contains("time")) << witness.dump();
-    const Json& exact = witness["first_contact"];
+    const Json& exact = witness["exact_contact"];
     const bool has_contact = witness["truth"].get<std::string>() == "contact";
     EXPECT_EQ(exact["time"].is_null(), !has_contact) << witness.dump();
     EXPECT_EQ(exact.contains("point_from_a"), has_contact) << witness.dump();

@@ -14,7 +14,8 @@ KernelRun<Real>::KernelRun(const Kernel& kernel, const std::string& target, cons
       replies_(replies),
       standing_(standing),
       tally_(tally),
-      implementation_(kernel.on<Real>(target)) {}
+      implementation_(kernel.on<Real>(target)),
+      has_contacts_(says_contacts(kernel)) {}
 
 template <class Real>
 void KernelRun<Real>::ask_about(const MadeBatch<Real>& batch) {
@@ -33,6 +34,11 @@ Answer KernelRun<Real>::answer(std::size_t i) const {
 }
 
 template <class Real>
+std::vector<double> KernelRun<Real>::measures(std::size_t i) const {
+  return replies_ ? replies_->measures(source_, precision_of<Real>, position(i)) : reply_.measures(i);
+}
+
+template <class Real>
 typename KernelRun<Real>::JudgedAnswer KernelRun<Real>::judge(std::size_t i, CloseLook<Real>& look) {
   const Answer said = answer(i);
   JudgedAnswer found{true, look.chain(kernel_)};
@@ -46,11 +52,6 @@ typename KernelRun<Real>::JudgedAnswer KernelRun<Real>::judge(std::size_t i, Clo
   if (kernel_.limits.any() && std::isfinite(look.depth().engine_threshold())) ++tally_.verdict.engine->queries;
   count(tally_, position(i), look.truth(), found.chain ? found.chain->ties : ComparisonBits{0}, said, found.judgement,
         look.depth(), standing_);
-  if (!kernel_.predicate->measures.empty()) {
-    const std::vector<double> measures =
-        replies_ ? replies_->measures(source_, precision_of<Real>, position(i)) : reply_.measures(i);
-    look.count_motion(kernel_, position(i), said.verdict, measures, tally_.motion);
-  }
   return found;
 }
 

@@ -8,7 +8,7 @@
 
 #include "exact/trait/oracles.h"
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/record/motion_tally.h"
+#include "fuzz/record/contact_tally.h"
 #include "kernel/ask.h"
 
 namespace axiscert {
@@ -38,23 +38,33 @@ class CloseLook {
     return !is_valid() || is_promised(oracles_, kernel.limits, kernel.motion, numbers_);
   }
 
-  // Counts what the answer says of a motion, where the query has contact and touching is contact for the kernel.
-  void count_motion(const Kernel& kernel, std::uint64_t position, Verdict said, std::span<const double> measures,
-                    MotionTally& tally) {
-    const bool is_contact = right_verdict(truth_, kernel.touching) == Verdict::contact;
-    const bool is_hit = said == Verdict::contact;
-    if (!is_contact || (!is_hit && said != Verdict::separated)) return;
-    if (!motion_judge_) motion_judge_ = oracles_.motion_judge(numbers_);
-    if (is_hit) count_hit(tally, position, motion_judge_->judge_hit(measures));
-    else count_missed(tally, position, motion_judge_->judge_miss());
-  }
-
  private:
   const Oracles& oracles_;
   const Numbers<Real>& numbers_;
   AskedQuery& asked_;
   Truth truth_;
-  std::unique_ptr<MotionJudge> motion_judge_;
+};
+
+// A valid query of a batch, of which what kernels say beside their verdicts is judged: the judge is made once for all.
+template <class Real>
+class ContactLook {
+ public:
+  // All have to outlive this.
+  ContactLook(const Oracles& oracles, const Numbers<Real>& numbers) : oracles_(oracles), numbers_(numbers) {}
+
+  // Counts what the answer says beside its verdict, where that is judged; `truth` as has_judged_contact() asks it.
+  template <class TruthOf>
+  void count(const Kernel& kernel, std::uint64_t position, Verdict said, std::span<const double> measures,
+             TruthOf&& truth, ContactTally& tally) {
+    if (!has_judged_contact(kernel, said, truth)) return;
+    if (!judge_) judge_ = oracles_.contact_judge(numbers_);
+    if (judge_) count_contact(tally, position, judge_->judge(said, measures));
+  }
+
+ private:
+  const Oracles& oracles_;
+  const Numbers<Real>& numbers_;
+  std::unique_ptr<ContactJudge> judge_;
 };
 
 // A plug-in is a process, begun with the unit: what it does depends on the unit alone, and not on what the thread did
@@ -91,6 +101,14 @@ class KernelRun {
   };
   JudgedAnswer judge(std::size_t i, CloseLook<Real>& look);
 
+  // Whether what it says beside its verdicts is judged.
+  bool has_contacts() const { return has_contacts_; }
+  // Counts that of query `i`, a valid one within its promises; `truth` as has_judged_contact() asks it.
+  template <class TruthOf>
+  void count_contact_of(std::size_t i, ContactLook<Real>& look, TruthOf&& truth) {
+    look.count(kernel_, position(i), answer(i).verdict, measures(i), truth, tally_.contacts);
+  }
+
   // After the last batch: counts what all of the unit's verdicts show of a kernel that is not built in.
   void finish();
 
@@ -101,6 +119,10 @@ class KernelRun {
   const StandingLeaders& standing_;
   Tally& tally_;
   Implementation<Real> implementation_;
+  // The measures with the answer to query `i`.
+  std::vector<double> measures(std::size_t i) const;
+
+  bool has_contacts_;
   std::uint64_t position_ = 0;  // of the batch's first query
   Reply<Real> reply_;
 };

@@ -5,23 +5,46 @@
 #include "fuzz/campaign/clear_look.h"
 #include "fuzz/campaign/stages.h"
 #include "fuzz/campaign/machine.h"
+#include "fuzz/queries/capabilities.h"
 #include "kernel/base/stopwatch.h"
 
 namespace axiscert {
 namespace {
 
-// Judges what the screen leaves open by the oracles, which are asked once for all kernels.
+// Judges what the screen leaves open by the oracles, which are asked once for all kernels; `with_contacts`: also what
+// kernels say beside their verdicts.
 template <class Real>
-void judge(const Oracles& oracles, const MadeBatch<Real>& batch, KernelRuns<Real>& runs, Screen<Real>& screen) {
+void judge(const Oracles& oracles, const MadeBatch<Real>& batch, KernelRuns<Real>& runs, Screen<Real>& screen,
+           bool with_contacts) {
   for (std::size_t i = 0; i < batch.size(); ++i) {
     if (!screen.is_open(i)) continue;
     std::optional<Numbers<Real>> numbers;
     std::optional<CloseLook<Real>> look;
+    std::optional<ContactLook<Real>> contacts;
     for (std::size_t k = 0; k < runs.size(); ++k) {
       if (screen.try_judge(k, i)) continue;
       if (!numbers) numbers = batch.queries[i];
       if (!look) look.emplace(oracles, *numbers, screen.about(i));
-      screen.look_at_answer(k, i, runs[k].judge(i, *look));
+      const auto found = runs[k].judge(i, *look);
+      screen.look_at_answer(k, i, found);
+      if (!with_contacts || !runs[k].has_contacts() || !found.is_counted || !look->is_valid()) continue;
+      if (!contacts) contacts.emplace(oracles, *numbers);
+      runs[k].count_contact_of(i, *contacts, [&] { return look->truth(); });
+    }
+  }
+}
+
+// Judges what kernels say beside their verdicts, where a screen has judged most of these without any oracle.
+template <class Real>
+void judge_contacts(const Oracles& oracles, const MadeBatch<Real>& batch, KernelRuns<Real>& runs) {
+  if (std::none_of(runs.begin(), runs.end(), [](const auto& run) { return run.has_contacts(); })) return;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const Numbers<Real> numbers = batch.queries[i];
+    if (!oracles.is_valid(numbers)) continue;
+    ContactLook<Real> contacts(oracles, numbers);
+    for (KernelRun<Real>& run : runs) {
+      if (!run.has_contacts() || !is_promised(oracles, run.kernel().limits, run.kernel().motion, numbers)) continue;
+      run.count_contact_of(i, contacts, [&] { return oracles.truth(numbers); });
     }
   }
 }
@@ -45,6 +68,7 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
   StepCounts& steps = out.steps;
   const auto screen =
       screen_of<Real>({plan.judging, plan.running.target, oracles, runs, first, steps, out.second_opinions});
+  const bool is_screened = capabilities_of(source.predicate()).screens != nullptr;
   QueryBatch<Real> queries(most, source.columns().size());
   for (std::uint64_t done = 0; done < size; done += queries.size()) {
     Stopwatch watch;
@@ -60,7 +84,8 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
     steps.errors += watch.lap();
     screen->count_in_bulk();
     look_at_clear(oracles, made, runs);
-    judge(oracles, made, runs, *screen);
+    judge(oracles, made, runs, *screen, !is_screened);
+    if (is_screened) judge_contacts(oracles, made, runs);
     screen->sample();
     steps.judging += watch.lap();
     if (asked) asked(queries.size());

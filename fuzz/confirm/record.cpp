@@ -95,14 +95,6 @@ PlanRecord plan_record(const Plan& plan, const RunRequirements& required) {
 
 namespace {
 
-// Whether the kernel gives the predicate's measure of that name, and so all before it.
-bool gives(const Kernel& kernel, std::string_view measure) {
-  const auto& all = kernel.predicate->measures;
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const PredicateMeasure& one) { return one.name == measure; });
-  return found - all.begin() < static_cast<std::ptrdiff_t>(kernel.measure_count);
-}
-
 // A figure that the kernel does not show, or nobody asked for, was not measured: empty, and no count of zero.
 Tally measured(Tally tally, const Kernel& kernel, const Tolerances& tolerances) {
   const Predicate& predicate = *kernel.predicate;
@@ -128,10 +120,7 @@ Tally measured(Tally tally, const Kernel& kernel, const Tolerances& tolerances) 
   if (has_reference(kernel)) tally.verdict.clear.reset();
   if (!oracles_of(predicate).has_depth()) tally.verdict.depths.reset();
   if (!capabilities_of(predicate).has_engine_queries) tally.verdict.engine.reset();
-  if (!gives(kernel, "time")) tally.motion.time.reset();
-  if (!gives(kernel, "feature")) tally.motion.feature.reset();
-  if (!gives(kernel, "normal_z")) tally.motion.normal.reset();
-  if (!gives(kernel, "point_z")) tally.motion.point.reset();
+  tally.contacts = given_contacts(std::move(tally.contacts), predicate, kernel.measure_count);
   return tally;
 }
 
@@ -154,7 +143,7 @@ FamilyRecord counted(Tally tally, const Kernel& kernel, const Tolerances& tolera
   family.verdict = std::move(tally.verdict);
   family.critical_radius = summary_of(std::move(tally.critical_radius));
   if (has_input_classes(kernel)) family.classes = class_records(tally.classes, address);
-  if (!kernel.predicate->measures.empty()) family.motion = std::move(tally.motion);
+  if (says_contacts(kernel)) family.contacts = std::move(tally.contacts);
   if (!kernel.file.empty()) family.asked_again = tally.asked_again;
   if (kernel.exposes != Exposure::verdict) {
     family.axes = std::move(tally.axes);
@@ -207,8 +196,8 @@ Json counts_json(const Kernel& kernel, const Tally& tally) {
   if (family.classes) {
     for (Json& count : json["classes"]) count.erase("witness");
   }
-  if (family.motion && family.motion->time) {
-    for (const char* errors : {"late_errors", "early_errors"}) json["motion"]["time"][errors].erase("by_power");
+  if (family.contacts && family.contacts->time) {
+    for (const char* errors : {"late_errors", "early_errors"}) json["contacts"]["time"][errors].erase("by_power");
   }
   Json& findings = json["findings"] = Json::object();
   for (const FindingKind kind : enumerators<FindingKind>) {
@@ -260,10 +249,8 @@ KernelRecord kernel_record(const std::vector<FileInfo>& plugins, const Kernel& k
   record.touching = kernel.touching;
   record.limits = limits_of(kernel.limits);
   record.may_decline = kernel.may_decline;
-  if (!kernel.predicate->measures.empty()) {
-    record.measures = given_measures(kernel);
-    record.motion = policy_of(kernel.motion);
-  }
+  if (!kernel.predicate->measures.empty()) record.measures = given_measures(kernel);
+  if (is_of_motions(*kernel.predicate)) record.motion = policy_of(kernel.motion);
   return record;
 }
 

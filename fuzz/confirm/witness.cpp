@@ -25,50 +25,95 @@ PlaceNumbers place_numbers(const std::array<double, 3>& at) {
 
 }  // namespace
 
+namespace {
+
+void put_motion(MeasuresRecord& record, const ContactJudgement& contact) {
+  record.tunnel.emplace(depth_of(contact.missed ? contact.missed : contact.tunnel));
+  if (contact.missed) return;
+  const bool is_off = contact.time == TimeVerdict::early || contact.time == TimeVerdict::late;
+  record.time.emplace(contact.time);
+  record.ulps.emplace(is_off ? std::optional(error_number(contact.ulps)) : std::nullopt);
+  record.in_u.emplace(is_off ? std::optional(error_number(contact.in_u)) : std::nullopt);
+  record.share.emplace(is_off ? std::optional(contact.share) : std::nullopt);
+  record.length.emplace(is_off ? std::optional(contact.length) : std::nullopt);
+  record.gap.emplace(contact.time == TimeVerdict::early ? std::optional(contact.gap) : std::nullopt);
+}
+
+void put_bodies(MeasuresRecord& record, const Predicate& predicate, const ContactJudgement& contact) {
+  const std::optional<SeparationError>& error = contact.separation;
+  record.consistency.emplace(contact.consistency);
+  record.separation_error.emplace(error ? std::optional(error->share) : std::nullopt);
+  record.separation_length.emplace(error ? std::optional(error->length) : std::nullopt);
+  record.separation_ulps.emplace(error ? std::optional(error_number(error->ulps)) : std::nullopt);
+  record.separation_u.emplace(error ? std::optional(error_number(error->in_u)) : std::nullopt);
+  record.left.emplace(contact.pushed ? std::optional(error_number(contact.pushed->left)) : std::nullopt);
+  record.is_flip.emplace(contact.pushed ? std::optional(contact.pushed->is_flip) : std::nullopt);
+  if (!has_measure(predicate, MeasureKind::point_b)) return;
+  record.point_a_error.emplace(contact.point_a_error);
+  record.point_b_error.emplace(contact.point_b_error);
+  record.points_apart.emplace(contact.points_apart);
+}
+
+}  // namespace
+
 std::optional<MeasuresRecord> measures_of(const Predicate& predicate, const Examination& found) {
-  const bool is_contact = found.answer.verdict == Verdict::contact && !found.measures.empty();
-  if (!is_contact && !found.missed) return std::nullopt;
+  const bool moves = is_of_motions(predicate), is_missed = found.contact && found.contact->missed;
+  const bool is_given =
+      !found.measures.empty() && (moves ? found.answer.verdict == Verdict::contact : found.contact.has_value());
+  if (!is_given && !is_missed) return std::nullopt;
   MeasuresRecord record;
-  for (std::size_t k = 0; is_contact && k < found.measures.size(); ++k) {
+  for (std::size_t k = 0; is_given && k < found.measures.size(); ++k) {
     record.given.put(predicate.measures[k].name) = format_number(found.measures[k]);
   }
-  record.tunnel = depth_of(found.missed);
-  if (!found.motion) return record;
-  const MotionJudgement& motion = *found.motion;
-  if (motion.tunnel) record.tunnel = depth_of(motion.tunnel);
-  const bool is_off = motion.time == TimeVerdict::early || motion.time == TimeVerdict::late;
-  record.time.emplace(motion.time);
-  record.ulps.emplace(is_off ? std::optional(error_number(motion.ulps)) : std::nullopt);
-  record.in_u.emplace(is_off ? std::optional(error_number(motion.in_u)) : std::nullopt);
-  record.share.emplace(is_off ? std::optional(motion.share) : std::nullopt);
-  record.length.emplace(is_off ? std::optional(motion.length) : std::nullopt);
-  record.gap.emplace(motion.time == TimeVerdict::early ? std::optional(motion.gap) : std::nullopt);
-  record.feature_is_right.emplace(motion.feature_is_right);
-  const bool is_finite = motion.feature_error && std::isfinite(*motion.feature_error);
-  record.feature_error.emplace(is_finite ? motion.feature_error : std::nullopt);
-  record.normal_angle.emplace(motion.normal_angle);
-  record.normal_length_error.emplace(motion.normal_length_error);
-  record.point_error.emplace(motion.point_error);
+  if (moves && !found.contact) record.tunnel.emplace();
+  if (!found.contact) return record;
+  const ContactJudgement& contact = *found.contact;
+  if (moves) put_motion(record, contact);
+  else put_bodies(record, predicate, contact);
+  if (is_missed) return record;
+  if (has_measure(predicate, MeasureKind::feature)) {
+    record.feature_is_right.emplace(contact.feature_is_right);
+    const bool is_finite = contact.feature_error && std::isfinite(*contact.feature_error);
+    record.feature_error.emplace(is_finite ? contact.feature_error : std::nullopt);
+  }
+  record.normal_angle.emplace(contact.normal_angle);
+  record.normal_length_error.emplace(contact.normal_length_error);
+  if (has_measure(predicate, MeasureKind::point)) record.point_error.emplace(contact.point_error);
   return record;
 }
 
 template <class Real>
-std::optional<FirstContactRecord> first_contact_of(const Oracles& oracles, const Truth& truth,
+std::optional<ExactContactRecord> exact_contact_of(const Oracles& oracles, const Truth& truth,
                                                    const Numbers<Real>& numbers) {
   if (truth.verdict == Verdict::invalid) return std::nullopt;
-  Json details = Json::object();
-  for (const Detail& detail : oracles.details(numbers)) details[std::string(detail.name)] = detail_json(detail);
-  auto record = read_as<FirstContactRecord>(details);
-  if (truth.verdict != Verdict::contact) return record;
-  const ContactPlace place = oracles.motion_judge(numbers)->first();
+  const Predicate& predicate = oracles.predicate();
+  ExactContactRecord record;
+  if (is_of_motions(predicate)) {
+    Json details = Json::object();
+    for (const Detail& detail : oracles.details(numbers)) details[std::string(detail.name)] = detail_json(detail);
+    record = read_as<ExactContactRecord>(details);
+    if (truth.verdict != Verdict::contact) return record;
+  } else if (const NearestFeatures* const features = capabilities_of(predicate).nearest_features) {
+    std::vector<Name> names;
+    for (const std::string_view name : features->of(numbers)) names.push_back(name);
+    record.features.emplace(std::move(names));
+  }
+  const std::unique_ptr<ContactJudge> judge = oracles.contact_judge(numbers);
+  if (judge == nullptr) return record;
+  const ContactPlace place = judge->place();
   record.after_time = place.after_best;
-  record.point = place_numbers(place.point);
-  record.point_from_a = place_numbers(place.from_a);
+  record.separation = place.separation;
+  const auto put = [](std::optional<PlaceNumbers>& into, const std::optional<std::array<double, 3>>& at) {
+    if (at) into = place_numbers(*at);
+  };
+  put(record.point, place.point);
+  put(record.point_b, place.point_b);
+  put(record.point_from_a, place.from_a);
   record.normal.emplace(place.normal ? std::optional(place_numbers(*place.normal)) : std::nullopt);
   return record;
 }
-template std::optional<FirstContactRecord> first_contact_of(const Oracles&, const Truth&, const Numbers<float>&);
-template std::optional<FirstContactRecord> first_contact_of(const Oracles&, const Truth&, const Numbers<double>&);
+template std::optional<ExactContactRecord> exact_contact_of(const Oracles&, const Truth&, const Numbers<float>&);
+template std::optional<ExactContactRecord> exact_contact_of(const Oracles&, const Truth&, const Numbers<double>&);
 
 namespace {
 
@@ -147,7 +192,7 @@ void WitnessWriter::add(const Kernel& kernel, const SeededSource& of, const Tall
       shown[candidate.position].largest_errors |= one_bit<ComparisonBits>(i);
     }
   }
-  note_motion(tally.motion, shown);
+  note_contacts(tally.contacts, shown);
   if (asymmetry) add_pairs(of, *asymmetry, shown);
   if (!examiner_ || &examiner_->kernel() != &kernel) examiner_.emplace(kernel, target_);
   if (of.precision == Precision::binary32) write<float>(kernel, of, shown);
@@ -185,7 +230,7 @@ void WitnessWriter::add_pairs(const SeededSource& of, const Asymmetry& asymmetry
       });
 }
 
-void WitnessWriter::note_motion(const MotionTally& motion, ShownReasons& shown) {
+void WitnessWriter::note_contacts(const ContactTally& contacts, ShownReasons& shown) {
   const auto note = [&](const auto& leaders, auto&& what) {
     for (const auto& candidate : leaders.candidates()) shown[candidate.position].texts.push_back(what(candidate.rank));
   };
@@ -204,18 +249,46 @@ void WitnessWriter::note_motion(const MotionTally& motion, ShownReasons& shown) 
     note(errors.largest_share, largest(what, " of the way"));
     note(errors.largest_length, largest(what, " in length"));
   };
-  const TimeTally& time = *motion.time;
-  note(time.no_time, [](bool given) { return given ? "a time outside [0, 1]" : "a contact without a time"; });
-  note_errors(time.late_errors, "latest time");
-  note(time.late_tunnels.deepest, worst("deepest tunnel of a late time", ""));
-  note(motion.missed.deepest, worst("deepest tunnel of a missed contact", ""));
-  note_errors(time.early_errors, "earliest time");
-  note(time.largest_gap, largest("largest gap of an early time", " of the scene"));
-  note(motion.feature->first_wrong, [](bool) { return "a feature that is not touched first"; });
-  note(motion.feature->largest_error, largest("wrong feature farthest from its region", " of the scene"));
-  note(motion.normal->largest_angle, largest("largest angle of a normal", " radians"));
-  note(motion.normal->largest_length_error, largest("largest error of a normal's length", ""));
-  note(motion.point->largest_error, largest("largest error of a contact's point", " of the scene"));
+  if (const auto& time = contacts.time) {
+    note(time->no_time, [](bool given) { return given ? "a time outside [0, 1]" : "a contact without a time"; });
+    note_errors(time->late_errors, "latest time");
+    note(time->late_tunnels.deepest, worst("deepest tunnel of a late time", ""));
+  }
+  if (contacts.missed) note(contacts.missed->deepest, worst("deepest tunnel of a missed contact", ""));
+  if (const auto& time = contacts.time) {
+    note_errors(time->early_errors, "earliest time");
+    note(time->largest_gap, largest("largest gap of an early time", " of the scene"));
+  }
+  if (contacts.consistency) {
+    for (const Consistency which : enumerators<Consistency>) {
+      note(contacts.consistency->first[which], [which](bool) { return std::string(consistency_words[which]); });
+    }
+  }
+  if (const auto& separation = contacts.separation) {
+    note(separation->largest_error, largest("largest error of a separation", " of the scene"));
+    note(separation->largest_length, largest("largest error of a separation", " in length"));
+    note(separation->largest_ulps, worst("largest error of a separation", " ulps"));
+    note(separation->largest_in_u, worst("largest error of a separation", " u of the scene"));
+  }
+  if (const auto& feature = contacts.feature) {
+    note(feature->first_wrong, [](bool) { return "a feature that is not touched first"; });
+    note(feature->largest_error, largest("wrong feature farthest from its region", " of the scene"));
+  }
+  if (const auto& normal = contacts.normal) {
+    note(normal->largest_angle, largest("largest angle of a normal", " radians"));
+    note(normal->largest_length_error, largest("largest error of a normal's length", ""));
+  }
+  if (const auto& pushed = contacts.pushed) {
+    note(pushed->first_flip, [](bool) { return "a normal to the other side"; });
+    note(pushed->largest_left, worst("most penetration left along a normal", " of the depth"));
+  }
+  const auto note_points = [&](const auto& points, const char* what) {
+    if (points) note(points->largest_error, largest(what, " of the scene"));
+  };
+  note_points(contacts.point, "largest error of a contact's point");
+  note_points(contacts.point_a, "largest error of the first point");
+  note_points(contacts.point_b, "largest error of the second point");
+  note_points(contacts.points, "largest difference between points and separation");
 }
 
 template <class Real>
@@ -257,9 +330,9 @@ void WitnessWriter::write(const Kernel& kernel, const SeededSource& of, const Sh
     witness.shows = what.texts;
     witness.flips = flips_of(predicate, found.judgement);
     if (sides != nullptr) witness.sides = sides->of(numbers, kernel, found, what.largest_errors);
-    if (!predicate.measures.empty()) {
+    if (says_contacts(kernel)) {
       witness.measures.emplace(measures_of(predicate, found));
-      witness.first_contact.emplace(first_contact_of(oracles_of(predicate, source.entry()), found.truth, numbers));
+      witness.exact_contact.emplace(exact_contact_of(oracles_of(predicate, source.entry()), found.truth, numbers));
     }
   }
 }

@@ -30,16 +30,16 @@ class WitnessSides {
   ~WitnessSides() = default;
 };
 
-// The first contact, as a witness has it.
+// What a kernel says beside its verdict, and what is exact, as a witness has it.
 
-// The measures that a kernel gave beside a contact, by name, numbers as a query has them, and how they are wrong, where
-// that contact is right; of a missed contact its tunnel. Empty where there is neither.
+// The measures that a kernel gave, by name, numbers as a query has them, and how they are wrong: of motions beside a
+// contact, and of a missed one its tunnel. Empty where there is nothing.
 std::optional<MeasuresRecord> measures_of(const Predicate& predicate, const Examination& found);
 
-// The exact first contact of a query whose verdict is `truth`: the details of the oracles of its entry and, where there
-// is contact, its point and normal as numbers of binary64. Empty of a query that is invalid.
+// The exact contact of a query whose verdict is `truth`, by the oracles of its entry, with numbers of binary64; of
+// motions the details of these and, where there is contact, its place. Empty of a query that is invalid.
 template <class Real>
-std::optional<FirstContactRecord> first_contact_of(const Oracles& oracles, const Truth& truth,
+std::optional<ExactContactRecord> exact_contact_of(const Oracles& oracles, const Truth& truth,
                                                    const Numbers<Real>& numbers);
 
 class WitnessWriter {
@@ -61,7 +61,7 @@ class WitnessWriter {
     std::optional<InputClass> input_class = {};  // as which it was counted
   };
   using ShownReasons = std::map<std::uint64_t, Reasons>;  // by position
-  static void note_motion(const MotionTally& motion, ShownReasons& shown);
+  static void note_contacts(const ContactTally& contacts, ShownReasons& shown);
   static void add_pairs(const SeededSource& of, const Asymmetry& asymmetry, ShownReasons& shown);
   template <class Real>
   Examination examined(const Kernel& kernel, const Source& source, std::uint64_t position,

@@ -35,6 +35,15 @@ enum class RepeatedBatch : std::uint8_t { same, differs };
 enum class Place : std::uint8_t { independent, depends };
 // A length by which it answers as if a shape were larger, or smaller.
 enum class Slack : std::uint8_t { none_found, early, late };
+// The numbers beside the verdict. Separations: never above 0; with the other sign; of another thing (the predicate's
+// contact likenesses); off by one length everywhere; wrong without a rule.
+enum class Separations : std::uint8_t { right, never_positive, negated, against_plane, margin, wrong };
+// Normals: to the other side; of another thing; off by one angle everywhere; of another length than 1.
+enum class Normals : std::uint8_t { right, flipped, of_centres, of_face, tilted, not_normalised, wrong };
+// Features: the same number whatever is nearest.
+enum class Features : std::uint8_t { right, one_part, wrong };
+// Points of contact: of the body that has none.
+enum class Points : std::uint8_t { right, other_body, wrong };
 // Clear queries that have a trait (fuzz/queries/capabilities.h).
 enum class ByTrait : std::uint8_t { right, wrong };
 
@@ -61,6 +70,12 @@ AXISCERT_VALUES(Inner, 3, inner_names, "narrower", "own", "wider")
 AXISCERT_VALUES(RepeatedBatch, 2, repeated_names, "same", "differs")
 AXISCERT_VALUES(Place, 2, place_names, "independent", "depends")
 AXISCERT_VALUES(Slack, 3, slack_names, "none_found", "early", "late")
+AXISCERT_VALUES(Separations, 6, separations_names, "right", "never_positive", "negated", "against_plane", "margin",
+                "wrong")
+AXISCERT_VALUES(Normals, 7, normals_names, "right", "flipped", "of_centres", "of_face", "tilted", "not_normalised",
+                "wrong")
+AXISCERT_VALUES(Features, 3, features_names, "right", "one_part", "wrong")
+AXISCERT_VALUES(Points, 3, points_names, "right", "other_body", "wrong")
 AXISCERT_VALUES(ByTrait, 2, by_trait_names, "right", "wrong")
 #undef AXISCERT_VALUES
 
@@ -104,6 +119,15 @@ template <class Real>
 ProbeFinding batch_length(Subject<Real>& subject);
 template <class Real>
 ProbeFinding neighbours(Subject<Real>& subject);
+// Probes of the numbers beside the verdicts of clear queries (contacts.cpp).
+template <class Real>
+ProbeFinding separations(Subject<Real>& subject);
+template <class Real>
+ProbeFinding normals(Subject<Real>& subject);
+template <class Real>
+ProbeFinding features(Subject<Real>& subject);
+template <class Real>
+ProbeFinding contact_points(Subject<Real>& subject);
 // Probes of clear queries by their traits.
 template <class Real>
 ProbeFinding on_regions(Subject<Real>& subject);

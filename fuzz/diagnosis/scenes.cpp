@@ -28,11 +28,6 @@ Queries<Real> clear_in_units(const Kernel& kernel, std::size_t count, int first,
 
 }  // namespace
 
-bool is_of_motions(const Predicate& predicate) {
-  return std::ranges::any_of(predicate.measures,
-                             [](const PredicateMeasure& measure) { return measure.name == "time"; });
-}
-
 const Family* family_named_general(const Kernel& kernel) {
   for (const Family* family : families_of(*kernel.predicate)) {
     const std::string_view last = family->name.substr(family->name.rfind('/') + 1);

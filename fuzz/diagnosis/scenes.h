@@ -168,9 +168,6 @@ std::vector<ClearQuery<Real>> clear_queries(const Kernel& kernel, std::size_t co
 template <class Real>
 std::vector<ClearQuery<Real>> clear_of_families(Subject<Real>& subject);
 
-// Whether a predicate is of motions, whose directions are displacements: it has a time.
-bool is_of_motions(const Predicate& predicate);
-
 // The query in another unit of length: places, lengths and displacements times 2^exponent. The axes of a box stay.
 template <class Real>
 Numbers<Real> in_unit(const Kernel& kernel, const Numbers<Real>& numbers, int exponent);

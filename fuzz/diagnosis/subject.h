@@ -14,6 +14,7 @@
 #include "fuzz/record/looked_at.h"
 #include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/files/query_file.h"
+#include "kernel/ask.h"
 
 namespace axiscert::diagnosis {
 
@@ -45,6 +46,15 @@ class Subject {
   }
   // The same of any number of queries, in batches of at most 1024.
   std::vector<Verdict> ask(std::span<const Numbers<Real>> queries) { return ask(implementation_, queries); }
+  // What it says beside its verdicts too, in one batch; counted.
+  Reply<Real> ask_measures(std::span<const Numbers<Real>> queries) {
+    answers_of(implementation_, queries);  // which counts them
+    QueryBatch<Real> batch(queries.size(), entry().columns.size());
+    for (const Numbers<Real>& query : queries) batch.push_back(query);
+    Reply<Real> reply;
+    axiscert::ask(implementation_, batch.columns(), reply);
+    return reply;
+  }
   // The answers of another implementation, for comparison; not counted.
   std::vector<Verdict> ask(const Implementation<Real>& of, std::span<const Numbers<Real>> queries) {
     std::vector<Verdict> said;

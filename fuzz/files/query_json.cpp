@@ -46,7 +46,7 @@ constexpr std::string_view written_beside_queries[] = {"kernel",
                                                        "evaluations",
                                                        "complete",
                                                        "measures",
-                                                       "first_contact",
+                                                       "exact_contact",
                                                        "schema",
                                                        "axiscert",
                                                        "revision"};

@@ -225,7 +225,7 @@ struct FamilyCounts {
   VerdictTally verdict;
   std::optional<NamedValues<AxisTally>> axes;
   std::optional<NamedValues<ComparisonTally>> comparisons;
-  std::optional<MotionTally> motion;
+  std::optional<ContactTally> contacts;
   std::optional<std::uint64_t> asked_again;
 
   static constexpr auto fields(auto&& visit) {
@@ -246,11 +246,10 @@ struct FamilyCounts {
               {"comparisons",
                "Results per comparison, in the order of the strings of bits; null for a kernel that shows only "
                "verdicts."}),
-        field(&Of::motion,
-              {.name = "motion",
-               .about =
-                   "The first contacts that the kernel reports, against the exact one. Absent for a predicate without "
-                   "measures.",
+        field(&Of::contacts,
+              {.name = "contacts",
+               .about = "What the kernel says beside its verdicts, against what is exact. Absent for a kernel without "
+                        "measures of a predicate without motions, and where a predicate has none.",
                .may_be_absent = true}),
         field(&Of::asked_again,
               {.name = "asked_again",

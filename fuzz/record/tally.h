@@ -14,7 +14,7 @@
 #include "fuzz/record/wrong_verdicts.h"
 #include "fuzz/record/leaders.h"
 #include "fuzz/record/margins.h"
-#include "fuzz/record/motion_tally.h"
+#include "fuzz/record/contact_tally.h"
 #include "fuzz/fields/field.h"
 #include "kernel/outcome.h"
 
@@ -308,14 +308,14 @@ struct Tally {
   CriticalRadiusTally critical_radius;
   EnumArray<FindingKind, FindingTally> findings;
   ClassTally classes;             // of a kernel with has_input_classes()
-  MotionTally motion;             // of a predicate with measures
+  ContactTally contacts;          // of a predicate with measures
   std::uint64_t asked_again = 0;  // queries asked again in another order of their batch
 
   void merge(const Tally& other);
   static constexpr auto fields(auto&& visit) {
     return visit(journalled(&Tally::trials), journalled(&Tally::truth), journalled(&Tally::verdict),
                  journalled(&Tally::axes), journalled(&Tally::comparisons), journalled(&Tally::critical_radius),
-                 journalled(&Tally::findings), journalled(&Tally::classes), journalled(&Tally::motion),
+                 journalled(&Tally::findings), journalled(&Tally::classes), journalled(&Tally::contacts),
                  journalled(&Tally::asked_again));
   }
 };

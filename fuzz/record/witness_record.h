@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "exact/judge/judge.h"
-#include "exact/judge/motion_judgement.h"
+#include "exact/judge/contact_judgement.h"
 #include "exact/sphere_triangle/measures/input_class.h"
 #include "fuzz/fields/json_form.h"
 #include "kernel/outcome.h"
@@ -113,111 +113,143 @@ struct SidesRecord {
 
 struct MeasuresRecord {
   NamedValues<HexNumber> given;
-  std::optional<ErrorNumber> tunnel;
+  std::optional<std::optional<ErrorNumber>> tunnel;
   // Absent together, where nothing of the motion was judged; null each where the kernel does not give it.
   std::optional<std::optional<TimeVerdict>> time;
   std::optional<std::optional<ErrorNumber>> ulps, in_u;
   std::optional<std::optional<double>> share, length, gap;
+  // Of a predicate without motions.
+  std::optional<std::optional<Consistency>> consistency;
+  std::optional<std::optional<double>> separation_error, separation_length;
+  std::optional<std::optional<ErrorNumber>> separation_ulps, separation_u;
+  std::optional<std::optional<ErrorNumber>> left;
+  std::optional<std::optional<bool>> is_flip;
+  // Of any.
   std::optional<std::optional<bool>> feature_is_right;
   std::optional<std::optional<double>> feature_error, normal_angle, normal_length_error, point_error;
+  // Of a predicate with two such points.
+  std::optional<std::optional<double>> point_a_error, point_b_error, points_apart;
 
   static constexpr std::string_view about =
-      "What a kernel said of the first contact on this query, and how it is wrong. Absent for a predicate without "
+      "What a kernel said beside its verdict on this query, and how it is wrong. Absent for a predicate without "
       "measures; "
-      "null where it gave none beside a contact, and missed none.";
+      "null where it gave none, and of motions where it gave none beside a contact, and missed none.";
   static constexpr auto fields(auto&& visit) {
     using Of = MeasuresRecord;
+    const auto optional = [](std::string_view name, std::string_view about, std::string_view unit = {}) {
+      return Field{.name = name, .about = about, .unit = unit, .may_be_absent = true};
+    };
     return visit(
         field(&Of::given, {"given", "The measures by name."}),
-        field(&Of::tunnel, {"tunnel", "Of a late time or a missed contact.", "radii"}),
-        field(&Of::time,
-              {.name = "time",
-               .about = "What is said of the time: none, invalid, early, best, late; null where the kernel gives no "
-                        "times.",
-               .may_be_absent = true}),
+        field(&Of::tunnel, optional("tunnel", "Of motions: of a late time or a missed contact.", "radii")),
+        field(&Of::time, optional("time",
+                                  "What is said of the time: none, invalid, early, best, late; null where the kernel "
+                                  "gives no times.")),
         field(&Of::ulps,
-              {.name = "ulps",
-               .about = "The error of an early or late time in units in the last place of the best one, rounded up.",
-               .unit = "ulps",
-               .may_be_absent = true}),
-        field(&Of::in_u,
-              {.name = "in_u", .about = "The same in u of the displacement.", .unit = "u", .may_be_absent = true}),
-        field(&Of::share, {.name = "share",
-                           .about = "The error of an early or late time as a share of the way.",
-                           .unit = "of the way",
-                           .may_be_absent = true}),
-        field(&Of::length, {.name = "length",
-                            .about = "How far the centre then is from where it is at the first contact.",
-                            .unit = "length",
-                            .may_be_absent = true}),
-        field(&Of::gap, {.name = "gap",
-                         .about = "Of an early time, relative to the scene.",
-                         .unit = "of the scene",
-                         .may_be_absent = true}),
-        field(&Of::feature_is_right,
-              {.name = "feature_is_right", .about = "Null where no feature is given.", .may_be_absent = true}),
+              optional("ulps",
+                       "The error of an early or late time in units in the last place of the best one, rounded "
+                       "up.",
+                       "ulps")),
+        field(&Of::in_u, optional("in_u", "The same in u of the displacement.", "u")),
+        field(&Of::share, optional("share", "The error of an early or late time as a share of the way.", "of the way")),
+        field(&Of::length,
+              optional("length", "How far the centre then is from where it is at the first contact.", "length")),
+        field(&Of::gap, optional("gap", "Of an early time, relative to the scene.", "of the scene")),
+        field(&Of::consistency, optional("consistency",
+                                         "The numbers of the answer against its verdict and each other: consistent, "
+                                         "positive, a contact with a separation above 0, negative, separated with one "
+                                         "below 0, missing, without one of them that there is; null where the kernel "
+                                         "gives no separation.")),
+        field(&Of::separation_error,
+              optional("separation_error", "The error of the separation, relative to the scene.", "of the scene")),
+        field(&Of::separation_length, optional("separation_length", "The same as a length.", "length")),
+        field(&Of::separation_ulps,
+              optional("separation_ulps",
+                       "The same in units in the last place of the number nearest to the exact one, "
+                       "rounded up.",
+                       "ulps")),
+        field(&Of::separation_u, optional("separation_u", "The same in u of the scene.", "u")),
+        field(&Of::left,
+              optional("left",
+                       "What is left of the penetration when the second body is pushed by the exact depth along "
+                       "the normal, as a share of that depth, rounded up; null where there is no depth or no "
+                       "normal.",
+                       "of the depth")),
+        field(&Of::is_flip, optional("is_flip", "Whether that is a flip: a normal to the other side.")),
+        field(&Of::feature_is_right, optional("feature_is_right", "Null where no feature is given.")),
         field(&Of::feature_error,
-              {.name = "feature_error",
-               .about = "Of a wrong feature: how far the centre is beyond the region in which that part is nearest, "
-                        "relative to the scene; null where there is none.",
-               .unit = "of the scene",
-               .may_be_absent = true}),
-        field(&Of::normal_angle, {.name = "normal_angle",
-                                  .about = "In radians; null where it is not judged.",
-                                  .unit = "radians",
-                                  .may_be_absent = true}),
-        field(&Of::normal_length_error, {.name = "normal_length_error",
-                                         .about = "The difference of its length from 1; null where it is not judged.",
-                                         .unit = "of its length",
-                                         .may_be_absent = true}),
-        field(&Of::point_error, {.name = "point_error",
-                                 .about = "Relative to the scene; null where it is not judged.",
-                                 .unit = "of the scene",
-                                 .may_be_absent = true}));
+              optional("feature_error",
+                       "Of a wrong feature: how far the centre is beyond the region in which that part is nearest, "
+                       "relative to the scene; null where there is none.",
+                       "of the scene")),
+        field(&Of::normal_angle, optional("normal_angle", "In radians; null where it is not judged.", "radians")),
+        field(&Of::normal_length_error,
+              optional("normal_length_error", "The difference of its length from 1; null where it is not judged.",
+                       "of its length")),
+        field(&Of::point_error,
+              optional("point_error", "Relative to the scene; null where it is not judged.", "of the scene")),
+        field(&Of::point_a_error,
+              optional("point_a_error", "How far the first point is from the first body, relative to the scene.",
+                       "of the scene")),
+        field(&Of::point_b_error, optional("point_b_error", "The same of the second.", "of the scene")),
+        field(&Of::points_apart,
+              optional("points_apart",
+                       "How far the distance of the two points is from that of the separation from 0, relative to the "
+                       "scene.",
+                       "of the scene")));
   }
 };
 
 // Three numbers: x, y and z.
 using PlaceNumbers = std::array<SignedNumber, 3>;
 
-struct FirstContactRecord {
-  std::optional<HexNumber> time;
-  std::optional<std::vector<Name>> features;
-  Name start;
-  std::optional<double> after_time;
-  std::optional<PlaceNumbers> point, point_from_a;
+struct ExactContactRecord {
+  std::optional<std::optional<HexNumber>> time;
+  std::optional<std::optional<std::vector<Name>>> features;
+  std::optional<Name> start;
+  std::optional<double> after_time, separation;
+  std::optional<PlaceNumbers> point, point_b, point_from_a;
   std::optional<std::optional<PlaceNumbers>> normal;
 
   static constexpr std::string_view about =
-      "The exact first contact. Absent for a predicate without measures; null where the query is invalid.";
+      "The exact contact: of motions the first, else where the two bodies are nearest, or least parted. Absent where "
+      "`measures` are; null where the query is invalid.";
   static constexpr auto fields(auto&& visit) {
-    using Of = FirstContactRecord;
+    using Of = ExactContactRecord;
+    const auto optional = [](std::string_view name, std::string_view about) {
+      return Field{.name = name, .about = about, .may_be_absent = true};
+    };
     return visit(
-        field(
-            &Of::time,
-            {"time",
-             "The best time: the greatest number of the precision that is not late; null where there is no contact."}),
-        field(&Of::features,
-              {"features",
-               "All parts of the triangle that are nearest to the centre then; null where there is no contact."}),
-        field(&Of::start, {"start", "Sphere and triangle before the motion: overlap, touching or clear."}),
+        field(&Of::time,
+              optional("time",
+                       "Of motions, the best time: the greatest number of the precision that is not late; null "
+                       "where there is no contact.")),
+        field(&Of::features, optional("features",
+                                      "All parts of the triangle that are nearest to the centre, of motions then; null "
+                                      "where these have no contact.")),
+        field(&Of::start, optional("start", "Sphere and triangle before the motion: overlap, touching or clear.")),
         field(&Of::after_time,
-              {.name = "after_time",
-               .about = "The exact time less the best one. It and what follows is there where there is contact, each "
-                        "number the nearest of binary64.",
-               .may_be_absent = true}),
-        field(&Of::point, {.name = "point",
-                           .about = "The triangle's point that is nearest to the centre then.",
-                           .may_be_absent = true}),
+              optional("after_time",
+                       "The exact time less the best one. It and what follows is there where motions have "
+                       "contact, each number the nearest of binary64.")),
+        field(&Of::separation,
+              optional("separation",
+                       "Of a predicate without motions: the distance where the two are apart, less the "
+                       "penetration where not.")),
+        field(&Of::point,
+              optional("point",
+                       "The triangle's point that is nearest to the centre, of motions then; of two bodies the "
+                       "first's. Absent where it is not the only one.")),
+        field(&Of::point_b, optional("point_b", "Of two bodies the second's.")),
         field(
             &Of::point_from_a,
-            {.name = "point_from_a",
-             .about = "The same point less A: rounded after the subtraction, so that it has all its digits however far "
-                      "both are from the origin.",
-             .may_be_absent = true}),
-        field(&Of::normal, {.name = "normal",
-                            .about = "The unit vector from there to the centre; null where they are one point.",
-                            .may_be_absent = true}));
+            optional("point_from_a",
+                     "The same point less A: rounded after the subtraction, so that it has all its digits however far "
+                     "both are from the origin.")),
+        field(&Of::normal,
+              optional("normal",
+                       "The unit vector from there to the centre; of two bodies that in which the second is "
+                       "pushed. Null where there is none, or more than one.")));
   }
 };
 
@@ -235,7 +267,7 @@ struct WitnessRecord {
   std::vector<FlipRecord> flips;
   std::optional<NamedValues<SidesRecord>> sides;
   std::optional<std::optional<MeasuresRecord>> measures;
-  std::optional<std::optional<FirstContactRecord>> first_contact;
+  std::optional<std::optional<ExactContactRecord>> exact_contact;
 
   static constexpr std::string_view about =
       "A query, with one kernel's results on it. The numbers of the query have the names of the groups of columns of "
@@ -274,8 +306,8 @@ struct WitnessRecord {
                "The two sides of each comparison of the axes that flip and of those with the largest error. Null where "
                "the kernel claims no formulae with comparisons."}),
         field(&Of::measures, {.name = "measures", .about = MeasuresRecord::about, .may_be_absent = true}),
-        field(&Of::first_contact,
-              {.name = "first_contact", .about = FirstContactRecord::about, .may_be_absent = true}));
+        field(&Of::exact_contact,
+              {.name = "exact_contact", .about = ExactContactRecord::about, .may_be_absent = true}));
   }
 };
 

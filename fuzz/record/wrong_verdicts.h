@@ -9,30 +9,12 @@
 #include "exact/judge/depth.h"
 #include "exact/judge/judge.h"
 #include "exact/sphere_triangle/measures/input_class.h"
-#include "fuzz/fields/sparse.h"
+#include "fuzz/record/decades.h"
 #include "fuzz/record/leaders.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
-// Decades of depths: 0 is a depth of zero, of spheres that touch; 1 is all else below 10^-20, too small for a double or
-// not; then [10^k, 10^(k+1)) for k from -20 on; the last one is a depth of 1. Depth and power of ten are the nearest
-// binary64 of each.
-inline constexpr int least_decade = -20;
-inline constexpr std::size_t decade_count = 2 - least_decade + 1;
-std::size_t decade_of(double depth);
 std::size_t decade_of(DepthOf& depth);
-// "zero", "less", "-20" ... "-1", "0".
-std::string decade_name(std::size_t decade);
-
-struct Decades {
-  static constexpr std::size_t size = decade_count;
-  static std::string name(std::size_t decade) { return decade_name(decade); }
-  static constexpr std::string_view about =
-      "Counts by decade: k is depths from 10^k to below 10^(k+1), zero that of touching, less all others below 10^-20, "
-      "too small for a double or not. Depth and power of ten are the nearest binary64 of each. A decade without a "
-      "count is not written.";
-};
-using DecadeCounts = SparseCounts<Decades>;
 
 // Wrong verdicts by direction and decade.
 struct DepthTally {

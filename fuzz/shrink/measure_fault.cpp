@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 
-#include "fuzz/record/motion_tally.h"
+#include "fuzz/record/contact_tally.h"
 
 namespace axiscert {
 namespace {
 
-std::optional<MeasureError> time_error(const MotionJudgement& judgement, TimeVerdict which) {
+std::optional<MeasureError> time_error(const ContactJudgement& judgement, TimeVerdict which) {
   if (judgement.time != which) return std::nullopt;
   return MeasureError{
       judgement.in_u.value(),
@@ -22,26 +22,49 @@ std::optional<MeasureError> above_zero(const std::optional<double>& error, std::
   return MeasureError{*error, fmt::format("off by {:.6g} {}", *error, unit)};
 }
 
+std::optional<MeasureError> left_error(const Pushed& pushed) {
+  if (pushed.left.is_zero()) return std::nullopt;
+  return MeasureError{pushed.left.value(), fmt::format("{} of the depth is left", pushed.left.text())};
+}
+
 }  // namespace
 
-std::string_view measure_of(MeasureFault which) {
+MeasureKind measure_of(MeasureFault which) {
   switch (which) {
     case MeasureFault::no_time:
     case MeasureFault::late_time:
     case MeasureFault::early_time:
-      return measure_names[0];
+      return MeasureKind::time;
+    case MeasureFault::inconsistent:
+    case MeasureFault::separation:
+    case MeasureFault::points:
+      return MeasureKind::separation;
     case MeasureFault::feature:
-      return measure_names[1];
+      return MeasureKind::feature;
+    case MeasureFault::flip:
     case MeasureFault::normal:
+    case MeasureFault::left:
     case MeasureFault::length:
-      return measure_names[2];
+      return MeasureKind::normal;
     case MeasureFault::point:
-      return measure_names[3];
+      return MeasureKind::point;
+    case MeasureFault::point_a:
+      return MeasureKind::point_a;
+    case MeasureFault::point_b:
+      return MeasureKind::point_b;
   }
-  return "";
+  return MeasureKind::other;
 }
 
-std::optional<MeasureError> measure_error(const MotionJudgement& judgement, MeasureFault which) {
+std::vector<std::string_view> judged_measures(const Predicate& predicate) {
+  std::vector<std::string_view> names;
+  for (const MeasureKind kind : enumerators<MeasureKind>) {
+    if (kind != MeasureKind::other && has_measure(predicate, kind)) names.push_back(name(kind));
+  }
+  return names;
+}
+
+std::optional<MeasureError> measure_error(const ContactJudgement& judgement, MeasureFault which) {
   switch (which) {
     case MeasureFault::no_time:
       if (judgement.time == TimeVerdict::none) return MeasureError{0, "a contact without a time"};
@@ -63,6 +86,22 @@ std::optional<MeasureError> measure_error(const MotionJudgement& judgement, Meas
       return above_zero(judgement.normal_length_error, "of 1");
     case MeasureFault::point:
       return above_zero(judgement.point_error, "of the scene");
+    case MeasureFault::point_a:
+      return above_zero(judgement.point_a_error, "of the scene");
+    case MeasureFault::point_b:
+      return above_zero(judgement.point_b_error, "of the scene");
+    case MeasureFault::points:
+      return above_zero(judgement.points_apart, "of the scene");
+    case MeasureFault::inconsistent:
+      if (judgement.consistency.value_or(Consistency::consistent) == Consistency::consistent) return std::nullopt;
+      return MeasureError{0, std::string(consistency_words[*judgement.consistency])};
+    case MeasureFault::separation:
+      if (!judgement.separation) return std::nullopt;
+      return above_zero(judgement.separation->share, "of the scene");
+    case MeasureFault::flip:
+      return judgement.pushed && judgement.pushed->is_flip ? left_error(*judgement.pushed) : std::nullopt;
+    case MeasureFault::left:
+      return judgement.pushed ? left_error(*judgement.pushed) : std::nullopt;
   }
   return std::nullopt;
 }

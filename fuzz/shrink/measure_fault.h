@@ -1,34 +1,64 @@
-// What is wrong with the numbers that a kernel gives beside a contact, of a predicate of motions, on one query.
+// What is wrong with the numbers that a kernel gives beside its verdict on one query.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "exact/judge/motion_judgement.h"
+#include "exact/judge/contact_judgement.h"
 #include "kernel/base/enums.h"
+#include "kernel/predicate.h"
 
 namespace axiscert {
 
 // The worst first.
-enum class MeasureFault : std::uint8_t { no_time, late_time, feature, early_time, normal, length, point };
+enum class MeasureFault : std::uint8_t {
+  no_time,
+  late_time,
+  inconsistent,
+  flip,
+  feature,
+  early_time,
+  separation,
+  normal,
+  left,
+  length,
+  point,
+  point_a,
+  point_b,
+  points
+};
 template <>
-inline constexpr std::size_t enum_count<MeasureFault> = 7;
-inline constexpr EnumArray<MeasureFault, std::string_view> measure_fault_names = {
-    "no time", "late time", "wrong feature", "early time", "normal", "length of the normal", "point"};
+inline constexpr std::size_t enum_count<MeasureFault> = 14;
+inline constexpr EnumArray<MeasureFault, std::string_view> measure_fault_names = {"no time",
+                                                                                  "late time",
+                                                                                  "numbers that contradict each other",
+                                                                                  "normal to the other side",
+                                                                                  "wrong feature",
+                                                                                  "early time",
+                                                                                  "separation",
+                                                                                  "normal",
+                                                                                  "penetration left along the normal",
+                                                                                  "length of the normal",
+                                                                                  "point",
+                                                                                  "point of the first body",
+                                                                                  "point of the second body",
+                                                                                  "points and separation"};
 constexpr std::string_view name(MeasureFault which) { return measure_fault_names[which]; }
 
-// What the faults are of, as --what has it.
-inline constexpr std::string_view measure_names[] = {"time", "feature", "normal", "point"};
-std::string_view measure_of(MeasureFault which);
+// What the faults are of, as --what has it: the kind of the measure.
+MeasureKind measure_of(MeasureFault which);
+// Those of a predicate's measures that are judged, each once.
+std::vector<std::string_view> judged_measures(const Predicate& predicate);
 
-// By how much it is off: a time in u of the displacement, a normal in radians, its length, a feature and a point as
-// shares of the scene.
+// By how much it is off: a time in u of the displacement, a normal in radians, its length, what is left of a
+// penetration as a share of it, all else as shares of the scene; of numbers that contradict each other, 0.
 struct MeasureError {
   double size;
   std::string text;  // "late by 2.5 ulps"
 };
 // Empty where the judgement does not have the fault.
-std::optional<MeasureError> measure_error(const MotionJudgement& judgement, MeasureFault which);
+std::optional<MeasureError> measure_error(const ContactJudgement& judgement, MeasureFault which);
 
 }  // namespace axiscert

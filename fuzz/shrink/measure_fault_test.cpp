@@ -9,7 +9,7 @@ namespace axiscert {
 namespace {
 
 TEST(MeasureFault, EachIsOfItsMeasureAndHasItsSize) {
-  MotionJudgement judgement;
+  ContactJudgement judgement;
   for (const MeasureFault which : enumerators<MeasureFault>)
     EXPECT_FALSE(measure_error(judgement, which)) << name(which);
   judgement.time = TimeVerdict::none;
@@ -38,8 +38,8 @@ TEST(MeasureFault, EachIsOfItsMeasureAndHasItsSize) {
   EXPECT_EQ(measure_error(judgement, MeasureFault::normal)->text, "off by 0.5 radians");
   EXPECT_EQ(measure_error(judgement, MeasureFault::length)->size, 0.125);
   EXPECT_EQ(measure_error(judgement, MeasureFault::point)->text, "off by 2 of the scene");
-  EXPECT_EQ(measure_of(MeasureFault::length), "normal");
-  EXPECT_EQ(measure_of(MeasureFault::early_time), "time");
+  EXPECT_EQ(measure_of(MeasureFault::length), MeasureKind::normal);
+  EXPECT_EQ(measure_of(MeasureFault::early_time), MeasureKind::time);
 }
 
 }  // namespace

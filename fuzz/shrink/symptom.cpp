@@ -76,7 +76,7 @@ bool shows(const Judgement& judgement, const Symptom& symptom) {
 }  // namespace
 
 std::string_view name(const Symptom& s) {
-  return s.measure ? measure_of(*s.measure) : name(*s.predicate, Flip{s.level, s.index, FlipKind{}, false, {}});
+  return s.measure ? name(measure_of(*s.measure)) : name(*s.predicate, Flip{s.level, s.index, FlipKind{}, false, {}});
 }
 
 std::string text(const Symptom& s) {
@@ -132,16 +132,16 @@ std::vector<Symptom> SymptomFinder<Real>::flips(const Numbers<Real>& q) {
 }
 
 template <class Real>
-std::optional<MotionJudgement> SymptomFinder<Real>::motion(const Numbers<Real>& q) {
+std::optional<ContactJudgement> SymptomFinder<Real>::contact(const Numbers<Real>& q) {
   if (kernel_.measure_count == 0) return std::nullopt;
   const Reply<Real> reply = asked(q);
-  return examine(q, kernel_, reply.outcome(0), reply.measures(0)).motion;
+  return examine(q, kernel_, reply.outcome(0), reply.measures(0)).contact;
 }
 
 template <class Real>
 std::vector<Symptom> SymptomFinder<Real>::measure_faults(const Numbers<Real>& q) {
   std::vector<Symptom> all;
-  const std::optional<MotionJudgement> found = motion(q);
+  const std::optional<ContactJudgement> found = contact(q);
   for (const MeasureFault which : enumerators<MeasureFault>) {
     if (found && measure_error(*found, which)) all.push_back({.predicate = kernel_.predicate, .measure = which});
   }
@@ -190,7 +190,7 @@ std::optional<Severity> SymptomFinder<Real>::severity(const Numbers<Real>& q, co
   const Oracles& oracles = oracles_of(kernel_);
   if (!oracles.is_valid(q) || !is_promised(kernel_, q)) return std::nullopt;
   if (symptom.measure) {
-    const std::optional<MotionJudgement> found = motion(q);
+    const std::optional<ContactJudgement> found = contact(q);
     auto error = found ? measure_error(*found, *symptom.measure) : std::nullopt;
     return error ? std::optional(Severity{RoundedDepth{error->size}, std::move(error->text)}) : std::nullopt;
   }

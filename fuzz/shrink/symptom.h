@@ -12,7 +12,7 @@
 
 namespace axiscert {
 // A flip; or, if `kind` is empty, the error of a comparison, whatever its sign; or, if `measure` is not, what is wrong
-// with the numbers beside a contact that is right.
+// with the numbers beside the verdict.
 struct Symptom {
   const Predicate* predicate;
   Level level = Level::verdict;
@@ -60,7 +60,7 @@ class SymptomFinder {
 
   // Every flip, in the order verdict, axes, comparisons. Throws OracleDisagreement.
   std::vector<Symptom> flips(const Numbers<Real>& q);
-  // What is wrong with the numbers beside a contact that is right, the worst first.
+  // What is wrong with the numbers beside the verdict, the worst first.
   std::vector<Symptom> measure_faults(const Numbers<Real>& q);
   // The largest error of a comparison, in u; empty where the kernel shows none.
   std::optional<Symptom> largest_error(const Numbers<Real>& q);
@@ -73,8 +73,8 @@ class SymptomFinder {
  private:
   Reply<Real> asked(const Numbers<Real>& q);
   Judgement judgement(const Numbers<Real>& q);
-  // Empty where the kernel gives no measures beside a contact that is right.
-  std::optional<MotionJudgement> motion(const Numbers<Real>& q);
+  // Empty where the kernel gives no measures, or none are judged.
+  std::optional<ContactJudgement> contact(const Numbers<Real>& q);
 
   const Kernel& kernel_;
   std::string_view target_;

@@ -6,6 +6,7 @@
 #include "fuzz/sphere_triangle/search.h"
 #include "fuzz/sphere_triangle/images.h"
 #include "fuzz/sphere_triangle/confirm.h"
+#include "fuzz/sphere_triangle/contact_likenesses.h"
 #include "fuzz/sphere_triangle/diagnosis_scenes.h"
 #include "fuzz/sphere_triangle/mesh_queries.h"
 #include "fuzz/sphere_triangle/screen.h"
@@ -42,6 +43,7 @@ const Capabilities& sphere_triangle_capabilities() {
       .image_maps = &sphere_triangle_image_maps(),
       .slack_scenes = &sphere_triangle_slack_scenes,
       .traits = &sphere_triangle_traits(),
+      .contact_likenesses = sphere_triangle_contact_likenesses(),
       .exact_facts = [](const Numbers<double>& q, std::size_t) { return exact_facts(query_from(q)); },
   };
   return all;

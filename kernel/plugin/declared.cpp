@@ -80,7 +80,7 @@ Limits limits_of(const Description& d, const Predicate& predicate) {
     if (!(limit >= 0) || !std::isfinite(limit)) refuse(fmt::format("a limit is {}; known: finite, from 0 on", limit));
   }
   const auto sides = one_of<SidesPolicy>(d.sides, sides_policy_names.size(), "policy for sides");
-  if (!predicate.measures.empty() || sides == SidesPolicy::both) return limits;
+  if (is_of_motions(predicate) || sides == SidesPolicy::both) return limits;
   if (!predicate.has_front)
     refuse(fmt::format("it declares the sides of a triangle; predicate '{}' has none", predicate.id));
   limits.sides = sides;
@@ -100,8 +100,8 @@ MotionPolicy motion_of(const Description& d, const Predicate& predicate) {
   MotionPolicy motion{one_of<StartPolicy>(d.start, start_policy_names.size(), "policy for the start"),
                       one_of<StillPolicy>(d.still, still_policy_names.size(), "policy for no motion"),
                       one_of<SidesPolicy>(d.sides, sides_policy_names.size(), "policy for sides")};
-  if (predicate.measures.empty()) motion.sides = SidesPolicy::both;  // stands among the limits there
-  if (motion != MotionPolicy{} && predicate.measures.empty())
+  if (!is_of_motions(predicate)) motion.sides = SidesPolicy::both;  // stands among the limits there
+  if (motion != MotionPolicy{} && !is_of_motions(predicate))
     refuse(fmt::format("it declares what it promises of motions; predicate '{}' has none", predicate.id));
   return motion;
 }

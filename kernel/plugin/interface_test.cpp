@@ -99,7 +99,7 @@ TEST(Interface, WhatCannotBeTrueIsOneLineThatSaysWhatWouldBe) {
         std::pair{"unknown_predicate", "unknown predicate 'sphere-cube'; predicates: sphere-triangle"},
         std::pair{"unknown_entry", "predicate 'sphere-triangle': unknown entry 'edges'; entries: vertices"},
         std::pair{"wrong_columns", "it reads 12 columns; predicate 'sphere-triangle' in entry 'vertices' has 13"},
-        std::pair{"unknown_measure", "it gives 1 measures; predicate 'sphere-triangle' has 0"},
+        std::pair{"unknown_measure", "it gives 9 measures; predicate 'sphere-triangle' has 8"},
         std::pair{"strange_decline",
                   "its may_decline is 2; known: 0, it decides every query; 1, it may answer undecided"},
         std::pair{"two_promises", "its kernels in binary32 and in binary64 say different things of themselves"}}) {

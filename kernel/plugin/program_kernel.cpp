@@ -47,7 +47,7 @@ Description described(const Manifest& manifest, Precision precision) {
   d.measure_count = manifest.measures;
   d.start = static_cast<std::uint32_t>(manifest.motion.start);
   d.still = static_cast<std::uint32_t>(manifest.motion.still);
-  const bool has_motions = !predicate.measures.empty();
+  const bool has_motions = is_of_motions(predicate);
   if (has_motions && manifest.limits.sides != SidesPolicy::both)
     throw Error(fmt::format("\"sides\": predicate '{}' is of motions: give it in \"motion\"", predicate.id));
   if (!has_motions && manifest.motion.sides != SidesPolicy::both)

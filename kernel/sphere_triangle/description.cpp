@@ -35,6 +35,26 @@ const EnumArray<Formulae, std::string>& spelt_formulae() {
   return all;
 }
 
+std::vector<PredicateMeasure> contact_measures() {
+  constexpr std::string_view normal = "of the unit vector from the triangle's nearest point to the centre",
+                             angle =
+                                 "of the three, the angle in radians where the two are apart; and what a push by the "
+                                 "exact depth leaves of it",
+                             point = "of the triangle's point nearest to the centre, in the unit of the coordinates",
+                             distance = "of the three, the distance relative to the scene, as a depth";
+  return {{"separation", "distance of the centre less the radius, in the unit of the coordinates; NaN: none is given",
+           "relative to the scene, in ulps of the number nearest to the exact one, and in u of the scene",
+           MeasureKind::separation},
+          {"feature", "0, 1, 2: vertex a, b, c; 3, 4, 5: edge ab, bc, ca; 6: face; NaN: none is given",
+           "wrong where another part of the triangle is nearer to the centre", MeasureKind::feature},
+          {"normal_x", normal, angle, MeasureKind::normal},
+          {"normal_y", normal, angle, MeasureKind::normal},
+          {"normal_z", normal, angle, MeasureKind::normal},
+          {"point_x", point, distance, MeasureKind::point},
+          {"point_y", point, distance, MeasureKind::point},
+          {"point_z", point, distance, MeasureKind::point}};
+}
+
 Predicate described() {
   Predicate predicate{
       .id = "sphere-triangle",
@@ -45,7 +65,7 @@ Predicate described() {
       .entries = {vertices()},
       .comparisons = {},
       .clauses = {},
-      .measures = {},
+      .measures = contact_measures(),
       .certified = "certified",
       .usual_formulae = "published",
       .has_strictness = true,

@@ -21,6 +21,7 @@ Kernel scalar(std::string id, std::string summary) {
           .formulae = std::string(name(formulae)),
           .strictness = strictness,
           .exposes = has_comparisons(formulae) ? Exposure::sides : Exposure::verdict,
+          .measure_count = measure_count_of<formulae>(),
           .binary32 = [](std::string_view) { return scalar_implementation<formulae, strictness, float>(); },
           .binary64 = [](std::string_view) { return scalar_implementation<formulae, strictness, double>(); },
           .takes_arithmetic = kind_of(formulae) == FormulaeKind::rung};
@@ -33,14 +34,16 @@ Kernel evaluated(std::string id, std::string summary) {
   Kernel kernel = scalar<formulae, strictness>(std::move(id), std::move(summary));
   if (strictness == not_less || !has_simd_form(formulae)) return kernel;
   kernel.has_simd = true;
-  kernel.binary32 = [](std::string_view target) {
-    return target == scalar_target ? scalar_implementation<formulae, strictness, float>()
-                                   : simd_forms(formulae)->on<float>(target, strictness);
+  // What is said beside the verdict is the scalar form's on every target.
+  const auto on = []<class Real>(std::string_view target, std::type_identity<Real>) {
+    Implementation<Real> scalar = scalar_implementation<formulae, strictness, Real>();
+    if (target == scalar_target) return scalar;
+    Implementation<Real> there = simd_forms(formulae)->on<Real>(target, strictness);
+    there.measure = scalar.measure;
+    return there;
   };
-  kernel.binary64 = [](std::string_view target) {
-    return target == scalar_target ? scalar_implementation<formulae, strictness, double>()
-                                   : simd_forms(formulae)->on<double>(target, strictness);
-  };
+  kernel.binary32 = [on](std::string_view target) { return on(target, std::type_identity<float>()); };
+  kernel.binary64 = [on](std::string_view target) { return on(target, std::type_identity<double>()); };
   return kernel;
 }
 

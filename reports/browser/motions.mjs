@@ -48,7 +48,7 @@ test('draws the capsule, the first contact and the reported one, each with words
   await card.getByRole('button', {name: 'Whole'}).click();
   assert.match(await card.locator('.scene-note').innerText(), /^Not to scale in this view: the sphere is drawn as a dot, its radius is /);
   const text = await card.locator('table.contact').innerText();
-  for (const part of [witness.measures.given.time, witness.first_contact.time]) assert.ok(text.includes(part), part);
+  for (const part of [witness.measures.given.time, witness.exact_contact.time]) assert.ok(text.includes(part), part);
   assert.match(text, /late\s+by [^;]+; tunnel 0\.[0-9]+/);
   await close();
 });
@@ -70,7 +70,7 @@ test('has the first contact at a radius from the triangle, whatever the ratios',
     const {cards} = await unpacked(document.getElementById('witness-data').textContent.trim());
     return cards.map((card) => ({card, scene: motion_of(card)})).filter(({scene}) => scene?.is_known).map(({card, scene}) => {
       const {point} = closest_point(scene.triangle.map((vertex) => vec.sub(vertex, scene.centre)));
-      const overlaps = card.first_contact.start === 'overlap';
+      const overlaps = card.exact_contact.start === 'overlap';
       const error = overlaps ? Math.max(0, vec.size(point) - scene.r) : Math.abs(vec.size(point) - scene.r);
       // The start of the way is as far from A as P is.
       const [a, p] = [card.a.map(parse_hex), card.p.map(parse_hex)];
@@ -98,7 +98,7 @@ test('gives code with D and times that compiles, and lines that are the witness'
   const {page, close} = await opened(motions);
   const code = await page.evaluate(async () => {
     const {cards} = await unpacked(document.getElementById('witness-data').textContent.trim());
-    return cards.map((card) => [cpp_test(card), c_array(card), json_line(card), card.measures?.time, card.first_contact?.time]);
+    return cards.map((card) => [cpp_test(card), c_array(card), json_line(card), card.measures?.time, card.exact_contact?.time]);
   });
   const lines = fs.readFileSync(path.join(motions, 'witnesses.jsonl'), 'utf8').split('\n');
   for (const [, , line] of code) assert.ok(lines.includes(line), line);
@@ -136,7 +136,7 @@ test('draws a motion by its ends, and gives code with them', async () => {
   const {page, close} = await opened(ends);
   const drawn = await page.evaluate(async () => {
     const {cards} = await unpacked(document.getElementById('witness-data').textContent.trim());
-    return cards.filter((card) => card.first_contact?.point).map((card) => {
+    return cards.filter((card) => card.exact_contact?.point).map((card) => {
       const {point} = closest_point(motion_of(card).triangle.map((vertex) => vec.sub(vertex, motion_of(card).centre)));
       return [Math.abs(vec.size(point) - motion_of(card).r) < 1e-6, cpp_test(card), json_line(card)];
     });

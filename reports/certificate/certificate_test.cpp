@@ -76,7 +76,7 @@ TEST(Certificate, AWordThatWasChangedIsToldFromAFileThatIsCutOff) {
 
 TEST(Certificate, AnotherVersionAndAnotherStatementAreNamed) {
   Json statement = stored_statement();
-  for (const char* other : {"urn:axiscert:certificate:2", "urn:axiscert:certificate:4"}) {
+  for (const char* other : {"urn:axiscert:certificate:2", "urn:axiscert:certificate:5"}) {
     statement["predicateType"] = other;
     const std::string refusal = refusal_of(canonical_json(statement));
     EXPECT_THAT(refusal, HasSubstr(std::string("error: c.json: is a certificate of version ") + other + "; axiscert"));
@@ -95,7 +95,7 @@ TEST(Certificate, WhatConformsToNoSchemaIsRefusedThoughItsDigestIsRight) {
     Json statement = stored_statement();
     statement["predicate"].erase(member);
     EXPECT_THAT(refusal_of(canonical_json(with_digest(statement))),
-                HasSubstr("does not conform to axiscert-certificate/3"))
+                HasSubstr("does not conform to axiscert-certificate/4"))
         << member;
   }
   CertificateStatement written = certificate_of(stored_statement());

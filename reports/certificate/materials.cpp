@@ -218,7 +218,7 @@ StretchCounts counts_again(const Json& whole, std::uint64_t queries, const std::
   StretchCounts none;
   none.verdict.depths.reset();
   none.verdict.engine.reset();
-  if (whole.contains("motion")) none.motion.emplace();
+  if (whole.contains("contacts")) none.contacts.emplace();
   Json counts = json_of(none);
   counts.update(whole, true);
   const Json& verdict = counts["verdict"];

@@ -17,14 +17,28 @@ constexpr std::string_view verdict_counts[] = {"false_separation", "false_contac
 constexpr std::string_view verdict_maxima[] = {"deepest_false_separation", "deepest_false_contact"};
 constexpr std::string_view comparison_counts[] = {"false_separation", "missed_separation", "tolerance_failures"};
 
-// Those of first contacts, by place. Where a time is late, its tunnel goes with it.
-constexpr std::string_view time_counts[] = {"late", "early", "none", "invalid", "through"};
-constexpr std::string_view missed_counts[] = {"through"};
-constexpr std::string_view feature_members[] = {"wrong", "unnamed", "none", "largest_error"};
-constexpr std::string_view normal_members[] = {"none", "largest_angle", "largest_length_error"};
-constexpr std::string_view point_members[] = {"none", "largest_error"};
-constexpr std::string_view contact_maxima[] = {"deepest_tunnel"};
-constexpr std::string_view time_errors[] = {"latest_u", "earliest_u"};
+// What is told beside verdicts, by place. Where a time is late, its tunnel goes with it; errors in u are compared on
+// the same queries, and not listed.
+struct ContactMembers {
+  std::string_view place;
+  std::vector<std::string_view> members;
+};
+const std::vector<ContactMembers>& contact_members() {
+  static const std::vector<ContactMembers> all = {
+      {"time", {"late", "early", "none", "invalid", "through", "deepest_tunnel"}},
+      {"missed", {"through", "deepest_tunnel"}},
+      {"consistency", {"positive", "negative", "missing"}},
+      {"separation", {"none", "largest_error"}},
+      {"feature", {"wrong", "unnamed", "none", "largest_error"}},
+      {"normal", {"none", "largest_angle", "largest_length_error"}},
+      {"pushed", {"flips", "largest_left"}},
+      {"point", {"none", "largest_error"}},
+      {"point_a", {"none", "largest_error"}},
+      {"point_b", {"none", "largest_error"}},
+      {"points", {"largest_error"}}};
+  return all;
+}
+constexpr std::string_view errors_in_u[] = {"latest_u", "earliest_u", "largest_in_u"};
 
 class Collector {
  public:
@@ -45,7 +59,7 @@ class Collector {
     add_count("verdict", "unanswered", verdict.unanswered);
     add_maximum("verdict", "deepest_false_separation", verdict.deepest_false_separation);
     add_maximum("verdict", "deepest_false_contact", verdict.deepest_false_contact);
-    if (result.motion) add_contacts(*result.motion);
+    if (result.contacts) add_contacts(*result.contacts);
     if (!result.comparisons) return;
     for (const auto& [comparison, tally] : *result.comparisons) {
       add_count(comparison, "false_separation", tally.false_separation);
@@ -63,15 +77,15 @@ class Collector {
   }
 
  private:
-  // The first contacts of one family; nothing for what the kernel does not give.
-  void add_contacts(const MotionTally& motion) {
+  // What is told beside the verdicts of one family; nothing for what the kernel does not give.
+  void add_contacts(const ContactTally& contacts) {
     const auto add_tunnels = [&](const char* place, const TunnelTally& tunnels) {
       add_count(place, "through", tunnels.through);
       add_maximum(place, "deepest_tunnel", tunnels.deepest);
     };
-    add_tunnels("missed", motion.missed);
-    const std::uint64_t within = std::exchange(among_, motion.hits);
-    if (const auto& time = motion.time) {
+    if (contacts.missed) add_tunnels("missed", *contacts.missed);
+    const std::uint64_t within = std::exchange(among_, contacts.answers);
+    if (const auto& time = contacts.time) {
       add_count("time", "late", time->late);
       add_count("time", "early", time->early);
       add_count("time", "none", time->none);
@@ -80,23 +94,44 @@ class Collector {
       add_maximum("time", "latest_u", time->late_errors.largest_in_u);
       add_maximum("time", "earliest_u", time->early_errors.largest_in_u);
     }
-    if (const auto& feature = motion.feature) {
+    if (const auto& consistency = contacts.consistency) {
+      add_count("consistency", "positive", consistency->positive);
+      add_count("consistency", "negative", consistency->negative);
+      add_count("consistency", "missing", consistency->missing);
+    }
+    if (const auto& separation = contacts.separation) {
+      add_count("separation", "none", separation->none);
+      add_maximum("separation", "largest_error", separation->largest_error);
+      add_maximum("separation", "largest_in_u", separation->largest_in_u);
+    }
+    if (const auto& feature = contacts.feature) {
       among_ = feature->judged;
       add_count("feature", "wrong", feature->wrong);
       add_count("feature", "unnamed", feature->unnamed);
-      among_ = motion.hits;
+      among_ = contacts.answers;
       add_count("feature", "none", feature->none);
       add_maximum("feature", "largest_error", feature->largest_error);
     }
-    if (const auto& normal = motion.normal) {
+    if (const auto& normal = contacts.normal) {
       add_count("normal", "none", normal->none);
       add_maximum("normal", "largest_angle", normal->largest_angle);
       add_maximum("normal", "largest_length_error", normal->largest_length_error);
     }
-    if (const auto& point = motion.point) {
-      add_count("point", "none", point->none);
-      add_maximum("point", "largest_error", point->largest_error);
+    if (const auto& pushed = contacts.pushed) {
+      among_ = pushed->judged;
+      add_count("pushed", "flips", pushed->flips);
+      among_ = contacts.answers;
+      add_maximum("pushed", "largest_left", pushed->largest_left);
     }
+    const auto add_point = [&](const char* place, const std::optional<PointTally>& point) {
+      if (!point) return;
+      add_count(place, "none", point->none);
+      add_maximum(place, "largest_error", point->largest_error);
+    };
+    add_point("point", contacts.point);
+    add_point("point_a", contacts.point_a);
+    add_point("point_b", contacts.point_b);
+    if (contacts.points) add_maximum("points", "largest_error", contacts.points->largest_error);
     among_ = within;
   }
 
@@ -133,51 +168,62 @@ bool shows_flip(const WitnessRecord& witness, const Cell& cell) {
   });
 }
 
-// Whether a witness of a predicate of motions shows what a cell of first contacts counts.
+// Whether a witness shows what a cell of contacts counts.
 bool shows_contact(const WitnessRecord& witness, const Cell& cell) {
   if (!witness.measures || !*witness.measures) return false;
   const MeasuresRecord& measures = **witness.measures;
   const std::optional<TimeVerdict> time = measures.time.value_or(std::nullopt);
-  const auto is_figure = [&](const std::optional<std::optional<double>>& error) {
-    return error && *error && json_of(**error) == cell.figure;
-  };
+  const auto is_figure = [&](const auto& error) { return error && *error && json_of(**error) == cell.figure; };
+  if (cell.place == "consistency") {
+    const std::optional<Consistency> found = measures.consistency.value_or(std::nullopt);
+    return found && name(*found) == cell.member;
+  }
+  if (cell.place == "separation") return is_figure(measures.separation_error) || is_figure(measures.separation_u);
+  if (cell.place == "pushed")
+    return cell.member == "flips" ? measures.is_flip.value_or(std::nullopt) == true : is_figure(measures.left);
   if (cell.place == "normal")
     return is_figure(cell.member == "largest_angle" ? measures.normal_angle : measures.normal_length_error);
   if (cell.place == "point") return is_figure(measures.point_error);
-  if (cell.member == "largest_error") return is_figure(measures.feature_error);
+  if (cell.place == "point_a") return is_figure(measures.point_a_error);
+  if (cell.place == "point_b") return is_figure(measures.point_b_error);
+  if (cell.place == "points") return is_figure(measures.points_apart);
+  if (cell.place == "feature" && cell.member == "largest_error") return is_figure(measures.feature_error);
   if (cell.place == "feature")
     return cell.member != "none" && measures.feature_is_right.value_or(std::nullopt) == false;
   if (cell.member == "latest_u") return time == TimeVerdict::late;
   if (cell.member == "earliest_u") return time == TimeVerdict::early;
   if (cell.member != "through" && cell.member != "deepest_tunnel") return time && name(*time) == cell.member;
+  const std::optional<ErrorNumber> tunnel = measures.tunnel.value_or(std::nullopt);
   const bool is_missed = witness.computed != witness.truth;
-  if (!measures.tunnel || is_missed != (cell.place == "missed")) return false;
-  return cell.member == "deepest_tunnel" || measures.tunnel->value == 1;
+  if (!tunnel || is_missed != (cell.place == "missed")) return false;
+  return cell.member == "deepest_tunnel" || tunnel->value == 1;
 }
 
 }  // namespace
 
 bool is_place_of_contacts(std::string_view place) {
-  return std::find(std::begin(places_of_contacts), std::end(places_of_contacts), place) != std::end(places_of_contacts);
+  return std::ranges::any_of(contact_members(), [&](const ContactMembers& one) { return one.place == place; });
+}
+
+std::vector<std::string_view> places_of_contacts(const Predicate& predicate) {
+  const Json given = json_of(given_contacts({}, predicate, predicate.measures.size()));
+  std::vector<std::string_view> places;
+  for (const ContactMembers& one : contact_members()) {
+    if (!predicate.measures.empty() && !given.at(std::string(one.place)).is_null()) places.push_back(one.place);
+  }
+  return places;
 }
 
 bool is_error_in_u(const Cell& cell) {
   const auto is_member = [&](std::string_view error) { return cell.member == error; };
-  return cell.member == "max_error_u" || std::any_of(std::begin(time_errors), std::end(time_errors), is_member);
+  return cell.member == "max_error_u" || std::any_of(std::begin(errors_in_u), std::end(errors_in_u), is_member);
 }
 
 std::vector<std::string_view> members_of(std::string_view place) {
   if (place == "finding") return {finding_kind_names.begin(), finding_kind_names.end()};
-  const auto with_tunnels = [](const auto& counts) {
-    std::vector<std::string_view> all(std::begin(counts), std::end(counts));
-    all.insert(all.end(), std::begin(contact_maxima), std::end(contact_maxima));
-    return all;
-  };
-  if (place == "time") return with_tunnels(time_counts);
-  if (place == "missed") return with_tunnels(missed_counts);
-  if (place == "feature") return {std::begin(feature_members), std::end(feature_members)};
-  if (place == "normal") return {std::begin(normal_members), std::end(normal_members)};
-  if (place == "point") return {std::begin(point_members), std::end(point_members)};
+  for (const ContactMembers& one : contact_members()) {
+    if (one.place == place) return one.members;
+  }
   if (place != "verdict") return {std::begin(comparison_counts), std::end(comparison_counts)};
   std::vector<std::string_view> all(std::begin(verdict_counts), std::end(verdict_counts));
   all.insert(all.end(), std::begin(verdict_maxima), std::end(verdict_maxima));

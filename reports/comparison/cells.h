@@ -14,10 +14,11 @@
 
 namespace axiscert {
 
-// The places of the first contacts that a kernel of a predicate of motions reports: "time", "feature", "normal" and
-// "point", counted among the contacts that it found, and "missed", for the contacts that it did not.
-inline constexpr std::string_view places_of_contacts[] = {"time", "missed", "feature", "normal", "point"};
+// The places of what a kernel says beside its verdicts, those of the record's `contacts`: of motions "missed" too, for
+// the contacts that it did not find.
 bool is_place_of_contacts(std::string_view place);
+// Those that a predicate has.
+std::vector<std::string_view> places_of_contacts(const Predicate& predicate);
 
 struct Cell {
   enum class Kind {
@@ -26,7 +27,7 @@ struct Cell {
     finding   // how often a plug-in broke a rule: wrong from the first time on
   };
   std::string kernel, precision, family;  // for a finding made in loading, the last two are empty
-  std::string place;                      // "verdict", a comparison, "finding", or one of first contacts
+  std::string place;                      // "verdict", a comparison, "finding", or one of contacts
   std::string member;                     // the name in the record; for a finding, its kind
   Kind kind = Kind::count;
   Json figure = 0;                // as the record has it: a maximum may be the text of a number beyond binary64
@@ -44,7 +45,7 @@ struct Cell {
   Json key_of(const std::string& known_by) const { return Json::array({known_by, precision, family, name()}); }
 };
 
-// The figures of a place, but for errors in u: of "verdict", of "finding", of a place of first contacts, or of any
+// The figures of a place, but for errors in u: of "verdict", of "finding", of a place of contacts, or of any
 // comparison.
 std::vector<std::string_view> members_of(std::string_view place);
 // Whether a cell is the largest error in u: compared on the same queries, and not held by a ratchet.

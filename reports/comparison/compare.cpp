@@ -212,7 +212,7 @@ class Comparer {
     }
     const bool is_whole = cell.place == "verdict" || cell.kind == Cell::Kind::finding;
     const std::string part = is_whole                              ? ""
-                             : cell.is_of_contacts()               ? ": first contacts"
+                             : cell.is_of_contacts()               ? ": contacts"
                              : cell.member == "tolerance_failures" ? ": " + cell.name()
                              : is_error_in_u(cell)                 ? ": errors in u"
                                                                    : ": comparisons";

@@ -264,15 +264,14 @@ TEST(CompareContacts, OnOtherQueriesOnlyWhatChanceDoesNotExplain) {
 TEST(CompareContacts, MeasuresThatOnlyOneRunGivesAreSaid) {
   Json with = motions(contacts(5, 0.25, 0)), without = with;
   without["kernels"][0]["measures"] = Json::array();
-  for (Json& family : without["kernels"][0]["families"]) family["motion"]["time"] = nullptr;
+  for (Json& family : without["kernels"][0]["families"]) family["contacts"]["time"] = nullptr;
   const RunComparison lost = compare_records(with, without, {}), gained = compare_records(without, with, {});
   EXPECT_FALSE(lost.passes());
-  EXPECT_THAT(answer(lost), testing::StartsWith("NOT COMPARED: <script> binary32: 'time' of first contacts: it gives "
+  EXPECT_THAT(answer(lost), testing::StartsWith("NOT COMPARED: <script> binary32: 'time' of contacts: it gives "
                                                 "that in OLD and not in NEW; "));
   EXPECT_TRUE(gained.passes());
-  EXPECT_THAT(answer(gained),
-              testing::StartsWith("no change; only in NEW: <script> binary32: 'time' of first contacts; "));
-  EXPECT_THAT(markdown_of(with, without, lost), HasSubstr("tangent: first contacts"));
+  EXPECT_THAT(answer(gained), testing::StartsWith("no change; only in NEW: <script> binary32: 'time' of contacts; "));
+  EXPECT_THAT(markdown_of(with, without, lost), HasSubstr("tangent: contacts"));
 }
 
 TEST(CompareContacts, AnotherPredicateHasNone) {

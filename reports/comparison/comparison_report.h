@@ -41,10 +41,7 @@ struct ComparedCellData {
         field(&Of::kernel, {"kernel", "Its id; plugin/NAME where it has another id in each run."}),
         field(&Of::precision, {"precision", "Empty for a finding made in loading."}),
         field(&Of::family, {"family", "Empty for a finding made in loading."}),
-        field(&Of::place,
-              {"place",
-               "verdict, a comparison, or finding; of the first contacts of a predicate of motions time, missed "
-               "or feature."}),
+        field(&Of::place, {"place", "verdict, a comparison, finding, or a member of the record's `contacts`."}),
         field(&Of::figure, {"figure", "The record's member, or the kind of a finding."}),
         field(&Of::change, {"change", "How NEW differs from OLD."}),
         field(&Of::before, {"old", "A count, or a maximum; the text of a number that binary64 cannot hold."}),

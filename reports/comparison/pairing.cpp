@@ -110,7 +110,7 @@ void note_given_by_one(const Record& before, const Record& after, const Compared
     if (found == now.end()) continue;
     const auto note = [&, precision = precision](const std::string& measure, const char* why, Absence absence) {
       if (measure.empty()) return;
-      absent.push_back({fmt::format("{} {}: '{}' of first contacts", kernel.name, name(precision), measure), why,
+      absent.push_back({fmt::format("{} {}: '{}' of contacts", kernel.name, name(precision), measure), why,
                         kernel.names(), "", absence});
     };
     note(first_missing(then, found->second), "it gives that in OLD and not in NEW", Absence::fails);

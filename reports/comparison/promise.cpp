@@ -134,7 +134,7 @@ Promise promise_in(const KernelRecord& entry) {
 
 Promise promise_of_kernel(const Kernel& kernel) {
   Promise promise{kernel.touching, kernel.limits, std::nullopt, kernel.may_decline};
-  if (!kernel.predicate->measures.empty()) promise.motion = kernel.motion;
+  if (is_of_motions(*kernel.predicate)) promise.motion = kernel.motion;
   return promise;
 }
 

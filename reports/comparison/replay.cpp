@@ -49,6 +49,10 @@ Wrongs wrongs_of(std::vector<FlipRecord> flips, const std::optional<MeasuresReco
   if (time == TimeVerdict::late || time == TimeVerdict::none || time == TimeVerdict::invalid)
     found.contact.push_back(fmt::format("time {}", name(*time)));
   if (measures->feature_is_right.value_or(std::nullopt) == false) found.contact.emplace_back("feature wrong");
+  const std::optional<Consistency> consistency = measures->consistency.value_or(std::nullopt);
+  if (consistency && *consistency != Consistency::consistent)
+    found.contact.emplace_back(consistency_words[*consistency]);
+  if (measures->is_flip.value_or(std::nullopt) == true) found.contact.emplace_back("normal flipped");
   return found;
 }
 

@@ -228,7 +228,7 @@ Json page_data(const Run& run) {
   data["target"] = run.info ? json_of(run.info->target) : Json();
   data["attached"] = attachments(run.folder, image_bytes);
   data["files"] = raw_files(run.folder);
-  data["motion_note"] = motion_note;
+  data["contact_note"] = contact_note(is_of_motions(predicate_of(record.plan)));
   for (const GateLevel* level : gate_levels()) {
     if (level->advice != nullptr) data["advised_level"] = {{"level", level->name()}, {"advice", level->advice}};
   }

@@ -162,7 +162,7 @@ TEST(Html, AMotionHasItsPredicateAndItsFirstContact) {
   EXPECT_EQ(data["comparisons"]["start.vertex_a.side_b"], "start.vertex_a");
   EXPECT_EQ(data["comparisons"].size(), 61u);
   EXPECT_EQ(card["predicate"], "moving-sphere");
-  EXPECT_EQ(card["first_contact"]["time"], "0x1p-2");
+  EXPECT_EQ(card["exact_contact"]["time"], "0x1p-2");
   EXPECT_EQ(card["measures"]["time"], "late");
   EXPECT_EQ(card["decimal"]["d"], Json::array({"2", "0", "0"}));
   const TestFolder first(stored_record());

@@ -56,7 +56,7 @@ class MarkdownReport {
     for (const std::string& sentence : unjudged(record_))
       text += fmt::format("\n> **{}**\n", markdown_text(sentence, 2000));
     return text + answer_section(record_) + causes_section(record_) + ratchet() + findings() +
-           requirements_section(record_, outcomes_) + summary() + motion_section(record_) + classes_section(record_) +
+           requirements_section(record_, outcomes_) + summary() + contact_section(record_) + classes_section(record_) +
            depths_section(record_) + families() + outside() + asymmetries() + axes_section(record_, totals_) +
            comparisons_section(record_, totals_) + broken_links() + witnesses() + critical_radius() + words() +
            reproduce();

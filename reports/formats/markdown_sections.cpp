@@ -97,16 +97,17 @@ std::string depths_section(const Record& record) {
   return any ? section.text() : "";
 }
 
-std::string motion_section(const Record& record) {
-  Section section("First contacts");
-  section.add_line(std::string(motion_note) + "\n");
+std::string contact_section(const Record& record) {
+  const bool moves = is_of_motions(predicate_of(record.plan));
+  Section section(moves ? "First contacts" : "Contacts");
+  section.add_line(std::string(contact_note(moves)) + "\n");
   std::vector<std::string> columns = {"kernel", "precision", "family"};
-  columns.insert(columns.end(), motion_columns().begin(), motion_columns().end());
+  columns.insert(columns.end(), contact_columns(moves).begin(), contact_columns(moves).end());
   section.add_head(columns, 3);
   bool any = false;
   for (const KernelRecord& kernel : record.kernels) {
     const auto add = [&](const std::string& shown_name, const FamilyRecord& family) {
-      const std::vector<std::string> cells = motion_cells(family);
+      const std::vector<std::string> cells = contact_cells(family);
       if (cells.empty()) return;
       any = true;
       std::vector<std::string> row = {markdown_text(kernel.id), std::string(name(kernel.precision)),

@@ -20,8 +20,8 @@ std::string classes_section(const Record& record);
 // On how deep wrong verdicts are. Empty where nothing is wrong, and for a predicate without depths.
 std::string depths_section(const Record& record);
 
-// On the first contacts that kernels report. Empty for a predicate without measures, and where there is nothing to say.
-std::string motion_section(const Record& record);
+// On what kernels say beside their verdicts. Empty for a predicate without measures, and where there is nothing to say.
+std::string contact_section(const Record& record);
 
 // What the report begins with: the levels, the worst wrong verdict, and each kernel in a few sentences.
 std::string answer_section(const Record& record);

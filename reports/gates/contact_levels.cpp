@@ -1,10 +1,11 @@
-// The levels of the numbers beside a contact in a predicate of motions: early, features, normals and points.
+// The levels of the numbers beside a verdict: early, separation, feature, normal, unit, no-flip, left and point.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <charconv>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "fuzz/text/length_unit.h"
 #include "kernel/base/error.h"
@@ -20,13 +21,16 @@ struct ContactBound {
   const char *letter, *what, *example;
   double least, most;
 };
-constexpr double pi_rounded_up = 3.1416;
 constexpr ContactBound displacement_bound = {"U",
                                              "a number of u of the displacement (u = 2^-24 or 2^-53), 1 or more, or a "
                                              "length of the way such as 1mm",
                                              "64", 1, 1e300},
                        scene_bound = {"D", "a share of the scene, from 0 to 1", "0.001", 0, 1},
-                       angle_bound = {"A", "an angle in radians, from 0 to pi", "0.001", 0, pi_rounded_up};
+                       separation_bound = {"E", "a share of the scene, from 0 to 1, or a length such as 1mm", "0.001",
+                                           0, 1},
+                       angle_bound = {"DEG", "an angle in degrees, from 0 to 180", "0.1", 0, 180},
+                       length_bound = {"E", "a difference from the length 1, from 0 to 1", "0.001", 0, 1},
+                       left_bound = {"F", "a share of the depth, from 0 to 2, of at most six digits", "0.001", 0, 2};
 
 double bound_of(const AskedLevel& asked, const ContactBound& bound) {
   double most = 0;
@@ -39,98 +43,151 @@ double bound_of(const AskedLevel& asked, const ContactBound& bound) {
   return most;
 }
 
-// How many hits of a family have the number that a level is about, and how many have none though there is one.
-struct Given {
-  std::uint64_t judged, none;
-};
-using Counts = std::function<std::optional<Given>(const MotionTally& motion)>;  // empty: the kernel gives none
+// The record has six digits of what is left, rounded up.
+double left_argument(const AskedLevel& asked) {
+  const double most = bound_of(asked, left_bound);
+  if (fmt::format("{:.6g}", most) != fmt::format("{}", most)) {
+    throw Error(fmt::format("requirement '{}': F is {}, as in {}={}", asked.text, left_bound.what, asked.name,
+                            left_bound.example));
+  }
+  return most;
+}
 
-// Looks at the hits with the number; why that is too little stands in `not_checked`.
-LevelFindings look_at(const Subject& subject, const Counts& counts, const char* what) {
+// A bound in the number's own unit, or as a length.
+struct SizeBound {
+  double most;
+  bool is_length;
+
+  std::string text(std::string_view unit) const {
+    return is_length ? metric_text(most) : fmt::format("{} {}", most, unit);
+  }
+};
+SizeBound size_bound(const AskedLevel& asked, const ContactBound& bound) {
+  if (const auto length = length_in_metres(asked.argument)) return {*length, true};
+  return {bound_of(asked, bound), false};
+}
+
+// How many answers of a family have the number that a level is about, and how many have none though there is one.
+struct Given {
+  std::uint64_t judged, none = 0;
+};
+using Counts = std::function<std::optional<Given>(const ContactTally& contacts)>;  // empty: the kernel gives none
+
+// Of a part of the tally that counts both, or has nothing that could be missing.
+template <class Part>
+Counts counts_of(std::optional<Part> ContactTally::*member) {
+  return [member](const ContactTally& contacts) -> std::optional<Given> {
+    const std::optional<Part>& part = contacts.*member;
+    if (!part) return std::nullopt;
+    if constexpr (requires { part->none; }) return Given{part->judged, part->none};
+    else return Given{part->judged};
+  };
+}
+
+// Looks at the answers with the number; why that is too little stands in `not_checked`.
+LevelFindings look_at(const Subject& subject, const Counts& counts, MeasureKind kind, std::string_view what) {
   LevelFindings found;
   const Predicate& predicate = predicate_of(subject.record().plan);
-  if (predicate.measures.empty()) {
+  const bool moves = is_of_motions(predicate);
+  const char* const answers = moves ? "contacts" : "answers";
+  if (!has_measure(predicate, kind)) {
     found.not_checked = fmt::format("the predicate {} has no {} of contact", predicate.id, what);
     return found;
   }
   std::uint64_t judged = 0;
   std::vector<std::string> seldom;
   for (const auto& [family, result] : subject.families()) {
-    const std::optional<Given> given = counts(*result.motion);
+    const std::optional<Given> given = result.contacts ? counts(*result.contacts) : std::nullopt;
     if (!given) {
       found.not_checked = fmt::format("the kernel gives no {} of contact", what);
       return found;
     }
-    found.families[family] = {given->judged + given->none + result.verdict.false_separation, given->judged};
+    const std::uint64_t missed = moves ? result.verdict.false_separation : 0;
+    found.families[family] = {given->judged + given->none + missed, given->judged};
     if (given->judged == 0) found.unseen.push_back(family);
     if (given->none > given->judged) {
-      seldom.push_back(fmt::format("on {} it gives no {} beside {} of {} contacts, and has to beside half of them",
-                                   family, what, thousands(given->none), thousands(given->judged + given->none)));
+      seldom.push_back(fmt::format("on {} it gives no {} beside {} of {} {}, and has to beside half of them", family,
+                                   what, thousands(given->none), thousands(given->judged + given->none), answers));
     }
     judged += given->judged;
   }
-  if (judged == 0) found.not_checked = fmt::format("no contact that it found has a {}", what);
+  if (judged == 0) found.not_checked = fmt::format("no {} has a {}", moves ? "contact that it found" : "answer", what);
   else if (!seldom.empty()) found.not_checked = seldom.front();
-  found.covers = fmt::format("the {} of {} contacts of {}, each compared with the exact one", what, thousands(judged),
-                             subject.list_of_families());
-  found.leaves_out = "missed and phantom contacts";
+  found.covers = fmt::format("the {} of {} {} of {}, each compared with the exact one", what, thousands(judged),
+                             answers, subject.list_of_families());
+  if (moves) found.leaves_out = "missed and phantom contacts";
   return found;
 }
 
-// How early a time may be: in u of the displacement, or by a length of the way.
-struct EarlyBound {
-  double most;
-  bool is_length;
-
-  std::string text() const { return is_length ? metric_text(most) : fmt::format("{} u", most); }
-};
-EarlyBound early_bound(const AskedLevel& asked) {
-  if (const auto length = length_in_metres(asked.argument)) return {*length, true};
-  return {bound_of(asked, displacement_bound), false};
+// The families with that part, each with the failures that it adds.
+template <class Part, class Add>
+void for_each_part(const Subject& subject, std::optional<Part> ContactTally::*member, Add&& add) {
+  for (const auto& [family, result] : subject.families()) {
+    if (result.contacts && (*result.contacts).*member) add(family, *((*result.contacts).*member));
+  }
 }
 
 LevelFindings judge_early(const AskedLevel& asked, const Subject& subject) {
-  const EarlyBound bound = early_bound(asked);
+  const SizeBound bound = size_bound(asked, displacement_bound);
   const double metres_of_unit = metres_of(subject.record().plan);
   LevelFindings found = look_at(
       subject,
-      [](const MotionTally& motion) {
-        return motion.time ? std::optional(Given{motion.hits - motion.time->none - motion.time->invalid, 0})
-                           : std::nullopt;
+      [](const ContactTally& contacts) {
+        return contacts.time ? std::optional(Given{contacts.answers - contacts.time->none - contacts.time->invalid})
+                             : std::nullopt;
       },
-      "time");
+      MeasureKind::time, "time");
   subject.add_untimed(found.failures);
-  for (const auto& [family, result] : subject.families()) {
-    if (!result.motion || !result.motion->time) continue;
-    const TimeTally& time = *result.motion->time;
+  for_each_part(subject, &ContactTally::time, [&](const std::string& family, const TimeTally& time) {
     const Decimal6 earliest = time.early_errors.largest_in_u.best();
     const double length = time.early_errors.largest_length.best(), metres = length * metres_of_unit;
-    if ((bound.is_length ? metres : earliest.value()) <= bound.most) continue;
+    if ((bound.is_length ? metres : earliest.value()) <= bound.most) return;
     const std::string by = bound.is_length ? metric_text(metres) + " of the way"
                                            : fmt::format("{} u of the displacement, {}", error_amount(earliest),
                                                          way_text(time.early_errors));
     // Of those that are early by more than a length the record has the earliest, and not how many.
     subject.add_shown(found.failures, family, bound.is_length ? 1 : time.early,
-                      fmt::format("times before the best one, the earliest by {}: {} is allowed", by, bound.text()),
+                      fmt::format("times before the best one, the earliest by {}: {} is allowed", by, bound.text("u")),
                       bound.is_length ? fmt::format("earliest time: {:.6g} in length", length) : "earliest time");
-  }
+  });
   found.leaves_out = "late times, which never-late asks about; " + found.leaves_out;
   return found;
 }
 
-LevelFindings judge_features(const AskedLevel& asked, const Subject& subject) {
-  LevelFindings found = look_at(
-      subject,
-      [](const MotionTally& motion) {
-        return motion.feature ? std::optional(Given{motion.feature->judged, motion.feature->none}) : std::nullopt;
-      },
-      "feature");
-  for (const auto& [family, result] : subject.families()) {
-    if (!result.motion || !result.motion->feature) continue;
-    const FeatureTally& feature = *result.motion->feature;
+LevelFindings judge_separation(const AskedLevel& asked, const Subject& subject) {
+  const SizeBound bound = size_bound(asked, separation_bound);
+  const double metres_of_unit = metres_of(subject.record().plan);
+  LevelFindings found =
+      look_at(subject, counts_of(&ContactTally::separation), MeasureKind::separation, name(MeasureKind::separation));
+  for_each_part(subject, &ContactTally::consistency, [&](const std::string& family, const ConsistencyTally& tally) {
+    const auto add = [&](std::uint64_t count, const char* what, Consistency which) {
+      subject.add_shown(found.failures, family, count, what, consistency_words[which]);
+    };
+    add(tally.positive, "contacts with a separation above 0", Consistency::positive);
+    add(tally.negative, "separations below 0 beside separated", Consistency::negative);
+    add(tally.missing, "answers without one of their numbers", Consistency::missing);
+  });
+  for_each_part(subject, &ContactTally::separation, [&](const std::string& family, const SeparationTally& tally) {
+    const double share = tally.largest_error.best(), length = tally.largest_length.best(),
+                 metres = length * metres_of_unit;
+    if ((bound.is_length ? metres : share) <= bound.most) return;
+    // Of those that are off by more the record has the worst, and not how many.
+    subject.add_shown(found.failures, family, 1,
+                      fmt::format("the worst separation is off by {}: {} is allowed",
+                                  bound.is_length ? metric_text(metres) : fmt::format("{:.4g} of the scene", share),
+                                  bound.text("of the scene")),
+                      bound.is_length ? fmt::format("largest error of a separation: {:.6g} in length", length)
+                                      : fmt::format("largest error of a separation: {:.6g} of the scene", share));
+  });
+  return found;
+}
+
+LevelFindings judge_feature(const AskedLevel& asked, const Subject& subject) {
+  LevelFindings found = look_at(subject, counts_of(&ContactTally::feature), MeasureKind::feature, "feature");
+  for_each_part(subject, &ContactTally::feature, [&](const std::string& family, const FeatureTally& feature) {
     if (!asked.has_argument) {
       subject.add_shown(found.failures, family, feature.wrong, "features that are not touched first", "a feature");
-      continue;
+      return;
     }
     const double most = bound_of(asked, scene_bound), largest = feature.largest_error.best();
     subject.add_shown(found.failures, family, feature.unnamed, "features that there are not", "a feature");
@@ -141,55 +198,90 @@ LevelFindings judge_features(const AskedLevel& asked, const Subject& subject) {
                       largest, most),
           "wrong feature farthest");
     }
-  }
+  });
   return found;
 }
 
-LevelFindings judge_normals(const AskedLevel& asked, const Subject& subject) {
+// The worst of a size of which the record has no more: how many are worse than is allowed is not known.
+void add_worst(const Subject& subject, LevelFindings& found, const std::string& family, double largest, double most,
+               const std::string& what, std::string_view unit, std::string_view shown) {
+  if (largest <= most) return;
+  subject.add_shown(found.failures, family, 1,
+                    fmt::format("the worst {} is off by {:.4g}{}: {} is allowed", what, largest, unit, most), shown);
+}
+
+LevelFindings judge_normal(const AskedLevel& asked, const Subject& subject) {
   const double most = bound_of(asked, angle_bound);
-  LevelFindings found = look_at(
-      subject,
-      [](const MotionTally& motion) {
-        return motion.normal ? std::optional(Given{motion.normal->judged, motion.normal->none}) : std::nullopt;
-      },
-      "normal");
-  for (const auto& [family, result] : subject.families()) {
-    if (!result.motion || !result.motion->normal) continue;
-    const NormalTally& normal = *result.motion->normal;
-    // Of those that are off by more than is allowed the record has the worst, and not how many.
-    const auto check = [&, family = family](double largest, const char* what, const char* unit, const char* shown) {
-      if (largest <= most) return;
-      subject.add_shown(found.failures, family, 1,
-                        fmt::format("the worst {} is off by {:.4g}{}: {} is allowed", what, largest, unit, most),
-                        shown);
-    };
-    check(normal.largest_angle.best(), "normal", " radians", "largest angle of a normal");
-    check(normal.largest_length_error.best(), "length of a normal", " of 1", "largest error of a normal's length");
-  }
-  found.leaves_out = "contacts at the distance 0, which have no normal; " + found.leaves_out;
+  LevelFindings found = look_at(subject, counts_of(&ContactTally::normal), MeasureKind::normal, "normal");
+  for_each_part(subject, &ContactTally::normal, [&](const std::string& family, const NormalTally& normal) {
+    const double degrees = normal.largest_angle.best() * 180 / std::numbers::pi;
+    add_worst(subject, found, family, degrees, most, "normal", " degrees", "largest angle of a normal");
+  });
+  found.leaves_out = "contacts at the distance 0 or with several normals, which left and no-flip ask about" +
+                     (found.leaves_out.empty() ? "" : "; " + found.leaves_out);
   return found;
 }
 
-LevelFindings judge_points(const AskedLevel& asked, const Subject& subject) {
+LevelFindings judge_unit(const AskedLevel& asked, const Subject& subject) {
+  const double most = bound_of(asked, length_bound);
+  LevelFindings found = look_at(subject, counts_of(&ContactTally::normal), MeasureKind::normal, "normal");
+  for_each_part(subject, &ContactTally::normal, [&](const std::string& family, const NormalTally& normal) {
+    add_worst(subject, found, family, normal.largest_length_error.best(), most, "length of a normal", " of 1",
+              "largest error of a normal's length");
+  });
+  return found;
+}
+
+LevelFindings look_at_pushed(const Subject& subject) {
+  LevelFindings found = look_at(subject, counts_of(&ContactTally::pushed), MeasureKind::normal, "normal");
+  if (is_of_motions(predicate_of(subject.record().plan))) {
+    found = {};
+    found.not_checked = "in a predicate of motions nothing is pushed out of another";
+  }
+  found.leaves_out = "answers where the exact depth is 0";
+  return found;
+}
+
+LevelFindings judge_no_flip(const AskedLevel&, const Subject& subject) {
+  LevelFindings found = look_at_pushed(subject);
+  for_each_part(subject, &ContactTally::pushed, [&](const std::string& family, const PushTally& pushed) {
+    subject.add_shown(found.failures, family, pushed.flips, "normals to the other side", "a normal to the other side");
+  });
+  return found;
+}
+
+LevelFindings judge_left(const AskedLevel& asked, const Subject& subject) {
+  const double most = left_argument(asked);
+  LevelFindings found = look_at_pushed(subject);
+  for_each_part(subject, &ContactTally::pushed, [&](const std::string& family, const PushTally& pushed) {
+    const double left = pushed.largest_left.best().value();
+    if (left <= most) return;
+    subject.add_shown(
+        found.failures, family, 1,
+        fmt::format("a push by the depth along the worst normal leaves {:.6g} of it: {} is allowed", left, most),
+        "most penetration left");
+  });
+  return found;
+}
+
+LevelFindings judge_point(const AskedLevel& asked, const Subject& subject) {
   const double most = bound_of(asked, scene_bound);
-  LevelFindings found = look_at(
-      subject,
-      [](const MotionTally& motion) {
-        return motion.point ? std::optional(Given{motion.point->judged, motion.point->none}) : std::nullopt;
-      },
-      "point");
-  for (const auto& [family, result] : subject.families()) {
-    if (!result.motion || !result.motion->point) continue;
-    const double largest = result.motion->point->largest_error.best();
-    if (largest <= most) continue;
-    subject.add_shown(found.failures, family, 1,
-                      fmt::format("the worst point is off by {:.4g} of the scene: {} is allowed", largest, most),
-                      "largest error of a contact's point");
-  }
+  const bool has_pair = has_measure(predicate_of(subject.record().plan), MeasureKind::point_b);
+  LevelFindings found = has_pair ? look_at(subject, counts_of(&ContactTally::point_b), MeasureKind::point_b, "point")
+                                 : look_at(subject, counts_of(&ContactTally::point), MeasureKind::point, "point");
+  const auto check = [&](auto member, const char* what, const char* shown) {
+    for_each_part(subject, member, [&](const std::string& family, const auto& tally) {
+      add_worst(subject, found, family, tally.largest_error.best(), most, what, " of the scene", shown);
+    });
+  };
+  check(&ContactTally::point, "point", "largest error of a contact's point");
+  check(&ContactTally::point_a, "first point", "largest error of the first point");
+  check(&ContactTally::point_b, "second point", "largest error of the second point");
+  check(&ContactTally::points, "distance of the points from the separation", "largest difference between points");
   return found;
 }
 
-std::string features_sentence(const AskedLevel& asked) {
+std::string feature_sentence(const AskedLevel& asked) {
   if (!asked.has_argument) return "no feature beside a contact but one that is touched first";
   return fmt::format(
       "no feature beside a contact but one that is touched first, or in whose region the centre is then "
@@ -197,59 +289,98 @@ std::string features_sentence(const AskedLevel& asked) {
       bound_of(asked, scene_bound));
 }
 
-constexpr std::string_view in_u[] = {"64"}, shares[] = {"0.001"};
+constexpr std::string_view in_u[] = {"64"}, shares[] = {"0.001"}, degrees[] = {"0.1"};
 
 }  // namespace
 
 extern const GateLevel early_level = {
     .usage = "early=U",
     .meaning = "no time before the best one by more than U, u of the displacement or a length of the way such as 1mm",
-    .check = [](const AskedLevel& asked) { early_bound(asked); },
+    .check = [](const AskedLevel& asked) { size_bound(asked, displacement_bound); },
     .sentence =
         [](const AskedLevel& asked) {
-          const EarlyBound bound = early_bound(asked);
+          const SizeBound bound = size_bound(asked, displacement_bound);
           return fmt::format(
               "no time of contact before the best one by more than {}{}, and none that is missing or outside [0, 1]",
-              bound.text(), bound.is_length ? " of the way" : " of the displacement");
+              bound.text("u"), bound.is_length ? " of the way" : " of the displacement");
         },
     .judge = judge_early,
     .in_certificates = in_u};
 
-extern const GateLevel features_level = {
-    .usage = "features[=D]",
+extern const GateLevel separation_level = {
+    .usage = "separation=E",
+    .meaning =
+        "no separation off by more than E, a share of the scene or a length such as 1mm, and none that "
+        "contradicts its verdict",
+    .check = [](const AskedLevel& asked) { size_bound(asked, separation_bound); },
+    .sentence =
+        [](const AskedLevel& asked) {
+          return fmt::format("no separation that is off by more than {}, contradicts its verdict, or is missing",
+                             size_bound(asked, separation_bound).text("of the scene"));
+        },
+    .judge = judge_separation,
+    .in_certificates = shares};
+
+extern const GateLevel feature_level = {
+    .usage = "feature[=D]",
     .meaning = "no wrong feature; with D, none but where the centre is within D of the scene of its region",
     .check =
         [](const AskedLevel& asked) {
           if (asked.has_argument) bound_of(asked, scene_bound);
         },
-    .sentence = features_sentence,
-    .judge = judge_features,
+    .sentence = feature_sentence,
+    .judge = judge_feature,
     .in_certificates = shares};
 
-extern const GateLevel normals_level = {
-    .usage = "normals=A",
-    .meaning = "no normal that is off by more than A radians, or in length by more than A",
+extern const GateLevel normal_level = {
+    .usage = "normal=DEG",
+    .meaning = "no normal that is off by more than DEG degrees, where there is a single exact one",
     .check = [](const AskedLevel& asked) { bound_of(asked, angle_bound); },
     .sentence =
         [](const AskedLevel& asked) {
-          return fmt::format(
-              "no normal beside a contact that is off by more than {0} radians, or longer or shorter than "
-              "1 by more than {0}",
-              bound_of(asked, angle_bound));
+          return fmt::format("no normal that is off by more than {} degrees", bound_of(asked, angle_bound));
         },
-    .judge = judge_normals,
+    .judge = judge_normal,
+    .in_certificates = degrees};
+
+extern const GateLevel unit_level = {.usage = "unit=E",
+                                     .meaning = "no normal that is longer or shorter than 1 by more than E",
+                                     .check = [](const AskedLevel& asked) { bound_of(asked, length_bound); },
+                                     .sentence =
+                                         [](const AskedLevel& asked) {
+                                           return fmt::format(
+                                               "no normal that is longer or shorter than 1 by more than {}",
+                                               bound_of(asked, length_bound));
+                                         },
+                                     .judge = judge_unit,
+                                     .in_certificates = shares};
+
+extern const GateLevel no_flip_level = {
+    "no-flip", "no normal to the other side, along which a push by the depth does not part the two", accept_no_argument,
+    [](const AskedLevel&) { return std::string("no normal to the other side"); }, judge_no_flip};
+
+extern const GateLevel left_level = {
+    .usage = "left=F",
+    .meaning = "no normal along which a push by the exact depth leaves more than F of it",
+    .check = [](const AskedLevel& asked) { left_argument(asked); },
+    .sentence =
+        [](const AskedLevel& asked) {
+          return fmt::format("no normal along which a push by the exact depth leaves more than {} of it",
+                             left_argument(asked));
+        },
+    .judge = judge_left,
     .in_certificates = shares};
 
-extern const GateLevel points_level = {.usage = "points=D",
-                                       .meaning = "no point of contact that is off by more than D of the scene",
-                                       .check = [](const AskedLevel& asked) { bound_of(asked, scene_bound); },
-                                       .sentence =
-                                           [](const AskedLevel& asked) {
-                                             return fmt::format(
-                                                 "no point beside a contact that is off by more than {} of the scene",
-                                                 bound_of(asked, scene_bound));
-                                           },
-                                       .judge = judge_points,
-                                       .in_certificates = shares};
+extern const GateLevel point_level = {.usage = "point=D",
+                                      .meaning = "no point of contact that is off by more than D of the scene",
+                                      .check = [](const AskedLevel& asked) { bound_of(asked, scene_bound); },
+                                      .sentence =
+                                          [](const AskedLevel& asked) {
+                                            return fmt::format(
+                                                "no point of contact that is off by more than {} of the scene",
+                                                bound_of(asked, scene_bound));
+                                          },
+                                      .judge = judge_point,
+                                      .in_certificates = shares};
 
 }  // namespace axiscert

@@ -1,17 +1,18 @@
-// The levels early, features, normals and points: what a record says of the numbers beside a contact, and a kernel with
-// one planted fault each.
+// The levels early, separation, feature, normal, unit, no-flip, left and point: what a record says of the numbers
+// beside a contact, and a kernel with one planted fault each.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <algorithm>
 #include <deque>
-#include <functional>
 
 #include "fuzz/mutation/black_box.h"
 #include "fuzz/queries/family.h"
 #include "kernel/moving_sphere/moving_sphere.h"
 #include "kernel/moving_sphere/names.h"
+#include "kernel/testing/edited_measures.h"
 #include "reports/gates/requirement.h"
 #include "reports/testing/edited_record.h"
 #include "reports/testing/test_run.h"
@@ -37,7 +38,7 @@ Json numbers(double earliest_u, std::uint64_t wrong, double region, double angle
 }
 Json with_numbers(const Json& on_tangent) {
   Json record = motions(on_tangent);
-  record["kernels"][0]["families"]["lattice"]["motion"] = numbers(0, 0, 0, 0, 0, 0);
+  record["kernels"][0]["families"]["lattice"]["contacts"] = numbers(0, 0, 0, 0, 0, 0);
   return record;
 }
 std::string first_failure(const Json& on_tangent, const char* level) {
@@ -55,16 +56,16 @@ TEST(ContactLevels, EachHasABoundInTheUnitOfTheRecord) {
   EXPECT_EQ(first_failure(found, "early=50cm"), "");
   EXPECT_EQ(first_failure(found, "early=49.9cm"),
             "times before the best one, the earliest by 50 cm of the way: 49.9 cm is allowed");
-  EXPECT_EQ(first_failure(found, "features"), "features that are not touched first");
-  EXPECT_EQ(first_failure(found, "features=0.25"), "");
-  EXPECT_EQ(first_failure(found, "features=0.2"),
+  EXPECT_EQ(first_failure(found, "feature"), "features that are not touched first");
+  EXPECT_EQ(first_failure(found, "feature=0.25"), "");
+  EXPECT_EQ(first_failure(found, "feature=0.2"),
             "features that are not touched first, the farthest by 0.25 of the scene: 0.2 is allowed");
-  EXPECT_EQ(first_failure(found, "normals=0.5"), "");
-  EXPECT_EQ(first_failure(found, "normals=0.25"), "the worst normal is off by 0.5 radians: 0.25 is allowed");
-  EXPECT_EQ(first_failure(numbers(0, 0, 0, 0, 0.125, 0), "normals=0.1"),
-            "the worst length of a normal is off by 0.125 of 1: 0.1 is allowed");
-  EXPECT_EQ(first_failure(found, "points=0.0625"), "");
-  EXPECT_EQ(first_failure(found, "points=0.05"), "the worst point is off by 0.0625 of the scene: 0.05 is allowed");
+  EXPECT_EQ(first_failure(found, "normal=28.7"), "");
+  EXPECT_EQ(first_failure(found, "normal=28.6"), "the worst normal is off by 28.65 degrees: 28.6 is allowed");
+  EXPECT_EQ(first_failure(found, "unit=0.125"), "");
+  EXPECT_EQ(first_failure(found, "unit=0.1"), "the worst length of a normal is off by 0.125 of 1: 0.1 is allowed");
+  EXPECT_EQ(first_failure(found, "point=0.0625"), "");
+  EXPECT_EQ(first_failure(found, "point=0.05"), "the worst point is off by 0.0625 of the scene: 0.05 is allowed");
 }
 
 TEST(ContactLevels, ALengthIsInTheUnitOfTheQueriesAndItsWitnessIsTheOneOfTheLength) {
@@ -82,11 +83,11 @@ TEST(ContactLevels, ALengthIsInTheUnitOfTheQueriesAndItsWitnessIsTheOneOfTheLeng
 TEST(ContactLevels, AFeatureThatThereIsNotFailsWhateverIsAllowed) {
   Json found = numbers(0, 2, 0, 0, 0, 0);
   found["feature"]["unnamed"] = 2;
-  EXPECT_EQ(first_failure(found, "features=1"), "features that there are not");
+  EXPECT_EQ(first_failure(found, "feature=1"), "features that there are not");
 }
 
 TEST(ContactLevels, SayOfHowManyContacts) {
-  for (const char* level : {"early=1", "early=1um", "features", "normals=0.1", "points=0.1"}) {
+  for (const char* level : {"early=1", "early=1um", "feature", "normal=0.1", "unit=0.1", "point=0.1"}) {
     const LevelOutcome met = outcomes_at(with_numbers(numbers(0, 0, 0, 0, 0, 0)), level)[0];
     EXPECT_EQ(met.state, LevelState::met) << level << met.reason;
     EXPECT_THAT(met.covers, HasSubstr("of 1,800 contacts of")) << level;
@@ -97,13 +98,13 @@ TEST(ContactLevels, SayOfHowManyContacts) {
 TEST(ContactLevels, AKernelThatGivesNoneOrSeldomIsNotChecked) {
   Json untimed = motions(contacts(0, 0, 0));
   for (const char* family : {"tangent", "lattice"})
-    untimed["kernels"][0]["families"][family]["motion"]["time"] = nullptr;
+    untimed["kernels"][0]["families"][family]["contacts"]["time"] = nullptr;
   for (const char* level : {"early=64", "early=1mm"}) {
     EXPECT_EQ(outcomes_at(untimed, level)[0].reason, "the kernel gives no time of contact") << level;
     EXPECT_THAT(outcomes_at(stored_record(), level)[0].reason, HasSubstr("sphere-triangle has no time")) << level;
   }
   for (const auto& [level, what] :
-       {std::pair{"features=0.1", "feature"}, {"normals=1", "normal"}, {"points=1", "point"}}) {
+       {std::pair{"feature=0.1", "feature"}, {"normal=1", "normal"}, {"unit=1", "normal"}, {"point=1", "point"}}) {
     const LevelOutcome none = outcomes_at(motions(contacts(0, 0, 0)), level)[0];
     EXPECT_EQ(none.state, LevelState::not_checked) << level;
     EXPECT_EQ(none.reason, fmt::format("the kernel gives no {} of contact", what));
@@ -115,8 +116,8 @@ TEST(ContactLevels, AKernelThatGivesNoneOrSeldomIsNotChecked) {
 }
 
 TEST(ContactLevels, ABoundIsANumberInItsRange) {
-  for (const char* level : {"early=0", "early=x", "early=0mm", "early=1 furlong", "normals=4", "normals=-1", "points=2",
-                            "points=nan", "features=", "features=1.5"}) {
+  for (const char* level : {"early=0", "early=x", "early=0mm", "early=1 furlong", "normal=181", "normal=-1", "unit=2",
+                            "point=2", "point=nan", "feature=", "feature=1.5"}) {
     try {
       unmet(with_numbers(numbers(0, 0, 0, 0, 0, 0)), level);
       ADD_FAILURE() << level;
@@ -138,37 +139,14 @@ TEST(ContactLevels, AContactWithoutATimeFailsLogicAndWhatIncludesIt) {
   }
 }
 
-// A kernel that is right, moving-sphere/rounded, whose numbers are changed after it gave them.
-using Edit =
-    std::function<void(std::vector<std::vector<float>>& measures, const QueryColumns<float>& batch, std::size_t i)>;
-Kernel with_edit(const char* name, Edit change) {
-  const Kernel& right = find_kernel("moving-sphere/rounded");
-  Kernel kernel = right;
-  kernel.id = fmt::format("moving-sphere/rounded~{}", name);
-  kernel.exposes = Exposure::verdict;
-  kernel.formulae = "";
-  kernel.is_reference = false;
-  kernel.binary64 = nullptr;
-  kernel.binary32 = [change, &right](std::string_view) {
-    const Implementation<float> of_right = right.on<float>(scalar_target);
-    Implementation<float> made;
-    made.verdicts = of_right.verdicts;
-    made.measure = [of_right, change](const QueryColumns<float>& batch, Answers<float>& out) {
-      of_right.measure(batch, out);
-      for (std::size_t i = 0; i < batch.size; ++i) change(out.measures, batch, i);
-    };
-    return made;
-  };
-  return kernel;
-}
-
 TEST(ContactLevels, EachPlantedFaultIsSeenByItsLevelAlone) {
-  using Measures = std::vector<std::vector<float>>;
+  using Measures = MeasureColumns;
+  const Kernel& right = find_kernel("moving-sphere/rounded");
   constexpr std::size_t time = moving_sphere::time_measure, feature = moving_sphere::feature_measure,
                         normal = moving_sphere::normal_measure, point = moving_sphere::point_measure;
   struct Planted {
     const char *name, *level;
-    Edit change;
+    MeasureEdit change;
   };
   const auto scale_normal = [](Measures& m, std::size_t i, float by) {
     for (std::size_t k = 0; k < 3; ++k) m[normal + k][i] *= by;
@@ -182,28 +160,29 @@ TEST(ContactLevels, EachPlantedFaultIsSeenByItsLevelAlone) {
          const auto along = [&](std::size_t k) { return batch.column[12 + k][i] * batch.column[12 + k][i]; };
          m[time][i] = std::max(0.0f, m[time][i] - 0.1f / std::sqrt(along(0) + along(1) + along(2)));
        }},
-      {"flipped", "normals=0.0005",
+      {"flipped", "normal=0.03",
        [=](Measures& m, const QueryColumns<float>&, std::size_t i) { scale_normal(m, i, -1); }},
-      {"not-normalised", "normals=0.0005",
+      {"not-normalised", "unit=0.0005",
        [=](Measures& m, const QueryColumns<float>&, std::size_t i) { scale_normal(m, i, 1.001f); }},
-      {"tilted", "normals=0.0005",
+      {"tilted", "normal=0.03",
        [](Measures& m, const QueryColumns<float>&, std::size_t i) {
          const float x = m[normal][i], y = m[normal + 1][i], angle = 1e-3f;
          m[normal][i] = x * std::cos(angle) - y * std::sin(angle);
          m[normal + 1][i] = x * std::sin(angle) + y * std::cos(angle);
        }},
-      {"on-the-sphere", "points=0.0005",  // the sphere's point, opposite to the triangle's
+      {"on-the-sphere", "point=0.0005",  // the sphere's point, opposite to the triangle's
        [](Measures& m, const QueryColumns<float>& batch, std::size_t i) {
          for (std::size_t k = 0; k < 3; ++k) m[point + k][i] += 2 * batch.column[15][i] * m[normal + k][i];
        }},
-      {"face-always", "features=0.001",
+      {"face-always", "feature=0.001",
        [](Measures& m, const QueryColumns<float>&, std::size_t i) { m[feature][i] = 6; }},
       {"no-time", "logic", [](Measures& m, const QueryColumns<float>&, std::size_t i) { m[time][i] = std::nanf(""); }},
       {"negative", "logic", [](Measures& m, const QueryColumns<float>&, std::size_t i) { m[time][i] = -0.5f; }},
   };
   std::deque<Kernel> kernels;
   std::vector<const Kernel*> asked;
-  for (const Planted& planted : all) asked.push_back(&kernels.emplace_back(with_edit(planted.name, planted.change)));
+  for (const Planted& planted : all)
+    asked.push_back(&kernels.emplace_back(with_edit(right, planted.name, planted.change)));
   MutationPlan plan;
   plan.families = {&find_family("moving-sphere/one_axis")};
   plan.seed = 3;
@@ -218,7 +197,7 @@ TEST(ContactLevels, EachPlantedFaultIsSeenByItsLevelAlone) {
   EXPECT_THAT(refused_at("early=101mm"), Not(Contains(HasSubstr("10-cm"))));
   EXPECT_THAT(refused_at("early=99mm"), Contains(HasSubstr("10-cm")));
   EXPECT_THAT(refused_at("early=1mm"), Not(Contains(HasSubstr("~right"))));
-  for (const char* level : {"early=4096", "features=0.001", "normals=0.0005", "points=0.0005", "logic"}) {
+  for (const char* level : {"early=4096", "feature=0.001", "normal=0.03", "unit=0.0005", "point=0.0005", "logic"}) {
     std::map<std::string, std::string> refused;
     for (const Failure& failure : unmet(record, level)) refused[failure.kernel] = failure.text();
     for (std::size_t k = 0; k < std::size(all); ++k) {
@@ -229,6 +208,107 @@ TEST(ContactLevels, EachPlantedFaultIsSeenByItsLevelAlone) {
           << all[k].name << " at " << level << ": " << refused[kernels[k].id];
     }
   }
+}
+
+// The same of bodies as they are: a sphere and a triangle. A level refuses what it is about, and no right choice.
+TEST(ContactLevels, EachPlantedFaultOfASphereAndATriangleIsSeenByItsLevels) {
+  using Batch = QueryColumns<float>;
+  constexpr std::size_t separation = 0, feature = 1, normal = 2, point = 5, centre = 9, radius = 12;
+  struct Planted {
+    const char* name;
+    std::vector<std::string_view> levels;
+    MeasureEdit change;
+  };
+  const auto scale_normal = [](MeasureColumns& m, std::size_t i, float by) {
+    for (std::size_t k = 0; k < 3; ++k) m[normal + k][i] *= by;
+  };
+  const auto is_on_triangle = [](const MeasureColumns& m, const Batch& batch, std::size_t i) {
+    return m[point][i] == batch.column[centre][i] && m[point + 1][i] == batch.column[centre + 1][i] &&
+           m[point + 2][i] == batch.column[centre + 2][i];
+  };
+  const std::string_view by_length = "separation=1e-6", by_angle = "normal=0.03", by_unit = "unit=0.0005",
+                         by_flip = "no-flip", by_left = "left=0.001", by_point = "point=0.0005",
+                         by_feature = "feature=0.001";
+  const Planted all[] = {
+      {"right", {}, [](MeasureColumns&, const Batch&, std::size_t) {}},
+      {"other-side-of-a-tie",
+       {},
+       [=](MeasureColumns& m, const Batch& batch, std::size_t i) {
+         if (is_on_triangle(m, batch, i)) scale_normal(m, i, -1);
+       }},
+      {"nothing-beside-separated",
+       {},
+       [](MeasureColumns& m, const Batch&, std::size_t i) {
+         for (std::size_t k = 0; m[separation][i] > 0 && k < m.size(); ++k) m[m.size() - 1 - k][i] = std::nanf("");
+       }},
+      {"flipped",
+       {by_angle, by_flip, by_left},
+       [=](MeasureColumns& m, const Batch&, std::size_t i) { scale_normal(m, i, -1); }},
+      {"tilted",
+       {by_angle},
+       [](MeasureColumns& m, const Batch&, std::size_t i) {
+         const float x = m[normal][i], y = m[normal + 1][i], z = m[normal + 2][i], angle = 1e-3f;
+         if (std::fabs(z) > 0.9f) {
+           m[normal][i] = x * std::cos(angle) - z * std::sin(angle);
+           m[normal + 2][i] = x * std::sin(angle) + z * std::cos(angle);
+         } else {
+           m[normal][i] = x * std::cos(angle) - y * std::sin(angle);
+           m[normal + 1][i] = x * std::sin(angle) + y * std::cos(angle);
+         }
+       }},
+      {"not-normalised",
+       {by_unit},
+       [=](MeasureColumns& m, const Batch&, std::size_t i) { scale_normal(m, i, 1.001f); }},
+      {"face-always", {by_feature}, [](MeasureColumns& m, const Batch&, std::size_t i) { m[feature][i] = 6; }},
+      {"depth-against-the-plane",
+       {by_length},
+       [=](MeasureColumns& m, const Batch& batch, std::size_t i) {
+         const auto corner = [&](std::size_t c, std::size_t k) { return batch.column[3 * c + k][i]; };
+         float u[3], v[3], h[3];
+         for (std::size_t k = 0; k < 3; ++k) {
+           u[k] = corner(1, k) - corner(0, k);
+           v[k] = corner(2, k) - corner(0, k);
+           h[k] = batch.column[centre + k][i] - corner(0, k);
+         }
+         const float n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+         const float size = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+         const float height = std::fabs(h[0] * n[0] + h[1] * n[1] + h[2] * n[2]) / size - batch.column[radius][i];
+         if (size > 0) m[separation][i] = m[separation][i] > 0 ? std::max(height, 0.0f) : std::min(height, 0.0f);
+       }},
+      {"on-the-sphere",
+       {by_point},
+       [](MeasureColumns& m, const Batch& batch, std::size_t i) {
+         for (std::size_t k = 0; k < 3; ++k)
+           m[point + k][i] = batch.column[centre + k][i] - batch.column[radius][i] * m[normal + k][i];
+       }},
+      {"margin-of-5-mm",
+       {by_length},
+       [](MeasureColumns& m, const Batch&, std::size_t i) { m[separation][i] -= 0.005f; }},
+      {"never-positive",
+       {by_length},
+       [](MeasureColumns& m, const Batch&, std::size_t i) { m[separation][i] = std::min(0.0f, m[separation][i]); }},
+      {"no-separation",
+       {by_length},
+       [](MeasureColumns& m, const Batch&, std::size_t i) { m[separation][i] = std::nanf(""); }},
+  };
+  const Kernel& right = find_kernel("minkowski");
+  std::deque<Kernel> kernels;
+  std::vector<const Kernel*> asked;
+  for (const Planted& planted : all)
+    asked.push_back(&kernels.emplace_back(with_edit(right, planted.name, planted.change)));
+  MutationPlan plan;
+  plan.families = {&find_family("lattice")};
+  plan.seed = 3;
+  const Record record = record_of_kernels(plan, Precision::binary32, 600, asked);
+  for (const std::string_view level : {by_length, by_angle, by_unit, by_flip, by_left, by_point, by_feature}) {
+    std::map<std::string, std::string> refused;
+    for (const Failure& failure : unmet(record, std::string(level))) refused[failure.kernel] = failure.text();
+    for (std::size_t k = 0; k < std::size(all); ++k) {
+      EXPECT_EQ(refused.contains(kernels[k].id), std::ranges::count(all[k].levels, level) == 1)
+          << all[k].name << " at " << level << ": " << refused[kernels[k].id];
+    }
+  }
+  for (const LevelOutcome& outcome : outcomes_at(record, "no-flip")) EXPECT_EQ(outcome.reason, "") << outcome.kernel;
 }
 
 }  // namespace

@@ -68,8 +68,8 @@ void Subject::add_shown(std::vector<Failure>& failures, const std::string& famil
 
 void Subject::add_untimed(std::vector<Failure>& failures) const {
   for (const auto& [family, result] : families()) {
-    if (!result.motion || !result.motion->time) continue;
-    const TimeTally& time = *result.motion->time;
+    if (!result.contacts || !result.contacts->time) continue;
+    const TimeTally& time = *result.contacts->time;
     add_shown(failures, family, time.none, "contacts without a time", "a contact without a time");
     add_shown(failures, family, time.invalid, "contacts with a time outside [0, 1]", "a time outside [0, 1]");
   }
@@ -134,9 +134,13 @@ std::string Subject::list_of_families() const {
   X(never_late)                 \
   X(no_tunnel)                  \
   X(early)                      \
-  X(features)                   \
-  X(normals)                    \
-  X(points)                     \
+  X(separation)                 \
+  X(feature)                    \
+  X(normal)                     \
+  X(unit)                       \
+  X(no_flip)                    \
+  X(left)                       \
+  X(point)                      \
   X(no_slack)
 
 namespace axiscert {

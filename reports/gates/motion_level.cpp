@@ -35,19 +35,23 @@ double tunnel_argument(const AskedLevel& asked) {
 // Why times cannot be judged: the predicate has none, or the kernel gives none, or there was no hit.
 std::string times_unseen(const Subject& subject) {
   const Predicate& predicate = predicate_of(subject.record().plan);
-  if (predicate.measures.empty()) return fmt::format("the predicate {} has no time of contact", predicate.id);
+  if (!is_of_motions(predicate)) return fmt::format("the predicate {} has no time of contact", predicate.id);
   const auto& measures = subject.kernel().measures;
   if (!measures || measures->empty()) return "the kernel gives no time of contact";
+  bool is_any = false;
   for (const auto& [family, result] : subject.families()) {
-    if (result.motion->hits != 0) return "";
+    if (!result.contacts || !result.contacts->missed || !result.contacts->time)
+      return fmt::format("the record has no times of the kernel on {}", family);
+    is_any = is_any || result.contacts->answers != 0;
   }
+  if (is_any) return "";
   return "no query has a contact that it found";
 }
 
 // Hits of which nothing is known, since they have no time in [0, 1], and families without any hit.
 void add_untimed(const Subject& subject, LevelFindings& found) {
   for (const auto& [family, result] : subject.families()) {
-    if (result.motion->hits == 0) found.unseen.push_back(family);
+    if (result.contacts->answers == 0) found.unseen.push_back(family);
   }
   subject.add_untimed(found.failures);
 }
@@ -55,14 +59,14 @@ void add_untimed(const Subject& subject, LevelFindings& found) {
 // Contacts that were found; with `missed` those that were not are looked at too.
 void look_at_contacts(const Subject& subject, bool missed, LevelFindings& found) {
   for (const auto& [family, result] : subject.families()) {
-    const std::uint64_t looked_at = result.motion->hits + (missed ? result.verdict.false_separation : 0);
+    const std::uint64_t looked_at = result.contacts->answers + (missed ? result.verdict.false_separation : 0);
     found.families[family] = {result.truth.contact, looked_at};
   }
 }
 
 std::string hits_covered(const Subject& subject) {
   std::uint64_t hits = 0;
-  for (const auto& [family, result] : subject.families()) hits += result.motion->hits;
+  for (const auto& [family, result] : subject.families()) hits += result.contacts->answers;
   return fmt::format("{} contacts of {}, the time of each compared with the exact one", thousands(hits),
                      subject.list_of_families());
 }
@@ -92,7 +96,7 @@ LevelFindings judge_never_late(const AskedLevel& asked, const Subject& subject) 
   add_untimed(subject, found);
   look_at_contacts(subject, false, found);
   for (const auto& [family, result] : subject.families()) {
-    const TimeTally& time = *result.motion->time;
+    const TimeTally& time = *result.contacts->time;
     const double length = time.late_errors.largest_length.best(), metres = length * metres_of_unit;
     if (!asked.has_argument) {
       subject.add_shown(found.failures, family, time.late,
@@ -133,8 +137,8 @@ LevelFindings judge_no_tunnel(const AskedLevel& asked, const Subject& subject) {
           fmt::format("{} goes in by {:.6g} of the radius, and less than {} is allowed{}", one, deepest, most, beside),
           shown);
     };
-    const TimeTally& time = *result.motion->time;
-    check(result.motion->missed, "missed contacts", "the deepest missed contact", "",
+    const TimeTally& time = *result.contacts->time;
+    check(*result.contacts->missed, "missed contacts", "the deepest missed contact", "",
           "deepest tunnel of a missed contact");
     check(time.late_tunnels, "late times", "the deepest late time", "; the latest is by " + lateness(time.late_errors),
           "deepest tunnel of a late time");

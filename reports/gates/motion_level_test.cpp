@@ -121,8 +121,8 @@ struct TimesSeen {
 
   void add(const Record& record, const KernelRecord& kernel) {
     for (const auto& [family, result] : kernel.families) {
-      const TimeTally& time = *result.motion->time;
-      hits += result.motion->hits;
+      const TimeTally& time = *result.contacts->time;
+      hits += result.contacts->answers;
       best += time.best;
       early += time.early;
       late += time.late;
@@ -170,8 +170,8 @@ EnumArray<TimeFault, TimesSeen> seen_of_all() {
 TEST(TimeMutants, AreEachSeenByVerdictAndTimeAloneAndTheRightTimesPass) {
   const EnumArray<TimeFault, TimesSeen> seen = seen_of_all();
   const TimesSeen& right = seen[TimeFault::right];
-  EXPECT_GT(right.hits, 200u);
-  EXPECT_EQ(right.best, right.hits);
+  EXPECT_GT(right.answers, 200u);
+  EXPECT_EQ(right.best, right.answers);
   EXPECT_EQ(right.missed + right.phantom, 0u);
   std::vector<std::string> rows;
   for (const TimeFault fault : enumerators<TimeFault>) {

@@ -26,6 +26,7 @@ constexpr int lesser_severity = 0, not_checked_severity = 1, expired_severity = 
 int severity(const Cell& cell) {
   if (cell.kind == Cell::Kind::finding) return 2;
   if (cell.is_of_contacts()) {
+    if (cell.place == "consistency" || cell.member == "flips") return 3;
     if (cell.place != "time" && cell.place != "missed") return 7;
     return cell.member == "early" ? 5 : 3;
   }

@@ -187,7 +187,7 @@ class Lines {
     std::vector<std::string_view> known = {"verdict", "finding"};
     try {
       const Predicate& predicate = find_predicate(ratchet_.predicate);
-      if (!predicate.measures.empty()) known.insert(known.end(), places_of_contacts, std::end(places_of_contacts));
+      for (const std::string_view of_contacts : places_of_contacts(predicate)) known.push_back(of_contacts);
       for (const PredicateComparison& comparison : predicate.comparisons) known.push_back(comparison.name);
     } catch (const Error&) {
       return;

@@ -74,7 +74,7 @@ struct QueryRow : DataHead<QueryRow> {
   std::vector<FindingKind> findings;
   std::optional<std::optional<MeasuresRecord>> measures;
 
-  static constexpr std::string_view format = "axiscert-row/2", title = "A query and one kernel's answer to it",
+  static constexpr std::string_view format = "axiscert-row/3", title = "A query and one kernel's answer to it",
                                     about =
                                         "The numbers of the query have the names of the groups of columns of its "
                                         "predicate.";
@@ -201,7 +201,7 @@ struct CheckLine : DataHead<CheckLine> {
   std::optional<Name> predicate;
   std::optional<std::optional<NamedValues<ComparisonErrorLine>>> errors;
 
-  static constexpr std::string_view format = "axiscert-check/2", title = "A query judged",
+  static constexpr std::string_view format = "axiscert-check/3", title = "A query judged",
                                     about =
                                         "A line of `axiscert check --format jsonl`: one query, the exact answers, "
                                         "those of the kernel, and why they differ.";

@@ -41,7 +41,7 @@ function motion_of(witness) {
   if (near === null) return null;
   const {a, b, c, p, r, unit} = near;
   const d = near.d ?? vec.sub(near.p1, p);
-  const known = witness.first_contact?.point ? witness.first_contact : null;
+  const known = witness.exact_contact?.point ? witness.exact_contact : null;
   let x_from_a, to_centre, vertices, time, after = 0, is_contact = true;
   if (known) {
     x_from_a = known.point_from_a.map(unit);

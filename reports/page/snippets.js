@@ -22,7 +22,7 @@ function origin(witness) {
 
 // The time of contact as it has to be, where the witness shows that it is not; nothing for a predicate without times.
 function time_lines(witness, name, numbers) {
-  const best = witness.first_contact?.time;
+  const best = witness.exact_contact?.time;
   const said = witness.measures?.time;
   if (!name || !best || !said || said === 'best') return [];
   const call = `${name}(${numbers})`;

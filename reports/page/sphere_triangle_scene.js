@@ -9,7 +9,17 @@ function scene_of(query) {
   const scale = Math.max(...triangle.map(vec.size), Math.abs(near.r));
   if (!(scale > 0)) return null;
   const scaled = triangle.map((vertex) => vec.mul(vertex, 1 / scale));
-  return {triangle: scaled, r: near.r / scale, closest: closest_point(scaled)};
+  return {triangle: scaled, r: near.r / scale, closest: closest_point(scaled), said: said_contact(query, near, scale)};
+}
+
+// The point and the normal that a kernel gave, seen from the centre; null where it gave none that can be drawn.
+function said_contact(query, {p, unit}, scale) {
+  const given = query.measures?.given ?? {};
+  const numbers = (name, of) => ['x', 'y', 'z'].map((axis) => of(parse_hex(given[`${name}_${axis}`] ?? '')));
+  const point = numbers('point', unit), normal = numbers('normal', (x) => x);
+  const is_drawn = (v) => v.every(Number.isFinite) && vec.size(v) < 1e6;
+  const at = is_drawn(point) ? vec.mul(vec.sub(point, p), 1 / scale) : null;
+  return {point: at !== null && vec.size(at) < 1e6 ? at : null, normal: is_drawn(normal) && vec.size(normal) > 0 ? normal : null};
 }
 
 class SphereTriangleView extends SceneView {
@@ -32,21 +42,26 @@ class SphereTriangleView extends SceneView {
   shapes() {
     const {triangle, r, closest} = this.scene;
     const centre = [0, 0, 0];
-    return [...this.sphere(centre, r, 'ball'), this.area(triangle, 'triangle'),
+    const {point, normal} = this.scene.said;
+    const from = point ?? closest.point;
+    const arrow = normal === null ? [] : [this.line([from, vec.add(from, vec.mul(normal, Math.max(r, 0.25) / vec.size(normal)))], 'reported')];
+    return [...arrow, ...(point === null ? [] : [this.dot(point, 'reported-point')]), ...this.sphere(centre, r, 'ball'), this.area(triangle, 'triangle'),
             this.feature(closest.vertices.map((i) => triangle[i])), this.line([centre, closest.point], 'gap'),
             this.dot(centre, 'centre'), this.dot(closest.point, 'nearest'), ...triangle.map((vertex) => this.dot(vertex, 'vertex')),
             ...this.labels([centre, ...triangle].map((point, i) => [point, 'PABC'[i]]))];
   }
 }
 
-function feature_words({closest, r}) {
+function feature_words({closest, r, said}) {
   const letters = closest.vertices.map((i) => 'ABC'[i]).sort().join('');
   const name = closest.feature === 'face' ? 'the face' : `${closest.feature} ${letters}`;
   const distance = vec.size(closest.point);
   const gap = distance - r;
+  const reported = said.point === null && said.normal === null ? '' : ' Reported by the kernel: ' +
+    `${[said.point && 'the point with a ring', said.normal && 'the normal, a thick line'].filter(Boolean).join(' and ')}.`;
   return `Nearest feature: ${name}. As a share of the greatest of |A−P|, |B−P|, |C−P| and r: distance ${amount(distance, 4)}, ` +
     `radius ${amount(r, 4)}, ${gap > 0 ? 'gap' : 'overlap'} about ${amount(Math.abs(gap), 3)}. ` +
-    'Drawn in binary64; the truth next to it is exact.';
+    `Drawn in binary64; the truth next to it is exact.${reported}`;
 }
 
 function sphere_triangle_figure(query) {
@@ -55,6 +70,7 @@ function sphere_triangle_figure(query) {
 }
 
 page_predicates['sphere-triangle'] = {
+  parts: ['vertex_a', 'vertex_b', 'vertex_c', 'edge_ab', 'edge_bc', 'edge_ca', 'face'],
   groups_of: () => ['a', 'b', 'c', 'p', 'r'], figure: sphere_triangle_figure, suite: 'SphereTriangle', touching: 'The distance is exactly r.',
   commands: ['prove', 'search', 'map', 'ladder', 'precision', 'league', 'mutate'], league: ['published', 'certified'],
 };

@@ -243,8 +243,9 @@ class RecordCheck {
     require(family.base_triangles <= family.trials, where, "more base_triangles than trials");
     check_verdict(kernel, family, where);
     require_no(fault_of_classes(kernel, family), where);
-    require(!kernel.measures || kernel.measures->empty() || (family.motion && family.motion->time), where,
-            "without the times of its first contacts, which the kernel gives");
+    require(!kernel.measures || kernel.measures->empty() ||
+                (family.contacts && (!family.contacts->missed || family.contacts->time)),
+            where, "without what the kernel says beside its verdicts, though it gives measures");
     const auto check_signs = [&](const auto& signs) {
       if (!signs) return;
       for (const auto& [sign, tally] : *signs) {

@@ -155,7 +155,7 @@ inline Json contacts(std::uint64_t late, double late_tunnel, double missed_tunne
     errors["largest_share"] = 1.5e-7;
     errors["largest_length"] = 0.25;
   }
-  return {{"hits", 900},
+  return {{"answers", 900},
           {"missed", tunnels(missed_tunnel)},
           {"time",
            {{"none", 0},
@@ -181,9 +181,9 @@ inline Json motions(const Json& on_tangent) {
   record["plan"]["tolerance"] = Json::object();
   Json& kernel = record["kernels"][0];
   kernel["measures"] = {"time"};
-  kernel["families"]["lattice"]["motion"] = contacts(0, 0, 0);
+  kernel["families"]["lattice"]["contacts"] = contacts(0, 0, 0);
   kernel["families"]["lattice"]["verdict"]["invalid"] = 0;
-  kernel["families"]["tangent"]["motion"] = on_tangent;
+  kernel["families"]["tangent"]["contacts"] = on_tangent;
   Json witness = record["witnesses"].back();
   witness["id"] = "late";
   witness["family"] = "tangent";
@@ -196,7 +196,7 @@ inline Json motions(const Json& on_tangent) {
   witness["flips"] = Json::array();
   witness["shows"] = {"latest time: 2.5 ulps"};
   witness["measures"] = {{"given", {{"time", "0x1p-1"}}}, {"tunnel", 0.25}, {"time", "late"}, {"ulps", 2.5}};
-  witness["first_contact"] = {
+  witness["exact_contact"] = {
       {"time", "0x1p-2"},          {"features", {"vertex_a"}},        {"start", "clear"},          {"after_time", 0.0},
       {"point", {1.0, 0.0, -0.1}}, {"point_from_a", {0.0, 0.0, 0.0}}, {"normal", {-1.0, 0.0, 0.0}}};
   record["witnesses"] = Json::array({witness});

@@ -77,26 +77,74 @@ std::string bias_text(const FamilyRecord& family) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-const char* const motion_note =
-    "Late is after the exact first contact, early before the best time, the greatest number that is not late. A tunnel "
-    "is how far the sphere goes in until a late time, or in a missed contact, as a share of its radius; with 1 its "
-    "centre comes to the triangle. Times are off by ulps of the best one, or where these are many by a share of the "
-    "way "
-    "and a length in the queries' unit, the greatest of each. Angles are in radians, errors of points shares of the "
-    "scene.";
-
-const std::vector<std::string>& motion_columns() {
-  static const std::vector<std::string> columns = {
-      "contacts", "late",           "late by",       "tunnel",       "early",           "early by",
-      "no time",  "wrong features", "normal off by", "point off by", "missed, through", "missed, tunnel"};
-  return columns;
+const char* contact_note(bool moves) {
+  if (!moves) {
+    return "A separation is the distance of the two where they are apart, less their penetration where not; it is off "
+           "by a "
+           "share of the scene, and by ulps of the number nearest to the exact one. Answers contradict themselves "
+           "where a "
+           "contact has a separation above 0, separated one below 0, or one number is not given beside others. A flip "
+           "is a "
+           "normal to the other side. What is left of a penetration is a share of it, after a push by its exact depth "
+           "along "
+           "the normal. Angles are in radians, errors of points shares of the scene.";
+  }
+  return "Late is after the exact first contact, early before the best time, the greatest number that is not late. A "
+         "tunnel "
+         "is how far the sphere goes in until a late time, or in a missed contact, as a share of its radius; with 1 "
+         "its "
+         "centre comes to the triangle. Times are off by ulps of the best one, or where these are many by a share of "
+         "the "
+         "way and a length in the queries' unit, the greatest of each. Angles are in radians, errors of points shares "
+         "of "
+         "the scene.";
 }
 
-std::vector<std::string> motion_cells(const FamilyRecord& family) {
-  if (!family.motion) return {};
-  const MotionTally& motion = *family.motion;
-  if (!motion.time && motion.missed.deepest.best().is_zero()) return {};
-  std::vector<std::string> cells = {thousands(motion.hits)};
+const std::vector<std::string>& contact_columns(bool moves) {
+  static const std::vector<std::string> of_motions = {
+      "contacts", "late",           "late by",       "tunnel",       "early",           "early by",
+      "no time",  "wrong features", "normal off by", "point off by", "missed, through", "missed, tunnel"};
+  static const std::vector<std::string> of_bodies = {
+      "answers", "separation off by", "in ulps",    "contradictions", "wrong features",       "flips",
+      "left",    "normal off by",     "its length", "point off by",   "points and separation"};
+  return moves ? of_motions : of_bodies;
+}
+
+namespace {
+
+std::vector<std::string> body_cells(const ContactTally& contacts) {
+  constexpr const char* none = "-";
+  std::vector<std::string> cells = {thousands(contacts.answers)};
+  const auto& separation = contacts.separation;
+  cells.push_back(separation ? amount(separation->largest_error.best(), 3) : none);
+  cells.push_back(separation ? error_amount(separation->largest_ulps.best()) : none);
+  const auto& consistency = contacts.consistency;
+  cells.push_back(consistency ? thousands(consistency->positive + consistency->negative + consistency->missing) : none);
+  cells.push_back(contacts.feature ? thousands(contacts.feature->wrong) : none);
+  cells.push_back(contacts.pushed ? thousands(contacts.pushed->flips) : none);
+  cells.push_back(contacts.pushed ? error_amount(contacts.pushed->largest_left.best()) : none);
+  cells.push_back(contacts.normal ? amount(contacts.normal->largest_angle.best(), 3) : none);
+  cells.push_back(contacts.normal ? amount(contacts.normal->largest_length_error.best(), 3) : none);
+  double largest = 0;
+  bool is_given = false;
+  for (const auto* points : {&contacts.point, &contacts.point_a, &contacts.point_b}) {
+    if (!*points) continue;
+    is_given = true;
+    largest = std::max(largest, (*points)->largest_error.best());
+  }
+  cells.push_back(is_given ? amount(largest, 3) : none);
+  cells.push_back(contacts.points ? amount(contacts.points->largest_error.best(), 3) : none);
+  return cells;
+}
+
+}  // namespace
+
+std::vector<std::string> contact_cells(const FamilyRecord& family) {
+  if (!family.contacts) return {};
+  const ContactTally& motion = *family.contacts;
+  if (!motion.missed) return body_cells(motion);
+  if (!motion.time && motion.missed->deepest.best().is_zero()) return {};
+  std::vector<std::string> cells = {thousands(motion.answers)};
   if (!motion.time) {
     cells.resize(7, "-");
   } else {
@@ -113,8 +161,8 @@ std::vector<std::string> motion_cells(const FamilyRecord& family) {
   cells.push_back(motion.feature ? thousands(motion.feature->wrong) : "-");
   cells.push_back(motion.normal ? amount(motion.normal->largest_angle.best(), 3) : "-");
   cells.push_back(motion.point ? amount(motion.point->largest_error.best(), 3) : "-");
-  cells.push_back(thousands(motion.missed.through));
-  cells.push_back(error_amount(motion.missed.deepest.best()));
+  cells.push_back(thousands(motion.missed->through));
+  cells.push_back(error_amount(motion.missed->deepest.best()));
   return cells;
 }
 

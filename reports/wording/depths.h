@@ -23,14 +23,13 @@ std::string engine_text(const FamilyRecord& family);
 // empty where nothing is wrong and no radius was measured.
 std::string bias_text(const FamilyRecord& family);
 
-// The first contacts that kernels report, as rows of a table: how late, how early, and how deep that lets the sphere
-// in.
-
-const std::vector<std::string>& motion_columns();
+// What kernels say beside their verdicts, as rows of a table: of motions how late, how early, and how deep that lets
+// the sphere in; else how far separations, normals and points are off.
+const std::vector<std::string>& contact_columns(bool moves);
 // A cell for each column, of the results of a family or of all; "-" where the kernel does not give what it is about.
-// Empty in a predicate without measures, and where the kernel gives no time and misses nothing by more than touching.
-std::vector<std::string> motion_cells(const FamilyRecord& family);
+// Empty where nothing is said, and of motions where the kernel gives no time and misses nothing by more than touching.
+std::vector<std::string> contact_cells(const FamilyRecord& family);
 // The meaning of the columns.
-extern const char* const motion_note;
+const char* contact_note(bool moves);
 
 }  // namespace axiscert

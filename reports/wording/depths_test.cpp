@@ -25,12 +25,12 @@ FamilyRecord family_of(std::optional<TimeTally> time, double missed) {
   normal.judged = 7;
   normal.largest_angle.offer({0.25, 0});
   FamilyRecord family;
-  family.motion = {.hits = 1200,
-                   .missed = tunnels(missed),
-                   .time = std::move(time),
-                   .feature = std::nullopt,
-                   .normal = normal,
-                   .point = std::nullopt};
+  family.contacts = {.answers = 1200,
+                     .missed = tunnels(missed),
+                     .time = std::move(time),
+                     .feature = std::nullopt,
+                     .normal = normal,
+                     .point = std::nullopt};
   return family;
 }
 
@@ -44,17 +44,17 @@ TEST(MotionWords, ARowHasACellForEachColumn) {
   time.late_errors = time_errors("1.5e+320", 0.125, 2.5);
   time.late_tunnels = tunnels(0.5);
   time.early_errors = time_errors(3.5, 1e-8, 1e-7);
-  const auto cells = motion_cells(family_of(time, 1));
-  EXPECT_EQ(cells.size(), motion_columns().size());
+  const auto cells = contact_cells(family_of(time, 1));
+  EXPECT_EQ(cells.size(), contact_columns(true).size());
   EXPECT_THAT(cells, ElementsAre("1,200", "67", "12.5 % of the way, length 2.5", "0.5", "30", "3.5 ulps", "3", "-",
                                  "0.25", "-", "2", "1"));
 }
 
 TEST(MotionWords, AKernelWithoutTimesHasARowWhereItMisses) {
-  EXPECT_TRUE(motion_cells(family_of(std::nullopt, 0)).empty());
-  EXPECT_THAT(motion_cells(family_of(std::nullopt, 0.75)),
+  EXPECT_TRUE(contact_cells(family_of(std::nullopt, 0)).empty());
+  EXPECT_THAT(contact_cells(family_of(std::nullopt, 0.75)),
               ElementsAre("1,200", "-", "-", "-", "-", "-", "-", "-", "0.25", "-", "0", "0.75"));
-  EXPECT_TRUE(motion_cells(FamilyRecord()).empty()) << "a predicate without measures";
+  EXPECT_TRUE(contact_cells(FamilyRecord()).empty()) << "a predicate without measures";
 }
 
 }  // namespace

@@ -123,21 +123,21 @@ GroupResult group_result(const KernelRecord& kernel, FamilyGroup group) {
       offer(verdict.farthest_false_contact.best(), verdict.deepest_false_contact.best(), out.worst_invented,
             out.deepest_invented, out.invented_in);
     }
-    if (!result.motion) continue;
-    if (const auto& feature = result.motion->feature) out.wrong_features += feature->wrong;
-    if (const auto& normal = result.motion->normal)
+    if (!result.contacts) continue;
+    if (const auto& feature = result.contacts->feature) out.wrong_features += feature->wrong;
+    if (const auto& normal = result.contacts->normal)
       out.largest_normal_angle = std::max(out.largest_normal_angle, normal->largest_angle.best());
-    if (const auto& point = result.motion->point)
+    if (const auto& point = result.contacts->point)
       out.largest_point_error = std::max(out.largest_point_error, point->largest_error.best());
-    if (!result.motion->time) continue;
+    if (!result.contacts->time) continue;
     out.has_times = true;
     const auto add_times = [](GroupResult::Times& times, std::uint64_t count, const TimeErrors& errors) {
       times.count += count;
       times.farthest = std::max(times.farthest, errors.largest_length.best());
       times.largest_share = std::max(times.largest_share, errors.largest_share.best());
     };
-    add_times(out.late, result.motion->time->late, result.motion->time->late_errors);
-    add_times(out.early, result.motion->time->early, result.motion->time->early_errors);
+    add_times(out.late, result.contacts->time->late, result.contacts->time->late_errors);
+    add_times(out.early, result.contacts->time->early, result.contacts->time->early_errors);
   }
   return out;
 }

@@ -56,16 +56,16 @@ TEST(Everyday, ComesFirstInMetres) {
 
 TEST(Everyday, SaysThatNoTimeIsOffWhereTheKernelGivesThem) {
   FamilyRecord family = family_of(0, 0, 0, 0);
-  family.motion.emplace();
+  family.contacts.emplace();
   const auto said = [&] { return first_sentences(kernel_of({{"scene-walk", family}}), PlanRecord()).front(); };
   EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict; no time late or early");
-  family.motion->time.reset();
+  family.contacts->time.reset();
   EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict");
 }
 
 TEST(Everyday, SaysHowFarTimesAreOffInLengthAndOfTheWay) {
   FamilyRecord family = family_of(0, 0, 0, 0);
-  TimeTally& time = *family.motion.emplace().time;
+  TimeTally& time = *family.contacts.emplace().time;
   time.late = 266;
   time.late_errors.largest_length.offer({0.124, 0});
   time.late_errors.largest_share.offer({0.957, 0});
@@ -80,7 +80,7 @@ TEST(Everyday, SaysHowFarTimesAreOffInLengthAndOfTheWay) {
 
 TEST(Everyday, SaysWhatElseOfContactsAPersonWouldSee) {
   FamilyRecord family = family_of(0, 0, 0, 0);
-  MotionTally& motion = family.motion.emplace();
+  ContactTally& motion = family.contacts.emplace();
   motion.time.reset();
   const auto said = [&] {
     return first_sentences(kernel_of({{"moving-sphere/scene_walk", family}}), PlanRecord()).front();

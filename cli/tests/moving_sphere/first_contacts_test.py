@@ -31,7 +31,7 @@ class FirstContacts(Case):
         record = self.run_ok(*PLAN)
         seen = 0
         for witness in record["witnesses"]:
-            exact = witness["first_contact"]
+            exact = witness["exact_contact"]
             if witness["truth"] != "contact":
                 self.assertEqual((exact["time"], exact["features"], exact["start"]), (None, None, "clear"))
                 continue
@@ -57,11 +57,11 @@ class FirstContacts(Case):
 
     def test_one_late_time_more_is_worse(self):
         record = self.run_ok(*PLAN)
-        general = record["kernels"][0]["families"]["moving-sphere/general"]["motion"]["time"]
+        general = record["kernels"][0]["families"]["moving-sphere/general"]["contacts"]["time"]
         self.assertGreater(general["late"], 0)
 
         def later(kernel):
-            kernel["families"]["moving-sphere/general"]["motion"]["time"]["late"] += 1
+            kernel["families"]["moving-sphere/general"]["contacts"]["time"]["late"] += 1
 
         worse = self.edited(record, later)
         same = axiscert("compare", self.folder / "out", self.folder / "out")
@@ -84,15 +84,15 @@ class FirstContacts(Case):
             kernel["measures"] = []
             for family in kernel["families"].values():
                 for name in ("time", "feature", "normal", "point"):
-                    family["motion"][name] = None
+                    family["contacts"][name] = None
 
         without = self.edited(record, silent)
         done = axiscert("compare", self.folder / "out", without)
         self.assertEqual(done.returncode, 1, done.stdout)
-        self.assertIn("NOT COMPARED: moving-sphere/gated binary32: 'time' of first contacts: it gives that in OLD and not in NEW", done.stdout)
+        self.assertIn("NOT COMPARED: moving-sphere/gated binary32: 'time' of contacts: it gives that in OLD and not in NEW", done.stdout)
         done = axiscert("compare", without, self.folder / "out")
         self.assertEqual(done.returncode, 0, done.stdout)
-        self.assertIn("only in NEW: moving-sphere/gated binary32: 'time' of first contacts", done.stdout)
+        self.assertIn("only in NEW: moving-sphere/gated binary32: 'time' of contacts", done.stdout)
 
     def test_a_policy_that_leaves_more_out_is_worse(self):
         """It was "61 fixed": motions that the kernel is wrong about are beyond its policies now."""
@@ -101,7 +101,7 @@ class FirstContacts(Case):
         def ignores_starts(kernel):
             kernel["motion"]["start"] = "ignored"
             for family in kernel["families"].values():
-                family["motion"]["time"]["late"], family["motion"]["time"]["best"] = 0, sum(family["motion"]["time"][n] for n in ("late", "best"))
+                family["contacts"]["time"]["late"], family["contacts"]["time"]["best"] = 0, sum(family["contacts"]["time"][n] for n in ("late", "best"))
                 family["verdict"]["outside_limits"] = dict.fromkeys(
                     ("trials", "false_separation", "false_contact", "unanswered", "contact", "touching", "deepest"), 0)
 

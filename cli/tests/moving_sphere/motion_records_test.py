@@ -23,7 +23,7 @@ class MotionRecords(Case):
 
     def test_are_the_same_by_threads_and_instruction_sets(self):
         reference = self.record(*MOTIONS, "--threads", 1, out="one")
-        times = json.loads(reference)["kernels"][2]["families"]["moving-sphere/graze"]["motion"]["time"]
+        times = json.loads(reference)["kernels"][2]["families"]["moving-sphere/graze"]["contacts"]["time"]
         self.assertGreater(times["late"] + times["early"], 0, "times are in it")
         self.assertEqual(self.record(*MOTIONS, "--threads", 3, out="three"), reference)
         targets = json.loads(axiscert("kernels", "--format", "json").stdout)["kernels"][0]["targets"]

@@ -70,12 +70,12 @@ class MovingSphere(Case):
                              "--kernel", "moving-sphere/twenty", "--family", "moving-sphere/approach",
                              "--require", "never-late", "--require", "no-tunnel", code=1)
         for entry in record["kernels"]:
-            motion = entry["families"]["moving-sphere/approach"]["motion"]
+            motion = entry["families"]["moving-sphere/approach"]["contacts"]
             if entry["id"] == "moving-sphere/twenty":
                 self.assertEqual((entry["measures"], motion["time"]), ([], None))
                 continue
             time = motion["time"]
-            self.assertEqual(sum(time[name] for name in ("none", "invalid", "early", "best", "late")), motion["hits"])
+            self.assertEqual(sum(time[name] for name in ("none", "invalid", "early", "best", "late")), motion["answers"])
             self.assertGreater(time["late"], 0)
 
     def test_check_says_why_strict_sides_are_wrong(self):

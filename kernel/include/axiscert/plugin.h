@@ -12,6 +12,8 @@
  *   sphere-triangle: the triangle abc, and the sphere of centre p and radius r
  *       AXISCERT_PLUGIN(real, "NAME", f)
  *           f(real a[3], real b[3], real c[3], real p[3], real r)
+ *       AXISCERT_CONTACT_PLUGIN(real, "NAME", f, MEASURES)
+ *           the same; MEASURES is what f says beside its verdict, as below, where `all` begins with real* separation
  *   moving-sphere: the same, where the centre goes from p to p + d, or to the end e
  *       AXISCERT_MOTION_PLUGIN(real, "NAME", f, displacement, MEASURES)
  *           f(real a[3], real b[3], real c[3], real p[3], real d[3], real r)
@@ -146,11 +148,13 @@ typedef struct axiscert_answers {
   void* const* rhs;
   /* Numbers beside the verdict, such as a time of impact, in the kernel's precision: as many arrays as the kernel's own
    * measure_count, or none where they are not asked for. Every entry is written; a NaN says that the number is not
-   * given, as beside any verdict but contact. Sphere-triangle has none; those of moving-sphere are
+   * given. Those of moving-sphere stand beside contact, and are
    *   0 time      fraction of the displacement at the first contact, from 0 to 1
    *   1 feature   what is nearest to the centre then: 0, 1, 2 vertex a, b, c; 3, 4, 5 edge ab, bc, ca; 6 the face
    *   2, 3, 4     normal: unit vector from the triangle's nearest point to the centre then
-   *   5, 6, 7     point: the triangle's point */
+   *   5, 6, 7     point: the triangle's point
+   * Those of sphere-triangle stand beside both verdicts: the same, of the sphere as it is, with
+   *   0 separation   distance of the centre less the radius: below 0 where the two overlap */
   size_t measure_count;
   void* const* measure;
 } axiscert_answers;
@@ -213,6 +217,8 @@ AXISCERT_EXPORT const axiscert_kernel* axiscert_plugin(uint32_t index);
  * time and so on) are not taken for macros of the user's. */
 #define AXISCERT_PLUGIN(real, kernel_name, one_query) \
   AXISCERT_PLUGIN_OF(real, kernel_name, one_query, TRIANGLE, vertices, none, )
+#define AXISCERT_CONTACT_PLUGIN(real, kernel_name, one_query, measures) \
+  AXISCERT_PLUGIN_OF(real, kernel_name, one_query, TRIANGLE, vertices, measures, )
 #define AXISCERT_MOTION_PLUGIN(real, kernel_name, one_query, entry, measures)                                \
   AXISCERT_I_PLUGIN(real, kernel_name, one_query, AXISCERT_I_GIVE_##measures, AXISCERT_I_DECLARE_##measures, \
                     AXISCERT_I_MOTION_##entry)
@@ -222,10 +228,10 @@ AXISCERT_EXPORT const axiscert_kernel* axiscert_plugin(uint32_t index);
   AXISCERT_I_PLUGIN(real, kernel_name, one_query, AXISCERT_I_GIVE_none, , AXISCERT_I_BOX_TRIANGLE_##entry)
 
 /* All that those can be, and more. `predicate` is TRIANGLE (whose entry is vertices), MOTION, BOX or BOX_TRIANGLE.
- * `gives` is none, time, all, or comparisons: then the last argument of the function is a `uint64_t* comparisons`, 0
- * before, whose bits it sets, and a kernel of another predicate than sphere-triangle declares formulae or conforms_to.
- * `declarations` are any number of AXISCERT_DECLARE(member, value), of axiscert_kernel:
- *     AXISCERT_PLUGIN_OF(float, "my-boxes", my_boxes, BOX, matrix, comparisons,
+ * `gives` is none, time or separation (the first measure), all, or comparisons: then the last argument of the function
+ * is a `uint64_t* comparisons`, 0 before, whose bits it sets, and a kernel of another predicate than sphere-triangle
+ * declares formulae or conforms_to. `declarations` are any number of AXISCERT_DECLARE(member, value), of
+ * axiscert_kernel: AXISCERT_PLUGIN_OF(float, "my-boxes", my_boxes, BOX, matrix, comparisons,
  *                        AXISCERT_DECLARE(conforms_to, "box-box/cofactor"))
  */
 #define AXISCERT_PLUGIN_OF(real, kernel_name, one_query, predicate, entry, gives, declarations)                     \
@@ -270,6 +276,7 @@ AXISCERT_EXPORT const axiscert_kernel* axiscert_plugin(uint32_t index);
   AXISCERT_I_GIVE_none(real, one_query, __VA_ARGS__, &axiscert_i_bits); \
   if (axiscert_i_answers->comparisons) axiscert_i_answers->comparisons[axiscert_i_i] = axiscert_i_bits
 #define AXISCERT_I_GIVE_time(real, one_query, ...) AXISCERT_I_MEASURED(real, one_query, __VA_ARGS__, axiscert_i_m)
+#define AXISCERT_I_GIVE_separation(real, one_query, ...) AXISCERT_I_MEASURED(real, one_query, __VA_ARGS__, axiscert_i_m)
 #define AXISCERT_I_GIVE_all(real, one_query, ...) \
   AXISCERT_I_MEASURED(real, one_query, __VA_ARGS__, axiscert_i_m, axiscert_i_m + 1, axiscert_i_m + 2, axiscert_i_m + 5)
 #define AXISCERT_I_MEASURED(real, one_query, ...)                                                  \
@@ -285,6 +292,7 @@ AXISCERT_EXPORT const axiscert_kernel* axiscert_plugin(uint32_t index);
 #define AXISCERT_I_DECLARE_none
 #define AXISCERT_I_DECLARE_comparisons AXISCERT_DECLARE(exposes, AXISCERT_COMPARISONS)
 #define AXISCERT_I_DECLARE_time AXISCERT_DECLARE(measure_count, 1)
+#define AXISCERT_I_DECLARE_separation AXISCERT_DECLARE(measure_count, 1)
 #define AXISCERT_I_DECLARE_all AXISCERT_DECLARE(measure_count, 8)
 
 /* The batch function, and the kernel around it; the last arguments are those of an entry. */

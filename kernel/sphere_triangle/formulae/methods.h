@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kernel/sphere_triangle/formulae.h"
+#include "kernel/sphere_triangle/formulae/contacts.h"
 
 namespace axiscert::methods {
 // The closest point of the triangle, found by a walk through its Voronoi regions, then one comparison of distances.
@@ -15,24 +16,28 @@ struct ClosestPoint {
   static constexpr bool is_ring = false;
 
   template <class T>
-  static portable::Vec3<T> closest(const portable::CentredProblem<T>& centred, const T& zero) {
+  static NearestPart<T> nearest(const portable::CentredProblem<T>& centred, const T& zero) {
     const auto& [A, B, C, rr] = centred;
     const auto AB = B - A, AC = C - A;
     const T one_a = zero - dot(AB, A), two_a = zero - dot(AC, A);
-    if (!(one_a > zero) && !(two_a > zero)) return A;
+    if (!(one_a > zero) && !(two_a > zero)) return {A, 0};
     const T one_b = zero - dot(AB, B), two_b = zero - dot(AC, B);
-    if (one_b >= zero && one_b >= two_b) return B;
+    if (one_b >= zero && one_b >= two_b) return {B, 1};
     const T weight_c = one_a * two_b - one_b * two_a;
-    if (zero >= weight_c && one_a >= zero && zero >= one_b) return A + AB * (one_a / (one_a - one_b));
+    if (zero >= weight_c && one_a >= zero && zero >= one_b) return {A + AB * (one_a / (one_a - one_b)), 3};
     const T one_c = zero - dot(AB, C), two_c = zero - dot(AC, C);
-    if (two_c >= zero && two_c >= one_c) return C;
+    if (two_c >= zero && two_c >= one_c) return {C, 2};
     const T weight_b = one_c * two_a - one_a * two_c;
-    if (zero >= weight_b && two_a >= zero && zero >= two_c) return A + AC * (two_a / (two_a - two_c));
+    if (zero >= weight_b && two_a >= zero && zero >= two_c) return {A + AC * (two_a / (two_a - two_c)), 5};
     const T weight_a = one_b * two_c - one_c * two_b;
     const T past_b = two_b - one_b, past_c = one_c - two_c;
-    if (zero >= weight_a && past_b >= zero && past_c >= zero) return B + (C - B) * (past_b / (past_b + past_c));
+    if (zero >= weight_a && past_b >= zero && past_c >= zero) return {B + (C - B) * (past_b / (past_b + past_c)), 4};
     const T all = (weight_a + weight_b) + weight_c;
-    return (A + AB * (weight_b / all)) + AC * (weight_c / all);
+    return {(A + AB * (weight_b / all)) + AC * (weight_c / all), 6};
+  }
+  template <class T>
+  static portable::Vec3<T> closest(const portable::CentredProblem<T>& centred, const T& zero) {
+    return nearest(centred, zero).point;
   }
 
   template <class T>
@@ -40,6 +45,12 @@ struct ClosestPoint {
     const auto centred = portable::centred(q);
     const auto Q = closest(centred, q.zero);
     return dot(Q, Q) > centred.rr;
+  }
+
+  static constexpr std::size_t measure_count = contact_measures;
+  template <class Real>
+  static void measure(const portable::Problem<Real>& q, Real* out) {
+    closest_point_contact(q, nearest(portable::centred(q), q.zero), separated(q), out);
   }
 };
 
@@ -73,6 +84,12 @@ struct Minkowski {
     };
     return outside_sphere(A) && outside_sphere(B) && outside_sphere(C) && outside_cylinder(A, B) &&
            outside_cylinder(B, C) && outside_cylinder(C, A) && outside_prism();
+  }
+
+  static constexpr std::size_t measure_count = contact_measures;
+  template <class Real>
+  static void measure(const portable::Problem<Real>& q, Real* out) {
+    minkowski_contact(q, separated(q), out);
   }
 };
 

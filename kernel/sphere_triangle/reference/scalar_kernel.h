@@ -1,6 +1,8 @@
 // The scalar form of a kernel over batches, for the lines of the registry.
 #pragma once
 
+#include <array>
+
 #include "kernel/formulae_list.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/sphere_triangle/reference/formulae_types.h"
@@ -40,6 +42,22 @@ void scalar_verdicts(const QueryColumns<Real>& batch, Verdict* out) {
   }
 }
 
+// Whether the formulae say something beside their verdict.
+template <Formulae formulae>
+constexpr std::size_t measure_count_of() {
+  if constexpr (requires { FormulaeType<formulae>::measure_count; }) return FormulaeType<formulae>::measure_count;
+  else return 0;
+}
+template <Formulae formulae, class Real>
+void scalar_measures(const QueryColumns<Real>& batch, Answers<Real>& out) {
+  for (std::size_t i = 0; i < batch.size; ++i) {
+    const Query<Real> q = query_at(batch, i);
+    std::array<Real, measure_count_of<formulae>()> found;
+    FormulaeType<formulae>::template measure<Real>({q.a, q.b, q.c, q.p, q.r, Real(0)}, found.data());
+    for (std::size_t k = 0; k < found.size(); ++k) out.measures[k][i] = found[k];
+  }
+}
+
 // Bits and sides from the reference, query by query.
 template <class Real>
 auto explain_by_reference(Formulae formulae, Arithmetic arithmetic, Strictness strictness) {
@@ -61,6 +79,7 @@ Implementation<Real> scalar_implementation() {
   if constexpr (has_comparisons(formulae)) {
     implementation.explain = explain_by_reference<Real>(formulae, Arithmetic::plain, strictness);
   }
+  if constexpr (measure_count_of<formulae>() != 0) implementation.measure = scalar_measures<formulae, Real>;
   return implementation;
 }
 

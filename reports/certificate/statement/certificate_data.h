@@ -181,7 +181,7 @@ struct CertificatePredicate {
   Several<SaidText, 0, 100> limits;
   MaterialsStatement materials;
 
-  static constexpr std::string_view format = "axiscert-certificate/3";
+  static constexpr std::string_view format = "axiscert-certificate/4";
   static constexpr auto fields(auto&& visit) {
     using Of = CertificatePredicate;
     return visit(
@@ -204,7 +204,7 @@ struct InToto {
   static constexpr std::string_view format = "https://in-toto.io/Statement/v1";
 };
 struct CertificateType {
-  static constexpr std::string_view format = "urn:axiscert:certificate:3";
+  static constexpr std::string_view format = "urn:axiscert:certificate:4";
 };
 
 struct CertificateStatement {

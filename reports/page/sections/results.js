@@ -99,12 +99,58 @@ function radius_table(data, entries) {
   ], rows, {row_class: (row) => (row.total ? 'total' : ''), ...grouped(data, rows)});
 }
 
-// The first contacts that kernels of a predicate of motions report; nothing for any other predicate.
-function motion_table(data, rows) {
-  const told = rows.filter((row) => row.result.motion && (row.result.motion.time || row.result.motion.missed.deepest_tunnel > 0));
+// What kernels say beside their verdicts; nothing where they say nothing.
+function contact_tables(data, rows) {
+  const said = rows.filter((row) => row.result.contacts);
+  if (said.length === 0) return el('div');
+  return said[0].result.contacts.missed ? motion_tables(data, said) : body_tables(data, said);
+}
+
+const not_given = {none: 'not given'};
+
+// The cell of one figure of a part of what is said.
+function of_part(part, member, type, label, more) {
+  return column[type](label, (row) => row.result.contacts[part] && row.result.contacts[part][member], {...not_given, ...more});
+}
+
+// A size that may be beyond binary64.
+function size_column(label, get, more) {
+  return column.text(label, get, {numeric: true, key: (value) => (value === null ? -Infinity : magnitude(value)), ...more,
+    cell: (td, value) => td.append(value === null ? not_given.none : error_amount(value))});
+}
+
+// How far two bodies are apart or in each other.
+function body_tables(data, told) {
+  const size = (part, member, label, more) => size_column(label, (row) => row.result.contacts[part] && row.result.contacts[part][member], more);
+  const points = ['point', 'point_a', 'point_b', 'points'].filter((part) => told.some((row) => row.result.contacts[part]));
+  const labels = {point: 'point off by', point_a: 'first point off by', point_b: 'second point off by', points: 'points and separation'};
+  return el('div', 'contacts', el('h3', '', 'Contacts'), el('p', 'lead', data.contact_note), table('Separations', [
+    ...family_columns(told),
+    column.count('answers', (row) => row.result.contacts.answers),
+    of_part('separation', 'judged', 'count', 'given', {group: 'separation'}),
+    of_part('separation', 'largest_error', 'amount', 'off by', {digits: 3, group: 'separation'}),
+    of_part('separation', 'largest_length', 'amount', 'length', {digits: 3, group: 'separation'}),
+    size('separation', 'largest_ulps', 'ulps', {group: 'separation'}),
+    of_part('consistency', 'positive', 'count', 'contacts above 0', {group: 'contradictions', alarm: 'bad'}),
+    of_part('consistency', 'negative', 'count', 'separated below 0', {group: 'contradictions', alarm: 'bad'}),
+    of_part('consistency', 'missing', 'count', 'not given', {group: 'contradictions', alarm: 'bad'}),
+  ], told, grouped(data, told)), table('Normals and points', [
+    ...family_columns(told),
+    of_part('feature', 'wrong', 'count', 'wrong features', {alarm: 'warn'}),
+    of_part('pushed', 'flips', 'count', 'flips', {group: 'normal', alarm: 'bad'}),
+    size('pushed', 'largest_left', 'left', {group: 'normal'}),
+    of_part('normal', 'largest_angle', 'amount', 'off by', {digits: 3, group: 'normal'}),
+    of_part('normal', 'largest_length_error', 'amount', 'its length', {digits: 3, group: 'normal'}),
+    ...points.map((part) => of_part(part, 'largest_error', 'amount', labels[part], {digits: 3})),
+  ], told, grouped(data, told)));
+}
+
+// The first contacts of a predicate of motions.
+function motion_tables(data, rows) {
+  const told = rows.filter((row) => row.result.contacts.time || row.result.contacts.missed.deepest_tunnel > 0);
   if (told.length === 0) return el('div');
-  const none = {none: 'not given'};
-  const time = (label, get, type, more) => column[type](label, (row) => row.result.motion.time && get(row.result.motion.time), {...none, ...more});
+  const none = not_given;
+  const time = (label, get, type, more) => column[type](label, (row) => row.result.contacts.time && get(row.result.contacts.time), {...none, ...more});
   const size = (label, get, more) => time(label, get, 'text', {numeric: true, key: (value) => (value === null ? -Infinity : magnitude(value)), ...more,
     cell: (td, value) => td.append(value === null ? none.none : error_amount(value))});
   const side = (name, alarm) => [
@@ -114,11 +160,10 @@ function motion_table(data, rows) {
     time('of the way', (t) => t[`${name}_errors`].largest_share, 'amount', {digits: 3, group: name}),
     time('length', (t) => t[`${name}_errors`].largest_length, 'amount', {digits: 3, group: name}),
   ];
-  const of = (measure, member, type, label, more) => column[type](label,
-    (row) => row.result.motion[measure] && row.result.motion[measure][member], {...none, ...more});
-  return el('div', 'motions', el('h3', '', 'First contacts'), el('p', 'lead', data.motion_note), table('First contacts', [
+  const of = of_part;
+  return el('div', 'motions', el('h3', '', 'First contacts'), el('p', 'lead', data.contact_note), table('First contacts', [
     ...family_columns(told),
-    column.count('contacts', (row) => row.result.motion.hits),
+    column.count('contacts', (row) => row.result.contacts.answers),
     ...side('late', 'bad'),
     size('tunnel', (t) => t.late_tunnels.deepest_tunnel, {group: 'late'}),
     ...side('early'),
@@ -129,7 +174,7 @@ function motion_table(data, rows) {
     of('normal', 'largest_angle', 'amount', 'normal off by', {digits: 3}),
     of('point', 'largest_error', 'amount', 'point off by', {digits: 3}),
     of('missed', 'through', 'count', 'through', {group: 'missed contacts', alarm: 'bad'}),
-    column.text('tunnel', (row) => row.result.motion.missed.deepest_tunnel, {numeric: true, key: magnitude, group: 'missed contacts',
+    column.text('tunnel', (row) => row.result.contacts.missed.deepest_tunnel, {numeric: true, key: magnitude, group: 'missed contacts',
       cell: (td, value) => td.append(error_amount(value))}),
   ], told, grouped(data, told)));
 }
@@ -141,7 +186,7 @@ function show_families(data) {
   const show = (index) => {
     const chosen = index < kernels.length ? [kernels[index]] : kernels;
     const rows = family_rows(chosen);
-    for (const [id, made] of [['families-table', families_table(data, rows)], ['apart-tables', apart_tables(data, rows)], ['motion-table', motion_table(data, rows)],
+    for (const [id, made] of [['families-table', families_table(data, rows)], ['apart-tables', apart_tables(data, rows)], ['contact-tables', contact_tables(data, rows)],
                               ['link-counts', link_counts_table(data, rows)],
                               ['radius-table', radius_table(data, chosen)]]) {
       document.getElementById(id).replaceChildren(made);

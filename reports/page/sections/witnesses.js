@@ -124,7 +124,7 @@ function witness_card(witness, clauses) {
   const card = el('details', 'witness', el('summary', '',
     el('span', 'name id', witness.id),
     chip(title, !verdict ? 'good' : verdict.kind === 'false_separation' ? 'bad' : 'warn'),
-    time_chip(witness),
+    contact_chip(witness),
     el('span', '', el('span', 'name', witness.kernel), `, ${witness.precision}`),
     el('span', 'name', witness.family),
     witness.class ? chip(witness.class) : '',
@@ -172,7 +172,7 @@ function show_witnesses(data) {
     place: [...new Set(Object.values(clauses)), ...Object.keys(clauses)],
     time: Object.keys(time_chips),
   };
-  const has_times = cards.some((witness) => witness.measures);
+  const has_times = cards.some((witness) => witness.measures?.tunnel !== undefined);
   const labels = {kernel: 'Kernel', family: 'Family', verdict: 'Verdict', place: 'Flip at', ...(has_times ? {time: 'Time'} : {})};
   const words = (key, value) => (key === 'verdict' ? kind_words[value] ?? 'right' : key === 'time' ? time_chips[value][0] : value);
   let filter = {};

@@ -1,5 +1,5 @@
 // The errors of times: the greatest of each measure with its query, in a journal, merged, and in words.
-#include "fuzz/record/motion_tally.h"
+#include "fuzz/record/contact_tally.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 namespace axiscert {
 namespace {
 
-MotionJudgement judged(TimeVerdict time, int ulps, double share, double length) {
-  MotionJudgement judgement;
+ContactJudgement judged(TimeVerdict time, int ulps, double share, double length) {
+  ContactJudgement judgement;
   judgement.time = time;
   judgement.ulps = judgement.in_u = round_up(Rational(ulps));
   judgement.share = share;
@@ -24,18 +24,18 @@ std::uint64_t position_of(const Leaders<Rank>& leaders) {
   return leaders.candidates().at(0).position;
 }
 
-TEST(MotionTally, TheGreatestOfEachMeasureHasItsQueryInAnyOrderAndInAJournal) {
+TEST(ContactTally, TheGreatestOfEachMeasureHasItsQueryInAnyOrderAndInAJournal) {
   const Predicate& predicate = moving_sphere_predicate();
   Tally first = empty_tally(predicate), second = first;
-  count_hit(first.motion, 3, judged(TimeVerdict::late, 9, 0.25, 0.5));
-  count_hit(first.motion, 4, judged(TimeVerdict::late, 2, 0.125, 8));
-  count_hit(first.motion, 5, judged(TimeVerdict::early, 1, 0.75, 0));
-  count_hit(second.motion, 1, judged(TimeVerdict::late, 1, 0.25, 4));
+  count_contact(first.contacts, 3, judged(TimeVerdict::late, 9, 0.25, 0.5));
+  count_contact(first.contacts, 4, judged(TimeVerdict::late, 2, 0.125, 8));
+  count_contact(first.contacts, 5, judged(TimeVerdict::early, 1, 0.75, 0));
+  count_contact(second.contacts, 1, judged(TimeVerdict::late, 1, 0.25, 4));
   Tally forward = decode_tally(encode(first), predicate), backward = decode_tally(encode(second), predicate);
   forward.merge(second);
   backward.merge(first);
   EXPECT_EQ(encode(forward), encode(backward));
-  const TimeTally& time = *forward.motion.time;
+  const TimeTally& time = *forward.contacts.time;
   EXPECT_EQ(position_of(time.late_errors.largest_ulps), 3u);
   EXPECT_EQ(time.late_errors.largest_share.best(), 0.25);
   EXPECT_EQ(position_of(time.late_errors.largest_share), 1u) << "of two the earlier";
@@ -45,7 +45,7 @@ TEST(MotionTally, TheGreatestOfEachMeasureHasItsQueryInAnyOrderAndInAJournal) {
   EXPECT_TRUE(time.early_errors.largest_length.candidates().empty()) << "0 is no error";
 }
 
-TEST(MotionTally, AnErrorIsToldInUlpsWhileTheseAreFew) {
+TEST(ContactTally, AnErrorIsToldInUlpsWhileTheseAreFew) {
   const auto text = [](int ulps, double share, double length) {
     return time_error_text(round_up(Rational(ulps)), share, length);
   };

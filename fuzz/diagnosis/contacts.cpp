@@ -1,0 +1,343 @@
+// The numbers that a kernel gives beside the verdicts of clear queries: what they are like.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "fuzz/diagnosis/contact_likenesses.h"
+#include "fuzz/diagnosis/probes.h"
+#include "fuzz/diagnosis/scenes.h"
+#include "fuzz/queries/capabilities.h"
+
+namespace axiscert::diagnosis {
+namespace contacts {  // named: lambdas of templates that see its types are no warning in a unity build
+
+constexpr std::size_t most_queries = 1024, fewest = 32;
+// A rule holds on so many of a hundred queries.
+constexpr std::size_t percent = 95;
+
+template <class Real>
+struct Judged {
+  Numbers<Real> query;
+  Numbers<double> wide;
+  Verdict said;
+  std::vector<double> measures;
+  ContactJudgement found;
+  ContactPlace exact;
+};
+
+// Of ordinary rounding, in shares of the scene and in radians.
+template <class Real>
+constexpr double small = 0x1p11 * std::numeric_limits<Real>::epsilon();
+
+template <class Real>
+std::vector<Judged<Real>> judged_queries(Subject<Real>& subject) {
+  const Kernel& kernel = subject.kernel();
+  const Oracles& oracles = oracles_of(kernel);
+  Queries<Real> queries;
+  for (const auto& clear : clear_queries<Real>(kernel, most_queries)) {
+    if (is_promised(kernel, clear.numbers)) queries.push_back(clear.numbers);
+  }
+  std::vector<Judged<Real>> all;
+  if (queries.empty()) return all;
+  const Reply<Real> reply = subject.ask_measures(queries);
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const Verdict said = reply.verdicts[i];
+    if (!has_judged_contact(kernel, said, [&] { return oracles.truth(queries[i]); })) continue;
+    const auto judge = oracles.contact_judge(queries[i]);
+    if (judge == nullptr) continue;
+    Judged<Real> one{queries[i], Numbers<double>(queries[i].size()), said, reply.measures(i), {}, {}};
+    for (std::size_t k = 0; k < queries[i].size(); ++k) one.wide[k] = static_cast<double>(queries[i][k]);
+    one.found = judge->judge(said, one.measures);
+    if (one.found.missed) continue;
+    one.exact = judge->place();
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+bool holds_on_most(std::size_t count, std::size_t all) { return 100 * count >= percent * all; }
+
+// Empty where the kernel can be asked.
+template <class Real>
+std::optional<ProbeFinding> why_unasked(Subject<Real>& subject, MeasureKind kind) {
+  if (!has_measure(subject.predicate(), kind))
+    return unasked(fmt::format("This predicate has no {} beside its verdict.", name(kind)));
+  if (!gives_measure(subject.predicate(), subject.kernel().measure_count, kind))
+    return unasked(fmt::format("It gives no {} beside its verdict.", name(kind)));
+  return std::nullopt;
+}
+
+ProbeFinding too_few(std::size_t count, MeasureKind kind) {
+  return undecided(fmt::format("It gives a {} on {} clear queries: too few to say.", name(kind), count));
+}
+
+template <class Real>
+std::vector<DiagnosisWitness> witness_of(const Subject<Real>& subject, const Judged<Real>& one, std::string shows) {
+  return {subject.witness(one.query, one.said, std::move(shows))};
+}
+
+double median(std::vector<double> numbers) {
+  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
+  std::nth_element(numbers.begin(), middle, numbers.end());
+  return *middle;
+}
+
+// Whether the numbers that are given are those of a likeness, where these are not the exact ones: within `near` of each
+// other, as shares of the greater.
+bool is_like(const std::vector<double>& like, std::span<const double> given, double near) {
+  if (like.size() != given.size()) return false;
+  double most = 0, off = 0;
+  for (std::size_t k = 0; k < like.size(); ++k) {
+    most = std::max({most, std::fabs(like[k]), std::fabs(given[k])});
+    off = std::max(off, std::fabs(like[k] - given[k]));
+  }
+  return off <= near * std::max(most, 1e-3);
+}
+
+// The first likeness that holds on nearly all queries with a wrong number, and on some.
+template <class Real, class IsWrong>
+const ContactLikeness* likeness_of(const Subject<Real>& subject, const std::vector<Judged<Real>>& all, MeasureKind kind,
+                                   IsWrong&& is_wrong) {
+  const std::size_t first = *first_measure(subject.predicate(), kind);
+  for (const ContactLikeness* like : capabilities_of(subject.predicate()).contact_likenesses) {
+    if (like->kind != kind) continue;
+    std::size_t wrong = 0, alike = 0;
+    for (const Judged<Real>& one : all) {
+      if (!is_wrong(one)) continue;
+      ++wrong;
+      const std::vector<double> numbers = like->numbers(one.wide);
+      if (one.measures.size() >= first + numbers.size())
+        alike += is_like(numbers, std::span(one.measures).subspan(first, numbers.size()), 16 * small<Real>);
+    }
+    if (wrong != 0 && holds_on_most(alike, wrong)) return like;
+  }
+  return nullptr;
+}
+
+template <Enumeration Value>
+Value value_named(std::string_view text) {
+  for (const Value value : enumerators<Value>) {
+    if (name(value) == text) return value;
+  }
+  return Value{};
+}
+
+template <class Real>
+ProbeFinding separations(Subject<Real>& subject) {
+  constexpr MeasureKind kind = MeasureKind::separation;
+  if (auto why = why_unasked(subject, kind)) return *why;
+  std::vector<Judged<Real>> all = judged_queries(subject);
+  std::erase_if(all, [](const Judged<Real>& one) { return !one.found.separation || !one.exact.separation; });
+  if (all.size() < fewest) return too_few(all.size(), kind);
+  const std::size_t place = *first_measure(subject.predicate(), kind);
+  const auto given = [&](const Judged<Real>& one) { return one.measures[place]; };
+  const auto is_wrong = [](const Judged<Real>& one) { return one.found.separation->share > small<Real>; };
+  const auto count = [&](auto&& holds) { return static_cast<std::size_t>(std::ranges::count_if(all, holds)); };
+  const auto shown =
+      std::ranges::max_element(all, {}, [](const Judged<Real>& one) { return one.found.separation->share; });
+  const std::size_t wrong = count(is_wrong);
+  const Json measured = {{"wrong", wrong}, {"of", all.size()}, {"largest_error", shown->found.separation->share}};
+  const auto found = [&](Separations value, std::string sentence, Json numbers) {
+    return decided(
+        value, std::move(sentence),
+        witness_of(subject, *shown, fmt::format("separation {}, exact {}", given(*shown), *shown->exact.separation)),
+        std::move(numbers));
+  };
+  if (wrong == 0)
+    return decided(Separations::right,
+                   fmt::format("Its separations are right but for rounding on {} clear queries.", all.size()), {},
+                   measured);
+  const auto is_apart = [](const Judged<Real>& one) { return *one.exact.separation > 0; };
+  const std::size_t apart = count(is_apart), above = count([&](const Judged<Real>& one) { return given(one) > 0; });
+  const std::size_t wrong_deep = count([&](const Judged<Real>& one) { return is_wrong(one) && !is_apart(one); });
+  if (above == 0 && apart >= fewest && !holds_on_most(wrong_deep, all.size() - apart))
+    return found(Separations::never_positive,
+                 fmt::format("Its separations are never above 0, on {} clear queries that are apart neither.", apart),
+                 measured);
+  const auto is_off_by = [&](const Judged<Real>& one, double by) {
+    const SeparationError& error = *one.found.separation;
+    const double scene = error.share > 0 ? error.length / error.share : 0;
+    return std::fabs(given(one) - *one.exact.separation - by) <= 1e-3 * std::fabs(by) + small<Real> * scene;
+  };
+  if (holds_on_most(count([&](const Judged<Real>& one) { return is_off_by(one, -2 * *one.exact.separation); }),
+                    all.size()))
+    return found(Separations::negated, "Its separations have the other sign: above 0 where the two overlap.", measured);
+  if (const ContactLikeness* like = likeness_of(subject, all, kind, is_wrong)) {
+    return found(value_named<Separations>(like->value),
+                 fmt::format("{}: so on {} of {} clear queries, where that is another number.", like->sentence, wrong,
+                             all.size()),
+                 measured);
+  }
+  std::vector<double> off;
+  for (const Judged<Real>& one : all) off.push_back(given(one) - *one.exact.separation);
+  const double margin = median(off);
+  if (margin != 0 &&
+      holds_on_most(count([&](const Judged<Real>& one) { return is_off_by(one, margin); }), all.size())) {
+    Json numbers = measured;
+    numbers["margin"] = margin;
+    return found(Separations::margin,
+                 fmt::format("Its separations are {} by {:.3g} everywhere, in the queries' unit: a margin, or a slop.",
+                             margin < 0 ? "less" : "more", std::fabs(margin)),
+                 std::move(numbers));
+  }
+  return found(Separations::wrong,
+               fmt::format("{} of {} separations on clear queries are wrong, by up to {:.3g} of the scene: no rule.",
+                           wrong, all.size(), shown->found.separation->share),
+               measured);
+}
+
+template <class Real>
+ProbeFinding normals(Subject<Real>& subject) {
+  constexpr MeasureKind kind = MeasureKind::normal;
+  if (auto why = why_unasked(subject, kind)) return *why;
+  std::vector<Judged<Real>> all = judged_queries(subject);
+  std::erase_if(all, [](const Judged<Real>& one) { return !one.found.normal_angle; });
+  if (all.size() < fewest) return too_few(all.size(), kind);
+  const auto angle = [](const Judged<Real>& one) { return *one.found.normal_angle; };
+  const auto length = [](const Judged<Real>& one) { return one.found.normal_length_error.value_or(0); };
+  const auto is_wrong = [&](const Judged<Real>& one) { return angle(one) > 4 * small<Real>; };
+  const auto count = [&](auto&& holds) { return static_cast<std::size_t>(std::ranges::count_if(all, holds)); };
+  const auto shown = std::ranges::max_element(all, {}, angle);
+  const std::size_t wrong = count(is_wrong);
+  std::vector<double> angles, lengths;
+  for (const Judged<Real>& one : all) {
+    angles.push_back(angle(one));
+    lengths.push_back(length(one));
+  }
+  const double usual = median(angles), usual_length = median(lengths);
+  const Json measured = {
+      {"wrong", wrong}, {"of", all.size()}, {"largest_angle", angle(*shown)}, {"length_error", usual_length}};
+  const auto found = [&](Normals value, std::string sentence) {
+    return decided(value, std::move(sentence),
+                   witness_of(subject, *shown, fmt::format("the normal is {:.3g} radians off", angle(*shown))),
+                   measured);
+  };
+  if (!holds_on_most(all.size() - wrong, all.size())) {
+    constexpr double nearly_opposite = std::numbers::pi - 1e-2;
+    const std::size_t opposite = count([&](const Judged<Real>& one) { return angle(one) > nearly_opposite; });
+    if (holds_on_most(opposite, all.size()))
+      return found(Normals::flipped,
+                   fmt::format("Its normals go to the other side, on {} of {} clear queries.", opposite, all.size()));
+    if (const ContactLikeness* like = likeness_of(subject, all, kind, is_wrong))
+      return found(value_named<Normals>(like->value),
+                   fmt::format("{}: so on {} of {} clear queries, where that is another direction.", like->sentence,
+                               wrong, all.size()));
+    const auto is_usual = [&](const Judged<Real>& one) { return angle(one) <= 1.5 * usual; };
+    if (usual > 4 * small<Real> && holds_on_most(count(is_usual), all.size()))
+      return found(Normals::tilted,
+                   fmt::format("Its normals are tilted, by {:.3g} radians and hardly ever more.", usual));
+    return found(Normals::wrong,
+                 fmt::format("{} of {} normals on clear queries are wrong, by up to {:.3g} radians: no rule.", wrong,
+                             all.size(), angle(*shown)));
+  }
+  if (usual_length > small<Real>)
+    return found(
+        Normals::not_normalised,
+        fmt::format("Its normals have the right direction, and lengths that are off by {:.3g} of 1.", usual_length));
+  return decided(
+      Normals::right,
+      fmt::format("Its normals are right but for rounding on {} of {} clear queries.", all.size() - wrong, all.size()),
+      {}, measured);
+}
+
+template <class Real>
+ProbeFinding features(Subject<Real>& subject) {
+  constexpr MeasureKind kind = MeasureKind::feature;
+  if (auto why = why_unasked(subject, kind)) return *why;
+  std::vector<Judged<Real>> all = judged_queries(subject);
+  std::erase_if(all, [](const Judged<Real>& one) { return !one.found.feature_is_right; });
+  if (all.size() < fewest) return too_few(all.size(), kind);
+  const std::size_t place = *first_measure(subject.predicate(), kind);
+  std::map<double, std::size_t> said;
+  std::size_t wrong = 0;
+  const Judged<Real>* shown = nullptr;
+  for (const Judged<Real>& one : all) {
+    ++said[one.measures[place]];
+    const bool is_wrong = !*one.found.feature_is_right;
+    wrong += is_wrong;
+    if (is_wrong && (shown == nullptr || one.found.feature_error.value_or(0) > shown->found.feature_error.value_or(0)))
+      shown = &one;
+  }
+  const Json measured = {{"wrong", wrong}, {"of", all.size()}};
+  if (shown == nullptr)
+    return decided(Features::right, fmt::format("It names a part that is nearest on all {} clear queries.", all.size()),
+                   {}, measured);
+  const auto witnesses = witness_of(subject, *shown, fmt::format("the feature is {}", shown->measures[place]));
+  if (said.size() == 1)
+    return decided(Features::one_part,
+                   fmt::format("It says {} whatever is nearest: wrong on {} of {} clear queries.", said.begin()->first,
+                               wrong, all.size()),
+                   witnesses, measured);
+  return decided(Features::wrong,
+                 fmt::format("It names a part that is not nearest on {} of {} clear queries.", wrong, all.size()),
+                 witnesses, measured);
+}
+
+template <class Real>
+ProbeFinding contact_points(Subject<Real>& subject) {
+  const bool has_pair = has_measure(subject.predicate(), MeasureKind::point_b);
+  const MeasureKind kind = has_pair ? MeasureKind::point_b : MeasureKind::point;
+  if (auto why = why_unasked(subject, kind)) return *why;
+  std::vector<Judged<Real>> all = judged_queries(subject);
+  const auto error = [&](const Judged<Real>& one) {
+    const ContactJudgement& found = one.found;
+    return has_pair ? std::max(found.point_a_error.value_or(0), found.point_b_error.value_or(0))
+                    : found.point_error.value_or(0);
+  };
+  std::erase_if(all,
+                [&](const Judged<Real>& one) { return has_pair ? !one.found.point_b_error : !one.found.point_error; });
+  if (all.size() < fewest) return too_few(all.size(), kind);
+  const auto is_wrong = [&](const Judged<Real>& one) { return error(one) > small<Real>; };
+  const auto wrong = static_cast<std::size_t>(std::ranges::count_if(all, is_wrong));
+  const auto shown = std::ranges::max_element(all, {}, error);
+  const Json measured = {{"wrong", wrong}, {"of", all.size()}, {"largest_error", error(*shown)}};
+  if (wrong == 0)
+    return decided(Points::right, fmt::format("Its points are right but for rounding on {} clear queries.", all.size()),
+                   {}, measured);
+  const auto witnesses =
+      witness_of(subject, *shown, fmt::format("the point is {:.3g} of the scene off", error(*shown)));
+  if (const ContactLikeness* like = likeness_of(subject, all, kind, is_wrong))
+    return decided(value_named<Points>(like->value),
+                   fmt::format("{}: so on {} of {} clear queries.", like->sentence, wrong, all.size()), witnesses,
+                   measured);
+  return decided(Points::wrong,
+                 fmt::format("{} of {} points on clear queries are wrong, by up to {:.3g} of the scene: no rule.",
+                             wrong, all.size(), error(*shown)),
+                 witnesses, measured);
+}
+
+}  // namespace contacts
+
+template <class Real>
+ProbeFinding separations(Subject<Real>& subject) {
+  return contacts::separations(subject);
+}
+template ProbeFinding separations(Subject<float>&);
+template ProbeFinding separations(Subject<double>&);
+
+template <class Real>
+ProbeFinding normals(Subject<Real>& subject) {
+  return contacts::normals(subject);
+}
+template ProbeFinding normals(Subject<float>&);
+template ProbeFinding normals(Subject<double>&);
+
+template <class Real>
+ProbeFinding features(Subject<Real>& subject) {
+  return contacts::features(subject);
+}
+template ProbeFinding features(Subject<float>&);
+template ProbeFinding features(Subject<double>&);
+
+template <class Real>
+ProbeFinding contact_points(Subject<Real>& subject) {
+  return contacts::contact_points(subject);
+}
+template ProbeFinding contact_points(Subject<float>&);
+template ProbeFinding contact_points(Subject<double>&);
+
+}  // namespace axiscert::diagnosis

@@ -1,0 +1,175 @@
+#include "fuzz/record/contact_tally.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace axiscert {
+namespace {
+
+void count_tunnel(TunnelTally& tally, std::uint64_t position, const Tunnel& tunnel) {
+  tally.through += tunnel.is_through;
+  if (!tunnel.depth.is_zero()) tally.deepest.offer({tunnel.depth, position});
+}
+
+void count_error(TimeErrors& errors, std::uint64_t position, const ContactJudgement& judgement) {
+  ++errors.by_power[ulp_power(judgement.ulps)];
+  errors.largest_ulps.offer({judgement.ulps, position});
+  errors.largest_in_u.offer({judgement.in_u, position});
+  if (judgement.share != 0) errors.largest_share.offer({judgement.share, position});
+  if (judgement.length != 0) errors.largest_length.offer({judgement.length, position});
+}
+
+}  // namespace
+
+std::size_t ulp_power(const Decimal6& ulps) {
+  const double size = ulps.value();
+  std::size_t power = 0;
+  for (double bound = 1; power + 1 < ulp_powers && size > bound; bound *= 2) ++power;
+  return power;
+}
+
+bool is_told_in_ulps(const Decimal6& ulps) {
+  constexpr double most_ulps = 0x1p13;  // an ulp is at most 2^-23, that of 1 in binary32
+  return ulps.value() <= most_ulps;
+}
+
+std::string way_text(double share, double length) {
+  constexpr double least_percent = 1e-3;
+  const std::string of_way =
+      share < least_percent ? fmt::format("{:.3g}", share) : fmt::format("{:.3g} %", 100 * share);
+  return fmt::format("{} of the way, length {:.3g}", of_way, length);
+}
+
+std::string time_error_text(const Decimal6& ulps, double share, double length) {
+  return is_told_in_ulps(ulps) ? ulps.text() + " ulps" : way_text(share, length);
+}
+
+std::string way_text(const TimeErrors& errors) {
+  return way_text(errors.largest_share.best(), errors.largest_length.best());
+}
+
+std::string time_error_text(const TimeErrors& errors) {
+  return time_error_text(errors.largest_ulps.best(), errors.largest_share.best(), errors.largest_length.best());
+}
+
+namespace {
+
+void count_time(TimeTally& time, std::uint64_t position, const ContactJudgement& judgement) {
+  switch (*judgement.time) {
+    case TimeVerdict::none:
+      ++time.none;
+      time.no_time.offer({false, position});
+      break;
+    case TimeVerdict::invalid:
+      ++time.invalid;
+      time.no_time.offer({true, position});
+      break;
+    case TimeVerdict::early:
+      ++time.early;
+      count_error(time.early_errors, position, judgement);
+      time.largest_gap.offer({judgement.gap, position});
+      break;
+    case TimeVerdict::best:
+      ++time.best;
+      break;
+    case TimeVerdict::late:
+      ++time.late;
+      count_error(time.late_errors, position, judgement);
+      count_tunnel(time.late_tunnels, position, *judgement.tunnel);
+      break;
+  }
+}
+
+void count_consistency(ConsistencyTally& tally, std::uint64_t position, Consistency found) {
+  tally.positive += found == Consistency::positive;
+  tally.negative += found == Consistency::negative;
+  tally.missing += found == Consistency::missing;
+  if (found != Consistency::consistent) tally.first[found].offer({true, position});
+}
+
+void count_separation(SeparationTally& tally, std::uint64_t position, const SeparationError& error) {
+  ++tally.judged;
+  ++tally.by_decade[error.ulps.is_zero() ? 0 : std::max(decade_of(error.share), std::size_t{1})];
+  if (error.ulps.is_zero()) return;
+  tally.largest_error.offer({error.share, position});
+  tally.largest_length.offer({error.length, position});
+  tally.largest_ulps.offer({error.ulps, position});
+  tally.largest_in_u.offer({error.in_u, position});
+}
+
+void count_feature(FeatureTally& tally, std::uint64_t position, const ContactJudgement& judgement) {
+  ++tally.judged;
+  if (*judgement.feature_is_right) return;
+  ++tally.wrong;
+  tally.first_wrong.offer({true, position});
+  const double error = judgement.feature_error.value_or(0);
+  if (std::isinf(error)) ++tally.unnamed;
+  else if (error != 0) tally.largest_error.offer({error, position});
+}
+
+void count_pushed(PushTally& tally, std::uint64_t position, const Pushed& pushed) {
+  ++tally.judged;
+  if (!pushed.left.is_zero()) tally.largest_left.offer({pushed.left, position});
+  if (!pushed.is_flip) return;
+  ++tally.flips;
+  tally.first_flip.offer({true, position});
+}
+
+template <class OfPoints>
+void count_error_of(OfPoints& tally, std::uint64_t position, const std::optional<double>& error) {
+  if (!error) return;
+  ++tally.judged;
+  if (*error != 0) tally.largest_error.offer({*error, position});
+}
+
+}  // namespace
+
+void count_contact(ContactTally& tally, std::uint64_t position, const ContactJudgement& judgement) {
+  if (judgement.missed) {
+    count_tunnel(*tally.missed, position, *judgement.missed);
+    return;
+  }
+  ++tally.answers;
+  if (judgement.time) count_time(*tally.time, position, judgement);
+  if (judgement.consistency) count_consistency(*tally.consistency, position, *judgement.consistency);
+  if (judgement.separation) count_separation(*tally.separation, position, *judgement.separation);
+  if (judgement.feature_is_right) count_feature(*tally.feature, position, judgement);
+  if (judgement.normal_angle) {
+    ++tally.normal->judged;
+    tally.normal->largest_angle.offer({*judgement.normal_angle, position});
+  }
+  if (judgement.normal_length_error)
+    tally.normal->largest_length_error.offer({*judgement.normal_length_error, position});
+  if (judgement.pushed) count_pushed(*tally.pushed, position, *judgement.pushed);
+  count_error_of(*tally.point, position, judgement.point_error);
+  count_error_of(*tally.point_a, position, judgement.point_a_error);
+  count_error_of(*tally.point_b, position, judgement.point_b_error);
+  count_error_of(*tally.points, position, judgement.points_apart);
+  if (judgement.lacks_separation) ++tally.separation->none;
+  if (judgement.lacks_feature) ++tally.feature->none;
+  if (judgement.lacks_normal) ++tally.normal->none;
+  if (judgement.lacks_point) ++tally.point->none;
+}
+
+ContactTally given_contacts(ContactTally tally, const Predicate& predicate, std::size_t measure_count) {
+  const auto gives = [&](MeasureKind kind) { return gives_measure(predicate, measure_count, kind); };
+  const bool moves = is_of_motions(predicate), has_pair = gives(MeasureKind::point_a) && gives(MeasureKind::point_b);
+  if (!moves) tally.missed.reset();
+  if (!gives(MeasureKind::time)) tally.time.reset();
+  if (!gives(MeasureKind::separation)) {
+    tally.consistency.reset();
+    tally.separation.reset();
+  }
+  if (!gives(MeasureKind::feature)) tally.feature.reset();
+  if (!gives(MeasureKind::normal)) tally.normal.reset();
+  if (moves || !gives(MeasureKind::normal)) tally.pushed.reset();
+  if (!gives(MeasureKind::point)) tally.point.reset();
+  if (!gives(MeasureKind::point_a)) tally.point_a.reset();
+  if (!gives(MeasureKind::point_b)) tally.point_b.reset();
+  if (!has_pair) tally.points.reset();
+  return tally;
+}
+
+}  // namespace axiscert
