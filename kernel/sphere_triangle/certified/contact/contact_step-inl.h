@@ -121,42 +121,53 @@ class Contacts {
       : block_(block), question_(question), to_(to), answer_(answer) {}
 
   HWY_NOINLINE void run() noexcept {
-    std::size_t i = 0;
-    for (; i + lanes <= block_.size; i += lanes) take(block_, i, i, lanes, to_);
-    if (i == block_.size) {
-      settle_unsure();
-      return;
+    for (std::size_t first = 0; first < block_.size; first += 64) {
+      take_word(first, block_.size - first < 64 ? block_.size - first : 64);
     }
-    const Tail<Real, lanes> tail(block_, i);
-    Real room[7][lanes];
-    const ContactColumns<Real> to{room[0], {room[1], room[2], room[3]}, {room[4], room[5], room[6]}};
-    const std::uint64_t open = take_vector(tail.block, 0, i, block_.size - i, to);
-    for (std::size_t k = 0; k < 7; ++k) std::memcpy(column(k) + i, room[k], (block_.size - i) * sizeof(Real));
-    settle(open, i);
-    settle_unsure();
+    if (unsure_count_ != 0) settle_verdicts(block_, unsure_, unsure_count_, question_, to_, answer_);
   }
 
  private:
   static constexpr std::size_t lanes = hn::MaxLanes(D());
 
+  // Of up to 64 queries, a bit each.
+  struct Word {
+    std::uint64_t contact = 0, measured = 0, decided = 0, feature[3] = {};
+  };
+
+  AXISCERT_INLINE void take_word(std::size_t first, std::size_t size) noexcept {
+    Word found;
+    std::size_t i = 0;
+    for (; i + lanes <= size; i += lanes) take_vector(block_, first + i, to_, first + i, i, found);
+    if (i < size) {
+      const Tail<Real, lanes> tail(block_, first + i);
+      Real room[7][lanes];
+      take_vector(tail.block, 0, {room[0], {room[1], room[2], room[3]}, {room[4], room[5], room[6]}}, 0, i, found);
+      for (std::size_t k = 0; k < 7; ++k) std::memcpy(column(k) + first + i, room[k], (size - i) * sizeof(Real));
+    }
+    const std::size_t word = first / 64;
+    const std::uint64_t measured = found.measured & low_bits(size);
+    answer_.contact[word] = found.contact & measured;
+    for (int k = 0; k < 3; ++k) answer_.feature[k][word] = found.feature[k] & measured;
+    for (std::uint64_t rest = measured & ~found.decided; rest != 0; rest &= rest - 1) {
+      unsure_[unsure_count_++] = static_cast<std::uint16_t>(first + first_bit(rest));
+    }
+    if (const std::uint64_t open = low_bits(size) & ~measured; open != 0) settle(open, first);
+  }
+
   Real* column(std::size_t k) const noexcept {
     return k == 0 ? to_.separation : k < 4 ? to_.normal[k - 1] : to_.point[k - 4];
   }
-  AXISCERT_INLINE void take(const Block<Real>& from, std::size_t at, std::size_t i, std::size_t count,
-                            const ContactColumns<Real>& to) noexcept {
-    const ContactColumns<Real> here{to.separation + i,
-                                    {to.normal[0] + i, to.normal[1] + i, to.normal[2] + i},
-                                    {to.point[0] + i, to.point[1] + i, to.point[2] + i}};
-    if (const std::uint64_t open = take_vector(from, at, i, count, here); open != 0) settle(open, i);
-  }
-  // Queries i to i + count of the block are at `at` of `from`; returns which are open.
-  AXISCERT_INLINE std::uint64_t take_vector(const Block<Real>& from, std::size_t at, std::size_t i, std::size_t count,
-                                            const ContactColumns<Real>& to) noexcept {
+
+  // Takes the queries at `at` of a block; their numbers go to `place` of the columns, their bits to `shift` of the
+  // word.
+  AXISCERT_INLINE static void take_vector(const Block<Real>& from, std::size_t at, const ContactColumns<Real>& to,
+                                          std::size_t place, std::size_t shift, Word& found) noexcept {
     const D d;
     const ContactStep<D, Real> step(load<false>(d, from, at));
     const auto store = [&](const Lanes<D, false>& x, Real* out) HWY_ATTR {
-      if constexpr (sizeof(Real) == 8) hn::StoreU(x.v, d, out);
-      else hn::StoreU(hn::DemoteTo(hn::Rebind<float, D>(), x.v), hn::Rebind<float, D>(), out);
+      if constexpr (sizeof(Real) == 8) hn::StoreU(x.v, d, out + place);
+      else hn::StoreU(hn::DemoteTo(hn::Rebind<float, D>(), x.v), hn::Rebind<float, D>(), out + place);
     };
     store(step.separation, to.separation);
     store(step.normal.x, to.normal[0]);
@@ -165,13 +176,10 @@ class Contacts {
     store(step.point.x, to.point[0]);
     store(step.point.y, to.point[1]);
     store(step.point.z, to.point[2]);
-    const std::uint64_t measured = bits_of(d, step.measured) & low_bits(count);
-    answer_.contact[i / 64] |= (bits_of(d, step.contact) & measured) << (i % 64);
-    for (int k = 0; k < 3; ++k) answer_.feature[k][i / 64] |= (bits_of(d, step.feature[k]) & measured) << (i % 64);
-    for (std::uint64_t rest = measured & ~bits_of(d, step.decided); rest != 0; rest &= rest - 1) {
-      unsure_[unsure_count_++] = static_cast<std::uint16_t>(i + first_bit(rest));
-    }
-    return low_bits(count) & ~measured;
+    found.contact |= bits_of(d, step.contact) << shift;
+    found.measured |= bits_of(d, step.measured) << shift;
+    found.decided |= bits_of(d, step.decided) << shift;
+    for (int k = 0; k < 3; ++k) found.feature[k] |= bits_of(d, step.feature[k]) << shift;
   }
   HWY_NOINLINE void settle(std::uint64_t open, std::size_t i) noexcept {
     for (; open != 0; open &= open - 1) {
@@ -180,10 +188,6 @@ class Contacts {
       widen(block_, at, q);
       settle_contact(q, question_, at, to_, answer_);
     }
-  }
-
-  void settle_unsure() noexcept {
-    if (unsure_count_ != 0) settle_verdicts(block_, unsure_, unsure_count_, question_, to_, answer_);
   }
 
   const Block<Real>& block_;
