@@ -93,6 +93,16 @@ Kernel certified_kernel(std::string id, std::string summary, ProvedProperty prov
           .proof = proof};
 }
 
+// The exact answer with separation, feature, normal and point.
+Kernel contact_kernel(std::string id, std::string summary) {
+  Kernel kernel = certified_kernel<certified::Question::closed_sphere>(std::move(id), std::move(summary),
+                                                                       ProvedProperty::nothing, {});
+  kernel.binary32 = [](std::string_view target) { return contact_implementation<float>(target); };
+  kernel.binary64 = [](std::string_view target) { return contact_implementation<double>(target); };
+  kernel.measure_count = sphere_triangle_predicate().measures.size();
+  return kernel;
+}
+
 // The filter of formulae whose non-strict form is right for every triangle. It shows only a verdict, whatever it
 // computes.
 template <FilterForm form>
@@ -153,6 +163,7 @@ std::vector<Kernel> sphere_triangle_kernels() {
       packed<not_less>("packed-nonstrict", "the same with a >= b as !(b > a) in the sides: a NaN side holds"),
       eigen("eigen", "published, written with Eigen's vectors, whose reductions choose their order"),
       certified_kernel<certified::Question::closed_sphere>("certified", "the exact answer: filtered in the input's precision, then in doubles, then in integers", ProvedProperty::no_wrong_verdict, certified_proof),
+      contact_kernel("contact", "the exact answer, with separation, feature, normal and point within stated bounds"),
       certified_kernel<certified::Question::conservative>("conservative", "never a missed contact; phantom depth at most 20 sqrt(u): 0.00489, in binary64 2.11e-7", ProvedProperty::no_missed_contact, conservative_proof),
       filter_kernel<FilterForm::reduced>("certified-filter", "reduced with thresholds proved of it as a program: separated, contact or undecided"),
       filter_kernel<FilterForm::published>("certified-filter-published", "the same with the published formulae, whose thresholds are wider"),
