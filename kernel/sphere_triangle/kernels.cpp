@@ -1,6 +1,7 @@
 // The kernels of sphere-triangle, one line each.
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/certified/kernels.h"
+#include "kernel/sphere_triangle/contact_kernel.h"
 #include "kernel/sphere_triangle/certified_filter/kernels.h"
 #include "kernel/sphere_triangle/query.h"
 #include "kernel/sphere_triangle/forms/pair_forms.h"

@@ -10,8 +10,4 @@ namespace axiscert {
 template <class Real>
 Implementation<Real> certified_implementation(std::string_view target, certified::Question question);
 
-// The same answers with all of the predicate's measures.
-template <class Real>
-Implementation<Real> contact_implementation(std::string_view target);
-
 }  // namespace axiscert
