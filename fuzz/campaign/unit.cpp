@@ -36,7 +36,7 @@ void judge(const Oracles& oracles, const MadeBatch<Real>& batch, KernelRuns<Real
 
 // Where a screen judges verdicts without any oracle, what is said beside them, which takes a hundred times as long, is
 // judged on so many of the first queries of a source.
-constexpr std::uint64_t most_contacts = std::uint64_t{1} << 14;
+constexpr std::uint64_t most_contacts = std::uint64_t{1} << 12;
 
 // Judges that.
 template <class Real>
