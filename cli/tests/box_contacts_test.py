@@ -84,9 +84,9 @@ class BoxContacts(Case):
                 points_a, points_b, ways = corners(a), corners(b), directions(a, b)
                 squares = [reach(points_a, points_b, d) ** 2 / dot(d, d) for d in ways]
                 depth = decimal(min(squares)).sqrt()
-                scene = decimal(max(dot(sub(b["m"], a["m"]), [Fraction(x) for x in sub(b["m"], a["m"])]),
-                                    *(dot(sub(p, [Fraction(x) for x in one["m"]]), sub(p, [Fraction(x) for x in one["m"]]))
-                                      for one, all_of in ((a, points_a), (b, points_b)) for p in all_of))).sqrt()
+                between = [Fraction(y) - Fraction(x) for x, y in zip(a["m"], b["m"])]
+                scene = decimal(max(dot(between, between), *(dot(sub(p, [Fraction(x) for x in one["m"]]), sub(p, [Fraction(x) for x in one["m"]]))
+                                                             for one, all_of in ((a, points_a), (b, points_b)) for p in all_of))).sqrt()
                 if scene == 0 or any(x != x for x in given.values()):
                     continue
                 error = abs(Decimal(given["separation"]) + depth) / scene
@@ -112,10 +112,10 @@ class BoxContacts(Case):
 
 class BoxFaults(Case):
     LEVELS = ["separation=1e-5", "normal=0.05", "unit=1e-5", "no-flip", "left=1e-5", "point=1e-4"]
-    # The levels that refuse each fault: those that are for it.
-    REFUSED = {"none": [], "flipped": ["normal=0.05", "no-flip", "left=1e-5"], "tilted": ["normal=0.05"],
+    # The levels that refuse each fault. Points say on which side of each other the bodies are: so a wrong side is theirs too.
+    REFUSED = {"none": [], "flipped": ["normal=0.05", "no-flip", "left=1e-5", "point=1e-4"], "tilted": ["normal=0.05"],
                "not_unit": ["unit=1e-5"], "halved": ["separation=1e-5"], "margin": ["separation=1e-5"],
-               "one_axis": ["separation=1e-5", "normal=0.05", "left=1e-5"], "swapped": ["point=1e-4"]}
+               "one_axis": ["separation=1e-5", "normal=0.05", "no-flip", "left=1e-5", "point=1e-4"], "swapped": ["point=1e-4"]}
 
     def test_each_is_refused_by_the_levels_for_it(self):
         for fault, refused in self.REFUSED.items():

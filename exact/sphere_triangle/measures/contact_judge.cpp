@@ -100,8 +100,9 @@ Pushed pushed(const std::array<RationalVector, 3>& vertex, const RationalVector&
       [&](const Rational& x) {
         if (!least || x < *least) least = x;
       });
-  const Rational rest = root_below(*least);
-  const Rational left = (r - rest) / depth, error = shifted_down(1 + r / depth, 230);
+  // r - sqrt(least) without a difference of roots: so an error of the place is one of at most 2^-236 in what is left,
+  // however small the depth is beside r.
+  const Rational left = (r * r - *least) / ((r + root_below(*least)) * depth), error = shifted_down(1, 230);
   // left > F where the distance is below t = r - F (r - d) = (r - F r) + F d.
   const TwoRootField field(dd, mm);
   const auto exceeds = [&](const Rational& f) {
