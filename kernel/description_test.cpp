@@ -122,10 +122,9 @@ TEST(Description, OfSphereTriangleSaysWhatItsNamesSay) {
 TEST(Description, APredicateIsFoundByItsId) {
   EXPECT_EQ(&find_predicate("sphere-triangle"), &sphere_triangle_predicate());
   EXPECT_EQ(predicates().front(), &sphere_triangle_predicate());
-  EXPECT_THAT(
-      [] { find_predicate("sphere-cone"); },
-      ThrowsMessage<Error>(
-          "unknown predicate 'sphere-cone'; predicates: sphere-triangle, box-box, box-triangle, moving-sphere"));
+  EXPECT_THAT([] { find_predicate("sphere-cone"); },
+              ThrowsMessage<Error>("unknown predicate 'sphere-cone'; predicates: sphere-triangle, box-box, "
+                                   "box-triangle, moving-sphere, capsule-triangle"));
   const Predicate other = toy(1, 1);
   const Predicate* const known[] = {&sphere_triangle_predicate(), &other};
   EXPECT_EQ(&find_predicate("toy", known), &other);
