@@ -245,7 +245,7 @@ class Pipe(Case):
 
     def test_measures_are_of_a_test_that_has_them(self):
         plan = ("--predicate", "moving-sphere", "--family", "moving-sphere/general", "--trials", 400)
-        self.refused("generate", "--binary", "--family", "general", "--measures", 1, says=["the predicate sphere-triangle has none"])
+        self.refused("generate", "--binary", "--family", "capsule-triangle/general", "--measures", 1, says=["the predicate capsule-triangle has none"])
         self.refused("generate", "--binary", *plan, "--measures", 9, says=["has 8, from time to point_z"])
         self.refused("generate", *plan, "--measures", 1, says=["--measures", "--binary"])
 

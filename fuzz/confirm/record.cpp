@@ -199,6 +199,7 @@ Json counts_json(const Kernel& kernel, const Tally& tally) {
   if (family.contacts && family.contacts->time) {
     for (const char* errors : {"late_errors", "early_errors"}) json["contacts"]["time"][errors].erase("by_power");
   }
+  if (family.contacts && family.contacts->separation) json["contacts"]["separation"].erase("by_decade");
   Json& findings = json["findings"] = Json::object();
   for (const FindingKind kind : enumerators<FindingKind>) {
     if (tally.findings[kind].count != 0) findings[std::string(name(kind))] = tally.findings[kind].count;

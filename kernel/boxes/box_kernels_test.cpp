@@ -178,8 +178,8 @@ TEST(BoxKernels, SlipsAreWrong) {
 }
 
 TEST(BoxKernels, HaveIdsOfThePredicateAndOfTheirEntry) {
-  EXPECT_EQ(kernels_of_entry(0).size(), 10u);
-  EXPECT_EQ(kernels_of_entry(0, true).size(), 16u);
+  EXPECT_EQ(kernels_of_entry(0).size(), 11u);
+  EXPECT_EQ(kernels_of_entry(0, true).size(), 17u);
   EXPECT_EQ(kernels_of_entry(1).size(), 10u);
   EXPECT_EQ(kernels_of_entry(2).size(), 4u);
   EXPECT_EQ(kernels_of_entry(3).size(), 3u);
