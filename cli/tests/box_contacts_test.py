@@ -128,6 +128,20 @@ class BoxFaults(Case):
                     said = [line for line in (done.stdout + done.stderr).splitlines() if f"{level.split('=')[0]}" in line and "not met" in line.lower()]
                     self.assertEqual(bool(said), level in refused, f"{level}\n{done.stdout}{done.stderr}")
 
+    # What the numbers of each are like, in the words of a diagnosis.
+    NAMED = {"none": {}, "flipped": {"normal": "flipped", "contact_point": "wrong"}, "tilted": {"normal": "tilted"},
+             "not_unit": {"normal": "not_normalised"}, "halved": {"separation": "scaled"}, "margin": {"separation": "margin"},
+             "swapped": {"contact_point": "exchanged"}}
+
+    def test_each_is_named_by_its_diagnosis(self):
+        for fault, named in self.NAMED.items():
+            with self.subTest(fault=fault):
+                done = axiscert("diagnose", f"plugin:{BUILD}/contact_faults/{fault}.so", "--format", "json")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                values = {one["name"]: one["value"] for one in json.loads(done.stdout)["properties"]}
+                self.assertEqual({name: values[name] for name in ("separation", "normal", "contact_point")},
+                                 {"separation": "right", "normal": "right", "contact_point": "right"} | named)
+
 
 if __name__ == "__main__":
     unittest.main()
