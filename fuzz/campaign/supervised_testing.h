@@ -53,6 +53,7 @@ inline Kernel black_box(const std::string& id, const Plant& plant, const std::st
   Kernel kernel = supervised_kernel(id, plant, base);
   kernel.formulae.clear();
   kernel.exposes = Exposure::verdict;
+  kernel.measure_count = 0;
   return kernel;
 }
 

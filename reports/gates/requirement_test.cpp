@@ -355,6 +355,9 @@ TEST(GateLevels, HaveNamesAndSentencesOfTheirOwn) {
                                         {"=D", "=0.5"},
                                         {"=U", "=4"},
                                         {"=A", "=0.001"},
+                                        {"=E", "=0.5"},
+                                        {"=F", "=0.5"},
+                                        {"=DEG", "=0.5"},
                                         {"=SHARE", "=0.5"},
                                         {"=SIZE", "=1mm"}}) {
       if (usage.find(kind) != usage.npos) argument = example;

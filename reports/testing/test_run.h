@@ -167,9 +167,15 @@ inline Json contacts(std::uint64_t late, double late_tunnel, double missed_tunne
             {"late_tunnels", tunnels(late_tunnel)},
             {"early_errors", none},
             {"largest_gap", 0.0}}},
+          {"consistency", nullptr},
+          {"separation", nullptr},
           {"feature", nullptr},
           {"normal", nullptr},
-          {"point", nullptr}};
+          {"pushed", nullptr},
+          {"point", nullptr},
+          {"point_a", nullptr},
+          {"point_b", nullptr},
+          {"points", nullptr}};
 }
 
 // `<script>` as a kernel of moving-sphere with these contacts on `tangent`, and all times the best on `lattice`; with a
