@@ -1,5 +1,4 @@
 #include "kernel/capsule_triangle/capsule.h"
-#include "kernel/moving_sphere/names.h"
 
 namespace axiscert {
 namespace {
@@ -37,13 +36,7 @@ Predicate capsule_triangle_described() {
       .clauses = {},
       .measures = {},
   };
-  for (std::size_t i = 0; i < moving_sphere::comparison_names.size(); ++i) {
-    const std::string_view clause = moving_sphere::clause_name(i);
-    if (predicate.clauses.empty() || predicate.clauses.back().name != clause) predicate.clauses.push_back({clause, 0});
-    predicate.clauses.back().comparisons |= one_bit<ComparisonBits>(i);
-    predicate.comparisons.push_back(
-        {moving_sphere::comparison_names[i], predicate.clauses.size() - 1, moving_sphere::is_radius(i)});
-  }
+  moving_sphere::add_twenty_axes(predicate);
   return checked(std::move(predicate));
 }
 

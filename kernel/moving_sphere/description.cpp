@@ -2,6 +2,16 @@
 #include "kernel/moving_sphere/names.h"
 
 namespace axiscert {
+
+void moving_sphere::add_twenty_axes(Predicate& predicate) {
+  for (std::size_t i = 0; i < comparison_names.size(); ++i) {
+    const std::string_view clause = clause_name(i);
+    if (predicate.clauses.empty() || predicate.clauses.back().name != clause) predicate.clauses.push_back({clause, 0});
+    predicate.clauses.back().comparisons |= one_bit<ComparisonBits>(i);
+    predicate.comparisons.push_back({comparison_names[i], predicate.clauses.size() - 1, is_radius(i)});
+  }
+}
+
 namespace {
 
 constexpr Role place = Role::coordinate, direction = Role::direction;
@@ -51,13 +61,7 @@ Predicate moving_sphere_described() {
                    {"point_z", point, distance, MeasureKind::point}},
   };
   predicate.entries[1].has_free_numbers = false;  // both ends say where the sphere is
-  for (std::size_t i = 0; i < moving_sphere::comparison_names.size(); ++i) {
-    const std::string_view clause = moving_sphere::clause_name(i);
-    if (predicate.clauses.empty() || predicate.clauses.back().name != clause) predicate.clauses.push_back({clause, 0});
-    predicate.clauses.back().comparisons |= one_bit<ComparisonBits>(i);
-    predicate.comparisons.push_back(
-        {moving_sphere::comparison_names[i], predicate.clauses.size() - 1, moving_sphere::is_radius(i)});
-  }
+  moving_sphere::add_twenty_axes(predicate);
   return checked(std::move(predicate));
 }
 

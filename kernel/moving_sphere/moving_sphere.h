@@ -9,6 +9,11 @@ namespace axiscert {
 
 const Predicate& moving_sphere_predicate();
 
+namespace moving_sphere {
+// Adds the comparisons and clauses of the twenty axes, which a capsule's description has too.
+void add_twenty_axes(Predicate& predicate);
+}  // namespace moving_sphere
+
 // A query with names. Its numbers are in the order of the columns.
 template <class Real>
 struct MovingQuery {
