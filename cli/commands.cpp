@@ -60,17 +60,6 @@ int print_failure(const std::exception_ptr& thrown) {
   return exit_bad_input;
 }
 
-void make_folder(const std::string& path) {
-  std::error_code problem;
-  std::filesystem::create_directories(path, problem);
-  const auto probe = std::filesystem::path(path) / ".writable";
-  if (problem || !std::ofstream(probe)) {
-    throw Error(fmt::format("--out {}: cannot write there{}; give a folder that can be made or written", path,
-                            problem ? ": " + problem.message() : ""));
-  }
-  std::filesystem::remove(probe, problem);
-}
-
 void add_plugin_seconds(CLI::App& command) {
   command
       .add_option(

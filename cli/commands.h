@@ -57,9 +57,6 @@ void add_man(CLI::App& app, Action& action);
 // Prints on standard error what an action threw, and returns its ExitCode.
 int print_failure(const std::exception_ptr& thrown);
 
-// Creates the folder of `--out` where it does not exist yet. Throws Error where nothing can be written there.
-void make_folder(const std::string& path);
-
 // Adds the `--format` option of the commands that also write for programs: text, or one of `machine_formats`.
 CLI::Option* add_format(CLI::App& command, std::string& format, const std::vector<std::string>& machine_formats);
 // Those of the instruments and lists, whose data docs/data.md describes.

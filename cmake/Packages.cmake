@@ -43,4 +43,16 @@ if(NOT AXISCERT_ONLY_LIBRARY)
 and says where the test misses a contact, where it invents one, how deep, and
 why. A test of your own is a shared object, or a program in any language.")
 endif()
+
+# The package for Python, which asks the command's for what comes with it.
+if(TARGET axiscert_python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-axiscert)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "axiscert (= ${PROJECT_VERSION}), python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next_minor}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-tqdm, python3-torch, python3-matplotlib")
+  set(CPACK_DEBIAN_PYTHON_DESCRIPTION "A function of NumPy arrays or of tensors is judged beside exact arithmetic; queries,
+exact answers and formulae in any format are arrays.")
+endif()
 include(CPack)

@@ -5,15 +5,15 @@
 #include <limits>
 #include <map>
 
-#include "cli/first_look.h"
+#include "plans/first_look.h"
 #include "cli/running/check_output.h"
 #include "cli/running/query_rows.h"
 #include "cli/progress_line.h"
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "cli/options/address_query.h"
-#include "cli/options/predicate_options.h"
-#include "cli/options/query_parts.h"
+#include "plans/address_query.h"
+#include "plans/predicate_options.h"
+#include "plans/query_parts.h"
 #include "cli/options/shared_options.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/source.h"

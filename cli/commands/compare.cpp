@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "cli/first_look.h"
+#include "plans/first_look.h"
 #include "cli/commands.h"
 #include "cli/help.h"
 #include "cli/progress_line.h"

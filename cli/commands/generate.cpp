@@ -9,8 +9,8 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "cli/options/address_query.h"
-#include "cli/options/predicate_options.h"
+#include "plans/address_query.h"
+#include "plans/predicate_options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/shared_options.h"
 #include "cli/progress_line.h"

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <atomic>
 
-#include "cli/first_look.h"
+#include "plans/first_look.h"
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
-#include "cli/options/predicate_options.h"
+#include "plans/predicate_options.h"
 #include "cli/help.h"
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"
@@ -108,6 +108,7 @@ int run_league(const LeagueOptions& options) {
     for (const std::string& id : options.kernels) add_to_league(league, id);
     league.contenders = league.kernels.size();
   }
+  begin_instrument(options);
   questions.sources = instrument_sources(options, default_families());
   if (options.precision.empty()) questions.precisions = {Precision::binary32, Precision::binary64};
   else questions.precisions = {parse_precision(options.precision)};

@@ -5,7 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "cli/options/predicate_options.h"
+#include "plans/predicate_options.h"
 #include "cli/options/shared_options.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/queries/family.h"

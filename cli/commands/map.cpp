@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/first_look.h"
-#include "cli/options/address_query.h"
-#include "cli/options/predicate_options.h"
+#include "plans/first_look.h"
+#include "plans/address_query.h"
+#include "plans/predicate_options.h"
 #include "cli/options/shared_options.h"
 #include "cli/commands.h"
 #include "cli/ending.h"

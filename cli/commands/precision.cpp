@@ -1,14 +1,10 @@
 // axiscert precision: the formulae at every number of bits, with and without a limit on exponents.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 
 #include "cli/options/instrument_options.h"
-#include "cli/options/predicate_options.h"
-#include "cli/options/query_parts.h"
 #include "cli/options/run_options.h"
 #include "cli/options/shared_options.h"
 #include "cli/help.h"
@@ -21,74 +17,18 @@
 #include "fuzz/queries/image_groups.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
-#include "kernel/formulae_list.h"
-#include "kernel/registry/self_check.h"
-#include "reports/instrument/precision/condition_report.h"
 #include "reports/instrument/precision/critical_radius_report.h"
-#include "reports/instrument/precision/ladder_report.h"
-#include "reports/instrument/precision/precision_report.h"
+#include "plans/formula_figures.h"
+#include "plans/predicate_options.h"
+#include "plans/query_parts.h"
 
 namespace axiscert {
 namespace {
 
-struct LadderOptions : InstrumentOptions {
-  bool no_speed = false, factorial = false;
-};
-
-// Every rung with `>`, in the order of formulae_list.h, but published, which is ladder-9 bit for bit.
-std::vector<std::string> default_kernels() {
-  std::vector<const Kernel*> rungs;
-  for (const Kernel& kernel : kernels()) {
-    const Formulae formulae = formulae_of(kernel);
-    const bool has_own_steps = kernel.takes_arithmetic && formulae != Formulae::none && formulae != Formulae::published;
-    if (has_own_steps && kernel.strictness == Strictness::strict) rungs.push_back(&kernel);
-  }
-  std::stable_sort(rungs.begin(), rungs.end(),
-                   [](const Kernel* a, const Kernel* b) { return formulae_of(*a) < formulae_of(*b); });
-  std::vector<std::string> ids;
-  for (const Kernel* rung : rungs) ids.push_back(rung->id);
-  return ids;
-}
-// The cells of the factorial in their order.
-std::vector<std::string> factorial_kernels() {
-  std::vector<std::string> ids;
-  for (const FactorialCell& cell : factorial_cells()) ids.emplace_back(name(cell.formulae));
-  return ids;
-}
-const std::vector<std::string> ladder_families = {"general", "tangent", "seam", "sliver", "far", "scale"};
-
-void require_comparisons(const Kernel& kernel) {
-  if (kernel.exposes != Exposure::verdict) return;
-  std::vector<std::string_view> able;
-  for (const Kernel& other : kernels()) {
-    if (other.predicate == kernel.predicate && other.exposes != Exposure::verdict) able.push_back(other.id);
-  }
-  throw Error(
-      fmt::format("--kernel {}: it shows only its verdict, but ladder measures comparisons; kernels that show "
-                  "them: {}, and RUNG+ARITHMETIC",
-                  kernel.id, fmt::join(able, ", ")));
-}
-
 int ladder(const LadderOptions& options) {
-  if (options.factorial && !options.kernels.empty()) {
-    throw Error(fmt::format("--factorial measures kernels of its own, and {} is given; leave out one of the two",
-                            options.kernels.front()));
-  }
-  LadderPlan plan;
-  plan.precision = parse_precision(options.precision);
-  plan.kernels =
-      instrument_kernels(options, options.factorial ? factorial_kernels() : default_kernels(), Measures::comparisons);
-  for (const Kernel* kernel : plan.kernels) require_comparisons(*kernel);
-  plan.sources = instrument_sources(options, ladder_families);
-  plan.trials = options.trials;
-  plan.seed = options.seed;
-  plan.speed = !options.no_speed;
-  plan.threads = options.threads;
-  require_uncontracted(scalar_target);
-  const std::string command = instrument_command("ladder", options) + (options.factorial ? " --factorial" : "") +
-                              (options.no_speed ? " --no-speed" : "");
-  const auto result = with_progress("ladder", [&](const ShowProgress& show) { return measure_ladder(plan, show); });
-  return print_and_write_instrument(ladder_report(plan, result, command), options);
+  begin_instrument(options);
+  const auto figures = [&](const ShowProgress& show) { return ladder_figures(options, show); };
+  return print_and_write_instrument(with_progress("ladder", figures), options);
 }
 
 }  // namespace
@@ -96,7 +36,7 @@ int ladder(const LadderOptions& options) {
 void add_ladder(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("ladder", "Measure what each step of the derivation costs: errors, range, time");
   auto options = std::make_shared<LadderOptions>();
-  add_instrument_options(*command, *options, std::uint64_t{1} << 14);
+  add_instrument_options(*command, *options, ladder_trials);
   add_own_queries(*command, *options);
   command->add_flag("--no-speed", options->no_speed,
                     "measure no times: the rest of the output is the same in every run");
@@ -114,39 +54,6 @@ void add_ladder(CLI::App& app, Action& action) {
 
 namespace {
 
-struct PrecisionOptions : InstrumentOptions {
-  std::vector<int> bits;
-  std::vector<std::string> numbers;
-  std::string rounding = "nearest", contraction = "none";
-  std::optional<std::uint64_t> rounding_seeds;
-  bool round_inputs = false;
-};
-
-std::vector<NumberFormat> numbers_of(const PrecisionOptions& options) {
-  std::vector<NumberFormat> numbers;
-  for (const int b : options.bits) {
-    if (b < least_bits || b > greatest_bits) {
-      throw Error(fmt::format("--bits {}: a precision is {} to {} bits", b, least_bits, greatest_bits));
-    }
-    numbers.push_back(format_of_bits(b));
-  }
-  for (const std::string& text : options.numbers) numbers.push_back(parse_number_format(text));
-  if (numbers.empty()) numbers = default_precision_numbers();
-  std::ranges::stable_sort(numbers, {}, &NumberFormat::bits);
-  std::vector<NumberFormat> once;
-  for (const NumberFormat& number : numbers) {
-    if (std::ranges::find(once, number) == once.end()) once.push_back(number);
-  }
-  return once;
-}
-
-template <class Enum>
-Enum enumerator_named(std::string_view text) {
-  for (const Enum each : enumerators<Enum>) {
-    if (name(each) == text) return each;
-  }
-  throw Error(fmt::format("unknown name '{}'", text));  // the options check it
-}
 template <class Enum>
 std::vector<std::string> all_names() {
   std::vector<std::string> names;
@@ -154,38 +61,10 @@ std::vector<std::string> all_names() {
   return names;
 }
 
-constexpr std::uint64_t default_seeds = 3;
-
 int measure(const PrecisionOptions& options) {
-  PrecisionPlan plan;
-  plan.seed = options.seed;
-  plan.trials = options.trials;
-  plan.precision = parse_precision(options.precision);
-  plan.numbers = numbers_of(options);
-  plan.threads = options.threads;
-  plan.rounding = enumerator_named<RoundingRule>(options.rounding);
-  if (options.rounding_seeds && !is_by_chance(plan.rounding))
-    throw Error(fmt::format("--rounding-seeds {}: --rounding {} draws no numbers; seeds are of faithful and stochastic",
-                            *options.rounding_seeds, options.rounding));
-  plan.rounding_seeds = options.rounding_seeds.value_or(default_seeds);
-  plan.contraction = enumerator_named<Contraction>(options.contraction);
-  plan.round_inputs = options.round_inputs;
-  plan.kernels = instrument_kernels(options,
-                                    {"ladder-0", "ladder-1", "ladder-2", "ladder-3", "ladder-4", "ladder-5", "ladder-6",
-                                     "ladder-7", "ladder-8", "ladder-9", "reduced", "reduced-nonstrict", "nonstrict"},
-                                    Measures::formulae);
-  plan.sources = instrument_sources(options, {"general", "tangent", "seam", "sliver", "scale", "collinear", "lattice"});
-  std::string command = instrument_command("precision", options);
-  for (const int b : options.bits) command += fmt::format(" --bits {}", b);
-  for (const std::string& number : options.numbers) command += " --number " + number;
-  const PrecisionOptions defaults;
-  if (options.rounding != defaults.rounding) command += " --rounding " + options.rounding;
-  if (is_by_chance(plan.rounding)) command += fmt::format(" --rounding-seeds {}", plan.rounding_seeds);
-  if (options.contraction != defaults.contraction) command += " --contraction " + options.contraction;
-  if (options.round_inputs) command += " --round-inputs";
-  const auto tallies =
-      with_progress("precision", [&](const ShowProgress& show) { return measure_precision(plan, show); });
-  return print_and_write_instrument(precision_report(plan, tallies, command), options);
+  begin_instrument(options);
+  const auto figures = [&](const ShowProgress& show) { return precision_figures(options, show); };
+  return print_and_write_instrument(with_progress("precision", figures), options);
 }
 
 }  // namespace
@@ -195,7 +74,7 @@ void add_precision(CLI::App& app, Action& action) {
                                      "Evaluate formulae in bfloat16, binary16, fp8 and other formats, or at 2 to 4096 "
                                      "bits: what rounding costs, apart from what range costs");
   auto options = std::make_shared<PrecisionOptions>();
-  add_instrument_options(*command, *options, std::uint64_t{1} << 11);
+  add_instrument_options(*command, *options, precision_trials);
   add_own_queries(*command, *options);
   command
       ->add_option("--number", options->numbers,
@@ -218,7 +97,7 @@ void add_precision(CLI::App& app, Action& action) {
   command
       ->add_option("--rounding-seeds", options->rounding_seeds,
                    fmt::format("of faithful and stochastic rounding, measure with the seeds 1 to so many (default: {})",
-                               default_seeds))
+                               default_rounding_seeds))
       ->check(whole_number(1, 1000));
   command
       ->add_option("--contraction", options->contraction,
@@ -242,33 +121,10 @@ void add_precision(CLI::App& app, Action& action) {
 
 namespace {
 
-struct ConditionOptions : InstrumentOptions {
-  std::uint64_t flips = 256, sample = 64;
-};
-
 int measure(const ConditionOptions& options) {
-  ConditionPlan plan{
-      instrument_kernels(options, {"published", "reduced", "ladder-0"}, Measures::comparisons),
-      instrument_sources(options, {"general", "tangent", "seam", "sliver", "collinear", "far", "ratio", "scale"}),
-      parse_precision(options.precision),
-      options.trials,
-      options.seed,
-      options.flips,
-      options.sample,
-      options.threads};
-  for (const Kernel* kernel : plan.kernels) {
-    if (kernel->exposes == Exposure::verdict || !has_comparisons(*kernel)) {
-      throw Error(
-          fmt::format("--kernel {}: it shows a verdict alone, but conditions belong to comparisons; "
-                      "'axiscert kernels' says which expose them",
-                      kernel->id));
-    }
-  }
-  const std::string command =
-      instrument_command("condition", options) + fmt::format(" --flips {} --sample {}", options.flips, options.sample);
-  const auto result =
-      with_progress("condition", [&](const ShowProgress& show) { return measure_condition(plan, show); });
-  return print_and_write_instrument(condition_report(plan, result, command), options);
+  begin_instrument(options);
+  const auto figures = [&](const ShowProgress& show) { return condition_figures(options, show); };
+  return print_and_write_instrument(with_progress("condition", figures), options);
 }
 
 }  // namespace
@@ -277,7 +133,7 @@ void add_condition(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
       "condition", "Distinguish flips caused by the query's condition from those caused by the formula");
   auto options = std::make_shared<ConditionOptions>();
-  add_instrument_options(*command, *options, std::uint64_t{1} << 14);
+  add_instrument_options(*command, *options, condition_trials);
   add_own_queries(*command, *options);
   const CLI::Validator count = whole_number(0, std::uint64_t{1} << 32);
   command->add_option("--flips", options->flips, "flips evaluated per kernel, family and comparison")
@@ -312,6 +168,7 @@ int measure_part(const InstrumentOptions& options) {
   const auto [predicate, entry] = entry_asked(options);
   require_capability(has_critical_length, options.command, *predicate, entry);
   const CriticalRadiusDefaults defaults = defaults_of(*predicate, entry);
+  begin_instrument(options);
   const CriticalRadiusPlan plan{instrument_kernels(options, defaults.kernels, Measures::verdicts, served),
                                 instrument_sources(options, defaults.families, served),
                                 parse_precision(options.precision),

@@ -6,9 +6,9 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "cli/options/plan_file.h"
-#include "cli/options/predicate_options.h"
-#include "cli/options/query_parts.h"
+#include "plans/plan_file.h"
+#include "plans/predicate_options.h"
+#include "plans/query_parts.h"
 #include "cli/options/reply_plan.h"
 #include "cli/options/run_options.h"
 #include "cli/options/shared_options.h"
@@ -237,8 +237,9 @@ int merge(const MergeOptions& options) {
   output.out = options.out;
   output.required = file.options.required;
   const RunScale scale{file.digest, stretches.count(), stretches.units_each(), gathered.lost_units(), bytes, {}};
-  return put_result({folder, std::nullopt, run_files(plan, std::move(gathered).take(), output, "auto", started, scale)},
-                    output);
+  return put_result(
+      {folder, std::nullopt, shown_run_files(plan, std::move(gathered).take(), output, "auto", started, scale)},
+      output);
 }
 
 }  // namespace

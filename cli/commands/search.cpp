@@ -1,79 +1,51 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <atomic>
-#include <filesystem>
 
 #include "cli/ending.h"
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
-#include "cli/options/search_plan.h"
-#include "cli/options/predicate_options.h"
+#include "plans/search_plan.h"
+#include "plans/predicate_options.h"
 #include "cli/options/shared_options.h"
 #include "cli/help.h"
 #include "cli/progress_line.h"
 #include "cli/usage.h"
 #include "cli/running/run_output.h"
 #include "fuzz/search/pools.h"
-#include "fuzz/text/file_bytes.h"
-#include "kernel/base/error.h"
-#include "kernel/registry/self_check.h"
 #include "reports/instrument/search_report.h"
+#include "plans/kernel_figures.h"
 
 namespace axiscert {
 namespace {
 
-constexpr const char* state_file = "search.state";
-
-std::string command_of(const SearchOptions& options, const SearchPlan& plan, const SearchResult& result) {
-  std::string command = fmt::format("axiscert search --kernel {} --precision {}", plan.kernel->id, options.precision);
-  for (const std::string& which : options.comparisons) command += " --comparison " + which;
-  for (const std::string& family : options.families) command += " --family " + family;
-  return command + fmt::format(" --evaluations {} --seed {}", result.evaluations, options.seed);
-}
-
 int search(const SearchOptions& options) {
   const SearchPlan plan = search_plan_of(options);
-  std::optional<std::string> state;
-  if (options.resume) {
-    if (options.out.empty()) throw Error("--resume: give the folder of the search to resume with --out");
-    const std::filesystem::path stored = std::filesystem::path(options.out) / state_file;
-    std::error_code ignored;
-    if (!std::filesystem::exists(stored, ignored)) {
-      throw Error(
-          fmt::format("--resume --out {}: there is no {}; give the folder of a search that was begun with --out",
-                      options.out, stored.string()));
-    }
-    state = read_bytes(stored.string());
-    require_state_format(*state, stored.string());
-  }
+  const std::optional<std::string> state = search_state(options);
   std::optional<OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);  // checked before anything runs
   const std::string kept = fmt::format("what was found is in {}", options.out);
   if (state) keep_work(kept, own_command("--resume"));
   else keep_nothing(folder ? "its state is not written yet" : "a search without --out keeps no state to go on from");
-  require_uncontracted(plan.target);
 
   const std::atomic<bool>& interrupted = watch_for_interrupts();
-  SearchResult result;
-  {
+  const Searched found = [&] {
     ProgressLine progress("search");
     const std::string asked_for = plan.evaluations ? fmt::format(" of {}", *plan.evaluations) : "";
-    result = search(plan, state, interrupted, [&](const SearchProgress& p) {
+    return searched(options, plan, state, interrupted, [&](const SearchProgress& p) {
       progress.show({p.islands, 0, 0, p.seconds}, fmt::format("; {}{} evaluations", p.evaluations, asked_for));
     });
-  }
+  }();
   if (folder) {
-    folder->write_text(state_file, result.state);
-    folder->write_text("witnesses.jsonl", search_witnesses(result));
+    write_search(*folder, found.result);
     keep_work(kept, own_command("--resume"));
   }
   InstrumentOptions output;
   output.format = options.format;
   output.out = options.out;
-  const int done = print_and_write_instrument(search_report(plan, result, command_of(options, plan, result)), output);
-  if (!result.complete) return interrupted_code();
-  return search_looked_at(result).decided == 0 ? exit_requirement_failed : done;
+  const int done = print_and_write_instrument(found.report, output);
+  if (!found.result.complete) return interrupted_code();
+  return search_looked_at(found.result).decided == 0 ? exit_requirement_failed : done;
 }
 
 }  // namespace

@@ -8,17 +8,13 @@
 #include <vector>
 
 #include "fuzz/campaign/campaign.h"
+#include "plans/claimed_kernel.h"
 
 namespace axiscert {
 
-struct ReplyOptions {
+struct ReplyOptions : KernelClaims {
   std::vector<std::string> replies = {"-"};  // files, one for each precision; "-": standard input
   std::vector<std::string> meshes, queries;  // present paths of the files that the queries are of
-  std::string id = "pipe", touching = "contact";
-  std::string sides = "both";
-  double margin = 0;
-  bool may_decline = false;  // `undecided` is an answer that the program may give
-  ReplyClaim claim;
 };
 
 // Adds all but the replies themselves: what the program claims, and where the files of its queries are.

@@ -201,4 +201,11 @@ CLI::Option* add_quiet(CLI::App& command, bool& quiet, const std::string& what_i
   return command.add_flag("--quiet", quiet, what_is_printed)->group(output_group);
 }
 
+void add_address_files(CLI::App& command, AddressFiles& files) {
+  command.add_option("--mesh", files.mesh, "the mesh in which the address is");
+  command.add_option("--queries", files.queries, "the query file in which the address is");
+  command.add_option("--corpus", files.corpus,
+                     "the corpus in which the address is (default: the one supplied with axiscert)");
+}
+
 }  // namespace axiscert

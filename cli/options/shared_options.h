@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/help.h"
+#include "plans/address_query.h"
 
 namespace axiscert {
 
@@ -48,6 +49,8 @@ CLI::Option* add_target(CLI::App& command, std::string& target);
 CLI::Option* add_out(CLI::App& command, std::string& folder, const std::string& content);
 // The one file that a command writes: -o, --out-file.
 CLI::Option* add_out_file(CLI::App& command, std::string& file, const std::string& content);
+// --mesh, --queries and --corpus, the files in which addresses can be.
+void add_address_files(CLI::App& command, AddressFiles& files);
 CLI::Option* add_quiet(CLI::App& command, bool& quiet, const std::string& what_is_printed);
 
 }  // namespace axiscert

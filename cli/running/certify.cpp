@@ -254,8 +254,9 @@ int certify_replies(const CertifyOptions& options, const std::optional<SigningKe
   output.out = run_folder_of(options);
   output.quiet = options.quiet;
   output.has_summary = false;
-  put_result({folder, std::nullopt, run_files(plan, std::move(gathered).take(), output, plan.running.target, started)},
-             output);
+  put_result(
+      {folder, std::nullopt, shown_run_files(plan, std::move(gathered).take(), output, plan.running.target, started)},
+      output);
   try {
     return write_certificate(judged, key);
   } catch (const StageInterrupted&) {

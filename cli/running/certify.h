@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/options/plan_file.h"
+#include "plans/plan_file.h"
 #include "cli/options/reply_plan.h"
 #include "cli/running/run_output.h"
 #include "fuzz/certify/effort.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/options/search_plan.h"
-#include "cli/options/predicate_options.h"
+#include "plans/search_plan.h"
+#include "plans/predicate_options.h"
 #include "cli/ending.h"
 #include "cli/progress_line.h"
 #include "fuzz/certify/safe_margin.h"

@@ -1,97 +1,31 @@
 #include "cli/running/judged_run.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
-#include <charconv>
-#include <chrono>
 #include <filesystem>
 #include <optional>
 
-#include "cli/first_look.h"
+#include "plans/first_look.h"
 #include "cli/commands.h"
 #include "cli/ending.h"
 #include "cli/progress_line.h"
 #include "cli/running/brief_output.h"
 #include "cli/running/run_output.h"
-#include "cli/running/shrunk.h"
-#include "fuzz/campaign/campaign.h"
-#include "fuzz/causes/cause.h"
-#include "fuzz/confirm/record.h"
-#include "fuzz/diagnosis/range_window.h"
+#include "plans/shrunk.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/base/text.h"
-#include "kernel/registry/self_check.h"
 #include "reports/formats/format.h"
 #include "reports/gates/ratchet.h"
-#include "reports/gates/requirement.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/reproduce.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
 namespace {
-
-namespace fs = std::filesystem;
-
-// "FILE:LINE"; nothing where the text is not of that form.
-std::optional<SourcePlace> place_of(const std::string& text) {
-  const std::size_t colon = text.rfind(':');
-  if (colon == text.npos || colon == 0 || !is_utf8(text)) return std::nullopt;
-  std::uint32_t line = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, problem] = std::from_chars(text.data() + colon + 1, end, line);
-  if (problem != std::errc() || stop != end || line == 0) return std::nullopt;
-  fs::path file = fs::path(text.substr(0, colon)).lexically_normal();
-  std::error_code none;
-  if (const fs::path inside = file.lexically_relative(fs::current_path(none));
-      file.is_absolute() && !inside.empty() && *inside.begin() != "..")
-    file = inside;
-  return SourcePlace{file.string(), line};
-}
-
-}  // namespace
-
-SourcePlaces source_places(const std::vector<const Kernel*>& kernels, const std::vector<std::string>& given) {
-  SourcePlaces places;
-  for (const Kernel* kernel : kernels) {
-    if (const auto own = place_of(kernel->source)) places.put(kernel->id) = *own;
-  }
-  for (const std::string& value : given) {
-    std::vector<std::string> about;  // the kernels that the value names, or all of them
-    std::string where = value;
-    for (const Kernel* kernel : kernels) {
-      if (value.starts_with(kernel->id + "=")) {
-        about = {kernel->id};
-        where = value.substr(kernel->id.size() + 1);
-        break;
-      }
-      about.push_back(kernel->id);
-    }
-    const auto place = place_of(where);
-    if (!place) {
-      throw Error(fmt::format(
-          "--source {}: give FILE:LINE, as in src/my_kernel.c:12, or KERNEL=FILE:LINE for one kernel", value));
-    }
-    if (!fs::is_regular_file(where.substr(0, where.rfind(':')))) {
-      throw Error(fmt::format(
-          "--source {}: there is no file {}; give a path from the folder in which axiscert runs, or "
-          "KERNEL=FILE:LINE with a kernel of this run: {}",
-          value, where.substr(0, where.rfind(':')),
-          fmt::join(most_alike_first(where.substr(0, where.find('=')), {about.begin(), about.end()}), ", ")));
-    }
-    for (const std::string& id : about) places.put(id) = *place;
-  }
-  return places;
-}
-
-namespace {
-
-constexpr const char* shrunk_file = "witnesses-shrunk.jsonl";
 
 // Prints what came of each level: what is met, with what that says, on standard output; the rest on standard error.
 // Returns whether all pass.
@@ -167,51 +101,30 @@ std::optional<Ratchet> ratchet_of(const OutputOptions& output, const Plan& plan)
   return ratchet;
 }
 
-HarnessFault save_disagreement(const OutputFolder& folder, const OracleDisagreement& disagreement) {
-  return HarnessFault(fmt::format("{}; the query is saved in {}", disagreement.what(), folder.save(disagreement)));
-}
-
 JudgedRun judge_run(const Plan& plan, const OutputOptions& output, const std::string& target_asked) {
   source_places(plan.answerers.kernels, output.sources);  // refuses what cannot be one, before anything runs
   std::optional<Ratchet> ratchet = ratchet_of(output, plan);
   OutputFolder folder(output.out);
   keep_nothing(plan.answerers.replies ? "replies are judged in one go"
                                       : "a run without --plan keeps no journal to go on from");
-  for (const std::string& target : targets_of(plan.answerers.kernels, plan.running.target))
-    require_uncontracted(target);
   if (!plan.answerers.replies) print_first_look(plan.answerers.kernels);
 
   const std::atomic<bool>& interrupted = watch_for_interrupts();
   const auto started = std::chrono::system_clock::now();
-  CampaignResult result;
-  try {
+  const CampaignResult result = [&] {
     ProgressLine progress("judging", output.quiet);
-    result = run_campaign(plan, interrupted, progress.report());
-  } catch (const OracleDisagreement& disagreement) {
-    throw save_disagreement(folder, disagreement);
-  }
-  if (plan.judging.planted != FilterFault::none) {
-    throw HarnessFault(fmt::format("--plant {}: the cross-checks did not find it in this run",
-                                   filter_fault_names[plan.judging.planted]));
-  }
-  return {std::move(folder), std::move(ratchet), run_files(plan, result, output, target_asked, started)};
+    return judge_plan(plan, interrupted, progress.report(), &folder);
+  }();
+  return {std::move(folder), std::move(ratchet), shown_run_files(plan, result, output, target_asked, started)};
 }
 
-RunFiles run_files(const Plan& plan, const CampaignResult& result, const OutputOptions& output,
-                   const std::string& target_asked, std::chrono::system_clock::time_point started,
-                   std::optional<RunScale> scale) {
-  const double seconds = std::chrono::duration<double>(std::chrono::system_clock::now() - started).count();
+RunFiles shown_run_files(const Plan& plan, const CampaignResult& result, const OutputOptions& output,
+                         const std::string& target_asked, std::chrono::system_clock::time_point started,
+                         std::optional<RunScale> scale) {
   ProgressLine progress("judging", output.quiet);
-  progress.begin_stage("the witnesses are confirmed");
-  RunFiles run{record_of(plan, result, output.required),
-               run_info(plan, result, target_asked, iso_time(started), seconds)};
-  progress.begin_stage("the causes are looked for");
-  put_causes(run.record, plan, result);
-  progress.begin_stage("other units of length are asked");
-  put_windows(run.record, plan, result);
-  run.info.scale = std::move(scale);
-  run.info.sources = source_places(plan.answerers.kernels, output.sources);
-  return run;
+  return run_files(
+      plan, result, output, target_asked, started, [&](std::string_view stage) { progress.begin_stage(stage); },
+      std::move(scale));
 }
 
 int put_result(JudgedRun run, const OutputOptions& output) {
@@ -221,12 +134,8 @@ int put_result(JudgedRun run, const OutputOptions& output) {
   std::optional<RatchetOutcome> held;
   if (run.ratchet && is_complete)
     held = hold_against(*run.ratchet, record, iso_time(std::chrono::system_clock::now()).substr(0, 10));
-  // These files may be left from an earlier run in the same folder.
-  for (const char* file : {ratchet_outcome_file, shrunk_file}) folder.remove(file);
-  folder.write("record.json", json_of(record));
+  const std::vector<LevelOutcome> outcomes = write_run(folder, run.files);
   if (held) folder.write(ratchet_outcome_file, json_of(*held));
-  const std::vector<LevelOutcome> outcomes = outcomes_of(record);
-  folder.write("run.json", json_of(RunFile{info, outcomes.empty() ? std::nullopt : std::optional(outcomes)}));
   std::optional<ProgressLine> progress(std::in_place, "judging", output.quiet);
   if (output.shrink != 0 && is_complete)
     folder.write_text(shrunk_file, shrunk_witnesses(record, info.target.dispatched, output.shrink, progress->report()));

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "cli/first_look.h"
+#include "plans/first_look.h"
 #include "cli/commands.h"
 #include "cli/ending.h"
 #include "cli/progress_line.h"
@@ -113,7 +113,7 @@ class Lead {
     // Stretches done by another process of the same plan are not counted: no rank of this run did them.
     const RunScale scale{file_.digest, stretches_.count(), stretches_.units_each(), lost_, journal_->bytes(), uses};
     return put_result(
-        {folder_, ratchet_, run_files(plan_, std::move(gathered_).take(), output_, target_asked, started, scale)},
+        {folder_, ratchet_, shown_run_files(plan_, std::move(gathered_).take(), output_, target_asked, started, scale)},
         output_);
   }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/options/plan_file.h"
+#include "plans/plan_file.h"
 #include "fuzz/campaign/parts/distribute.h"
 #include "fuzz/campaign/parts/gathered.h"
 #include "fuzz/campaign/parts/journal.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/options/address_query.h"
+#include "plans/address_query.h"
 #include "exact/trait/examine.h"
 #include "reports/instrument/query_data.h"
 #include "reports/instrument/data.h"

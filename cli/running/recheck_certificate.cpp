@@ -6,7 +6,7 @@
 #include <set>
 #include <span>
 
-#include "cli/options/plan_file.h"
+#include "plans/plan_file.h"
 #include "cli/ending.h"
 #include "cli/progress_line.h"
 #include "cli/running/planned_run.h"

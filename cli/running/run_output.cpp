@@ -1,21 +1,15 @@
 #include "cli/running/run_output.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <sstream>
 #include <string_view>
 
-#include "cli/commands.h"
-#include "fuzz/files/query_file.h"
-#include "kernel/base/error.h"
 #include "reports/instrument/instrument.h"
-#include "reports/run_folder/run_folder.h"
 #include "reports/wording/causes.h"
 #include "reports/wording/classes.h"
 #include "reports/wording/depths.h"
@@ -36,37 +30,6 @@ std::string coloured(const std::string& text, TextColour colour) {
   const int code = colour == TextColour::red ? 31 : colour == TextColour::yellow ? 33 : 32;
   const bool has_end = text.back() == '\n';
   return fmt::format("\x1b[{}m{}\x1b[0m{}", code, text.substr(0, text.size() - has_end), has_end ? "\n" : "");
-}
-
-OutputFolder::OutputFolder(const std::string& path) : path_(path) { make_folder(path); }
-
-void OutputFolder::write_text(const std::string& file, const std::string& text) const {
-  std::filesystem::create_directories((path_ / file).parent_path());
-  write_files(path_, {{file, text}});
-}
-
-void OutputFolder::remove(const std::string& file) const {
-  std::error_code problem;
-  std::filesystem::remove(path_ / file, problem);
-  if (problem) throw Error(fmt::format("{}: cannot be removed: {}", (path_ / file).string(), problem.message()));
-}
-
-void OutputFolder::write(const std::string& file, const Json& json) const { write_text(file, json.dump(1) + "\n"); }
-
-std::string OutputFolder::save(const OracleDisagreement& d) const {
-  const auto numbers = [&]<class Real>(Real) {
-    Numbers<Real> values(d.query.size());
-    std::transform(d.query.begin(), d.query.end(), values.begin(), [](double x) { return static_cast<Real>(x); });
-    return values;
-  };
-  StoredQuery stored{"disagreement", d.precision, numbers(double()), d.predicate, d.entry};
-  if (d.precision == Precision::binary32) stored.numbers = numbers(float());
-  write_text("disagreement.jsonl", query_line(stored) + "\n");
-  return (path_ / "disagreement.jsonl").string();
-}
-
-std::string iso_time(std::chrono::system_clock::time_point time) {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(time)));
 }
 
 namespace {
@@ -198,7 +161,7 @@ std::string contact_table(const Record& record) {
 }
 
 // Of each kernel what a user of it reads first.
-std::string first_text(const Record& record) {
+std::string first_sentences_text(const Record& record) {
   std::string text;
   for (const KernelRecord& kernel : record.kernels) {
     for (const std::string& sentence : first_sentences(kernel, record.plan))
@@ -217,7 +180,7 @@ std::string summary_text(const Record& record, double seconds) {
     if (group.first->address) text += fmt::format("  {}\n", replay_command(*group.first, record.plan));
   }
   text += causes_text(record);
-  text += first_text(record);
+  text += first_sentences_text(record);
   text += kernels_table(record.kernels);
   text += contact_table(record);
   text += depths_table(record.kernels);

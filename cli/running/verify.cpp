@@ -8,7 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/ending.h"
-#include "cli/options/plan_file.h"
+#include "plans/plan_file.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"

@@ -1,5 +1,5 @@
 // Kernels and queries of two predicates are refused in one line that says which is of which.
-#include "cli/options/predicate_options.h"
+#include "plans/predicate_options.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

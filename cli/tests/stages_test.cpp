@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/options/search_plan.h"
+#include "plans/search_plan.h"
 #include "cli/running/certify.h"
 #include "kernel/base/error.h"
 #include "kernel/base/temporary_folder.h"

@@ -17,7 +17,7 @@ for missing in {name.replace("_", "-") for name in listed} - set(page):
     wrong.append(f"docs/a-query.md has no row for {missing}")
 
 # Parts of the page in their order, and the layers that each may name.
-layers = {"1. The plan": "cli", "2. A unit": "fuzz kernel exact", "3. The record": "fuzz exact", "4. The reports": "reports"}
+layers = {"1. The plan": "cli plans", "2. A unit": "fuzz kernel exact", "3. The record": "fuzz exact", "4. The reports": "reports"}
 for predicate, road in page.items():
     if len(road) <= 20:
         wrong.append(f"{predicate}: {len(road)} functions; there were more than 20")

@@ -106,7 +106,7 @@ def holder_of_picture(block, text, root, calls):
         return SESSIONS
     # The picture of a walk is named after its mesh.
     words = (name, 'f"walk-') if name.startswith("walk-") else (name,)
-    scripts = [path for path in (*root.glob("docs/checks/*.py"), *root.glob("examples/**/*_test.py"))
+    scripts = [path for path in (*root.glob("docs/checks/*.py"), *root.glob("examples/**/*_test.py"), *root.glob("python/tests/*.py"))
                if not path.name.startswith("blocks") and any(word in path.read_text() for word in words)]
     return scripts[0].relative_to(root).as_posix() if scripts else ""
 

@@ -16,14 +16,14 @@ LIST = "--list" in sys.argv
 if LIST:
     sys.argv.remove("--list")
 ROOT = Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]
-LAYERS = ("kernel", "exact", "fuzz", "reports", "cli")
+LAYERS = ("kernel", "exact", "fuzz", "reports", "plans", "cli")
 PREDICATES = ("sphere_triangle", "moving_sphere", "boxes", "capsule_triangle", "point_box")
 NAMES = "sphere_triangle|moving_sphere|box_box|box_triangle|capsule_triangle|point_box"  # as in kernel/predicate_list.h, and the suite's own
 ROOM = "|".join(PREDICATES)
 
 # Each count is the most that there may be, by layer. They only fall.
 COMPARISONS = {}
-INCLUDES = {"kernel": 7, "fuzz": 16, "reports": 12, "cli": 2}
+INCLUDES = {"kernel": 7, "fuzz": 16, "reports": 12, "plans": 1, "cli": 2}
 
 # Tests, what they share, and programs of the suite or for developers; in kernel/plugin also the plug-ins that its tests load.
 EXEMPT = re.compile(rf"_(test|bench)\.(cpp|h)$|testing|/(bench|targets|oracle_checks|peers|examples|testdata)/|(^|/)write_\w+\.cpp$"

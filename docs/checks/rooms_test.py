@@ -20,7 +20,7 @@ DRAW = "--draw" in sys.argv
 if DRAW:
     sys.argv.remove("--draw")
 ROOT = Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]
-LAYERS = ("kernel", "proofs", "exact", "fuzz", "reports", "cli")
+LAYERS = ("kernel", "proofs", "exact", "fuzz", "reports", "plans", "python", "cli")
 # Folders of two floors. The words in which the others speak (a query, a comparison, the formulae) stand below the rooms inside the folder;
 # what is made of these rooms (the list of the test's kernels) above them.
 WORDS = {

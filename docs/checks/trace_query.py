@@ -37,7 +37,7 @@ import tempfile
 from collections import defaultdict
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-LAYERS = ("kernel", "exact", "fuzz", "reports", "cli")
+LAYERS = ("kernel", "exact", "fuzz", "reports", "plans", "cli")
 STEP = r"`([\w./-]+\.(?:cpp|h|js)): ((?:\w+::)?\w+)`"
 
 

@@ -14,6 +14,7 @@
 #include "fuzz/text/number_text.h"
 #include "fuzz/files/query_line.h"
 #include "fuzz/queries/capabilities.h"
+#include "kernel/base/own_folder.h"
 #include "kernel/base/text.h"
 
 namespace axiscert {
@@ -246,9 +247,8 @@ Provenance parse_provenance(const std::string& text, const std::string& about) {
 
 std::string default_corpus_folder() {
   std::error_code problem;
-  const fs::path program = fs::read_symlink("/proc/self/exe", problem);
-  const fs::path installed = program.parent_path().parent_path() / "share/axiscert/corpus";
-  return !problem && fs::is_directory(installed, problem) ? installed.string() : AXISCERT_CORPUS;
+  const fs::path installed = own_folder() / "../share/axiscert/corpus";
+  return fs::is_directory(installed, problem) ? fs::canonical(installed).string() : AXISCERT_CORPUS;
 }
 
 }  // namespace axiscert

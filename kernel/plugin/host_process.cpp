@@ -17,6 +17,7 @@
 #include <filesystem>
 
 #include "kernel/base/error.h"
+#include "kernel/base/own_folder.h"
 #include "kernel/base/text.h"
 #include "kernel/plugin/pipe_format.h"
 
@@ -38,8 +39,6 @@ int out_of_the_way(int fd) {
   close(fd);
   return moved;
 }
-
-std::filesystem::path beside_this_program() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
 
 double processor_seconds(pid_t process) {
   clockid_t clock;
@@ -268,7 +267,7 @@ std::string changed_modes_text(std::uint32_t changed) {
 }
 
 std::string host_program() {
-  const auto here = beside_this_program();
+  const auto here = own_folder();
   for (const auto& program : {here / "axiscert-plugin-host", here / "../libexec/axiscert/axiscert-plugin-host"}) {
     if (access(program.c_str(), X_OK) == 0) return program.string();
   }
@@ -277,7 +276,7 @@ std::string host_program() {
 }
 
 std::optional<std::string> shipped_folder(std::string_view name) {
-  const auto here = beside_this_program();
+  const auto here = own_folder();
   for (const auto& folder : {here / name, here / "../lib/axiscert" / name}) {
     if (std::filesystem::is_directory(folder)) return folder.string();
   }

@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "kernel/registry/called.h"
+#include "kernel/registry/given.h"
 #include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/formulae_list.h"
@@ -163,6 +164,7 @@ const std::vector<ArithmeticInfo>& arithmetics() {
 
 const Kernel& find_kernel(std::string_view id) {
   if (const Kernel* kernel = registered(id)) return *kernel;
+  if (const Kernel* kernel = given_kernel(id)) return *kernel;
   if (const auto at = call_in(id)) return found_as_called(id.substr(0, *at), id.substr(*at + 1));
   if (const auto path = plugin::plugin_path(id))
     return kept(printable_line(id), [&] {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/options/run_options.h"
+#include "plans/run_plan.h"
 #include "fuzz/campaign/parts/stretch.h"
 #include "fuzz/text/json.h"
 

@@ -1,4 +1,4 @@
-#include "cli/running/shrunk.h"
+#include "plans/shrunk.h"
 
 namespace axiscert {
 namespace {

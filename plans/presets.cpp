@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "cli/options/predicate_options.h"
-#include "cli/options/run_options.h"
+#include "plans/predicate_options.h"
+#include "plans/run_plan.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/queries/family.h"

@@ -1,13 +1,14 @@
-#include "cli/options/query_parts.h"
+#include "plans/query_parts.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "cli/options/predicate_options.h"
+#include "plans/predicate_options.h"
 #include "fuzz/files/file_parts.h"
 #include "kernel/base/error.h"
+#include "plans/notices.h"
 
 namespace axiscert {
 std::string QueryPart::folder() const {
@@ -48,7 +49,7 @@ std::vector<QueryPart> query_parts(const std::vector<std::string>& files, Precis
                     "each part is judged by the first of its predicate",
                     part_text(*part.predicate, part.entry), there));
   }
-  fmt::print(stderr, "axiscert: {}\n", there);
+  notice("{}", there);
   return parts;
 }
 

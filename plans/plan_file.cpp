@@ -1,11 +1,11 @@
-#include "cli/options/plan_file.h"
+#include "plans/plan_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/options/predicate_options.h"
+#include "plans/predicate_options.h"
 #include "fuzz/certify/effort.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/files/corpus.h"
@@ -208,7 +208,7 @@ std::string difference(const Json& plan, const Json& expected) {
 
 namespace {
 
-std::vector<std::string> yardsticks_of(const Predicate& predicate, std::size_t entry, const std::string& kernel) {
+std::vector<std::string> measured_beside(const Predicate& predicate, std::size_t entry, const std::string& kernel) {
   std::vector<std::string> ids = {default_kernel(predicate, entry).id};
   if (!predicate.certified.empty()) ids.emplace_back(predicate.certified);
   std::erase(ids, kernel);
@@ -241,13 +241,13 @@ PlanFile certified_plan(const CertifiedRun& run) {
   require_loaded(kernel);
   parse_effort(run.effort);
   std::vector<std::string> kernels = {run.kernel};
-  for (const std::string& id : yardsticks_of(*kernel.predicate, kernel.entry, kernel.id)) kernels.push_back(id);
+  for (const std::string& id : measured_beside(*kernel.predicate, kernel.entry, kernel.id)) kernels.push_back(id);
   return plan_file_of(certified_options(run, *kernel.predicate, kernel.entry, kernels, !kernel.file.empty()),
                       std::nullopt);
 }
 
 PlanOfAbsent certified_plan_of(const CertifiedRun& run, const AbsentKernel& kernel) {
-  const std::vector<std::string> yardsticks = yardsticks_of(*kernel.predicate, kernel.entry, run.kernel);
+  const std::vector<std::string> yardsticks = measured_beside(*kernel.predicate, kernel.entry, run.kernel);
   std::vector<std::string> run_here = yardsticks;
   if (run_here.empty())
     run_here = {default_kernel(*kernel.predicate, kernel.entry).id};  // in place of the one that is absent

@@ -1,4 +1,4 @@
-#include "cli/options/predicate_options.h"
+#include "plans/predicate_options.h"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,11 @@
-#include "cli/first_look.h"
+#include "plans/first_look.h"
 
 #include <fmt/format.h>
-
-#include <cstdio>
 
 #include "fuzz/confirm/record.h"
 #include "fuzz/diagnosis/first_look.h"
 #include "kernel/plugin/load.h"
+#include "plans/notices.h"
 
 namespace axiscert {
 
@@ -17,11 +16,10 @@ void print_first_look(const std::vector<const Kernel*>& kernels) {
 void print_first_look(const Kernel& kernel) {
   if (!plugin::is_given_by_file(kernel.id)) return;
   if (!kernel.has(Precision::binary32) && !kernel.has(Precision::binary64)) {
-    fmt::print(stderr, "axiscert: kernel {}: it could not be loaded{}\n", kernel.id, why_not_loaded(kernel));
+    notice("kernel {}: it could not be loaded{}", kernel.id, why_not_loaded(kernel));
     return;
   }
-  if (const std::string found = first_look(kernel); !found.empty())
-    fmt::print(stderr, "axiscert: kernel {}: {}\n", kernel.id, found);
+  if (const std::string found = first_look(kernel); !found.empty()) notice("kernel {}: {}", kernel.id, found);
 }
 
 }  // namespace axiscert

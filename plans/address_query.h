@@ -1,8 +1,6 @@
 // Generates the query of an address.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <string>
 
 #include "fuzz/queries/source.h"
@@ -14,7 +12,6 @@ namespace axiscert {
 struct AddressFiles {
   std::string mesh, queries, corpus;
 };
-void add_address_files(CLI::App& command, AddressFiles& files);
 
 // The queries of files (- for standard input) and of addresses, one after the other; `csv_precision` as in
 // query_file.h.

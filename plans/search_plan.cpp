@@ -1,12 +1,12 @@
-#include "cli/options/search_plan.h"
+#include "plans/search_plan.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "cli/first_look.h"
-#include "cli/options/run_options.h"
-#include "cli/options/predicate_options.h"
+#include "plans/first_look.h"
+#include "plans/run_plan.h"
+#include "plans/predicate_options.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/queries/family.h"

@@ -1,11 +1,11 @@
-#include "cli/options/address_query.h"
+#include "plans/address_query.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/options/predicate_options.h"
+#include "plans/predicate_options.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/files/file_parts.h"
 #include "fuzz/queries/family.h"
@@ -135,13 +135,6 @@ QueryRange query_range(const std::string& text, const AddressFiles& files) {
   SourcePtr source = same_source_of(first, files);
   require_in(*source, last);
   return {first, last.index - first.index + 1, std::move(source)};
-}
-
-void add_address_files(CLI::App& command, AddressFiles& files) {
-  command.add_option("--mesh", files.mesh, "the mesh in which the address is");
-  command.add_option("--queries", files.queries, "the query file in which the address is");
-  command.add_option("--corpus", files.corpus,
-                     "the corpus in which the address is (default: the one supplied with axiscert)");
 }
 
 std::vector<StoredQuery> queries_given(const std::vector<std::string>& given, const std::string& csv_precision,

@@ -1,0 +1,273 @@
+"""The instruments: what the commands of the same names measure, find and compare."""
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+
+from . import _core
+from ._errors import Error, Interrupted
+from ._judge import Names, Path, Progress, Record, names, of_family, run_watched
+from ._kernels import Kernel, as_kernel
+from ._queries import Queries, load_all_queries, show_notices
+
+_BIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bin")
+
+
+class Report:
+    """The figures of an instrument: `json` as docs/data.md says, `str(report)` as the command prints them.
+
+    `complete` is false where it was interrupted. `witnesses` are queries that it found, as lines of a query file.
+    """
+
+    def __init__(self, given: Tuple[str, str, str, str, Any], complete: bool = True, witnesses: str = "") -> None:
+        self.name, text, self.text, self._page, _ = given
+        self.bytes = text.encode()
+        self.json: Dict[str, Any] = json.loads(text)
+        self.complete, self.witnesses = complete, witnesses
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __repr__(self) -> str:
+        return f"<{self.name}: {', '.join(self.json)}>"
+
+    def _repr_html_(self) -> str:
+        import html
+
+        return f"<pre>{html.escape(self.text)}</pre>"
+
+    def to_pandas(self, member: str) -> Any:
+        """A DataFrame of one member of `json` that is a list of objects."""
+        import pandas
+
+        rows = self.json.get(member)
+        if not isinstance(rows, list):
+            lists = [name for name, value in self.json.items() if isinstance(value, list)]
+            raise Error(f"there is no list '{member}' in these figures; there are: {', '.join(lists) or 'none'}")
+        return pandas.json_normalize(rows)
+
+    def witness_queries(self) -> List[Queries]:
+        """The queries of the witnesses, of each predicate, entry and precision by themselves."""
+        if not self.witnesses:
+            return []
+        with tempfile.TemporaryDirectory(prefix="axiscert-") as folder:
+            path = os.path.join(folder, "witnesses.jsonl")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(self.witnesses)
+            return load_all_queries(path)
+
+    def save(self, folder: Path) -> None:
+        """Writes NAME.json, NAME.html and, where there are any, witnesses.jsonl."""
+        os.makedirs(folder, exist_ok=True)
+        for name, text in ((f"{self.name}.json", self.bytes.decode()), (f"{self.name}.html", self._page),
+                           ("witnesses.jsonl", self.witnesses)):
+            if text:
+                with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                    file.write(text)
+
+
+def _raise(raised: Any) -> None:
+    if raised is not None:
+        raise raised
+
+
+def _figures(command: str, kernel: Any, options: Dict[str, Any], progress: Progress) -> Report:
+    kernels = [kernel] if isinstance(kernel, (str, Kernel)) or callable(kernel) else list(kernel)
+    predicate, entry = of_family(options["families"], "", "")
+    asked = [as_kernel(one, predicate, entry) for one in kernels]
+    options["kernels"] = [one.id for one in asked]
+    given = run_watched(asked, lambda show: getattr(_core, command)(options, show), progress, command)
+    _raise(given[4])
+    return Report(given)
+
+
+def ladder(kernel: Any = (), *, family: Names = (), trials: Optional[int] = None, seed: int = 1, precision: str = "binary32",
+           queries: Names = (), mesh: Names = (), sweep: str = "", speed: bool = True, factorial: bool = False, threads: int = 0,
+           progress: Progress = None) -> Report:
+    """What each step of the derivation costs: errors, range, time; as `axiscert ladder`.
+
+    >>> figures = ladder(["ladder-0", "published"], family="tangent", trials=64, speed=False)
+    >>> figures.name
+    'ladder'
+    """
+    return _figures("ladder", kernel, dict(
+        families=names(family), trials=trials, seed=seed, precision=precision, queries=names(queries), meshes=names(mesh),
+        sweep=sweep, no_speed=not speed, factorial=factorial, threads=threads), progress)
+
+
+def precision(kernel: Any = (), *, format: Union[str, Sequence[str]] = (), bits: Union[int, Sequence[int]] = (),
+              family: Names = (), trials: Optional[int] = None, seed: int = 1, precision: str = "binary32", queries: Names = (),
+              mesh: Names = (), sweep: str = "", rounding: str = "nearest", rounding_seeds: Optional[int] = None, fused: str = "none",
+              round_inputs: bool = False, threads: int = 0, progress: Progress = None) -> Report:
+    """Formulae in formats by name ("bfloat16", "bits=10,emax=31") or of any number of bits; as `axiscert precision`."""
+    return _figures("precision", kernel, dict(
+        families=names(family), trials=trials, seed=seed, precision=precision, queries=names(queries), meshes=names(mesh),
+        sweep=sweep, numbers=names(format), bits=[bits] if isinstance(bits, int) else list(bits), rounding=rounding,
+        rounding_seeds=rounding_seeds, contraction=fused, round_inputs=round_inputs, threads=threads), progress)
+
+
+def condition(kernel: Any = (), *, family: Names = (), trials: Optional[int] = None, seed: int = 1, precision: str = "binary32",
+              queries: Names = (), mesh: Names = (), sweep: str = "", flips: int = 256, sample: int = 64, threads: int = 0,
+              progress: Progress = None) -> Report:
+    """Flips of the query's condition apart from those of the formula; as `axiscert condition`."""
+    return _figures("condition", kernel, dict(
+        families=names(family), trials=trials, seed=seed, precision=precision, queries=names(queries), meshes=names(mesh),
+        sweep=sweep, flips=flips, sample=sample, threads=threads), progress)
+
+
+def _one(kernel: Any, predicate: str, entry: str = "") -> Kernel:
+    return as_kernel(kernel, predicate, entry)
+
+
+def diagnose(kernel: Any, *, precision: str = "", seed: int = 1, predicate: str = "", entry: str = "", progress: Progress = None,
+             out: Optional[Path] = None) -> Report:
+    """What a kernel is like, by its verdicts: open or closed, one-sided, thresholds, order; as `axiscert diagnose`.
+
+    A kernel is as in `judge`; `predicate` and `entry` are those of a function.
+    """
+    asked = _one(kernel, predicate, entry)
+    options = dict(kernel=asked.id, precision=precision, seed=seed)
+    given, complete, witnesses = run_watched([asked], lambda show: _core.diagnose(options, show), progress, "diagnose")
+    report = Report(given, complete, witnesses)
+    if out is not None:
+        report.save(out)
+    _raise(given[4])
+    return report
+
+
+def search(kernel: Any, *, precision: str = "binary32", comparison: Names = (), family: Names = (),
+           evaluations: Optional[int] = None, seconds: Optional[float] = None, seed: int = 1, target: str = "auto", threads: int = 0,
+           out: Optional[Path] = None, resume: bool = False, predicate: str = "", entry: str = "",
+           progress: Progress = None) -> Report:
+    """The worst cases of a kernel; as `axiscert search`.
+
+    `out` keeps the state, with which `resume` goes on, after Ctrl-C too: `Interrupted` is raised when the state is written.
+    """
+    asked = _one(kernel, predicate, entry)
+    options = dict(kernel=asked.id, precision=precision, comparisons=names(comparison), families=names(family),
+                   evaluations=evaluations, seconds=seconds, seed=seed, target=target, threads=threads,
+                   out="" if out is None else os.fspath(out), resume=resume)
+    given, complete, witnesses = run_watched([asked], lambda show: _core.search(options, show), progress, "search")
+    report = Report(given, complete, witnesses)
+    if out is not None:
+        report.save(out)
+    if given[4] is not None:
+        raise Interrupted("what was found, and the state of the search, are kept" if out is not None else
+                          "a search without out= keeps no state to go on from") from given[4]
+    return report
+
+
+class Shrunk:
+    """A query that was made smaller: `query`, the one that it was, `before`, and `json`, what it keeps."""
+
+    def __init__(self, line: str) -> None:
+        self.json: Dict[str, Any] = json.loads(line)
+        self.line = line
+        self._parts: Optional[List[Queries]] = None
+
+    @property
+    def query(self) -> Queries:
+        with tempfile.TemporaryDirectory(prefix="axiscert-") as folder:
+            path = os.path.join(folder, "shrunk.jsonl")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(self.line + "\n")
+            parts = load_all_queries(path)
+        return parts[0]
+
+    def __repr__(self) -> str:
+        kept = self.json["keeps"] if "keeps" in self.json else self.json.get("kept", {})
+        return f"<{self.json.get('id', '')}: {kept.get('name', '')}, {self.json.get('steps', '')} steps>"
+
+
+def shrink(query: Any, kernel: Any = (), *, what: str = "", evaluations: int = 1000000, any_class: bool = False,
+           precision: str = "binary32", target: str = "auto", progress: Progress = None) -> List[Shrunk]:
+    """Smaller queries on which a kernel has the same fault, no less severe; as `axiscert shrink`.
+
+    `query` is Queries, an address, a file, or a list of addresses and files. Queries that show nothing to keep are left out, with a
+    `Notice`; where it is the only one, `Error` says why.
+    """
+    with tempfile.TemporaryDirectory(prefix="axiscert-") as folder:
+        predicate, entry = "", ""
+        if isinstance(query, Queries):
+            predicate, entry = query.predicate, query.entry
+            given = [os.path.join(folder, "queries.jsonl")]
+            query.save(given[0])
+        else:
+            given = names(query)
+            for address in given:
+                if address.count(":") == 5:
+                    predicate, entry = of_family([address.split(":")[1]], "", "")
+        kernels = [kernel] if isinstance(kernel, (str, Kernel)) or callable(kernel) else list(kernel)
+        asked = [as_kernel(one, predicate, entry) for one in kernels]
+        options = dict(queries=given, kernels=[one.id for one in asked], what=what, evaluations=evaluations, any_class=any_class,
+                       precision=precision, target=target)
+        lines, nothing, raised = run_watched(asked, lambda show: _core.shrink(options, show), progress, "shrink")
+    _raise(raised)
+    import warnings
+
+    from ._errors import Notice
+
+    for line in nothing:
+        warnings.warn(line, Notice, stacklevel=2)
+    return [Shrunk(line) for line in lines]
+
+
+class Comparison(Report):
+    """Two runs compared: `passes` where nothing is new or worse; `markdown` for a pull request."""
+
+    def __init__(self, given: Any, passes: bool, markdown: str) -> None:
+        super().__init__(given)
+        self.passes, self.markdown = passes, markdown
+
+
+def compare(before: Union[Record, Path], after: Union[Record, Path], *, allow_not_compared: Names = (), replay: bool = True,
+            progress: Progress = None) -> Comparison:
+    """Compares two runs, records or folders: what is new, worse, better, fixed; as `axiscert compare`."""
+    with tempfile.TemporaryDirectory(prefix="axiscert-") as folder:
+        paths = []
+        for name, run in (("before", before), ("after", after)):
+            if isinstance(run, Record):
+                paths.append(os.path.join(folder, name))
+                run.save(paths[-1])
+            else:
+                paths.append(os.fspath(run))
+        given, passes, markdown = run_watched(
+            [], lambda show: _core.compare(paths[0], paths[1], names(allow_not_compared), replay, show), progress, "compare")
+    _raise(given[4])
+    return Comparison(given, passes, markdown)
+
+
+def certify(kernel: Any, out: Path, *, effort: str = "quick", seed: int = 1, mesh: Names = (), seconds: Optional[float] = None,
+            key: Optional[Path] = None, threads: int = 0, resume: bool = False) -> Dict[str, Any]:
+    """A certificate of a kernel, in the folder `out`; as `axiscert certify`, which does it in a process of its own.
+
+    A certificate is of files: a kernel is an id, a plug-in or a program, or a function that is `supervised`. Ctrl-C ends it, and
+    `resume` goes on. Returns certificate.json.
+    """
+    asked = _one(kernel, "")
+    if asked._core is not None:
+        raise Error(f"certify: a certificate is of files, and {asked.id} is a function of this process; "
+                    "axiscert.kernel(f, supervised=True) has it in one of its own")
+    words = [os.path.join(_BIN, "axiscert"), "certify", asked.id, "--out", os.fspath(out), "--effort", effort, "--seed", str(seed)]
+    for one in names(mesh):
+        words += ["--mesh", one]
+    for option, value in (("--time", seconds), ("--key", key), ("--threads", threads or None)):
+        if value is not None:
+            words += [option, os.fspath(value) if isinstance(value, os.PathLike) else str(value)]
+    if resume:
+        words.append("--resume")
+    try:
+        ended = subprocess.run(words, capture_output=True, text=True)
+    except FileNotFoundError:
+        raise Error(f"certify: the command is not beside the package: {words[0]}; the Debian package axiscert has it") from None
+    path = os.path.join(out, "certificate.json")
+    if ended.returncode > 1 or not os.path.exists(path):
+        lines = [line.removeprefix("axiscert: ") for line in ended.stderr.strip().split("\n")]
+        raise Error("certify: " + "; ".join(lines))
+    with open(path, encoding="utf-8") as file:
+        certificate: Dict[str, Any] = json.load(file)
+    return certificate

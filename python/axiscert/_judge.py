@@ -1,0 +1,271 @@
+"""Kernels judged on queries, as `axiscert run` judges them, and the record of it."""
+from __future__ import annotations
+
+import html
+import json
+import os
+import sys
+import tempfile
+from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+
+from . import _core
+from ._errors import Error, Interrupted
+from ._kernels import Kernel, as_kernel
+from ._queries import Queries, query_at, show_notices
+
+Names = Union[str, Iterable[str]]
+Path = Union[str, "os.PathLike[str]"]
+Progress = Union[None, bool, Callable[[int, int, int, float, str], Any]]
+
+
+def names(given: Any) -> List[str]:
+    """A name, or several, as a list."""
+    if given is None or given == "":
+        return []
+    return [os.fspath(given)] if isinstance(given, (str, os.PathLike)) else [os.fspath(one) for one in given]
+
+
+class _Bar:
+    """A progress bar of tqdm."""
+
+    def __init__(self, what: str) -> None:
+        from tqdm.auto import tqdm
+
+        self._bar = tqdm(desc=what, unit=" queries", unit_scale=True, leave=False)
+
+    def __call__(self, units_done: int, units: int, queries: int, seconds: float, stage: str) -> None:
+        if queries > self._bar.n:
+            self._bar.update(queries - self._bar.n)
+        self._bar.set_postfix_str(stage or (f"{units_done} of {units} units" if units else ""), refresh=False)
+
+    def close(self) -> None:
+        self._bar.close()
+
+
+def shower(progress: Progress, what: str) -> Any:
+    """What is called with the progress: a bar of tqdm where that is there, and somebody to see it."""
+    if callable(progress):
+        return progress
+    if progress is None:
+        progress = sys.stderr is not None and sys.stderr.isatty()
+    if not progress:
+        return None
+    try:
+        return _Bar(what)
+    except ImportError:
+        return None
+
+
+class Outcome:
+    """What came of a level of `require` for a kernel in a precision: `state` is "met", "not met" or "NOT CHECKED"."""
+
+    def __init__(self, text: str) -> None:
+        self.json: Dict[str, Any] = json.loads(text)
+        self.kernel: str = self.json["kernel"]
+        self.precision: Optional[str] = self.json["precision"]
+        self.state: str = self.json["state"]
+        self.text: str = self.json["text"]
+
+    @property
+    def passes(self) -> bool:
+        return self.state == "met" or bool(self.json["allowed"])
+
+    def __repr__(self) -> str:
+        return f"<{self.text}>"
+
+
+class Record:
+    """The record of a run. `json` has it as docs/data.md says, `bytes` as record.json has it: the same as the command's for the
+    same plan. `complete` is false of one that was interrupted."""
+
+    def __init__(self, judged: Any, kernels: Sequence[Kernel]) -> None:
+        self._judged, self._kernels = judged, list(kernels)
+        self.bytes: bytes = judged.record()
+        self.json: Dict[str, Any] = json.loads(self.bytes)
+        self.complete: bool = judged.complete
+        self.outcomes = [Outcome(text) for text in judged.outcomes()]
+        self._folder: Optional["tempfile.TemporaryDirectory[str]"] = None
+
+    @property
+    def met(self) -> bool:
+        """Whether every level of `require` is met, or was allowed to stay unchecked. Raises `Error` where none was required."""
+        if not self.outcomes:
+            raise Error('no level was required; judge(..., require="logic") requires one')
+        return all(outcome.passes for outcome in self.outcomes)
+
+    @property
+    def run(self) -> Dict[str, Any]:
+        """What run.json has: when and on what it ran, and how long."""
+        run: Dict[str, Any] = json.loads(self._judged.run())
+        return run
+
+    @property
+    def witnesses(self) -> List[Dict[str, Any]]:
+        """Queries that show a wrong answer or an extreme, as the record has them: `address`, `kind`, `kernel` and so on."""
+        return list(self.json["witnesses"])
+
+    def witness_queries(self) -> List[Queries]:
+        """The queries of the witnesses that have an address of a family, each by itself."""
+        plan = self.json["plan"]
+        families = {source["name"] for source in plan["sources"] if source.get("kind") == "family"} if "sources" in plan else None
+        made = []
+        for witness in self.witnesses:
+            address = witness.get("address") or ""
+            if address and (families is None or address.split(":")[1] in families):
+                made.append(query_at(address))
+        return made
+
+    def rows(self) -> List[Dict[str, Any]]:
+        """A row for each kernel, precision and family, with every count under its path: "verdict.false_contact"."""
+        rows = []
+        for kernel in self.json["kernels"]:
+            for family, counts in kernel["families"].items():
+                row: Dict[str, Any] = {"kernel": kernel["kernel"] if "kernel" in kernel else kernel["id"],
+                                       "precision": kernel["precision"], "family": family}
+                _flatten(counts, "", row)
+                rows.append(row)
+        return rows
+
+    def to_pandas(self) -> Any:
+        """A DataFrame of `rows`."""
+        import pandas
+
+        return pandas.DataFrame(self.rows())
+
+    def save(self, folder: Path) -> None:
+        """Writes the run's folder: record.json, run.json, and the reports, as `axiscert run --out` does."""
+        self._judged.save(os.fspath(folder))
+
+    def report(self, folder: Optional[Path] = None) -> str:
+        """Writes the reports and returns the path of report.html; without a folder, into one that goes with the record."""
+        if folder is None:
+            if self._folder is None:
+                self._folder = tempfile.TemporaryDirectory(prefix="axiscert-")
+            folder = self._folder.name
+        self.save(folder)
+        return os.path.join(os.fspath(folder), "report.html")
+
+    def summary(self) -> List[Dict[str, Any]]:
+        """Of each kernel and precision the sums over its families: `trials`, `missed` and `phantom` contacts, and `deepest`."""
+        sums: Dict[Tuple[str, str], Dict[str, Any]] = {}
+        for row in self.rows():
+            one = sums.setdefault((row["kernel"], row["precision"]), {
+                "kernel": row["kernel"], "precision": row["precision"], "trials": 0, "missed": 0, "phantom": 0})
+            one["trials"] += row["trials"]
+            one["missed"] += row["verdict.false_separation"]
+            one["phantom"] += row["verdict.false_contact"]
+        return list(sums.values())
+
+    def __repr__(self) -> str:
+        lines = [f"{one['kernel']} {one['precision']}: {one['trials']:,} queries, {one['missed']:,} missed and "
+                 f"{one['phantom']:,} phantom contacts" for one in self.summary()]
+        lines += [outcome.text for outcome in self.outcomes]
+        lines += [f"{finding['kernel']}: {finding['kind']}: {finding['detail']}" for finding in self.json["findings"]]
+        return "\n".join(lines or ["no kernel could be judged"]) + ("" if self.complete else "\ninterrupted")
+
+    def _repr_html_(self) -> str:
+        head = ("kernel", "precision", "queries", "missed contacts", "phantom contacts")
+        rows = [[one["kernel"], one["precision"], *(f"{one[key]:,}" for key in ("trials", "missed", "phantom"))]
+                for one in self.summary()]
+        cells = "".join("<tr>" + "".join(f"<td>{html.escape(str(cell))}</td>" for cell in row) + "</tr>" for row in rows)
+        said = [outcome.text for outcome in self.outcomes] + [
+            f"{finding['kernel']}: {finding['kind']}: {finding['detail']}" for finding in self.json["findings"]]
+        return ("<table><tr>" + "".join(f"<th>{name}</th>" for name in head) + f"</tr>{cells}</table>" +
+                "".join(f"<p>{html.escape(line)}</p>" for line in said) + ("" if self.complete else "<p>interrupted</p>"))
+
+
+def _flatten(value: Any, path: str, into: Dict[str, Any]) -> None:
+    if isinstance(value, dict):
+        for name, inner in value.items():
+            _flatten(inner, f"{path}.{name}" if path else name, into)
+    elif not isinstance(value, list):
+        into[path] = value
+
+
+def of_family(family: List[str], predicate: str, entry: str) -> Tuple[str, str]:
+    """The predicate and entry of functions that are judged on families."""
+    for name in family:
+        for known in _core.families(""):
+            if known["name"] == name:
+                return predicate or known["predicate"], entry or known["entry"]
+    return predicate, entry
+
+
+def run_watched(kernels: Sequence[Kernel], work: Callable[[Any], Any], progress: Progress, what: str) -> Any:
+    """Calls work(progress), and raises what a kernel's function has raised."""
+    show = shower(progress, what)
+    try:
+        return work(show)
+    except BaseException as error:
+        for kernel in kernels:
+            kernel.raise_kept(error)
+        raise
+    finally:
+        if isinstance(show, _Bar):
+            show.close()
+        show_notices()
+
+
+def judge(kernel: Any, *, family: Names = (), trials: Optional[int] = None, seed: int = 1, precision: str = "",
+          require: Names = (), allow_unchecked: Names = (), unit: str = "", predicate: str = "", entry: str = "",
+          queries: Any = (), mesh: Any = (), corpus: Union[None, bool, str] = None, preset: str = "", tolerance: Names = (),
+          seconds: Optional[float] = None, target: str = "auto", threads: int = 0, exact_only: bool = False, source: Names = (),
+          plugin_seconds: Optional[float] = None, progress: Progress = None, out: Optional[Path] = None) -> Record:
+    """Judges a kernel, or several, on the same queries, beside exact arithmetic.
+
+    A kernel is an id, as `axiscert run --kernel` takes it ("published", "plugin:./mine.so"), a function, or what
+    `axiscert.kernel` makes of one. All other arguments are the options of `axiscert run` of the same names. `queries` are files, or
+    Queries. Without a family, mesh or file all families of the predicate are asked. `progress` is True for a bar (default: where
+    standard error is a terminal), or a function of (units done, units, queries, seconds, stage). `out` is a folder for the reports.
+
+    Returns a `Record`. Raises `Error` for what cannot be judged, `KernelRaised` where a function raises, and after Ctrl-C
+    `Interrupted`, which has the record of what was done; a second Ctrl-C gives that up.
+
+    >>> record = judge("certified", family="tangent", trials=1000, require="exact")
+    >>> record.met
+    True
+    """
+    families, files = names(family), [queries] if isinstance(queries, Queries) else queries
+    given = [kernel] if isinstance(kernel, (str, Kernel)) or callable(kernel) else list(kernel)
+    own = [one for one in ([files] if isinstance(files, (str, os.PathLike)) else list(files))]
+    for one in own:
+        if isinstance(one, Queries):
+            predicate, entry = predicate or one.predicate, entry or one.entry
+    predicate_of, entry_of_ = of_family(families, predicate, entry)
+    kernels = [as_kernel(one, predicate_of, entry_of_) for one in given]
+    ids = [one.id for one in kernels]
+    if len(set(ids)) != len(ids):
+        raise Error(f"two kernels have the name '{next(id for id in ids if ids.count(id) > 1)}'; axiscert.kernel(f, name=...) gives "
+                    "another")
+    if plugin_seconds is not None:
+        _core.set_plugin_seconds(float(plugin_seconds))
+    with tempfile.TemporaryDirectory(prefix="axiscert-") as folder:
+        paths = []
+        for number, one in enumerate(own):
+            if isinstance(one, Queries):
+                path = os.path.join(folder, "queries.jsonl" if number == 0 else f"queries-{number + 1}.jsonl")
+                one.save(path)
+                paths.append(path)
+            else:
+                paths.append(os.fspath(one))
+        options = dict(
+            kernels=ids, predicate=predicate, families=families, meshes=names(mesh), queries=paths,
+            corpus=None if corpus is None or corpus is False else default_corpus() if corpus is True else corpus, trials=trials,
+            seed=seed, seconds=seconds, precision=precision, preset=preset, tolerances=names(tolerance), require=names(require),
+            allow_unchecked=names(allow_unchecked), unit=unit, sources=names(source), target=target, exact_only=exact_only,
+            threads=threads)
+        judged, raised = run_watched(kernels, lambda show: _core.judge(options, show), progress, "judging")
+    record = Record(judged, kernels)
+    if out is not None:
+        record.save(out)
+    if raised is not None:
+        if not isinstance(raised, KeyboardInterrupt):
+            raise raised
+        interrupted = Interrupted("the record has the units of queries that were done")
+        interrupted.record = record
+        raise interrupted from raised
+    return record
+
+
+def default_corpus() -> str:
+    return str(_core.default_corpus_folder())

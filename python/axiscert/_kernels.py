@@ -1,0 +1,187 @@
+"""Functions as kernels: in this process, or in a supervised one of its own."""
+from __future__ import annotations
+
+import inspect
+import json
+import os
+import re
+import sys
+import tempfile
+import weakref
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+
+from . import _core
+from ._errors import Error, KernelRaised
+from ._queries import Queries, describe, entry_of
+
+_SERVE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "serve.py")
+
+
+class Kernel:
+    """A function that is judged, as `kernel` makes it. It stands wherever a kernel's id does.
+
+    `id` is its name in records; `seconds` and `calls` say how long the function itself has taken, of all threads together,
+    and how often it was called (in this process alone).
+    """
+
+    def __init__(self, id: str, core: Any = None, folder: Any = None) -> None:
+        self.id, self._core, self._folder = id, core, folder
+        if core is not None:  # what the library keeps of a kernel outlives this; the function does not have to
+            weakref.finalize(self, core.release)
+
+    @property
+    def seconds(self) -> float:
+        return float(self._core.seconds) if self._core is not None else float("nan")
+
+    @property
+    def calls(self) -> int:
+        return int(self._core.calls) if self._core is not None else 0
+
+    def raise_kept(self, cause: Optional[BaseException] = None) -> None:
+        """Raises what the function has raised, if it has."""
+        raised = self._core.take_raised() if self._core is not None else None
+        if raised is None:
+            return
+        original, numbers, message = raised
+        if original is not None and not isinstance(original, Exception):
+            raise original  # KeyboardInterrupt, SystemExit
+        error = KernelRaised(message)
+        error.queries = Queries(self._predicate[0], numbers, self._predicate[1])
+        raise error from original
+
+    _predicate: Tuple[str, str] = ("", "")
+
+    def __repr__(self) -> str:
+        return f"<kernel {self.id}>"
+
+
+def _measure_count(described: Dict[str, Any], measures: Union[int, str, Sequence[str]]) -> int:
+    if isinstance(measures, int):
+        return measures
+    names: List[str] = [measure["name"] for measure in described["measures"]]
+    if measures == "all":
+        return len(names)
+    count = 0
+    for asked in [measures] if isinstance(measures, str) else measures:
+        if asked in names:
+            count = max(count, names.index(asked) + 1)
+        elif f"{asked}_x" in names:
+            count = max(count, names.index(f"{asked}_x") + 3)
+        else:
+            raise Error(f"there is no measure '{asked}' in {described['id']}; there are: {', '.join(names) or 'none'}")
+    return count
+
+
+def _where(function: Callable[..., Any]) -> str:
+    """"file:name", by which another process finds the function."""
+    code = inspect.unwrap(function)
+    name, module = getattr(code, "__qualname__", ""), sys.modules.get(getattr(code, "__module__", ""))
+    file = getattr(module, "__file__", None)
+    if not re.fullmatch(r"[A-Za-z_][\w.]*", name) or file is None or not os.path.exists(file):
+        raise Error(f"supervised: another process has to find the function '{name or function!r}' by its name in a file; put it at "
+                    "the top of a module")
+    return f"{os.path.abspath(file)}:{name}"
+
+
+def kernel(function: Optional[Callable[..., Any]] = None, *, name: str = "", predicate: str = "", entry: str = "",
+           precisions: Sequence[str] = ("binary32", "binary64"), layout: str = "groups",
+           tensors: Optional[Callable[[Any], Any]] = None, formulae: str = "", conforms_to: str = "",
+           measures: Union[int, str, Sequence[str]] = 0, touching: str = "contact", sides: str = "both", margin: float = 0.0,
+           may_decline: bool = False, on_error: str = "raise", supervised: bool = False) -> Any:
+    """A function as a kernel; a decorator too.
+
+    The function is asked about a batch of queries at a time, and must answer each by its own numbers alone.
+
+    It takes, with layout "groups", an argument for each group of columns of the entry (`describe`), shape (n, size), or (n,)
+    where the group has one column: of sphere-triangle a, b, c, p, each (n, 3), and r, (n,). With layout "columns" it takes one
+    array, shape (columns, n). They are float32 or float64, as `precisions` says, read-only, and its own to keep. `tensors`, such
+    as `torch.from_dlpack`, is applied to each array first; those can be written.
+
+    It returns an array of shape (n,), or what has `__array__` or `__dlpack__`, on the CPU: bool, True for contact; or uint8,
+    0 contact, 1 separated, 2 undecided (with `may_decline`), 3 invalid; or, with `formulae` or `conforms_to` a built-in kernel,
+    comparison bits, uint32 or uint64. With `measures`, "all" or names of the predicate's, it returns a dictionary: "verdict", and
+    each measure by its name, shape (n,), or a vector, as "normal", shape (n, 3).
+
+    `touching` ("contact", "separated", "either"), `sides`, `margin` and `may_decline` say what it promises, as for a plug-in
+    (docs/plugins.md). What the function raises is raised as `KernelRaised`; with `on_error` "record" it is a finding, and the
+    query that it raises for has no answer. `supervised`: it runs in a process of its own, which finds it by its name in its file;
+    a crash, a hang and answers that change are findings of the record.
+
+    >>> import numpy as np
+    >>> @kernel(name="centre-only")
+    ... def centre_only(a, b, c, p, r):
+    ...     return np.linalg.norm(a - p, axis=1) <= r
+    >>> centre_only
+    <kernel centre-only>
+    """
+    if function is None:
+        options = dict(locals())
+        del options["function"]
+        return lambda given: kernel(given, **options)
+    if not callable(function):
+        raise Error(f"a kernel is a function, or an id as a text, not {type(function).__name__}")
+    if layout not in ("groups", "columns"):
+        raise Error(f"layout='{layout}': there are: groups, columns")
+    if on_error not in ("raise", "record"):
+        raise Error(f"on_error='{on_error}': there are: raise, record")
+    if touching not in ("contact", "separated", "either"):
+        raise Error(f"touching='{touching}': there are: contact, separated, either")
+    if sides not in ("both", "front"):
+        raise Error(f"sides='{sides}': there are: both, front")
+    of, described = entry_of(predicate, entry), describe(predicate)
+    id = name or re.sub(r"[^A-Za-z0-9._-]+", "-", getattr(function, "__name__", type(function).__name__)).strip("-") or "function"
+    has_bits, count = bool(formulae or conforms_to), _measure_count(described, measures)
+    if supervised:
+        if tensors is not None:
+            raise Error("supervised: the function converts arrays itself; tensors= is for this process")
+        return _program(function, id, of, list(precisions), layout, dict(
+            conforms_to=conforms_to, formulae=formulae, touching=touching, sides=sides, may_decline=may_decline, measures=count),
+            margin, described["is_of_motions"])
+    core = _core.Callable(function, tensors, layout, on_error == "record", dict(
+        id=id, predicate=of["predicate"], entry=of["name"], precisions=list(precisions), bits=has_bits, measures=count,
+        touching=touching, sides=sides, margin=float(margin), may_decline=may_decline, conforms_to=conforms_to, formulae=formulae))
+    made = Kernel(id, core)
+    made._predicate = of["predicate"], of["name"]
+    return made
+
+
+def _program(function: Callable[..., Any], id: str, of: Dict[str, Any], precisions: List[str], layout: str,
+             claims: Dict[str, Any], margin: float, is_of_motions: bool) -> Kernel:
+    folder = tempfile.TemporaryDirectory(prefix="axiscert-")
+    where = _where(function)
+    manifest: Dict[str, Any] = {
+        "format": "axiscert-program/2", "name": id, "summary": "a function of Python",
+        "command": [sys.executable, _SERVE, where, json.dumps(of["groups"] if layout == "groups" else None),
+                    json.dumps([measure["name"] for measure in describe(of["predicate"])["measures"]][:claims["measures"]]),
+                    json.dumps(bool(claims["conforms_to"] or claims["formulae"])), json.dumps(sys.path)],
+        "precisions": precisions, "predicate": of["predicate"], "entry": of["name"], "touching": claims["touching"],
+        "files": [where.rsplit(":", 1)[0]],
+    }
+    for member in ("conforms_to", "formulae"):
+        if claims[member]:
+            manifest[member], manifest["exposes"] = claims[member], "comparisons"
+    if claims["measures"]:
+        manifest["measures"] = claims["measures"]
+    if claims["may_decline"]:
+        manifest["may_decline"] = True
+    if margin:
+        manifest["limits"] = {"margin": margin}
+    if claims["sides"] != "both":
+        if is_of_motions:
+            manifest["motion"] = {"sides": claims["sides"]}
+        else:
+            manifest["sides"] = claims["sides"]
+    path = os.path.join(folder.name, f"{id}.json")
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump(manifest, file, indent=1)
+    return Kernel(f"program:{path}", None, folder)
+
+
+def as_kernel(given: Any, predicate: str, entry: str) -> Kernel:
+    """A kernel of an id, a function or a Kernel."""
+    if isinstance(given, Kernel):
+        return given
+    if isinstance(given, str):
+        return Kernel(given)
+    made: Kernel = kernel(given, predicate=predicate, entry=entry)
+    return made

@@ -1,0 +1,174 @@
+// Plans that are judged, as `axiscert run` does it; functions among their kernels.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <mutex>
+
+#include "fuzz/diagnosis/first_look.h"
+#include "fuzz/fields/json_form.h"
+#include "fuzz/files/query_file.h"
+#include "kernel/base/error.h"
+#include "kernel/registry/given.h"
+#include "python/binding/callables.h"
+#include "python/binding/common.h"
+#include "python/binding/options.h"
+#include "python/binding/work.h"
+#include "reports/formats/format.h"
+#include "plans/first_look.h"
+#include "plans/judged_plan.h"
+#include "plans/notices.h"
+#include "plans/run_plan.h"
+
+namespace axiscert::python {
+namespace {
+
+// A run that was judged.
+struct Judged {
+  RunFiles files;
+
+  std::vector<LevelOutcome> outcomes() const { return outcomes_of(files.record); }
+};
+
+RunOptions run_options(const py::dict& given) {
+  Options taken(given);
+  RunOptions o;
+  taken.take("predicate", o.predicate);
+  taken.take("kernels", o.kernels);
+  taken.take("families", o.families);
+  taken.take("meshes", o.meshes);
+  taken.take("queries", o.queries);
+  taken.take("corpus", o.corpus);
+  taken.take("trials", o.trials);
+  taken.take("seed", o.seed);
+  taken.take("seconds", o.seconds);
+  taken.take("precision", o.precision);
+  taken.take("preset", o.preset);
+  taken.take("tolerances", o.tolerances);
+  taken.take("require", o.required.levels);
+  taken.take("allow_unchecked", o.required.allow_unchecked);
+  taken.take("unit", o.required.unit);
+  taken.take("sources", o.sources);
+  taken.take("target", o.target);
+  taken.take("exact_only", o.exact_only);
+  taken.take("threads", o.threads);
+  taken.require_all_taken();
+  return o;
+}
+
+// The record of the plan, and what a signal raised, after which it is of the units that were done.
+py::tuple judge(const py::dict& given, const py::object& progress) {
+  const RunOptions asked = run_options(given);
+  std::optional<Judged> judged;
+  Callable::is_abandoned() = false;
+  const auto raised = do_watched(progress, [&](Watch& watch) {
+    const RunOptions options = with_preset(asked);
+    const Plan plan = plan_of(options);
+    source_places(plan.answerers.kernels, options.sources);
+    print_first_look(plan.answerers.kernels);
+    for (const Kernel* kernel : plan.answerers.kernels) {
+      if (given_kernel(kernel->id) != kernel) continue;
+      if (const std::string found = first_look(*kernel); !found.empty()) notice("kernel {}: {}", kernel->id, found);
+    }
+    const auto started = std::chrono::system_clock::now();
+    const CampaignResult result = judge_plan(plan, watch.interrupted(), watch.show(), nullptr);
+    judged = Judged{run_files(plan, result, options, options.target, started,
+                              [&](std::string_view stage) { watch.begin_stage(stage); })};
+  });
+  return py::make_tuple(std::move(*judged), raised ? raised->value() : py::none());
+}
+
+std::string text_of(const Json& json) { return json.dump(1) + "\n"; }
+
+py::list texts_of(const std::vector<LevelOutcome>& outcomes) {
+  py::list texts;
+  for (const LevelOutcome& outcome : outcomes) texts.append(py::str(json_of(outcome).dump()));
+  return texts;
+}
+
+std::mutex notices_mutex;
+std::vector<std::string> notices;
+
+}  // namespace
+
+void bind_judge(py::module_& m) {
+  py::class_<Judged>(m, "Judged")
+      .def_property_readonly("complete", [](const Judged& run) { return run.files.record.complete; })
+      .def("record", [](const Judged& run) { return py::bytes(text_of(json_of(run.files.record))); })
+      .def("run",
+           [](const Judged& run) {
+             const auto outcomes = run.outcomes();
+             return py::bytes(
+                 text_of(json_of(RunFile{run.files.info, outcomes.empty() ? std::nullopt : std::optional(outcomes)})));
+           })
+      .def("outcomes", [](const Judged& run) { return texts_of(run.outcomes()); })
+      .def("passes", [](const Judged& run) { return pass(run.outcomes()); })
+      .def(
+          "save",
+          [](const Judged& run, const std::string& folder) {
+            const OutputFolder to(folder);
+            write_run(to, run.files);
+            render_reports(folder);
+          },
+          py::call_guard<py::gil_scoped_release>());
+  m.def("judge", &judge);
+  m.def("resolve_families", [](const py::dict& given) {
+    std::vector<std::string> names;
+    for (const SourcePtr& source : plan_of(with_preset(run_options(given))).questions.sources)
+      names.push_back(source->name());
+    return names;
+  });
+  m.def("take_notices", [] {
+    const std::lock_guard lock(notices_mutex);
+    return std::exchange(notices, {});
+  });
+  const auto keep = [](const std::string& line) {
+    const std::lock_guard lock(notices_mutex);
+    notices.push_back(line);
+  };
+  set_notices(keep);
+}
+
+void bind_callables(py::module_& m) {
+  py::register_exception<CallableFailed>(m, "CallableFailed");
+  py::class_<Callable, std::shared_ptr<Callable>>(m, "Callable")
+      .def(py::init([](py::object function, py::object convert, const std::string& layout, bool records_errors,
+                       const py::dict& given) {
+        Options taken(given);
+        std::string predicate, entry;
+        std::vector<std::string> precisions;
+        KernelClaims claims;
+        ShownAnswers shown{};
+        taken.take("predicate", predicate);
+        taken.take("entry", entry);
+        taken.take("precisions", precisions);
+        taken.take("bits", shown.has_bits);
+        taken.take("measures", shown.measure_count);
+        taken.take("id", claims.id);
+        taken.take("touching", claims.touching);
+        taken.take("sides", claims.sides);
+        taken.take("margin", claims.margin);
+        taken.take("may_decline", claims.may_decline);
+        taken.take("conforms_to", claims.claim.conforms_to);
+        taken.take("formulae", claims.claim.formulae);
+        taken.require_all_taken();
+        const EntryOf of = entry_named(predicate, entry);
+        shown.predicate = of.predicate;
+        shown.entry = of.entry;
+        for (const std::string& precision : precisions) shown.precisions.push_back(parse_precision(precision));
+        if (shown.measure_count > of.predicate->measures.size()) {
+          throw Error(fmt::format("measures={}: the predicate {} has {}", shown.measure_count, of.predicate->id,
+                                  of.predicate->measures.size()));
+        }
+        auto made = std::make_shared<Callable>(std::move(function), std::move(convert),
+                                               layout == "columns" ? Layout::columns : Layout::groups, records_errors,
+                                               shown, claims.id);
+        give_kernel(kernel_of(made, claims));
+        return made;
+      }))
+      .def_property_readonly("seconds", &Callable::seconds)
+      .def_property_readonly("calls", &Callable::calls)
+      .def("take_raised", &Callable::take_raised)
+      .def("release", &Callable::release);
+}
+
+}  // namespace axiscert::python

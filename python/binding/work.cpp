@@ -1,0 +1,119 @@
+#include "python/binding/work.h"
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+#include "plans/run_plan.h"
+#include "python/binding/callables.h"
+
+namespace axiscert::python {
+namespace {
+
+constexpr auto look_every = std::chrono::milliseconds(50);
+constexpr std::size_t block_size = 1024;  // queries
+
+}  // namespace
+
+void Watch::begin_stage(std::string_view name) {
+  const std::lock_guard lock(mutex_);
+  stage_ = name;
+  is_new_ = true;
+}
+
+void Watch::take(const Progress& progress) {
+  const std::lock_guard lock(mutex_);
+  last_ = progress;
+  if (!progress.stage.empty()) stage_ = progress.stage;
+  is_new_ = true;
+}
+
+class WatchedThread {
+ public:
+  WatchedThread(const std::function<void(Watch&)>& work, Watch& watch) : watch_(watch) {
+    thread_ = std::thread([this, &work] {
+      try {
+        work(watch_);
+      } catch (...) {
+        thrown_ = std::current_exception();
+      }
+      {
+        const std::lock_guard lock(watch_.mutex_);
+        watch_.is_done_ = true;
+      }
+      watch_.changed_.notify_all();
+    });
+  }
+
+  std::optional<py::error_already_set> wait(const py::object& progress) {
+    std::optional<py::error_already_set> raised;
+    while (!watch_.is_done_) {
+      std::optional<Progress> news;
+      std::string stage;
+      {
+        const py::gil_scoped_release unlocked;
+        std::unique_lock lock(watch_.mutex_);
+        watch_.changed_.wait_for(lock, look_every, [&] { return watch_.is_done_.load(); });
+        if (watch_.is_new_) news = watch_.last_.value_or(Progress{0, 0, 0, 0});
+        stage = watch_.stage_;
+        watch_.is_new_ = false;
+      }
+      try {
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+        if (news && !progress.is_none() && !raised)
+          progress(news->units_done, news->units, news->queries, news->seconds, stage);
+      } catch (py::error_already_set& error) {
+        if (raised) Callable::is_abandoned() = true;
+        else raised.emplace(error);
+        watch_.interrupted_ = true;
+      }
+    }
+    {
+      const py::gil_scoped_release unlocked;
+      thread_.join();
+    }
+    if (thrown_ && raised && Callable::is_abandoned()) throw py::error_already_set(*raised);
+    if (thrown_) std::rethrow_exception(thrown_);
+    return raised;
+  }
+
+ private:
+  Watch& watch_;
+  std::exception_ptr thrown_;
+  std::thread thread_;
+};
+
+std::optional<py::error_already_set> do_watched(const py::object& progress, const std::function<void(Watch&)>& work) {
+  Watch watch;
+  WatchedThread thread(work, watch);
+  return thread.wait(progress);
+}
+
+void for_each_block(std::size_t size, int threads,
+                    const std::function<void(std::size_t first, std::size_t size)>& part) {
+  const std::size_t blocks = (size + block_size - 1) / block_size;
+  const std::size_t workers = std::min<std::size_t>(static_cast<std::size_t>(threads_of(threads)), blocks);
+  const auto raised = do_watched(py::none(), [&](Watch& watch) {
+    std::atomic<std::size_t> next = 0;
+    std::mutex mutex;
+    std::exception_ptr thrown;
+    const auto do_blocks = [&] {
+      try {
+        for (std::size_t b = next++; b < blocks && !watch.interrupted(); b = next++)
+          part(b * block_size, std::min(block_size, size - b * block_size));
+      } catch (...) {
+        next = blocks;
+        const std::lock_guard lock(mutex);
+        if (!thrown) thrown = std::current_exception();
+      }
+    };
+    std::vector<std::thread> others;
+    for (std::size_t w = 1; w < workers; ++w) others.emplace_back(do_blocks);
+    do_blocks();
+    for (std::thread& other : others) other.join();
+    if (thrown) std::rethrow_exception(thrown);
+  });
+  if (raised) throw py::error_already_set(*raised);
+}
+
+}  // namespace axiscert::python

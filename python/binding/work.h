@@ -1,0 +1,49 @@
+// Work that takes long, done without the interpreter's lock, with progress and interrupts as Python has them.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "fuzz/campaign/progress.h"
+#include "python/binding/common.h"
+
+namespace axiscert::python {
+
+// Where the work is under way, and how it is told to stop.
+class Watch {
+ public:
+  const std::atomic<bool>& interrupted() const { return interrupted_; }
+  ShowProgress show() {
+    return [this](const Progress& progress) { take(progress); };
+  }
+  void begin_stage(std::string_view name);
+  void take(const Progress& progress);
+
+ private:
+  friend class WatchedThread;
+  std::atomic<bool> interrupted_ = false, is_done_ = false;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::optional<Progress> last_;
+  std::string stage_;
+  bool is_new_ = false;
+};
+
+// Does `work` in a thread of its own. Meanwhile this one, which holds the lock on entry and on return, calls `progress`
+// (units done, units, queries, seconds, stage) unless it is None, and looks for signals. After one that raises, as
+// KeyboardInterrupt, the work is told to stop and ends as it does then; what was raised is returned. After a second one
+// functions that are asked fail. Rethrows what the work threw.
+std::optional<py::error_already_set> do_watched(const py::object& progress, const std::function<void(Watch&)>& work);
+
+// Calls part(first, size) for each block of `size` queries on so many threads (0: all cores), without the lock; stops
+// early and raises where a signal does.
+void for_each_block(std::size_t size, int threads,
+                    const std::function<void(std::size_t first, std::size_t size)>& part);
+
+}  // namespace axiscert::python

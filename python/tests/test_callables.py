@@ -1,0 +1,313 @@
+"""What a function can do wrong: each is an error that says it, or a finding, and the next run is as ever."""
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import axiscert as ax
+from conftest import nearest_point_test
+
+ONE = dict(family="tangent", trials=3000, precision="binary32")
+
+
+def contact(n):
+    return np.ones(n, bool)
+
+
+@pytest.mark.parametrize("answer, said", [
+    (lambda r: contact(len(r))[:, None], r"verdicts have shape \(251, 1\), of 251 queries; give shape \(251,\)"),
+    (lambda r: contact(len(r) - 1), r"verdicts have shape \(250,\)"),
+    (lambda r: True, r"verdicts have shape \(\)"),
+    (lambda r: None, r"verdicts have shape \(\)"),
+    (lambda r: np.ones(len(r)), "verdicts are float64; give bool, where True is contact, or uint8"),
+    (lambda r: np.full(len(r), np.nan), "verdicts are float64"),
+    (lambda r: np.ones(len(r), int), "verdicts are int64"),
+    (lambda r: np.ones(len(r), np.uint32), "comparison bits take formulae="),
+    (lambda r: np.array(["x"] * len(r)), "verdicts are <U1"),
+    (lambda r: {"contact": contact(len(r))}, 'has no "verdict"'),
+    (lambda r: {"verdict": contact(len(r)), "time": r}, 'has "time"; it may have: verdict$'),
+])
+def test_what_is_no_answer(answer, said):
+    kernel = ax.kernel(lambda a, b, c, p, r: answer(r), name="odd")
+    with pytest.raises(ax.KernelRaised, match=said) as raised:
+        ax.judge(kernel, **ONE)
+    assert len(raised.value.queries) in (251, 1024)
+
+
+def test_answers_of_any_stride_and_library():
+    def strided(a, b, c, p, r):
+        twice = np.zeros((len(r), 3), bool)
+        twice[:, 1] = nearest_point_test(a, b, c, p, r)
+        return twice[:, 1]
+
+    class Tensor:  # what has __dlpack__ alone
+        def __init__(self, array):
+            self.array = array
+        def __dlpack__(self, *given, **named):
+            return self.array.__dlpack__()
+        def __dlpack_device__(self):
+            return self.array.__dlpack_device__()
+
+    expected = ax.judge(ax.kernel(nearest_point_test, name="one"), **ONE).bytes
+    for function in (strided, lambda *q: list(nearest_point_test(*q)), lambda *q: Tensor((~nearest_point_test(*q)).astype(np.uint8)),
+                     lambda *q: np.asfortranarray(nearest_point_test(*q))):
+        assert ax.judge(ax.kernel(function, name="one"), **ONE).bytes == expected
+
+
+def test_tensors_of_torch():
+    torch = pytest.importorskip("torch")
+
+    def in_torch(a, b, c, p, r):
+        assert isinstance(a, torch.Tensor) and a.shape == (len(r), 3)
+        centre = (a + b + c) / 3
+        return ((p - centre).norm(dim=1) <= r)
+
+    def in_numpy(a, b, c, p, r):
+        centre = (a + b + c) / a.dtype.type(3)
+        with np.errstate(all="ignore"):
+            return np.sqrt(((p - centre) ** 2).sum(axis=1)) <= r
+
+    in_tensors = ax.judge(ax.kernel(in_torch, name="one", tensors=torch.from_dlpack), **ONE).summary()
+    in_arrays = ax.judge(ax.kernel(in_numpy, name="one"), **ONE).summary()
+    assert abs(in_tensors[0]["missed"] - in_arrays[0]["missed"]) < 30  # the order of additions is torch's own
+
+
+def test_the_arrays_are_read_only_and_may_be_kept():
+    kept = []
+
+    def keeps(a, b, c, p, r):
+        kept.append((a, a.copy()))
+        return contact(len(r))
+
+    ax.judge(ax.kernel(keeps, name="keeps"), **ONE)
+    assert kept and all(np.array_equal(a, copy) for a, copy in kept)
+
+    def writes(a, b, c, p, r):
+        a[0, 0] = 1
+        return contact(len(r))
+
+    with pytest.raises(ax.KernelRaised, match="ValueError: assignment destination is read-only") as raised:
+        ax.judge(ax.kernel(writes, name="writes"), **ONE)
+    assert isinstance(raised.value.__cause__, ValueError) and raised.value.__cause__.__traceback__ is not None
+
+
+def test_an_exception_is_raised_or_recorded():
+    def fails(a, b, c, p, r):
+        if (r > 1).any():
+            raise ZeroDivisionError("by zero")
+        return contact(len(r))
+
+    with pytest.raises(ax.KernelRaised, match="kernel fails: it raised ZeroDivisionError: by zero"):
+        ax.judge(fails, family="general", trials=500, precision="binary32")
+    record = ax.judge(ax.kernel(fails, on_error="record"), family="general", trials=500, precision="binary32", require="conservative")
+    found = [finding for finding in record.json["findings"] if finding["kind"] == "crash"]
+    assert found and "it raised ZeroDivisionError: by zero" in found[0]["detail"] and not record.met
+    q = ax.generate("general", 500)
+    counts = record.json["kernels"][0]["families"]["general"]["verdict"]
+    assert counts["unanswered"] == int((q.r > 1).sum())
+
+
+def test_answers_that_change_are_findings():
+    calls = []
+
+    def changes(a, b, c, p, r):
+        calls.append(1)
+        return np.full(len(r), len(calls) % 2 == 0)
+
+    def by_place(a, b, c, p, r):
+        return np.arange(len(r)) % 2 == 0
+
+    def by_size(a, b, c, p, r):
+        return np.full(len(r), len(r) > 600)
+
+    for function, kind in ((changes, "nondeterministic"), (by_place, "order_dependent"), (by_size, "batch_dependent")):
+        findings = ax.judge(function, **ONE).json["findings"]
+        assert kind in [finding["kind"] for finding in findings], function
+
+
+def test_no_verdict_is_a_finding():
+    with pytest.warns(ax.Notice, match="it answers none of 251 queries"):
+        record = ax.judge(ax.kernel(lambda a, b, c, p, r: np.full(len(r), 7, np.uint8), name="seven"), **ONE)
+    assert [(one["kind"], one["detail"]) for one in record.json["findings"]] == [("inconsistent", "verdict 7, which is no verdict")]
+    with pytest.warns(ax.Notice, match="it answers none of 251 queries"):
+        record = ax.judge(ax.kernel(lambda a, b, c, p, r: np.full(len(r), 1 << 20, np.uint32), name="bits", formulae="published"), **ONE)
+    assert "its comparison bit 20 is 1; there are comparisons 0 to 15" in record.json["findings"][0]["detail"]
+
+
+def test_exchanged_verdicts_are_said_first():
+    with pytest.warns(ax.Notice, match="kernel exchanged: its verdicts are exchanged"):
+        ax.judge(ax.kernel(lambda *q: ~nearest_point_test(*q), name="exchanged"), family="general", trials=3000, precision="binary32")
+
+
+def test_measures_are_judged():
+    def measured(a, b, c, p, r):
+        q = ax.Queries.of("sphere-triangle", a=a, b=b, c=c, p=p, r=r)
+        t = ax.truth(q, threads=1)
+        separation = np.sqrt(t.squared_distance) - r
+        return {"verdict": t.verdict, "separation": separation}
+
+    kernel = ax.kernel(measured, measures="separation", precisions=["binary64"])
+    record = ax.judge(kernel, family="general", trials=300)
+    told = record.json["kernels"][0]["families"]["general"]["contacts"]
+    assert told["answers"] > 0, told
+    with pytest.raises(ax.Error, match="there is no measure 'colour'.*there are: separation"):
+        ax.kernel(measured, measures="colour")
+    with pytest.raises(ax.KernelRaised, match="with measures= it returns a dictionary"):
+        ax.judge(ax.kernel(lambda a, b, c, p, r: contact(len(r)), name="none", measures="all"), **ONE)
+
+
+def test_threads_inside_a_function():
+    def threaded(a, b, c, p, r):
+        out = np.zeros(len(r), bool)
+        half = len(r) // 2
+        parts = [threading.Thread(target=lambda s=s: out.__setitem__(s, nearest_point_test(a[s], b[s], c[s], p[s], r[s])))
+                 for s in (slice(0, half), slice(half, None))]
+        for part in parts:
+            part.start()
+        for part in parts:
+            part.join()
+        return out
+
+    assert ax.judge(ax.kernel(threaded, name="one"), **ONE).bytes == ax.judge(ax.kernel(nearest_point_test, name="one"), **ONE).bytes
+
+
+def test_a_function_that_judges():
+    def nested(a, b, c, p, r):
+        ax.judge("certified", family="tangent", trials=10, threads=1)
+        return contact(len(r))
+
+    assert ax.judge(ax.kernel(nested), family="tangent", trials=300, precision="binary32").summary()[0]["trials"] == 300
+
+
+def run_script(text, tmp_path, **named):
+    script = tmp_path / "script.py"
+    script.write_text(textwrap.dedent(text))
+    environment = dict(os.environ, PYTHONPATH=os.pathsep.join(sys.path))
+    return subprocess.Popen([sys.executable, str(script)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment, **named)
+
+
+def test_a_function_that_forks_and_returns_twice(tmp_path):
+    process = run_script("""
+        import os, numpy as np, axiscert as ax
+        def forks(a, b, c, p, r):
+            if not forked:
+                forked.append(1)
+                os.fork()
+            return np.ones(len(r), bool)
+        forked = []
+        print(ax.judge(forks, family="tangent", trials=500, precision="binary32").summary()[0]["trials"])
+        """, tmp_path)
+    out, err = process.communicate(timeout=60)
+    assert out.strip() == "500" and "returned in a process that it forked" in err
+
+
+def test_a_forked_process_judges(tmp_path):
+    process = run_script("""
+        import multiprocessing, axiscert as ax
+        def judged(seed):
+            return len(ax.judge("published", family="tangent", trials=500, seed=seed, threads=1).bytes)
+        judged(1)
+        with multiprocessing.get_context("fork").Pool(2) as pool:
+            print(pool.map(judged, [1, 1]) == [judged(1)] * 2)
+        """, tmp_path)
+    out, err = process.communicate(timeout=120)
+    assert out.strip() == "True", err
+
+
+def test_an_interrupt_keeps_what_was_done(tmp_path):
+    process = run_script("""
+        import axiscert as ax
+        try:
+            ax.judge("published", family="general", trials=10**11, precision="binary32", progress=lambda units, *more: units and print(units, flush=True))
+        except ax.Interrupted as ended:
+            print("kept", ended.record.complete, ended.record.summary()[0]["trials"] > 0)
+        print("next", ax.judge("published", family="tangent", trials=100).complete)
+        """, tmp_path)
+    process.stdout.readline()
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    assert "kept False True\nnext True\n" in out, out + err
+
+
+def test_a_second_interrupt_ends_a_slow_function(tmp_path):
+    process = run_script("""
+        import time, numpy as np, axiscert as ax
+        def slow(a, b, c, p, r):
+            print("asked", flush=True)
+            time.sleep(0.2)
+            return np.ones(len(r), bool)
+        try:
+            ax.judge(slow, family="general", trials=10**6, precision="binary32")
+        except KeyboardInterrupt:
+            print("ended")
+        """, tmp_path)
+    process.stdout.readline()
+    began = time.monotonic()
+    for _ in range(2):
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    assert "ended" in out and time.monotonic() - began < 20, out + err
+
+
+def test_a_supervised_function(tmp_path):
+    (tmp_path / "mine.py").write_text(textwrap.dedent("""
+        import os, time
+        import numpy as np
+        def right(a, b, c, p, r):
+            print("this is no reply")
+            return np.linalg.norm(p - a, axis=1) <= r
+        def crashes(a, b, c, p, r):
+            if (r > 1).any():
+                os.kill(os.getpid(), 11)
+            return np.ones(len(r), bool)
+        def hangs(a, b, c, p, r):
+            while (r > 1).any():
+                pass
+            return np.ones(len(r), bool)
+        def raises(a, b, c, p, r):
+            raise ValueError("no such thing")
+        """))
+    sys.path.insert(0, str(tmp_path))
+    try:
+        import mine
+    finally:
+        sys.path.pop(0)
+    options = dict(family="general", trials=300, precision="binary32")
+    apart = ax.judge(ax.kernel(mine.right, supervised=True), **options)
+    here = ax.judge(ax.kernel(mine.right, name="right"), **options)
+    assert apart.summary()[0]["missed"] == here.summary()[0]["missed"] > 0
+    kinds = lambda record: {finding["kind"] for finding in record.json["findings"]}
+    with pytest.warns(ax.Notice):
+        assert kinds(ax.judge(ax.kernel(mine.crashes, supervised=True), **options)) == {"crash"}
+        assert kinds(ax.judge(ax.kernel(mine.hangs, supervised=True), plugin_seconds=0.5, **options)) == {"hang"}
+        record = ax.judge(ax.kernel(mine.raises, supervised=True), **options)
+    assert kinds(record) == {"crash"} and "ValueError: no such thing" in record.json["findings"][0]["detail"]
+    with pytest.raises(ax.Error, match="find the function .*lambda.* by its name in a file"):
+        ax.kernel(lambda r: r, supervised=True)
+
+
+@pytest.mark.parametrize("named, said", [
+    (dict(layout="rows"), "layout='rows': there are: groups, columns"),
+    (dict(on_error="ignore"), "on_error='ignore'"),
+    (dict(touching="maybe"), "touching='maybe'"),
+    (dict(name="a b"), "an id is 1 to 100 letters"),
+    (dict(name="published"), "that is a built-in kernel"),
+    (dict(predicate="sphere"), "sphere-triangle"),
+    (dict(predicate="box-box", entry="none"), "quaternion"),
+    (dict(precisions=["half"]), "binary32"),
+    (dict(formulae="closest-point"), "it has no comparisons"),
+    (dict(conforms_to="eigen"), "conforms-to"),
+    (dict(predicate="box-box", sides="front"), "no triangle with a front"),
+    (dict(margin=0.1, touching="separated"), "--margin 0.1"),
+    (dict(measures=99), "the predicate sphere-triangle has"),
+])
+def test_claims_that_cannot_be(named, said):
+    with pytest.raises((ax.Error), match=said):
+        ax.kernel(nearest_point_test, **named)

@@ -1,0 +1,143 @@
+"""Kernels judged: the record is the command's, byte for byte."""
+import json
+import os
+import re
+
+import numpy as np
+import pytest
+
+import axiscert as ax
+from conftest import BIN, nearest_point_test
+
+
+def judged_by_command(command, tmp_path, *words, code=0):
+    command("run", *words, "--out", tmp_path / "command", "--quiet", code=code)
+    return (tmp_path / "command" / "record.json").read_bytes()
+
+
+@pytest.mark.quick
+@pytest.mark.parametrize("kernels, family", [
+    (["published", "certified"], ["tangent", "sliver"]),
+    (["moving-sphere/static-ends"], None),
+    ([], ["box-box/general"]),
+])
+def test_the_record_is_that_of_the_command(kernels, family, command, tmp_path):
+    if family is None:
+        family = [next(one["name"] for one in ax.families("moving-sphere"))]
+        kernels = [ax.kernels("moving-sphere")[0]["id"]]
+    if not kernels:
+        kernels = [ax.kernels("box-box")[0]["id"]]
+    words = [word for kernel in kernels for word in ("--kernel", kernel)] + [word for name in family for word in ("--family", name)]
+    expected = judged_by_command(command, tmp_path, *words, "--trials", 300, "--seed", 4)
+    record = ax.judge(kernels, family=family, trials=300, seed=4)
+    assert record.bytes == expected
+    assert ax.judge(kernels, family=family, trials=300, seed=4, threads=3).bytes == expected
+
+
+def test_levels_meshes_and_files_are_those_of_the_command(command, tmp_path):
+    q = ax.generate("tangent", 50)
+    q.save(tmp_path / "queries.jsonl")
+    mesh = "/usr/share/assimp/models/OBJ/spider.obj"
+    expected = judged_by_command(command, tmp_path, "--kernel", "published", "--queries", tmp_path / "queries.jsonl", "--mesh", mesh,
+                                 "--trials", 200, "--require", "exact", "--require", "depth=1mm", "--unit", "m", "--precision",
+                                 "binary32", code=1)
+    options = dict(mesh=mesh, trials=200, require=["exact", "depth=1mm"], unit="m", precision="binary32")
+    record = ax.judge("published", queries=tmp_path / "queries.jsonl", **options)
+    assert record.bytes == expected and not record.met
+    assert [outcome.state for outcome in record.outcomes][0] == "not met"
+    assert ax.judge("published", queries=q, **options).bytes == expected  # of arrays, by the same name
+
+
+def test_a_run_that_is_saved_is_the_folder_of_the_command(command, tmp_path):
+    ax.judge("published", family="tangent", trials=300, require="conservative", allow_unchecked=[], out=tmp_path / "python")
+    judged_by_command(command, tmp_path, "--kernel", "published", "--family", "tangent", "--trials", 300, "--require", "conservative", code=1)
+    names = lambda folder: sorted(os.listdir(tmp_path / folder))
+    assert names("python") == names("command")
+    for name in ("record.json", "record.csv", "witnesses.jsonl"):
+        assert (tmp_path / "python" / name).read_bytes() == (tmp_path / "command" / name).read_bytes(), name
+
+
+def test_what_the_record_shows(tmp_path):
+    record = ax.judge("published", family=["tangent", "sliver"], trials=500, precision="binary32")
+    frame = record.to_pandas()
+    assert list(frame["family"]) == ["tangent", "sliver"] and frame["trials"].sum() == 1000
+    assert "<table>" in record._repr_html_() and "published binary32: 1,000 queries" in repr(record)
+    assert record.witnesses and all(len(q) == 1 for q in record.witness_queries())
+    assert os.path.getsize(record.report()) > 10000 and record.run["threads"] >= 1
+    with pytest.raises(ax.Error, match="no level was required"):
+        record.met
+
+
+def test_a_function_is_judged_as_a_plug_in_of_the_same_answers(tmp_path, command):
+    """The kernel of examples/pipe/published.py, in NumPy: as a program of the command and as a function here."""
+    import importlib.util
+    root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
+    spec = importlib.util.spec_from_file_location("published", os.path.join(root, "examples/pipe/published.py"))
+    published = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(published)
+
+    def function(numbers):
+        with np.errstate(all="ignore"):
+            comparisons = published.separated(dict(zip(published.COLUMNS, numbers)))[1]
+        return sum((holds.astype(np.uint64) << np.uint64(i) for i, holds in enumerate(comparisons)), np.uint64(0))
+
+    kernel = ax.kernel(function, name="published-python", layout="columns", conforms_to="published")
+    options = dict(family=["tangent", "far"], trials=700)
+    ours = ax.judge(kernel, **options)
+    words = ["--kernel", f"program:{root}/examples/pipe/published.json", "--family", "tangent", "--family", "far", "--trials", 700]
+    theirs = json.loads(judged_by_command(command, tmp_path, *words))
+    for one in ours.json["kernels"]:
+        other = next(two for two in theirs["kernels"] if two["precision"] == one["precision"])
+        for family, counts in one["families"].items():
+            assert counts["verdict"] == other["families"][family]["verdict"]
+            assert counts.get("comparisons") == other["families"][family].get("comparisons")
+    assert kernel.calls > 0 and 0 < kernel.seconds < 60
+
+
+@pytest.mark.parametrize("family", sorted({one["predicate"]: one["name"] for one in ax.families()}.values()))
+def test_a_function_of_any_predicate(family):
+    """The truth itself as a kernel, of each predicate: never wrong, where an answer is given as its groups say."""
+    described = next(one for one in ax.families() if one["name"] == family)
+    groups = [name for name, _, _ in next(
+        entry for entry in ax.describe(described["predicate"])["entries"] if entry["name"] == described["entry"])["groups"]]
+
+    def right(*arrays):
+        q = ax.Queries.of(described["predicate"], described["entry"],
+                          "binary32" if arrays[0].dtype == np.float32 else "binary64", dict(zip(groups, arrays)))
+        return ax.truth(q, threads=1).verdict
+
+    kernel = ax.kernel(right, name="right", predicate=described["predicate"], entry=described["entry"])
+    record = ax.judge(kernel, family=family, trials=100, require="conservative")
+    assert record.met, record
+    assert sum(one["phantom"] for one in record.summary()) == 0
+
+
+@pytest.mark.quick
+def test_a_numpy_kernel_is_found_wrong():
+    record = ax.judge(nearest_point_test, family="sliver", trials=2000, precision="binary32")
+    assert record.summary()[0]["missed"] + record.summary()[0]["phantom"] > 0
+    assert record.summary()[0]["kernel"] == "nearest_point_test"
+
+
+def test_progress_is_told():
+    told = []
+    ax.judge("published", family="tangent", trials=200000, precision="binary32", progress=lambda *news: told.append(news))
+    assert told and all(len(news) == 5 for news in told) and told[-1][2] <= 200000
+
+
+def test_words_of_the_command():
+    with pytest.raises(ax.Error, match="unknown kernel 'publshed'; did you mean 'published'"):
+        ax.judge("publshed")
+    with pytest.raises(ax.Error, match="unknown requirement 'exactt'; did you mean 'exact'"):
+        ax.judge("published", family="tangent", trials=10, require="exactt")
+    with pytest.raises(ax.Error, match="of the predicate"):
+        ax.judge("published", family="box-box/general", trials=10)
+    with pytest.raises(TypeError):
+        ax.judge("published", familly="tangent")
+    with pytest.raises(ax.Error, match="trials='many': not of the type"):
+        ax.judge("published", trials="many")
+    with pytest.raises(ax.Error, match="two kernels have the name"):
+        ax.judge([nearest_point_test, nearest_point_test], family="tangent", trials=10)
+    with pytest.warns(ax.Notice, match="no kernel of this run takes the 3 queries in binary64"):
+        ax.judge(ax.kernel(nearest_point_test, precisions=["binary32"]), queries=[ax.generate("tangent", 3, precision="binary64"),
+                                                                                  ax.generate("tangent", 3)])

@@ -1,0 +1,120 @@
+"""Queries as arrays: what generates, selects and reads them, and what is refused."""
+import json
+import warnings
+
+import numpy as np
+import pytest
+
+import axiscert as ax
+
+
+@pytest.mark.parametrize("family", sorted({one["predicate"]: one["name"] for one in ax.families()}.values()))
+@pytest.mark.parametrize("precision", ["binary32", "binary64"])
+def test_the_queries_are_those_of_the_command(family, precision, command):
+    """Of a family of every predicate: the numbers, bit for bit, and the addresses."""
+    lines = command("generate", "--family", family, "--trials", 40, "--precision", precision, "--seed", 3).splitlines()
+    q = ax.generate(family, 40, seed=3, precision=precision)
+    assert [json.loads(line)["id"] for line in lines] == q.addresses
+    assert q.lines().splitlines() == lines
+
+
+@pytest.mark.quick
+def test_a_part_of_a_family_is_where_the_whole_has_it():
+    whole, part = ax.generate("sliver", 3000), ax.generate("sliver", 1000, first=1500, threads=3)
+    assert np.array_equal(whole.numbers[:, 1500:2500], part.numbers)
+    assert whole[1500:2500].addresses == part.addresses
+
+
+def test_every_predicate_has_its_groups():
+    for predicate in ax.predicates():
+        for entry in ax.describe(predicate)["entries"]:
+            numbers = np.arange(len(entry["columns"]) * 5, dtype=np.float64).reshape(-1, 5)
+            q = ax.Queries(predicate, numbers, entry["name"])
+            again = ax.Queries.of(predicate, entry["name"], "binary64", {name: q[name] for name in q.groups})
+            assert np.array_equal(q.numbers, again.numbers)
+            for name, first, size in entry["groups"]:
+                assert np.shares_memory(getattr(q, name.replace(".", "_")), q.numbers)
+
+
+def test_files_come_back(tmp_path):
+    q = ax.generate("scene-walk", 20, precision="binary64")
+    q.save(tmp_path / "mine.jsonl")
+    again = ax.load_queries(tmp_path / "mine.jsonl")
+    assert np.array_equal(q.numbers, again.numbers) and again.ids == q.addresses
+    both = (tmp_path / "mine.jsonl").read_text() + ax.generate("box-box/general", 3).lines()
+    (tmp_path / "both.jsonl").write_text(both)
+    assert [len(part) for part in ax.load_all_queries(tmp_path / "both.jsonl")] == [20, 3]
+    with pytest.raises(ax.Error, match="it has 20 queries of sphere-triangle.*3 queries of box-box"):
+        ax.load_queries(tmp_path / "both.jsonl")
+
+
+def test_an_address_makes_its_query_again():
+    q = ax.generate("tangent", 50, seed=9)
+    assert np.array_equal(ax.query_at(q.addresses[10:20]).numbers, q[10:20].numbers)
+    with pytest.raises(ax.Error, match="from version 99"):
+        ax.query_at("1:tangent:99:binary32:0:7")
+
+
+@pytest.mark.parametrize("given, said", [
+    (dict(a=[[0, 0]]), "'a' has shape"),
+    (dict(z=[1]), "there is no column or group 'z'.*there are: a, b, c, p, r"),
+    (dict(a=[[0, 0, 0]]), "no numbers are given for bx, by"),
+    (dict(a=[[0, 0, 0]], ax=[1]), "the column ax is given twice"),
+    (dict(a=[[0, 0, 0]], r=[1, 2]), "'r' is of 2 queries, and others are of 1"),
+])
+def test_arrays_that_are_no_queries(given, said):
+    with pytest.raises(ax.Error, match=said):
+        ax.Queries.of("sphere-triangle", **given)
+
+
+@pytest.mark.parametrize("numbers, said", [
+    (np.zeros((13, 2), np.int32), "int32; give float32"),
+    (np.zeros((13, 2), np.float16), "float16; give float32"),
+    (np.zeros((2, 13), np.float32), r"shape \(13, n\)"),
+    (np.zeros(13, np.float32), r"have shape \(13,\)"),
+])
+def test_numbers_of_another_shape_or_type(numbers, said):
+    with pytest.raises(ax.Error, match=said):
+        ax.Queries("sphere-triangle", numbers)
+
+
+@pytest.mark.quick
+def test_arrays_in_any_order_of_memory_are_the_same_queries():
+    q = ax.generate("general", 100)
+    expected = ax.truth(q).verdict
+    rows = np.ascontiguousarray(q.numbers.T)  # (n, columns)
+    swapped = q.numbers.astype(q.numbers.dtype.newbyteorder())
+    padded = np.zeros((13, 200), np.float32)
+    padded[:, ::2] = q.numbers
+    shifted = np.frombuffer(b"x" + q.numbers.tobytes(), np.uint8)[1:].view(np.float32).reshape(13, 100)
+    for numbers in (rows.T, swapped, padded[:, ::2], shifted, q.numbers[::-1].copy()[::-1]):
+        assert np.array_equal(ax.truth(ax.Queries("sphere-triangle", numbers)).verdict, expected)
+
+
+def test_words_that_are_not_known():
+    with pytest.raises(ax.Error, match="did you mean 'tangent'"):
+        ax.generate("tangnet", 5)
+    with pytest.raises(ax.Error, match="sphere-triangle"):
+        ax.families("sphere")
+    with pytest.raises(ax.Error, match="binary32"):
+        ax.generate("tangent", 5, precision="half")
+    with pytest.raises(ax.Error, match="neither is negative"):
+        ax.generate("tangent", -1)
+
+
+def test_a_file_of_queries_that_is_none(tmp_path):
+    (tmp_path / "bad.jsonl").write_text('{"a": 1}\n')
+    with pytest.raises(ax.Error, match="bad.jsonl"):
+        ax.load_queries(tmp_path / "bad.jsonl")
+    with pytest.raises(ax.Error, match="none.jsonl"):
+        ax.load_queries(tmp_path / "none.jsonl")
+
+
+def test_no_queries_are_queries():
+    q = ax.generate("general", 0)
+    assert len(q) == 0 and q.addresses == [] and ax.truth(q).verdict.shape == (0,) and ax.truth(q).facts == []
+
+
+def test_a_table_of_queries():
+    frame = ax.generate("tangent", 3).to_pandas()
+    assert list(frame.columns)[:2] == ["address", "ax"] and len(frame) == 3
