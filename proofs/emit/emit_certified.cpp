@@ -240,7 +240,7 @@ std::string coq_definition(const RecordedStep& step, Sort sort, std::string_view
 // A tree of questions about values at these places.
 std::string coq_tree(const AskedTree& tree, const std::vector<std::size_t>& place) {
   if (!tree.asked) return fmt::format("Answer {}", tree.answer);
-  constexpr const char* signs[] = {"Positive", "Negative", "Zero"};
+  constexpr const char* signs[] = {"Is_positive", "Is_negative", "Is_zero"};
   std::string asked;
   if (tree.asked->kind == Asked::known) asked = fmt::format("Knows {} {}", tree.asked->of, tree.asked->axis);
   else if (tree.asked->kind == Asked::separates) asked = fmt::format("Separates {}", tree.asked->of);

@@ -16,7 +16,7 @@ Section Verdict.
     match group with O => known_fails k i | S O => known_radius k i | _ => known_sides k i end.
   Definition says (x : asked) : bool :=
     match x with
-    | Positive i => 0 <? nth i values 0 | Negative i => nth i values 0 <? 0 | Zero i => nth i values 0 =? 0
+    | Is_positive i => 0 <? nth i values 0 | Is_negative i => nth i values 0 <? 0 | Is_zero i => nth i values 0 =? 0
     | Knows group axis => knows group axis
     | Separates _ => false
     end.
