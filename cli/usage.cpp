@@ -182,6 +182,9 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& refused, c
   if (const std::string text = missing_value(command); !text.empty()) return text;
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&refused) != nullptr) {
     if (const std::string text = repeated_text(command); !text.empty()) return text;
+    if (!words.empty() && words.back().starts_with("--") && has_option(command, words.back()))
+      return fmt::format("{}: {} has no value: the line ends after it; write {} VALUE", full_name(command),
+                         words.back(), words.back());
   }
   const bool is_required = dynamic_cast<const CLI::RequiredError*>(&refused) != nullptr;
   if (dynamic_cast<const CLI::ExtrasError*>(&refused) != nullptr || (is_required && !remaining.empty()))

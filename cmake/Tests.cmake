@@ -136,8 +136,8 @@ function(axiscert_bench name)
 endfunction()
 
 # axiscert_c_plugin(folder name source options...): the source as a plug-in ${PROJECT_BINARY_DIR}/FOLDER/NAME.so, the target
-# FOLDER_NAME, of which axiscert_FOLDER is all. Never sanitized: what is wrong with a plug-in is for axiscert to find, and the process
-# that loads it need not be sanitized.
+# FOLDER_NAME, of which axiscert_FOLDER is all. Every quick test may load it. Never sanitized: what is wrong with a plug-in is for
+# axiscert to find, and the process that loads it need not be sanitized.
 function(axiscert_c_plugin folder name source)
   set(plugin ${folder}_${name})
   add_library(${plugin} MODULE ${source})
@@ -148,6 +148,7 @@ function(axiscert_c_plugin folder name source)
   target_link_libraries(${plugin} PRIVATE kernel_fp axiscert_warnings)
   if(NOT TARGET axiscert_${folder})
     add_custom_target(axiscert_${folder})
+    add_dependencies(axiscert_quick axiscert_${folder})
   endif()
   add_dependencies(axiscert_${folder} ${plugin})
 endfunction()

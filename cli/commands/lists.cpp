@@ -333,13 +333,15 @@ ListedPredicate listed_predicate(const Predicate& predicate) {
   return listed;
 }
 
-int list_predicates(const std::string& format) {
+int list_predicates(const std::string& format, const std::string& id) {
+  std::vector<const Predicate*> listed{predicates().begin(), predicates().end()};
+  if (!id.empty()) listed = {&predicate_given(id)};
   if (format == "text") {
-    for (const Predicate* predicate : predicates()) print_predicate(*predicate);
+    for (const Predicate* predicate : listed) print_predicate(*predicate);
     return exit_done;
   }
   PredicatesData data;
-  for (const Predicate* predicate : predicates()) data.predicates.push_back(listed_predicate(*predicate));
+  for (const Predicate* predicate : listed) data.predicates.push_back(listed_predicate(*predicate));
   fmt::print("{}", data_text(json_of(data), format));
   return exit_done;
 }
@@ -350,8 +352,13 @@ void add_predicates(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("predicates", "List the predicates: columns, comparisons, clauses, measures");
   auto format = std::make_shared<std::string>("text");
   add_format(*command, *format, data_formats);
-  add_examples(*command, {{"All", "axiscert predicates"}, {"For a program", "axiscert predicates --format json"}});
-  command->callback([&action, format] { action = [format] { return list_predicates(*format); }; });
+  auto predicate = std::make_shared<std::string>();
+  add_predicate(*command, *predicate, "the one predicate that is listed", "all");
+  add_examples(*command, {{"All", "axiscert predicates"},
+                          {"One", "axiscert predicates --predicate box-box"},
+                          {"For a program", "axiscert predicates --format json"}});
+  command->callback(
+      [&action, format, predicate] { action = [format, predicate] { return list_predicates(*format, *predicate); }; });
 }
 
 }  // namespace axiscert

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "cli/options/instrument_options.h"
 #include "cli/options/predicate_options.h"
@@ -117,7 +118,7 @@ struct PrecisionOptions : InstrumentOptions {
   std::vector<int> bits;
   std::vector<std::string> numbers;
   std::string rounding = "nearest", contraction = "none";
-  std::uint64_t rounding_seeds = 3;
+  std::optional<std::uint64_t> rounding_seeds;
   bool round_inputs = false;
 };
 
@@ -153,6 +154,8 @@ std::vector<std::string> all_names() {
   return names;
 }
 
+constexpr std::uint64_t default_seeds = 3;
+
 int measure(const PrecisionOptions& options) {
   PrecisionPlan plan;
   plan.seed = options.seed;
@@ -161,7 +164,10 @@ int measure(const PrecisionOptions& options) {
   plan.numbers = numbers_of(options);
   plan.threads = options.threads;
   plan.rounding = enumerator_named<RoundingRule>(options.rounding);
-  plan.rounding_seeds = options.rounding_seeds;
+  if (options.rounding_seeds && !is_by_chance(plan.rounding))
+    throw Error(fmt::format("--rounding-seeds {}: --rounding {} draws no numbers; seeds are of faithful and stochastic",
+                            *options.rounding_seeds, options.rounding));
+  plan.rounding_seeds = options.rounding_seeds.value_or(default_seeds);
   plan.contraction = enumerator_named<Contraction>(options.contraction);
   plan.round_inputs = options.round_inputs;
   plan.kernels = instrument_kernels(options,
@@ -174,7 +180,7 @@ int measure(const PrecisionOptions& options) {
   for (const std::string& number : options.numbers) command += " --number " + number;
   const PrecisionOptions defaults;
   if (options.rounding != defaults.rounding) command += " --rounding " + options.rounding;
-  if (is_by_chance(plan.rounding)) command += fmt::format(" --rounding-seeds {}", options.rounding_seeds);
+  if (is_by_chance(plan.rounding)) command += fmt::format(" --rounding-seeds {}", plan.rounding_seeds);
   if (options.contraction != defaults.contraction) command += " --contraction " + options.contraction;
   if (options.round_inputs) command += " --round-inputs";
   const auto tallies =
@@ -211,9 +217,9 @@ void add_precision(CLI::App& app, Action& action) {
       ->capture_default_str();
   command
       ->add_option("--rounding-seeds", options->rounding_seeds,
-                   "of faithful and stochastic rounding, measure with the seeds 1 to so many")
-      ->check(whole_number(1, 1000))
-      ->capture_default_str();
+                   fmt::format("of faithful and stochastic rounding, measure with the seeds 1 to so many (default: {})",
+                               default_seeds))
+      ->check(whole_number(1, 1000));
   command
       ->add_option("--contraction", options->contraction,
                    "operations that are fused: none, or dots, the dot and cross products")

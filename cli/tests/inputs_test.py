@@ -34,6 +34,7 @@ class Inputs(InputCase):
                            (["diagnose"], ["axiscert diagnose: KERNEL is required"]),
                            (["check"], ["axiscert check: FILE is required"]),
                            (["run", "--kernel", "--quiet"], ["--kernel has no value: the option --quiet follows it"]),
+                           (["run", "published", "--family"], ["--family has no value: the line ends after it; write --family VALUE"]),
                            (["run", "--format", "x"], ["--format: unknown value 'x'; values: text, csv"]),
                            (["run", "--map", "x"], ["unknown option '--map'"]),
                            (["kernels", "--format", "jsn"], ["unknown value 'jsn'; did you mean 'json'?", "text, json"]),

@@ -15,46 +15,41 @@
 namespace axiscert::diagnosis {
 namespace contacts {  // named: lambdas of templates that see its types are no warning in a unity build
 
-constexpr std::size_t most_queries = 1024, fewest = 32;
+constexpr std::size_t most_queries = 1024, fewest_judged = 32;
 // A rule holds on so many of a hundred queries.
 constexpr std::size_t percent = 95;
-
-template <class Real>
-struct Judged {
-  Numbers<Real> query;
-  Numbers<double> wide;
-  Verdict said;
-  std::vector<double> measures;
-  ContactJudgement found;
-  ContactPlace exact;
-};
 
 // Of ordinary rounding, in shares of the scene and in radians.
 template <class Real>
 constexpr double small = 0x1p11 * std::numeric_limits<Real>::epsilon();
 
 template <class Real>
-std::vector<Judged<Real>> judged_queries(Subject<Real>& subject) {
+std::vector<JudgedContact<Real>> judged_queries(Subject<Real>& subject) {
   const Kernel& kernel = subject.kernel();
   const Oracles& oracles = oracles_of(kernel);
   Queries<Real> queries;
   for (const auto& clear : clear_queries<Real>(kernel, most_queries)) {
     if (is_promised(kernel, clear.numbers)) queries.push_back(clear.numbers);
   }
-  std::vector<Judged<Real>> all;
+  std::vector<JudgedContact<Real>> all;
   if (queries.empty()) return all;
   const Reply<Real> reply = subject.ask_measures(queries);
+  std::vector<JudgedContact<Real>>& known = subject.judged_contacts();
+  known.resize(queries.size());
   for (std::size_t i = 0; i < queries.size(); ++i) {
     const Verdict said = reply.verdicts[i];
     if (!has_judged_contact(kernel, said, [&] { return oracles.truth(queries[i]); })) continue;
-    const auto judge = oracles.contact_judge(queries[i]);
-    if (judge == nullptr) continue;
-    Judged<Real> one{queries[i], Numbers<double>(queries[i].size()), said, reply.measures(i), {}, {}};
-    for (std::size_t k = 0; k < queries[i].size(); ++k) one.wide[k] = static_cast<double>(queries[i][k]);
-    one.found = judge->judge(said, one.measures);
-    if (one.found.missed) continue;
-    one.exact = judge->place();
-    all.push_back(std::move(one));
+    std::vector<double> measures = reply.measures(i);
+    if (!known[i].is_of(said, measures)) {
+      const auto judge = oracles.contact_judge(queries[i]);
+      if (judge == nullptr) continue;
+      JudgedContact<Real> one{queries[i], Numbers<double>(queries[i].size()), said, std::move(measures), {}, {}};
+      for (std::size_t k = 0; k < queries[i].size(); ++k) one.wide[k] = static_cast<double>(queries[i][k]);
+      one.found = judge->judge(said, one.measures);
+      one.exact = judge->place();
+      known[i] = std::move(one);
+    }
+    if (!known[i].found.missed) all.push_back(known[i]);
   }
   return all;
 }
@@ -76,7 +71,8 @@ ProbeFinding too_few(std::size_t count, MeasureKind kind) {
 }
 
 template <class Real>
-std::vector<DiagnosisWitness> witness_of(const Subject<Real>& subject, const Judged<Real>& one, std::string shows) {
+std::vector<DiagnosisWitness> witness_of(const Subject<Real>& subject, const JudgedContact<Real>& one,
+                                         std::string shows) {
   return {subject.witness(one.query, one.said, std::move(shows))};
 }
 
@@ -100,13 +96,13 @@ bool is_like(const std::vector<double>& like, std::span<const double> given, dou
 
 // The first likeness that holds on nearly all queries with a wrong number, and on some.
 template <class Real, class IsWrong>
-const ContactLikeness* likeness_of(const Subject<Real>& subject, const std::vector<Judged<Real>>& all, MeasureKind kind,
-                                   IsWrong&& is_wrong) {
+const ContactLikeness* likeness_of(const Subject<Real>& subject, const std::vector<JudgedContact<Real>>& all,
+                                   MeasureKind kind, IsWrong&& is_wrong) {
   const std::size_t first = *first_measure(subject.predicate(), kind);
   for (const ContactLikeness* like : capabilities_of(subject.predicate()).contact_likenesses) {
     if (like->kind != kind) continue;
     std::size_t wrong = 0, alike = 0;
-    for (const Judged<Real>& one : all) {
+    for (const JudgedContact<Real>& one : all) {
       if (!is_wrong(one)) continue;
       ++wrong;
       const std::vector<double> numbers = like->numbers(one.wide);
@@ -126,19 +122,22 @@ Value value_named(std::string_view text) {
   return Value{};
 }
 
+}  // namespace contacts
+
 template <class Real>
 ProbeFinding separations(Subject<Real>& subject) {
+  using namespace contacts;
   constexpr MeasureKind kind = MeasureKind::separation;
   if (auto why = why_unasked(subject, kind)) return *why;
-  std::vector<Judged<Real>> all = judged_queries(subject);
-  std::erase_if(all, [](const Judged<Real>& one) { return !one.found.separation || !one.exact.separation; });
-  if (all.size() < fewest) return too_few(all.size(), kind);
+  std::vector<JudgedContact<Real>> all = judged_queries(subject);
+  std::erase_if(all, [](const JudgedContact<Real>& one) { return !one.found.separation || !one.exact.separation; });
+  if (all.size() < fewest_judged) return too_few(all.size(), kind);
   const std::size_t place = *first_measure(subject.predicate(), kind);
-  const auto given = [&](const Judged<Real>& one) { return one.measures[place]; };
-  const auto is_wrong = [](const Judged<Real>& one) { return one.found.separation->share > small<Real>; };
+  const auto given = [&](const JudgedContact<Real>& one) { return one.measures[place]; };
+  const auto is_wrong = [](const JudgedContact<Real>& one) { return one.found.separation->share > small<Real>; };
   const auto count = [&](auto&& holds) { return static_cast<std::size_t>(std::ranges::count_if(all, holds)); };
   const auto shown =
-      std::ranges::max_element(all, {}, [](const Judged<Real>& one) { return one.found.separation->share; });
+      std::ranges::max_element(all, {}, [](const JudgedContact<Real>& one) { return one.found.separation->share; });
   const std::size_t wrong = count(is_wrong);
   const Json measured = {{"wrong", wrong}, {"of", all.size()}, {"largest_error", shown->found.separation->share}};
   const auto found = [&](Separations value, std::string sentence, Json numbers) {
@@ -151,19 +150,20 @@ ProbeFinding separations(Subject<Real>& subject) {
     return decided(Separations::right,
                    fmt::format("Its separations are right but for rounding on {} clear queries.", all.size()), {},
                    measured);
-  const auto is_apart = [](const Judged<Real>& one) { return *one.exact.separation > 0; };
-  const std::size_t apart = count(is_apart), above = count([&](const Judged<Real>& one) { return given(one) > 0; });
-  const std::size_t wrong_deep = count([&](const Judged<Real>& one) { return is_wrong(one) && !is_apart(one); });
-  if (above == 0 && apart >= fewest && !holds_on_most(wrong_deep, all.size() - apart))
+  const auto is_apart = [](const JudgedContact<Real>& one) { return *one.exact.separation > 0; };
+  const std::size_t apart = count(is_apart),
+                    above = count([&](const JudgedContact<Real>& one) { return given(one) > 0; });
+  const std::size_t wrong_deep = count([&](const JudgedContact<Real>& one) { return is_wrong(one) && !is_apart(one); });
+  if (above == 0 && apart >= fewest_judged && !holds_on_most(wrong_deep, all.size() - apart))
     return found(Separations::never_positive,
                  fmt::format("Its separations are never above 0, on {} clear queries that are apart neither.", apart),
                  measured);
-  const auto is_off_by = [&](const Judged<Real>& one, double by) {
+  const auto is_off_by = [&](const JudgedContact<Real>& one, double by) {
     const SeparationError& error = *one.found.separation;
     const double scene = error.share > 0 ? error.length / error.share : 0;
     return std::fabs(given(one) - *one.exact.separation - by) <= 1e-3 * std::fabs(by) + small<Real> * scene;
   };
-  if (holds_on_most(count([&](const Judged<Real>& one) { return is_off_by(one, -2 * *one.exact.separation); }),
+  if (holds_on_most(count([&](const JudgedContact<Real>& one) { return is_off_by(one, -2 * *one.exact.separation); }),
                     all.size()))
     return found(Separations::negated, "Its separations have the other sign: above 0 where the two overlap.", measured);
   if (const ContactLikeness* like = likeness_of(subject, all, kind, is_wrong)) {
@@ -173,10 +173,10 @@ ProbeFinding separations(Subject<Real>& subject) {
                  measured);
   }
   std::vector<double> off;
-  for (const Judged<Real>& one : all) off.push_back(given(one) - *one.exact.separation);
+  for (const JudgedContact<Real>& one : all) off.push_back(given(one) - *one.exact.separation);
   const double margin = median(off);
   if (margin != 0 &&
-      holds_on_most(count([&](const Judged<Real>& one) { return is_off_by(one, margin); }), all.size())) {
+      holds_on_most(count([&](const JudgedContact<Real>& one) { return is_off_by(one, margin); }), all.size())) {
     Json numbers = measured;
     numbers["margin"] = margin;
     return found(Separations::margin,
@@ -185,12 +185,12 @@ ProbeFinding separations(Subject<Real>& subject) {
                  std::move(numbers));
   }
   std::vector<double> factors;
-  for (const Judged<Real>& one : all) {
+  for (const JudgedContact<Real>& one : all) {
     if (*one.exact.separation != 0) factors.push_back(given(one) / *one.exact.separation);
   }
   const double factor = factors.empty() ? 1 : median(factors);
   if (holds_on_most(
-          count([&](const Judged<Real>& one) { return is_off_by(one, (factor - 1) * *one.exact.separation); }),
+          count([&](const JudgedContact<Real>& one) { return is_off_by(one, (factor - 1) * *one.exact.separation); }),
           all.size())) {
     Json numbers = measured;
     numbers["factor"] = factor;
@@ -203,22 +203,25 @@ ProbeFinding separations(Subject<Real>& subject) {
                            wrong, all.size(), shown->found.separation->share),
                measured);
 }
+template ProbeFinding separations(Subject<float>&);
+template ProbeFinding separations(Subject<double>&);
 
 template <class Real>
 ProbeFinding normals(Subject<Real>& subject) {
+  using namespace contacts;
   constexpr MeasureKind kind = MeasureKind::normal;
   if (auto why = why_unasked(subject, kind)) return *why;
-  std::vector<Judged<Real>> all = judged_queries(subject);
-  std::erase_if(all, [](const Judged<Real>& one) { return !one.found.normal_angle; });
-  if (all.size() < fewest) return too_few(all.size(), kind);
-  const auto angle = [](const Judged<Real>& one) { return *one.found.normal_angle; };
-  const auto length = [](const Judged<Real>& one) { return one.found.normal_length_error.value_or(0); };
-  const auto is_wrong = [&](const Judged<Real>& one) { return angle(one) > small<Real>; };
+  std::vector<JudgedContact<Real>> all = judged_queries(subject);
+  std::erase_if(all, [](const JudgedContact<Real>& one) { return !one.found.normal_angle; });
+  if (all.size() < fewest_judged) return too_few(all.size(), kind);
+  const auto angle = [](const JudgedContact<Real>& one) { return *one.found.normal_angle; };
+  const auto length = [](const JudgedContact<Real>& one) { return one.found.normal_length_error.value_or(0); };
+  const auto is_wrong = [&](const JudgedContact<Real>& one) { return angle(one) > small<Real>; };
   const auto count = [&](auto&& holds) { return static_cast<std::size_t>(std::ranges::count_if(all, holds)); };
   const auto shown = std::ranges::max_element(all, {}, angle);
   const std::size_t wrong = count(is_wrong);
   std::vector<double> angles, lengths;
-  for (const Judged<Real>& one : all) {
+  for (const JudgedContact<Real>& one : all) {
     angles.push_back(angle(one));
     lengths.push_back(length(one));
   }
@@ -232,7 +235,7 @@ ProbeFinding normals(Subject<Real>& subject) {
   };
   if (!holds_on_most(all.size() - wrong, all.size())) {
     constexpr double nearly_opposite = std::numbers::pi - 1e-2;
-    const std::size_t opposite = count([&](const Judged<Real>& one) { return angle(one) > nearly_opposite; });
+    const std::size_t opposite = count([&](const JudgedContact<Real>& one) { return angle(one) > nearly_opposite; });
     if (holds_on_most(opposite, all.size()))
       return found(Normals::flipped,
                    fmt::format("Its normals go to the other side, on {} of {} clear queries.", opposite, all.size()));
@@ -240,7 +243,7 @@ ProbeFinding normals(Subject<Real>& subject) {
       return found(value_named<Normals>(like->value),
                    fmt::format("{}: so on {} of {} clear queries, where that is another direction.", like->sentence,
                                wrong, all.size()));
-    const auto is_usual = [&](const Judged<Real>& one) { return angle(one) <= 1.5 * usual; };
+    const auto is_usual = [&](const JudgedContact<Real>& one) { return angle(one) <= 1.5 * usual; };
     if (usual > small<Real> && holds_on_most(count(is_usual), all.size()))
       return found(Normals::tilted,
                    fmt::format("Its normals are tilted, by {:.3g} radians and hardly ever more.", usual));
@@ -257,19 +260,22 @@ ProbeFinding normals(Subject<Real>& subject) {
       fmt::format("Its normals are right but for rounding on {} of {} clear queries.", all.size() - wrong, all.size()),
       {}, measured);
 }
+template ProbeFinding normals(Subject<float>&);
+template ProbeFinding normals(Subject<double>&);
 
 template <class Real>
 ProbeFinding features(Subject<Real>& subject) {
+  using namespace contacts;
   constexpr MeasureKind kind = MeasureKind::feature;
   if (auto why = why_unasked(subject, kind)) return *why;
-  std::vector<Judged<Real>> all = judged_queries(subject);
-  std::erase_if(all, [](const Judged<Real>& one) { return !one.found.feature_is_right; });
-  if (all.size() < fewest) return too_few(all.size(), kind);
+  std::vector<JudgedContact<Real>> all = judged_queries(subject);
+  std::erase_if(all, [](const JudgedContact<Real>& one) { return !one.found.feature_is_right; });
+  if (all.size() < fewest_judged) return too_few(all.size(), kind);
   const std::size_t place = *first_measure(subject.predicate(), kind);
   std::map<double, std::size_t> said;
   std::size_t wrong = 0;
-  const Judged<Real>* shown = nullptr;
-  for (const Judged<Real>& one : all) {
+  const JudgedContact<Real>* shown = nullptr;
+  for (const JudgedContact<Real>& one : all) {
     ++said[one.measures[place]];
     const bool is_wrong = !*one.found.feature_is_right;
     wrong += is_wrong;
@@ -290,24 +296,28 @@ ProbeFinding features(Subject<Real>& subject) {
                  fmt::format("It names a part that is not nearest on {} of {} clear queries.", wrong, all.size()),
                  witnesses, measured);
 }
+template ProbeFinding features(Subject<float>&);
+template ProbeFinding features(Subject<double>&);
 
 template <class Real>
 ProbeFinding contact_points(Subject<Real>& subject) {
+  using namespace contacts;
   const bool has_pair = has_measure(subject.predicate(), MeasureKind::point_b);
   const MeasureKind kind = has_pair ? MeasureKind::point_b : MeasureKind::point;
   if (auto why = why_unasked(subject, kind)) return *why;
-  std::vector<Judged<Real>> all = judged_queries(subject);
-  const auto error = [&](const Judged<Real>& one) {
+  std::vector<JudgedContact<Real>> all = judged_queries(subject);
+  const auto error = [&](const JudgedContact<Real>& one) {
     const ContactJudgement& found = one.found;
     const double off = found.point_error.value_or(0);
     if (!has_pair) return off;
     return std::max(
         {off, found.point_a_error.value_or(0), found.point_b_error.value_or(0), found.points_apart.value_or(0)});
   };
-  std::erase_if(all,
-                [&](const Judged<Real>& one) { return has_pair ? !one.found.point_b_error : !one.found.point_error; });
-  if (all.size() < fewest) return too_few(all.size(), kind);
-  const auto is_wrong = [&](const Judged<Real>& one) { return error(one) > small<Real>; };
+  std::erase_if(all, [&](const JudgedContact<Real>& one) {
+    return has_pair ? !one.found.point_b_error : !one.found.point_error;
+  });
+  if (all.size() < fewest_judged) return too_few(all.size(), kind);
+  const auto is_wrong = [&](const JudgedContact<Real>& one) { return error(one) > small<Real>; };
   const auto wrong = static_cast<std::size_t>(std::ranges::count_if(all, is_wrong));
   const auto shown = std::ranges::max_element(all, {}, error);
   const Json measured = {{"wrong", wrong}, {"of", all.size()}, {"largest_error", error(*shown)}};
@@ -325,7 +335,7 @@ ProbeFinding contact_points(Subject<Real>& subject) {
     const std::size_t first = *first_measure(subject.predicate(), MeasureKind::point_a),
                       second = *first_measure(subject.predicate(), kind);
     std::size_t known = 0, exchanged = 0;
-    for (const Judged<Real>& one : all) {
+    for (const JudgedContact<Real>& one : all) {
       if (!is_wrong(one) || !one.exact.point || !one.exact.point_b) continue;
       const auto at = [&](std::size_t place, const std::array<double, 3>& point) {
         return is_like({point.begin(), point.end()}, std::span(one.measures).subspan(place, 3), 16 * small<Real>);
@@ -333,7 +343,7 @@ ProbeFinding contact_points(Subject<Real>& subject) {
       ++known;
       exchanged += at(first, *one.exact.point_b) && at(second, *one.exact.point);
     }
-    if (known >= fewest && holds_on_most(exchanged, known))
+    if (known >= fewest_judged && holds_on_most(exchanged, known))
       return decided(
           Points::exchanged,
           fmt::format("It says of each body the point of the other: so on {} of {} clear queries.", exchanged, known),
@@ -343,34 +353,6 @@ ProbeFinding contact_points(Subject<Real>& subject) {
                  fmt::format("{} of {} points on clear queries are wrong, by up to {:.3g} of the scene: no rule.",
                              wrong, all.size(), error(*shown)),
                  witnesses, measured);
-}
-
-}  // namespace contacts
-
-template <class Real>
-ProbeFinding separations(Subject<Real>& subject) {
-  return contacts::separations(subject);
-}
-template ProbeFinding separations(Subject<float>&);
-template ProbeFinding separations(Subject<double>&);
-
-template <class Real>
-ProbeFinding normals(Subject<Real>& subject) {
-  return contacts::normals(subject);
-}
-template ProbeFinding normals(Subject<float>&);
-template ProbeFinding normals(Subject<double>&);
-
-template <class Real>
-ProbeFinding features(Subject<Real>& subject) {
-  return contacts::features(subject);
-}
-template ProbeFinding features(Subject<float>&);
-template ProbeFinding features(Subject<double>&);
-
-template <class Real>
-ProbeFinding contact_points(Subject<Real>& subject) {
-  return contacts::contact_points(subject);
 }
 template ProbeFinding contact_points(Subject<float>&);
 template ProbeFinding contact_points(Subject<double>&);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +26,23 @@ inline bool is_decided(Verdict v) { return v == Verdict::contact || v == Verdict
 
 template <class Real>
 using Queries = std::vector<Numbers<Real>>;
+
+// The numbers that a kernel gave beside a verdict, as they were judged.
+template <class Real>
+struct JudgedContact {
+  Numbers<Real> query;
+  Numbers<double> wide;
+  Verdict said = Verdict::unanswered;
+  std::vector<double> measures;
+  ContactJudgement found;
+  ContactPlace exact;
+
+  // A NaN has several representations, none of which is judged otherwise.
+  bool is_of(Verdict verdict, const std::vector<double>& given) const {
+    const auto same = [](double x, double y) { return x == y ? std::signbit(x) == std::signbit(y) : x != x && y != y; };
+    return said == verdict && std::ranges::equal(measures, given, same);
+  }
+};
 
 template <class Real>
 class Subject {
@@ -64,6 +82,8 @@ class Subject {
     }
     return said;
   }
+  // By clear query: each probe of these numbers asks for them again, and a judgement is dearer than a hundred answers.
+  std::vector<JudgedContact<Real>>& judged_contacts() { return judged_contacts_; }
   // Answers that others asked the kernel for.
   void count(std::uint64_t answers) { asked_ += answers; }
   // The answers of the kernel that were counted since the last call.
@@ -103,6 +123,7 @@ class Subject {
   Implementation<Real> implementation_;
   AnswerCounter<Real> counter_;
   LookedAt looked_at_;
+  std::vector<JudgedContact<Real>> judged_contacts_;
   std::uint64_t asked_ = 0, place_ = 0;
 };
 

@@ -146,6 +146,8 @@ class Formats(Case):
             self.refused("precision", "--number", given, says=["--number", *says])
         self.refused("precision", "--rounding", "up-and-down", says=["up-and-down", "stochastic"])
         self.refused("precision", "--rounding-seeds", 0, says=["--rounding-seeds"])
+        for rounding in ((), ("--rounding", "up")):
+            self.refused("precision", *rounding, "--rounding-seeds", 3, says=["--rounding-seeds 3: --rounding", "draws no numbers"])
         self.refused("precision", "--kernel", "minkowski", "--contraction", "dots", says=["minkowski", "fused"])
 
 
