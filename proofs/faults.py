@@ -81,6 +81,16 @@ FAULTS = {
         "RecordedCertified.v", "Definition pair_fma_binary32_answers (m : machine) (ax ay az bx by_ bz",
         "Definition pair_fma_binary32_answers (m : machine) (bx by_ bz ax ay az", "RecordedIsCertified.v"),
     "an operand exchanged in the exact step": ("RecordedExact.v", "(Minus 0 9, 1)", "(Minus 9 0, 1)", "ExactStep.v"),
+    "a tie that the exact step takes as beyond": (
+        "RecordedExact.v", "Definition recorded_closed_axes : list tree :=\n  [Ask (Knows 0 0) (Answer false) (Ask (Knows 1 0) (",
+        "Definition recorded_closed_axes : list tree :=\n  [Ask (Knows 0 0) (Answer true) (Ask (Knows 1 0) (", "ExactVerdict.v"),
+    "an axis that is left out of the exact step": ("RecordedExact.v", "Ask (Separates 6)", "Ask (Separates 5)", "ExactVerdict.v"),
+    "integers of 94 bits for numbers of 95": ("RecordedExact.v", "(32%nat, 94)", "(33%nat, 94)", "ExactVerdict.v"),
+    "integers of 126 bits for numbers of 127": ("RecordedExact.v", "(32%nat, 126)", "(33%nat, 126)", "ExactVerdict.v"),
+    "a word too few for degree 4 in integers of 94 bits": ("RecordedExact.v", "[2; 3; 5; 6; 9]", "[2; 3; 5; 5; 9]", "ExactVerdict.v"),
+    "a normal that is not computed where the plane asks for it": (
+        "RecordedExact.v", "Definition recorded_needs_normal : list bool :=\n  [true;", "Definition recorded_needs_normal : list bool :=\n  [false;",
+        "ExactVerdict.v"),
     "a word too few for a product of the exact step": (
         "ExactProgram.v", "then 1 else degree + 2)", "then 1 else degree - 2)", "ExactProgram.v"),
     "a fine bound too small": (

@@ -8,6 +8,7 @@
 
 #include "kernel/sphere_triangle/certified/coarse_step-inl.h"
 #include "kernel/sphere_triangle/certified/conservative_step-inl.h"
+#include "kernel/sphere_triangle/certified/range_step-inl.h"
 #include "kernel/sphere_triangle/certified/margins-inl.h"
 #include "kernel/sphere_triangle/certified/fine_step-inl.h"
 #include "kernel/sphere_triangle/certified/numbers/pairs-inl.h"

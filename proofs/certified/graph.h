@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -108,6 +109,13 @@ struct Result {
   Index node;
 };
 
+// What a step asked of all lanes together: whether each of these flags holds, or none.
+struct AskedOfLanes {
+  bool of_all;
+  std::vector<Index> flags;
+  bool operator==(const AskedOfLanes&) const = default;
+};
+
 // A step as recorded. Its inputs are ax ay az bx by bz cx cy cz px py pz r, in this order and before every other node.
 struct RecordedStep {
   std::string name;  // coarse, pair, box, fine, deep_closed_vertex_radius, ...
@@ -115,6 +123,11 @@ struct RecordedStep {
   bool fused;        // whether the instruction set has fused multiply-add
   Graph graph;
   std::vector<Result> results;
+  // What it asked before it went on, and the answers that it was given: no to each, so that the most is computed; and
+  // the recordings with other answers.
+  std::vector<AskedOfLanes> asked{};
+  std::vector<bool> answers{};
+  std::vector<RecordedStep> otherwise{};
 
   Index result(std::string_view of) const;  // throws std::out_of_range
 };
@@ -122,17 +135,47 @@ struct RecordedStep {
 inline constexpr std::array<std::string_view, 13> query_inputs = {"ax", "ay", "az", "bx", "by", "bz", "cx",
                                                                   "cy", "cz", "px", "py", "pz", "r"};
 
+// What the exact step asks before it answers: the sign of a node, a bit of what is known (exact_step.h; fails, radius,
+// sides) of an axis, or whether an axis separates.
+struct Asked {
+  enum Kind { positive, negative, zero, known, separates } kind;
+  Index of;
+  Index axis = 0;
+  bool operator==(const Asked&) const = default;
+};
+// What is asked first, with what follows a yes and a no; or the answer.
+struct AskedTree {
+  std::optional<Asked> asked{};
+  std::vector<AskedTree> after{};
+  bool answer = false;
+};
+// Integers for numbers of `size` bits: the exponent of the negligible radius, and the words of values of degree 1, 2,
+// 3, 4 and 6.
+struct RecordedSize {
+  int size, negligible;
+  std::array<int, 5> words;
+};
+
 // The exact step's margins over integers: sums, differences and products. `degree` has that of each node, in the
 // query's numbers; the exact step gives its values as many words as their degree needs.
 struct RecordedExact {
   Graph graph;
   std::vector<Result> results;
   std::vector<int> degree;
+  // Whether each axis separates, for the closed and the open sphere; whether some does.
+  std::array<std::vector<AskedTree>, 2> axes;
+  AskedTree verdict;
+  // By the axes of the plane and the edges that fail, 8 times their bits, and the edges whose sides hold.
+  std::vector<bool> needs_normal;
+  std::vector<RecordedSize> sizes;
+  std::vector<int> size_for;  // of each span, from 0 on
 };
 RecordedExact recorded_exact();
 
 // Every step that computes with numbers of a format, in each format and with and without fused multiply-add.
 std::vector<RecordedStep> recorded_steps();
+// How queries of binary64 are scaled, with and without.
+std::vector<RecordedStep> recorded_scaling();
 
 // The graph that is being recorded on this thread; lanes that are symbols have no other place to keep it.
 
@@ -152,7 +195,12 @@ double as_number<double>(Index node);
 extern template Index node_of<float>(float x);
 extern template Index node_of<double>(double x);
 
-// The flags of which a step asked whether they hold in all lanes, or in none, in the order of its questions.
-inline thread_local std::vector<std::vector<Index>>* asked = nullptr;
+// What the step that is recorded asks of all lanes, and the answers that it is given; no, where there are no more.
+inline thread_local std::vector<AskedOfLanes>* asked = nullptr;
+inline thread_local const std::vector<bool>* answers = nullptr;
+inline bool answer_to(AskedOfLanes question) {
+  asked->push_back(std::move(question));
+  return asked->size() <= answers->size() && (*answers)[asked->size() - 1];
+}
 
 }  // namespace axiscert::proofs::certified

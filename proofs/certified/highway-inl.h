@@ -245,15 +245,14 @@ Symbols<Lane, n> TableLookupLanes(const Symbols<Lane, n>& a, const Integer* from
   return to;
 }
 
-// A question about all lanes together, which decides what is computed at all: kept, and answered so that it is.
+// A question about all lanes together, which decides what is computed: kept, and answered as the recorder says.
 template <class D>
 bool AllTrue(D, const Mask<D>& mask) {
-  graph::asked->emplace_back(mask.at.begin(), mask.at.end());
-  return false;
+  return graph::answer_to({true, {mask.at.begin(), mask.at.end()}});
 }
 template <class D>
-bool AllFalse(D d, const Mask<D>& mask) {
-  return AllTrue(d, mask);
+bool AllFalse(D, const Mask<D>& mask) {
+  return graph::answer_to({false, {mask.at.begin(), mask.at.end()}});
 }
 
 }  // namespace hwy::HWY_NAMESPACE

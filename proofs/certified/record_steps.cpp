@@ -42,4 +42,10 @@ std::vector<RecordedStep> recorded_steps() {
   return all;
 }
 
+std::vector<RecordedStep> recorded_scaling() {
+  using namespace axiscert::certified;
+  return {recorded_plain::with_all_answers(recorded_plain::record_scaling),
+          recorded_fused::with_all_answers(recorded_fused::record_scaling)};
+}
+
 }  // namespace axiscert::proofs::certified

@@ -7,9 +7,12 @@ using graph::Index, graph::Op;
 // A step while it is recorded: its inputs, then what it computes, then its results.
 class Recording {
  public:
-  Recording(std::string name, int bits) : step_{std::move(name), bits, HWY_NATIVE_FMA != 0, {}, {}} {
+  Recording(std::string name, int bits, std::vector<bool> answers = {})
+      : step_{std::move(name), bits, HWY_NATIVE_FMA != 0, {}, {}} {
+    step_.answers = std::move(answers);
     graph::recorder = &step_.graph;
-    graph::asked = &asked_;
+    graph::asked = &step_.asked;
+    graph::answers = &step_.answers;
     for (const std::string_view input : graph::query_inputs) step_.graph.input(std::string(input));
   }
   Recording(const Recording&) = delete;
@@ -17,6 +20,7 @@ class Recording {
   ~Recording() {
     graph::recorder = nullptr;
     graph::asked = nullptr;
+    graph::answers = nullptr;
   }
 
   template <class D, bool fused = true>
@@ -26,8 +30,7 @@ class Recording {
     return {{at(0), at(1), at(2)}, {at(3), at(4), at(5)}, {at(6), at(7), at(8)}, {at(9), at(10), at(11)}, at(12),
             T{hn::Zero(D())}};
   }
-  // The flags of the k-th question about all lanes.
-  const std::vector<Index>& asked(std::size_t k) const { return asked_.at(k); }
+  const std::vector<graph::AskedOfLanes>& asked() const { return step_.asked; }
   Index node(Op op, Index a, Index b) { return step_.graph.node(op, {a, b}); }
 
   template <class Lane>
@@ -43,8 +46,19 @@ class Recording {
 
  private:
   graph::RecordedStep step_;
-  std::vector<std::vector<Index>> asked_;
 };
+
+// What `record` records when it is given these answers, and with every other answer to what it asks then.
+template <class Record>
+graph::RecordedStep with_all_answers(const Record& record, std::vector<bool> answers = {}) {
+  graph::RecordedStep step = record(answers);
+  for (std::size_t given = answers.size(); given < step.asked.size(); answers.push_back(false), ++given) {
+    answers.push_back(true);
+    step.otherwise.push_back(with_all_answers(record, answers));
+    answers.pop_back();
+  }
+  return step;
+}
 
 template <class Real>
 inline constexpr int bits_of_real = sizeof(Real) * 8;
@@ -93,24 +107,39 @@ graph::RecordedStep record_coarse() {
 template <class Real>
 graph::RecordedStep record_pair() {
   using D = hn::Tag<Real, 4>;
-  Recording recording("pair", bits_of_real<Real>);
   Real numbers[13];
   for (Index i = 0; i < 13; ++i) numbers[i] = graph::as_number<Real>(i);
+  // Each verdict is what is asked of all lanes, or its opposite, whatever the answer to the other question is.
+  std::array<bool, 2> is_opposite{};
+  for (unsigned answers = 0; answers < 4; ++answers) {
+    const std::array<bool, 2> given = {(answers & 1u) != 0, (answers & 2u) != 0};
+    Recording recording("pair", bits_of_real<Real>, {given[0], given[1]});
+    const PairStep<D> step(numbers, numbers + 9);
+    const std::array<bool, 2> found = {step.separated(), step.contact()};
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (answers == 0) is_opposite[k] = found[k];
+      if (found[k] != (given[k] != is_opposite[k])) throw std::logic_error("a pair's verdict is not what it asked");
+    }
+  }
+  Recording recording("pair", bits_of_real<Real>);
   const PairStep<D> step(numbers, numbers + 9);
-  const auto joined = [&](std::size_t question, Op op) {
-    const std::vector<Index>& lanes = recording.asked(question);
+  const auto verdict = [&](std::size_t k) {
+    const auto& [of_all, lanes] = recording.asked().at(k);
     if (lanes.size() != 4 || lanes[3] != lanes[0]) throw std::logic_error("the fourth lane is not the first");
-    return recording.node(op, recording.node(op, lanes[0], lanes[1]), lanes[2]);
+    const Op op = of_all ? Op::both : Op::either;
+    const Index joined = recording.node(op, recording.node(op, lanes[0], lanes[1]), lanes[2]);
+    // That none holds is the opposite of that some does.
+    return of_all != is_opposite[k] ? joined : recording.node(Op::opposite, joined, 0);
   };
-  recording.result("separated", joined(0, Op::either));
-  recording.result("contact", joined(1, Op::both));
+  recording.result("separated", verdict(0));
+  recording.result("contact", verdict(1));
   return recording.done();
 }
 
 // Each margin with its bound, in the order of the comparisons; the answers for the closed and the open sphere.
-inline graph::RecordedStep record_fine() {
+inline graph::RecordedStep record_fine(const std::vector<bool>& answers) {
   using D = hn::Tag<double, 1>;
-  Recording recording("fine", 64);
+  Recording recording("fine", 64, answers);
   const FineStep<D> step(D(), Recording::query<D>(), false);
   const auto add = [&](const std::string& name, const auto& margin) {
     recording.result(name, margin.value);
@@ -148,9 +177,9 @@ inline graph::RecordedStep record_fine() {
 }
 
 template <DeepComparison what>
-graph::RecordedStep record_deep(const std::string& name) {
+graph::RecordedStep record_deep(const std::string& name, const std::vector<bool>& answers) {
   using D = hn::Tag<double, 1>;
-  Recording recording("deep_" + name, 64);
+  Recording recording("deep_" + name, 64, answers);
   for (const bool open : {false, true}) {
     const std::string sphere = open ? "_open" : "_closed";
     const auto found = DeepStep<D>(D(), Recording::query<D>(), open).template answer<what>();
@@ -171,17 +200,31 @@ graph::RecordedStep record_conservative(bool scaled) {
   return recording.done();
 }
 
+inline graph::RecordedStep record_scaling(const std::vector<bool>& answers) {
+  using D = hn::Tag<double, 1>;
+  Recording recording("scaling", 64, answers);
+  const ScaledToRange<D> scaled(D(), Recording::query<D>());
+  for (std::size_t k = 0; k < 13; ++k) {
+    recording.result("scaled_" + std::string(graph::query_inputs[k]), scaled.number[k]);
+  }
+  recording.result("useful", scaled.useful);
+  return recording.done();
+}
+
 inline void record(std::vector<graph::RecordedStep>& all) {
   all.push_back(record_coarse<float>());
   all.push_back(record_coarse<double>());
   all.push_back(record_pair<float>());
   all.push_back(record_pair<double>());
-  all.push_back(record_fine());
-  all.push_back(record_deep<DeepComparison::vertex_radius>("vertex_radius"));
-  all.push_back(record_deep<DeepComparison::vertex_sides>("vertex_sides"));
-  all.push_back(record_deep<DeepComparison::edge_radius>("edge_radius"));
-  all.push_back(record_deep<DeepComparison::edge_side>("edge_side"));
-  all.push_back(record_deep<DeepComparison::plane_radius>("plane_radius"));
+  all.push_back(with_all_answers(record_fine));
+  const auto deep = [&]<DeepComparison what>(const std::string& name) {
+    all.push_back(with_all_answers([&](const std::vector<bool>& answers) { return record_deep<what>(name, answers); }));
+  };
+  deep.operator()<DeepComparison::vertex_radius>("vertex_radius");
+  deep.operator()<DeepComparison::vertex_sides>("vertex_sides");
+  deep.operator()<DeepComparison::edge_radius>("edge_radius");
+  deep.operator()<DeepComparison::edge_side>("edge_side");
+  deep.operator()<DeepComparison::plane_radius>("plane_radius");
   if (HWY_NATIVE_FMA) return;  // the conservative test is never fused
   for (const bool scaled : {false, true}) {
     all.push_back(record_conservative<float>(scaled));

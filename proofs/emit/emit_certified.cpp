@@ -1,6 +1,7 @@
 // The steps of the certified predicate as they were recorded: each of them as text, and those that the theory states as
 // definitions of Coq, over any machine that has the operations (coq/floats/Machine.v).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <bit>
 #include <cmath>
@@ -59,7 +60,11 @@ std::string text_of_constant(const Node& node) {
 }  // namespace
 
 std::string text_of(const RecordedStep& step) {
-  const NamedNodes named(step, step.results);
+  std::vector<Result> shown = step.results;
+  for (const AskedOfLanes& question : step.asked) {
+    for (const Index flag : question.flags) shown.push_back({"", flag});
+  }
+  const NamedNodes named(step, shown);
   const auto operand = [&](Index i) { return named.name(i).empty() ? text_of_constant(named.node(i)) : named.name(i); };
   std::string text = fmt::format("step {}\n", full_name(step));
   for (const Index i : named.computed()) {
@@ -68,7 +73,13 @@ std::string text_of(const RecordedStep& step) {
     for (std::size_t k = 0; k < info(node.op).operands; ++k) text += " " + operand(node.operands[k]);
     text += "\n";
   }
+  for (std::size_t k = 0; k < step.asked.size(); ++k) {
+    text += fmt::format("  asked whether {}", step.asked[k].of_all ? "all hold:" : "none holds:");
+    for (const Index flag : step.asked[k].flags) text += " " + operand(flag);
+    text += fmt::format("; answered {}\n", k < step.answers.size() && step.answers[k] ? "yes" : "no");
+  }
   for (const Result& result : step.results) text += fmt::format("  {}: {}\n", result.name, operand(result.node));
+  for (const RecordedStep& other : step.otherwise) text += text_of(other);
   return text;
 }
 
@@ -226,6 +237,55 @@ std::string coq_definition(const RecordedStep& step, Sort sort, std::string_view
   return text + fmt::format("  [{}].\n", list);
 }
 
+// A tree of questions about values at these places.
+std::string coq_tree(const AskedTree& tree, const std::vector<std::size_t>& place) {
+  if (!tree.asked) return fmt::format("Answer {}", tree.answer);
+  constexpr const char* signs[] = {"Is_positive", "Is_negative", "Is_zero"};
+  std::string asked;
+  if (tree.asked->kind == Asked::known) asked = fmt::format("Knows {} {}", tree.asked->of, tree.asked->axis);
+  else if (tree.asked->kind == Asked::separates) asked = fmt::format("Separates {}", tree.asked->of);
+  else asked = fmt::format("{} {}", signs[tree.asked->kind], place.at(tree.asked->of));
+  return fmt::format("Ask ({}) ({}) ({})", asked, coq_tree(tree.after[0], place), coq_tree(tree.after[1], place));
+}
+// What the exact step makes of its margins' signs and of what is known.
+std::string exact_verdict(const RecordedExact& exact, const std::vector<std::size_t>& place) {
+  std::string text;
+  for (const bool open : {false, true}) {
+    std::string trees;
+    for (const AskedTree& tree : exact.axes[open]) trees += (trees.empty() ? "" : ";\n   ") + coq_tree(tree, place);
+    text += fmt::format("\n(* Whether each axis separates. *)\nDefinition recorded_{}_axes : list tree :=\n  [{}].\n",
+                        open ? "open" : "closed", trees);
+  }
+  text += fmt::format("\nDefinition recorded_verdict : tree :=\n  {}.\n", coq_tree(exact.verdict, place));
+  std::string needs;
+  for (const bool needed : exact.needs_normal) needs += (needs.empty() ? "" : "; ") + fmt::format("{}", needed);
+  return text +
+         fmt::format(
+             "\n(* Whether V is computed: by which of the plane, AB, BC, CA fail, and which edges' sides hold. *)\n"
+             "Definition recorded_needs_normal : list bool :=\n  [{}].\n",
+             needs);
+}
+// Which integers are taken for numbers of a span.
+std::string exact_sizes(const RecordedExact& exact) {
+  std::string sizes, runs;
+  for (const RecordedSize& size : exact.sizes) {
+    sizes += fmt::format("{}({}, {}, [{}])", sizes.empty() ? "" : "; ", size.size, size.negligible,
+                         fmt::join(size.words, "; "));
+  }
+  for (std::size_t i = 0, count = 0; i < exact.size_for.size(); ++i) {
+    ++count;
+    if (i + 1 < exact.size_for.size() && exact.size_for[i + 1] == exact.size_for[i]) continue;
+    runs += fmt::format("{}({}%nat, {})", runs.empty() ? "" : "; ", count, exact.size_for[i]);
+    count = 0;
+  }
+  return fmt::format(
+      "\n(* The exponent of the negligible radius, and the words of values of degree 1, 2, 3, 4 and 6. *)\n"
+      "Definition recorded_sizes : list (Z * Z * list Z) :=\n  [{}]%Z.\n"
+      "\n(* The size for numbers of a span of 0, 1, ... bits, as how many of them have which; 0: none. *)\n"
+      "Definition recorded_size_runs : list (nat * Z) :=\n  [{}]%Z.\n",
+      sizes, runs);
+}
+
 // The exact step's margins as instructions: the k-th computes value 13 + k, the first thirteen are the query. As lists
 // of Coq: the instructions, each with the degree by which the exact step chooses its words, and the places of the
 // results.
@@ -254,18 +314,22 @@ std::string exact_program() {
     places += (places.empty() ? "" : "; ") + fmt::format("{}", place[result.node]);
   }
   return fmt::format(
-      "Definition recorded_exact : list (instruction * nat) :=\n{}].\n\n"
-      "(* {} *)\nDefinition recorded_exact_results : list nat :=\n  [{}].\n",
-      list, names, places);
+             "Definition recorded_exact : list (instruction * nat) :=\n{}].\n\n"
+             "(* {} *)\nDefinition recorded_exact_results : list nat :=\n  [{}].\n",
+             list, names, places) +
+         exact_verdict(exact, place) + exact_sizes(exact);
 }
 
 constexpr const char* exact_header =
-    R"((* Written by write_proofs from kernel/sphere_triangle/certified/numbers/exact_margins.h, through the recorder: do not edit.
+    R"((* Written by write_proofs from exact_test.h, numbers/exact_margins.h and numbers/widths.h of kernel/sphere_triangle/certified,
+   through the recorder: do not edit.
 
-   The instructions, each with the degree by which the exact step chooses its words; the places of the results. *)
-From Coq Require Import List.
+   The instructions, each with the degree by which the exact step chooses its words; the places of the results; what it
+   asks of these, and answers; the integers that it takes. *)
+From Coq Require Import List ZArith.
 From Axiscert Require Import ExactProgram.
 Import ListNotations.
+Open Scope nat_scope.
 
 )";
 
@@ -304,6 +368,7 @@ Files certified_files() {
     if (step.name == "coarse" && step.bits == 64)
       coq += coq_definition(with_known_bits(step), Sort::flag, "known", "bool");
   }
+  for (const RecordedStep& step : recorded_scaling()) files[program_path(full_name(step))] = text_of(step);
   const std::string exact = exact_program();
   files["coq/certified/RecordedCertified.v"] = coq;
   files["coq/integers/RecordedExact.v"] = exact_header + exact;

@@ -148,6 +148,30 @@ STEP_FAULTS = {
         f"{CERTIFIED}/conservative_step-inl.h", "hn::And(usable, passes)", "passes", STEPS, "RecordedIsConservative.v"),
     "a difference reversed in the exact step": (
         f"{CERTIFIED}/numbers/exact_margins.h", "return {u.x - v.x,", "return {v.x - u.x,", EXACT, "ExactStep.v"),
+    # One token each, that no random query showed.
+    "integers of 94 bits for numbers of 95": (
+        f"{CERTIFIED}/numbers/widths.h", "if (bits <= size) return size;", "if (bits <= size + 1) return size;", EXACT, "ExactVerdict.v"),
+    "integers of 126 bits with the words of 110": (
+        f"{CERTIFIED}/numbers/widths.h", "(bits(degree) + 63) / 64", "(bits(degree) + 31) / 64", EXACT, "ExactVerdict.v"),
+    "a negligible radius that is not": (
+        f"{CERTIFIED}/numbers/widths.h", "return -2 * n - 2;", "return -2 * n - 1;", EXACT, "ExactVerdict.v"),
+    "a number that lost all of its bits taken for one that lost none": (
+        f"{CERTIFIED}/range_step-inl.h", "hn::Eq(hn::Mul(scaled, up), x)",
+        "hn::Or(hn::Ne(scaled, hn::Zero(d)), hn::Eq(x, hn::Zero(d)))", STEPS, None),
+    "any lane of a pair for all of them": (
+        f"{CERTIFIED}/pair_step-inl.h", "contact_ = hn::AllTrue(", "contact_ = !hn::AllFalse(", STEPS, "RecordedIsCertified.v"),
+    "low parts dropped where every lane has one": (
+        f"{CERTIFIED}/numbers/wrapped-inl.h", "has_low_ = !hn::AllTrue(", "has_low_ = hn::AllFalse(", STEPS, None),
+    "a tie of the open sphere as contact": (
+        f"{CERTIFIED}/exact_test.h", "open_ ? !margin.is_negative()", "open_ ? margin.is_positive()", EXACT, "ExactVerdict.v"),
+    "an edge without length as an axis": (
+        f"{CERTIFIED}/exact_test.h", "if (along.is_zero()) return false;", "", EXACT, "ExactVerdict.v"),
+    "a plane without a normal as an axis": (
+        f"{CERTIFIED}/exact_test.h", "!V.is_zero() && ", "", EXACT, "ExactVerdict.v"),
+    "an axis that is never asked": (
+        f"{CERTIFIED}/exact_test.h", "if (test.plane_separates(V)) return true;", "", EXACT, "ExactVerdict.v"),
+    "V left out where an edge's sides are known": (
+        f"{CERTIFIED}/exact_test.h", "(sides & edges)", "edges", EXACT, "ExactVerdict.v"),
     "a side that is added in the exact step": (
         f"{CERTIFIED}/numbers/exact_margins.h", "dot<Four>(N, N) - product", "dot<Four>(N, N) + product", EXACT, "ExactStep.v"),
 }

@@ -7,26 +7,6 @@ HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
 
-// Scales q by a power of two so that its greatest number is near 1. Returns false if that would lose a bit, or if the
-// greatest number was near 1 before.
-inline bool scaled_to_range(const double (&q)[13], double (&scaled)[13]) {
-  std::uint64_t greatest = 0;
-  for (const double x : q) {
-    const std::uint64_t magnitude = std::bit_cast<std::uint64_t>(x) << 1;
-    if (magnitude > greatest) greatest = magnitude;
-  }
-  const int exponent = static_cast<int>(greatest >> 53) - 1023;
-  if ((exponent >= -60 && exponent <= 60) || exponent < -1022 || exponent > 1022) return false;
-  const double down = std::bit_cast<double>(static_cast<std::uint64_t>(1023 - exponent) << 52);
-  const double up = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
-  bool exact = true;
-  for (int k = 0; k < 13; ++k) {
-    scaled[k] = q[k] * down;
-    exact &= scaled[k] * up == q[k];
-  }
-  return exact;
-}
-
 // Takes a block through the steps. D is the vector type for the queries of the block, D2, of doubles, for those that
 // the first step leaves open.
 template <class D, class D2>
@@ -160,10 +140,8 @@ class Steps {
       open.add_unasked(j, quick, found.known);
       open.add(j, pending & ~quick, found.known);  // after add_unasked, which would overwrite answers that this call
                                                    // adds
-      for (std::uint64_t rest = queries & ~sound; rest != 0; rest &= rest - 1) {
-        const std::size_t lane = first_bit(rest);
-        settle_out_of_range(block, j + lane, left.index[j + lane], has_bit(valid, lane));
-      }
+      if (const std::uint64_t rest = queries & ~sound; rest != 0)
+        settle_out_of_range(block, j, rest, valid, left.index);
     }
     conclude(open, [&](std::size_t place, std::size_t, double(&q)[13]) HWY_ATTR { widen(block, place, q); });
   }
@@ -199,30 +177,38 @@ class Steps {
     });
   }
 
-  // Handles query i of the block, which is outside the fine step's range: a valid one is scaled, an invalid one marked.
+  // Handles the queries of `lanes` of a vector, which are outside the fine step's range: an invalid one is marked, and
+  // a valid one scaled for another pass of that step; the last step decides those that cannot be scaled.
   template <class Number>
-  void settle_out_of_range(const Block<Number>& from, std::size_t place, std::size_t i, bool known_valid) noexcept {
-    double q[13];
-    widen(from, place, q);
-    if (known_valid || is_valid(q)) scale_for_fine_step(q, i);
-    else set_bit(answer_.invalid, i);
+  HWY_NOINLINE void settle_out_of_range(const Block<Number>& from, std::size_t first, std::uint64_t lanes,
+                                        std::uint64_t valid, const std::uint16_t* index) noexcept {
+    double scaled[13][fine_lanes];
+    std::uint64_t useful = 0;
+    if constexpr (sizeof(Real) == 8) {
+      const D2 d;
+      const ScaledToRange<D2> found(d, load(d, from, first));
+      useful = bits_of(d, found.useful);
+      for (std::size_t k = 0; k < 13; ++k) hn::StoreU(found.number[k], d, scaled[k]);
+    }
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const std::size_t lane = first_bit(lanes), i = index[first + lane];
+      double q[13];
+      widen(from, first + lane, q);
+      if (!has_bit(valid, lane) && !is_valid(q)) {
+        set_bit(answer_.invalid, i);
+      } else if (has_bit(useful, lane)) {
+        for (std::size_t k = 0; k < 13; ++k) q[k] = scaled[k][lane];
+        again_.add(q, i);
+        if (again_.size == again_size) repeat_fine_step();
+      } else {
+        take_last_step(q, i, {});
+      }
+    }
   }
 
   // The last step for query i of the block; q is that query, perhaps scaled.
   AXISCERT_INLINE void take_last_step(const double (&q)[13], std::size_t i, KnownResults known) noexcept {
-    if (!exactly_separated(q, question_, known)) set_bit(answer_.contact, i);
-  }
-  // Scales a query that is outside the fine step's range, for another pass of that step; the last step decides those
-  // that cannot be scaled.
-  AXISCERT_INLINE void scale_for_fine_step(const double (&q)[13], std::size_t i) noexcept {
-    if constexpr (sizeof(Real) == 8) {
-      if (double scaled[13]; scaled_to_range(q, scaled)) {
-        again_.add(scaled, i);
-        if (again_.size == again_size) repeat_fine_step();
-        return;
-      }
-    }
-    take_last_step(q, i, {});
+    if (!exactly_separated(q, question_, known, widest_integers<Real>)) set_bit(answer_.contact, i);
   }
 
   HWY_NOINLINE void repeat_fine_step() noexcept {

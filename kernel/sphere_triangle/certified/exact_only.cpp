@@ -14,7 +14,7 @@ void decide(const double (&query)[13], Question question, std::size_t i, Answer<
   for (const double x : query) is_valid &= std::isfinite(x);
   const std::uint64_t bit = std::uint64_t{1} << (i % 64);
   if (!is_valid) answer.invalid[i / 64] |= bit;
-  else if (!exactly_separated(query, question, {})) answer.contact[i / 64] |= bit;
+  else if (!separated_by_integers(query, question)) answer.contact[i / 64] |= bit;
 }
 
 template <class Real>

@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "kernel/sphere_triangle/certified/numbers/ball.h"
-#include "kernel/sphere_triangle/certified/numbers/exact_margins.h"
+#include "kernel/sphere_triangle/certified/exact_test.h"
 #include "kernel/sphere_triangle/certified/numbers/widths.h"
 
 namespace axiscert::certified {
@@ -15,71 +15,9 @@ struct Balls {
   using Value = Ball;
 };
 
-// Whether V is needed: by the plane's axis, or by an edge whose side comparison is open.
-bool needs_normal(KnownResults known) noexcept {
-  constexpr std::uint64_t plane_and_edges = 0b1111 << KnownResults::plane_axis,
-                          edges = 0b111 << KnownResults::edge_axis;
-  const std::uint64_t fails = known.bits >> KnownResults::fails, sides = known.bits >> KnownResults::sides;
-  return (~fails & (plane_and_edges ^ (sides & edges))) & plane_and_edges;
-}
-
-// The reduced test (kernel/sphere_triangle/formulae/reduced.h) with non-strict sides, which decides every triangle. For
-// the open sphere the radii are non-strict too, on axes that have a normal: the distance is at least r > 0 iff some
-// such axis has the whole triangle at distance r or farther (exact/sphere_triangle/filters/signs.h, is_touching).
-template <class Numbers>
-class Test {
- public:
-  Test(const Query13<Numbers>& q, bool open, KnownResults known) noexcept : m_(q), open_(open), known_(known) {}
-
-  bool separates() const noexcept {
-    for (int i = 0; i < 3; ++i) {
-      if (vertex_separates(i)) return true;
-    }
-    const Normal V = needs_normal(known_) ? m_.plane_normal() : Normal{};
-    if (plane_separates(V)) return true;
-    for (int i = 0; i < 3; ++i) {
-      if (edge_separates(i, V)) return true;
-    }
-    return false;
-  }
-
- private:
-  using Margins = ExactMargins<Numbers>;
-  using Point = typename Margins::Point;
-  using Normal = typename Margins::Normal;
-
-  template <class Number>
-  bool beyond(const Number& margin) const noexcept {
-    return open_ ? !margin.is_negative() : margin.is_positive();
-  }
-  bool vertex_separates(int i) const noexcept {
-    const int axis = KnownResults::vertex_axis + i;
-    const auto leads_away = [&](int to) { return !m_.vertex_side(i, to).is_negative(); };
-    return !known_.has(KnownResults::fails, axis) &&
-           (known_.has(KnownResults::radius, axis) || beyond(m_.vertex_radius(i))) &&
-           (known_.has(KnownResults::sides, axis) || (leads_away(m_.next(i)) && leads_away(m_.last(i))));
-  }
-  bool plane_separates(const Normal& V) const noexcept {
-    return !known_.has(KnownResults::fails, KnownResults::plane_axis) && !V.is_zero() && beyond(m_.plane_radius(V));
-  }
-  bool edge_separates(int i, const Normal& V) const noexcept {
-    const int axis = KnownResults::edge_axis + i;
-    if (known_.has(KnownResults::fails, axis)) return false;
-    const Point along = m_.along(i);
-    if (along.is_zero()) return false;
-    const Normal N = m_.edge_normal(i, along);
-    return (known_.has(KnownResults::sides, axis) || !m_.edge_side(N, V).is_positive()) &&
-           (known_.has(KnownResults::radius, axis) || beyond(m_.edge_radius(N, along)));
-  }
-
-  Margins m_;
-  bool open_;
-  KnownResults known_;
-};
-
 template <class Numbers>
 [[gnu::noinline]] bool separated_in(const Query13<Numbers>& q, bool open, KnownResults known) noexcept {
-  return Test<Numbers>(q, open, known).separates();
+  return some_axis_separates(ExactTest<Numbers>(q, open, known));
 }
 
 // The numbers in units of 2^unit.
@@ -125,20 +63,29 @@ KnownResults with_balls(const double (&q)[13], KnownResults known) noexcept {
   return known;
 }
 
-// Decides by balls and, where these do not suffice, by nonzero digits; for numbers so far apart that most digits are
-// zero.
+// By nonzero digits, for numbers so far apart that most digits are zero.
 bool separated_by_digits(const double (&q)[13], bool open, KnownResults known) noexcept {
-  known = with_balls(q, known);
-  if (known.is_separated()) return true;
-  if (known.is_contact()) return false;
   Query13<Digits> numbers;
   convert(q, numbers);
   return separated_in<Digits>(numbers, open, known);
 }
 
-}  // namespace
+// By the least integers that hold numbers of this span.
+template <std::size_t i>
+bool separated_in_size_for(const double (&q)[13], int unit, int bits, bool open, KnownResults known) noexcept {
+  if constexpr (i == std::size(integer_sizes)) {
+    return separated_by_digits(q, open, known);
+  } else {
+    constexpr int size = integer_sizes[i];
+    if (integer_size_for(bits) == size) return separated_in_units<size>(q, unit, open, known);
+    return separated_in_size_for<i + 1>(q, unit, bits, open, known);
+  }
+}
 
-bool exactly_separated(const double (&query)[13], Question question, KnownResults known) noexcept {
+// Numbers that span more than `before_balls` bits are asked as balls first, which is quicker where these suffice, and
+// those that span more than `widest` by digits.
+bool separated(const double (&query)[13], Question question, KnownResults known, int before_balls,
+               int widest) noexcept {
   bool open = question == Question::open_sphere;
   if (open && query[12] == 0) return true;  // an open sphere of radius 0 is empty
   const int top = top_of(query);
@@ -161,10 +108,21 @@ bool exactly_separated(const double (&query)[13], Question question, KnownResult
     span.include(r);
   }
   const int unit = span.unit, bits = span.bits();
-  if (bits <= 62) return separated_in_units<62>(q, unit, open, known);  // 1, 2, 3, 4 and 6 words by degree
-  if (bits <= 94) return separated_in_units<94>(q, unit, open, known);  // 2, 3, 5, 6 and 9 words
-  if (bits <= 126) return separated_in_units<126>(q, unit, open, known);
-  return separated_by_digits(q, open, known);
+  if (bits > before_balls) {
+    known = with_balls(q, known);
+    if (known.is_separated()) return true;
+    if (known.is_contact()) return false;
+  }
+  return bits <= widest ? separated_in_size_for<0>(q, unit, bits, open, known) : separated_by_digits(q, open, known);
+}
+
+}  // namespace
+
+bool exactly_separated(const double (&query)[13], Question question, KnownResults known, int widest) noexcept {
+  return separated(query, question, known, widest_integers<double>, widest);
+}
+bool separated_by_integers(const double (&query)[13], Question question) noexcept {
+  return separated(query, question, {}, widest_integers<float>, widest_integers<float>);
 }
 
 }  // namespace axiscert::certified

@@ -30,12 +30,20 @@ struct KnownResults {
   }
 };
 
+// The span in bits up to which numbers of a format are asked as integers: that of the widest integers, which is more
+// than the 278 of binary32; of binary64 numbers that span more than 126 mostly have few digits, which are quicker.
+template <class Real>
+inline constexpr int widest_integers = sizeof(Real) == 4 ? 286 : 126;
+
 // Whether the sphere is separated from the triangle, for the question asked. The query has to be valid: finite, r >= 0;
-// binary32 is widened before. Evaluates the comparisons that are not known, in integers on the stack: of 1 to 12 words,
-// in units of the least bit that is set in any of the thirteen numbers, if these are less than 2^126 apart; otherwise
-// in balls and, where these do not suffice, by the digits that are not zero. No rounding mode matters: an inexact
-// floating-point operation does not give its number back, which is checked. Subnormal numbers must not be flushed. Uses
-// about 4 KiB of stack, 29 KiB for numbers farther apart.
-bool exactly_separated(const double (&query)[13], Question question, KnownResults known) noexcept;
+// binary32 is widened before. Evaluates the comparisons that are not known, in integers on the stack: of 1 to 27 words,
+// in units of the least bit that is set in any of the thirteen numbers, if these span at most `widest` bits; otherwise
+// by the digits that are not zero. Numbers that span more than 126 bits are asked as balls first. No rounding mode
+// matters: an inexact floating-point operation does not give its number back, which is checked. Subnormal numbers must
+// not be flushed. Uses about 4 KiB of stack, 29 KiB for numbers that span more than 126 bits.
+bool exactly_separated(const double (&query)[13], Question question, KnownResults known,
+                       int widest = widest_integers<double>) noexcept;
+// The same with nothing known, by integers alone up to 286 bits, as for all of binary32; balls and digits beyond.
+bool separated_by_integers(const double (&query)[13], Question question) noexcept;
 
 }  // namespace axiscert::certified

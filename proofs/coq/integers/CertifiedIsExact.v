@@ -1,12 +1,13 @@
-(* Certified is exact. Of a query whose thirteen numbers are whole multiples of a power of two, below 2^125 of it in magnitude,
-   the certified predicate gives the right verdict, for either sphere, whatever its steps in floating point have told the exact
-   step, provided that what they told is right. For AXISCERT_EXACT_ONLY they have told nothing.
+(* Certified is exact. Of a query whose thirteen numbers are whole multiples of a power of two, below 2^285 of it in magnitude,
+   as all of binary32 are, the exact step gives the right verdict, for either sphere, whatever the steps in floating point have
+   told it, provided that what they told is right. For AXISCERT_EXACT_ONLY they have told nothing.
 
-   The exact step's program is the one recorded from the code (RecordedExact.v). That the code's integers of 1 to 12 words have
-   the values of Z where these fit, and that the doubles are converted to them, is trusted here. *)
+   The exact step's program, what it makes of the signs of its values, and the integers that it takes are those recorded from
+   the code (RecordedExact.v). That the code's integers have the values of Z where these fit in their words, and that the doubles
+   are converted to them, is trusted here. *)
 From Coq Require Import ZArith List Lia Reals Bool Lra.
 From Flocq Require Import Core.
-From Axiscert Require Import Vectors Sat7 Exact Reduced OpenSphere Known Scaled ExactProgram RecordedExact ExactStep.
+From Axiscert Require Import Vectors Sat7 Exact Reduced OpenSphere Known Scaled ExactProgram RecordedExact ExactStep ExactVerdict.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -78,11 +79,11 @@ Proof. induction 1; [apply nothing_is_sound | cbn [fold_right]; apply both_are_s
 
 Section Exact.
   Variable q : question.
-  (* The query: whole multiples of 2^unit, below 2^(n - 1) of it. *)
-  Variables unit n ax ay az bx by_ bz cx_ cy_ cz_ px py pz r : Z.
+  (* The query: whole multiples of 2^unit, below 2^(bits - 1) of it. *)
+  Variables unit bits ax ay az bx by_ bz cx_ cy_ cz_ px py pz r : Z.
   Definition whole_query := [ax; ay; az; bx; by_; bz; cx_; cy_; cz_; px; py; pz; r].
-  Hypothesis span : 1 <= n <= 126.
-  Hypothesis below : Forall (fun x => Z.abs x < 2 ^ (n - 1)) whole_query.
+  Hypothesis span : 1 <= bits <= 286.
+  Hypothesis below : Forall (fun x => Z.abs x < 2 ^ (bits - 1)) whole_query.
   Hypothesis r_nonneg : 0 <= r.
   Let point x y z := scale (grid_point x y z) (bpow radix2 unit).
   Let a := point ax ay az. Let b := point bx by_ bz. Let c := point cx_ cy_ cz_. Let p := point px py pz.
@@ -99,54 +100,98 @@ Section Exact.
   Theorem certified_is_exact_for_a_query :
     (* a verdict that the bits give is right *)
     (is_separated k = true -> apart q a b c p radius) /\ (is_contact k = true -> ~ apart q a b c p radius) /\
-    (* else the exact step's is, and each of its values fits, with its sign, in the words of its degree *)
-    (exact_separates q k (exact_margins whole_query) = true <-> apart q a b c p radius) /\
-    Forall2 (fun degree value => Z.abs value < 2 ^ (64 * words_of n (Z.of_nat degree) - 1))
+    (* else the exact step's is, and each of its values fits, with its sign, in the words of its degree in the integers taken *)
+    (recorded_separates q k (run_Z whole_query exact_program) = true <-> apart q a b c p radius) /\
+    Forall2 (fun degree value => Z.abs value < 2 ^ (64 * recorded_words (size_for bits) (Z.of_nat degree) - 1))
       (map snd recorded_exact) (skipn 13 (run_Z whole_query exact_program)).
   Proof using below r_nonneg span told_is_right.
     pose proof all_told as sound. pose proof (bpow_gt_0 radix2 unit) as u0.
     assert (0 <= radius)%R as radius0 by (unfold radius; apply Rmult_le_pos; [apply (IZR_le 0); assumption | lra]).
     destruct (known_is_right q a b c p radius k radius0 sound) as [one two]. split; [exact one |]. split; [exact two |]. split.
-    - unfold a, b, c, p, radius, point. rewrite (scaled_is_same q _ _ _ _ _ _ u0). refine (exact_step_decides q ax ay az bx by_ bz cx_ cy_ cz_ px py pz r k r_nonneg _).
+    - rewrite recorded_verdict_is_exact_separates. unfold a, b, c, p, radius, point. rewrite (scaled_is_same q _ _ _ _ _ _ u0). refine (exact_step_decides q ax ay az bx by_ bz cx_ cy_ cz_ px py pz r k r_nonneg _).
       eapply sound_weaker; [| exact sound]. intros K.
       pose proof (scaled_holds (sub (grid_point ax ay az) (grid_point px py pz)) (sub (grid_point bx by_ bz) (grid_point px py pz))
         (sub (grid_point cx_ cy_ cz_) (grid_point px py pz)) (IZR r * IZR r) (bpow radix2 unit) q K u0) as same.
       rewrite <- !scaled_difference in same.
       replace (radius * radius)%R with (IZR r * IZR r * (bpow radix2 unit * bpow radix2 unit))%R by (unfold radius; ring). exact same.
-    - apply exact_values_fit; [lia | reflexivity | exact below].
+    - apply recorded_values_fit; [exact span | reflexivity | exact below].
   Qed.
 End Exact.
 
 (* The statement, in one place. *)
 Definition certified_is_exact : Prop :=
-  forall (q : question) (unit n ax ay az bx by_ bz cx_ cy_ cz_ px py pz r : Z) (told : list known),
+  forall (q : question) (unit bits ax ay az bx by_ bz cx_ cy_ cz_ px py pz r : Z) (told : list known),
   let query := [ax; ay; az; bx; by_; bz; cx_; cy_; cz_; px; py; pz; r] in
   let point x y z := scale (grid_point x y z) (bpow radix2 unit) in
   let radius := (IZR r * bpow radix2 unit)%R in
   let a := point ax ay az in let b := point bx by_ bz in let c := point cx_ cy_ cz_ in let p := point px py pz in
   let truth := apart q a b c p radius in
   let k := fold_right both_known nothing_known told in
-  1 <= n <= 126 -> Forall (fun x => Z.abs x < 2 ^ (n - 1)) query -> 0 <= r ->
+  1 <= bits <= 286 -> Forall (fun x => Z.abs x < 2 ^ (bits - 1)) query -> 0 <= r ->
   Forall (sound_known (holds_for q (sub a p) (sub b p) (sub c p) (radius * radius))) told ->
   (is_separated k = true -> truth) /\ (is_contact k = true -> ~ truth) /\
-  (exact_separates q k (exact_margins query) = true <-> truth) /\
-  Forall2 (fun degree value => Z.abs value < 2 ^ (64 * words_of n (Z.of_nat degree) - 1))
+  (recorded_separates q k (run_Z query exact_program) = true <-> truth) /\
+  Forall2 (fun degree value => Z.abs value < 2 ^ (64 * recorded_words (size_for bits) (Z.of_nat degree) - 1))
     (map snd recorded_exact) (skipn 13 (run_Z query exact_program)).
-Theorem certified_is_exact_within_126_bits : certified_is_exact.
-Proof. intros q unit n ax ay az bx by_ bz cx_ cy_ cz_ px py pz r told. cbv zeta. intros. apply certified_is_exact_for_a_query; assumption. Qed.
+Theorem certified_is_exact_within_286_bits : certified_is_exact.
+Proof. intros q unit bits ax ay az bx by_ bz cx_ cy_ cz_ px py pz r told. cbv zeta. intros. apply certified_is_exact_for_a_query; assumption. Qed.
 
 (* AXISCERT_EXACT_ONLY: nothing is told, so nothing is assumed of floating point. *)
 Definition exact_only_is_exact : Prop :=
-  forall (q : question) (unit n ax ay az bx by_ bz cx_ cy_ cz_ px py pz r : Z),
+  forall (q : question) (unit bits ax ay az bx by_ bz cx_ cy_ cz_ px py pz r : Z),
   let query := [ax; ay; az; bx; by_; bz; cx_; cy_; cz_; px; py; pz; r] in
   let point x y z := scale (grid_point x y z) (bpow radix2 unit) in
-  1 <= n <= 126 -> Forall (fun x => Z.abs x < 2 ^ (n - 1)) query -> 0 <= r ->
-  (exact_separates q nothing_known (exact_margins query) = true <->
+  1 <= bits <= 286 -> Forall (fun x => Z.abs x < 2 ^ (bits - 1)) query -> 0 <= r ->
+  (recorded_separates q nothing_known (run_Z query exact_program) = true <->
     apart q (point ax ay az) (point bx by_ bz) (point cx_ cy_ cz_) (point px py pz) (IZR r * bpow radix2 unit)) /\
-  Forall2 (fun degree value => Z.abs value < 2 ^ (64 * words_of n (Z.of_nat degree) - 1))
+  Forall2 (fun degree value => Z.abs value < 2 ^ (64 * recorded_words (size_for bits) (Z.of_nat degree) - 1))
     (map snd recorded_exact) (skipn 13 (run_Z query exact_program)).
-Theorem exact_only_is_exact_within_126_bits : exact_only_is_exact.
+Theorem exact_only_is_exact_within_286_bits : exact_only_is_exact.
 Proof.
-  intros q unit n ax ay az bx by_ bz cx_ cy_ cz_ px py pz r. cbv zeta. intros span below r0.
-  exact (proj2 (proj2 (certified_is_exact_within_126_bits q unit n ax ay az bx by_ bz cx_ cy_ cz_ px py pz r [] span below r0 (Forall_nil _)))).
+  intros q unit bits ax ay az bx by_ bz cx_ cy_ cz_ px py pz r. cbv zeta. intros span below r0.
+  exact (proj2 (proj2 (certified_is_exact_within_286_bits q unit bits ax ay az bx by_ bz cx_ cy_ cz_ px py pz r [] span below r0 (Forall_nil _)))).
+Qed.
+
+(* Of binary32 every query: its numbers are whole multiples of 2^-149 below 2^277 of it. *)
+Definition in_binary32 (x : R) : Prop := generic_format radix2 (FLT_exp (-149) 24) x /\ (Rabs x < bpow radix2 128)%R.
+Definition of_least (z : Z) : R := (IZR z * bpow radix2 (-149))%R.
+Lemma binary32_is_whole x : in_binary32 x -> exists z, x = of_least z /\ Z.abs z < 2 ^ (278 - 1).
+Proof.
+  intros [format small]. apply FLT_format_generic in format; [| reflexivity]. destruct format as [[m e] value _ least].
+  cbn [Fexp] in least. exists (m * 2 ^ (e + 149)). unfold of_least.
+  assert (x = (IZR (m * 2 ^ (e + 149)) * bpow radix2 (-149))%R) as same.
+  { rewrite value. unfold F2R. cbn [Fnum Fexp]. rewrite mult_IZR. change 2 with (radix_val radix2). rewrite IZR_Zpower by lia.
+    rewrite Rmult_assoc, <- bpow_plus. do 2 f_equal. lia. }
+  split; [exact same |]. apply lt_IZR. rewrite abs_IZR. change 2 with (radix_val radix2). rewrite IZR_Zpower by lia.
+  rewrite same, Rabs_mult, (Rabs_pos_eq (bpow radix2 (-149))) in small by apply bpow_ge_0.
+  apply Rmult_lt_reg_r with (bpow radix2 (-149)); [apply bpow_gt_0 |]. rewrite <- bpow_plus. exact small.
+Qed.
+
+Definition certified_is_exact_of_binary32 : Prop :=
+  forall (q : question) (ax ay az bx by_ bz cx_ cy_ cz_ px py pz r : R) (told : list known),
+  let query := [ax; ay; az; bx; by_; bz; cx_; cy_; cz_; px; py; pz; r] in
+  let a := Vec ax ay az in let b := Vec bx by_ bz in let c := Vec cx_ cy_ cz_ in let p := Vec px py pz in
+  let truth := apart q a b c p r in let k := fold_right both_known nothing_known told in
+  Forall in_binary32 query -> (0 <= r)%R -> Forall (sound_known (holds_for q (sub a p) (sub b p) (sub c p) (r * r))) told ->
+  (is_separated k = true -> truth) /\ (is_contact k = true -> ~ truth) /\
+  exists whole : list Z, map of_least whole = query /\
+    (recorded_separates q k (run_Z whole exact_program) = true <-> truth) /\
+    Forall2 (fun degree value => Z.abs value < 2 ^ (64 * recorded_words (size_for 278) (Z.of_nat degree) - 1))
+      (map snd recorded_exact) (skipn 13 (run_Z whole exact_program)).
+Theorem certified_is_exact_binary32 : certified_is_exact_of_binary32.
+Proof.
+  intros q ax ay az bx by_ bz cx_ cy_ cz_ px py pz r told. cbv zeta. intros format r0 sound.
+  assert (exists whole : list Z, map of_least whole = [ax; ay; az; bx; by_; bz; cx_; cy_; cz_; px; py; pz; r] /\
+    Forall (fun z => Z.abs z < 2 ^ (278 - 1)) whole) as (whole & same & below).
+  { clear r0 sound. induction format as [| x l one _ (w & same & below)]; [exists []; split; constructor |].
+    destruct (binary32_is_whole x one) as (z & value & small). exists (z :: w). split; [| constructor; assumption].
+    cbn [map]. f_equal; [symmetry; exact value | exact same]. }
+  do 13 (destruct whole as [| ? whole]; [discriminate same |]). destruct whole; [| discriminate same].
+  cbn [map] in same. injection same as <- <- <- <- <- <- <- <- <- <- <- <- <-.
+  match type of below with Forall _ [?z1; ?z2; ?z3; ?z4; ?z5; ?z6; ?z7; ?z8; ?z9; ?z10; ?z11; ?z12; ?z13] =>
+    pose proof (certified_is_exact_within_286_bits q (-149) 278 z1 z2 z3 z4 z5 z6 z7 z8 z9 z10 z11 z12 z13 told) as exact end.
+  cbv zeta in exact. specialize (exact ltac:(lia) below). cbn [cx cy cz scale grid_point] in exact.
+  destruct exact as (one & two & three & four); [| exact sound |].
+  - unfold of_least in r0. apply le_IZR. apply Rmult_le_reg_r with (bpow radix2 (-149)); [apply bpow_gt_0 |]. rewrite Rmult_0_l. exact r0.
+  - split; [exact one |]. split; [exact two |]. eexists. split; [| split; [exact three | exact four]]. reflexivity.
 Qed.

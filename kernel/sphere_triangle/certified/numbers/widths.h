@@ -20,6 +20,17 @@ struct Integers {
   template <int degree>
   using Value = Integer<static_cast<std::size_t>((bits(degree) + 63) / 64)>;
 };
+// The sizes that numbers of more than 62 bits, or with a least bit of their own, are converted to: values of 1, 2, 3, 4
+// and 6 words by degree; 2, 3, 5, 6 and 9; 2, 4, 6, 8 and 12; and 5, 9, 14, 18 and 27 for numbers that span no more
+// than those of binary32 can, 278 bits. proofs/certified records for each span which of them is taken, and its words.
+inline constexpr int integer_sizes[] = {62, 94, 126, 286};
+// The least size that holds numbers of a span; 0 where none does.
+constexpr int integer_size_for(int bits) noexcept {
+  for (const int size : integer_sizes) {
+    if (bits <= size) return size;
+  }
+  return 0;
+}
 // For numbers so far apart that most of their digits are zero.
 struct Digits {
   template <int degree>
