@@ -68,20 +68,6 @@ class Right(Shaders):
         self.assertNotEqual(expected, ["separated"] * len(queries))
 
 
-    def test_the_probe_says_what_the_page_says_of_swiftshader(self):
-        said = subprocess.run(["node", FOLDER / "probe.mjs"], capture_output=True, text=True, check=True, timeout=300).stdout
-        answers = {line[:40].strip(): line[41:] for line in said.splitlines()}
-        page = (FOLDER.parents[1] / "docs" / "gpu.md").read_text()
-        self.assertRegex(answers["device"], "swiftshader")
-        for question, answer, row in (("the error of a sum, by two-sum", "kept", "| the error of a sum, by two-sum | kept |"),
-                                      ("x y + x z", "factored", "| `x * y + x * z` | `x * (y + z)` |"), ("(x / y) y", "cancelled", "| `(x / y) * y` | `x` |"),
-                                      ("(x - y) + y", "x", "| `(x - y) + y` | `x` |"), ("x y + z", "two roundings", "| `x * y + z`, `fma(x, y, z)` | two roundings |"),
-                                      ("a subnormal times 1", "flushed", "| subnormal operands and results | 0 |"), ("NaN != NaN", "no", "| `x != x` of NaN | false |")):
-            self.assertEqual(answers[question], answer)
-            self.assertIn(row, page)
-        self.assertEqual(answers["the same behind a barrier"], "as written")
-
-
 class Told(Shaders):
     def test_a_planted_fault_is_found(self):
         said, code = self.told(PUBLISHED.replace("opposite * e - Q", "opposite * e + Q"), "--require", "logic", family="lattice")
@@ -122,7 +108,7 @@ class Told(Shaders):
 import {{open}} from {json.dumps(str(FOLDER / "webgpu.mjs"))};
 const answer = await open({{file: "mine.wgsl", text: {json.dumps(PUBLISHED)}, language: "wgsl", question: "sphere-triangle", device: ""}});
 {script}
-console.log("answered");
+process.stdout.write("answered\\n");
 process.exit(0);
 ''')
         done = subprocess.run(["node", "mine.mjs"], cwd=self.folder, capture_output=True, text=True, timeout=300)
