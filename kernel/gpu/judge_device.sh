@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Asks this machine's own GPU, and judges its replies: kernels of kernel/ by nvcc's program, contracted as nvcc does by default, not, and
-# with --use_fast_math; then shaders on Vulkan's first adapter. What is not there is NOT CHECKED.
+# with --use_fast_math; then shaders on Vulkan's first adapter, in GLSL and in OpenCL C. What is not there is NOT CHECKED.
 #
 #   judge_device.sh AXISCERT FOLDER TRIALS
 #
@@ -64,6 +64,16 @@ if node kernel/gpu/probe.mjs; then
 else
   echo "shaders: NOT CHECKED"
 fi
+# The same in GLSL and in OpenCL C, by the first device of each; what runs on the processor is the last.
+for language in glsl cl; do
+  if node kernel/gpu/probe.mjs $language; then
+    for kernel in published reduced-nonstrict closest-point; do
+      judged $language-$kernel sphere-triangle "" node kernel/gpu/shader.mjs "kernel/gpu/sphere-triangle/$kernel.$language" sphere-triangle
+    done
+  else
+    echo "$language: NOT CHECKED"
+  fi
+done
 [ $count -gt 0 ] || {
   echo "NOT CHECKED: nothing here could be asked" >&2
   exit 2

@@ -7,88 +7,26 @@ shaders_test.py AXISCERT [unittest arguments]
 import csv
 import json
 import os
-import shutil
 import struct
 import subprocess
-import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-FOLDER = Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parent / "peers" / "npm"))
-import asking  # noqa: E402
+from shader_case import AXISCERT, FOLDER, Shaders, main, missing_dawn, source
 
-AXISCERT = Path(sys.argv.pop(1)).resolve()
-CHROMIUM = Path(os.environ.get("AXISCERT_CHROMIUM", "/usr/lib/chromium"))
-PUBLISHED = (FOLDER / "sphere-triangle" / "published.wgsl").read_text()
-os.environ["AXISCERT_GPU"] = "software"
-
-
-def missing():
-    if shutil.which("node") is None:
-        return "node"
-    if not (FOLDER / "node_modules" / "webgpu").is_dir():
-        return "the package webgpu"
-    return None if (CHROMIUM / "vk_swiftshader_icd.json").exists() else f"SwiftShader in {CHROMIUM}"
-
-
-class Shaders(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
-    def axiscert(self, *words):
-        return subprocess.run([AXISCERT, *map(str, words)], cwd=self.folder, capture_output=True, text=True, timeout=300)
-
-    def judged(self, kernel, *words):
-        """The record of a run."""
-        done = self.axiscert("run", "--kernel", kernel, "--quiet", "--out", "out", *words)
-        self.assertIn(done.returncode, (0, 1), done.stderr)
-        return json.loads((self.folder / "out" / "record.json").read_text())
-
-    def shader(self, text, *question):
-        """The id of a kernel that is this shader."""
-        (self.folder / "mine.wgsl").write_text(text)
-        manifest = {"format": "axiscert-program/2", "name": "mine", "command": ["node", str(FOLDER / "shader.mjs"), "mine.wgsl", *question],
-                    "precisions": ["binary32"]}
-        (self.folder / "mine.json").write_text(json.dumps(manifest))
-        return "program:mine.json"
-
-    def told(self, text, *words, family="general"):
-        """What axiscert says of a run of this shader, and its exit code."""
-        done = self.axiscert("run", "--kernel", self.shader(text), "--family", family, "--trials", 1500, "--out", "out", *words)
-        return done.stdout + done.stderr, done.returncode
-
-    def answers(self, text, queries):
-        (self.folder / "mine.wgsl").write_text(text)
-        return asking.ask(["node", str(FOLDER / "shader.mjs"), "mine.wgsl"], self.folder, queries)
+PUBLISHED = source("published")
 
 
 class Right(Shaders):
     def test_reduced_and_published_answer_as_the_processor_that_flushes(self):
         for name in ("published", "reduced-nonstrict"):
             with self.subTest(name):
-                queries, replies = self.folder / "queries", self.folder / "replies"
-                families = [word for family in ("general", "tangent", "scale", "needle", "speck") for word in ("--family", family)]
-                self.axiscert("generate", "--binary", *families, "--trials", 20000, "-o", queries)
-                with open(queries) as sent, open(replies, "w") as got:
-                    subprocess.run(["node", FOLDER / "shader.mjs", FOLDER / "sphere-triangle" / f"{name}.wgsl"], stdin=sent, stdout=got,
-                                   stderr=subprocess.DEVNULL, check=True, timeout=300)
-                differ = {}
-                for kernel in (name, f"{name}+ftz"):
-                    self.axiscert("judge", replies, "--conforms-to", kernel, "--out", kernel)
-                    record = json.loads((self.folder / kernel / "record.json").read_text())
-                    families = record["kernels"][0]["families"]
-                    self.assertEqual(len(families), 5)
-                    differ[kernel] = sum(family["verdict"]["links"]["implementation"] + family["verdict"]["masked_links"]["implementation"]
-                                         for family in families.values())
+                differ = self.differing(name, ["node", FOLDER / "shader.mjs", FOLDER / "sphere-triangle" / f"{name}.wgsl"], (name, f"{name}+ftz"),
+                                        ("general", "tangent", "scale", "needle", "speck"), 20000)
                 self.assertGreater(differ[name], 0)  # flushing is seen
                 self.assertEqual(differ[f"{name}+ftz"], 0)
 
     def test_where_nothing_is_rounded_every_shader_answers_as_the_kernel_of_its_name(self):
-        for file in sorted(FOLDER.glob("*-*/*.json")):
+        for file in sorted(file for file in FOLDER.glob("*-*/*.json") if file.with_suffix(".wgsl").exists()):
             with self.subTest(f"{file.parent.name}/{file.stem}"):
                 prefix = "" if file.parent.name == "sphere-triangle" else f"{file.parent.name}/"
                 record = self.judged(f"program:{file}", "--kernel", prefix + file.stem.removesuffix("-kept"), "--precision", "binary32",
@@ -130,20 +68,6 @@ class Right(Shaders):
         self.assertNotEqual(expected, ["separated"] * len(queries))
 
 
-    def test_the_probe_says_what_the_page_says_of_swiftshader(self):
-        said = subprocess.run(["node", FOLDER / "probe.mjs"], capture_output=True, text=True, check=True, timeout=300).stdout
-        answers = {line[:40].strip(): line[41:] for line in said.splitlines()}
-        page = (FOLDER.parents[1] / "docs" / "gpu.md").read_text()
-        self.assertRegex(answers["device"], "swiftshader")
-        for question, answer, row in (("the error of a sum, by two-sum", "kept", "| the error of a sum, by two-sum | kept |"),
-                                      ("x y + x z", "factored", "| `x * y + x * z` | `x * (y + z)` |"), ("(x / y) y", "cancelled", "| `(x / y) * y` | `x` |"),
-                                      ("(x - y) + y", "x", "| `(x - y) + y` | `x` |"), ("x y + z", "two roundings", "| `x * y + z`, `fma(x, y, z)` | two roundings |"),
-                                      ("a subnormal times 1", "flushed", "| subnormal operands and results | 0 |"), ("NaN != NaN", "no", "| `x != x` of NaN | false |")):
-            self.assertEqual(answers[question], answer)
-            self.assertIn(row, page)
-        self.assertEqual(answers["the same behind a barrier"], "as written")
-
-
 class Told(Shaders):
     def test_a_planted_fault_is_found(self):
         said, code = self.told(PUBLISHED.replace("opposite * e - Q", "opposite * e + Q"), "--require", "logic", family="lattice")
@@ -178,6 +102,30 @@ class Told(Shaders):
         self.assertIn("workgroup storage", said)
         self.assertEqual(code, 2)
 
+    def ended(self, script):
+        """What a process says that opens `published` and asks it once, after `script` has had the device."""
+        (self.folder / "mine.mjs").write_text(f'''
+import {{open}} from {json.dumps(str(FOLDER / "webgpu.mjs"))};
+const answer = await open({{file: "mine.wgsl", text: {json.dumps(PUBLISHED)}, language: "wgsl", question: "sphere-triangle", device: ""}});
+{script}
+process.stdout.write("answered\\n");
+process.exit(0);
+''')
+        done = subprocess.run(["node", "mine.mjs"], cwd=self.folder, capture_output=True, text=True, timeout=300)
+        return done.stderr, done.stdout, done.returncode
+
+    def test_a_lost_device_ends_the_program_and_answers_nothing(self):
+        said, answered, code = self.ended("answer.lose(); await answer(new Float32Array(13 * 64)); await new Promise((done) => setTimeout(done, 5000));")
+        self.assertRegex(said, "the device was lost|of the device: ")
+        self.assertEqual((answered, code != 0), ("", True))
+        _, answered, code = self.ended("await answer(new Float32Array(13 * 64));")
+        self.assertEqual((answered, code), ("answered\n", 0))
+
+    def test_a_batch_beyond_the_memory_of_the_device_is_told(self):
+        said, answered, code = self.ended("await answer(new Float32Array(13 * (1 << 24)));")
+        self.assertRegex(said, "(lack of memory|fault) of the device: ")
+        self.assertEqual((answered, code != 0), ("", True))
+
     def test_without_a_device_nothing_is_judged(self):
         id = self.shader(PUBLISHED)
         for wish, why in (("hardware", "no GPU adapter: Vulkan offers none"), ("software", "/nowhere/vk_swiftshader_icd.json is not there; ./dev gpu brings it")):
@@ -200,16 +148,25 @@ class Manifests(unittest.TestCase):
     def test_each_shader_has_one_that_says_what_is_installed(self):
         package = json.loads((FOLDER / "package.json").read_text())["dependencies"]
         lock = json.loads((FOLDER / "package-lock.json").read_text())["packages"]
-        self.assertEqual({file.with_suffix("") for file in FOLDER.glob("*-*/*.wgsl")}, {file.with_suffix("") for file in FOLDER.glob("*-*/*.json")})
+        told = set()
         for file in FOLDER.glob("*-*/*.json"):
             manifest = json.loads(file.read_text())
-            self.assertEqual((manifest["name"], manifest["predicate"]), (f"wgsl/{file.stem}", file.parent.name))
-            self.assertEqual(package[manifest["package"]], manifest["version"])
-            self.assertEqual(lock[f"node_modules/{manifest['package']}"]["version"], manifest["version"])
+            shader = file.parent / manifest["command"][2]
+            told.add(shader)
+            self.assertEqual(manifest["predicate"], file.parent.name)
+            if shader.suffix == ".mjs":  # of a package that is asked
+                wanted = json.loads((FOLDER.parent / "peers" / "npm" / "package.json").read_text())["dependencies"]
+                self.assertEqual(wanted[manifest["package"]], manifest["version"])
+                continue
+            name = {".wgsl": "wgsl", ".glsl": "glsl", ".cl": "opencl"}[shader.suffix]
+            self.assertEqual(manifest["name"], f"{name}/{shader.stem}")
+            if name == "wgsl":
+                self.assertEqual(package[manifest["package"]], manifest["version"])
+                self.assertEqual(lock[f"node_modules/{manifest['package']}"]["version"], manifest["version"])
+            for other in manifest["files"]:
+                self.assertTrue((file.parent / other).exists(), other)
+        self.assertEqual(told, {file for suffix in ("wgsl", "glsl", "cl", "mjs") for file in FOLDER.glob(f"*-*/*.{suffix}")})
 
 
 if __name__ == "__main__":
-    if missing():
-        print(f"NOT CHECKED: {missing()} is not there; `./dev gpu` brings it", file=sys.stderr)
-        sys.exit(77)
-    unittest.main()
+    main(missing_dawn())
