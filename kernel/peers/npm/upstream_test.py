@@ -18,10 +18,10 @@ PROGRAM = re.compile(r"\n```js\n(.*?)\n```\n\nIt prints\n\n```\n(.*?)\n```\n", r
 
 class Texts(unittest.TestCase):
     def test_each_fault_is_the_subject_of_one_text(self):
-        faults = asking.faults()
-        subjects = [(predicate, text) for text in TEXTS.values()
-                    for predicate in re.findall("`([a-z-]+)`", re.search(r"; predicates? (.*)\.\n", text)[1])]
-        self.assertEqual(sorted(predicate for predicate, _ in subjects), sorted(line["id"] for line in faults))
+        faults = asking.faults() + asking.contact_faults()
+        subjects = [(test, text) for text in TEXTS.values()
+                    for test in re.findall("`([a-z-]+)`", re.search(r"; tests? (.*)\.\n", text)[1])]
+        self.assertEqual(sorted(test for test, _ in subjects), sorted(line["id"] for line in faults))
         for line in faults:
             version = f"{line['engine']['package']} {line['engine']['version']}"
             self.assertIn(version, dict(subjects)[line["id"]], line["id"])
