@@ -15,13 +15,15 @@ namespace {
 static_assert(sizeof(btScalar) == 4);
 
 btVector3 vector(const Vec3<float>& v) { return {v.x, v.y, v.z}; }
+Vec3<float> plain(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 
 struct BulletGjk {
   using Real = float;
+  static constexpr std::size_t measure_count = whole_answer;
 
   // All objects are new for each query: the detector would begin at the separating axis of its last query, the solver
   // with its last simplex.
-  int operator()(const Query<float>& q) const {
+  int operator()(const Query<float>& q, Contact<float>& said) const {
     btSphereShape sphere(q.r);
     btTriangleShape triangle(vector(q.a), vector(q.b), vector(q.c));
     triangle.setMargin(0);  // the triangle has no thickness; the sphere's margin is its radius
@@ -36,6 +38,9 @@ struct BulletGjk {
     detector.getClosestPoints(input, nearest, nullptr);
     // Bullet gives no result beyond the greatest distance asked for, and where it finds no valid direction.
     if (!nearest.m_hasResult) return AXISCERT_SEPARATED;
+    // The triangle is its second body: normal and point are of that.
+    if (!std::isnan(nearest.m_distance))
+      said = {nearest.m_distance, plain(nearest.m_normalOnBInWorld), plain(nearest.m_pointInWorld)};
     return verdict_within(nearest.m_distance, 0.0F);
   }
 };

@@ -16,14 +16,18 @@ namespace axiscert::peer {
 template <class Number>
 struct CgalInexact {
   using Real = Number;
+  // The root of what it gives, less the radius, beside both verdicts.
+  static constexpr std::size_t measure_count = separation_alone;
   // The comparison is made here, so distance <= radius is contact.
   static constexpr axiscert_touching touching = AXISCERT_TOUCHING_IS_CONTACT;
 
-  int operator()(const Query<Number>& q) const {
+  int operator()(const Query<Number>& q, Contact<Number>& said) const {
     using Kernel = CGAL::Simple_cartesian<Number>;
     const auto point = [](const Vec3<Number>& v) { return typename Kernel::Point_3(v.x, v.y, v.z); };
     const typename Kernel::Triangle_3 triangle(point(q.a), point(q.b), point(q.c));
-    return verdict_within<Number>(CGAL::squared_distance(point(q.p), triangle), q.r * q.r);
+    const Number squared = CGAL::squared_distance(point(q.p), triangle);
+    said.separation = std::sqrt(squared) - q.r;
+    return verdict_within<Number>(squared, q.r * q.r);
   }
 };
 

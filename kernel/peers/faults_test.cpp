@@ -1,5 +1,6 @@
 // The known faults of each library, by kind: a change to one of these requires a change to docs/league.md. cgal-epick
 // is right on every query here.
+#include <cmath>
 #include <csignal>
 
 #include "kernel/peers/peers_testing.h"
@@ -103,6 +104,39 @@ TEST(LibccdFaults, MprDoesNotComeBackFromSomeQueries) {
   const Query<double> on_the_triangle = {{-12, -20, 32}, {32, 28, -20}, {12, 4, -8}, {11, 4, -1}, 0};
   EXPECT_EQ(ask<double>("libccd-mpr", {on_the_triangle}).signal, SIGXCPU);
   EXPECT_EQ(ask<double>("cgal-epick", {on_the_triangle}).bytes, "c");
+}
+
+// Numbers beside verdicts that are right. A triangle with a right angle at the origin and legs of length 4.
+
+// The loop over the edges keeps the last one within the radius: here CA, whose nearest point is A.
+TEST(FclFaults, AContactIsThatOfTheLastEdgeWithinTheRadius) {
+  const std::vector<double> found = ask_numbers("fcl", sphere(2.0, -1.0, 0.0, 4.0));
+  EXPECT_NEAR(found[0], std::sqrt(5.0) - 4, 1e-12) << "it is 3 deep, at (2, 0, 0)";
+  EXPECT_NEAR(found[2], 2 / std::sqrt(5.0), 1e-12) << "the way out is (0, -1, 0)";
+  EXPECT_EQ((std::vector<double>{found[5], found[6], found[7]}), (std::vector<double>{0, 0, 0}));
+}
+
+// Its normal is the plane's, at an edge too, and the depth is measured along it.
+TEST(OdeFaults, ASphereBesideAnEdgeIsPushedAlongTheNormalOfThePlane) {
+  const std::vector<double> beside = ask_numbers("ode", sphere(2.0, -1.0, 0.0, 4.0));
+  EXPECT_EQ(beside[0], 0) << "it is 3 deep";
+  EXPECT_EQ((std::vector<double>{beside[2], beside[3], beside[4]}), (std::vector<double>{0, 0, 1}));
+  const std::vector<double> corner = ask_numbers("ode", sphere(5.0, -1.0, 0.5, 2.0));
+  EXPECT_NEAR(corner[0], -1.0 / 6, 1e-6) << "it is 0.5 deep";
+  EXPECT_EQ((std::vector<double>{corner[2], corner[3], corner[4]}), (std::vector<double>{0, 0, 1}));
+}
+
+// The expanding polytope ends before it has a direction.
+TEST(LibccdFaults, GjkSaysADepthOfZeroOfADeepContact) {
+  const std::vector<double> found = ask_numbers("libccd-gjk", sphere(-1.0, 3.0, 0.0, 4.0));
+  EXPECT_EQ(found[0], 0) << "it is 3 deep";
+}
+
+// The depth is along the way from the one's centre to the other's, as MPR has it.
+TEST(LibccdFaults, MprPushesAlongTheLineOfCentres) {
+  const std::vector<double> found = ask_numbers("libccd-mpr", sphere(1.0, 1.0, 0.125, 20.0));
+  EXPECT_LT(found[0], -21) << "it is 19.875 deep";
+  EXPECT_LT(found[4], 0.3) << "the way out is (0, 0, 1)";
 }
 
 // Overflow: of the numerator alone, and at a larger size of numerator and denominator.

@@ -19,6 +19,11 @@ fcl::Vector3<Number> fcl_vector(const Vec3<Number>& v) {
 }
 
 template <class Number>
+Vec3<Number> plain(const fcl::Vector3<Number>& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+template <class Number>
 fcl::Transform3<Number> fcl_translation(const Vec3<Number>& v) {
   fcl::Transform3<Number> to = fcl::Transform3<Number>::Identity();
   to.translation() = fcl_vector(v);
@@ -28,14 +33,21 @@ fcl::Transform3<Number> fcl_translation(const Vec3<Number>& v) {
 template <class Number>
 struct FclDetector {
   using Real = Number;
+  static constexpr std::size_t measure_count = whole_answer;
   // Contact iff distance < radius + epsilon in that number type: at radius 1 touching is contact, at radius 4 it is
   // not.
   static constexpr axiscert_touching touching = AXISCERT_TOUCHING_IS_EITHER;
 
-  int operator()(const Query<Number>& q) const {
-    return verdict_of(fcl::detail::sphereTriangleIntersect<Number>(fcl::Sphere<Number>(q.r), fcl_translation(q.p),
-                                                                   fcl_vector(q.a), fcl_vector(q.b), fcl_vector(q.c),
-                                                                   nullptr, nullptr, nullptr));
+  // The normal goes from the sphere to the triangle, and the point is the triangle's. What it calls a depth is minus
+  // one: so it is a separation as it stands, and collide() hands it on as a depth.
+  int operator()(const Query<Number>& q, Contact<Number>& said) const {
+    fcl::Vector3<Number> point, normal;
+    Number depth;
+    const bool contact =
+        fcl::detail::sphereTriangleIntersect<Number>(fcl::Sphere<Number>(q.r), fcl_translation(q.p), fcl_vector(q.a),
+                                                     fcl_vector(q.b), fcl_vector(q.c), &point, &depth, &normal);
+    if (contact) said = {depth, plain<Number>(-normal), plain<Number>(point)};
+    return verdict_of(contact);
   }
 };
 

@@ -14,12 +14,24 @@ namespace {
 
 struct FclGjk {
   using Real = double;
+  static constexpr std::size_t measure_count = up_to_normal;
 
-  int operator()(const Query<double>& q) const {
+  // The verdict of the yes-or-no question; the numbers are those of another, which may be answered by no. Its depth is
+  // positive, its normal goes from the ellipsoid to the triangle, and its point is of neither of them.
+  int operator()(const Query<double>& q, Contact<double>& said) const {
     const fcl::detail::GJKSolver_libccd<double> solver;
-    return verdict_of(solver.shapeTriangleIntersect(fcl::Ellipsoid<double>(q.r, q.r, q.r), fcl_translation(q.p),
-                                                    fcl_vector(q.a), fcl_vector(q.b), fcl_vector(q.c), nullptr, nullptr,
-                                                    nullptr));
+    const auto ask = [&](fcl::Vector3<double>* point, double* depth, fcl::Vector3<double>* normal) {
+      return solver.shapeTriangleIntersect(fcl::Ellipsoid<double>(q.r, q.r, q.r), fcl_translation(q.p), fcl_vector(q.a),
+                                           fcl_vector(q.b), fcl_vector(q.c), point, depth, normal);
+    };
+    if (!ask(nullptr, nullptr, nullptr)) return AXISCERT_SEPARATED;
+    fcl::Vector3<double> point, normal;
+    double depth;
+    if (ask(&point, &depth, &normal)) {
+      said.separation = -depth;
+      said.normal = plain<double>(-normal);
+    }
+    return AXISCERT_CONTACT;
   }
 };
 

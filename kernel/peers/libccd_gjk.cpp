@@ -3,24 +3,9 @@
 // zero from the simplex gives contact, so scenes of size 1e-5 and smaller have phantom contacts.
 #include "kernel/peers/libccd_shapes.h"
 
-namespace axiscert::peer {
-namespace {
-
-struct LibccdGjk {
-  using Real = double;
-
-  int operator()(const Query<double>& q) const {
-    const ccd_t ccd = sphere_and_triangle();
-    return verdict_of(ccdGJKIntersect(&q, &q, &ccd) != 0);
-  }
-};
-
-}  // namespace
-}  // namespace axiscert::peer
-
 // The origin on a face of the simplex gives contact, a search direction of length 0 does not; whichever is met first
 // decides.
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
-  return axiscert::peer::kernel<axiscert::peer::LibccdGjk>(
+  return axiscert::peer::kernel<axiscert::peer::LibccdSphere<ccdGJKIntersect, ccdGJKPenetration>>(
       index, {"libccd-gjk", "libccd's ccdGJKIntersect, double", AXISCERT_TOUCHING_IS_EITHER, AXISCERT_SOURCE});
 }

@@ -3,23 +3,8 @@
 // 0) they never end: the process that runs this needs a time limit.
 #include "kernel/peers/libccd_shapes.h"
 
-namespace axiscert::peer {
-namespace {
-
-struct LibccdMpr {
-  using Real = double;
-
-  int operator()(const Query<double>& q) const {
-    const ccd_t ccd = sphere_and_triangle();
-    return verdict_of(ccdMPRIntersect(&q, &q, &ccd) != 0);
-  }
-};
-
-}  // namespace
-}  // namespace axiscert::peer
-
 // While the algorithm looks for a portal, an origin on its surface counts as outside; once it has a portal, as inside.
 const axiscert_kernel* axiscert_plugin(std::uint32_t index) {
-  return axiscert::peer::kernel<axiscert::peer::LibccdMpr>(
+  return axiscert::peer::kernel<axiscert::peer::LibccdSphere<ccdMPRIntersect, ccdMPRPenetration>>(
       index, {"libccd-mpr", "libccd's ccdMPRIntersect, double", AXISCERT_TOUCHING_IS_EITHER, AXISCERT_SOURCE});
 }

@@ -56,4 +56,25 @@ inline ccd_t sphere_and_triangle() {
   return ccd;
 }
 
+// The verdict of a function that answers yes or no, and of the two in contact what the penetration's says: it is a
+// second question, and may be answered by no. It says in which direction the triangle is pushed, and one point, which
+// is of neither of them.
+template <auto intersect, auto penetrate>
+struct LibccdSphere {
+  using Real = double;
+  static constexpr std::size_t measure_count = up_to_normal;
+
+  int operator()(const Query<double>& q, Contact<double>& said) const {
+    const ccd_t ccd = sphere_and_triangle();
+    if (intersect(&q, &q, &ccd) == 0) return AXISCERT_SEPARATED;
+    ccd_real_t depth = 0;
+    ccd_vec3_t way, place;
+    if (penetrate(&q, &q, &ccd, &depth, &way, &place) == 0) {
+      said.separation = -depth;
+      said.normal = {-way.v[0], -way.v[1], -way.v[2]};
+    }
+    return AXISCERT_CONTACT;
+  }
+};
+
 }  // namespace axiscert::peer

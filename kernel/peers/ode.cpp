@@ -13,13 +13,14 @@ namespace {
 class Ode {
  public:
   using Real = double;
+  static constexpr std::size_t measure_count = whole_answer;
   static constexpr bool may_decline = true;
 
-  int operator()(const Query<double>& q) const {
+  int operator()(const Query<double>& q, Contact<double>& said) const {
     if (!mesh_.is_ready()) return AXISCERT_UNDECIDED;
     const dGeomID sphere = dCreateSphere(nullptr, q.r);
     dGeomSetPosition(sphere, q.p.x, q.p.y, q.p.z);
-    return mesh_.collide(sphere, q.a, q.b, q.c);
+    return mesh_.collide(sphere, q.a, q.b, q.c, &said);
   }
 
  private:

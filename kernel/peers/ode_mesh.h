@@ -19,8 +19,10 @@ class OdeMesh {
 
   bool is_ready() const { return is_ready_; }
 
-  // The verdict of dCollide on the triangle and a body, which is destroyed; `invalid` where a contact's depth is NaN.
-  int collide(dGeomID body, const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) const {
+  // The verdict of dCollide on a body, which is destroyed, and the triangle; `invalid` where a contact's depth is NaN.
+  // Its normal pushes the first geometry, which is the body, and its point is the triangle's.
+  int collide(dGeomID body, const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c,
+              Contact<double>* said = nullptr) const {
     // The mesh keeps pointers to these arrays.
     const double vertices[3][3] = {{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}};
     constexpr dTriIndex windings[6] = {0, 1, 2, 0, 2, 1};
@@ -34,7 +36,11 @@ class OdeMesh {
     dGeomTriMeshDataDestroy(data);
 
     for (int i = 0; i < count; ++i) {
-      if (std::isnan(contacts[i].depth)) return AXISCERT_INVALID;
+      const dContactGeom& one = contacts[i];
+      if (std::isnan(one.depth)) return AXISCERT_INVALID;
+      if (said != nullptr && said->is_new_deepest(-one.depth)) {
+        *said = {-one.depth, {one.normal[0], one.normal[1], one.normal[2]}, {one.pos[0], one.pos[1], one.pos[2]}};
+      }
     }
     return verdict_of(count > 0);
   }

@@ -8,11 +8,14 @@
 //
 // A peer is a type with a number type `Real` and `int operator()(const Query<Real>&)`, which returns an
 // axiscert_verdict. It lives for one batch, and keeps nothing from query to query. Where that can be
-// AXISCERT_UNDECIDED, it has a constant `may_decline` too, which is true.
+// AXISCERT_UNDECIDED, it has a constant `may_decline` too, which is true. One that says more than its verdict has a
+// constant `measure_count` and takes a Contact<Real>& too.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <concepts>
+#include <limits>
 
 #include "kernel/include/axiscert/plugin.h"
 #include "kernel/sphere_triangle/query.h"
@@ -34,6 +37,37 @@ int verdict_within(Real distance, Real reach) {
   return std::isnan(distance) ? AXISCERT_INVALID : verdict_of(distance <= reach);
 }
 
+// What a library says of a sphere and a triangle, turned to one convention; what it does not say is NaN. The members
+// stand in the order of the predicate's measures, of which a peer gives the first `measure_count`. No library names the
+// part that is nearest.
+template <class Real>
+struct Contact {
+  static constexpr Real unsaid = std::numeric_limits<Real>::quiet_NaN();
+  Real separation = unsaid;                      // minus the depth
+  Vec3<Real> normal = {unsaid, unsaid, unsaid};  // in which the sphere is pushed
+  Vec3<Real> point = {unsaid, unsaid, unsaid};   // of the triangle
+
+  // Whether this contact is deeper than what there is, or the first.
+  bool is_new_deepest(Real at) const { return !(separation <= at); }
+  std::array<Real, 8> in_order() const {
+    return {separation, unsaid, normal.x, normal.y, normal.z, point.x, point.y, point.z};
+  }
+};
+inline constexpr std::size_t separation_alone = 1, up_to_normal = 5, whole_answer = 8;
+
+template <class Peer>
+constexpr std::size_t measures_of() {
+  if constexpr (requires { Peer::measure_count; }) return Peer::measure_count;
+  else return 0;
+}
+
+// Writes what is said beside a verdict to place i of the batch.
+template <std::floating_point Input, std::size_t size, class Real>
+void put_measures(const axiscert_answers* answers, std::size_t i, const std::array<Real, size>& measures) {
+  for (std::size_t k = 0; k < answers->measure_count; ++k)
+    static_cast<Input*>(answers->measure[k])[i] = static_cast<Input>(measures[k]);
+}
+
 // Answers a batch of queries in `Input`, whose numbers are exact in the peer's own number type.
 template <class Peer, std::floating_point Input>
 void run(const axiscert_batch* batch, const axiscert_answers* answers) {
@@ -43,11 +77,17 @@ void run(const axiscert_batch* batch, const axiscert_answers* answers) {
     for (std::size_t k = 0; k < coordinate_count; ++k) v[k] = static_cast<const Input*>(batch->column[k])[i];
     const Query<Input> q = from_coordinates(v);
     int verdict = AXISCERT_INVALID;
+    Contact<typename Peer::Real> contact;
     if (is_valid(q)) {
-      if constexpr (std::same_as<typename Peer::Real, Input>) verdict = peer(q);
-      else verdict = peer(widened(q));
+      const auto asked = [&](const auto& query) {
+        if constexpr (measures_of<Peer>() == 0) return peer(query);
+        else return peer(query, contact);
+      };
+      if constexpr (std::same_as<typename Peer::Real, Input>) verdict = asked(q);
+      else verdict = asked(widened(q));
     }
     answers->verdict[i] = static_cast<std::uint8_t>(verdict);
+    put_measures<Input>(answers, i, contact.in_order());
   }
 }
 
@@ -102,6 +142,7 @@ const axiscert_kernel* kernel(std::uint32_t index, const Description& says) {
   return kernel_by_index<typename Peer::Real>(index, [&]<class Input>(Input) {
     axiscert_kernel made = verdict_kernel<Input>(says, coordinate_count, run<Peer, Input>);
     made.may_decline = may_decline<Peer>();
+    made.measure_count = measures_of<Peer>();
     return made;
   });
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <sstream>
@@ -17,6 +18,7 @@ struct ExpectedPeer {
   const char* name;
   bool has_binary64;
   axiscert_touching touching;
+  std::size_t measures;  // that it gives
   char centre_on_triangle = 'c';
   bool may_decline = false;
 };
@@ -25,18 +27,18 @@ void PrintTo(const ExpectedPeer& peer, std::ostream* out) { *out << peer.name; }
 constexpr axiscert_touching contact = AXISCERT_TOUCHING_IS_CONTACT, separated = AXISCERT_TOUCHING_IS_SEPARATED,
                             either = AXISCERT_TOUCHING_IS_EITHER;
 constexpr ExpectedPeer expected[] = {
-    {"bullet", false, separated},
-    {"bullet-double", true, separated},
-    {"bullet-gjk", false, contact},
-    {"ode", true, contact, 'i', true},  // a depth of NaN; declines where ODE does not start
-    {"fcl", true, either},
-    {"fcl-float", false, either},
-    {"fcl-gjk", true, either},
-    {"libccd-gjk", true, either},
-    {"libccd-mpr", true, either},
-    {"cgal-float", false, contact},
-    {"cgal-double", true, contact},
-    {"cgal-epick", true, contact},
+    {"bullet", false, separated, 8},
+    {"bullet-double", true, separated, 8},
+    {"bullet-gjk", false, contact, 8},
+    {"ode", true, contact, 8, 'i', true},  // a depth of NaN; declines where ODE does not start
+    {"fcl", true, either, 8},
+    {"fcl-float", false, either, 8},
+    {"fcl-gjk", true, either, 5},
+    {"libccd-gjk", true, either, 5},
+    {"libccd-mpr", true, either, 5},
+    {"cgal-float", false, contact, 1},
+    {"cgal-double", true, contact, 1},
+    {"cgal-epick", true, contact, 0},
 };
 
 class Peer : public testing::TestWithParam<ExpectedPeer> {
@@ -129,6 +131,35 @@ TEST_P(Peer, AnswersWhatIsBeyondDoubtInEveryVertexOrder) {
   for (const Query<float>& q : contacts) add(q, 'c');
   for (const Query<float>& q : separations) add(q, 's');
   expect(queries, letters);
+}
+
+// One convention for all: the depth as a negative separation, no feature, the normal that pushes the sphere, and the
+// triangle's point.
+TEST_P(Peer, TurnsItsNumbersToOneConvention) {
+  struct Right {
+    Query<float> q;
+    double separation;
+    std::array<double, 3> normal, point;
+  };
+  const Right all[] = {{sphere(1, 1, 0.5f, 1), -0.5, {0, 0, 1}, {1, 1, 0}},
+                       {sphere(1, 1, -0.5f, 1), -0.5, {0, 0, -1}, {1, 1, 0}},
+                       {sphere(2, -0.5f, 0, 1), -0.5, {0, -1, 0}, {2, 0, 0}},
+                       {sphere(-0.375f, -0.5f, 0, 1), -0.375, {-0.6, -0.8, 0}, {0, 0, 0}}};
+  // Iterations end at a tolerance; MPR says the depth along a way that need not be the shortest.
+  const bool is_mpr = GetParam().name == std::string("libccd-mpr") || GetParam().name == std::string("fcl-gjk");
+  const double slack = is_mpr ? 0.1 : 1e-3;
+  for (const Right& right : all) {
+    const std::vector<double> found = ask_numbers(GetParam().name, right.q);
+    ASSERT_EQ(found.size(), GetParam().measures);
+    if (found.empty()) return;
+    EXPECT_NEAR(found[0], right.separation, slack);
+    if (found.size() < 5) continue;
+    EXPECT_TRUE(std::isnan(found[1]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(found[2 + k], right.normal[k], slack);
+      if (found.size() == 8) EXPECT_NEAR(found[5 + k], right.point[k], slack);
+    }
+  }
 }
 
 TEST_P(Peer, CentreOnTheTriangle) {

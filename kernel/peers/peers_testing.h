@@ -65,6 +65,36 @@ inline char letter_of(const axiscert_kernel& kernel, std::uint8_t verdict) {
   return verdict < 4 ? "csui"[verdict] : '?';
 }
 
+// The measures that a peer gives of one query; none where it gives none, or has no kernel of that precision.
+template <class Real>
+std::vector<double> ask_numbers(const std::string& name, const Query<Real>& q) {
+  const Reply reply = in_peer(name, [&](AxiscertPlugin* plugin) -> std::string {
+    const axiscert_kernel* kernel = nullptr;
+    for (std::uint32_t i = 0; (kernel = plugin(i)) != nullptr && kernel->precision != 8 * sizeof(Real);) ++i;
+    if (kernel == nullptr) return "";
+    const auto numbers = coordinates(q);
+    std::array<const void*, coordinate_count> column;
+    for (std::size_t k = 0; k < coordinate_count; ++k) column[k] = &numbers[k];
+    std::vector<Real> given(kernel->measure_count);
+    std::vector<void*> measures;
+    for (Real& x : given) measures.push_back(&x);
+    std::uint8_t verdict = 255;
+    const axiscert_batch asked{sizeof asked, 1, column.size(), column.data()};
+    axiscert_answers answers{};
+    answers.size = sizeof answers;
+    answers.verdict = &verdict;
+    answers.measure_count = given.size();
+    answers.measure = measures.data();
+    kernel->run(&asked, &answers);
+    std::string bytes;
+    for (const double x : given) bytes.append(reinterpret_cast<const char*>(&x), sizeof x);
+    return bytes;
+  });
+  std::vector<double> found(reply.bytes.size() / sizeof(double));
+  std::copy_n(reply.bytes.data(), reply.bytes.size(), reinterpret_cast<char*>(found.data()));
+  return found;
+}
+
 // A peer's verdicts on a batch, one letter each; only '-' if it has no kernel of that precision.
 template <class Real>
 Reply ask(const std::string& name, const std::vector<Query<Real>>& queries) {

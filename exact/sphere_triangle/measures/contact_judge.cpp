@@ -204,7 +204,9 @@ ContactJudgement SphereTriangleJudge<Real>::judge(Verdict said, std::span<const 
           std::min(nearest_sqrt<double>(Rational(dot(off, off) / scene_)), std::numeric_limits<double>::max());
     }
   }
-  const bool lacks = out.lacks_separation || out.lacks_feature || out.lacks_normal || out.lacks_point;
+  // Beside a normal a feature that is not named is no contradiction: engines name none.
+  const bool lacks_feature = out.lacks_feature && !out.normal_length_error;
+  const bool lacks = out.lacks_separation || lacks_feature || out.lacks_normal || out.lacks_point;
   if (any_given && lacks && out.consistency == Consistency::consistent) out.consistency = Consistency::missing;
   return out;
 }

@@ -10,9 +10,6 @@
 // has a constant `measure_count` and takes a BoxContact<Real>& too.
 #pragma once
 
-#include <array>
-#include <limits>
-
 #include "kernel/peers/peer.h"
 
 namespace axiscert::peer {
@@ -80,12 +77,6 @@ struct BoxContact {
 // Where a library says a separation and a normal, and one point that it does not give to either body.
 inline constexpr std::size_t contact_without_points = 4, whole_contact = 10;
 
-template <class Peer>
-constexpr std::size_t measures_of() {
-  if constexpr (requires { Peer::measure_count; }) return Peer::measure_count;
-  else return 0;
-}
-
 // Answers a batch of queries in `Input`, whose numbers are exact in the peer's own number type.
 template <class Peer, std::floating_point Input>
 void run_boxes(const axiscert_batch* batch, const axiscert_answers* answers) {
@@ -115,10 +106,7 @@ void run_boxes(const axiscert_batch* batch, const axiscert_answers* answers) {
     }
     answers->verdict[i] = static_cast<std::uint8_t>(verdict);
     if (verdict != AXISCERT_CONTACT) contact = {};
-    const auto measures = contact.in_order();
-    for (std::size_t k = 0; k < answers->measure_count; ++k) {
-      static_cast<Input*>(answers->measure[k])[i] = static_cast<Input>(measures[k]);
-    }
+    put_measures<Input>(answers, i, contact.in_order());
   }
 }
 

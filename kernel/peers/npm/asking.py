@@ -31,7 +31,7 @@ def installed():
 
 
 def main():
-    """Runs the calling script's predicates where the engines are installed; otherwise says so and exits with 77."""
+    """Runs the calling script's tests where the engines are installed; otherwise says so and exits with 77."""
     if not installed():
         print("NOT CHECKED: the engines of kernel/peers/npm are not installed, or in other versions than package.json has; "
               "`./dev engines` brings them", file=sys.stderr)
@@ -47,6 +47,12 @@ def manifests():
 def faults():
     """Every known fault, predicate by predicate in the order of the files."""
     return [json.loads(line) for predicate in MEMBERS for line in (FOLDER / predicate / "faults.jsonl").read_text().splitlines()]
+
+
+def contact_faults():
+    """Every known fault in the numbers beside a verdict, alike. `what` is what `axiscert shrink --what` keeps of it; `engine` has the numbers too."""
+    files = [FOLDER / predicate / "contact_faults.jsonl" for predicate in MEMBERS]
+    return [json.loads(line) for file in files if file.exists() for line in file.read_text().splitlines()]
 
 
 def question_of(manifest):

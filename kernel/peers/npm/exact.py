@@ -1,5 +1,5 @@
-"""The squared distance from a point to a closed triangle, exactly, in rationals: of the four candidates (the face, where the foot of the
-perpendicular is in it, and the three edges) the least. Any triangle, those without area too."""
+"""The point of a closed triangle that is nearest to another point, exactly, in rationals: of the four candidates (the face, where the foot of
+the perpendicular is in it, and the three edges) the nearest. Any triangle, those without area too."""
 from fractions import Fraction
 
 
@@ -15,23 +15,35 @@ def cross(u, v):
     return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
 
 
-def to_segment(p, a, b):
+def from_segment(p, a, b):
+    """From the segment's nearest point to p."""
     edge, off = minus(b, a), minus(p, a)
     whole = dot(edge, edge)
     t = min(max(dot(edge, off) / whole, Fraction(0)), Fraction(1)) if whole else Fraction(0)
-    rest = [x - t * y for x, y in zip(off, edge)]
-    return dot(rest, rest)
+    return [x - t * y for x, y in zip(off, edge)]
+
+
+def to_segment(p, a, b):
+    """The squared distance."""
+    way = from_segment(p, a, b)
+    return dot(way, way)
+
+
+def away(numbers):
+    """From the triangle's nearest point to the centre: numbers are ax ay az bx by bz cx cy cz px py pz and what follows them."""
+    v = [Fraction(x) for x in numbers]
+    a, b, c, p = v[0:3], v[3:6], v[6:9], v[9:12]
+    ways = [from_segment(p, a, b), from_segment(p, b, c), from_segment(p, c, a)]
+    n = cross(minus(b, a), minus(c, a))
+    if any(n) and all(dot(cross(minus(w, u), minus(p, u)), n) >= 0 for u, w in ((a, b), (b, c), (c, a))):
+        ways.append([dot(n, minus(p, a)) / dot(n, n) * x for x in n])
+    return min(ways, key=lambda way: dot(way, way))
 
 
 def squared_distance(numbers):
-    """The squared distance of the centre from the triangle: numbers are ax ay az bx by bz cx cy cz px py pz and what follows them."""
-    v = [Fraction(x) for x in numbers]
-    a, b, c, p = v[0:3], v[3:6], v[6:9], v[9:12]
-    least = min(to_segment(p, a, b), to_segment(p, b, c), to_segment(p, c, a))
-    n = cross(minus(b, a), minus(c, a))
-    if any(n) and all(dot(cross(minus(w, u), minus(p, u)), n) >= 0 for u, w in ((a, b), (b, c), (c, a))):
-        least = min(least, dot(n, minus(p, a)) ** 2 / dot(n, n))
-    return least
+    """That of the centre from the triangle."""
+    way = away(numbers)
+    return dot(way, way)
 
 
 def verdict(numbers):

@@ -28,6 +28,8 @@ if sys.argv[1:2] == ["--axiscert"]:
 FAULTS = asking.faults()
 STILL = [line for line in FAULTS if "predicate" not in line]
 MOVING = [line for line in FAULTS if line.get("predicate") == "moving-sphere"]
+CONTACTS = asking.contact_faults()
+SHRUNK_BY = {"flip": "normal"}
 BOXES = [line for line in FAULTS if line.get("predicate", "").startswith("box-")]
 
 
@@ -153,6 +155,67 @@ class Checks(unittest.TestCase):
         self.assertEqual(faults_corpus.entries(AXISCERT), (faults_corpus.CORPUS / faults_corpus.FILE).read_text().splitlines())
 
 
+class Numbers(unittest.TestCase):
+    """The engines' faults in what they say beside a verdict on a sphere and a triangle. `said` has the separation, the normal and the point."""
+
+    @staticmethod
+    def numbers_of(said):
+        return [said["separation"], *said["normal"], *said["point"]]
+
+    def errors(self, line):
+        """Of the separation and the point, as shares of the scene; whether the normal is more than a right angle off, and its cosine."""
+        query, said = asking.numbers_of(line), line["engine"]["said"]
+        centre, radius, way = query[9:12], query[12], [float(x) for x in exact.away(query)]
+        size = lambda v: exact.dot(v, v) ** 0.5
+        scene = max(radius, *(size(exact.minus(query[k:k + 3], centre)) for k in (0, 3, 6)))
+        on = exact.minus(centre, way)
+        cosine = exact.dot(way, said["normal"]) / (size(way) * size(said["normal"]) or 1)
+        return {"separation": abs(said["separation"] - (size(way) - radius)) / scene, "point": size(exact.minus(said["point"], on)) / scene,
+                "flip": cosine < 0, "normal": 1 - cosine}
+
+    def test_each_is_one_by_fractions(self):
+        for line in CONTACTS:
+            with self.subTest(line["id"]):
+                numbers = asking.numbers_of(line)
+                self.assertEqual(exact.verdict(numbers)[0], line["engine"]["answer"], "these verdicts are right")
+                self.assertGreater(self.errors(line)[line["what"]], 1e-4)
+
+    def test_each_engine_says_them(self):
+        for (name, precision), asked in by_program(CONTACTS).items():
+            of = manifest(asked[0])
+            answers = asking.ask_measures(of["command"], (asking.FOLDER / name).parent, [asking.numbers_of(line) for line in asked], of["measures"],
+                                          precision, asking.question_of(of))
+            for line, (verdict, (separation, _, *rest)) in zip(asked, answers):
+                with self.subTest(line["id"]):
+                    self.assertEqual(verdict, line["engine"]["answer"])
+                    for given, known in zip([separation, *rest], self.numbers_of(line["engine"]["said"])):
+                        self.assertAlmostEqual(given, known, delta=1e-6 * max(1, abs(known)))
+
+    @unittest.skipUnless(AXISCERT, "faults_test.py --axiscert FILE")
+    def test_each_is_one_to_axiscert(self):
+        members = {"separation": "separation_error", "normal": "normal_angle", "flip": "is_flip", "point": "point_error"}
+        for line in CONTACTS:
+            with self.subTest(line["id"]):
+                done = subprocess.run([AXISCERT, "check", "-", "--kernel", f"program:{asking.FOLDER / line['engine']['manifest']}", "--format", "jsonl"],
+                                      input=json.dumps(asking.query_of(line)), capture_output=True, text=True, timeout=asking.SECONDS)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertGreater(json.loads(done.stdout)["computed"]["measures"][members[line["what"]]], 1e-4)
+
+    @unittest.skipUnless(AXISCERT, "faults_test.py --axiscert FILE")
+    def test_shrink_gives_the_same_again(self):
+        for line in CONTACTS:
+            if "found" not in line:
+                continue
+            with self.subTest(line["id"]):
+                kernel = f"program:{asking.FOLDER / line['engine']['manifest']}"
+                done = subprocess.run([AXISCERT, "shrink", line["found"], "--kernel", kernel, "--what", SHRUNK_BY.get(line["what"], line["what"]), "--format", "jsonl"],
+                                      capture_output=True, text=True, timeout=4 * asking.SECONDS)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                made = json.loads(done.stdout)
+                self.assertEqual({member: made[member] for member in asking.MEMBERS["sphere-triangle"]},
+                                 {member: line[member] for member in asking.MEMBERS["sphere-triangle"]})
+
+
 class Answers(unittest.TestCase):
     """Every program answers plain queries rightly, and says what it declines."""
 
@@ -193,6 +256,58 @@ class Answers(unittest.TestCase):
                         self.assertAlmostEqual(time, right[0], delta=1e-3)
                         for given, wanted in zip(normal + point, right[1] + right[2]):
                             self.assertAlmostEqual(given, wanted, delta=2e-3)
+
+    # p, r, then what is right: the separation, the normal that pushes the sphere, and the triangle's point.
+    NUMBERS = [([1, 1, 0.5, 1], (-0.5, [0, 0, 1], [1, 1, 0])), ([2, -0.5, 0, 1], (-0.5, [0, -1, 0], [2, 0, 0])),
+               ([2.5, 2.5, 0.25, 1], (-0.25, [2 / 3, 2 / 3, 1 / 3], [2, 2, 0])), ([-0.375, -0.5, 0, 1], (-0.375, [-0.6, -0.8, 0], [0, 0, 0]))]
+    # By design: hulls stand about their points, by 0.04 and by what Havok makes them larger.
+    MARGINS = {"ammo-hull-margin": 0.04, "havok-hull": 0.015}
+
+    def test_plain_spheres_have_the_right_numbers(self):
+        queries = [self.LEGS + q for q, _ in self.NUMBERS]
+        for file, of in asking.manifests().items():
+            if of["predicate"] != "sphere-triangle" or not of.get("measures"):
+                continue
+            margin = self.MARGINS.get(file.stem, 0)
+            for precision in of["precisions"]:
+                with self.subTest(file.name, precision=precision):
+                    answers = asking.ask_measures(of["command"], file.parent, queries, of["measures"], precision, "sphere-triangle")
+                    for (_, (separation, normal, point)), (verdict, (gap, feature, *rest)) in zip(self.NUMBERS, answers):
+                        self.assertEqual(verdict, "contact")
+                        self.assertNotEqual(feature, feature, "no engine names a part")
+                        wanted = [separation - margin, *normal, *(on + margin * n for on, n in zip(point, normal))]
+                        for given, right in zip([gap, *rest], wanted):
+                            self.assertAlmostEqual(given, right, delta=2e-5)
+
+    def test_plain_boxes_have_the_right_numbers(self):
+        """Cubes on one another, the upper turned or not: its lowest point is 0.125 in the lower."""
+        upright, turned = [1.0, 0, 0, 0], [0.9238795325112867, 0.3826834323650898, 0, 0]  # by 45 degrees about x
+        cubes = [[0.0, 0, 0, 1, 1, 1, *upright, 0.5, 0.25, 1.875, 1, 1, 1, *upright], [0.0, 0, 0, 1, 1, 1, *upright, 0.5, 0.25, 0.875 + 2**0.5, 1, 1, 1, *turned]]
+        for file, of in asking.manifests().items():
+            if of["predicate"] != "box-box" or not of.get("measures") or file.stem == "jolt-box":  # that one rounds its edges
+                continue
+            answers = asking.ask_measures(of["command"], file.parent, cubes, of["measures"], of["precisions"][0], asking.question_of(of))
+            for verdict, (separation, *normal_and_points) in answers:
+                with self.subTest(file.name):
+                    self.assertEqual(verdict, "contact")
+                    slack = 0.02 if file.stem == "havok-box" else 1e-5  # its edges are rounded too
+                    self.assertAlmostEqual(separation, -0.125, delta=slack)
+                    for given, right in zip(normal_and_points[:3], [0, 0, 1]):
+                        self.assertAlmostEqual(given, right, delta=1e-3)
+                    self.assertAlmostEqual(normal_and_points[5], 1, delta=slack, msg="the top of the first")
+                    self.assertAlmostEqual(normal_and_points[8], 0.875, delta=slack, msg="the bottom of the second")
+
+    def test_a_box_and_a_triangle_have_the_right_numbers(self):
+        """The triangle is the face of a box's bottom, 0.5 into it."""
+        query = [1.0, 1, 0.5, 1, 0.75, 1] + self.LEGS
+        for file, of in asking.manifests().items():
+            if of["predicate"] != "box-triangle" or not of.get("measures"):
+                continue
+            (verdict, (separation, *rest)), = asking.ask_measures(of["command"], file.parent, [query], of["measures"], "binary32", asking.question_of(of))
+            with self.subTest(file.name):
+                self.assertEqual(verdict, "contact")
+                for given, right in zip([separation, *rest[:3], rest[5], rest[8]], [-0.5, 0, 0, -1, -0.5, 0]):
+                    self.assertAlmostEqual(given, right, delta=1e-5)
 
     UPRIGHT, TURNED = [1.0, 0, 0, 0], [0.75, 0.25, -0.5, 0.125]  # w x y z; any length
 

@@ -7,7 +7,7 @@
 //                here.
 import {createRequire} from 'node:module';
 
-import {hit, SEPARATED, serve, UNDECIDED, verdictOf} from './frame.mjs';
+import {deepest, hit, SEPARATED, serve, spoken, UNDECIDED, verdictOf} from './frame.mjs';
 import {centre, end, form, mesh, radius, vertices} from './triangle.mjs';
 
 const asked = form({
@@ -25,13 +25,15 @@ async function make() {
                                                  new Ammo.btSequentialImpulseConstraintSolver(), configuration);
   const place = new Ammo.btTransform(), arrival = new Ammo.btTransform(), point = new Ammo.btVector3(0, 0, 0), corners = [0, 1, 2].map(() => new Ammo.btVector3(0, 0, 0));
   const object = new Ammo.btPairCachingGhostObject(), ball = new Ammo.btPairCachingGhostObject();
-  let touches = false;
+  let contacts = [];
   const heard = new Ammo.ConcreteContactResultCallback();
   heard.addSingleResult = (contact) => {
-    if (Ammo.wrapPointer(contact, Ammo.btManifoldPoint).getDistance() <= 0) touches = true;
+    const one = Ammo.wrapPointer(contact, Ammo.btManifoldPoint), n = one.get_m_normalWorldOnB(), on = one.getPositionWorldOnB();
+    contacts.push({separation: one.getDistance(), normal: plain(n), point: plain(on)});  // B is the triangle
     return 0;
   };
 
+  const plain = (v) => [v.x(), v.y(), v.z()];
   const moved = (vector, v) => (vector.setValue(v[0], v[1], v[2]), vector);
 
   // The parts of the shape, the shape last; null where there is no room for a second triangle.
@@ -59,10 +61,10 @@ async function make() {
     place.setOrigin(moved(point, centre(q)));
     ball.setWorldTransform(place);
     ball.setCollisionShape(sphere);
-    touches = false;
+    contacts = [];
     world.contactPairTest(ball, object, heard);
     for (const used of [sphere, ...shapes.reverse()]) Ammo.destroy(used);
-    return verdictOf(touches);
+    return spoken(verdictOf(contacts.some((one) => one.separation <= 0)), deepest(contacts));
   }
 
   function movingSphere(q) {
@@ -81,7 +83,7 @@ async function make() {
     let answer = SEPARATED;
     if (found.hasHit()) {
       const n = found.get_m_hitNormalWorld(), on = found.get_m_hitPointWorld();
-      answer = hit(found.get_m_closestHitFraction(), [n.x(), n.y(), n.z()], [on.x(), on.y(), on.z()]);
+      answer = hit(found.get_m_closestHitFraction(), plain(n), plain(on));
     }
     world.removeCollisionObject(object);
     for (const used of [found, sphere, ...shapes.reverse()]) Ammo.destroy(used);

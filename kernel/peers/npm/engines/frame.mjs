@@ -5,8 +5,8 @@
 //   await serve(async () => ({'sphere-triangle': (q) => verdict}));
 //
 // `make` loads the engine and returns a function for each predicate that it answers, by its name in predicates.mjs. That
-// function takes the numbers of one query, in the order of the predicate's columns, and returns a verdict; or, where the engine says more of
-// a contact, what `hit` makes of it, for streams that ask for measures. Queries that are none (a number that is not
+// function takes the numbers of one query, in the order of the predicate's columns, and returns a verdict; or, where the engine says
+// more, what `hit`, `spoken` or `pair` makes of it, for streams that ask for measures. Queries that are none (a number that is not
 // finite, a negative length, a quaternion 0) are answered `invalid` and not handed on.
 //
 // A function that has a member `batch`, a number, answers up to so many queries at once: it is given the numbers of all, and
@@ -29,6 +29,17 @@ const UNSAID = [NaN, NaN, NaN];
 export function hit(time, normal = UNSAID, point = UNSAID) {
   return {verdict: Number.isNaN(time) ? INVALID : CONTACT, measures: [time, NaN, ...normal, ...point]};
 }
+// A verdict on a sphere and a triangle with what the engine says beside it: the separation is minus the depth where the two overlap, the
+// normal pushes the sphere, and the point is the triangle's. No engine names the part that is nearest.
+export function spoken(verdict, {separation = NaN, normal = UNSAID, point = UNSAID} = {}) {
+  return {verdict, measures: [separation, NaN, ...normal, ...point]};
+}
+// The same of two bodies: the normal pushes the second, and each has a point.
+export function pair(verdict, {separation = NaN, normal = UNSAID, a = UNSAID, b = UNSAID} = {}) {
+  return {verdict, measures: [separation, ...normal, ...a, ...b]};
+}
+// Of several contacts the deepest, the first of those; empty where there is none.
+export const deepest = (contacts) => contacts.reduce((best, one) => (best.separation <= one.separation ? best : one), {});
 
 const VERSION = 3;  // of the streams
 const HEAD = 64, GREATEST_HEADER = 1 << 20, REPLY = 16;  // bytes

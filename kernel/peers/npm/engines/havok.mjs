@@ -4,14 +4,14 @@
 //   hull         HP_Shape_CreateConvexHull of the three vertices
 //   sweep        of the predicate moving-sphere: HP_World_ShapeCastWithCollector against the mesh. It takes where the centre
 //                ends, rounded here.
-import {hit, SEPARATED, serve, UNDECIDED, verdictOf} from './frame.mjs';
+import {hit, SEPARATED, serve, spoken, UNDECIDED, verdictOf} from './frame.mjs';
 import {loadedHavok, nobody, noTurn, origin} from './loaded/havok.mjs';
 import {centre, end, form, mesh, radius} from './triangle.mjs';
 
 const asked = form({'mesh': {}, 'mesh-beside': {two: true}, 'hull': {hull: true}, 'sweep': {sweep: true}});
 
 async function make() {
-  const {hk, world, collector, made, meshOf, withBody, hits, isNear} = await loadedHavok();
+  const {hk, world, collector, made, meshOf, withBody, hits, near} = await loadedHavok();
 
   // The answer of `ask` about the sphere, with the triangle in the world; undecided where Havok refuses one of them.
   function withShapes(q, ask) {
@@ -23,7 +23,10 @@ async function make() {
     return answer;
   }
 
-  const sphereTriangle = (q) => withShapes(q, (sphere) => verdictOf(isNear(sphere, centre(q))));
+  const sphereTriangle = (q) => withShapes(q, (sphere) => {
+    const found = near(sphere, centre(q));
+    return spoken(verdictOf(found !== null), found ?? {});
+  });
 
   const movingSphere = (q) => end(q) === null ? UNDECIDED : withShapes(q, (sphere) => {
     hk.HP_World_ShapeCastWithCollector(world, collector, [sphere, noTurn, [...centre(q)], [...end(q)], false, nobody]);

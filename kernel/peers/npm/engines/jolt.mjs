@@ -5,7 +5,7 @@
 //   hull             a convex hull of the three vertices, with the default convex radius
 //   sweep            of the predicate moving-sphere: TransformedShape.CastShape with the mesh, back faces too
 //   sweep-one-sided  the same, back faces ignored, as by default
-import {hit, SEPARATED, serve, UNDECIDED, verdictOf} from './frame.mjs';
+import {CONTACT, hit, SEPARATED, serve, spoken, UNDECIDED} from './frame.mjs';
 import {loadedJolt} from './loaded/jolt.mjs';
 import {centre, form, mesh, motion, radius, unit, vertices} from './triangle.mjs';
 
@@ -19,7 +19,7 @@ const asked = form({
 });
 
 async function make() {
-  const {Jolt, created, meshOf} = await loadedJolt();
+  const {Jolt, created, meshOf, said} = await loadedJolt();
   const settings = new Jolt.CollideShapeSettings();
   settings.mMaxSeparationDistance = 0;
   const casting = new Jolt.ShapeCastSettings();
@@ -63,11 +63,15 @@ async function make() {
   }
 
   const sphereTriangle = (q) => withShapes(q, (transformed, sphere, place) => {
-    const collector = new Jolt.CollideShapeAnyHitCollisionCollector();
+    const collector = new Jolt.CollideShapeClosestHitCollisionCollector();
     transformed.CollideShape(sphere, one, place, settings, origin, collector, filter);
-    const verdict = verdictOf(collector.HadHit());
+    let answer = SEPARATED;
+    if (collector.HadHit()) {
+      const {separation, normal, b} = said(collector.mHit);
+      answer = spoken(CONTACT, {separation, normal: normal.map((x) => -x), point: b});
+    }
     Jolt.destroy(collector);
-    return verdict;
+    return answer;
   });
 
   const movingSphere = (q) => withShapes(q, (transformed, sphere, place) => {

@@ -6,9 +6,9 @@
 //   sweep           of the predicate moving-sphere: sweep with eMESH_BOTH_SIDES. It takes a direction of length 1 and a
 //                   distance, both rounded here, and has none for a displacement of length 0, which is undecided. The
 //                   time is its distance over ours.
-import {hit, SEPARATED, serve, UNDECIDED, verdictOf, verdictWithin} from './frame.mjs';
+import {hit, SEPARATED, serve, spoken, UNDECIDED, verdictOf, verdictWithin} from './frame.mjs';
 import {loadedPhysX} from './loaded/physx.mjs';
-import {centre, form, mesh, motion, radius} from './triangle.mjs';
+import {centre, form, mesh, motion, ofNearest, radius} from './triangle.mjs';
 
 const asked = form({
   'mesh': {},
@@ -23,7 +23,7 @@ async function make() {
   if (asked.uncleaned) cooking.meshPreprocessParams.raise(Px.PxMeshPreprocessingFlagEnum.eDISABLE_CLEAN_MESH);
 
   const place = new Px.PxTransform(Px.PxIDENTITYEnum.PxIdentity), origin = new Px.PxTransform(Px.PxIDENTITYEnum.PxIdentity);
-  const unscaled = new Px.PxMeshScale(1), flags = new Px.PxMeshGeometryFlags(0);
+  const nearest = new Px.PxVec3(0, 0, 0), unscaled = new Px.PxMeshScale(1), flags = new Px.PxMeshGeometryFlags(0);
 
   // The mesh, or null where cooking refuses it or it has no room.
   function meshOf(q) {
@@ -37,16 +37,17 @@ async function make() {
     const shape = new Px.PxTriangleMeshGeometry(shaped, unscaled, flags), r = radius(q), p = centre(q);
     const sphere = new Px.PxSphereGeometry(r), point = new Px.PxVec3(p[0], p[1], p[2]);
     place.p = point;
-    let verdict = UNDECIDED;
+    let answer = UNDECIDED;
     if (asked.distance) {
-      const squared = query.pointDistance(point, shape, origin);
-      if (squared >= 0) verdict = verdictWithin(squared, Math.fround(r * r));  // -1: it gives none
+      const squared = query.pointDistance(point, shape, origin, nearest), {x, y, z} = nearest;
+      if (squared >= 0)  // -1: it gives none
+        answer = spoken(verdictWithin(squared, Math.fround(r * r)), ofNearest(q, [x, y, z], Math.sqrt(squared)));
     } else if (query.isValid(sphere)) {
-      verdict = verdictOf(query.overlap(sphere, place, shape, origin));
+      answer = verdictOf(query.overlap(sphere, place, shape, origin));
     }
     for (const used of [sphere, point, shape]) Px.destroy(used);
     shaped.release();
-    return verdict;
+    return answer;
   }
 
   function movingSphere(q) {

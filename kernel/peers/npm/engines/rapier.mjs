@@ -6,7 +6,7 @@
 //   sweep           of the predicate moving-sphere: Ball.castShape with a Triangle, its velocity d, from time 0 to 1
 import RAPIER from '@dimforge/rapier3d-compat';
 
-import {CONTACT, hit, SEPARATED, serve, UNDECIDED, verdictOf} from './frame.mjs';
+import {CONTACT, hit, SEPARATED, serve, spoken, UNDECIDED, verdictOf} from './frame.mjs';
 import {centre, form, mesh, motion, radius, vertices} from './triangle.mjs';
 
 const asked = form({
@@ -34,7 +34,9 @@ async function make() {
     if (shape === null) return UNDECIDED;
     if (!asked.contact) return verdictOf(ball.intersectsShape(place, noTurn, shape, origin, noTurn));
     const contact = ball.contactShape(place, noTurn, shape, origin, noTurn, 0);
-    return contact === null ? SEPARATED : CONTACT;
+    if (contact === null) return SEPARATED;
+    const {distance, normal2: n, point2: on} = contact;  // of the triangle
+    return spoken(CONTACT, {separation: distance, normal: [n.x, n.y, n.z], point: [on.x, on.y, on.z]});
   }
 
   function movingSphere(q) {

@@ -5,8 +5,8 @@
 import {BufferAttribute, BufferGeometry, Sphere, Vector3} from 'three';
 import {ExtendedTriangle, MeshBVH} from 'three-mesh-bvh';
 
-import {serve, verdictOf, verdictWithin} from './frame.mjs';
-import {centre, form, mesh, radius, vertices} from './triangle.mjs';
+import {serve, spoken, verdictOf, verdictWithin} from './frame.mjs';
+import {centre, form, mesh, ofNearest, radius, vertices} from './triangle.mjs';
 
 function bvhOf(q) {
   const {positions, indices} = mesh(q, false), geometry = new BufferGeometry();
@@ -20,7 +20,10 @@ const sphereOf = (q) => new Sphere(new Vector3(...centre(q)), radius(q));
 const sphereTriangle = form({
   'triangle': (q) => verdictOf(new ExtendedTriangle(...vertices(q).map((v) => new Vector3(...v))).intersectsSphere(sphereOf(q))),
   'bvh': (q) => verdictOf(bvhOf(q).intersectsSphere(sphereOf(q))),
-  'bvh-distance': (q) => verdictWithin(bvhOf(q).closestPointToPoint(new Vector3(...centre(q))).distance, radius(q)),
+  'bvh-distance': (q) => {
+    const {point, distance} = bvhOf(q).closestPointToPoint(new Vector3(...centre(q)));
+    return spoken(verdictWithin(distance, radius(q)), ofNearest(q, point.toArray(), distance));
+  },
 });
 
 await serve(async () => ({'sphere-triangle': sphereTriangle}));

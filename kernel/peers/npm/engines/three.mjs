@@ -4,18 +4,23 @@
 import {Sphere, Triangle, Vector3} from 'three';
 import {Octree} from 'three/examples/jsm/math/Octree.js';
 
-import {serve, verdictOf} from './frame.mjs';
-import {centre, form, radius, vertices} from './triangle.mjs';
+import {CONTACT, SEPARATED, serve, spoken, verdictOf} from './frame.mjs';
+import {centre, form, ofNearest, radius, vertices} from './triangle.mjs';
 
 const octree = new Octree(), nearest = new Vector3();
 const answer = form({
-  'closest-point': (sphere, triangle) => sphere.containsPoint(triangle.closestPointToPoint(sphere.center, nearest)),
-  'octree': (sphere, triangle) => octree.triangleSphereIntersect(sphere, triangle) !== false,
+  'closest-point': (sphere, triangle, q) => spoken(verdictOf(sphere.containsPoint(triangle.closestPointToPoint(sphere.center, nearest))),
+                                                   ofNearest(q, nearest.toArray())),
+  'octree': (sphere, triangle) => {
+    const found = octree.triangleSphereIntersect(sphere, triangle);
+    return found === false ? SEPARATED
+                           : spoken(CONTACT, {separation: -found.depth, normal: found.normal.toArray(), point: found.point.toArray()});
+  },
 });
 
 function sphereTriangle(q) {
   const [a, b, c] = vertices(q).map((v) => new Vector3(...v));
-  return verdictOf(answer(new Sphere(new Vector3(...centre(q)), radius(q)), new Triangle(a, b, c)));
+  return answer(new Sphere(new Vector3(...centre(q)), radius(q)), new Triangle(a, b, c), q);
 }
 
 await serve(async () => ({'sphere-triangle': sphereTriangle}));

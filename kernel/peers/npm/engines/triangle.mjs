@@ -15,6 +15,13 @@ export function unit(v, sign = 1) {
   return v.map((x) => x / length);
 }
 
+// What a library says that gives the triangle's point next to the centre, in double: the direction from there to the centre, and the
+// distance, which is that of the point where it has none of its own.
+export function ofNearest(q, point, distance) {
+  const away = [...centre(q)].map((x, k) => x - point[k]), from = distance ?? Math.hypot(...away);
+  return {separation: from - radius(q), normal: unit(away), point};
+}
+
 // A triangle that the sphere does not touch, of the first one's size and at least 1 (a metre, to most engines), beyond
 // the triangle and the sphere in the direction of x; null where float has no room for it. Engines drop a triangle with
 // too little area from a mesh, and refuse a mesh that has no other: with this one it is not refused.

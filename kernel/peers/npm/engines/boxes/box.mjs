@@ -25,6 +25,13 @@ export function turned(q, k = 0) {
   return {m: [...q.subarray(k, k + 3)], s: [...q.subarray(k + 3, k + 6)], turn: {x, y, z, w}};
 }
 
+// A point of a box that stands at `m` and may be turned, from its own frame; in double.
+export function placedAt(v, m, {x, y, z, w} = {x: 0, y: 0, z: 0, w: 1}) {
+  const cross = (s, t) => [s[1] * t[2] - s[2] * t[1], s[2] * t[0] - s[0] * t[2], s[0] * t[1] - s[1] * t[0]];
+  const once = cross([x, y, z], v), twice = cross([x, y, z], once);
+  return v.map((c, k) => m[k] + c + 2 * (w * once[k] + twice[k]));
+}
+
 // The answers of `ask` about both boxes of a query, each as `read` makes it; undecided where one is none to engines.
 const answers = (read, columns, ask) => (q) => {
   const a = read(q), b = read(q, columns);

@@ -3,7 +3,8 @@
 //   axes  ConvexPolyhedron.findSeparatingAxis of theirs, without the clipping that follows it
 import {Body, Box, Quaternion, Vec3, World} from 'cannon-es';
 
-import {serve, verdictOf} from '../frame.mjs';
+import {deepest, pair, serve, verdictOf} from '../frame.mjs';
+import {said} from '../loaded/cannon.mjs';
 import {form} from '../triangle.mjs';
 import {quaternions} from './box.mjs';
 
@@ -13,15 +14,15 @@ const turnOf = ({x, y, z, w}) => new Quaternion(x, y, z, w);
 const bodyOf = ({m, s, turn}) => new Body({mass: 0, shape: new Box(vector(s)), position: vector(m), quaternion: turnOf(turn)});
 
 function touches(a, b) {
-  const contacts = [];
-  world.narrowphase.getContacts([bodyOf(a)], [bodyOf(b)], world, contacts, [], [], []);
-  return contacts.length > 0;
+  const contacts = [], first = bodyOf(a);
+  world.narrowphase.getContacts([first], [bodyOf(b)], world, contacts, [], [], []);
+  return pair(verdictOf(contacts.length > 0), deepest(contacts.map((one) => said(one, first))));
 }
 
 function meets(a, b) {
   const [hullA, hullB] = [a, b].map(({s}) => new Box(vector(s)).convexPolyhedronRepresentation);
-  return hullA.findSeparatingAxis(hullB, vector(a.m), turnOf(a.turn), vector(b.m), turnOf(b.turn), new Vec3());
+  return verdictOf(hullA.findSeparatingAxis(hullB, vector(a.m), turnOf(a.turn), vector(b.m), turnOf(b.turn), new Vec3()));
 }
 
 const asked = form({'box': touches, 'axes': meets});
-await serve(async () => quaternions((a, b) => verdictOf(asked(a, b))));
+await serve(async () => quaternions(asked));

@@ -4,7 +4,7 @@
 //   box-sharp     the same with convex radius 0
 //   mesh          of the predicate box-triangle: CollideShape of a BoxShape of convex radius 0 with a MeshShape of one
 //                 triangle, back faces collide
-import {serve, UNDECIDED, verdictOf} from '../frame.mjs';
+import {CONTACT, pair, SEPARATED, serve, UNDECIDED, verdictOf} from '../frame.mjs';
 import {loadedJolt} from '../loaded/jolt.mjs';
 import {form} from '../triangle.mjs';
 import {matrices, quaternions, single} from './box.mjs';
@@ -17,7 +17,7 @@ const asked = form({
 });
 
 async function make() {
-  const {Jolt, created, meshOf} = await loadedJolt();
+  const {Jolt, created, meshOf, said} = await loadedJolt();
   const settings = new Jolt.CollideShapeSettings();
   settings.mMaxSeparationDistance = 0;
   settings.mBackFaceMode = Jolt.EBackFaceMode_CollideWithBackFaces;
@@ -45,20 +45,20 @@ async function make() {
     return shape;
   }
 
-  // Whether a box at a place hits the shape at another; undecided where Jolt refuses one of them. Both are released.
+  // What is said of a box at a place and the shape at another; undecided where Jolt refuses one of them. Both are released.
   function collide(box, [m, turn], shape, [at, turned]) {
-    let verdict = UNDECIDED;
+    let answer = UNDECIDED;
     if (box && shape) {
       const transformed = new Jolt.TransformedShape(), where = new Jolt.RVec3(at[0], at[1], at[2]), centre = new Jolt.RVec3(m[0], m[1], m[2]);
       transformed.mShape = shape;
       transformed.SetWorldTransform(where, turned, one);
-      const place = Jolt.RMat44.prototype.sRotationTranslation(turn, centre), collector = new Jolt.CollideShapeAnyHitCollisionCollector();
+      const place = Jolt.RMat44.prototype.sRotationTranslation(turn, centre), collector = new Jolt.CollideShapeClosestHitCollisionCollector();
       transformed.CollideShape(box, one, place, settings, origin, collector, filter);
-      verdict = verdictOf(collector.HadHit());
+      answer = collector.HadHit() ? pair(CONTACT, said(collector.mHit)) : SEPARATED;
       for (const used of [collector, centre, where, transformed]) Jolt.destroy(used);
     }
     for (const used of [box, shape]) if (used) used.Release();
-    return verdict;
+    return answer;
   }
   function boxBox(a, b) {
     const turns = [a, b].map(({turn}) => quat(turn));

@@ -5,7 +5,7 @@
 //   trimesh         of the predicate box-triangle: the same, a TriMesh
 import RAPIER from '@dimforge/rapier3d-compat';
 
-import {serve, verdictOf} from '../frame.mjs';
+import {pair, SEPARATED, serve, verdictOf} from '../frame.mjs';
 import {form} from '../triangle.mjs';
 import {corners, quaternions, single} from './box.mjs';
 
@@ -22,7 +22,9 @@ const answers = form({
   'cuboid': quaternions((a, b) => verdictOf(cuboid(a.s).intersectsShape(...places(a, b)))),
   'cuboid-contact': quaternions((a, b) => {
     const contact = cuboid(a.s).contactShape(...places(a, b), 0);
-    return verdictOf(contact !== null && contact.distance <= 0);
+    if (contact === null) return SEPARATED;
+    const {distance, normal1: n, point1, point2} = contact, plain = ({x, y, z}) => [x, y, z];
+    return pair(verdictOf(distance <= 0), {separation: distance, normal: plain(n), a: plain(point1), b: plain(point2)});
   }),
   'triangle': boxTriangle((q) => new RAPIER.Triangle(...corners(q, 6).map(vector))),
   'trimesh': boxTriangle((q) => {

@@ -37,11 +37,14 @@ export async function loadedHavok() {
   }
 
   const hits = () => hk.HP_QueryCollector_GetNumHits(collector)[1] > 0;
-  // Whether the shape, at `place` and turned by `turn`, is at distance 0 from something in the world.
-  function isNear(shape, place, turn = noTurn) {
+  // What is said of a shape, at `place` and turned by `turn`, and something in the world at distance 0 from it; or null. The normal pushes
+  // the shape, `point` is that of what is in the world, and `own` the shape's, without its place and turn.
+  function near(shape, place, turn = noTurn) {
     hk.HP_World_ShapeProximityWithCollector(world, collector, [shape, [...place], turn, 0, false, nobody]);
-    return hits();
+    if (!hits()) return null;
+    const [separation, ofShape, found] = hk.HP_QueryCollector_GetShapeProximityResult(collector, 0)[1];
+    return {separation, normal: found[4], point: found[3], own: ofShape[3]};
   }
 
-  return {hk, world, collector, made, meshOf, withBody, hits, isNear};
+  return {hk, world, collector, made, meshOf, withBody, hits, near};
 }

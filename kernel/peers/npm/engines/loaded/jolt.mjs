@@ -1,6 +1,8 @@
 // Jolt with a world of nothing, and shapes of it.
 import initialized from 'jolt-physics';
 
+import {unit} from '../triangle.mjs';
+
 export async function loadedJolt() {
   const Jolt = await initialized();
   const world = new Jolt.JoltSettings();
@@ -39,5 +41,11 @@ export async function loadedJolt() {
     return shape;
   }
 
-  return {Jolt, created, meshOf};
+  // What CollideShape says of a hit of two shapes: its axis, of any length, is the way to push the second.
+  function said({mPenetrationDepth, mPenetrationAxis, mContactPointOn1, mContactPointOn2}) {
+    const plain = (v) => [v.GetX(), v.GetY(), v.GetZ()];
+    return {separation: -mPenetrationDepth, normal: unit(plain(mPenetrationAxis)), a: plain(mContactPointOn1), b: plain(mContactPointOn2)};
+  }
+
+  return {Jolt, created, meshOf, said};
 }
