@@ -17,13 +17,14 @@
 #include "fuzz/confirm/record.h"
 #include "kernel/registry/self_check.h"
 #include "fuzz/causes/cause.h"
+#include "reports/instrument/league_contacts.h"
 #include "reports/instrument/league_report.h"
 
 namespace axiscert {
 namespace {
 
 struct LeagueOptions : InstrumentOptions {
-  bool no_speed = false, no_engines = false;
+  bool no_speed = false, no_engines = false, contacts = false;
 };
 
 const std::vector<std::string> own_kernels = {"published",     "nonstrict", "reduced-nonstrict", "minkowski",
@@ -53,12 +54,14 @@ void add_to_league(League& league, const std::string& id) {
 }
 
 // Our own kernels and every peer, those from npm only with `engines`; every kernel with a planted fault is kept apart
-// from them.
-void add_all_kernels(League& league, bool engines) {
+// from them, and left out of `contacts`.
+void add_all_kernels(League& league, bool engines, bool contacts) {
   for (const std::string& id : own_kernels) add_to_league(league, id);
   for (const plugin::ShippedPlugins& shipped : plugin::shipped_plugins()) {
     if (shipped.predicate != &league_predicate()) continue;
     const bool competes = shipped.prefix == "peer/";
+    // A planted fault is one of verdicts.
+    if (!competes && contacts) continue;
     for (const std::string& name : shipped.names) {
       const std::string id = shipped.prefix + name;
       if (engines || !plugin::is_program(find_kernel(id))) add_to_league(league, id);
@@ -103,7 +106,7 @@ int run_league(const LeagueOptions& options) {
   League league;
   Questions& questions = league.questions;
   if (options.kernels.empty()) {
-    add_all_kernels(league, !options.no_engines);
+    add_all_kernels(league, !options.no_engines, options.contacts);
   } else {
     for (const std::string& id : options.kernels) add_to_league(league, id);
     league.contenders = league.kernels.size();
@@ -133,6 +136,7 @@ int run_league(const LeagueOptions& options) {
   const std::atomic<bool> interrupted = false;
   const CampaignResult result = with_progress("league", [&](const ShowProgress& show) {
     CampaignResult found = run_campaign(plan, interrupted, show);
+    if (options.contacts) return found;
     for (const Precision precision : questions.precisions) {
       for (std::size_t k = 0; k < league.contenders; ++k) {
         if (!league.kernels[k]->has(precision)) continue;
@@ -147,9 +151,11 @@ int run_league(const LeagueOptions& options) {
     return found;
   });
   const std::string command = instrument_command("league", options) + (options.no_speed ? " --no-speed" : "") +
-                              (options.no_engines ? " --no-engines" : "");
+                              (options.no_engines ? " --no-engines" : "") + (options.contacts ? " --contacts" : "");
   for (const std::string& sentence : league.not_checked) fmt::print(stderr, "axiscert: {}\n", sentence);
-  const int done = print_and_write_instrument(league_report(league, result, command), options);
+  const int done = print_and_write_instrument(
+      options.contacts ? league_contacts_report(league, result, command) : league_report(league, result, command),
+      options);
   return undecided_contenders(league, result).empty() ? done : exit_requirement_failed;
 }
 
@@ -164,10 +170,15 @@ void add_league(CLI::App& app, Action& action) {
   add_instrument_options(*command, *options, std::uint64_t{1} << 14);
   command->add_flag("--no-speed", options->no_speed, "measure no times");
   command->add_flag("--no-engines", options->no_engines, "leave out the engines from npm, installed or not");
+  command->add_flag("--contacts", options->contacts,
+                    "say what each gives beside its verdicts, and how far separations, normals and points are off; no "
+                    "times, no causes");
   options->asks_less = "--no-speed and --no-engines leave out the times and the engines";
-  add_examples(*command,
-               {{"My kernel beside others", "axiscert league plugin:./my_kernel.so published --trials 256 --no-speed"},
-                {"Every library that is here, with a page", "axiscert league --out league"}});
+  add_examples(
+      *command,
+      {{"My kernel beside others", "axiscert league plugin:./my_kernel.so published --trials 256 --no-speed"},
+       {"Every library that is here, with a page", "axiscert league --out league"},
+       {"What they say beside their verdicts", "axiscert league --contacts --trials 1024 --precision binary32"}});
   command->callback([&action, options] { action = [options] { return run_league(*options); }; });
 }
 

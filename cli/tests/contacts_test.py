@@ -3,11 +3,12 @@ nothing with it."""
 import json
 import random
 import struct
+import subprocess
 import unittest
 from decimal import Decimal, getcontext
 from fractions import Fraction
 
-from command import Case, axiscert
+from command import Case, ROOT, axiscert
 
 getcontext().prec = 60
 SEED = 20
@@ -132,6 +133,62 @@ class Contacts(Case):
                 looked_at["left"] += left > 0
         for name, count in looked_at.items():
             self.assertGreater(count, 3, f"{name}: {looked_at}")
+
+
+# What people reported of libraries: the query, a kernel that gives numbers, and the separation that is right.
+REPORTED = {
+    "github.com/RiSearcher/GeometRi.CSharp/issues/26": (
+        {"precision": "binary64", "a": [0, 0, 0], "b": [10000, 0, 0], "c": [0, 10000, 0], "p": ["3286.5999999974479", 5000, 0], "r": 1}, "closest-point", -1),
+    "github.com/flexible-collision-library/fcl/issues/293": (
+        {"predicate": "box-box", "precision": "binary64", "a": {"m": ["1.625", 0, 0.5], "s": [1.375, 3, "0.025"], "q": [1, 0, 0, 0]},
+         "b": {"m": ["0.192074", "-0.277870", "0.273546"], "s": ["0.212", "0.075", "0.0843"], "q": ["0.672811", "0.340674", "0.155066", "0.638138"]}},
+        "box-box/cofactor-turned", 0.053516162824549275),
+    "github.com/google-deepmind/mujoco_warp/issues/1430": (
+        {"predicate": "box-box", "precision": "binary32", "a": {"m": [0, 0, 0.25], "s": [100, 100, 0.25], "b": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]},
+         "b": {"m": [0, 0, "0.5995"], "s": ["0.1", "0.1", "0.1"], "b": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}}, "box-box/cofactor", -0.0005000010132789612),
+    "github.com/google-deepmind/mujoco/issues/3476": (
+        {"predicate": "box-box", "precision": "binary64", "a": {"m": [0, 0, 0], "s": [35.5, 35.5, 20], "q": [1, 0, 0, 0]},
+         "b": {"m": [10, "71.02", 0], "s": [35.5, 35.5, 20], "q": ["0.9999994", 0, 0, "0.00107"]}}, "box-box/cofactor-turned", -0.055888670699442415),
+}
+# A sphere of radius 50, 5 deep, whose contact is said to be 54.72 from its centre (github.com/coal-library/coal/issues/440).
+OUTSIDE = r"""
+#include <axiscert/plugin.h>
+static int outside(const float a[3], const float b[3], const float c[3], const float p[3], float r, float *separation, float *feature, float normal[3], float point[3]) {
+  (void)a; (void)b; (void)c;
+  *separation = p[2] - r;
+  *feature = 6;
+  normal[0] = normal[1] = 0; normal[2] = 1;
+  point[0] = p[0]; point[1] = p[1]; point[2] = p[2] - 54.72f;
+  return AXISCERT_CONTACT;
+}
+AXISCERT_CONTACT_PLUGIN(float, "outside", outside, all)
+"""
+
+
+class Reported(Case):
+    def answer(self, query, kernel):
+        done = axiscert("check", "-", "--kernel", kernel, "--format", "jsonl", stdin=json.dumps({"id": "x", **query}))
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        return json.loads(done.stdout)
+
+    def test_each_has_its_exact_separation_and_a_kernel_that_is_right(self):
+        for where, (query, kernel, right) in REPORTED.items():
+            with self.subTest(where):
+                said = self.answer(query, kernel)
+                self.assertEqual(said["exact"]["verdict"], "separated" if right > 0 else "contact")
+                self.assertAlmostEqual(float(said["exact"]["facts"]["distance" if right > 0 else "penetration"]["value"]), abs(right), delta=1e-12)
+                if right < 0:  # axes tell no distance
+                    self.assertLess(said["computed"]["measures"]["separation_error"], 1e-6)
+
+    def test_a_point_outside_of_the_sphere_is_told(self):
+        source, library = self.folder / "outside.c", self.folder / "outside.so"
+        source.write_text(OUTSIDE)
+        subprocess.run(["cc", "-O1", "-shared", "-fPIC", f"-I{ROOT}/kernel/include", source, "-o", library], check=True)
+        query = {"precision": "binary32", "a": [-200, -200, 0], "b": [200, -200, 0], "c": [0, 300, 0], "p": [0, 0, 45], "r": 50}
+        measures = self.answer(query, f"plugin:{library}")["computed"]["measures"]
+        self.assertEqual((measures["separation_error"], measures["normal_angle"]), (0, 0))
+        scene = dot([200, 200, 45], [200, 200, 45]) ** 0.5
+        self.assertAlmostEqual(measures["point_error"], 9.72 / max(scene, dot([0, 300, 45], [0, 300, 45]) ** 0.5), delta=1e-6)
 
 
 if __name__ == "__main__":

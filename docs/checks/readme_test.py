@@ -8,9 +8,11 @@ The commands are those that stand with the tables, and in the function of each: 
 rows of a table are those that the page has.
 """
 import json
+import math
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
 from fractions import Fraction
 from pathlib import Path
@@ -134,7 +136,7 @@ def ends(commands, old):
 
 BOX_KERNELS = "projected columns dropped framed textbook rtcd gottschalk bullet cofactor".split()
 BOX_FAMILIES = "general tangent stacked resting level crossed parallel thin flat".split()
-BOX_PEERS = "ode ode-unimportant ode-touches fcl fcl-obb bullet libccd-gjk libccd-mpr".split()
+BOX_PEERS = "ode ode-unimportant ode-touches fcl fcl-obb bullet libccd-gjk libccd-mpr mujoco dart".split()
 BOX_PEER_FAMILIES = "lattice tangent resting level crossed parallel flat".split()
 
 
@@ -150,7 +152,12 @@ def count_and_depth(verdict, kind):
 
 
 def by_family(families, verdicts, kind):
-    return [[f"`{family}`", *(count_and_depth(of_kernel[i], kind) for of_kernel in verdicts)] for i, family in enumerate(families)]
+    """What was declined follows where there was some."""
+
+    def cell(verdict):
+        return count_and_depth(verdict, kind) + (f" / {verdict['undecided']}" if verdict["undecided"] else "")
+
+    return [[f"`{family}`", *(cell(of_kernel[i]) for of_kernel in verdicts)] for i, family in enumerate(families)]
 
 
 def box_forms(commands):
@@ -239,6 +246,57 @@ def engines(predicate, ends, trials):
     return table
 
 
+# ---- docs/contacts.md
+
+def contact_row(kernel, families):
+    """The figures of `league --contacts` over all families: sums of counts, and the greatest of each error; lengths of scenes alone."""
+    parts = {name: found["contacts"] for name, found in families.items() if found["contacts"]}
+
+    def of(part, member, join=max, only=lambda _: True):
+        found = [contacts[part] for name, contacts in parts.items() if contacts.get(part) and contacts[part].get("judged", 1) and only(name)]
+        return join(one[member] for one in found) if found else None
+
+    def pair(part, member, factor=1.0):
+        """Of scenes, and of all."""
+        most = of(part, member)
+        return "" if most is None else ", ".join(re.sub("e([-+])0", r"e\1", f"{factor * x:.3g}") for x in (of(part, member, only=scene), most))
+
+    scene = lambda name: name.startswith("scene-")  # noqa: E731
+    length, most = of("separation", "largest_length", only=scene), of("separation", "largest_error")
+    flips, pushed, left = of("pushed", "flips", sum), of("pushed", "judged", sum), of("pushed", "largest_left")
+    positive = of("consistency", "positive", sum)
+    return [f"`{kernel}`", f"{sum(one['answers'] for one in parts.values()):,}",
+            "" if most is None else f"{metres(length)}, {short(most)}", "" if positive is None else f"{positive:,}",
+            "" if flips is None else f"{flips:,} of {pushed:,}, {float(left):.2g}",
+            pair("normal", "largest_angle", 180 / math.pi), pair("point", "largest_error")]
+
+
+def metres(length):
+    """With two digits, in the unit that leaves 1 to 1000 of them."""
+    for unit, size in (("m", 1), ("mm", 1e-3), ("um", 1e-6), ("nm", 1e-9)):
+        if length >= size or unit == "nm":
+            return f"{float(f'{length / size:.2g}'):g} {unit}"
+
+
+def contact_engines(commands, old):
+    """A row for each library and engine; where it is not there its row stays."""
+    known = commands.text("kernels")
+
+    def row(line):
+        kernel = "peer/" + (name := cells_of(line)[0].strip("`"))
+        if not re.search(rf"^{re.escape(kernel)} +(?!NOT)", known, re.M):
+            return line
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([commands.axiscert, "league", kernel, "--contacts", "--precision", "binary32", "--trials", "1024", "--out", folder],
+                                  text=True, capture_output=True)
+            assert done.returncode == 0, done.stderr
+            (found,) = json.loads((Path(folder) / "league.json").read_text())["kernels"]
+        return row_of(contact_row(name, found["families"]))
+
+    lines = old.splitlines(keepends=True)
+    return "".join(lines[:2]) + "".join(map(row, lines[2:]))
+
+
 # The page, the function and whether a test that makes it again takes long.
 TABLES = {
     "front": ("README.md", front, "quick"),
@@ -259,6 +317,7 @@ TABLES = {
     "box-triangle": ("docs/boxes.md", box_triangle, "long"),
     "box-engines": ("docs/boxes.md", engines("box-box", BOX_ENTRIES, "300"), "long"),
     "box-triangle-engines": ("docs/boxes.md", engines("box-triangle", CELL_ENTRIES, "300"), "long"),
+    "contact-engines": ("docs/contacts.md", contact_engines, "long"),
     "shrunk": ("docs/corpus.md", shrunk, "quick"),
 }
 

@@ -132,8 +132,8 @@ TEST(LibccdFaults, GjkSaysADepthOfZeroOfADeepContact) {
   EXPECT_EQ(found[0], 0) << "it is 3 deep";
 }
 
-// The depth is along the way from the one's centre to the other's, as MPR has it.
-TEST(LibccdFaults, MprPushesAlongTheLineOfCentres) {
+// MPR looks where the line of centres leaves.
+TEST(LibccdFaults, MprDoesNotSayTheLeastDepth) {
   const std::vector<double> found = ask_numbers("libccd-mpr", sphere(1.0, 1.0, 0.125, 20.0));
   EXPECT_LT(found[0], -21) << "it is 19.875 deep";
   EXPECT_LT(found[4], 0.3) << "the way out is (0, 0, 1)";

@@ -4,7 +4,8 @@
 // A triangle without a normal has distance 0 from every plane and contains every point: each degenerate triangle
 // "hits", at any distance (fcl 29 is of this kind). The machine epsilon of the number type is added to the radius as a
 // length: 2.2e-16 metres mean nothing in a large scene and everything in a small one. Where a NaN occurs inside, for
-// instance after an overflow, the answer is separated.
+// instance after an overflow, the answer is separated. Beside an edge the contact is that of the last edge within the
+// radius, in the order AB, BC, CA.
 #pragma once
 
 #include <fcl/narrowphase/detail/primitive_shape_algorithm/sphere_triangle.h>

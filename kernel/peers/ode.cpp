@@ -4,7 +4,8 @@
 // A mesh is one-sided, so it contains the triangle in both windings. Candidates are found in float and the contact in
 // double, so contacts shallower than float's resolution are missed. ODE skips a triangle without a normal, so contacts
 // with degenerate triangles are missed. A centre exactly on the triangle is a contact whose depth is NaN (a direction
-// of length 0 is divided by its length); here that is `invalid`.
+// of length 0 is divided by its length); here that is `invalid`. The normal is the plane's beside edges and corners
+// too, and the depth is along it.
 #include "kernel/peers/ode_mesh.h"
 
 namespace axiscert::peer {

@@ -296,7 +296,7 @@ class LeagueReport {
           entry.trust.put(name(group)) = {trust.answer, trust.words};
         }
         for_each_cell(k, precision, [&](const Source& source, const Tally& tally) {
-          entry.families.put(source.name()) = family_data(tally);
+          entry.families.put(source.name()) = family_data(kernel, tally);
         });
       }
     }
@@ -304,7 +304,7 @@ class LeagueReport {
     return json_of(data);
   }
 
-  static LeagueFamilyData family_data(const Tally& tally) {
+  static LeagueFamilyData family_data(const Kernel& kernel, const Tally& tally) {
     const VerdictTally& verdict = tally.verdict;
     std::vector<double> errors = sizes(tally.critical_radius.errors_ulps);
     std::sort(errors.begin(), errors.end());
@@ -327,6 +327,8 @@ class LeagueReport {
     for (const FindingKind kind : enumerators<FindingKind>) {
       if (tally.findings[kind].count != 0) data.findings[kind] = tally.findings[kind].count;
     }
+    if (kernel.measure_count != 0)
+      data.contacts = given_contacts(tally.contacts, *kernel.predicate, kernel.measure_count);
     return data;
   }
 

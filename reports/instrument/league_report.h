@@ -57,6 +57,7 @@ struct LeagueFamilyData {
   std::optional<std::uint64_t> caught_after;
   RadiusSummary critical_radius;
   std::map<FindingKind, std::uint64_t> findings;
+  std::optional<ContactTally> contacts;
 
   static constexpr std::string_view about = "On one family.";
   static constexpr auto fields(auto&& visit) {
@@ -80,7 +81,11 @@ struct LeagueFamilyData {
                "Of a kernel that claims a built-in one's bits: queries until the first that shows another; null: none "
                "does."}),
         field(&Of::critical_radius, {"critical_radius", RadiusSummary::about}),
-        field(&Of::findings, {"findings", "Faults other than wrong answers, by kind."}));
+        field(&Of::findings, {"findings", "Faults other than wrong answers, by kind."}),
+        field(&Of::contacts,
+              {"contacts",
+               "What it says beside its verdicts, of the first 4,096 queries; null: it gives no numbers, or the "
+               "predicate has none."}));
   }
 };
 
@@ -116,10 +121,36 @@ struct LeagueKernelData {
   }
 };
 
+struct WorstContactData {
+  Name kind, kernel;
+  Precision precision = Precision::binary32;
+  Name family;
+  double size = 0;
+  Name address;
+  Json query;
+
+  static constexpr std::string_view about = "One of the five worst numbers of a kind beside a verdict.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = WorstContactData;
+    return visit(
+        field(&Of::kind, {"kind", "separation, contradiction, left, normal or point."}),
+        field(&Of::kernel, {"kernel", "The kernel or library; of each its worst in a precision."}),
+        field(&Of::precision, {"precision", "The precision of the query."}),
+        field(&Of::family, {"family", "The family."}),
+        field(&Of::size,
+              {"size",
+               "How far it is off: a share of the scene of a separation or point, radians of a normal, and of `left` "
+               "what a push along the normal leaves of the depth; 1 of a contradiction."}),
+        field(&Of::address, {"address", "The address of the query."}),
+        field(&Of::query, {"query", "Its numbers as hex-floats, and `measures` as a witness has them."}));
+  }
+};
+
 struct LeagueData : CommandData<LeagueData> {
   static constexpr std::string_view format = "axiscert-league/3", title = "Kernels and libraries on the same queries";
   WholeNumber seed;
   std::vector<LeagueKernelData> kernels;
+  std::vector<WorstContactData> worst_contacts;
   std::vector<Name> not_checked;
 
   static constexpr std::string_view about =
@@ -127,9 +158,11 @@ struct LeagueData : CommandData<LeagueData> {
       "libraries there are.";
   static constexpr auto fields(auto&& visit) {
     using Of = LeagueData;
-    return visit(base<Of, CommandData<Of>>(), field(&Of::seed, {"seed", "The seed of every family."}),
-                 field(&Of::kernels, {"kernels", "One for each kernel and precision."}),
-                 field(&Of::not_checked, {"not_checked", "What was left out, a sentence each."}));
+    return visit(
+        base<Of, CommandData<Of>>(), field(&Of::seed, {"seed", "The seed of every family."}),
+        field(&Of::kernels, {"kernels", "One for each kernel and precision."}),
+        field(&Of::worst_contacts, {"worst_contacts", "With --contacts, the five worst of each kind; else empty."}),
+        field(&Of::not_checked, {"not_checked", "What was left out, a sentence each."}));
   }
 };
 
