@@ -56,7 +56,7 @@ print(before)
 worst = max((one for one in before.witnesses if one["kernel"] == "first"), key=lambda one: one.get("depth") or 0)
 small = ax.shrink(worst["address"], first, evaluations=500)[0]
 exact = ax.truth(small.query)
-print(small.query.numbers.T, "distance", np.sqrt(exact.squared_distance), "nearest", exact.facts[0]["features"])
+print(small.query.numbers.T, "distance", np.sqrt(exact.squared_distance), "nearest", *exact.facts[0]["features"].names)
 
 # %% Mended.
 after = ax.judge(mended, require="depth=1mm", **options)

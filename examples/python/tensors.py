@@ -12,8 +12,8 @@ import axiscert as ax
 device = "cpu"  # on a GPU: "cuda"
 
 
-# %% Two boxes along the world's axes... of a box and a sphere's triangle it would be the same: arrays come as tensors.
-# This one bounds the triangle by a box and asks whether the sphere touches that: fast, and never a missed contact.
+# %% Arrays come as tensors.
+# This one bounds the triangle by a box and asks whether the sphere touches that: fast, and over the reals never a missed contact.
 def bounding_box(a, b, c, p, r):
     a, b, c, p, r = (tensor.to(device) for tensor in (a, b, c, p, r))
     low, high = torch.minimum(torch.minimum(a, b), c), torch.maximum(torch.maximum(a, b), c)
@@ -23,7 +23,7 @@ def bounding_box(a, b, c, p, r):
 
 kernel = ax.kernel(bounding_box, tensors=torch.from_dlpack)
 
-# %% How often does it invent a contact, and does it really never miss one?
+# %% How often does it invent a contact, and does rounding make it miss one?
 record = ax.judge(kernel, family=["general", "tangent", "scene-walk"], trials=int((sys.argv + [20000])[1]), require="conservative")
 print(record)
 print(f"{kernel.calls} calls, {kernel.seconds:.2f} s of them in the kernel itself")

@@ -49,7 +49,7 @@ def families(predicate: str = "") -> List[Dict[str, Any]]:
     """The families of a predicate, or of all: `name`, `purpose`, `entry`, `version`, `is_scene`.
 
     >>> [family["name"] for family in families("sphere-triangle")][:3]
-    ['general', 'tangent', 'tie']
+    ['general', 'tangent', 'seam']
     """
     return list(_core.families(predicate))
 

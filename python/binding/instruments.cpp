@@ -24,10 +24,11 @@
 namespace axiscert::python {
 namespace {
 
-// As (name, the figures as JSON, text, page, what a signal raised).
-py::tuple in_python(const InstrumentReport& report, const std::optional<py::error_already_set>& raised = {}) {
-  return py::make_tuple(report.name, report.data.dump(1) + "\n", instrument_text(report), instrument_page(report),
-                        raised ? raised->value() : py::none());
+// As (name, the figures as JSON, text, page, what a signal raised): the JSON as the command of that name prints it.
+py::tuple in_python(const InstrumentReport& report, const std::optional<py::error_already_set>& raised = {},
+                    int indentation = 2) {
+  return py::make_tuple(report.name, report.data.dump(indentation) + "\n", instrument_text(report),
+                        instrument_page(report), raised ? raised->value() : py::none());
 }
 
 // The figures are of all queries or of none: an interrupt is waited out, and raised then.
@@ -192,7 +193,7 @@ py::tuple compare(const std::string& before_folder, const std::string& after_fol
     markdown = comparison_markdown(runs, comparison);
     passes = comparison.passes();
   });
-  return py::make_tuple(in_python(*report, raised), passes, markdown);
+  return py::make_tuple(in_python(*report, raised, 1), passes, markdown);
 }
 
 }  // namespace
