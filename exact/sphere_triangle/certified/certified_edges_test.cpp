@@ -85,11 +85,12 @@ TEST(CertifiedEdges, WhereOneTokenWasOnceWrong) {
   expect_exact(queries, counts);
 }
 
-// Numbers of n bits with a sign, n to both sides of each size of integers: 30, 62, 94 and 126, and of the whole words
-// between.
+// Numbers of n bits with a sign, n to both sides of each size of integers: 30, 62, 94, 126 and, for
+// AXISCERT_EXACT_ONLY, 286, and of the whole words between.
 TEST(CertifiedEdges, IntegersJustBelowAndAboveEachSize) {
   int counts[3] = {};
-  for (const int n : {29, 30, 31, 32, 33, 61, 62, 63, 64, 65, 93, 94, 95, 96, 97, 125, 126, 127, 128, 129}) {
+  for (const int n :
+       {29, 30, 31, 32, 33, 61, 62, 63, 64, 65, 93, 94, 95, 96, 97, 125, 126, 127, 128, 129, 278, 285, 286, 287, 288}) {
     std::mt19937_64 random(edges_seed + static_cast<std::uint64_t>(n));
     std::vector<Query<double>> queries;
     for (int i = 0; i < 300; ++i) queries.push_back(widest_query(n, random));

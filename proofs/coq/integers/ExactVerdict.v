@@ -99,6 +99,12 @@ Proof.
   intros span. pose proof all_spans as all. rewrite forallb_forall in all. specialize (all (Z.to_nat bits)).
   rewrite Z2Nat.id in all by lia. apply all, in_seq. lia.
 Qed.
+(* The radius taken as zero is the one of `negligible_radius`. *)
+Theorem recorded_negligible_is_proved bits : 1 <= bits <= 286 -> recorded_negligible (size_for bits) = -2 * size_for bits - 2.
+Proof.
+  intros span. pose proof (span_is_held bits span) as held. unfold holds_span in held. cbv zeta in held.
+  rewrite !andb_true_iff, Z.eqb_eq in held. apply held.
+Qed.
 (* Never too short an integer, whatever the span. *)
 Theorem recorded_size_is_great_enough bits : 0 <= bits -> size_for bits = 0 \/ bits <= size_for bits.
 Proof.
