@@ -80,6 +80,7 @@ static int OF_REAL(published)(const real a[3], const real b[3], const real c[3],
   const real V[3] = {AB[1] * AC[2] - AB[2] * AC[1], CROSS_Y(AB, AC), AB[0] * AC[1] - AB[1] * AC[0]};
   const real d = DOT(A, V), e = DOT(V, V);
   const int plane_radius = PLANE_RADIUS;
+  (void)d, (void)e; /* a fault may leave one out */
   AFTER_PLANE;
 
   const real aa = DOT(A, A), ab = DOT(A, B), ac = DOT(A, C), bb = DOT(B, B), bc = DOT(B, C), cc = DOT(C, C);
