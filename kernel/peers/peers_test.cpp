@@ -157,7 +157,9 @@ TEST_P(Peer, TurnsItsNumbersToOneConvention) {
     EXPECT_TRUE(std::isnan(found[1]));
     for (std::size_t k = 0; k < 3; ++k) {
       EXPECT_NEAR(found[2 + k], right.normal[k], slack);
-      if (found.size() == 8) EXPECT_NEAR(found[5 + k], right.point[k], slack);
+      if (found.size() == 8) {
+        EXPECT_NEAR(found[5 + k], right.point[k], slack);
+      }
     }
   }
 }
