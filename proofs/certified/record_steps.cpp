@@ -43,9 +43,9 @@ std::vector<RecordedStep> recorded_steps() {
 }
 
 std::vector<RecordedStep> recorded_scaling() {
-  using namespace axiscert::certified;
-  return {recorded_plain::with_all_answers(recorded_plain::record_scaling),
-          recorded_fused::with_all_answers(recorded_fused::record_scaling)};
+  namespace plain = axiscert::certified::recorded_plain;
+  namespace fused = axiscert::certified::recorded_fused;
+  return {plain::with_all_answers(plain::record_scaling), fused::with_all_answers(fused::record_scaling)};
 }
 
 }  // namespace axiscert::proofs::certified
