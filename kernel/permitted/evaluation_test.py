@@ -21,7 +21,7 @@ import formulae
 AXISCERT = Path(sys.argv.pop(1)).resolve()
 LINE = re.compile(r"^  (\S+) (holds|does not hold): (.*) = (\S+) (>=|>) (.*) = (\S+)$", re.M)
 TOKEN = re.compile(r"up\(|down\(|flushed\(|kept\(|near\(|fma\(|[()|,/]|[a-z][a-z0-9.]*|-?\d[\d.e+-]*\d|\d|[+-]")
-NORMAL = 2.0**-126
+NORMAL, GREATEST = 2.0**-126, 2.0**128 - 2.0**104
 
 
 def single(x):
@@ -36,8 +36,14 @@ def beside(x, step):
     return struct.unpack("<f", struct.pack("<i", bits))[0]
 
 
+class Indeterminate(Exception):
+    """Beyond the greatest float, and where the specification bounds no quotient, a value may be any."""
+
+
 def nearest(x):
     """The floats around an exact value: below or at it, nearest to it, above or at it."""
+    if abs(x) > GREATEST:
+        raise Indeterminate
     near = single(float(x))
     # Rounded twice, it may be beside the nearest; of a tie the even one was taken.
     near = min((near, beside(near, -1), beside(near, 1)), key=lambda candidate: abs(Fraction(candidate) - x))
@@ -96,12 +102,18 @@ class Reader:
 
     def operation(self, mark):
         exact, rounded = self.operand()
+        if mark == "flushed(" and self.tokens[0] == ")":  # of an operand
+            self.take(")")
+            assert self.permits & {"flushed", "wgsl", "wgsl-kept"} and abs(rounded) < NORMAL
+            return exact, 0.0
         sign = -1 if self.tokens[0] == "-" else 1
         kind = self.tokens.pop(0) if self.tokens[0] in "+-/" else "*"
         other, other_rounded = self.operand()
         a, b = Fraction(rounded), Fraction(other_rounded)
         if kind == "*":
             exact, unrounded = exact * other, a * b
+        elif kind == "/" and (b == 0 or other == 0):
+            raise Indeterminate
         elif kind == "/":
             exact, unrounded = exact / other, a / b
         else:
@@ -118,6 +130,8 @@ class Reader:
         else:
             assert mark == "(" or self.permits & {"faithful", "wgsl", "wgsl-kept"}
             rounded = {"(": near, "up(": above, "down(": below}[mark]
+            if abs(rounded) == float("inf"):
+                raise Indeterminate
         self.take(")")
         return exact, rounded
 
@@ -146,9 +160,12 @@ def replayed(kernel, queries):
             for text, printed in ((lhs, lhs_value), (rhs, rhs_value)):
                 try:
                     exact, rounded = Reader(text, columns, {part}, kept).value()
+                except Indeterminate:
+                    values.append((None, float(printed)))
+                    continue
                 except AssertionError as error:
                     raise NotReplayed(f"{kernel} {address} {name}: {text}: {error}") from None
-                if f"{rounded:.9g}" != f"{float(printed):.9g}":
+                if f"{rounded + 0:.9g}" != f"{float(printed) + 0:.9g}":  # the sign of 0 is open
                     raise NotReplayed(f"{kernel} {address} {name}: {text} is {rounded:.9g}, not {printed}")
                 values.append((exact, rounded))
                 count += 1

@@ -23,8 +23,10 @@ struct Text {
   std::string node(std::uint32_t number, bool greatest) const {
     const Node& node = nodes()[number];
     switch (node.kind) {
-      case Kind::input:
-        return names[static_cast<std::size_t>(node.payload)];
+      case Kind::input: {
+        const auto i = static_cast<std::size_t>(node.payload);
+        return end(evaluation.of({number}), greatest) == evaluation.inputs_[i] ? names[i] : "flushed(" + names[i] + ")";
+      }
       case Kind::constant:
         return fmt::format("{}", node.payload);
       case Kind::kept: {
