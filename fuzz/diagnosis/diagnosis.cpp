@@ -72,6 +72,8 @@ const std::vector<Probe>& probes() {
       AXISCERT_PROBE("normal", "the normal that is given", all_of_them(normals_names), normals),
       AXISCERT_PROBE("feature", "the nearest part that is given", all_of_them(features_names), features),
       AXISCERT_PROBE("contact_point", "the point of contact that is given", all_of_them(points_names), contact_points),
+      AXISCERT_PROBE("evaluation", "what a compiler made of a built-in form's operations", all_of_them(evaluated_names),
+                     evaluation),
       AXISCERT_PROBE("nearest_form", "the built-in kernel that it agrees with most", {}, nearest_form),
 #undef AXISCERT_PROBE
   };
@@ -173,7 +175,8 @@ std::optional<std::size_t> importance_of(std::string_view property, std::string_
        {"touching", {"closed"}}},
       {{"subnormal_numbers", {"kept"}},
        {"inner_precision", {"own", "wider"}},
-       {"operation_order", {"left_to_right", "other_order"}}},
+       {"operation_order", {"left_to_right", "other_order"}},
+       {"evaluation", {"as_written"}}},
   };
   for (std::size_t rank = 0; rank < all.size(); ++rank) {
     for (const Known& known : all[rank]) {

@@ -46,9 +46,9 @@ void expect_true(const Row& row) {
     const auto truth = row.truth.find(property.name);
     const std::string expected = truth == row.truth.end() ? "" : truth->second;
     const bool has_to_be_found = row.decided.contains(property.name);
-    // Nothing moves here, and no clear query has a triangle without area.
+    // Nothing moves here, no clear query has a triangle without area, and permissions are known in binary32.
     if (property.name != "flat" && property.name != "parallel" && property.name != "aligned" &&
-        property.name != "on_triangle" && !is_of_contacts(property.name)) {
+        property.name != "on_triangle" && property.name != "evaluation" && !is_of_contacts(property.name)) {
       EXPECT_EQ(property.value == not_asked, property.name == "overlap_at_start");
     }
     if (has_to_be_found) {
@@ -108,6 +108,7 @@ TEST(Diagnosis, HasTwentyKernelsOfEachKindAndEveryValue) {
         "slack",  // fuzz/slack/slack_test.cpp
                   // fuzz/causes/causes_test.cpp, cli/tests/cause_test.py
         "regions", "on_triangle", "obtuse", "parallel", "flat", "aligned",
+        "evaluation",  // evaluation_test.cpp
         // contacts_test.cpp, cli/tests/box_contacts_test.py
         "separation", "normal", "feature", "contact_point"};
     if (held_elsewhere.contains(kind.name)) continue;

@@ -27,6 +27,9 @@ enum class Window : std::uint8_t { whole, limited };
 enum class Subnormals : std::uint8_t { kept, flushed };
 // The sums of three products: x and y first; another pair first; fused multiply-add.
 enum class Order : std::uint8_t { left_to_right, other_order, contracted };
+// The operations of a built-in form: as they stand; changed as one permission of kernel/permitted allows; as several
+// do.
+enum class Evaluated : std::uint8_t { as_written, fused, flushed, faithful, reassociated, several };
 // The precision of the computation against that of the query.
 enum class Inner : std::uint8_t { narrower, own, wider };
 // The same batch asked again.
@@ -66,6 +69,7 @@ AXISCERT_VALUES(Threshold, 3, threshold_names, "none_found", "present", "quatern
 AXISCERT_VALUES(Window, 2, window_names, "whole", "limited")
 AXISCERT_VALUES(Subnormals, 2, subnormals_names, "kept", "flushed")
 AXISCERT_VALUES(Order, 3, order_names, "left_to_right", "other_order", "contracted")
+AXISCERT_VALUES(Evaluated, 6, evaluated_names, "as_written", "fused", "flushed", "faithful", "reassociated", "several")
 AXISCERT_VALUES(Inner, 3, inner_names, "narrower", "own", "wider")
 AXISCERT_VALUES(RepeatedBatch, 2, repeated_names, "same", "differs")
 AXISCERT_VALUES(Place, 2, place_names, "independent", "depends")
@@ -112,6 +116,8 @@ template <class Real>
 ProbeFinding repeated(Subject<Real>& subject);
 template <class Real>
 ProbeFinding nearest_form(Subject<Real>& subject);
+template <class Real>
+ProbeFinding evaluation(Subject<Real>& subject);
 // Probes of a kernel that gives the same batch the same answers.
 template <class Real>
 ProbeFinding position_in_batch(Subject<Real>& subject);

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""The evaluations that `axiscert check` prints of KERNEL+PART-misses and -invents, by fractions: each is the formula over the reals, and rounded
-as it says it has the value that is printed beside it. Nothing here shares code with axiscert.
+"""The evaluations that `axiscert check` prints of KERNEL+PART-misses and -invents, replayed by fractions: each expression is the formula over the
+reals; rounded as it says it has the value that is printed beside it, and every rounding is permitted; the comparisons make the verdict. Nothing
+here shares code with axiscert.
 
 evaluation_test.py AXISCERT [unittest arguments]
+evaluation_test.py AXISCERT --replay KERNEL FILE...   the queries of files, as `axiscert search` and `axiscert run` keep them
 """
 import json
 import re
@@ -14,18 +16,16 @@ import unittest
 from fractions import Fraction
 from pathlib import Path
 
+import formulae
+
 AXISCERT = Path(sys.argv.pop(1)).resolve()
-LINE = re.compile(r"^  (\S+) (?:holds|does not hold): (.*) = (\S+) (>=|>) (.*) = (\S+)$", re.M)
-TOKEN = re.compile(r"up\(|down\(|kept\(|\(|\)|[a-z]+|-?\d[\d.e-]*|[+-]")
+LINE = re.compile(r"^  (\S+) (holds|does not hold): (.*) = (\S+) (>=|>) (.*) = (\S+)$", re.M)
+TOKEN = re.compile(r"up\(|down\(|flushed\(|kept\(|near\(|fma\(|[()|,/]|[a-z][a-z0-9.]*|-?\d[\d.e+-]*\d|\d|[+-]")
+NORMAL, GREATEST = 2.0**-126, 2.0**128 - 2.0**104
 
 
-def nearest(x):
-    """The floats around an exact value: below or at it, nearest to it, above or at it."""
-    near = struct.unpack("f", struct.pack("f", float(x)))[0]
-    # Rounded twice, it may be beside the nearest; of a tie the even one was taken.
-    near = min((near, beside(near, -1), beside(near, 1)), key=lambda candidate: abs(Fraction(candidate) - x))
-    exact = Fraction(near)
-    return (near if exact <= x else beside(near, -1)), near, (near if exact >= x else beside(near, 1))
+def single(x):
+    return struct.unpack("<f", struct.pack("<f", x))[0]
 
 
 def beside(x, step):
@@ -36,96 +36,193 @@ def beside(x, step):
     return struct.unpack("<f", struct.pack("<i", bits))[0]
 
 
-class Reader:
-    """An expression's exact value, and its value rounded as it says."""
+class Indeterminate(Exception):
+    """Beyond the greatest float, and where the specification bounds no quotient, a value may be any."""
 
-    def __init__(self, text, inputs):
-        self.tokens, self.inputs = TOKEN.findall(text), inputs
+
+def nearest(x):
+    """The floats around an exact value: below or at it, nearest to it, above or at it."""
+    if abs(x) > GREATEST:
+        raise Indeterminate
+    near = single(float(x))
+    # Rounded twice, it may be beside the nearest; of a tie the even one was taken.
+    near = min((near, beside(near, -1), beside(near, 1)), key=lambda candidate: abs(Fraction(candidate) - x))
+    exact = Fraction(near)
+    return (near if exact <= x else beside(near, -1)), near, (near if exact >= x else beside(near, 1))
+
+
+def ulp(x):
+    below, near, above = nearest(x)
+    if below != above:
+        return Fraction(above) - Fraction(below)
+    return min(Fraction(near) - Fraction(beside(near, -1)), Fraction(beside(near, 1)) - Fraction(near))
+
+
+class Reader:
+    """An expression's exact value, and its value rounded as it says. `kept` has the values of what is behind barriers, by what it is exactly."""
+
+    def __init__(self, text, inputs, permits, kept):
+        self.tokens, self.inputs, self.permits, self.kept = TOKEN.findall(text), inputs, permits, kept
 
     def value(self):
         found = self.operand()
         assert not self.tokens, self.tokens
         return found
 
+    def take(self, *wanted):
+        token = self.tokens.pop(0)
+        assert token in wanted, (token, wanted)
+        return token
+
     def operand(self):
         token = self.tokens.pop(0)
         if token == "-":
             exact, rounded = self.operand()
             return -exact, -rounded
-        if token in ("(", "up(", "down(", "kept("):
+        if token == "|":
             exact, rounded = self.operand()
-            if self.tokens[0] != ")":
-                minus = self.tokens[0] == "-"
-                is_sum = self.tokens[0] in "+-"
-                if is_sum:
-                    self.tokens.pop(0)
-                other, other_rounded = self.operand()
-                sign = -1 if minus else 1
-                exact = exact + sign * other if is_sum else exact * other
-                unrounded = Fraction(rounded) + sign * Fraction(other_rounded) if is_sum else Fraction(rounded) * Fraction(other_rounded)
-                below, near, above = nearest(unrounded)
-                rounded = {"(": near, "up(": above, "down(": below}[token]
-            assert self.tokens.pop(0) == ")"
+            self.take("|")
+            return abs(exact), abs(rounded)
+        if token == "kept(":
+            exact, rounded = self.operand()
+            self.take(")")
+            before = self.kept.setdefault(exact, rounded)
+            assert before == rounded, f"behind one barrier two values, {before} and {rounded}"
             return exact, rounded
+        if token == "fma(":
+            (x, xr), _, (y, yr), _, (z, zr) = self.operand(), self.take(","), self.operand(), self.take(","), self.operand()
+            self.take(")")
+            assert self.permits & {"fused", "wgsl", "wgsl-kept"}
+            return x * y + z, nearest(Fraction(xr) * Fraction(yr) + Fraction(zr))[1]
+        if token in ("(", "up(", "down(", "flushed(", "near("):
+            return self.operation(token)
         if token in self.inputs:
             return Fraction(self.inputs[token]), self.inputs[token]
         return Fraction(token), float(token)
 
+    def operation(self, mark):
+        exact, rounded = self.operand()
+        if mark == "flushed(" and self.tokens[0] == ")":  # of an operand
+            self.take(")")
+            assert self.permits & {"flushed", "wgsl", "wgsl-kept"} and abs(rounded) < NORMAL
+            return exact, 0.0
+        sign = -1 if self.tokens[0] == "-" else 1
+        kind = self.tokens.pop(0) if self.tokens[0] in "+-/" else "*"
+        other, other_rounded = self.operand()
+        a, b = Fraction(rounded), Fraction(other_rounded)
+        if kind == "*":
+            exact, unrounded = exact * other, a * b
+        elif kind == "/" and (b == 0 or other == 0):
+            raise Indeterminate
+        elif kind == "/":
+            exact, unrounded = exact / other, a / b
+        else:
+            exact, unrounded = exact + sign * other, a + sign * b
+        below, near, above = nearest(unrounded)
+        if mark == "near(":
+            self.take(",")
+            rounded = single(float(self.tokens.pop(0)))
+            assert kind == "/" and self.permits & {"divided", "wgsl", "wgsl-kept"} and NORMAL <= abs(b) <= 2**126
+            assert abs(Fraction(rounded) - unrounded) <= Fraction(5, 2) * ulp(unrounded), "more than 2.5 ulp"
+        elif mark == "flushed(":
+            assert self.permits & {"flushed", "wgsl", "wgsl-kept"} and abs(unrounded) < NORMAL
+            rounded = 0.0
+        else:
+            assert mark == "(" or self.permits & {"faithful", "wgsl", "wgsl-kept"}
+            rounded = {"(": near, "up(": above, "down(": below}[mark]
+            if abs(rounded) == float("inf"):
+                raise Indeterminate
+        self.take(")")
+        return exact, rounded
 
-def dot(u, v):
-    return sum(x * y for x, y in zip(u, v))
+
+class NotReplayed(AssertionError):
+    pass
 
 
-def cross(u, v):
-    return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+def replayed(kernel, queries):
+    """How many evaluations, of how many queries, `check` prints of the kernel, after each was replayed."""
+    rung, _, permission = kernel.partition("+")
+    part, _, wish = permission.rpartition("-")
+    stored = [json.loads(line) for line in Path(queries).read_text().splitlines()]
+    done = subprocess.run([AXISCERT, "check", queries, "--kernel", kernel], capture_output=True, text=True)
+    assert done.returncode in (0, 1), done.stderr
+    blocks = re.split(r"^(?=\S+: exact )", done.stdout, flags=re.M)[1:]
+    assert len(blocks) == len(stored), f"{len(blocks)} answers to {len(stored)} queries"
+    count = shown = 0
+    for block in blocks:
+        address = block.split(": exact ")[0]
+        [query] = [q for q in stored if q["id"] == address]
+        lines, kept, decisions = LINE.findall(block), {}, []
+        columns = formulae.columns(query)
+        for name, says, lhs, lhs_value, sign, rhs, rhs_value in lines:
+            values = []
+            for text, printed in ((lhs, lhs_value), (rhs, rhs_value)):
+                try:
+                    exact, rounded = Reader(text, columns, {part}, kept).value()
+                except Indeterminate:
+                    values.append((None, float(printed)))
+                    continue
+                except AssertionError as error:
+                    raise NotReplayed(f"{kernel} {address} {name}: {text}: {error}") from None
+                if f"{rounded + 0:.9g}" != f"{float(printed) + 0:.9g}":  # the sign of 0 is open
+                    raise NotReplayed(f"{kernel} {address} {name}: {text} is {rounded:.9g}, not {printed}")
+                values.append((exact, rounded))
+                count += 1
+            (lhs_exact, l), (rhs_exact, r) = values
+            if (l >= r if sign == ">=" else l > r) != (says == "holds"):
+                raise NotReplayed(f"{kernel} {address} {name}: {says}, of {l} and {r}")
+            decisions.append((name, says == "holds", lhs_exact, rhs_exact, sign))
+        if not lines:
+            continue
+        shown += 1
+        verdict = formulae.verdict(rung, columns, decisions)
+        if verdict != {"misses": "separated", "invents": "contact"}[wish]:
+            raise NotReplayed(f"{kernel} {address}: the comparisons make it {verdict}")
+    return count, shown
 
 
-def sides(comparison, q):
-    """Both sides of a comparison of the reduced form, over the reals."""
-    vertices = {name: [Fraction(q[name + k]) - Fraction(q["p" + k]) for k in "xyz"] for name in "abc"}
-    rr = Fraction(q["r"]) ** 2
-    between = lambda u, v: [y - x for x, y in zip(vertices[u], vertices[v])]  # noqa: E731
-    normal = cross(between("a", "b"), between("a", "c"))
-    axis, kind = comparison.split(".")
-    if axis == "plane":
-        return dot(vertices["a"], normal) ** 2, rr * dot(normal, normal)
-    if axis.startswith("vertex"):
-        at = vertices[axis[-1]]
-        return (dot(at, at), rr) if kind == "radius" else (dot(at, vertices[kind[-1]]), dot(at, at))
-    one, other = axis[-2:]
-    of_edge = cross(vertices[one], vertices[other])
-    along = between(one, other)
-    return (dot(of_edge, of_edge), rr * dot(along, along)) if kind == "radius" else (Fraction(0), dot(of_edge, normal))
+FORMS = {"reduced-nonstrict": ("tangent", "far"), "published": ("tangent", "far"), "closest-point": ("tangent", "far"),
+         "moving-sphere/twenty-nonstrict": ("moving-sphere/graze", "moving-sphere/approach"), "box-box/cofactor": ("box-box/tangent", "box-box/far"),
+         "box-box/projected": ("box-box/tangent",)}
 
 
 class Evaluations(unittest.TestCase):
     def test_each_is_the_formula_and_has_its_value(self):
-        read = {}
-        for part in ("faithful", "reassociated", "factored", "wgsl"):
-            for wish in ("misses", "invents"):
-                with tempfile.TemporaryDirectory() as folder:
-                    queries = Path(folder) / "queries.jsonl"
-                    subprocess.run([AXISCERT, "generate", "--family", "tangent", "--family", "far", "--trials", "30", "-o", queries], check=True)
-                    stored = [json.loads(line) for line in queries.read_text().splitlines()]
-                    done = subprocess.run([AXISCERT, "check", queries, "--kernel", f"reduced-nonstrict+{part}-{wish}"], capture_output=True, text=True,
-                                          check=True)
-                self.assertEqual(len(stored), 60)
-                inputs = {q["id"]: {**{v + k: float.fromhex(x) if isinstance(x, str) else x for v in "abcp" for k, x in zip("xyz", q[v])},
-                                    "r": float.fromhex(q["r"]) if isinstance(q["r"], str) else q["r"]} for q in stored}
-                blocks = re.split(r"^(?=\S+: exact )", done.stdout, flags=re.M)[1:]
-                self.assertEqual(len(blocks), 60)
-                for block in blocks:
-                    q = inputs[block.split(": exact ")[0]]
-                    for comparison, lhs, lhs_value, _, rhs, rhs_value in LINE.findall(block):
-                        for text, printed, real in ((lhs, lhs_value, sides(comparison, q)[0]), (rhs, rhs_value, sides(comparison, q)[1])):
-                            exact, rounded = Reader(text, q).value()
-                            self.assertEqual(exact, real, f"{part} {comparison}: {text}")
-                            self.assertEqual(f"{rounded:.9g}", f"{float(printed):.9g}", f"{part} {comparison}: {text}")
-                            read[part] = read.get(part, 0) + 1
-        for part, count in read.items():
-            self.assertGreater(count, 200, part)
-        self.assertEqual(len(read), 4)
+        with tempfile.TemporaryDirectory() as folder:
+            for form, families in FORMS.items():
+                queries = Path(folder) / "queries.jsonl"
+                subprocess.run([AXISCERT, "generate", *[w for f in families for w in ("--family", f)], "--trials", "12", "-o", queries], check=True)
+                for part in ("faithful", "reassociated", "fused", "factored", "divided", "wgsl", "wgsl-kept"):
+                    with self.subTest(f"{form}+{part}"):
+                        found = [replayed(f"{form}+{part}-{wish}", queries) for wish in ("misses", "invents")]
+                        # Some evaluation of each query gives one of the two verdicts.
+                        self.assertGreaterEqual(sum(shown for _, shown in found), 12 * len(families))
+
+    def test_finds_of_a_search_are_replayed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            kernel = "reduced-nonstrict+wgsl-misses"
+            subprocess.run([AXISCERT, "search", "--kernel", kernel, "--precision", "binary32", "--evaluations", "2048", "--family", "tangent",
+                            "--progress", "0", "--out", "found"], cwd=folder, capture_output=True, check=False)
+            count, shown = replayed(kernel, Path(folder) / "found" / "witnesses.jsonl")
+            self.assertGreater(shown, 0)
+            self.assertGreaterEqual(count, 2)
+
+    def test_what_is_not_permitted_is_told(self):
+        q = {"x": 1.0, "y": 2.0**-30, "z": 3.0}
+        for text, permits, why in (("up(x + y)", {"fused"}, ""), ("near(x / z, 0.333333433)", {"faithful"}, ""), ("near(x / z, 0.3333335)", {"wgsl"}, "2.5 ulp"),
+                                   ("flushed(x + y)", {"wgsl"}, ""), ("fma(x, y, z)", {"faithful"}, "")):
+            with self.subTest(text), self.assertRaisesRegex(AssertionError, why):
+                Reader(text, q, permits, {}).value()
+        self.assertEqual(Reader("up(x + y)", q, {"wgsl"}, {}).value(), (1 + Fraction(2)**-30, 1 + 2.0**-23))
+        with self.assertRaisesRegex(AssertionError, "two values"):
+            Reader("(kept(up(x + y)) - kept((x + y)))", q, {"wgsl-kept"}, {}).value()
 
 
 if __name__ == "__main__":
-    unittest.main()
+    if sys.argv[1:2] == ["--replay"]:
+        for file in sys.argv[3:]:
+            count, shown = replayed(sys.argv[2], file)
+            print(f"{file}: {count:,} expressions of {shown:,} queries replayed, each as printed")
+    else:
+        unittest.main()

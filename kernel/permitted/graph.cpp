@@ -6,8 +6,15 @@
 #include "kernel/base/error.h"
 
 namespace axiscert::permitted {
+namespace {
+
+// 3^10 splits: the sum of sums that have more terms together is grouped as it stands.
+constexpr std::size_t most_terms = 10;
+
+}  // namespace
 
 thread_local Graph* RecordedNumber::graph = nullptr;
+thread_local const std::function<bool(Value, Value, bool)>* RecordedNumber::decide = nullptr;
 
 std::uint32_t Graph::made(Kind kind, double payload, std::vector<Value> children) {
   if (children.size() > most_children) throw HarnessFault("a sum or product of too many terms to try every grouping");
@@ -33,6 +40,7 @@ Value Graph::sum(Value a, Value b) {
       terms.push_back(v);
     }
   }
+  if (terms.size() > most_terms) terms = {a, b};
   return sum_of(std::move(terms));
 }
 
@@ -62,6 +70,14 @@ Value Graph::product_of(std::vector<Value> factors) {
   return {made(Kind::product, 0, std::move(all)), is_negative};
 }
 
+Value Graph::quotient(Value a, Value b) {
+  const bool is_negative = a.is_negative != b.is_negative;
+  Value found;
+  if (permissions_.reassociated) found = product_of({{a.node}, {made(Kind::reciprocal, 0, {{b.node}})}});
+  else found = {made(Kind::quotient, 0, {{a.node}, {b.node}})};
+  return is_negative ? -found : found;
+}
+
 std::vector<Factoring> Graph::factorings_of(const std::vector<Value>& terms) {
   std::set<std::uint32_t> factors;
   for (const Value term : terms) {
@@ -77,6 +93,7 @@ std::vector<Factoring> Graph::factorings_of(const std::vector<Value>& terms) {
       const auto at = std::find(left.begin(), left.end(), Value{factor});
       if (at == left.end()) continue;
       left.erase(at);
+      if (std::ranges::all_of(left, [&](Value v) { return is_divisor(v); })) continue;  // 1 / x is no operation here
       const Value rest = left.size() == 1 ? left.front() : product_of(std::move(left));
       rests.emplace_back(std::uint32_t{1} << i, terms[i].is_negative ? -rest : rest);
     }
@@ -89,6 +106,9 @@ std::vector<Factoring> Graph::factorings_of(const std::vector<Value>& terms) {
         left.push_back(rests[i].second);
       }
       if (left.size() < 2) continue;
+      std::size_t terms_inside = 0;
+      for (const Value v : left) terms_inside += nodes_[v.node].kind == Kind::sum ? nodes_[v.node].children.size() : 1;
+      if (terms_inside > most_terms) continue;
       Value inner = left.front();
       for (std::size_t i = 1; i < left.size(); ++i) inner = sum(inner, left[i]);
       found.push_back({mask, product({factor}, inner)});

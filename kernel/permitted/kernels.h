@@ -14,13 +14,13 @@ namespace axiscert::permitted {
 
 // The names that follow '+': PART-misses and PART-invents of every part (permissions.h).
 std::vector<std::string> names();
-// The kernel of that name of `rung`; nothing where the name is none. Throws Error where the rung's formulae divide,
-// take roots or branch, of which this knows nothing.
+// The kernel of that name of `rung`; nothing where the name is none. Throws Error where the rung's formulae are not
+// known here, as those that take roots.
 std::optional<Kernel> kernel(std::string_view id, const Kernel& rung, std::string_view name);
 
-// The evaluation by which such a kernel answers a query as it does: a line for each comparison that decides, NAME: LHS
-// > RHS with both sides as expressions of the columns, and their values. Empty for any other kernel, or where the least
-// value decides nothing.
+// The evaluation by which such a kernel gives the verdict that it looks for: a line for each comparison that decides,
+// NAME holds: LHS = VALUE > RHS = VALUE, with both sides as expressions of the columns; of formulae that branch a line
+// for each comparison on the way. Empty for any other kernel, and where no evaluation gives that verdict.
 std::vector<std::string> evaluation(const Kernel& kernel, const Numbers<float>& query);
 
 }  // namespace axiscert::permitted

@@ -12,7 +12,8 @@ struct Permissions {
   bool fused = false;         // a product and a sum may be rounded once
   bool factored = false;      // a b + a c may be a (b + c)
   bool flushed = false;       // what is below 2^-126 in size may be 0, operands and results
-  bool kept = false;          // the translated vertices are behind barriers: one value each, at every use
+  bool divided = false;       // a quotient is within 2.5 ulp, where its divisor is from 2^-126 to 2^126; else anything
+  bool kept = false;          // translated vertices and quotients are behind barriers: one value each, at every use
 };
 
 struct Part {
@@ -28,12 +29,19 @@ inline constexpr auto parts = std::to_array<Part>({
     {"fused", {.fused = true}, "any product and sum rounded once"},
     {"factored", {.reassociated = true, .factored = true}, "any order and grouping, and common factors taken out"},
     {"flushed", {.flushed = true}, "any subnormal operand or result 0"},
+    {"divided", {.divided = true}, "a quotient within 2.5 ulp"},
     {"wgsl",
-     {.faithful = true, .reassociated = true, .fused = true, .factored = true, .flushed = true},
+     {.faithful = true, .reassociated = true, .fused = true, .factored = true, .flushed = true, .divided = true},
      "all that WGSL permits, and common factors taken out"},
     {"wgsl-kept",
-     {.faithful = true, .reassociated = true, .fused = true, .factored = true, .flushed = true, .kept = true},
-     "the same, with the translated vertices behind barriers"},
+     {.faithful = true,
+      .reassociated = true,
+      .fused = true,
+      .factored = true,
+      .flushed = true,
+      .divided = true,
+      .kept = true},
+     "the same, with the translated vertices and quotients behind barriers"},
 });
 
 }  // namespace axiscert::permitted

@@ -1,113 +1,70 @@
 #include "kernel/permitted/reach.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace axiscert::permitted {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float least_normal = std::numeric_limits<float>::min();
-constexpr Reach indeterminate{-infinity, infinity};
+constexpr double unknown = std::numeric_limits<double>::infinity();
+constexpr double greatest_float = std::numeric_limits<float>::max();
+constexpr double least_normal = std::numeric_limits<float>::min();
+// Of one operation, relative: a faithful rounding, with more than what the doubles here may be off.
+constexpr double w = 0x1p-23 * 1.001;
+constexpr double quotient_roundings = 2.6;  // 2.5 ulp, in w
+constexpr double doubles = 0x1p-46;         // what less than 64 operations in doubles may be off, relative
 
-Reach checked(Reach r) {
-  return std::isfinite(r.least) && std::isfinite(r.greatest) ? r : indeterminate;  // NaN is not finite
-}
-Reach flushed(const Permissions& permissions, Reach r) {
-  if (!permissions.flushed) return r;
-  if (r.least > 0 && r.least < least_normal) r.least = 0;
-  if (r.greatest < 0 && r.greatest > -least_normal) r.greatest = 0;
-  return r;
-}
-// `nearest` is the float nearest to the exact value; `rest`, by its sign, what is missing.
-Reach around(const Permissions& permissions, float nearest, double rest) {
-  Reach r{nearest, nearest};
-  if (permissions.faithful && rest > 0) r.greatest = std::nextafter(nearest, infinity);
-  if (permissions.faithful && rest < 0) r.least = std::nextafter(nearest, -infinity);
-  return flushed(permissions, checked(r));
-}
-
-Reach negative(Reach r) { return {-r.greatest, -r.least}; }
-Reach joined(Reach a, Reach b) { return {std::min(a.least, b.least), std::max(a.greatest, b.greatest)}; }
-bool is_indeterminate(Reach r) { return r == indeterminate; }
-
-Reach sum_of(const Permissions& permissions, Reach a, Reach b) {
-  if (is_indeterminate(a) || is_indeterminate(b)) return indeterminate;
-  return checked(
-      {rounded_sum(permissions, a.least, b.least).least, rounded_sum(permissions, a.greatest, b.greatest).greatest});
-}
-Reach product_of(const Permissions& permissions, Reach a, Reach b) {
-  if (is_indeterminate(a) || is_indeterminate(b)) return indeterminate;
-  Reach all{infinity, -infinity};
-  for (const float x : {a.least, a.greatest}) {
-    for (const float y : {b.least, b.greatest}) all = joined(all, rounded_product(permissions, x, y));
-  }
-  return checked(all);
-}
-// x y + z, rounded once, to nearest: faithful roundings of product and sum reach at least as far.
-Reach fused_of(const Permissions& permissions, Reach a, Reach b, Reach z) {
-  if (is_indeterminate(a) || is_indeterminate(b) || is_indeterminate(z)) return indeterminate;
-  Reach all{infinity, -infinity};
-  for (const float x : {a.least, a.greatest}) {
-    for (const float y : {b.least, b.greatest}) {
-      all.least = std::min(all.least, std::fma(x, y, z.least));
-      all.greatest = std::max(all.greatest, std::fma(x, y, z.greatest));
-    }
-  }
-  return flushed(permissions, checked(all));
-}
-
-// Calls split(sub, rest) for each way to part a mask in two, each once.
-template <class Split>
-void for_each_split(std::uint32_t mask, Split&& split) {
-  const std::uint32_t first = mask & (~mask + 1);
-  for (std::uint32_t sub = (mask - 1) & mask; sub != 0; sub = (sub - 1) & mask) {
-    if ((sub & first) != 0) split(sub, mask & ~sub);
-  }
+Outer around(double least, double greatest) {
+  const double most = std::max(std::fabs(least), std::fabs(greatest));
+  return {least + (greatest - least) / 2, (greatest - least) / 2 + most * doubles};
 }
 
 }  // namespace
 
-Reach rounded_sum(const Permissions& permissions, float a, float b) {
-  const float sum = a + b;
-  if (!std::isfinite(sum)) return indeterminate;
-  const float of_b = sum - a;
-  return around(permissions, sum, (a - (sum - of_b)) + (b - of_b));  // two-sum: the error, exactly
-}
-Reach rounded_product(const Permissions& permissions, float a, float b) {
-  const double exact = static_cast<double>(a) * b;  // 48 bits
-  const auto nearest = static_cast<float>(exact);
-  if (!std::isfinite(nearest)) return indeterminate;
-  return around(permissions, nearest, exact - nearest);
-}
-
-Reach Evaluation::of(Value v) const { return v.is_negative ? negative(reach_[v.node]) : reach_[v.node]; }
-
-std::vector<std::uint32_t> Evaluation::kept_nodes() const {
-  std::vector<std::uint32_t> found;
-  for (std::uint32_t i = 0; i < graph_.nodes().size(); ++i) {
-    if (graph_.nodes()[i].kind == Kind::kept) found.push_back(i);
+std::uint32_t divisors_of(const Graph& graph, const Node& node) {
+  std::uint32_t mask = 0;
+  if (node.kind != Kind::product) return mask;
+  for (std::size_t i = 0; i < node.children.size(); ++i) {
+    if (graph.nodes()[node.children[i].node].kind == Kind::reciprocal) mask |= std::uint32_t{1} << i;
   }
-  return found;
+  return mask;
 }
 
-void Evaluation::subsets(const Node& node, std::vector<Reach>& all) const {
+void Evaluation::start(std::span<const float> inputs) {
+  inputs_ = inputs;
+  std::ranges::fill(reach_, std::nullopt);
+  std::ranges::fill(outer_, std::nullopt);
+  std::ranges::fill(fixed_, std::nullopt);
+}
+
+void Evaluation::fix(std::uint32_t kept, std::optional<float> value) {
+  std::fill(reach_.begin() + kept, reach_.end(), std::nullopt);  // children come before the nodes that have them
+  fixed_[kept] = value;
+}
+
+Reach Evaluation::of(Value v) {
+  std::optional<Reach>& r = reach_[v.node];
+  if (!r) r = found(graph_.nodes()[v.node]);
+  return v.is_negative ? negative(*r) : *r;
+}
+
+void Evaluation::subsets(const Node& node, std::vector<Reach>& all) {
   const Permissions& permissions = graph_.permissions();
   const std::size_t count = node.children.size();
+  for (const Value child : node.children) of(child);  // which may use the same `all`
+  for (const Factoring& factoring : node.factorings) of(factoring.product);
   all.resize(std::size_t{1} << count);
   for (std::size_t i = 0; i < count; ++i) all[std::size_t{1} << i] = of(node.children[i]);
   const bool is_sum = node.kind == Kind::sum;
+  const std::uint32_t divisors = divisors_of(graph_, node);
   // A term that is a product, to be fused with the rest of a sum.
   const auto fused = [&](std::uint32_t one, std::uint32_t rest, Reach& r) {
     if (!std::has_single_bit(one)) return;
     const Value term = node.children[static_cast<std::size_t>(std::countr_zero(one))];
     const Node& product = graph_.nodes()[term.node];
-    if (product.kind != Kind::product) return;
+    if (product.kind != Kind::product || divisors_of(graph_, product) != 0) return;
     std::vector<Reach> factors;
     subsets(product, factors);
     const auto whole = static_cast<std::uint32_t>(factors.size() - 1);
@@ -116,10 +73,14 @@ void Evaluation::subsets(const Node& node, std::vector<Reach>& all) const {
     });
   };
   for (std::uint32_t mask = 1; mask < all.size(); ++mask) {
-    if (std::has_single_bit(mask)) continue;
+    if (std::has_single_bit(mask) || (mask & ~divisors) == 0) continue;
     std::optional<Reach> r;
     for_each_split(mask, [&](std::uint32_t sub, std::uint32_t rest) {
-      Reach here = is_sum ? sum_of(permissions, all[sub], all[rest]) : product_of(permissions, all[sub], all[rest]);
+      if ((sub & ~divisors) == 0) std::swap(sub, rest);
+      if ((rest & ~divisors) == 0 && !std::has_single_bit(rest)) return;  // one after the other
+      Reach here = is_sum                    ? sum_of(permissions, all[sub], all[rest])
+                   : (rest & ~divisors) == 0 ? quotient_of(permissions, all[sub], all[rest])
+                                             : product_of(permissions, all[sub], all[rest]);
       if (is_sum && permissions.fused && !permissions.faithful) {
         fused(sub, rest, here);
         fused(rest, sub, here);
@@ -133,112 +94,129 @@ void Evaluation::subsets(const Node& node, std::vector<Reach>& all) const {
   }
 }
 
-void Evaluation::evaluate(std::span<const float> inputs, std::span<const float> kept) {
+Reach Evaluation::found(const Node& node) {
   const Permissions& permissions = graph_.permissions();
-  std::size_t next_kept = 0;
-  for (std::size_t i = 0; i < reach_.size(); ++i) {
-    const Node& node = graph_.nodes()[i];
-    Reach& r = reach_[i];
-    switch (node.kind) {
-      case Kind::input: {
-        const float x = inputs[static_cast<std::size_t>(node.payload)];
-        r = flushed(permissions, checked({x, x}));
-        break;
-      }
-      case Kind::constant:
-        r = {static_cast<float>(node.payload), static_cast<float>(node.payload)};
-        break;
-      case Kind::magnitude: {
-        const Reach a = of(node.children[0]);
-        r = a.least >= 0 ? a : a.greatest <= 0 ? negative(a) : Reach{0, std::max(-a.least, a.greatest)};
-        break;
-      }
-      case Kind::kept:
-        r = of(node.children[0]);
-        if (!kept.empty()) r = {kept[next_kept], kept[next_kept]};
-        ++next_kept;
-        break;
-      case Kind::sum:
-      case Kind::product:
-        subsets(node, scratch_);
-        r = scratch_.back();
-        break;
+  switch (node.kind) {
+    case Kind::input: {
+      const float x = inputs_[static_cast<std::size_t>(node.payload)];
+      return flushed(permissions, checked({x, x}));
     }
+    case Kind::constant:
+      return {static_cast<float>(node.payload), static_cast<float>(node.payload)};
+    case Kind::magnitude: {
+      const Reach a = of(node.children[0]);
+      const float x = std::fabs(a.least), y = std::fabs(a.greatest);
+      return {std::min(x, y), std::max(x, y)};
+    }
+    case Kind::least:
+    case Kind::greatest: {
+      const Reach a = of(node.children[0]), b = of(node.children[1]);
+      if (node.kind == Kind::least) return {std::min(a.least, b.least), std::min(a.greatest, b.greatest)};
+      return {std::max(a.least, b.least), std::max(a.greatest, b.greatest)};
+    }
+    case Kind::kept: {
+      const std::optional<float>& value = fixed_[static_cast<std::size_t>(&node - graph_.nodes().data())];
+      return value ? Reach{*value, *value} : of(node.children[0]);
+    }
+    case Kind::quotient:
+      return quotient_of(permissions, of(node.children[0]), of(node.children[1]));
+    case Kind::reciprocal:
+      return of(node.children[0]);  // it has no value of its own; that of its divisor is what a product asks for
+    case Kind::sum:
+    case Kind::product:
+      subsets(node, scratch_);
+      return scratch_.back();
   }
+  return {};
 }
 
-// The evaluation that attains an end of a node, found again by what each choice gives.
-struct Text {
-  const Evaluation& evaluation;
-  std::span<const std::string> names;
+Outer Evaluation::outer_of(Value v) {
+  std::optional<Outer>& r = outer_[v.node];
+  if (!r) r = outer_found(graph_.nodes()[v.node]);
+  return v.is_negative ? Outer{-r->middle, r->radius} : *r;
+}
 
-  const std::vector<Node>& nodes() const { return evaluation.graph_.nodes(); }
-  const Permissions& permissions() const { return evaluation.graph_.permissions(); }
-
-  static float end(Reach r, bool greatest) { return greatest ? r.greatest : r.least; }
-  std::string of(Value v, bool greatest) const {
-    const std::string text = node(v.node, greatest != v.is_negative);
-    return v.is_negative ? "-" + text : text;
-  }
-  std::string node(std::uint32_t number, bool greatest) const {
-    const Node& node = nodes()[number];
-    switch (node.kind) {
-      case Kind::input:
-        return names[static_cast<std::size_t>(node.payload)];
-      case Kind::constant:
-        return fmt::format("{}", node.payload);
-      case Kind::kept:
-        return fmt::format("kept({})", of(node.children[0], greatest));
-      case Kind::magnitude: {
-        const Reach a = evaluation.of(node.children[0]);
-        return fmt::format("|{}|", of(node.children[0], greatest == (a.greatest >= -a.least)));
-      }
-      case Kind::sum:
-      case Kind::product: {
-        std::vector<Reach> all;
-        evaluation.subsets(node, all);
-        return subset(node, all, static_cast<std::uint32_t>(all.size() - 1), greatest);
-      }
+// Whatever the order and grouping, each term passes at most as many roundings as a node has operations, and a flushed
+// result is off by less than 2^-126, times the factors that follow.
+Outer Evaluation::outer_found(const Node& node) {
+  // The product of the factors that are greater than 1, and of all with their radius, by which what was flushed grows.
+  const auto growth = [&](const Node& product) {
+    double all = 1;
+    for (const Value factor : product.children) {
+      const Outer of = outer_of(factor);
+      all *= std::max(1.0, std::fabs(of.middle) + of.radius);
     }
-    return {};
-  }
-  // "up(a + b)" where the end is not the nearest float.
-  static std::string marked(std::string text, float value, float nearest) {
-    if (value == nearest) return "(" + text + ")";
-    return fmt::format("{}({})", value > nearest ? "up" : value < nearest ? "down" : "", text);
-  }
-  std::string subset(const Node& node, const std::vector<Reach>& all, std::uint32_t mask, bool greatest) const {
-    if (std::has_single_bit(mask)) return of(node.children[static_cast<std::size_t>(std::countr_zero(mask))], greatest);
-    const float wanted = end(all[mask], greatest);
-    std::optional<std::string> found;
-    for_each_split(mask, [&](std::uint32_t sub, std::uint32_t rest) {
-      if (found) return;
-      if (node.kind == Kind::sum) {
-        const float x = end(all[sub], greatest), y = end(all[rest], greatest);
-        if (end(rounded_sum(permissions(), x, y), greatest) != wanted) return;
-        found = marked(subset(node, all, sub, greatest) + " + " + subset(node, all, rest, greatest), wanted, x + y);
-        return;
-      }
-      for (const bool x_greatest : {true, false}) {
-        for (const bool y_greatest : {true, false}) {
-          const float x = end(all[sub], x_greatest), y = end(all[rest], y_greatest);
-          if (found || end(rounded_product(permissions(), x, y), greatest) != wanted) continue;
-          found = marked(subset(node, all, sub, x_greatest) + " " + subset(node, all, rest, y_greatest), wanted, x * y);
-        }
-      }
-    });
-    for (const Factoring& factoring : node.factorings) {
-      if (!found && factoring.mask == mask && end(evaluation.of(factoring.product), greatest) == wanted)
-        found = of(factoring.product, greatest);
+    return all;
+  };
+  switch (node.kind) {
+    case Kind::input: {
+      const double x = inputs_[static_cast<std::size_t>(node.payload)];
+      return {x, !std::isfinite(x) ? unknown : std::fabs(x) < least_normal ? std::fabs(x) : 0};
     }
-    return found.value_or("fma(...)");
+    case Kind::constant:
+      return {static_cast<float>(node.payload), 0};
+    case Kind::magnitude: {
+      const Outer a = outer_of(node.children[0]);
+      return {std::fabs(a.middle), a.radius};
+    }
+    case Kind::least:
+    case Kind::greatest: {
+      const Outer a = outer_of(node.children[0]), b = outer_of(node.children[1]);
+      const bool is_least = node.kind == Kind::least;
+      const auto of_two = [&](double x, double y) { return is_least ? std::min(x, y) : std::max(x, y); };
+      const double least = of_two(a.middle - a.radius, b.middle - b.radius),
+                   greatest = of_two(a.middle + a.radius, b.middle + b.radius);
+      if (!(std::fabs(least) < unknown) || !(std::fabs(greatest) < unknown)) return {0, unknown};
+      return around(least, greatest);
+    }
+    case Kind::kept:
+      return outer_of(node.children[0]);
+    case Kind::reciprocal: {
+      const Outer a = outer_of(node.children[0]);
+      const double least = std::fabs(a.middle) - a.radius, greatest = std::fabs(a.middle) + a.radius;
+      if (!(least > 2 * least_normal) || !(greatest < 0x1p125)) return {0, unknown};
+      const Outer positive = around(1 / greatest, 1 / least);
+      return {std::copysign(positive.middle, a.middle), positive.radius};
+    }
+    case Kind::quotient: {
+      const Outer a = outer_of(node.children[0]), b = outer_of(node.children[1]);
+      const double least = std::fabs(b.middle) - b.radius;
+      if (!(least > 2 * least_normal) || !(std::fabs(b.middle) + b.radius < 0x1p125)) return {0, unknown};
+      const double middle = a.middle / b.middle, most = (std::fabs(a.middle) + a.radius) / least;
+      if (!(most < greatest_float / 2)) return {0, unknown};
+      return {middle, (a.radius + std::fabs(middle) * b.radius) / least + most * quotient_roundings * w + least_normal};
+    }
+    case Kind::sum: {
+      const auto count = static_cast<double>(node.children.size());
+      double middle = 0, radius = 0, size = 0, grown = 1, operations = count;
+      for (const Value term : node.children) {
+        const Outer of = outer_of(term);
+        middle += of.middle;
+        radius += of.radius;
+        size += std::fabs(of.middle) + of.radius;
+        const Node& child = graph_.nodes()[term.node];
+        if (child.kind != Kind::product) continue;
+        grown = std::max(grown, growth(child));
+        operations += static_cast<double>(child.children.size());
+      }
+      if (!(size * 2 < greatest_float) || !(grown < greatest_float)) return {0, unknown};
+      return {middle, radius + size * (std::pow(1 + w, count - 1) - 1) + operations * least_normal * grown};
+    }
+    case Kind::product: {
+      double middle = 1, size = 1, roundings = 0;
+      for (const Value factor : node.children) {
+        const Outer of = outer_of(factor);
+        middle *= of.middle;
+        size *= std::fabs(of.middle) + of.radius;
+        roundings += graph_.nodes()[factor.node].kind == Kind::reciprocal ? quotient_roundings : 1;
+      }
+      const double grown = growth(node);
+      if (!(grown * 2 < greatest_float)) return {0, unknown};
+      return {middle, size * std::pow(1 + w, roundings) - std::fabs(middle) +
+                          static_cast<double>(node.children.size()) * least_normal * grown};
+    }
   }
-};
-
-std::string Evaluation::text(Value v, bool greatest, std::span<const std::string> input_names) const {
-  std::string text = Text{*this, input_names}.of(v, greatest);
-  for (std::size_t at; (at = text.find(" + -")) != text.npos;) text.replace(at, 4, " - ");
-  return text;
+  return {0, unknown};
 }
 
 }  // namespace axiscert::permitted

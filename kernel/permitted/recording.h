@@ -10,10 +10,18 @@
 
 namespace axiscert::permitted {
 
+// A way through formulae that branch: the comparisons that it asks, in order, and what each has to say.
+struct Path {
+  std::vector<std::pair<std::size_t, bool>> decisions;  // index of the comparison
+  ComparisonBits holding = 0, failing = 0;
+  bool separates = false;
+};
+
 struct Recording {
   Graph graph;
-  std::vector<std::pair<Value, Value>> sides;  // by comparison; a comparison is lhs > rhs
-  ComparisonBits nonstrict = 0;                // those that are lhs >= rhs
+  std::vector<std::pair<Value, Value>> sides = {};  // by comparison; a comparison is lhs > rhs
+  ComparisonBits nonstrict = 0;                     // those that are lhs >= rhs
+  std::vector<Path> paths = {};  // of formulae that branch: all; else the predicate's clauses make the verdict
 };
 using Recorder = std::function<Recording(const Permissions&)>;
 
@@ -22,6 +30,9 @@ Recorder recorder_of(const Kernel& kernel);
 Recorder sphere_triangle_recorder(const Kernel& kernel);
 Recorder moving_sphere_recorder(const Kernel& kernel);
 Recorder box_box_recorder(const Kernel& kernel);
+
+// The index of a comparison, which is made where it is new.
+std::size_t comparison_index(Recording& recording, Value lhs, Value rhs, bool nonstrict);
 
 // Runs `evaluate(load, sink)` over numbers that record.
 template <class Evaluate>
@@ -33,6 +44,38 @@ Recording recorded(const Permissions& permissions, std::size_t comparisons, Comp
            [&](std::size_t i, const RecordedNumber& lhs, const RecordedNumber& rhs) {
              made.sides[i] = {lhs.value, rhs.value};
            });
+  RecordedNumber::graph = nullptr;
+  return made;
+}
+
+// Of a method that says whether they are separate, over numbers that record: every way that its comparisons may go.
+// `separated(load)` is called once for each.
+template <class Separated>
+Recording recorded_paths(const Permissions& permissions, Separated&& separated) {
+  Recording made{Graph(permissions)};
+  RecordedNumber::graph = &made.graph;
+  Path path;
+  std::vector<bool> script;  // what the next comparisons are told
+  const std::function<bool(Value, Value, bool)> decide = [&](Value lhs, Value rhs, bool nonstrict) {
+    const std::size_t i = comparison_index(made, lhs, rhs, nonstrict);
+    const std::size_t step = path.decisions.size();
+    const bool holds = step < script.size() && script[step];
+    path.decisions.emplace_back(i, holds);
+    (holds ? path.holding : path.failing) |= one_bit<ComparisonBits>(i);
+    return holds;
+  };
+  RecordedNumber::decide = &decide;
+  do {
+    path = {};
+    path.separates = separated([&](std::size_t k) { return RecordedNumber(made.graph.input(k)); });
+    // The next way differs in the last decision that said no.
+    script.clear();
+    for (const auto& [i, holds] : path.decisions) script.push_back(holds);
+    while (!script.empty() && script.back()) script.pop_back();
+    if (!script.empty()) script.back() = true;
+    made.paths.push_back(std::move(path));
+  } while (!script.empty());
+  RecordedNumber::decide = nullptr;
   RecordedNumber::graph = nullptr;
   return made;
 }

@@ -1,28 +1,35 @@
-// The formulae of sums and products for kernel/permitted.
+// The formulae without roots for kernel/permitted: those of sums and products, and the methods.
 #include "kernel/permitted/recording.h"
 #include "kernel/sphere_triangle/reference/formulae_types.h"
 
 namespace axiscert::permitted {
 namespace {
 
+using T = RecordedNumber;
+
+portable::Problem<T> problem(auto&& load) {
+  const auto vector = [&](std::size_t k) { return portable::Vec3<T>{load(k), load(k + 1), load(k + 2)}; };
+  return {vector(0), vector(3), vector(6), vector(9), load(12), T(0.0)};
+}
+
 template <class F>
 Recording recording(const Permissions& permissions, Strictness strictness) {
-  using T = RecordedNumber;
   return recorded(permissions, comparison_count, nonstrict_comparisons(strictness), [](auto&& load, auto&& sink) {
-    const auto vector = [&](std::size_t k) { return portable::Vec3<T>{load(k), load(k + 1), load(k + 2)}; };
-    const portable::Problem<T> problem{vector(0), vector(3), vector(6), vector(9), load(12), T(0.0)};
-    F::comparisons(problem, [&](Comparison which, const T& lhs, const T& rhs) { sink(index_of(which), lhs, rhs); });
+    F::comparisons(problem(load),
+                   [&](Comparison which, const T& lhs, const T& rhs) { sink(index_of(which), lhs, rhs); });
   });
 }
 
 template <Formulae f>
 void put(const Kernel& kernel, Recorder& found) {
   using F = FormulaeType<f>;
-  if constexpr (has_comparisons(f)) {
-    if constexpr (F::is_ring) {
-      if (formulae_of(kernel) == f)
-        found = [s = kernel.strictness](const Permissions& permissions) { return recording<F>(permissions, s); };
-    }
+  if (formulae_of(kernel) != f) return;
+  if constexpr (!has_comparisons(f)) {
+    found = [](const Permissions& permissions) {
+      return recorded_paths(permissions, [](auto&& load) { return F::separated(problem(load)); });
+    };
+  } else if constexpr (F::is_ring) {
+    found = [s = kernel.strictness](const Permissions& permissions) { return recording<F>(permissions, s); };
   }
 }
 

@@ -10,7 +10,7 @@ from command import BUILD, Case, axiscert, schema_of
 
 PROPERTIES = ["touching", "sides", "overlap_at_start", "degenerate_triangles", "absolute_threshold", "slack", "range_window", "subnormal_numbers", "operation_order",
               "inner_precision", "repeated", "position_in_batch", "batch_length", "neighbours", "regions", "on_triangle", "obtuse", "parallel", "flat", "aligned",
-              "separation", "normal", "feature", "contact_point", "nearest_form"]
+              "separation", "normal", "feature", "contact_point", "evaluation", "nearest_form"]
 
 
 class Diagnose(Case):
