@@ -127,9 +127,9 @@ TEST(OdeFaults, ASphereBesideAnEdgeIsPushedAlongTheNormalOfThePlane) {
 }
 
 // The expanding polytope ends before it has a direction.
-TEST(LibccdFaults, GjkSaysADepthOfZeroOfADeepContact) {
+TEST(LibccdFaults, GjkSaysNextToNoDepthOfADeepContact) {
   const std::vector<double> found = ask_numbers("libccd-gjk", sphere(-1.0, 3.0, 0.0, 4.0));
-  EXPECT_EQ(found[0], 0) << "it is 3 deep";
+  EXPECT_NEAR(found[0], 0, 1e-12) << "it is 3 deep";
 }
 
 // MPR looks where the line of centres leaves.

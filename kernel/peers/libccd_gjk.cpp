@@ -1,7 +1,7 @@
 // libccd's GJK in double: ccdGJKIntersect. It takes DBL_EPSILON as zero for lengths, areas and volumes alike. A search
 // direction of length zero gives no contact, so shallow contacts (of depth 1e-9, say) are missed; an origin at distance
 // zero from the simplex gives contact, so scenes of size 1e-5 and smaller have phantom contacts. The penetration of
-// some deep contacts is 0.
+// some deep contacts is next to 0.
 #include "kernel/peers/libccd_shapes.h"
 
 // The origin on a face of the simplex gives contact, a search direction of length 0 does not; whichever is met first
