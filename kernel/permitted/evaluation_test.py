@@ -122,7 +122,9 @@ class Reader:
         if mark == "near(":
             self.take(",")
             rounded = single(float(self.tokens.pop(0)))
-            assert kind == "/" and self.permits & {"divided", "wgsl", "wgsl-kept"} and NORMAL <= abs(b) <= 2**126
+            assert kind == "/" and self.permits & {"divided", "wgsl", "wgsl-kept"}
+            if not NORMAL <= abs(b) <= 2**126:
+                raise Indeterminate
             assert abs(Fraction(rounded) - unrounded) <= Fraction(5, 2) * ulp(unrounded), "more than 2.5 ulp"
         elif mark == "flushed(":
             assert self.permits & {"flushed", "wgsl", "wgsl-kept"} and abs(unrounded) < NORMAL
@@ -192,12 +194,12 @@ class Evaluations(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             for form, families in FORMS.items():
                 queries = Path(folder) / "queries.jsonl"
-                subprocess.run([AXISCERT, "generate", *[w for f in families for w in ("--family", f)], "--trials", "12", "-o", queries], check=True)
+                subprocess.run([AXISCERT, "generate", *[w for f in families for w in ("--family", f)], "--trials", "4", "-o", queries], check=True)
                 for part in ("faithful", "reassociated", "fused", "factored", "divided", "wgsl", "wgsl-kept"):
                     with self.subTest(f"{form}+{part}"):
                         found = [replayed(f"{form}+{part}-{wish}", queries) for wish in ("misses", "invents")]
                         # Some evaluation of each query gives one of the two verdicts.
-                        self.assertGreaterEqual(sum(shown for _, shown in found), 12 * len(families))
+                        self.assertGreaterEqual(sum(shown for _, shown in found), 4 * len(families))
 
     def test_finds_of_a_search_are_replayed(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -33,7 +33,12 @@ def minus(u, v):
 
 
 def along(u, v, t):
-    return [x + t * y for x, y in zip(u, v)]
+    """u + t v; None where t is a quotient by 0."""
+    return None if u is None or t is None else [x + t * y for x, y in zip(u, v)]
+
+
+def ratio(x, y):
+    return None if y == 0 else x / y
 
 
 def vector(q, name):
@@ -134,21 +139,21 @@ def closest_point(q, decide):
             return B
         weight_c = one["a"] * two["b"] - one["b"] * two["a"]
         if at_least(zero, weight_c) and at_least(one["a"], zero) and at_least(zero, one["b"]):
-            return along(A, AB, one["a"] / (one["a"] - one["b"]))
+            return along(A, AB, ratio(one["a"], one["a"] - one["b"]))
         if at_least(two["c"], zero) and at_least(two["c"], one["c"]):
             return C
         weight_b = one["c"] * two["a"] - one["a"] * two["c"]
         if at_least(zero, weight_b) and at_least(two["a"], zero) and at_least(zero, two["c"]):
-            return along(A, AC, two["a"] / (two["a"] - two["c"]))
+            return along(A, AC, ratio(two["a"], two["a"] - two["c"]))
         weight_a = one["b"] * two["c"] - one["c"] * two["b"]
         past_b, past_c = two["b"] - one["b"], one["c"] - two["c"]
         if at_least(zero, weight_a) and at_least(past_b, zero) and at_least(past_c, zero):
-            return along(B, BC, past_b / (past_b + past_c))
+            return along(B, BC, ratio(past_b, past_b + past_c))
         whole = weight_a + weight_b + weight_c
-        return along(along(A, AB, weight_b / whole), AC, weight_c / whole)
+        return along(along(A, AB, ratio(weight_b, whole)), AC, ratio(weight_c, whole))
 
     Q = nearest()
-    return decide(dot(Q, Q), Fraction(q["r"])**2, ">")
+    return decide(None if Q is None else dot(Q, Q), Fraction(q["r"])**2, ">")
 
 
 CLAUSES = {"sphere-triangle": [["plane.radius"]] + [[f"vertex_{v}.radius"] + [f"vertex_{v}.side_{o}" for o in "abc" if o != v] for v in "abc"] +
@@ -161,8 +166,8 @@ CLAUSES["box-box"] = [[f"{v}{k}"] for v in "ab" for k in range(3)] + [[f"a{i}b{j
 
 
 def agree(sides, shown):
-    """Whether both sides are the formula's; None is of an expression that overflows on the way."""
-    return all(one is None or one == side for side, one in zip(sides, shown))
+    """Whether both sides are the formula's; None is of one that divides by 0 or overflows on the way."""
+    return all(one is None or side is None or one == side for side, one in zip(sides, shown))
 
 
 def verdict(form, q, decisions):
