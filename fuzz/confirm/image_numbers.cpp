@@ -69,6 +69,10 @@ std::optional<ImageMap> image_map(const PredicateEntry& entry, const ImageGroup&
   map.order = group.order(image);
   switch (group.kind(image)) {
     case ImageKind::order:
+    case ImageKind::turn:
+      return map;
+    case ImageKind::swap:
+      map.exchanged = true;
       return map;
     case ImageKind::scale:
       map.exponent = exponent;
@@ -104,6 +108,14 @@ std::vector<double> mapped_measures(const Predicate& predicate, const ImageMap& 
       const double x = measures[k + map.axes[i]], turned = has_bit(map.signs, i) ? -x : x;
       mapped[k + i] = kind == MeasureKind::normal ? turned : std::ldexp(turned, map.exponent) + map.moved[i];
     }
+  }
+  if (!map.exchanged) return mapped;
+  for (std::size_t k = 0; k < mapped.size(); ++k) {
+    if (predicate.measures[k].kind == MeasureKind::normal) mapped[k] = -mapped[k];
+  }
+  const auto a = first_measure(predicate, MeasureKind::point_a), b = first_measure(predicate, MeasureKind::point_b);
+  if (a && b && gives_measure(predicate, mapped.size(), MeasureKind::point_b)) {
+    for (std::size_t i = 0; i < 3; ++i) std::swap(mapped[*a + i], mapped[*b + i]);
   }
   return mapped;
 }

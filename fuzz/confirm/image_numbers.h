@@ -20,6 +20,7 @@ struct ImageMap {
   std::uint8_t signs = 0;
   int exponent = 0;
   std::array<double, 3> moved = {0, 0, 0};
+  bool exchanged = false;  // the first body is the base's second
 };
 // Empty for images of a kind that is no map of places (a motion in parts), and where no map is found.
 std::optional<ImageMap> image_map(const PredicateEntry& entry, const ImageGroup& group, std::size_t image, int exponent,

@@ -168,7 +168,7 @@ LevelFindings judge_invariant(const AskedLevel& asked, const Subject& subject) {
 
 extern const GateLevel invariant_level = {
     .usage = "invariant=KIND",
-    .meaning = "no verdict that changes with KIND: order, axes, mirror, scale, translation, reversal, split or halving",
+    .meaning = "no verdict that changes with KIND: order, axes, mirror, scale, translation, reversal, split, halving, swap or turn",
     .check = [](const AskedLevel& asked) { kind_of(asked); },
     .sentence =
         [](const AskedLevel& asked) {
