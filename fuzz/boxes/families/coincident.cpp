@@ -33,9 +33,9 @@ struct Coincident {
 }  // namespace
 
 extern const Family box_box_coincident_family =
-    matrix_family<Coincident>("box-box/coincident", box_box_situation::parallel,
-                              "equal boxes at one place, or one in the other: several axes are as deep");
-extern const Family box_box_coincident_turned_family = turned_family<Coincident>(
-    "box-box/coincident_turned", box_box_situation::parallel, "coincident, as quaternions of integers");
+    by_name(matrix_family<Coincident>("box-box/coincident", box_box_situation::parallel,
+                                      "equal boxes at one place, or one in the other: several axes are as deep"));
+extern const Family box_box_coincident_turned_family = by_name(turned_family<Coincident>(
+    "box-box/coincident_turned", box_box_situation::parallel, "coincident, as quaternions of integers"));
 
 }  // namespace axiscert::boxes
