@@ -52,6 +52,7 @@ constexpr const char* state_file = "search.state";
 std::string command_of_search(const SearchOptions& options, const SearchPlan& plan, const SearchResult& result) {
   std::string command = fmt::format("axiscert search --kernel {} --precision {}", plan.kernel->id, options.precision);
   for (const std::string& which : options.comparisons) command += " --comparison " + which;
+  for (const std::string& what : plan.what) command += " --what " + what;
   for (const std::string& family : options.families) command += " --family " + family;
   return command + fmt::format(" --evaluations {} --seed {}", result.evaluations, options.seed);
 }

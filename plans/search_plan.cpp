@@ -11,6 +11,7 @@
 #include "fuzz/queries/source.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/search/method.h"
+#include "fuzz/search/numbers.h"
 #include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
@@ -25,6 +26,21 @@ std::size_t parse_comparison(const std::string& given, const Predicate& predicat
     known.push_back(predicate.comparisons[k].name);
   }
   throw Error(fmt::format("--comparison {}: {}", given, unknown_name("comparison", "comparisons", given, known)));
+}
+
+// In the order of the aims, each once.
+std::vector<std::string> parse_what(const std::vector<std::string>& given, const Kernel& kernel) {
+  std::vector<std::string_view> known = {verdict_word};
+  for (const Aim& aim : number_aims(kernel)) known.push_back(word(fault_of(aim)));
+  for (const std::string& one : given) {
+    if (std::ranges::find(known, one) == known.end())
+      throw Error(fmt::format("--what {}: {}", one, unknown_name("aim", "aims of this kernel", one, known)));
+  }
+  std::vector<std::string> what;
+  for (const std::string_view one : known) {
+    if (std::ranges::find(given, one) != given.end()) what.emplace_back(one);
+  }
+  return what;
 }
 
 const Kernel& kernel_of(const SearchOptions& options) {
@@ -72,6 +88,7 @@ SearchPlan search_plan_of(const SearchOptions& options) {
         fmt::format("--comparison: kernel {} does not show the computed sides of its own formulae", plan.kernel->id));
   }
   std::sort(plan.comparisons.begin(), plan.comparisons.end());
+  plan.what = parse_what(options.what, *plan.kernel);
   plan.sources = beginning_sources(options, *plan.kernel, defaults);
   // The run from which it begins has every family, as `axiscert run` does, unless some are given.
   plan.first_queries = options.first_queries != 0 ? options.first_queries : defaults.first_queries;

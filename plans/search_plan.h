@@ -12,7 +12,7 @@ namespace axiscert {
 
 struct SearchOptions {
   std::string predicate, kernel, precision = "binary32", target = "auto", format = "text", out;
-  std::vector<std::string> comparisons, families;
+  std::vector<std::string> comparisons, families, what;
   std::optional<std::uint64_t> evaluations;
   std::optional<double> seconds;
   std::uint64_t seed = 1;

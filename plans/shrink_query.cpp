@@ -17,8 +17,11 @@ std::string unknown_symptom(const Predicate& predicate, std::string_view given) 
   std::vector<std::string_view> names = {"verdict"};
   for (const PredicateClause& clause : predicate.clauses) names.push_back(clause.name);
   for (const PredicateComparison& comparison : predicate.comparisons) names.push_back(comparison.name);
-  const std::vector<std::string_view> measures = judged_measures(predicate);
-  names.insert(names.end(), measures.begin(), measures.end());
+  for (const auto& words : {judged_measures(predicate), fault_words(predicate)}) {
+    for (const std::string_view one : words) {
+      if (std::ranges::find(names, one) == names.end()) names.push_back(one);
+    }
+  }
   names.push_back(asymmetry_name);
   const std::string_view suffix = given.find(':') == given.npos ? "" : error_suffix;
   const std::string_view word = given.substr(0, given.find(':')), guess = meant(word, names);
@@ -45,8 +48,10 @@ std::optional<Symptom> symptom_named(const Predicate& predicate, std::string_vie
 }
 
 bool is_measure(const Predicate& predicate, std::string_view what) {
-  const std::vector<std::string_view> measures = judged_measures(predicate);
-  return std::ranges::find(measures, what) != measures.end();
+  for (const MeasureFault which : enumerators<MeasureFault>) {
+    if (has_measure(predicate, measure_of(which)) && is_named(which, what)) return true;
+  }
+  return false;
 }
 
 std::string symptoms_text(const std::vector<Symptom>& symptoms) {
@@ -60,7 +65,7 @@ std::string symptoms_text(const std::vector<Symptom>& symptoms) {
 template <class Real>
 std::optional<Symptom> measure_fault(const Numbers<Real>& q, std::string_view measure, SymptomFinder<Real>& finder) {
   for (const Symptom& fault : finder.measure_faults(q)) {
-    if (measure.empty() || name(fault) == measure) return fault;
+    if (measure.empty() || is_named(*fault.measure, measure)) return fault;
   }
   return std::nullopt;
 }
@@ -96,8 +101,8 @@ Symptom symptom_to_keep(const Numbers<Real>& q, const StoredQuery& stored, const
   }
   if (is_measure(*kernel.predicate, options.what)) {
     if (const auto fault = measure_fault(q, options.what, finder)) return *fault;
-    throw fail(
-        fmt::format("--what {0}: {1} has no {0} that is wrong beside a right contact there", options.what, kernel.id));
+    throw fail(fmt::format("--what {0}: {1} has no {0} that is wrong there{2}", options.what, kernel.id,
+                           is_of_motions(*kernel.predicate) ? ", beside a right contact" : ""));
   }
   const Symptom asked = *symptom_named(*kernel.predicate, options.what);
   if (!std::string_view(options.what).ends_with(error_suffix)) {

@@ -212,9 +212,9 @@ namespace {
 
 int print_families(const std::string& format, const Predicate& predicate) {
   FamiliesData data;
-  for (const Family* family : families_of(predicate)) {
+  for (const Family* family : all_families_of(predicate)) {
     if (format == "text") {
-      fmt::print("{:<12} {}{}{}\n", family->name, family->purpose,
+      fmt::print("{:<12} {}{}{}{}\n", family->name, family->purpose, family->is_by_name ? " [by name]" : "",
                  family->exact_arithmetic ? " [exact_arithmetic]" : "",
                  family->cost > 1 ? fmt::format(" [cost {}]", family->cost) : "");
     }
@@ -255,7 +255,7 @@ std::vector<Name> kernels_of(const Predicate& predicate) {
 
 std::vector<Name> family_names(const Predicate& predicate) {
   std::vector<Name> names;
-  for (const Family* family : families_of(predicate)) names.emplace_back(family->name);
+  for (const Family* family : all_families_of(predicate)) names.emplace_back(family->name);
   return names;
 }
 
@@ -297,7 +297,7 @@ void print_predicate(const Predicate& predicate) {
   for (const WrongAnswer& wrong : predicate.wrong_answers) {
     fmt::print("  {}: {} said, {} right\n", wrong.name, name(wrong.said), name(wrong.right));
   }
-  fmt::print("  {} kernels, {} families\n", kernels_of(predicate).size(), families_of(predicate).size());
+  fmt::print("  {} kernels, {} families\n", kernels_of(predicate).size(), all_families_of(predicate).size());
 }
 
 ListedEntry listed_entry(const PredicateEntry& entry) {

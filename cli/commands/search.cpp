@@ -53,14 +53,20 @@ int search(const SearchOptions& options) {
 void add_search(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("search",
                                      "Search for the worst cases of a kernel: errors of its comparisons, wrong "
-                                     "verdicts, the scales where range fails");
+                                     "verdicts, errors of numbers beside them, the scales where range fails");
   auto options = std::make_shared<SearchOptions>();
   SearchOptions& o = *options;
   add_predicate(*command, o.predicate, "predicate of the kernel",
                 fmt::format("{}, or that of --kernel", default_predicate().id));
   add_kernel(*command, o.kernel, "kernel that is asked", "the first of the predicate");
   add_precision(*command, o.precision);
-  command->add_option("--comparison", o.comparisons, "comparison, repeatable (default: all, and the verdict)")
+  command
+      ->add_option("--comparison", o.comparisons, "comparison, repeatable (default: all, the verdict and the numbers)")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--what", o.what,
+                   "`verdict` or the error of a number beside it (separation, normal, left, unit, point), repeatable "
+                   "(default: all)")
       ->allow_extra_args(false);
   add_families(*command, o.families, "those from which a search of the predicate starts");
   auto* evaluations =

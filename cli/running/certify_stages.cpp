@@ -51,6 +51,7 @@ SearchedStatement search_precision(const StagedCertificate& staged, Precision pr
   SearchOptions options;
   options.kernel = staged.kernel.id;
   options.precision = name(precision);
+  options.what = {std::string(verdict_word)};
   options.evaluations = staged.size.evaluations;
   options.first_queries = std::min(std::uint64_t{1} << 13, staged.size.trials);
   options.seed = staged.options.seed;

@@ -128,6 +128,16 @@ class BoxFaults(Case):
                     said = [line for line in (done.stdout + done.stderr).splitlines() if f"{level.split('=')[0]}" in line and "not met" in line.lower()]
                     self.assertEqual(bool(said), level in refused, f"{level}\n{done.stdout}{done.stderr}")
 
+    # A fault that is alike on both follows; one that prefers a side of the world does not.
+    FOLLOWS = {"none": True, "flipped": True, "one_sided": False}
+
+    def test_numbers_follow_boxes_that_are_exchanged_or_turned_half_round(self):
+        for fault, does in self.FOLLOWS.items():
+            done = axiscert("run", "--kernel", f"plugin:{BUILD}/contact_faults/{fault}.so", "--family", "box-box/symmetric", "--trials", 1200,
+                            "--precision", "binary32", "--out", self.folder / fault, "--require", "follows=0.01")
+            with self.subTest(fault=fault):
+                self.assertEqual(done.returncode, 0 if does else 1, done.stdout + done.stderr)
+
     # What the numbers of each are like, in the words of a diagnosis.
     NAMED = {"none": {}, "flipped": {"normal": "flipped", "contact_point": "wrong"}, "tilted": {"normal": "tilted"},
              "not_unit": {"normal": "not_normalised"}, "halved": {"separation": "scaled"}, "margin": {"separation": "margin"},

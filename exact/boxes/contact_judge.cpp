@@ -35,8 +35,12 @@ void BoxContactJudge<Real>::measure_separation(Verdict said, double separation, 
   if (said == Verdict::separated && separation < 0) out.consistency = Consistency::negative;
   if (sgn(exact().squared_scene()) == 0) return;
   // Of a penetration both signs are turned round, and the error is the same.
-  out.separation = separation_error<Real>(exact().is_apart() ? separation : -separation, exact().squared_separation(),
-                                          0, exact().squared_scene());
+  const double towards = exact().is_apart() ? separation : -separation;
+  const auto error_from = [&](const Rational& less) {
+    return separation_error<Real>(towards, exact().squared_separation(), less, exact().squared_scene());
+  };
+  out.separation = error_from(0);
+  if (sgn(margin_) != 0) out.separation_less_margin = error_from(exact().is_apart() ? margin_ : Rational(-margin_));
 }
 
 template <class Real>
@@ -106,6 +110,11 @@ ContactPlace BoxContactJudge<Real>::place() const {
   }
   if (const std::optional<Point> normal = exact().only_normal()) out.normal = unit_vector(*normal);
   return out;
+}
+
+template <class Real>
+double BoxContactJudge<Real>::scene() const {
+  return at_most_finite(nearest_sqrt<double>(exact().squared_scene()));
 }
 
 template class BoxContactJudge<float>;

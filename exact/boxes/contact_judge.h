@@ -18,6 +18,7 @@ class BoxContactJudge final : public ContactJudge {
 
   ContactJudgement judge(Verdict said, std::span<const double> measures) override;
   ContactPlace place() const override;
+  double scene() const override;
 
  private:
   const ExactContact& exact() const;

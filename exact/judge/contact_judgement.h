@@ -78,7 +78,9 @@ struct ContactJudgement {
   // Of two bodies as they are, whatever the verdict.
   std::optional<Consistency> consistency;     // empty: the kernel gives no separation
   std::optional<SeparationError> separation;  // of a number
-  std::optional<Pushed> pushed;               // of a normal that is not 0, where the depth is above 0
+  // The same against the exact separation less the margin that the kernel declares; empty too where it declares none.
+  std::optional<SeparationError> separation_less_margin;
+  std::optional<Pushed> pushed;  // of a normal that is not 0, where the depth is above 0
   // Of two points, one of each body: how far from its body each is, and how far from |separation| their distance is.
   std::optional<double> point_a_error, point_b_error, points_apart;
 
@@ -112,7 +114,14 @@ class ContactJudge {
   virtual ~ContactJudge() = default;
   // `said` is contact or separated, with the first of the predicate's measures. Of motions the query has contact.
   virtual ContactJudgement judge(Verdict said, std::span<const double> measures) = 0;
+  // The margin of the kernel whose answers are judged next, in the unit of length (Limits::margin).
+  void declare_margin(double margin) { margin_ = exact(margin); }
   virtual ContactPlace place() const = 0;
+  // The length of which shares of the scene are, rounded to the nearest.
+  virtual double scene() const = 0;
+
+ protected:
+  Rational margin_ = 0;
 };
 
 }  // namespace axiscert

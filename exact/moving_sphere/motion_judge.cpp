@@ -162,6 +162,11 @@ ContactJudgement FirstContactJudge<Real>::judge(Verdict said, std::span<const do
   return out;
 }
 
+template <class Real>
+double FirstContactJudge<Real>::scene() const {
+  return nearest_sqrt<double>(scene_);
+}
+
 template class FirstContactJudge<float>;
 template class FirstContactJudge<double>;
 

@@ -16,6 +16,7 @@ class FirstContactJudge final : public ContactJudge {
 
   ContactJudgement judge(Verdict said, std::span<const double> measures) override;
   ContactPlace place() const override;
+  double scene() const override;
 
  private:
   TimeVerdict time_verdict(double time) const;

@@ -34,7 +34,10 @@ Examination examination(const Numbers<Real>& q, const Kernel& kernel, const Answ
   if (out.judgement.verdict_flip) out.depth = oracles.depth(q);
   if (out.depth) out.length = asked->depth().length();
   if (out.truth.verdict != Verdict::invalid && has_judged_contact(kernel, answer.verdict, [&] { return out.truth; })) {
-    if (const auto contact = oracles.contact_judge(q)) out.contact = contact->judge(answer.verdict, out.measures);
+    if (const auto contact = oracles.contact_judge(q)) {
+      contact->declare_margin(kernel.limits.margin);
+      out.contact = contact->judge(answer.verdict, out.measures);
+    }
   }
   return out;
 }

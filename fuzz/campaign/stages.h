@@ -58,7 +58,9 @@ class ContactLook {
              TruthOf&& truth, ContactTally& tally) {
     if (!has_judged_contact(kernel, said, truth)) return;
     if (!judge_) judge_ = oracles_.contact_judge(numbers_);
-    if (judge_) count_contact(tally, position, judge_->judge(said, measures));
+    if (!judge_) return;
+    judge_->declare_margin(kernel.limits.margin);
+    count_contact(tally, position, judge_->judge(said, measures));
   }
 
  private:

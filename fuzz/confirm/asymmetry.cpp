@@ -106,14 +106,26 @@ void Invariance::merge(const Invariance& later) {
 
 void ImageNumbers::merge(const ImageNumbers& later) {
   images += later.images;
+  compared_features += later.compared_features;
   features += later.features;
   if (!first_feature) first_feature = later.first_feature;
-  const auto take = [](WorstImage& mine, const WorstImage& its) {
-    if (its.size > mine.size) mine = its;
-  };
-  take(separation, later.separation);
-  take(angle, later.angle);
-  take(point, later.point);
+  separation.merge(later.separation);
+  angle.merge(later.angle);
+  point.merge(later.point);
+}
+
+void WorstImage::offer(const std::optional<double>& found, const ImagePair& of) {
+  compared += found.has_value();
+  if (!would_take(found)) return;
+  size = *found;
+  pair = of;
+}
+
+void WorstImage::merge(const WorstImage& later) {
+  compared += later.compared;
+  if (!would_take(later.size)) return;
+  size = later.size;
+  pair = later.pair;
 }
 
 template <class Real>
@@ -201,7 +213,8 @@ class AsymmetryBlock {
     }
     count_invariance<Real>(found_.invariance, {group_, position, queries_, verdicts_});
     const bool is_decided = base && (base->verdict == Verdict::contact || base->verdict == Verdict::separated);
-    if (kernel_.measure_count != 0 && group_.parts == 1 && is_decided) count_numbers_of(position, in_batch);
+    const bool has_numbers = kernel_.measure_count != 0 && group_.parts == 1 && position < image_numbers_queries;
+    if (has_numbers && is_decided) count_numbers_of(position, in_batch);
   }
 
   std::vector<double> measures(std::uint64_t position, std::size_t in_batch) const {
@@ -213,12 +226,25 @@ class AsymmetryBlock {
     return wide;
   }
 
+  // Of the answer to query i of the group at hand.
+  OwnErrors own_errors_of(std::size_t i, const std::vector<double>& measures) const {
+    const Numbers<Real>& q = queries_[i];
+    const Oracles& oracles = oracles_of(kernel_);
+    if (!oracles.is_valid(q) || !has_judged_contact(kernel_, *verdicts_[i], [&] { return oracles.truth(q); }))
+      return {};
+    const std::unique_ptr<ContactJudge> judge = oracles.contact_judge(q);
+    if (!judge) return {};
+    const double extent = image_extent(kernel_.predicate->entries[kernel_.entry], widened(q));
+    return own_errors(judge->judge(*verdicts_[i], measures), judge->scene(), extent);
+  }
+
   // The numbers on the images of a base against those on the base, where the verdicts are one.
   void count_numbers_of(std::uint64_t position, std::size_t in_batch) {
     const Predicate& predicate = *kernel_.predicate;
     const PredicateEntry& entry = predicate.entries[kernel_.entry];
     const Numbers<double> base = widened(queries_[0]);
     const std::vector<double> of_base = measures(position, in_batch);
+    std::optional<OwnErrors> own_of_base;
     for (std::size_t i = 1; i < group_.size; ++i) {
       if (!verdicts_[i] || verdicts_[i] != verdicts_[0]) continue;
       const Numbers<double> image = widened(queries_[i]);
@@ -226,16 +252,24 @@ class AsymmetryBlock {
       const int exponent = is_scaled ? group_.exponent(precision_of<Real>, position / group_.size, i) : 0;
       const std::optional<ImageMap> map = image_map(entry, group_, i, exponent, base, image);
       if (!map) continue;
-      const ImageErrors errors = image_errors(predicate, entry, image, mapped_measures(predicate, *map, of_base),
-                                              measures(position + i, in_batch + i));
+      const std::vector<double> of_image = measures(position + i, in_batch + i);
+      ImageErrors errors = image_errors(predicate, entry, image, mapped_measures(predicate, *map, of_base), of_image);
       const ImagePair pair{position, position + i};
       ImageNumbers& numbers = found_.numbers;
+      // The exact numbers are asked for where they may take back what would be the worst so far.
+      if (numbers.angle.would_take(errors.angle) || numbers.point.would_take(errors.point) ||
+          errors.is_other_feature.value_or(false)) {
+        if (!own_of_base) own_of_base = own_errors_of(0, of_base);
+        errors = at_most(errors, *own_of_base, own_errors_of(i, of_image));
+      }
       ++numbers.images;
       numbers.separation.offer(errors.separation, pair);
       numbers.angle.offer(errors.angle, pair);
       numbers.point.offer(errors.point, pair);
-      numbers.features += errors.is_other_feature;
-      if (errors.is_other_feature && !numbers.first_feature) numbers.first_feature = pair;
+      const bool is_other = errors.is_other_feature.value_or(false);
+      numbers.compared_features += errors.is_other_feature.has_value();
+      numbers.features += is_other;
+      if (is_other && !numbers.first_feature) numbers.first_feature = pair;
     }
   }
 
@@ -338,11 +372,14 @@ AsymmetryRecord asymmetry_record(const Asymmetry& asymmetry, const AddressOf& ad
                          {}};
   if (!has_numbers) return record;
   const ImageNumbers& numbers = asymmetry.numbers;
+  const auto greatest = [](const WorstImage& worst) {
+    return worst.compared == 0 ? std::nullopt : std::optional(worst.size);
+  };
   record.numbers = {numbers.images,
-                    numbers.features,
-                    numbers.separation.size,
-                    numbers.angle.size,
-                    numbers.point.size,
+                    numbers.compared_features == 0 ? std::nullopt : std::optional(numbers.features),
+                    greatest(numbers.separation),
+                    greatest(numbers.angle),
+                    greatest(numbers.point),
                     addresses_of(numbers.separation.pair, address),
                     addresses_of(numbers.angle.pair, address),
                     addresses_of(numbers.point.pair, address),

@@ -73,15 +73,16 @@ void count_invariance(Invariance& into, const AnsweredGroup<Real>& answered);
 
 // The greatest of a difference over images, with the first pair that has it.
 struct WorstImage {
+  std::uint64_t compared = 0;
   double size = 0;
   std::optional<ImagePair> pair;
-  void offer(const std::optional<double>& found, const ImagePair& of) {
-    if (found && *found > size) *this = {*found, of};
-  }
+  void offer(const std::optional<double>& found, const ImagePair& of);
+  void merge(const WorstImage& later);
+  bool would_take(const std::optional<double>& found) const { return found && *found > size; }
 };
 // What is said beside verdicts on images, against that on their base (fuzz/confirm/image_numbers.h).
 struct ImageNumbers {
-  std::uint64_t images = 0, features = 0;
+  std::uint64_t images = 0, compared_features = 0, features = 0;
   WorstImage separation, angle, point;
   std::optional<ImagePair> first_feature;
   void merge(const ImageNumbers& later);
@@ -99,6 +100,8 @@ struct Asymmetry {
 
 // A long run is not repeated in full: this many queries are examined, or all if there are fewer.
 inline constexpr std::uint64_t asymmetry_queries = std::uint64_t{1} << 22;
+// Numbers beside verdicts are compared on the first of them: exact ones are asked for where two differ.
+inline constexpr std::uint64_t image_numbers_queries = std::uint64_t{1} << 16;
 
 // Asks a kernel again about the first `queries` of a source, complete groups of images only; where there are replies,
 // those are examined instead. Empty if the source makes no images, or the kernel does not exist in the precision.

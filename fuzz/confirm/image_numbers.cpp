@@ -29,22 +29,6 @@ double part_of_image(double part, const std::array<std::uint8_t, 3>& order) {
   return static_cast<double>(3 + (opposite + 1) % 3);
 }
 
-// The greatest difference of two places of the query, or length.
-double extent_of(const PredicateEntry& entry, const Numbers<double>& numbers) {
-  double most = 0;
-  std::array<double, 3> least = {INFINITY, INFINITY, INFINITY}, greatest = {-INFINITY, -INFINITY, -INFINITY};
-  for (std::size_t k = 0; k < numbers.size(); k += exact_images::is_vector(entry, k) ? 3 : 1) {
-    if (entry.columns[k].role == Role::length) most = std::max(most, std::fabs(numbers[k]));
-    if (!exact_images::is_vector(entry, k) || entry.columns[k].role != Role::coordinate) continue;
-    for (std::size_t i = 0; i < 3; ++i) {
-      least[i] = std::min(least[i], numbers[k + i]);
-      greatest[i] = std::max(greatest[i], numbers[k + i]);
-    }
-  }
-  for (std::size_t i = 0; i < 3; ++i) most = std::max(most, greatest[i] - least[i]);
-  return most;
-}
-
 std::optional<std::array<double, 3>> vector_of(std::span<const double> measures, std::size_t first) {
   if (measures.size() < first + 3) return std::nullopt;
   std::array<double, 3> v;
@@ -63,12 +47,31 @@ double angle_of(const std::array<double, 3>& u, const std::array<double, 3>& v) 
 
 }  // namespace
 
+double image_extent(const PredicateEntry& entry, const Numbers<double>& numbers) {
+  double most = 0;
+  std::array<double, 3> least = {INFINITY, INFINITY, INFINITY}, greatest = {-INFINITY, -INFINITY, -INFINITY};
+  for (std::size_t k = 0; k < numbers.size(); k += exact_images::is_vector(entry, k) ? 3 : 1) {
+    if (entry.columns[k].role == Role::length) most = std::max(most, std::fabs(numbers[k]));
+    if (!exact_images::is_vector(entry, k) || entry.columns[k].role != Role::coordinate) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      least[i] = std::min(least[i], numbers[k + i]);
+      greatest[i] = std::max(greatest[i], numbers[k + i]);
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i) most = std::max(most, greatest[i] - least[i]);
+  return most;
+}
+
 std::optional<ImageMap> image_map(const PredicateEntry& entry, const ImageGroup& group, std::size_t image, int exponent,
                                   const Numbers<double>& base, const Numbers<double>& numbers) {
   ImageMap map;
   map.order = group.order(image);
   switch (group.kind(image)) {
     case ImageKind::order:
+    case ImageKind::turn:
+      return map;
+    case ImageKind::swap:
+      map.exchanged = true;
       return map;
     case ImageKind::scale:
       map.exponent = exponent;
@@ -105,13 +108,21 @@ std::vector<double> mapped_measures(const Predicate& predicate, const ImageMap& 
       mapped[k + i] = kind == MeasureKind::normal ? turned : std::ldexp(turned, map.exponent) + map.moved[i];
     }
   }
+  if (!map.exchanged) return mapped;
+  for (std::size_t k = 0; k < mapped.size(); ++k) {
+    if (predicate.measures[k].kind == MeasureKind::normal) mapped[k] = -mapped[k];
+  }
+  const auto a = first_measure(predicate, MeasureKind::point_a), b = first_measure(predicate, MeasureKind::point_b);
+  if (a && b && gives_measure(predicate, mapped.size(), MeasureKind::point_b)) {
+    for (std::size_t i = 0; i < 3; ++i) std::swap(mapped[*a + i], mapped[*b + i]);
+  }
   return mapped;
 }
 
 ImageErrors image_errors(const Predicate& predicate, const PredicateEntry& entry, const Numbers<double>& image,
                          std::span<const double> expected, std::span<const double> measures) {
   ImageErrors errors;
-  const double extent = extent_of(entry, image);
+  const double extent = image_extent(entry, image);
   if (!(extent > 0 && std::isfinite(extent))) return errors;
   const auto at = [&](std::span<const double> from, MeasureKind kind) -> std::optional<double> {
     const auto first = first_measure(predicate, kind);
@@ -134,6 +145,29 @@ ImageErrors image_errors(const Predicate& predicate, const PredicateEntry& entry
       errors.point = std::max(errors.point.value_or(0), off);
     });
   }
+  return errors;
+}
+
+OwnErrors own_errors(const ContactJudgement& judgement, double scene, double extent) {
+  OwnErrors own;
+  if (judgement.pushed) own.angle = 2 * std::asin(std::sqrt(std::min(judgement.pushed->left.value() / 2, 1.0)));
+  own.has_normal = judgement.pushed || judgement.normal_angle;
+  own.has_right_feature = judgement.feature_is_right.value_or(false);
+  if (judgement.point_a_error && judgement.point_b_error) {
+    const double apart = judgement.points_apart.value_or(0);
+    own.point = std::max({*judgement.point_a_error, *judgement.point_b_error, apart}) * (scene / extent);
+  }
+  return own;
+}
+
+ImageErrors at_most(ImageErrors errors, const OwnErrors& base, const OwnErrors& image) {
+  const auto lower = [](std::optional<double>& error, const std::optional<double>& u, const std::optional<double>& v) {
+    if (error && u && v) error = std::min(*error, *u + *v);
+  };
+  lower(errors.angle, base.angle, image.angle);
+  lower(errors.point, base.point, image.point);
+  if (!base.has_normal || !image.has_normal) errors.angle.reset();
+  if (errors.is_other_feature && base.has_right_feature && image.has_right_feature) errors.is_other_feature = false;
   return errors;
 }
 

@@ -42,7 +42,7 @@ void expect_within_bounds(std::size_t size) {
     expect_within_bounds<float>(source, size / divisor / 4, AXISCERT_OPEN_SPHERE);
     expect_within_bounds<double>(source, size / divisor / 4, AXISCERT_OPEN_SPHERE);
   };
-  for (const Family* family : families_of(sphere_triangle_predicate())) {
+  for (const Family* family : all_families_of(sphere_triangle_predicate())) {
     both(*family_source(*family), family->cost > 1 ? 16 : 1);
   }
   both(*mesh_source(TEST_MODELS "/OBJ/spider.obj", sphere_triangle_predicate()), 1);

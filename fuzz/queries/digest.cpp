@@ -42,7 +42,7 @@ std::string digest_line(const Family& family, Precision precision) {
 
 std::vector<std::string> digest_lines(const Predicate& predicate) {
   std::vector<std::string> lines;
-  for (const Family* family : families_of(predicate)) {
+  for (const Family* family : all_families_of(predicate)) {
     for (const Precision precision : {Precision::binary32, Precision::binary64}) {
       lines.push_back(digest_line(*family, precision));
     }

@@ -79,6 +79,8 @@ struct Family {
   // instead.
   const Situation* situation = nullptr;
   std::size_t entry = 0;  // of the predicate, in which the numbers are given
+  // Asked where it is named alone, as `all` does not: of interest for what is said beside verdicts.
+  bool is_by_name = false;
 
   std::size_t column_count() const { return predicate().entries[entry].columns.size(); }
   template <class Real>
@@ -99,9 +101,15 @@ constexpr Family in_metres(Family family) {
   return family;
 }
 
-// The families of all predicates, and those of one.
+constexpr Family by_name(Family family) {
+  family.is_by_name = true;
+  return family;
+}
+
+// The families of all predicates; those of one that are asked where none is named, and all of it.
 std::span<const Family* const> families();
 std::vector<const Family*> families_of(const Predicate& predicate);
+std::vector<const Family*> all_families_of(const Predicate& predicate);
 // Throws Error that lists the families that exist.
 const Family& find_family(std::string_view name);
 

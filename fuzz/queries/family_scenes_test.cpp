@@ -135,6 +135,49 @@ TYPED_TEST(SceneFamilies, EdgeAsksTheSameSphereOfTwoTrianglesThatShareAnEdge) {
   }
 }
 
+TYPED_TEST(SceneFamilies, PatchAsksOneSphereOfATriangleAndItsThreeNeighbours) {
+  Query<TypeParam> middle{};
+  std::size_t held = 0, level = 0, leaning = 0;
+  for_each_query<TypeParam>("patch", 4 * 54 * 5, [&](const Query<TypeParam>& q, std::uint64_t position) {
+    if (position % 4 == 0) {
+      middle = q;
+      held += gap_of(q) <= rounding<TypeParam>;
+      return;
+    }
+    EXPECT_TRUE(q.r == middle.r && q.p.x == middle.p.x && q.p.y == middle.p.y && q.p.z == middle.p.z);
+    std::size_t shared = 0;
+    for (const auto& v : {q.a, q.b, q.c}) {
+      for (const auto& w : {middle.a, middle.b, middle.c}) shared += v.x == w.x && v.y == w.y && v.z == w.z;
+    }
+    EXPECT_EQ(shared, 2u) << "an edge, at " << position;
+    const MeasuredTriangle one(q), of_middle(middle);
+    const double cosine = dot(one.normal, of_middle.normal) / (length_of(one.normal) * length_of(of_middle.normal));
+    EXPECT_GT(cosine, 0.9) << "both are seen from one side, at " << position;
+    (cosine > 0.999 ? level : leaning) += 1;
+  });
+  EXPECT_GT(held, 100u);
+  EXPECT_GT(level, 200u);
+  EXPECT_GT(leaning, 100u);
+}
+
+TYPED_TEST(SceneFamilies, ExtentsAreOfMillimetresAndOfKilometres) {
+  std::size_t strips = 0, specks = 0, plains = 0, contacts = 0;
+  constexpr std::uint64_t queries = 27 * 40;
+  for_each_query<TypeParam>("extents", queries, [&](const Query<TypeParam>& q, std::uint64_t position) {
+    const MeasuredTriangle triangle(q);
+    contacts += distance_order(q) <= 0;
+    EXPECT_TRUE(q.r >= TypeParam(0.0099) && q.r <= 1);
+    if (position % 3 == 0) strips += triangle.longest > 199 && triangle.longest < 201;
+    if (position % 3 == 1) specks += triangle.longest < 0.03;
+    if (position % 3 == 2) plains += triangle.longest > 490;
+  });
+  EXPECT_EQ(strips, queries / 3);
+  EXPECT_EQ(specks, queries / 3);
+  EXPECT_EQ(plains, queries / 3);
+  EXPECT_GT(contacts, queries / 4);
+  EXPECT_LT(contacts, queries * 3 / 4);
+}
+
 // A kernel that takes its numbers in any entry can be asked about a game; and what a wrong verdict there says is known.
 TEST(SceneFamiliesOfAll, AreThereInEveryEntryAndAreEveryday) {
   for (const Predicate* predicate : predicates()) {

@@ -322,6 +322,30 @@ TYPED_TEST(FamilyBoundaries, SeamFlipsEverySideDecisively) {
   EXPECT_EQ(flipped, side_comparisons);
 }
 
+// On both sides, from nearly all of the radius deep to as near as the rounding of the centre lets it come.
+TYPED_TEST(FamilyBoundaries, SunkenIsCloseToEachPartOnBothSides) {
+  std::array<std::size_t, axis_count> close{};
+  std::size_t sides[2]{}, beside = 0, closest = 0;
+  for_each_query<TypeParam>("sunken", 7 * 4 * 60 * 2, [&](const Query<TypeParam>& q, std::uint64_t position) {
+    ASSERT_TRUE(is_valid(q)) << position;
+    const double r = static_cast<double>(q.r), share = std::sqrt(squared_distance(q).get_d()) / r;
+    const bool is_beside = position / 7 % 4 == 3;
+    if (is_beside) {
+      beside += share > 0;
+      return;
+    }
+    EXPECT_LE(share, 1) << position;
+    close[position % 7] += share < 0x1p-10;
+    closest += share < 0x1p-20;
+    const Vec3<TypeParam> normal = cross(q.b - q.a, q.c - q.a);
+    ++sides[dot(q.p - q.a, normal) > 0];
+  });
+  for (std::size_t i = 0; i < axis_count; ++i) EXPECT_GT(close[i], 40u) << axis_names[i];
+  EXPECT_GT(std::min(sides[0], sides[1]), 500u);
+  EXPECT_GT(closest, 200u);
+  EXPECT_GT(beside, 500u);
+}
+
 }  // namespace
 
 }  // namespace axiscert

@@ -40,12 +40,13 @@ inline ExponentWindow scanned_exponents(Precision precision) {
 // How an image is made of its base: the vertices in another order; the axes exchanged, some of them turned round or
 // not; signs changed alone; all numbers times a power of two; all points moved; a motion from its end to its start; one
 // in two parts, the second from where the first ends, which touch where one of them does; one of which the base is a
-// half, a quarter or an eighth, which is in contact where the base is.
-enum class ImageKind : std::uint8_t { order, axes, mirror, scale, translation, reversal, split, halving };
+// half, a quarter or an eighth, which is in contact where the base is; two bodies exchanged; a body turned so that it
+// is the same one.
+enum class ImageKind : std::uint8_t { order, axes, mirror, scale, translation, reversal, split, halving, swap, turn };
 template <>
-inline constexpr std::size_t enum_count<ImageKind> = 8;
+inline constexpr std::size_t enum_count<ImageKind> = 10;
 inline constexpr EnumArray<ImageKind, std::string_view> image_kind_names = {
-    "order", "axes", "mirror", "scale", "translation", "reversal", "split", "halving"};
+    "order", "axes", "mirror", "scale", "translation", "reversal", "split", "halving", "swap", "turn"};
 constexpr std::string_view name(ImageKind which) { return image_kind_names[which]; }
 
 // Whether the verdict on the base decides that on an image of this kind: a motion may meet what its half does not.
@@ -54,7 +55,8 @@ constexpr bool decides_image(ImageKind kind, Verdict base) {
 }
 // Whether the comparisons of such an image are others than the base's.
 constexpr bool has_own_comparisons(ImageKind kind) {
-  return kind == ImageKind::reversal || kind == ImageKind::split || kind == ImageKind::halving;
+  return kind == ImageKind::reversal || kind == ImageKind::split || kind == ImageKind::halving ||
+         kind == ImageKind::swap;
 }
 
 // The powers of two from 2^least to 2^greatest.

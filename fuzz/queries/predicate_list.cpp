@@ -29,6 +29,12 @@ std::span<const Family* const> families() {
 }
 
 std::vector<const Family*> families_of(const Predicate& predicate) {
+  std::vector<const Family*> all = all_families_of(predicate);
+  std::erase_if(all, [](const Family* family) { return family->is_by_name; });
+  return all;
+}
+
+std::vector<const Family*> all_families_of(const Predicate& predicate) {
   std::vector<const Family*> all;
   for (const Family* family : families()) {
     if (&family->predicate() == &predicate) all.push_back(family);

@@ -135,6 +135,10 @@ void count_contact(ContactTally& tally, std::uint64_t position, const ContactJud
   if (judgement.time) count_time(*tally.time, position, judgement);
   if (judgement.consistency) count_consistency(*tally.consistency, position, *judgement.consistency);
   if (judgement.separation) count_separation(*tally.separation, position, *judgement.separation);
+  if (const auto& less = judgement.separation_less_margin; less && less->share != 0) {
+    tally.separation->less_margin->largest_error.offer({less->share, position});
+    tally.separation->less_margin->largest_length.offer({less->length, position});
+  }
   if (judgement.feature_is_right) count_feature(*tally.feature, position, judgement);
   if (judgement.normal_angle) {
     ++tally.normal->judged;
@@ -153,7 +157,8 @@ void count_contact(ContactTally& tally, std::uint64_t position, const ContactJud
   if (judgement.lacks_point) ++tally.point->none;
 }
 
-ContactTally given_contacts(ContactTally tally, const Predicate& predicate, std::size_t measure_count) {
+ContactTally given_contacts(ContactTally tally, const Predicate& predicate, std::size_t measure_count,
+                            bool has_margin) {
   const auto gives = [&](MeasureKind kind) { return gives_measure(predicate, measure_count, kind); };
   const bool moves = is_of_motions(predicate), has_pair = gives(MeasureKind::point_a) && gives(MeasureKind::point_b);
   if (!moves) tally.missed.reset();
@@ -161,6 +166,8 @@ ContactTally given_contacts(ContactTally tally, const Predicate& predicate, std:
   if (!gives(MeasureKind::separation)) {
     tally.consistency.reset();
     tally.separation.reset();
+  } else if (!has_margin) {
+    tally.separation->less_margin.reset();
   }
   if (!gives(MeasureKind::feature)) tally.feature.reset();
   if (!gives(MeasureKind::normal)) tally.normal.reset();

@@ -114,12 +114,34 @@ struct ConsistencyTally {
   }
 };
 
+// Separations of a kernel that declares a margin, against the exact ones less that.
+struct LessMarginTally {
+  Leaders<double> largest_error, largest_length;
+
+  static constexpr std::string_view about =
+      "The same separations against the exact ones less the margin that the kernel declares: as a kernel gives them "
+      "that "
+      "adds it to its bodies. It is judged by the lesser of the two greatest errors. Absent where it declares none.";
+  static constexpr auto fields(auto&& visit) {
+    using Of = LessMarginTally;
+    return visit(
+        field(&Of::largest_error, {"largest_error", "Greatest difference, relative to the scene.", "of the scene"}),
+        field(&Of::largest_length, {"largest_length", "Greatest difference.", "length"}));
+  }
+};
+
 // Separations against the exact ones: the distance where the two are apart, less the penetration where not.
 struct SeparationTally {
   std::uint64_t judged = 0, none = 0;
   DecadeCounts by_decade{};
   Leaders<double> largest_error, largest_length;
   Leaders<Decimal6> largest_ulps, largest_in_u;
+  std::optional<LessMarginTally> less_margin = LessMarginTally();
+
+  // The greatest errors that it is judged by.
+  bool has_margin() const { return less_margin && less_margin->largest_error.best() < largest_error.best(); }
+  double worst_share() const { return has_margin() ? less_margin->largest_error.best() : largest_error.best(); }
+  double worst_length() const { return has_margin() ? less_margin->largest_length.best() : largest_length.best(); }
 
   static constexpr std::string_view about = "The separations that a kernel gives, against the exact ones.";
   static constexpr auto fields(auto&& visit) {
@@ -133,7 +155,8 @@ struct SeparationTally {
         field(&Of::largest_ulps,
               {"largest_ulps", "Greatest difference in units in the last place of the number nearest to the exact one.",
                "ulps"}),
-        field(&Of::largest_in_u, {"largest_in_u", "Greatest difference in u = 2^-24 or 2^-53 of the scene.", "u"}));
+        field(&Of::largest_in_u, {"largest_in_u", "Greatest difference in u = 2^-24 or 2^-53 of the scene.", "u"}),
+        field(&Of::less_margin, {.name = "less_margin", .about = LessMarginTally::about, .may_be_absent = true}));
   }
 };
 
@@ -269,7 +292,9 @@ struct ContactTally {
 };
 
 void count_contact(ContactTally& tally, std::uint64_t position, const ContactJudgement& judgement);
-// Without the parts that a kernel of the predicate does not give, with so many of its measures.
-ContactTally given_contacts(ContactTally tally, const Predicate& predicate, std::size_t measure_count);
+// Without the parts that a kernel of the predicate does not give, with so many of its measures, and what is only of one
+// with a margin.
+ContactTally given_contacts(ContactTally tally, const Predicate& predicate, std::size_t measure_count,
+                            bool has_margin = false);
 
 }  // namespace axiscert

@@ -76,24 +76,38 @@ struct AddressPair {
 };
 
 struct ImageNumbersRecord {
-  std::uint64_t images = 0, features = 0;
-  double largest_separation = 0, largest_angle = 0, largest_point = 0;
+  std::uint64_t images = 0;
+  std::optional<std::uint64_t> features;
+  std::optional<double> largest_separation, largest_angle, largest_point;
   std::optional<AddressPair> worst_separation, worst_angle, worst_point, first_feature;
 
   static constexpr std::string_view about =
       "What the kernel says beside its verdict on images, against the same of their base, turned, mirrored, moved or "
-      "scaled with it. Sizes are of binary64, and relative to the image's extent. Absent for a kernel without "
+      "scaled with it. Sizes are of binary64. The extent is the greatest difference of coordinates of the image, or "
+      "length. "
+      "Absent for a kernel without "
       "measures.";
   static constexpr auto fields(auto&& visit) {
     using Of = ImageNumbersRecord;
     return visit(
-        field(&Of::images, {"images", "Images compared with their base, with one verdict on both."}),
+        field(&Of::images,
+              {"images", "Images among the first 65,536 queries compared with their base, with one verdict on both."}),
         field(&Of::features,
               {"features",
-               "Those with another feature than the base's. Where several parts are nearest both may be right."}),
-        field(&Of::largest_separation, {"largest_separation", "Greatest difference of separations.", "of the extent"}),
-        field(&Of::largest_angle, {"largest_angle", "Greatest angle between the two normals.", "radians"}),
-        field(&Of::largest_point, {"largest_point", "Greatest distance of the two points.", "of the extent"}),
+               "Those with another feature than the base's, one of the two wrong; null where none was compared."}),
+        field(&Of::largest_separation,
+              {"largest_separation", "Greatest difference of separations; null where none was compared.",
+               "of the extent"}),
+        field(&Of::largest_angle,
+              {"largest_angle",
+               "Greatest angle between the two normals, where there is one; null where none was compared. Of two that "
+               "overlap at most the sum of the angles at which normals leave as much: two right ones differ by 0.",
+               "radians"}),
+        field(&Of::largest_point,
+              {"largest_point",
+               "Greatest distance of the two points; null where none was compared. Of two bodies' points at most the "
+               "sum of what the two answers are off by.",
+               "of the extent"}),
         field(&Of::worst_separation, {"worst_separation", "The pair with it; null: none."}),
         field(&Of::worst_angle, {"worst_angle", "The pair with it; null: none."}),
         field(&Of::worst_point, {"worst_point", "The pair with it; null: none."}),

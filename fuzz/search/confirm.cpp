@@ -4,6 +4,7 @@
 
 #include "exact/trait/side_error.h"
 #include "fuzz/queries/capabilities.h"
+#include "fuzz/search/numbers.h"
 #include "kernel/ask.h"
 
 namespace axiscert {
@@ -60,6 +61,11 @@ template <class Real>
 std::optional<Decimal6> Confirmer<Real>::value(const Aim& aim, const Numbers<Real>& q) {
   if (aim.goal == Goal::missed_contact) return depth(FlipKind::false_separation, q);
   if (aim.goal == Goal::phantom_contact) return depth(FlipKind::false_contact, q);
+  if (aim.goal == Goal::number) {
+    const Reply<Real> reply = ask(implementation_, q);
+    const auto error = number_error(aim, kernel_, q, reply.verdicts[0], reply.measures(0));
+    return error ? std::optional(error->rounded) : std::nullopt;
+  }
   const AimValues* const values = capabilities_of(*kernel_.predicate).aim_values;
   return values == nullptr ? std::nullopt : values->value(aim, kernel_, implementation_, q);
 }

@@ -11,6 +11,7 @@
 
 #include "exact/trait/oracles.h"
 #include "fuzz/queries/query_shape.h"
+#include "fuzz/record/measure_fault.h"
 #include "fuzz/search/moves.h"
 #include "kernel/ask.h"
 #include "kernel/kernel.h"
@@ -35,23 +36,29 @@ enum class Goal : std::uint8_t {
   phantom_contact,
   // The kernel's critical radius relative to the exact distance, in ulps of the latter.
   critical_radius,
+  // The error of a number beside the verdict.
+  number,
 };
 template <>
-inline constexpr std::size_t enum_count<Goal> = 7;
-inline constexpr EnumArray<Goal, std::string_view> goal_names = {
-    "error", "relative_error", "overflow", "underflow", "missed_contact", "phantom_contact", "critical_radius"};
+inline constexpr std::size_t enum_count<Goal> = 8;
+inline constexpr EnumArray<Goal, std::string_view> goal_names = {"error",           "relative_error", "overflow",
+                                                                 "underflow",       "missed_contact", "phantom_contact",
+                                                                 "critical_radius", "number"};
 constexpr bool is_about_a_comparison(Goal goal) { return goal < Goal::missed_contact; }
+constexpr bool is_about_a_verdict(Goal goal) { return goal >= Goal::missed_contact && goal < Goal::number; }
 constexpr bool is_about_range(Goal goal) { return goal == Goal::overflow || goal == Goal::underflow; }
 
 struct Aim {
   Goal goal;
-  std::size_t which = 0;  // the comparison, for the goals about one
+  std::size_t which = 0;  // the comparison, for the goals about one; of a number its MeasureFault
   bool operator==(const Aim&) const = default;
 };
+constexpr MeasureFault fault_of(const Aim& aim) { return static_cast<MeasureFault>(aim.which); }
 
-// "error plane.radius", "missed_contact".
+// "error plane.radius", "missed_contact", "number left".
 inline std::string name(const Aim& aim, const Predicate& predicate) {
   const std::string goal(goal_names[aim.goal]);
+  if (aim.goal == Goal::number) return goal + ' ' + std::string(word(fault_of(aim)));
   return is_about_a_comparison(aim.goal) ? goal + ' ' + std::string(predicate.comparisons[aim.which].name) : goal;
 }
 

@@ -65,6 +65,10 @@ Beginning<Real> first_found(const SearchPlan& plan, const std::vector<Aim>& aims
       if (aim.goal == Goal::phantom_contact || aim.goal == Goal::critical_radius) {
         add(wrong, tally.verdict.deepest_false_contact, source);
       }
+      if (aim.goal == Goal::number) {
+        for (const auto& [size, position] : worst_counted(tally.contacts, fault_of(aim)))
+          wrong.push_back({size, &source, position});
+      }
       if (aim.goal == Goal::error || aim.goal == Goal::relative_error) {
         add(errors, tally.comparisons[aim.which].largest_error, source);
       }
@@ -82,8 +86,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Has to be raised whenever the same plan would give a different result.
-constexpr int search_version = 3;
-constexpr const char* state_format = "axiscert-search-state/3";
+constexpr int search_version = 4;
+constexpr const char* state_format = "axiscert-search-state/4";
 
 // The part of the plan that has to be the same for a search to continue.
 Json search_plan_json(const SearchPlan& plan) {
@@ -102,6 +106,7 @@ Json search_plan_json(const SearchPlan& plan) {
           {"precision", name(plan.precision)},
           {"seed", plan.seed},
           {"comparisons", comparison_names},
+          {"what", plan.what},
           {"families", versions(plan.sources)},
           {"first_queries", plan.first_queries},
           {"first_families", versions(plan.first_sources)}};

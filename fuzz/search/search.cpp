@@ -1,6 +1,7 @@
 #include "fuzz/search/search.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -15,6 +16,7 @@
 #include "fuzz/search/confirm.h"
 #include "fuzz/search/island.h"
 #include "fuzz/search/method.h"
+#include "fuzz/search/numbers.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
@@ -30,11 +32,32 @@ std::vector<Slot> slots_of(const std::vector<Aim>& aims, const SearchMethod& met
   std::vector<Slot> slots;
   for (std::size_t round = 0; round < most_islands; ++round) {
     for (std::size_t i = 0; i < aims.size(); ++i) {
-      const IslandShare share = method.share(aims[i]);
+      const IslandShare share = aims[i].goal == Goal::number ? number_share : method.share(aims[i]);
       if (round < share.islands) slots.push_back({i, share.evaluations});
     }
   }
   return slots;
+}
+
+bool is_asked(const SearchPlan& plan, std::string_view what) {
+  return plan.what.empty() || std::ranges::find(plan.what, what) != plan.what.end();
+}
+
+// With comparisons alone nothing beside them, unless it is named.
+std::vector<Aim> aims_of(const SearchPlan& plan, const SearchMethod& method) {
+  std::vector<Aim> aims;
+  if (is_asked(plan, verdict_word) || !plan.comparisons.empty()) aims = method.aims(*plan.kernel, plan.comparisons);
+  if (plan.what.empty() && !plan.comparisons.empty()) return aims;
+  for (const Aim& aim : number_aims(*plan.kernel)) {
+    if (is_asked(plan, word(fault_of(aim)))) aims.push_back(aim);
+  }
+  return aims;
+}
+
+std::string why_no_aims(const SearchPlan& plan, const SearchMethod& method) {
+  if (is_asked(plan, verdict_word)) return method.why_no_aims(*plan.kernel);
+  return fmt::format("--what {}: the kernel {} gives no such number", fmt::join(plan.what, " --what "),
+                     plan.kernel->id);
 }
 
 // patience: the number of epochs without a gain of a thousandth after which a lineage is abandoned. blending: one in
@@ -74,9 +97,9 @@ class Search {
   explicit Search(const SearchPlan& plan)
       : plan_(plan),
         method_(search_method_of(*plan.kernel->predicate)),
-        aims_(method_.aims(*plan.kernel, plan.comparisons)),
+        aims_(aims_of(plan, method_)),
         slots_(slots_of(aims_, method_)) {
-    if (aims_.empty()) throw Error(method_.why_no_aims(*plan_.kernel));
+    if (aims_.empty()) throw Error(why_no_aims(plan, method_));
     known_.resize(aims_.size());
     looked_at_.resize(aims_.size());
   }
@@ -103,8 +126,8 @@ class Search {
     if (interrupted) return;  // not all of it: a search that is resumed begins again
     begun_ = looked_at;
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
-    const auto guide = make_guide();
     for (std::size_t i = 0; i < aims_.size(); ++i) {
+      const auto guide = make_guide(aims_[i]);
       for (const Numbers<Real>& q : found[i]) {
         if (const auto value = confirmer.value(aims_[i], q)) known_[i].best.put({*value, q});
         Numbers<Real> start = q;
@@ -147,7 +170,8 @@ class Search {
   StoredQuery stored_query(std::string id, const Numbers<Real>& q) const {
     return {std::move(id), plan_.precision, q, plan_.kernel->predicate, plan_.kernel->entry};
   }
-  std::unique_ptr<Guide<Real>> make_guide() const {
+  std::unique_ptr<Guide<Real>> make_guide(const Aim& aim) const {
+    if (aim.goal == Goal::number) return std::make_unique<NumberGuide<Real>>(*plan_.kernel, plan_.target);
     return method_.guide(*plan_.kernel, plan_.target, std::type_identity<Real>());
   }
 
@@ -205,7 +229,7 @@ class Search {
     const Aim& aim = aims_[slot.aim];
     Stream stream(plan_.seed, name_hash("search"), 1, plan_.precision, island);
     Dice random(stream);
-    const auto guide = make_guide();
+    const auto guide = make_guide(aim);
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     const AnswerCounter<Real> counter(*plan_.kernel);
     Island found;
@@ -241,7 +265,7 @@ class Search {
   void share(std::vector<KnownQueries<Real>>& known) const {
     if (std::none_of(aims_.begin(), aims_.end(), [](const Aim& aim) { return is_about_a_comparison(aim.goal); }))
       return;
-    const auto guide = make_guide();
+    const auto guide = make_guide({Goal::error});
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     for (const Goal goal : enumerators<Goal>) {
       if (!is_about_a_comparison(goal)) continue;
@@ -293,7 +317,7 @@ class Search {
       if (is_about_range(aim.goal)) {
         find.range_exponent = method_.exponent(aim.goal, plan_.precision, value.value());
         find.witness.numbers = times_power(query, find.range_exponent);
-      } else if (!is_about_a_comparison(aim.goal)) {
+      } else if (is_about_a_verdict(aim.goal)) {
         find.links = confirmer.examine(query).judgement.verdict_links;
       }
       result.finds.push_back(find);

@@ -18,11 +18,15 @@
 
 namespace axiscert {
 
+inline constexpr std::string_view verdict_word = "verdict";
+
 struct SearchPlan {
   const Kernel* kernel;
   Precision precision = Precision::binary32;
-  std::vector<std::size_t> comparisons;  // of the kernel's predicate; empty: all, and the verdict
-  std::vector<SourcePtr> sources;        // families that islands start from
+  std::vector<std::size_t> comparisons;  // of the kernel's predicate; empty: all, and the verdict and the numbers
+  std::vector<std::string> what =
+      {};  // `verdict_word`, with what a method has beside it, and words of measures' faults; empty: all
+  std::vector<SourcePtr> sources;  // families that islands start from
   std::uint64_t seed = 1;
   // A search without an island so far begins with a run of so many queries of each of these sources, which are not
   // counted as evaluations, and reports nothing less severe than that run found; 0: with none.

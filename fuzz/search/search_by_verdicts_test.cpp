@@ -154,6 +154,7 @@ SearchPlan box_plan(const char* kernel, std::initializer_list<const char*> famil
   for (const char* name : families) plan.sources.push_back(family_source(find_family(name)));
   plan.first_sources = plan.sources;
   plan.first_queries = 30;
+  plan.what = {std::string(verdict_word)};
   plan.seed = boxes_seed;
   plan.evaluations = evaluations;
   plan.target = std::string(scalar_target);

@@ -6,7 +6,7 @@
 
 #include "exact/trait/examine.h"
 #include "exact/trait/oracles.h"
-#include "fuzz/shrink/measure_fault.h"
+#include "fuzz/record/measure_fault.h"
 #include "fuzz/shrink/query_properties.h"
 #include "kernel/ask.h"
 

@@ -69,7 +69,8 @@ std::optional<Decimal6> aim_value(const Aim& aim, const Kernel& kernel, const Im
       return critical_error(kernel, implementation, q);
     case Goal::missed_contact:
     case Goal::phantom_contact:
-      return std::nullopt;  // wrong verdicts, which every predicate has
+    case Goal::number:
+      return std::nullopt;  // which every predicate has
   }
   return std::nullopt;
 }

@@ -168,16 +168,16 @@ LevelFindings judge_separation(const AskedLevel& asked, const Subject& subject) 
     add(tally.missing, "answers without one of their numbers", Consistency::missing);
   });
   for_each_part(subject, &ContactTally::separation, [&](const std::string& family, const SeparationTally& tally) {
-    const double share = tally.largest_error.best(), length = tally.largest_length.best(),
-                 metres = length * metres_of_unit;
+    const double share = tally.worst_share(), length = tally.worst_length(), metres = length * metres_of_unit;
     if ((bound.is_length ? metres : share) <= bound.most) return;
     // Of those that are off by more the record has the worst, and not how many.
-    subject.add_shown(found.failures, family, 1,
-                      fmt::format("the worst separation is off by {}: {} is allowed",
-                                  bound.is_length ? metric_text(metres) : fmt::format("{:.4g} of the scene", share),
-                                  bound.text("of the scene")),
-                      bound.is_length ? fmt::format("largest error of a separation: {:.6g} in length", length)
-                                      : fmt::format("largest error of a separation: {:.6g} of the scene", share));
+    subject.add_shown(
+        found.failures, family, 1,
+        fmt::format("the worst separation is off by {}{}: {} is allowed",
+                    bound.is_length ? metric_text(metres) : fmt::format("{:.4g} of the scene", share),
+                    tally.has_margin() ? " with the margin that is declared" : "", bound.text("of the scene")),
+        bound.is_length ? fmt::format("largest error of a separation: {:.6g} in length", length)
+                        : fmt::format("largest error of a separation: {:.6g} of the scene", share));
   });
   return found;
 }

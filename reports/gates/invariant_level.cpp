@@ -93,7 +93,9 @@ constexpr EnumArray<ImageKind, std::string_view> kind_words = {  // "the same qu
     "moved",
     "from its end to its start",
     "in two parts",
-    "going on twice, four or eight times as far, after a contact"};
+    "going on twice, four or eight times as far, after a contact",
+    "with its bodies exchanged",
+    "with a body turned so that it is the same"};
 
 // The families of the run's predicate that make such images, for a run that has none: those to add, or that were asked
 // too few queries.
@@ -168,7 +170,9 @@ LevelFindings judge_invariant(const AskedLevel& asked, const Subject& subject) {
 
 extern const GateLevel invariant_level = {
     .usage = "invariant=KIND",
-    .meaning = "no verdict that changes with KIND: order, axes, mirror, scale, translation, reversal, split or halving",
+    .meaning =
+        "no verdict that changes with KIND: order, axes, mirror, scale, translation, reversal, split, halving, swap or "
+        "turn",
     .check = [](const AskedLevel& asked) { kind_of(asked); },
     .sentence =
         [](const AskedLevel& asked) {

@@ -141,6 +141,7 @@ std::string Subject::list_of_families() const {
   X(no_flip)                    \
   X(left)                       \
   X(point)                      \
+  X(follows)                    \
   X(no_slack)
 
 namespace axiscert {

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "fuzz/search/method.h"
 #include "fuzz/search/confirm.h"
 #include "reports/instrument/figures.h"
@@ -33,6 +36,7 @@ class SearchReport {
     }
     if (InstrumentTable table = comparison_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
     if (InstrumentTable table = verdict_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
+    if (InstrumentTable table = number_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
     report.tables.push_back(looked_at_table());
     report.data = data();
     return report;
@@ -86,8 +90,14 @@ class SearchReport {
   std::vector<Goal> verdict_goals() const {
     std::vector<Goal> all;
     for (const Aim& aim : result_.aims) {
-      if (!is_about_a_comparison(aim.goal)) all.push_back(aim.goal);
+      if (is_about_a_verdict(aim.goal)) all.push_back(aim.goal);
     }
+    return all;
+  }
+  std::vector<Aim> numbers_asked() const {
+    std::vector<Aim> all;
+    std::ranges::copy_if(result_.aims, std::back_inserter(all),
+                         [](const Aim& aim) { return aim.goal == Goal::number; });
     return all;
   }
 
@@ -143,6 +153,15 @@ class SearchReport {
       const Find* found = find({goal});
       table.rows.push_back({name(Aim{goal}, predicate()), error_cell({goal}), unit(goal),
                             found ? fmt::format("{}", fmt::join(names(found->links), " ")) : ""});
+    }
+    return table;
+  }
+
+  InstrumentTable number_table() const {
+    InstrumentTable table{"Numbers beside the verdict", {"what", "worst", "unit"}, {}};
+    for (const Aim& aim : numbers_asked()) {
+      table.rows.push_back(
+          {std::string(word(fault_of(aim))), error_cell(aim), find(aim) ? std::string(unit_of(fault_of(aim))) : ""});
     }
     return table;
   }
@@ -204,6 +223,8 @@ class SearchReport {
       data.looked_at_by_goal.put(name(result_.aims[i], predicate())) = result_.looked_at[i];
     for (const std::size_t which : comparisons_asked()) data.comparisons.push_back(comparison_data(which));
     data.verdict = verdict_data();
+    for (const Aim& aim : numbers_asked())
+      data.numbers.push_back({word(fault_of(aim)), made_of(find(aim), value_of), made_of(find(aim), witness_of)});
     data.begun_from = {plan_.first_queries, names_of(plan_.first_sources), result_.begun};
     return json_of(data);
   }

@@ -105,6 +105,23 @@ struct VerdictFindsData {
   }
 };
 
+struct NumberFindData {
+  Name what;
+  std::optional<Decimal6> value;
+  std::optional<QueryLine> witness;
+
+  static constexpr auto fields(auto&& visit) {
+    using Of = NumberFindData;
+    return visit(
+        field(&Of::what, {"what", "The error, by the name of the level that is for it: `separation`, `left`."}),
+        field(&Of::value,
+              {"value",
+               "The greatest, rounded up to six digits: an angle in radians, what is left as a share of the depth, a "
+               "length less 1, else a share of the scene; null: none found among the decided queries."}),
+        field(&Of::witness, {"witness", "The query; null where there is none."}));
+  }
+};
+
 struct BegunFromData {
   std::uint64_t queries = 0;
   std::vector<Name> families;
@@ -131,6 +148,7 @@ struct SearchData : DataHead<SearchData> {
   NamedValues<LookedAt> looked_at_by_goal;
   std::vector<ComparisonFindData> comparisons;
   VerdictFindsData verdict;
+  std::vector<NumberFindData> numbers;
   BegunFromData begun_from;
 
   static constexpr std::string_view about =
@@ -161,6 +179,11 @@ struct SearchData : DataHead<SearchData> {
               {"comparisons",
                "The comparisons that were searched, in their order; none where the kernel does not show its sides."}),
         field(&Of::verdict, {"verdict", "The worst wrong verdicts; empty where --comparison was given."}),
+        field(
+            &Of::numbers,
+            {"numbers",
+             "The worst numbers beside verdicts, each that was searched; none where the kernel gives none, of motions, "
+             "and where --comparison was given."}),
         field(&Of::begun_from,
               {"begun_from", "The run from which the search began, and than which it reports nothing less severe."}));
   }

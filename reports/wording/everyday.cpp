@@ -45,7 +45,8 @@ std::string times_text(FamilyGroup group, const GroupResult::Times& times, const
                      amount(times.largest_share, 3));
 }
 
-// Errors of first contacts as a person would see them: times, then "; 259 features wrong; normals up to 139 degrees
+// Errors of contacts as a person would see them: times, or "; separations off by 3.2 mm at most; 2 separations of
+// the wrong sign; no flip", then "; 259 features wrong; normals up to 139 degrees
 // off; points up to 0.2 of the scene off". Normals from one degree on, points from a thousandth of the scene on.
 std::string contacts_text(FamilyGroup group, const GroupResult& result, const LengthUnit* unit) {
   std::string text = times_text(group, result.late, "late", unit) + times_text(group, result.early, "early", unit);
@@ -53,6 +54,13 @@ std::string contacts_text(FamilyGroup group, const GroupResult& result, const Le
   if (result.wrong_features != 0)
     text +=
         fmt::format("; {} feature{} wrong", thousands(result.wrong_features), result.wrong_features == 1 ? "" : "s");
+  if (result.has_separations)
+    text += fmt::format("; separations off by {} at most", length_in(group, result.farthest_separation, unit));
+  if (result.contradictions != 0)
+    text += fmt::format("; {} separation{} of the wrong sign", thousands(result.contradictions),
+                        result.contradictions == 1 ? "" : "s");
+  if (result.flips != 0) text += fmt::format("; {} flip{}", thousands(result.flips), result.flips == 1 ? "" : "s");
+  else if (result.has_pushes) text += "; no flip";
   const double degrees = result.largest_normal_angle * 180 / std::numbers::pi;
   if (degrees >= 1) text += fmt::format("; normals up to {} degrees off", amount(degrees, 3));
   if (result.largest_point_error >= 1e-3)
@@ -129,6 +137,15 @@ GroupResult group_result(const KernelRecord& kernel, FamilyGroup group) {
       out.largest_normal_angle = std::max(out.largest_normal_angle, normal->largest_angle.best());
     if (const auto& point = result.contacts->point)
       out.largest_point_error = std::max(out.largest_point_error, point->largest_error.best());
+    if (const auto& separation = result.contacts->separation; separation && separation->judged != 0) {
+      out.has_separations = true;
+      out.farthest_separation = std::max(out.farthest_separation, separation->worst_length());
+    }
+    if (const auto& numbers = result.contacts->consistency) out.contradictions += numbers->positive + numbers->negative;
+    if (const auto& pushed = result.contacts->pushed; pushed && pushed->judged != 0) {
+      out.has_pushes = true;
+      out.flips += pushed->flips;
+    }
     if (!result.contacts->time) continue;
     out.has_times = true;
     const auto add_times = [](GroupResult::Times& times, std::uint64_t count, const TimeErrors& errors) {

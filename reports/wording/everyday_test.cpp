@@ -97,6 +97,26 @@ TEST(Everyday, SaysWhatElseOfContactsAPersonWouldSee) {
       "the scene off");
 }
 
+TEST(Everyday, SaysTheWorstSeparationInMetresAndFlips) {
+  FamilyRecord family = family_of(0, 0, 0, 0);
+  ContactTally& numbers = family.contacts.emplace();
+  numbers.time.reset();
+  const auto said = [&] { return first_sentences(kernel_of({{"scene-walk", family}}), PlanRecord()).front(); };
+  numbers.separation->judged = numbers.pushed->judged = 900;
+  EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict; separations off by 0 m at most; no flip");
+  numbers.separation->less_margin.reset();
+  numbers.separation->largest_length.offer({0.0032, 0});
+  numbers.separation->largest_error.offer({0.01, 0});
+  numbers.consistency->positive = 2;
+  numbers.pushed->flips = 4;
+  EXPECT_EQ(said(),
+            "1,000 everyday scenes: no wrong verdict; separations off by 3.2 mm at most; 2 separations of the "
+            "wrong sign; 4 flips");
+  numbers.separation->less_margin.emplace().largest_length.offer({0.001, 0});
+  numbers.separation->less_margin->largest_error.offer({0.003, 0});
+  EXPECT_THAT(said(), testing::HasSubstr("; separations off by 1 mm at most;"));
+}
+
 TEST(Everyday, SaysNothingOfAGroupThatWasNotAsked) {
   EXPECT_TRUE(first_sentences(KernelRecord(), PlanRecord()).empty());
   FamilyRecord none = family_of(0, 0, 0, 0);

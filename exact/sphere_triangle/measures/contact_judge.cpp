@@ -148,7 +148,10 @@ template <class Real>
 void SphereTriangleJudge<Real>::judge_separation(Verdict said, double given, ContactJudgement& out) const {
   if (said == Verdict::contact && given > 0) out.consistency = Consistency::positive;
   if (said == Verdict::separated && given < 0) out.consistency = Consistency::negative;
-  if (sgn(scene_) != 0) out.separation = separation_error<Real>(given, dd_, r_, scene_);
+  if (sgn(scene_) == 0) return;
+  out.separation = separation_error<Real>(given, dd_, r_, scene_);
+  if (sgn(margin_) != 0)
+    out.separation_less_margin = separation_error<Real>(given, dd_, Rational(r_ + margin_), scene_);
 }
 
 template <class Real>
@@ -222,6 +225,11 @@ ContactPlace SphereTriangleJudge<Real>::place() const {
   out.from_a = rounded(point_ - vertex_[0]);
   if (sgn(dd_) != 0) out.normal = unit_vector(away_);
   return out;
+}
+
+template <class Real>
+double SphereTriangleJudge<Real>::scene() const {
+  return nearest_sqrt<double>(scene_);
 }
 
 template class SphereTriangleJudge<float>;

@@ -21,6 +21,7 @@ class SphereTriangleJudge final : public ContactJudge {
 
   ContactJudgement judge(Verdict said, std::span<const double> measures) override;
   ContactPlace place() const override;
+  double scene() const override;
 
  private:
   void judge_separation(Verdict said, double given, ContactJudgement& out) const;

@@ -3,6 +3,8 @@
 #include "fuzz/boxes/families/clear.h"
 
 namespace axiscert::boxes {
+
+extern const std::array<ImageGroup, 2> symmetric_groups;  // symmetric.cpp
 namespace {
 
 constexpr int box_attempts = 24;
@@ -252,7 +254,8 @@ namespace axiscert {
 
 std::span<const ImageGroup* const> box_box_image_groups() {
   static const ImageGroup* const all[] = {&boxes::unit_groups_of_boxes[0], &boxes::unit_groups_of_boxes[1],
-                                          &boxes::unit_groups_of_boxes[2], &boxes::unit_groups_of_boxes[3]};
+                                          &boxes::unit_groups_of_boxes[2], &boxes::unit_groups_of_boxes[3],
+                                          &boxes::symmetric_groups[0],     &boxes::symmetric_groups[1]};
   return all;
 }
 

@@ -29,6 +29,8 @@
   X(spans)                       \
   X(plates)                      \
   X(aligned)                     \
+  X(coincident)                  \
+  X(symmetric)                   \
   X(general_turned)              \
   X(lattice_turned)              \
   X(tangent_turned)              \
@@ -48,6 +50,8 @@
   X(spans_turned)                \
   X(plates_turned)               \
   X(aligned_turned)              \
+  X(coincident_turned)           \
+  X(symmetric_turned)            \
   X(lengths_turned)              \
   X(slight_turned)               \
   X(general_minmax)              \

@@ -19,11 +19,14 @@
   X(ratio)                   \
   X(on)                      \
   X(grid)                    \
+  X(sunken)                  \
   X(bits)                    \
   X(subnormal)               \
   X(nonfinite)               \
   X(scene_walk)              \
   X(scene_edge)              \
+  X(patch)                   \
+  X(extents)                 \
   X(corners)                 \
   X(slender)                 \
   X(orders)                  \

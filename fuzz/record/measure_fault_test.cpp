@@ -1,5 +1,5 @@
 // What is wrong with the numbers beside a contact, by its kind and size.
-#include "fuzz/shrink/measure_fault.h"
+#include "fuzz/record/measure_fault.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,65 @@
+#include "fuzz/search/numbers.h"
+
+#include "exact/trait/oracles.h"
+#include "fuzz/search/moves.h"
+
+namespace axiscert {
+
+std::vector<Aim> number_aims(const Kernel& kernel) {
+  std::vector<Aim> aims;
+  if (is_of_motions(*kernel.predicate)) return aims;
+  for (const MeasureFault which : enumerators<MeasureFault>) {
+    // A flip is one of what is left.
+    const bool has_size = which != MeasureFault::inconsistent && which != MeasureFault::flip;
+    const bool is_of_points = which == MeasureFault::points;
+    if (has_size &&
+        gives_measure(*kernel.predicate, kernel.measure_count, is_of_points ? MeasureKind::point_b : measure_of(which)))
+      aims.push_back({Goal::number, static_cast<std::size_t>(which)});
+  }
+  return aims;
+}
+
+template <class Real>
+std::optional<MeasureError> number_error(const Aim& aim, const Kernel& kernel, const Numbers<Real>& q, Verdict said,
+                                         std::span<const double> measures) {
+  const Oracles& oracles = oracles_of(kernel);
+  if (!oracles.is_valid(q) || !is_promised(kernel, q)) return std::nullopt;
+  if (!has_judged_contact(kernel, said, [&] { return oracles.truth(q); })) return std::nullopt;
+  const std::unique_ptr<ContactJudge> judge = oracles.contact_judge(q);
+  if (judge == nullptr) return std::nullopt;
+  judge->declare_margin(kernel.limits.margin);
+  return measure_error(judge->judge(said, measures), fault_of(aim));
+}
+template std::optional<MeasureError> number_error(const Aim&, const Kernel&, const Numbers<float>&, Verdict,
+                                                  std::span<const double>);
+template std::optional<MeasureError> number_error(const Aim&, const Kernel&, const Numbers<double>&, Verdict,
+                                                  std::span<const double>);
+
+template <class Real>
+NumberGuide<Real>::NumberGuide(const Kernel& kernel, std::string_view target)
+    : Guide<Real>(shape_of(kernel.predicate->entries[kernel.entry])),
+      kernel_(kernel),
+      implementation_(kernel.on<Real>(target)) {}
+
+template <class Real>
+void NumberGuide<Real>::settle(Numbers<Real>& q) const {
+  axiscert::settle(this->shape(), q);
+}
+
+template <class Real>
+void NumberGuide<Real>::evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores,
+                                 std::vector<Verdict>& said) {
+  Reply<Real> reply;
+  ask(implementation_, batch.columns(), reply);
+  scores.assign(batch.size(), 0);
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const auto error = number_error(aim, kernel_, batch[i], reply.verdicts[i], reply.measures(i));
+    if (error) scores[i] = error->size;
+  }
+  said = reply.verdicts;
+}
+
+template class NumberGuide<float>;
+template class NumberGuide<double>;
+
+}  // namespace axiscert
