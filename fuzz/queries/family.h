@@ -73,7 +73,7 @@ struct Family {
   // About how many times as long as a query of `general` one of these takes in binary64, where that is ten times or
   // more. `axiscert families` shows it, and ./dev exhaust asks fewer of what it shows there.
   int cost = 1;
-  // Divides the number of queries in binary64 of a run that is given none (cli/options/run_options.cpp).
+  // Divides the number of queries in binary64 of a run that is given none (plans/run_plan.cpp).
   int trial_divisor = 1;
   // What a wrong verdict on it says to a user; null in a predicate whose wrong verdicts have the class of their input
   // instead.

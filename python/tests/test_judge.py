@@ -107,9 +107,8 @@ def test_a_function_of_any_predicate(family):
         return ax.truth(q, threads=1).verdict
 
     kernel = ax.kernel(right, name="right", predicate=described["predicate"], entry=described["entry"])
-    record = ax.judge(kernel, family=family, trials=20, require="conservative", precision="binary32")
-    assert record.met, record
-    assert sum(one["phantom"] for one in record.summary()) == 0
+    record = ax.judge(kernel, family=family, trials=20, precision="binary32")
+    assert [(one["trials"], one["missed"], one["phantom"]) for one in record.summary()] == [(20, 0, 0)]
 
 
 @pytest.mark.quick
