@@ -10,6 +10,7 @@ which is vertical, and what differs from it: lengths and angles in it are to sca
 """
 import io
 import json
+import re
 import subprocess
 import sys
 import tempfile
@@ -19,7 +20,7 @@ from pathlib import Path
 import matplotlib
 
 matplotlib.use("svg")
-matplotlib.rcParams.update({"svg.hashsalt": "axiscert", "svg.fonttype": "none", "font.size": 8})
+matplotlib.rcParams.update({"svg.hashsalt": "axiscert", "svg.fonttype": "none", "font.size": 8, "font.sans-serif": ["DejaVu Sans"]})
 import matplotlib.pyplot as plt
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -112,8 +113,8 @@ def draw(axes, line):
     if any(panel.nearest):
         arrow(near, (0, 1), "#14632d")
     axes.plot(*near, marker="o", markersize=3.5, color="#14632d")
-    if line["kind"] == "separation":
-        axes.add_patch(plt.Circle((0, 0), max(panel.separation + panel.r, 0), fill=False, edgecolor="#a8201a", linestyle=":", linewidth=1.3))
+    if line["kind"] == "separation" and panel.separation + panel.r > 0:
+        axes.add_patch(plt.Circle((0, 0), panel.separation + panel.r, fill=False, edgecolor="#a8201a", linestyle=":", linewidth=1.3))
     if line["kind"] in ("left", "normal") and Panel.has(panel.normal):
         arrow(near, unit(flat(panel.normal)), "#a8201a")
     if panel.point and line["kind"] == "point":
@@ -123,8 +124,9 @@ def draw(axes, line):
     axes.set_title(line["kernel"].removeprefix("peer/"), fontsize=8)
     axes.set_xlabel(shown[line["kind"]].format(size), fontsize=7)
     axes.set(aspect="equal", xticks=[], yticks=[], xlim=(-1.15, 1.15), ylim=(-1.15, 1.15))
-    for side in axes.spines.values():
-        side.set_visible(False)
+    axes.set_frame_on(False)
+    for drawn in [*axes.patches, *axes.lines]:
+        drawn.set_clip_on(False)
 
 
 def made():
@@ -140,7 +142,10 @@ def made():
     figure.tight_layout(h_pad=2)
     written = io.StringIO()
     figure.savefig(written, metadata={"Date": None})
-    return written.getvalue()
+    # A tenth of a point is enough, and names are of what is referred to.
+    tenths = lambda tag: re.sub(r"\d+\.\d{2,}", lambda number: f"{float(number[0]):.1f}", tag[0])
+    text = re.sub(r"<metadata>.*</metadata>|<!--.*?-->|(?<=<g) id=\"[^\"]*\"", "", re.sub("<[^>]*>", tenths, written.getvalue()), flags=re.DOTALL)
+    return "".join(line.lstrip() + "\n" for line in text.splitlines() if line.strip())
 
 
 if __name__ == "__main__":
