@@ -67,9 +67,10 @@ Kernel eigen(std::string id, std::string summary) {
 }
 
 constexpr std::string_view certified_proof =
-    "of binary32, and of binary64 where the numbers are multiples of one power of two by integers of at most 126 bits: "
-    "that the verdict is right, by Coq (certified_is_exact_within_286_bits, certified_is_exact_binary32), of margins, "
-    "verdict and sizes of integers recorded from the code, if the signs told by the steps before are right. Coq proves "
+    "where the query is of binary32, or of binary64 with numbers that are multiples of one power of two by integers "
+    "of at most 126 bits: that the verdict is right, by Coq (certified_is_exact_within_286_bits, "
+    "certified_is_exact_binary32), of margins, verdict and sizes of integers recorded from the code, if the signs told "
+    "by the steps before are right. Coq proves "
     "the latter of the coarse step (coarse_known_is_sound64). Of the fine step it proves, where nothing underflows, "
     "that margins are within their bounds (fine_is_near); the signs, the deep step and balls are argued and tested, "
     "and so are wider numbers. docs/proofs.md#the-certified-predicate-step-by-step has what is trusted besides";
