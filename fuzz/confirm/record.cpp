@@ -120,8 +120,7 @@ Tally measured(Tally tally, const Kernel& kernel, const Tolerances& tolerances) 
   if (has_reference(kernel)) tally.verdict.clear.reset();
   if (!oracles_of(predicate).has_depth()) tally.verdict.depths.reset();
   if (!capabilities_of(predicate).has_engine_queries) tally.verdict.engine.reset();
-  tally.contacts =
-      given_contacts(std::move(tally.contacts), predicate, kernel.measure_count, kernel.limits.margin != 0);
+  tally.contacts = given_contacts(std::move(tally.contacts), predicate, kernel.measure_count);
   return tally;
 }
 

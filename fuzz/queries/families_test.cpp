@@ -224,7 +224,7 @@ TYPED_TEST(FamilySizes, NonfiniteReachesEveryPlaceAndLeavesSomeValid) {
 TEST(Families, AreOfOnePredicateEachAndAreNamedAfterItUnlessItIsTheFirst) {
   std::size_t sum = 0;
   for (const Predicate* predicate : predicates()) {
-    for (const Family* family : families_of(*predicate)) {
+    for (const Family* family : all_families_of(*predicate)) {
       const bool is_of_first = predicate == &sphere_triangle_predicate();
       EXPECT_EQ(family->name.starts_with(std::string(predicate->id) + "/"), !is_of_first) << family->name;
       ASSERT_LT(family->entry, predicate->entries.size()) << family->name;

@@ -135,9 +135,13 @@ void count_contact(ContactTally& tally, std::uint64_t position, const ContactJud
   if (judgement.time) count_time(*tally.time, position, judgement);
   if (judgement.consistency) count_consistency(*tally.consistency, position, *judgement.consistency);
   if (judgement.separation) count_separation(*tally.separation, position, *judgement.separation);
-  if (const auto& less = judgement.separation_less_margin; less && less->share != 0) {
-    tally.separation->less_margin->largest_error.offer({less->share, position});
-    tally.separation->less_margin->largest_length.offer({less->length, position});
+  if (const auto& less = judgement.separation_less_margin) {
+    auto& found = tally.separation->less_margin;
+    if (!found) found.emplace();
+    if (less->share != 0) {
+      found->largest_error.offer({less->share, position});
+      found->largest_length.offer({less->length, position});
+    }
   }
   if (judgement.feature_is_right) count_feature(*tally.feature, position, judgement);
   if (judgement.normal_angle) {
@@ -157,8 +161,7 @@ void count_contact(ContactTally& tally, std::uint64_t position, const ContactJud
   if (judgement.lacks_point) ++tally.point->none;
 }
 
-ContactTally given_contacts(ContactTally tally, const Predicate& predicate, std::size_t measure_count,
-                            bool has_margin) {
+ContactTally given_contacts(ContactTally tally, const Predicate& predicate, std::size_t measure_count) {
   const auto gives = [&](MeasureKind kind) { return gives_measure(predicate, measure_count, kind); };
   const bool moves = is_of_motions(predicate), has_pair = gives(MeasureKind::point_a) && gives(MeasureKind::point_b);
   if (!moves) tally.missed.reset();
@@ -166,8 +169,6 @@ ContactTally given_contacts(ContactTally tally, const Predicate& predicate, std:
   if (!gives(MeasureKind::separation)) {
     tally.consistency.reset();
     tally.separation.reset();
-  } else if (!has_margin) {
-    tally.separation->less_margin.reset();
   }
   if (!gives(MeasureKind::feature)) tally.feature.reset();
   if (!gives(MeasureKind::normal)) tally.normal.reset();

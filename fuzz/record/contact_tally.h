@@ -119,9 +119,9 @@ struct LessMarginTally {
   Leaders<double> largest_error, largest_length;
 
   static constexpr std::string_view about =
-      "The same separations against the exact ones less the margin that the kernel declares: as a kernel gives them "
-      "that "
-      "adds it to its bodies. It is judged by the lesser of the two greatest errors. Absent where it declares none.";
+      "The same separations against the exact ones less the margin that the kernel declares: so gives them a kernel "
+      "that adds it to its bodies. It is judged by the lesser of the two greatest errors. Absent where it declares "
+      "none.";
   static constexpr auto fields(auto&& visit) {
     using Of = LessMarginTally;
     return visit(
@@ -136,7 +136,7 @@ struct SeparationTally {
   DecadeCounts by_decade{};
   Leaders<double> largest_error, largest_length;
   Leaders<Decimal6> largest_ulps, largest_in_u;
-  std::optional<LessMarginTally> less_margin = LessMarginTally();
+  std::optional<LessMarginTally> less_margin;
 
   // The greatest errors that it is judged by.
   bool has_margin() const { return less_margin && less_margin->largest_error.best() < largest_error.best(); }
@@ -292,9 +292,7 @@ struct ContactTally {
 };
 
 void count_contact(ContactTally& tally, std::uint64_t position, const ContactJudgement& judgement);
-// Without the parts that a kernel of the predicate does not give, with so many of its measures, and what is only of one
-// with a margin.
-ContactTally given_contacts(ContactTally tally, const Predicate& predicate, std::size_t measure_count,
-                            bool has_margin = false);
+// Without the parts that a kernel of the predicate does not give, with so many of its measures.
+ContactTally given_contacts(ContactTally tally, const Predicate& predicate, std::size_t measure_count);
 
 }  // namespace axiscert

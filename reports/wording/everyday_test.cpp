@@ -104,7 +104,6 @@ TEST(Everyday, SaysTheWorstSeparationInMetresAndFlips) {
   const auto said = [&] { return first_sentences(kernel_of({{"scene-walk", family}}), PlanRecord()).front(); };
   numbers.separation->judged = numbers.pushed->judged = 900;
   EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict; separations off by 0 m at most; no flip");
-  numbers.separation->less_margin.reset();
   numbers.separation->largest_length.offer({0.0032, 0});
   numbers.separation->largest_error.offer({0.01, 0});
   numbers.consistency->positive = 2;
