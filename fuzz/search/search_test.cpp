@@ -120,7 +120,9 @@ TEST(Search, EveryWitnessShowsWhatIsSaidOfIt) {
 }
 
 TEST(Search, KernelsThatShowOnlyVerdictsHaveVerdictsToHunt) {
-  const SearchResult result = found_by(plan_of("minkowski", {}, 60'000));
+  SearchPlan plan = plan_of("minkowski", {}, 60'000);
+  plan.what = {std::string(verdict_word)};
+  const SearchResult result = found_by(plan);
   EXPECT_EQ(result.aims.size(), 3u);
   EXPECT_TRUE(find(result, {Goal::critical_radius}));
 }
