@@ -15,10 +15,10 @@ class NumbersCertified(CertifyCase):
     def test_a_certificate_is_of_the_numbers_too(self):
         kernel = built(self.folder, "mine")
         good = self.levels_of(kernel, "good")
-        bad = self.levels_of(built(self.folder, "changed", "*separation *= 1.02F"), "bad")
-        self.assertEqual({name for name, state in good.items() if bad.get(name) != state and state == "met"}, {"separation=0.001"}, f"{good}\n{bad}")
+        bad = self.levels_of(built(self.folder, "changed", "*feature = 6"), "bad")
+        self.assertEqual({name for name, state in good.items() if bad.get(name) != state and state == "met"}, {"feature=0.001"}, f"{good}\n{bad}")
         self.verify(self.folder_of("good") / "certificate.json", "--kernel", kernel)
-        self.verify(self.folder_of("good") / "certificate.json", "--kernel", built(self.folder, "mine", "*separation *= 1.02F"), code=1)
+        self.verify(self.folder_of("good") / "certificate.json", "--kernel", built(self.folder, "mine", "*feature = 6"), code=1)
 
 
 if __name__ == "__main__":
