@@ -16,21 +16,11 @@ void expect_within_bounds(const Source& source, std::size_t size, axiscert_quest
   source.fill(7, 0, size, batch);
   std::array<const Real*, coordinate_count> columns;
   std::copy_n(batch.columns().column.begin(), coordinate_count, columns.begin());
-  std::vector<std::uint8_t> verdict(size), feature(size), has_normal(size);
-  std::array<std::vector<Real>, 7> n;
-  for (auto& column : n) column.resize(size);
-  certified::contact_pairs(columns, size, question,
-                           {verdict.data(),
-                            feature.data(),
-                            has_normal.data(),
-                            n[0].data(),
-                            {n[1].data(), n[2].data(), n[3].data()},
-                            {n[4].data(), n[5].data(), n[6].data()}});
+  const auto all = testing_support::contacts_said<Real>(columns, size, question);
   for (std::size_t i = 0; i < size; ++i) {
     std::array<double, 13> q;
     for (std::size_t k = 0; k < 13; ++k) q[k] = columns[k][i];
-    const testing_support::ContactSaid said{
-        verdict[i], feature[i], has_normal[i], n[0][i], {n[1][i], n[2][i], n[3][i]}, {n[4][i], n[5][i], n[6][i]}};
+    const testing_support::ContactSaid& said = all[i];
     ASSERT_EQ(testing_support::what_is_wrong<Real>(q, question == AXISCERT_OPEN_SPHERE, said), "")
         << source.name() << ", query " << i << ", question " << question << ": " << testing::PrintToString(q);
   }

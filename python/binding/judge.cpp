@@ -111,12 +111,6 @@ void bind_judge(py::module_& m) {
           },
           py::call_guard<py::gil_scoped_release>());
   m.def("judge", &judge);
-  m.def("resolve_families", [](const py::dict& given) {
-    std::vector<std::string> names;
-    for (const SourcePtr& source : plan_of(with_preset(run_options(given))).questions.sources)
-      names.push_back(source->name());
-    return names;
-  });
   m.def("take_notices", [] {
     const std::lock_guard lock(notices_mutex);
     return std::exchange(notices, {});

@@ -15,7 +15,6 @@ def judged_by_command(command, tmp_path, *words, code=0):
     return (tmp_path / "command" / "record.json").read_bytes()
 
 
-@pytest.mark.quick
 @pytest.mark.parametrize("kernels, family", [
     (["published", "certified"], ["tangent", "sliver"]),
     (["moving-sphere/static-ends"], None),
@@ -111,7 +110,6 @@ def test_a_function_of_any_predicate(family):
     assert [(one["trials"], one["missed"], one["phantom"]) for one in record.summary()] == [(20, 0, 0)]
 
 
-@pytest.mark.quick
 def test_a_numpy_kernel_is_found_wrong():
     record = ax.judge(nearest_point_test, family="sliver", trials=2000, precision="binary32")
     assert record.summary()[0]["missed"] + record.summary()[0]["phantom"] > 0

@@ -18,7 +18,6 @@ def test_the_queries_are_those_of_the_command(family, precision, command):
     assert q.lines().splitlines() == lines
 
 
-@pytest.mark.quick
 def test_a_part_of_a_family_is_where_the_whole_has_it():
     whole, part = ax.generate("sliver", 3000), ax.generate("sliver", 1000, first=1500, threads=3)
     assert np.array_equal(whole.numbers[:, 1500:2500], part.numbers)
@@ -78,7 +77,6 @@ def test_numbers_of_another_shape_or_type(numbers, said):
         ax.Queries("sphere-triangle", numbers)
 
 
-@pytest.mark.quick
 def test_arrays_in_any_order_of_memory_are_the_same_queries():
     q = ax.generate("general", 100)
     expected = ax.truth(q).verdict

@@ -92,7 +92,6 @@ def test_signs_are_those_of_exact_formulae(command, tmp_path):
         ax.truth(q).signs("closest-point")
 
 
-@pytest.mark.quick
 def test_what_is_no_query_has_no_answers():
     numbers = ax.generate("general", 6).numbers.copy()
     numbers[0, 0], numbers[12, 1], numbers[3, 2] = np.nan, -1, np.inf

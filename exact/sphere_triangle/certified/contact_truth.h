@@ -10,17 +10,43 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
+
+#include "kernel/include/axiscert/contact.hpp"
 
 namespace axiscert::testing_support {
 
-// What the library says of one query.
+// The library's answer to one query.
 struct ContactSaid {
   int verdict, feature, has_normal;
   double separation;
   std::array<double, 3> normal, point;
 };
+
+// The library's answers to `size` queries, which are columns of their 13 numbers.
+template <class Real>
+std::vector<ContactSaid> contacts_said(const std::array<const Real*, 13>& columns, std::size_t size,
+                                       axiscert_question question) {
+  std::vector<std::uint8_t> verdict(size), feature(size), has_normal(size);
+  std::array<std::vector<Real>, 7> n;
+  for (auto& column : n) column.resize(size);
+  certified::contact_pairs(columns, size, question,
+                           {verdict.data(),
+                            feature.data(),
+                            has_normal.data(),
+                            n[0].data(),
+                            {n[1].data(), n[2].data(), n[3].data()},
+                            {n[4].data(), n[5].data(), n[6].data()}});
+  std::vector<ContactSaid> said;
+  for (std::size_t i = 0; i < size; ++i) {
+    said.push_back(
+        {verdict[i], feature[i], has_normal[i], n[0][i], {n[1][i], n[2][i], n[3][i]}, {n[4][i], n[5][i], n[6][i]}});
+  }
+  return said;
+}
 
 // The bounds of kernel/include/axiscert/contact.h.
 template <class Real>
