@@ -20,8 +20,7 @@ class Texts(unittest.TestCase):
     def test_each_fault_is_the_subject_of_one_text(self):
         faults = asking.faults() + asking.contact_faults()
         subjects = [(predicate, text) for text in TEXTS.values()
-                    for predicate in re.findall("`([a-z-]+)`", re.search(r"; (?:tests?|shader) (.*)\.
-", text)[1])]
+                    for predicate in re.findall("`([a-z-]+)`", re.search(r"; (?:tests?|shader) (.*)\.\n", text)[1])]
         self.assertEqual(sorted(predicate for predicate, _ in subjects), sorted(line["id"] for line in faults))
         for line in faults:
             version = f"{line['engine']['package']} {line['engine']['version']}"
