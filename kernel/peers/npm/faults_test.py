@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The known faults of the engines, each asked of the engine itself through the pipe: PREDICATE/faults.jsonl. A line is a query with the
-exact answer (`expected`) and the engine's own (`engine`); `found` is the address that it was shrunk from. An engine that answers otherwise has changed: its line, docs/league.md and docs/upstream have to follow. With a path of
+exact answer (`expected`) and the engine's own (`engine`); `found` is the address that it was shrunk from. An engine that answers otherwise has changed: its line and docs/upstream have to follow. With a path of
 axiscert, `axiscert check` has to say the same of each, and `shrink` to make the same of what was found. Where the engines are not
 installed nothing is checked: exit code 77.
 
