@@ -26,8 +26,7 @@ import exact  # noqa: E402
 
 # ---- docs/moving.md
 
-SWEEPS = ("general huge_d", "graze touch_end touch_start seam_time overlap_ulp", "slide skim along_edge", "approach", "tiny_d zero_d",
-          "line_sweep repeated_sweep", "point", "lattice")
+SWEEPS = ("general huge_d", "approach", "line_sweep repeated_sweep")
 
 
 def sweeps(commands, old):
@@ -54,7 +53,7 @@ def sweeps(commands, old):
 
 
 START_FAMILIES = "general overlap_ulp lattice zero_d tiny_d slide along_edge line_sweep".split()
-STARTS = ("still", "leaves", "neither", "approaches", "parallel")
+STARTS = ("still", "leaves", "approaches", "parallel")
 
 
 def start_of(query, answer):
@@ -66,7 +65,7 @@ def start_of(query, answer):
         if not any(way):
             return "still"
         now, then = (exact.squared_distance([*sum(points, []), *(p + time * d for p, d in zip(centre, way))]) for time in (Fraction(0), Fraction(1, 2 ** 60)))
-        return "leaves" if then > now else "approaches" if then < now else "neither"
+        return "leaves" if then > now else "approaches" if then < now else None
     normal = exact.cross(exact.minus(points[1], points[0]), exact.minus(points[2], points[0]))
     is_parallel = any(normal) and any(way) and exact.dot(normal, way) == 0
     return "parallel" if is_parallel and answer["start"] == "clear" and not answer["touching"] else None
@@ -107,111 +106,47 @@ def rapier_times(commands, old):
         return old
 
     def row(line):
-        family, queries = (cell.strip("`").replace(",", "") for cell in cells_of(line)[:2])
-        record = commands.run("--kernel", kernel, "--family", f"moving-sphere/{family}", "--trials", queries, "--precision", "binary32", "--shrink", "0")[1]
+        family = cells_of(line)[0].strip("`")
+        record = commands.run("--kernel", kernel, "--family", f"moving-sphere/{family}", "--trials", "2000", "--precision", "binary32", "--shrink", "0")[1]
         (time,) = (found["contacts"]["time"] for found in record["kernels"][0]["families"].values())
-        return row_of([*cells_of(line)[:2], *(short(time[kind]["largest_share"]) for kind in ("early_errors", "late_errors"))])
+        return row_of([cells_of(line)[0], *(short(time[kind]["largest_share"]) for kind in ("early_errors", "late_errors"))])
 
     lines = old.splitlines(keepends=True)
     return "".join(lines[:2]) + "".join(map(row, lines[2:]))
 
 
-ENDS_KERNELS = "ends-twenty ends-twenty-nonstrict ends-difference ends-rounded".split()
-ENDS = ("ends_general ends_huge", "ends_graze ends_touch", "ends_slide ends_along", "ends_approach", "ends_still", "ends_line", "ends_point",
-        "ends_lattice", "ends_walk")
-
-
-def ends(commands, old):
-    record = commands.run(*options("--kernel", ["moving-sphere/" + name for name in ENDS_KERNELS]), "--trials", "1000", "--precision", "binary32")[1]
-
-    def row(kernel):
-        families = {family.split("/")[-1]: result["verdict"] for family, result in kernel["families"].items()}
-        return [f"`{kernel['id'].split('/')[-1]}`", *(" / ".join(f"{sum(families[family][kind] for family in group.split()):,}"
-                                                               for kind in ("false_separation", "false_contact")) for group in ENDS)]
-
-    return with_rows(old, map(row, record["kernels"]))
-
-
 # ---- docs/boxes.md
 
-BOX_KERNELS = "projected columns dropped framed textbook rtcd gottschalk bullet cofactor".split()
-BOX_FAMILIES = "general tangent stacked resting level crossed parallel thin flat".split()
+BOX_KERNELS = "textbook rtcd gottschalk bullet projected cofactor".split()
+BOX_FAMILIES = "resting crossed parallel ramp beams corridor".split()
 BOX_PEERS = "ode ode-unimportant ode-touches fcl fcl-obb bullet libccd-gjk libccd-mpr mujoco dart".split()
-BOX_PEER_FAMILIES = "lattice tangent resting level crossed parallel flat".split()
+BOX_PEER_FAMILIES = "lattice resting crossed parallel flat".split()
 
 
-def box_verdicts(commands, kernels, families, trials):
-    """The verdicts of a run by kernel and family, in the order of both."""
-    record = commands.run(*options("--kernel", kernels), *options("--family", families), "--trials", trials, "--precision", "binary32")[1]
-    found = {kernel["id"]: kernel["families"] for kernel in record["kernels"]}
-    return [[found[kernel][family]["verdict"] for family in families] for kernel in kernels]
-
-
-def count_and_depth(verdict, kind):
-    return f"{verdict[kind]} ({short(verdict['deepest_' + kind])})" if verdict[kind] else "0"
-
-
-def by_family(families, verdicts, kind):
+def missed_and_phantom(verdict):
     """What was declined follows where there was some."""
 
-    def cell(verdict):
-        return count_and_depth(verdict, kind) + (f" / {verdict['undecided']}" if verdict["undecided"] else "")
+    def count_and_depth(kind):
+        return f"{verdict[kind]} ({short(verdict['deepest_' + kind])})" if verdict[kind] else "0"
 
-    return [[f"`{family}`", *(cell(of_kernel[i]) for of_kernel in verdicts)] for i, family in enumerate(families)]
-
-
-def box_forms(commands):
-    return box_verdicts(commands, tuple(f"box-box/{k}" for k in BOX_KERNELS), tuple(f"box-box/{f}" for f in BOX_FAMILIES), "2500")
+    declined = f" / {verdict['undecided']}" if verdict["undecided"] else ""
+    return f"{count_and_depth('false_separation')} / {count_and_depth('false_contact')}{declined}"
 
 
-def box_misses(commands, old):
-    return with_rows(old, by_family(BOX_FAMILIES, box_forms(commands), "false_separation"))
+def by_kernel(predicate, prefix, kernels, families, trials):
+    """A row for each kernel, a column for each family."""
 
-
-def box_phantoms(commands, old):
-    crossed = [verdicts[BOX_FAMILIES.index("crossed")] for verdicts in box_forms(commands)]
-    return with_rows(old, [[f"`{kernel}`", str(v["false_contact"]), short(v["deepest_false_contact"])] for kernel, v in zip(BOX_KERNELS, crossed)])
-
-
-def box_peers(kind):
     def table(commands, old):
-        verdicts = box_verdicts(commands, tuple(f"box-box/peer/{k}" for k in BOX_PEERS), tuple(f"box-box/{f}" for f in BOX_PEER_FAMILIES), "300")
-        return with_rows(old, by_family(BOX_PEER_FAMILIES, verdicts, kind))
+        ids, names = ([f"{predicate}/{part}{one}" for one in all] for part, all in ((prefix, kernels), ("", families)))
+        record = commands.run(*options("--kernel", ids), *options("--family", names), "--trials", trials, "--precision", "binary32")[1]
+        found = {kernel["id"]: kernel["families"] for kernel in record["kernels"]}
+        return with_rows(old, [[f"`{kernel}`", *(missed_and_phantom(found[id][name]["verdict"]) for name in names)] for kernel, id in zip(kernels, ids)])
 
     return table
 
 
-def box_axes(commands, old):
-    """Wrong verdicts by link, and wrong signs of the facets' axes and of the edges'."""
-    rows = []
-    for suffix, family in (("", "resting"), ("-turned", "resting_turned")):
-        kernels = tuple(f"box-box/{k}{suffix}" for k in ("textbook", "cofactor"))
-        record = commands.run(*options("--kernel", kernels), "--family", f"box-box/{family}", "--trials", "2500", "--precision", "binary32")[1]
-        for kernel in record["kernels"]:
-            found = kernel["families"][f"box-box/{family}"]
-            counts = [found["verdict"]["links"][link] for link in ("specification", "rounding")]
-            counts += [sum(axis["links"]["rounding"] for name, axis in found["axes"].items() if (len(name) == 2) == of_facets)
-                       for of_facets in (True, False)]
-            rows.append([f"`{kernel['id'].split('/')[1]}`", *map(str, counts)])
-    return with_rows(old, rows)
-
-
-def box_everyday(commands, old):
-    kernels = "projected textbook rtcd gottschalk bullet cofactor peer/ode peer/fcl-obb peer/bullet".split()
-    families = tuple(f"box-box/{f}" for f in "stack pile ramp beams corridor".split())
-    verdicts = box_verdicts(commands, tuple(f"box-box/{k}" for k in kernels), families, "4096")
-    return with_rows(old, [[f"`{kernel}`", *(f"{count_and_depth(v, 'false_separation')} / {count_and_depth(v, 'false_contact')}" for v in of_kernel)]
-                           for kernel, of_kernel in zip(kernels, verdicts)])
-
-
-def box_triangle(commands, old):
-    families = "general_minmax touching_minmax lattice_minmax terrain_minmax ramp_minmax level_voxel_minmax voxel".split()
-    verdicts = box_verdicts(commands, tuple(f"box-triangle/{k}" for k in ("textbook-minmax", "akenine-moller-minmax", "thirteen-minmax", "peer/cgal-epick", "peer/cgal-double")),
-                            tuple(f"box-triangle/{f}" for f in families), "2000")
-    return with_rows(old, [[f"`{family}`", *(f"{v[i]['false_separation']}, {v[i]['false_contact']}" for v in verdicts)]
-                           for i, family in enumerate(families)])
-
-
+CELL_KERNELS = "textbook-minmax thirteen-minmax peer/cgal-epick peer/cgal-double".split()
+CELL_FAMILIES = "touching_minmax terrain_minmax ramp_minmax level_voxel_minmax voxel".split()
 BOX_ENTRIES = {"matrix": "", "quaternion": "_turned"}  # the families of each entry end so
 CELL_ENTRIES = {"centre": "", "minmax": "_minmax", "matrix": "_oriented"}
 
@@ -233,11 +168,7 @@ def engines(predicate, ends, trials):
             found = {family.split("/")[-1]: result["verdict"] for family, result in record["kernels"][0]["families"].items()}
 
             def cell(family):
-                if family not in found:
-                    return ""
-                verdict = found[family]
-                declined = f" / {verdict['undecided']}" if verdict["undecided"] else ""
-                return f"{count_and_depth(verdict, 'false_separation')} / {count_and_depth(verdict, 'false_contact')}{declined}"
+                return missed_and_phantom(found[family]) if family in found else ""
 
             return row_of([name, entry, *(cell(column + ends[entry]) for column in columns)])
 
@@ -307,14 +238,9 @@ TABLES = {
     "sweeps": ("docs/moving.md", sweeps, "long"),
     "starts": ("docs/moving.md", starts, "long"),
     "rapier-times": ("docs/moving.md", rapier_times, "long"),
-    "ends": ("docs/moving.md", ends, "long"),
-    "box-misses": ("docs/boxes.md", box_misses, "long"),
-    "box-phantoms": ("docs/boxes.md", box_phantoms, "long"),
-    "box-peers-missed": ("docs/boxes.md", box_peers("false_separation"), "long"),
-    "box-peers-phantom": ("docs/boxes.md", box_peers("false_contact"), "long"),
-    "box-axes": ("docs/boxes.md", box_axes, "long"),
-    "box-everyday": ("docs/boxes.md", box_everyday, "long"),
-    "box-triangle": ("docs/boxes.md", box_triangle, "long"),
+    "box-forms": ("docs/boxes.md", by_kernel("box-box", "", BOX_KERNELS, BOX_FAMILIES, "4096"), "long"),
+    "box-peers": ("docs/boxes.md", by_kernel("box-box", "peer/", BOX_PEERS, BOX_PEER_FAMILIES, "300"), "long"),
+    "box-triangle": ("docs/boxes.md", by_kernel("box-triangle", "", CELL_KERNELS, CELL_FAMILIES, "2000"), "long"),
     "box-engines": ("docs/boxes.md", engines("box-box", BOX_ENTRIES, "300"), "long"),
     "box-triangle-engines": ("docs/boxes.md", engines("box-triangle", CELL_ENTRIES, "300"), "long"),
     "contact-engines": ("docs/contacts.md", contact_engines, "long"),

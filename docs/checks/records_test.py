@@ -8,7 +8,6 @@
     docs/bounds.md    bounds: proofs/bounds.cpp, which Gappa proves; errors attained: proofs/bounds.h, and these those of docs/search.md
     CITATION.bib    title, authors, version, date and the article: CITATION.cff
     CITATION.cff, CHANGELOG.md, docs/ci.md, docs/pipe.md    the version: CMakeLists.txt
-    docs/moving.md    what strict sides and headings get wrong: exact/moving_sphere/twenty_axes_test.cpp
 """
 import json
 import math
@@ -112,13 +111,6 @@ class Records(unittest.TestCase):
             (greatest,) = re.findall(rf'\{{"published", Kind::{kind}, ([\d.]+),', text_of("proofs/bounds.h"))
             self.assertEqual(f"{float(greatest):.4g}", found[name].replace(",", ""), name)
 
-    def test_configurations_that_strict_sides_or_headings_get_wrong(self):
-        """Columns of the page: sides alone, headings alone, both; `>=` in both, which comes first there, is wrong on none."""
-        source = text_of("exact/moving_sphere/twenty_axes_test.cpp")
-        found = [numbers(re.search(rf"EXPECT_EQ\(found\.{name}, \(WrongOf\{{(.*?)\}}\)\)", source)[1])
-                 for name in ("strict_sides", "strict_headings", "strict")]
-        rows = [[int(cell.replace(",", "")) for cell in row[1:]] for row in table("docs/moving.md", "| sides, headings |")]
-        self.assertEqual(rows, [[0, *row] for row in [*list(zip(*found))[1:], next(zip(*found))]])
 
 
 def versions(text=text_of):

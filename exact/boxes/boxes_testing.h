@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 #include <random>
 #include <string>
@@ -90,33 +89,6 @@ struct Wrong {
 };
 inline std::ostream& operator<<(std::ostream& out, const Wrong& wrong) {
   return out << wrong.missed << " missed, " << wrong.phantom << " phantom of " << wrong.asked;
-}
-
-// The table of docs/boxes.md whose first line this is, to the end of its last; empty where the page has none.
-inline std::string docs_table(std::string_view first_line) {
-  std::ifstream page(SOURCE_FOLDER "/docs/boxes.md");
-  std::string line, table;
-  while (std::getline(page, line) && line != first_line) {
-  }
-  for (; page && line.starts_with("|"); std::getline(page, line)) table += line + "\n";
-  return table;
-}
-
-// The row of a table of docs/boxes.md: what was asked, of how many, and how many of these were wrong. Of the numbers
-// that the tests name alone, not of fewer.
-inline void expect_docs_row(std::string_view what, const Wrong& wrong) {
-  if (TRIAL_DIVISOR != 1) return;
-  std::string count =
-      wrong.all() == 0 ? "0" : std::to_string(wrong.missed) + " missed, " + std::to_string(wrong.phantom) + " phantom";
-  if (wrong.missed == 0 && wrong.phantom != 0) count = std::to_string(wrong.phantom) + " phantom";
-  if (wrong.phantom == 0 && wrong.missed != 0) count = std::to_string(wrong.missed) + " missed";
-  const std::string row = "| " + std::string(what) + " | " + std::to_string(wrong.asked) + " | " + count + " |";
-  std::ifstream page(SOURCE_FOLDER "/docs/boxes.md");
-  std::string line;
-  while (std::getline(page, line)) {
-    if (line == row) return;
-  }
-  ADD_FAILURE() << "docs/boxes.md has no line\n" << row;
 }
 
 // Whether a count among `asked` is within a factor of 1.5 of the rate `published` of `of`. Where fewer are asked than

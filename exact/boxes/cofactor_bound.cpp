@@ -5,7 +5,8 @@
 
 namespace axiscert::boxes {
 
-// The letters are those of the proof in docs/boxes.md. The scene is 1, so |T| <= 1 and |s|, |h| <= 1 / sqrt(1 - d).
+// The letters are those of the proof in exact/boxes/README.md. The scene is 1, so |T| <= 1 and |s|, |h| <= 1 / sqrt(1 -
+// d).
 CofactorBound cofactor_bound_in_full(double u, double d) {
   const auto g = [&](int n) { return n * u / (1 - n * u); };
   const double root3 = std::sqrt(3.0), root2 = std::sqrt(2.0);

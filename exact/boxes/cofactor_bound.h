@@ -1,4 +1,4 @@
-// How deep a wrong verdict of box-box/cofactor can be: proved in docs/boxes.md.
+// How deep a wrong verdict of box-box/cofactor can be: proved in exact/boxes/README.md.
 #pragma once
 
 namespace axiscert::boxes {

@@ -1,5 +1,5 @@
-// The numbers of the proof about box-box/cofactor in docs/boxes.md: the whole constants cover the sums, and the two
-// lemmas of exact geometry that it uses hold on small integers.
+// The numbers of the proof about box-box/cofactor in exact/boxes/README.md: the whole constants cover the sums, and the
+// two lemmas of exact geometry that it uses hold on small integers.
 #include "exact/boxes/cofactor_bound.h"
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // The theorem of the fifteen axes, and of the thirteen of a box and a triangle: over the reals, with products of the
-// boxes' own vectors and whole projections, they are right; and what each shorter form gets wrong, at which rate. The
-// long tests hold the rows of docs/boxes.md.
+// boxes' own vectors and whole projections, they are right; and what each shorter form gets wrong, at which rate.
 #include "exact/boxes/boxes_testing.h"
 #include "kernel/boxes/textbook.h"
 #include "kernel/boxes/projected.h"
@@ -35,7 +34,6 @@ TEST(FifteenAxes, AreRightOnIndependentAxes) { EXPECT_EQ(wrong_of<ProjectedFifte
 TEST(FifteenAxesLong, AreRightOn75000PairsOfIndependentAxes) {
   const Wrong wrong = wrong_of<ProjectedFifteen>(75000 / TRIAL_DIVISOR, small_pair);
   EXPECT_EQ(wrong.all(), 0);
-  expect_docs_row("`projected`, axes independent, extents of 0 too", wrong);
 }
 
 // Such boxes are not valid queries; the formulae alone are asked.
@@ -52,7 +50,6 @@ TEST(FifteenAxesLong, OfDependentAxesInventAFewContactsAndMissNone) {
     EXPECT_GT(wrong.phantom, 0) << wrong;
   }
   EXPECT_LT(wrong.phantom, wrong.asked / 100) << wrong;
-  expect_docs_row("the same, axes dependent: no boxes, the formulae alone", wrong);
 }
 
 struct Rates {
@@ -71,9 +68,6 @@ void expect_rates(const Rates& found) {
   expect_about(found.textbook.all(), found.textbook.asked, 13978, 25000);
   EXPECT_EQ(found.half_edges.missed, 0);
   expect_about(found.half_edges.phantom, found.half_edges.asked, 535, 25000);
-  expect_docs_row("`columns`, axes not at right angles", found.columns);
-  expect_docs_row("`textbook`, axes not at right angles", found.textbook);
-  expect_docs_row("`projected` of half edges s_k b_k in place of b_k", found.half_edges);
 }
 
 TEST(FifteenAxesLong, ShorterFormsAreWrongOnAxesThatAreNotOrthogonal) { expect_rates(rates(25000 / TRIAL_DIVISOR)); }
@@ -104,9 +98,7 @@ TEST(FifteenAxesLong, ColumnsOfAnyLengthAreRightWhereTheyAreOrthogonalAndTheText
   const int queries = 25000 / TRIAL_DIVISOR;
   const Wrong columns = wrong_of<Columns>(queries, orthogonal_pair);
   EXPECT_EQ(columns.all(), 0);
-  expect_docs_row("`columns`, axes at right angles and not of length 1", columns);
   const Wrong textbook = wrong_of<Textbook>(queries, orthogonal_pair);
-  expect_docs_row("`textbook`, the same", textbook);
   expect_about(textbook.missed, textbook.asked, 5196, 25000);
 }
 
@@ -174,10 +166,6 @@ TEST(FifteenAxesLong, TheTextbookIsRightOn25600ExactlyOrthonormalPairs) {
   EXPECT_EQ(found.homogeneous.all(), 0) << found.homogeneous;
   EXPECT_EQ(found.epsilon.missed, 0) << found.epsilon;
   expect_about(found.epsilon.phantom, found.epsilon.asked, 2079, 25600);
-  expect_docs_row("`projected`, exact rotations", found.projected);
-  expect_docs_row("`textbook`, exact rotations", found.textbook);
-  expect_docs_row("`homogeneous`, exact rotations", found.homogeneous);
-  expect_docs_row("`gottschalk`, exact rotations", found.epsilon);
 }
 
 // Every other triangle has no area.
@@ -212,8 +200,6 @@ TEST(ThirteenAxesLong, OfABoxAndATriangleAreRightOn24000Pairs) {
   const ThirteenRates found = thirteen_rates(24000 / TRIAL_DIVISOR);
   EXPECT_EQ(found.products.all(), 0) << found.products;
   expect_about(found.half_edges.phantom, found.half_edges.asked, 759, 24000);
-  expect_docs_row("`box-triangle/thirteen-oriented`, half of the triangles without an area", found.products);
-  expect_docs_row("the same of half edges", found.half_edges);
 }
 
 }  // namespace

@@ -101,7 +101,6 @@ TEST(TwentyAxes, NonstrictAreRightOnASampleOfTheLattice) {
   EXPECT_EQ(found.strict[other_wrong] + found.strict_headings[other_wrong], 0);
 }
 
-// docs/moving.md has these, and docs/checks/records_test.py compares the two.
 TEST(TwentyAxesLong, OfAllLatticeConfigurationsTheNonstrictAreWrongOnNoneAndTheStrictOnThese) {
   const WrongConfigurations found = wrong_configurations(1);
   EXPECT_EQ(found.all, 531441);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "kernel/base/enums.h"
@@ -53,8 +54,9 @@ inline std::string row_text(std::string_view kernel, const Behaviour& b) {
 
 inline constexpr std::string_view behaviours_place = "docs/kernels.md, table \"What each answers\"";
 
-// Throws std::runtime_error with the row that has not nine cells, or whose answers are not among `says_names`.
-inline BehaviourRow parsed_row(const std::string& row) {
+// Of each kernel that the first cell names. Throws std::runtime_error with the row that has not nine cells, or whose
+// answers are not among `says_names`.
+inline std::vector<BehaviourRow> parsed_row(const std::string& row) {
   std::vector<std::string> cells;
   for (std::size_t at = 1; at < row.size();) {
     const std::size_t end = std::min(row.find('|', at), row.size());
@@ -72,7 +74,15 @@ inline BehaviourRow parsed_row(const std::string& row) {
       throw wrong("'" + cells[i] + "', which is no answer that kernel/testing/table.h knows,");
     return static_cast<Says>(found - says_names.begin());
   };
-  return {cells[0], {says(1), says(2), says(3), says(4), says(5), says(6), says(7), says(8)}};
+  const Behaviour behaviour{says(1), says(2), says(3), says(4), says(5), says(6), says(7), says(8)};
+  std::vector<BehaviourRow> rows;
+  constexpr std::string_view between = "`, `";
+  for (std::size_t at = 0; at < cells[0].size();) {
+    const std::size_t end = std::min(cells[0].find(between, at), cells[0].size());
+    rows.push_back({cells[0].substr(at, end - at), behaviour});
+    at = end + between.size();
+  }
+  return rows;
 }
 
 inline const std::vector<BehaviourRow>& behaviours() {
@@ -83,7 +93,9 @@ inline const std::vector<BehaviourRow>& behaviours() {
     for (std::string line; std::getline(file, line);) {
       if (line.starts_with("| kernel | area |")) in_table = true;
       else if (!line.starts_with("|")) in_table = false;
-      else if (in_table && line.starts_with("| `")) found.push_back(parsed_row(line));
+      else if (in_table && line.starts_with("| `")) {
+        for (BehaviourRow& row : parsed_row(line)) found.push_back(std::move(row));
+      }
     }
     if (found.empty()) throw std::runtime_error(std::string(behaviours_place) + ": not found, or without a row");
     return found;

@@ -1,6 +1,5 @@
 // The proved bound of box-box/cofactor (docs/boxes.md) on the families of rotations that were rounded: no wrong verdict
 // is deeper, and how near the deepest come to it. The textbook breaks it.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -107,23 +106,19 @@ TEST(CofactorBoundOnFamilies, TheTextbookBreaksIt) {
   EXPECT_GT(use.of_missed, 100);
 }
 
-// The entries of the corpus that a search found, in the table of docs/boxes.md, which gives its command.
-TEST(CofactorBoundOnFamilies, TheTableHasTheWorstThatASearchFound) {
-  const double u = std::ldexp(1.0, -std::numeric_limits<float>::digits);
-  const std::string head = "| found | of the scene | in u | the bound, in u | axis |";
-  std::string table = head + "\n|---|---:|---:|---:|---|\n";
+// The entries of the corpus that a search of an hour found.
+TEST(CofactorBoundOnFamilies, TheWorstThatASearchFoundIsWithinIt) {
+  int entries = 0;
   for (const CorpusEntry& entry : read_corpus(SOURCE_FOLDER "/fuzz/corpus")) {
     if (!entry.stored.id.starts_with("cofactor-")) continue;
     const auto& numbers = std::get<Numbers<float>>(entry.stored.numbers);
     const auto q = MatrixBoxes::problem<float>([&](std::size_t k) { return numbers[k]; });
-    const ExactPair exact = exactly(q);
-    const BoundedDepth worst = bounded_depth(exact, u);
+    const BoundedDepth worst = bounded_depth(exactly(q), std::ldexp(1.0, -std::numeric_limits<float>::digits));
     EXPECT_EQ(is_separated_by<Cofactor>(q), worst.contact) << entry.stored.id;
     EXPECT_LE(worst.depth, worst.bound) << entry.stored.id;
-    table += fmt::format("| {} contact | {:.3g} | {:.0f} | {:.0f} | `{}` |\n", worst.contact ? "missed" : "invented",
-                         worst.depth, worst.depth / u, worst.bound / u, deciding_axes(exact).front());
+    ++entries;
   }
-  EXPECT_EQ(docs_table(head), table);
+  EXPECT_EQ(entries, 2);
 }
 
 }  // namespace

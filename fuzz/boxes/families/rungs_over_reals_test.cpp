@@ -1,6 +1,5 @@
-// The table of docs/boxes.md with what each rung gets wrong over the reals, where nothing is rounded but the numbers
-// given; and the furthest that an epsilon reaches, beside 2 sqrt(epsilon s l).
-#include <fmt/format.h>
+// What each rung gets wrong over the reals, where nothing is rounded but the numbers given; and the furthest that an
+// epsilon reaches, beside 2 sqrt(epsilon s l).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,17 +46,6 @@ RungCounts rungs_on(const char* family, std::uint64_t queries) {
   return counts;
 }
 
-std::string short_number(double depth) {
-  std::string text = fmt::format("{:.2g}", depth);
-  if (const std::size_t at = text.find("e-0"); at != text.npos) text.erase(at + 2, 1);
-  return text;
-}
-std::string cell_of(const Wrong& wrong) {
-  if (wrong.all() == 0) return "0";
-  std::string text = wrong.missed == 0 ? "0" : fmt::format("{} ({})", wrong.missed, short_number(wrong.deepest_miss));
-  return wrong.phantom == 0 ? text : fmt::format("{}, {}", text, wrong.phantom);
-}
-
 TEST(RungsOverTheReals, ProjectedIsRightAndOnlyTheTextbookMissesDeeply) {
   const RungCounts resting = rungs_on("resting", 60);
   EXPECT_EQ(resting.wrong[0].all(), 0);
@@ -66,22 +54,22 @@ TEST(RungsOverTheReals, ProjectedIsRightAndOnlyTheTextbookMissesDeeply) {
   EXPECT_EQ(rungs_on("level", 60).wrong[4].all(), 0) << "upright, the textbook is right";
 }
 
-TEST(RungsOverTheRealsLong, TheTableOfDocsBoxes) {
-  if (TRIAL_DIVISOR != 1) return;
-  const std::string head =
-      "| over the reals | `projected` | `columns` | `dropped` | `framed` | `textbook` | `rtcd` | `gottschalk` | "
-      "`bullet` | "
-      "`cofactor` |";
-  std::string table = head + "\n|---|";
-  for (int k = 0; k < 9; ++k) table += "---:|";
-  table += "\n";
+TEST(RungsOverTheRealsLong, OfTheFormsWithoutAnEpsilonTheTextbookAloneMissesDeeply) {
+  constexpr std::size_t projected = 0, textbook = 4;
+  double deepest = 0;
   for (const char* family : reals_families) {
-    const RungCounts counts = rungs_on(family, 2500);
-    table += fmt::format("| `{}` |", family);
-    for (const Wrong& wrong : counts.wrong) table += " " + cell_of(wrong) + " |";
-    table += "\n";
+    const RungCounts counts = rungs_on(family, 2500 / TRIAL_DIVISOR);
+    EXPECT_EQ(counts.wrong[projected].all(), 0) << family;
+    for (std::size_t k = 0; k < counts.wrong.size(); ++k) {
+      if (k != textbook) {
+        EXPECT_LT(counts.wrong[k].deepest_miss, 1e-6) << family << ", rung " << k;
+      }
+    }
+    deepest = std::max(deepest, counts.wrong[textbook].deepest_miss);
   }
-  EXPECT_EQ(docs_table(head), table);
+  if (TRIAL_DIVISOR == 1) {
+    EXPECT_GT(deepest, 0.3) << "the textbook";
+  }
 }
 
 // Both boxes stand on an edge, of half length l along x; B is turned about z, and its lowest edge crosses A's highest
@@ -107,26 +95,18 @@ double band_of(double s, double l) {
   return widest;
 }
 
-TEST(EpsilonBand, IsAsWideAsTheTableOfDocsBoxesSays) {
-  const std::string head =
-      "| half width s, half length l | `rtcd` | 2 sqrt(e s l) | `gottschalk` | 2 sqrt(e s l) | `bullet` | 2 sqrt(e s "
-      "l) |";
-  std::string table = head + "\n|---|---:|---:|---:|---:|---:|---:|\n";
+TEST(EpsilonBand, IsTwoRootsOfTheEpsilonTimesBothLengths) {
   for (const auto& [s, l] : {std::pair{1.0, 1.0}, std::pair{1.0, 8.0}, std::pair{1.0, 64.0}, std::pair{0.125, 8.0}}) {
-    table += fmt::format("| {}, {} |", s, l);
-    const auto add = [&](double band, double epsilon) {
+    const auto expect_band = [s = s, l = l](double band, double epsilon) {
       const double expected = 2 * std::sqrt(epsilon * s * l);
       EXPECT_GT(band, expected * 0.9) << s << ' ' << l;
       EXPECT_LT(band, expected * 1.1) << s << ' ' << l;
-      table += fmt::format(" {} | {} |", short_number(band), short_number(expected));
     };
-    add(band_of<Rtcd>(s, l), 0x1p-23);
-    add(band_of<Gottschalk>(s, l), 1e-6);
-    add(band_of<Bullet>(s, l), 1e-5);
-    table += "\n";
+    expect_band(band_of<Rtcd>(s, l), 0x1p-23);
+    expect_band(band_of<Gottschalk>(s, l), 1e-6);
+    expect_band(band_of<Bullet>(s, l), 1e-5);
     EXPECT_LT(band_of<Cofactor>(s, l), 1e-12);
   }
-  EXPECT_EQ(docs_table(head), table);
 }
 
 }  // namespace
