@@ -11,6 +11,7 @@
 
 #include "cli/commands.h"
 #include "fuzz/queries/family.h"
+#include "kernel/base/names.h"
 #include "kernel/base/text.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/load.h"
@@ -52,7 +53,8 @@ std::string unknown_subcommand(const CLI::App& command, const std::string& given
   if (given.empty()) {
     return fmt::format("{}: a subcommand is missing; subcommands: {}", full_name(command), fmt::join(names, ", "));
   }
-  return fmt::format("{}: {}", full_name(command), unknown_name("subcommand", "subcommands", given, views(names)));
+  return fmt::format("{}: {}", full_name(command),
+                     unknown_name("subcommand", "subcommands", given, views(names), full_name(command) + " --help"));
 }
 
 std::string unknown_option(const CLI::App& command, const std::string& given) {
@@ -63,8 +65,8 @@ std::string unknown_option(const CLI::App& command, const std::string& given) {
                        full_name(command), part->get_name(), word);
   }
   const std::vector<std::string> names = option_names(command);
-  return fmt::format("{}: unknown option '{}'{} options: {}", full_name(command), word,
-                     did_you_mean(word, views(names)), fmt::join(most_alike_first(word, views(names)), ", "));
+  return fmt::format("{}: unknown option '{}'{} {}", full_name(command), word, did_you_mean(word, views(names)),
+                     names_alike("options", word, views(names), full_name(command) + " --help"));
 }
 
 // A word where none belongs, which may be the value of an option.

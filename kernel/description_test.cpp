@@ -6,6 +6,7 @@
 #include <deque>
 #include <string>
 
+#include "kernel/base/names.h"
 #include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/sphere_triangle/query.h"
@@ -167,6 +168,16 @@ TEST(Alike, AMessageNamesTheNearestFirst) {
   EXPECT_EQ(unknown_name("family", "families", "tangent,general", {"general", "tangent"})
                 .find("unknown family 'tangent,general'; one name is given at a time, without commas; families: "),
             0u);
+}
+
+TEST(Alike, OfMoreThanEightNamesTheNearestAreToldAndTheCommandThatListsAll) {
+  const std::vector<std::string_view> eight = {"a", "b", "c", "d", "e", "f", "g", "tangent"};
+  EXPECT_EQ(names_alike("families", "tangnet", eight, "axiscert families"), "families: tangent, a, e, g, b, c, d, f");
+  std::vector<std::string_view> nine = eight;
+  nine.push_back("h");
+  EXPECT_EQ(unknown_name("family", "families", "tangnet", nine, "axiscert families"),
+            "unknown family 'tangnet'; did you mean 'tangent'? the nearest of 9 families: tangent, a, e, g, b, c, d, "
+            "f; `axiscert families` lists them");
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ TEST(Registry, ListsEveryKernelOnceAndNamesThemForAnUnknownOne) {
     FAIL() << "an unknown kernel was found";
   } catch (const Error& e) {
     EXPECT_EQ(std::string(e.what()).find("unknown kernel 'publishd'; did you mean 'published'? plugin:PATH.so or "
-                                         "program:MANIFEST.json is one of your own; kernels: published, "),
+                                         "program:MANIFEST.json is one of your own; the nearest of "),
               0u);
   }
 }

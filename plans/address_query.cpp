@@ -115,7 +115,9 @@ Numbers<Real> make_query(const Address& address, const Source& source) {
 
 bool is_address(const std::string& text) {
   std::error_code ignored;
-  return text.find(':') != text.npos && !std::filesystem::exists(text, ignored);
+  const bool is_witness =
+      text.size() > 1 && text.front() == 'w' && text.find_first_not_of("0123456789", 1) == text.npos;
+  return (text.find(':') != text.npos || is_witness) && !std::filesystem::exists(text, ignored);
 }
 
 QueryRange query_range(const std::string& text, const AddressFiles& files) {
@@ -126,6 +128,7 @@ QueryRange query_range(const std::string& text, const AddressFiles& files) {
     first = parse_address(text.substr(0, dash));
     last = dash == text.npos ? first : parse_address(unit + text.substr(dash + 1));
   } catch (const Error& wrong) {
+    if (dash == text.npos) throw;
     throw Error(fmt::format("range '{}', FIRST-LAST in the place of INDEX: {}", text, wrong.what()));
   }
   if (first.index > last.index) {

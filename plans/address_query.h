@@ -18,7 +18,8 @@ struct AddressFiles {
 std::vector<StoredQuery> queries_given(const std::vector<std::string>& given, const std::string& csv_precision,
                                        const AddressFiles& files);
 
-// Whether a text is meant as an address, or a range of them: it has a colon, and there is no such file.
+// Whether a text is meant as an address, a range of them or a witness's id: it has a colon, or is as w12, and there is
+// no such file.
 bool is_address(const std::string& text);
 
 // Queries of one unit, by the address of the first.

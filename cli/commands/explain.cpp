@@ -49,6 +49,8 @@ std::string explanation_of(const std::string& word) {
   std::vector<std::string_view> known;
   for (const GlossaryEntry& entry : entries) known.insert(known.end(), entry.words.begin(), entry.words.end());
   for (const NamedWord& one : named) known.push_back(one.name);
+  std::ranges::sort(known);
+  known.erase(std::ranges::unique(known).begin(), known.end());
   constexpr std::size_t most_words = 12;
   std::vector<std::string_view> nearest = most_alike_first(word, known);
   nearest.resize(std::min(nearest.size(), most_words));

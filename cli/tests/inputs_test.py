@@ -66,15 +66,15 @@ class Inputs(InputCase):
 
     def test_names_nearest_first(self):
         for args, says in (
-                (["--kernel", "publishd"], ["unknown kernel 'publishd'; did you mean 'published'?", "kernels: published, "]),
+                (["--kernel", "publishd"], ["unknown kernel 'publishd'; did you mean 'published'?", " kernels: published, "]),
                 (["--kernel", "fualt/inverted"], ["did you mean 'fault/inverted'?"]),
-                (["--kernel", "fault/invertd"], ["did you mean 'fault/inverted'? those of fault/: inverted, "]),
+                (["--kernel", "fault/invertd"], ["did you mean 'fault/inverted'? the nearest of ", " kernels of fault/: inverted, "]),
                 (["--kernel", "published,nonstrict"], ["one kernel is given at a time, without commas"]),
                 (["--kernel", "published+fmaa"], ["unknown arithmetic 'fmaa'; did you mean 'fma'? arithmetics: fma, "]),
                 (["--kernel", "publishd+fma"], ["did you mean 'published'? rungs that do: published, "]),
                 (["--kernel", "published@upwards"], ["after '@', 'upwards'", "did you mean 'upward'?"]),
                 (["--kernel", "nonstrict~operatr:0"], ["did you mean 'operator'?"]),
-                (["--family", "tangnet"], ["unknown family 'tangnet'; did you mean 'tangent'? families: tangent, "]),
+                (["--family", "tangnet"], ["unknown family 'tangnet'; did you mean 'tangent'? the nearest of ", " families: tangent, ", "; `axiscert families --predicate ID` lists them"]),
                 (["--family", "tangent,sliver"], ["one name is given at a time"]),
                 (["--precision", "float"], ["unknown precision 'float'; did you mean 'binary32'?"]),
                 (["--precision", "64"], ["did you mean 'binary64'?"]), (["--precision", "binray32"], ["did you mean 'binary32'?"]),
@@ -85,7 +85,7 @@ class Inputs(InputCase):
                 (["--predicate", "box-box", "--require", "depth=1.6"], ["--require depth=1.6: D is a depth, a share of the scene from 0 to 1.58 in a predicate of box-box"]),
                 (["--require", "depth"], ["'depth': it is written depth=D"]),
                 (["--require", "logic=1"], ["'logic=1': it is written logic"]),
-                (["--require", "logc"], ["unknown requirement 'logc'; did you mean 'logic'? levels: logic"]),
+                (["--require", "logc"], ["unknown requirement 'logc'; did you mean 'logic'? the nearest of ", " levels: logic, ", "; `axiscert run --help` lists them"]),
                 (["--allow-unchecked", "range"], ["'range' may be left unchecked, but is not required"]),
                 (["--require", "no-worse-than=nonstrict"], ["that kernel is not in this run; add --kernel nonstrict"])):
             with self.subTest(args=args):
@@ -131,6 +131,8 @@ class Inputs(InputCase):
                 message = self.one_line(*command, address, says=[f"address '{address}'", says])
                 example = message.split("for instance ")[1].strip()
                 self.assertEqual(axiscert("query", example).returncode, 0, example)
+        for command in (["query", "w12"], ["check", "w12", "--kernel", "published"], ["shrink", "w12"]):
+            self.one_line(*command, says=["address 'w12': is the id of a witness", "grep '\"w12\"' out/witnesses.jsonl"])
         self.one_line("query", "1:tangnet:2:binary32:0:0", says=["address '1:tangnet:2:binary32:0:0'", "did you mean 'tangent'?"])
         stored = self.folder / "q.jsonl"
         stored.write_text(QUERY % 1)

@@ -6,6 +6,7 @@
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
+#include "kernel/base/names.h"
 #include "kernel/base/text.h"
 #include "kernel/predicate_list.h"
 
@@ -54,7 +55,7 @@ const Family& find_family(std::string_view name) {
     if (family->name == name) return *family;
     known.push_back(family->name);
   }
-  throw Error(unknown_name("family", "families", name, known));
+  throw Error(unknown_name("family", "families", name, known, "axiscert families --predicate ID"));
 }
 
 #define AXISCERT_DECLARE(name)         \

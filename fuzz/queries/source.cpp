@@ -107,6 +107,12 @@ Address parse_address(std::string_view given) {
                              given, what, example()));
   };
   const auto parts = split(given, ':');
+  if (given.size() > 1 && given.find_first_not_of("0123456789", 1) == given.npos && given.front() == 'w') {
+    throw fail(
+        fmt::format("is the id of a witness, whose query is a line of witnesses.jsonl in the folder of its run, "
+                    "as in grep '\"{}\"' out/witnesses.jsonl",
+                    given));
+  }
   if (parts.size() != 6) throw fail(fmt::format("{} field{} instead of 6", parts.size(), parts.size() == 1 ? "" : "s"));
   const auto number = [&](std::size_t i, const char* field, std::uint64_t most) {
     std::uint64_t value = 0;

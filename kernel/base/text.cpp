@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "kernel/base/error.h"
+#include "kernel/base/names.h"
 
 namespace axiscert {
 namespace {
@@ -130,12 +131,36 @@ std::string did_you_mean(std::string_view given, const std::vector<std::string_v
   return name.empty() ? ";" : fmt::format("; did you mean '{}'?", name);
 }
 
+std::string names_alike(std::string_view kinds, std::string_view given, const std::vector<std::string_view>& names,
+                        std::string_view command) {
+  constexpr std::size_t most = 8;
+  std::vector<std::string_view> nearest = most_alike_first(given, names);
+  if (names.size() <= most) return fmt::format("{}: {}", kinds, fmt::join(nearest, ", "));
+  nearest.resize(most);
+  return fmt::format("the nearest of {} {}: {}; `{}` lists them", names.size(), kinds, fmt::join(nearest, ", "),
+                     command);
+}
+
+namespace {
+
+std::string unknown_among(std::string_view kind, std::string_view given, const std::vector<std::string_view>& names,
+                          const std::string& list) {
+  const bool has_commas = given.find(',') != given.npos;
+  return fmt::format("unknown {} '{}'{} {}", kind, given,
+                     has_commas ? "; one name is given at a time, without commas;" : did_you_mean(given, names), list);
+}
+
+}  // namespace
+
+std::string unknown_name(std::string_view kind, std::string_view kinds, std::string_view given,
+                         const std::vector<std::string_view>& names, std::string_view command) {
+  return unknown_among(kind, given, names, names_alike(kinds, given, names, command));
+}
+
 std::string unknown_name(std::string_view kind, std::string_view kinds, std::string_view given,
                          const std::vector<std::string_view>& names) {
-  const bool is_list = given.find(',') != given.npos;
-  return fmt::format("unknown {} '{}'{} {}: {}", kind, given,
-                     is_list ? "; one name is given at a time, without commas;" : did_you_mean(given, names), kinds,
-                     fmt::join(most_alike_first(given, names), ", "));
+  return unknown_among(kind, given, names,
+                       fmt::format("{}: {}", kinds, fmt::join(most_alike_first(given, names), ", ")));
 }
 
 }  // namespace axiscert

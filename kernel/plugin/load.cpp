@@ -48,7 +48,9 @@ void require_file(const std::string& id, const std::string& path) {
                             names.empty() ? "" : fmt::format(", which has {}", fmt::join(names, ", "))));
   }
   const std::string_view name = meant(given.filename().string(), names);
-  const std::string guess = name.empty() ? "." : fmt::format("; did you mean {}{}?", by_path, (folder / name).string());
+  const std::string guess = !name.empty() ? fmt::format("; did you mean {}{}?", by_path, (folder / name).string())
+                            : path.find(',') != path.npos ? "; one kernel is given at a time, without commas."
+                                                          : ".";
   if (std::filesystem::exists(given)) refuse_path(fmt::format("{} is not a file{}", path, guess));
   refuse_path(fmt::format("there is no file {}{}", path, guess));
 }

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 
+#include "kernel/base/names.h"
 #include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/host_process.h"
@@ -135,11 +136,11 @@ std::optional<std::string> plugin_path(std::string_view id) {
     }
     const std::vector<std::string_view> names(known.names.begin(), known.names.end());
     const std::string_view guess = meant(name, names);
-    throw Error(fmt::format("unknown kernel '{}'{} those of {}: {}", id,
-                            guess.empty() ? ";" : fmt::format("; did you mean '{}{}'?", kind.prefix, guess),
-                            kind.prefix,
-                            names.empty() ? "none, this axiscert was built without them"
-                                          : fmt::format("{}", fmt::join(most_alike_first(name, names), ", "))));
+    throw Error(fmt::format(
+        "unknown kernel '{}'{} {}", id, guess.empty() ? ";" : fmt::format("; did you mean '{}{}'?", kind.prefix, guess),
+        names.empty()
+            ? fmt::format("this axiscert was built without those of {}", kind.prefix)
+            : names_alike(fmt::format("kernels of {}", kind.prefix), name, names, "axiscert kernels --format json")));
   }
   return std::nullopt;
 }

@@ -10,6 +10,7 @@
 
 #include "kernel/registry/called.h"
 #include "kernel/registry/given.h"
+#include "kernel/base/names.h"
 #include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/formulae_list.h"
@@ -119,9 +120,9 @@ std::string unknown_kernel(std::string_view id) {
   std::vector<std::string_view> guessed = known;
   guessed.insert(guessed.end(), shipped.begin(), shipped.end());
   const bool is_list = id.find(',') != id.npos;
-  return fmt::format("unknown kernel '{}'{} plugin:PATH.so or program:MANIFEST.json is one of your own; kernels: {}",
-                     id, is_list ? "; one kernel is given at a time, without commas;" : did_you_mean(id, guessed),
-                     fmt::join(most_alike_first(id, known), ", "));
+  return fmt::format("unknown kernel '{}'{} plugin:PATH.so or program:MANIFEST.json is one of your own; {}", id,
+                     is_list ? "; one kernel is given at a time, without commas;" : did_you_mean(id, guessed),
+                     names_alike("kernels", id, known, "axiscert kernels --predicate ID"));
 }
 
 std::string with_dashes(std::string name) {

@@ -17,6 +17,11 @@ for (const scheme of ['light', 'dark']) {
     await page.emulateMedia({media: 'print', colorScheme: scheme});
     assert.deepEqual(await page.evaluate(contrast_faults), []);
     assert.equal(await page.locator('nav').isVisible(), false);
+    // Paper does not scroll: no table has a shade at its edge, or says that it goes on.
+    assert.deepEqual(await page.locator('.scroll').evaluateAll((all) => all.filter((box) => {
+      const caption = box.querySelector('caption');
+      return getComputedStyle(box).backgroundImage !== 'none' || (caption && getComputedStyle(caption, '::after').content.includes('scroll'));
+    }).length), 0);
     await close();
   });
 

@@ -260,9 +260,11 @@ std::vector<CertificateWitness> worst_of_certificate(const Record& record, const
       const std::string share =
           witness->depth ? fmt::format("{} of the scene", amount(*witness->depth, 3)) : std::string();
       const std::string length = length_words(witness->family, witness->length.value_or(0), record.plan);
-      const std::string depth = !length.empty() ? fmt::format(", {} deep, {}", length, share)
-                                : share.empty() ? ""
-                                                : fmt::format(", {} deep", share);
+      const std::string size = length.empty() ? share : length, rest = length.empty() ? "" : ", " + share;
+      const std::string depth = size.empty() ? ""
+                                : witness->computed == Verdict::separated
+                                    ? fmt::format(", {} deep{}", size, rest)
+                                    : fmt::format(", across a gap of {}{}", size, rest);
       worst.push_back({fmt::format("{} {}, family {}", kernel, name(witness->precision), witness->family),
                        fmt::format("The truth is {}, the kernel says {}{}. Address {}.", truth, name(witness->computed),
                                    depth, witness->address),

@@ -156,7 +156,8 @@ std::string unknown_text(const Growth& here, const std::string& among) {
 
 std::string everyday_note(const MarginStatement& margin) {
   const Growth here = growth_of(margin, [](const auto& part) { return is_everyday(part) && !part.degenerate; });
-  const std::string where = fmt::format("Safe margin in {}, in scenes of 0.001 to 10,000: ", name(margin.precision));
+  const std::string where =
+      fmt::format("Safe margin in {}, in scenes of 0.001 to 10,000 units: ", name(margin.precision));
   if (here.missed == 0) {
     const std::string among = " on triangles that are not degenerate";
     if (!is_known(here)) return where + unknown_text(here, among);

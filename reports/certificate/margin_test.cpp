@@ -42,7 +42,7 @@ TEST(MarginWords, BeginWithEverydayScenesOnTrianglesThatAreNotDegenerate) {
       {{{false, 0}, {2, 1500}}, {{false, 2}, {3, 20000}}, {{false, 9}, {9, 9000}}, {{true, 0}, {5, 8000}}})));
   ASSERT_EQ(notes.size(), 3u);
   EXPECT_THAT(notes[0],
-              HasSubstr("in scenes of 0.001 to 10,000: r times 3, or r plus 1.51 of the scene's size, mends"));
+              HasSubstr("in scenes of 0.001 to 10,000 units: r times 3, or r plus 1.51 of the scene's size, mends"));
   EXPECT_THAT(notes[0], HasSubstr("; in scenes of 1 to 10 r plus 1.5;"));
   EXPECT_THAT(notes[0],
               HasSubstr("of 200 such queries that makes 4 new phantom contacts by each size's own factor, 6"));
@@ -58,7 +58,7 @@ TEST(MarginWords, BeginWithEverydayScenesOnTrianglesThatAreNotDegenerate) {
 TEST(MarginWords, ATinyRadiusHasAnAmountAlone) {
   const auto notes = margin_notes(margin_statement(margin_with({{{false, 0}, {0, 250}}})));
   ASSERT_EQ(notes.size(), 2u);
-  EXPECT_THAT(notes[0], HasSubstr("10,000: r plus 0.252 of the scene's size mends"));
+  EXPECT_THAT(notes[0], HasSubstr("10,000 units: r plus 0.252 of the scene's size mends"));
   EXPECT_THAT(notes[0], Not(HasSubstr("r times")));
   EXPECT_THAT(notes[1], HasSubstr("7 with r = 0 or below 2^-12 of the scene's size have an amount and no factor"));
 }
@@ -88,8 +88,9 @@ TEST(MarginWords, SayThatNothingIsKnownOfContactsWithoutAVerdict) {
               HasSubstr("not known: it gave no verdict to 800 of 878 contacts, and missed none of the others."));
   margin = margin_with({{{true, 0}, {5, 8000}}});
   margin.parts[{false, 0}].contacts = margin.parts[{false, 0}].without_verdict = 4;
-  EXPECT_THAT(note(),
-              HasSubstr("10,000: not known: it answered none of 4 contacts on triangles that are not degenerate."));
+  EXPECT_THAT(
+      note(),
+      HasSubstr("10,000 units: not known: it answered none of 4 contacts on triangles that are not degenerate."));
   EXPECT_THAT(margin_notes(margin_statement(margin)).back(), HasSubstr("to 4 of 54 contacts it gave no verdict"));
 }
 
@@ -129,7 +130,7 @@ TEST(MarginWords, AnAmountBeyondEverydaySizesIsShownRelativeToTheSceneAlone) {
 TEST(MarginWords, EverydayScenesEndAtTenKilometresAndTheUnitIsOneOfTrianglesThatAreNotDegenerate) {
   const auto notes =
       margin_notes(margin_statement(margin_with({{{false, 3}, {2, 1}}, {{false, 4}, {7, 1}}, {{true, 0}, {5, 8000}}})));
-  EXPECT_THAT(notes[0], HasSubstr("in scenes of 0.001 to 10,000: r times 2, or"));
+  EXPECT_THAT(notes[0], HasSubstr("in scenes of 0.001 to 10,000 units: r times 2, or"));
   EXPECT_THAT(notes[0], Not(HasSubstr("in scenes of 1 to 10")));
 }
 

@@ -49,7 +49,7 @@ TEST(FirstLevels, BeginBothReports) {
   EXPECT_EQ(first["levels"].size(), outcomes_of(read_as<Record>(stored_record())).size());
   EXPECT_EQ(first["worst"]["id"], "w2");
   EXPECT_EQ(first["worst"]["precision"], "binary32");
-  EXPECT_EQ(first["worst"]["group"], "hard");
+  EXPECT_EQ(first["worst"]["group"], "other");
   const Json groups = page_data(folder.read("report.html"))["groups"];
   EXPECT_THAT(groups[0]["heading"].get<std::string>(), HasSubstr("Your own"));
   EXPECT_EQ(groups[0]["families"], Json::array({"mesh/a|b.obj"}));

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "kernel/base/error.h"
+#include "kernel/base/names.h"
 #include "kernel/base/text.h"
 #include "reports/gates/gate.h"
 #include "reports/run_folder/run_folder.h"
@@ -29,10 +30,10 @@ std::vector<std::string_view> gate_level_names() {
   return names;
 }
 
-std::string usages() {
-  std::vector<std::string> usages;
+std::vector<std::string_view> usages() {
+  std::vector<std::string_view> usages;
   for (const GateLevel* level : gate_levels()) usages.emplace_back(level->usage);
-  return fmt::format("{}", fmt::join(usages, ", "));
+  return usages;
 }
 
 Failure failure_of_finding(const FindingRecord& finding) {
@@ -320,8 +321,9 @@ void require_match(const std::string& level, const std::string& pattern, const s
     if (one.is_about(family)) return;
     names.push_back(family);
   }
-  throw Error(fmt::format("requirement '{}': no family of this run matches '{}'{} families: {}", level, pattern,
-                          did_you_mean(pattern, names), fmt::join(most_alike_first(pattern, names), ", ")));
+  throw Error(fmt::format("requirement '{}': no family of this run matches '{}'{} {}", level, pattern,
+                          did_you_mean(pattern, names),
+                          names_alike("families", pattern, names, "axiscert families --predicate ID")));
 }
 
 }  // namespace
@@ -343,8 +345,8 @@ AskedLevel parse_level(const std::string& text) {
   }
   const GateLevel* level = find_level(asked.name);
   if (level == nullptr) {
-    throw Error(fmt::format("unknown requirement '{}'{} levels: {}", text, did_you_mean(asked.name, gate_level_names()),
-                            usages()));
+    throw Error(fmt::format("unknown requirement '{}'{} {}", text, did_you_mean(asked.name, gate_level_names()),
+                            names_alike("levels", asked.name, usages(), "axiscert run --help")));
   }
   const std::string usage = level->usage;
   const bool takes_one = usage.find('=') != usage.npos, has_to = takes_one && usage.find('[') == usage.npos;

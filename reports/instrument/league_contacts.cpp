@@ -246,7 +246,8 @@ InstrumentReport league_contacts_report(const League& league, const CampaignResu
   InstrumentReport report{"league", "What kernels and libraries say beside their verdicts", command, {}, {}, {}, {}};
   report.notes = {
       "Looked at: the answers whose numbers were judged, of the first 4,096 queries of a family, right or wrong. Not "
-      "given: the library's function has no such number, or gave none; `none beside` counts the answers that lack one "
+      "given: the library's function has no such number, or gave none; \"none beside\" counts the answers that lack "
+      "one "
       "beside a contact or beside other numbers.",
       "Separation: the greatest difference from the exact one; on scenes, which are in metres, as a length too. "
       "Contradictions need no oracle. Flips: normals at more than a right angle to the exact one, along which a push "

@@ -110,7 +110,7 @@ class LeagueReport {
         "Deepest: |d - r| / max(|A-P|, |B-P|, |C-P|, r) of a wrong verdict. Critical radius: for every 256th of a "
         "source's first 2^24 queries the smallest radius that is called a contact, its error in ulps of the exact "
         "distance. Time: verdicts alone on one core, median over repetitions of 2^17 distinct queries of family "
-        "`general`, in the library's own process, without the cost of communicating with it.",
+        "general, in the library's own process, without the cost of communicating with it.",
         "Zero wrong verdicts hold for these queries only: at most 3 in as many queries, at 95 %."};
     all.insert(all.end(), league_.not_checked.begin(), league_.not_checked.end());
     return all;

@@ -13,9 +13,9 @@
 namespace axiscert {
 namespace {
 
-constexpr EnumArray<FamilyGroup, std::string_view> asked_words = {"everyday scenes", "of your own queries",
-                                                                  "queries that nothing rounds",
-                                                                  "hard queries (touching, degenerate, huge, tiny)"};
+constexpr EnumArray<FamilyGroup, std::string_view> asked_words = {
+    "everyday scenes", "of your own queries", "queries that nothing rounds",
+    "other queries (random, touching, degenerate, huge, tiny)"};
 
 // "27 contacts invented, worst 16.6 cm (scene-edge)", or "none invented".
 std::string side_text(std::uint64_t count, const char* what, const std::string& worst, const std::string& family) {
@@ -100,9 +100,9 @@ FamilyGroup family_group(std::string_view name) {
   for (const Family* family : families()) {
     if (family->name != name) continue;
     if (family->trust_group == TrustGroup::scene) return FamilyGroup::everyday;
-    return family->exact_arithmetic ? FamilyGroup::exact : FamilyGroup::hard;
+    return family->exact_arithmetic ? FamilyGroup::exact : FamilyGroup::other;
   }
-  return FamilyGroup::hard;
+  return FamilyGroup::other;
 }
 
 GroupResult group_result(const KernelRecord& kernel, FamilyGroup group) {

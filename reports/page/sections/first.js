@@ -21,7 +21,7 @@ function levels_table(data) {
   ], data.first.levels);
 }
 
-const worst_headings = {everyday: 'The worst everyday scene', own: 'The worst of your own queries', exact: 'The deepest wrong verdict', hard: 'The deepest wrong verdict'};
+const worst_headings = {everyday: 'The worst everyday scene', own: 'The worst of your own queries', exact: 'The deepest wrong verdict', other: 'The deepest wrong verdict'};
 
 function worst_box(data) {
   const {worst} = data.first;
