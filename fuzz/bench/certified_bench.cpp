@@ -211,9 +211,9 @@ void measure(const Source& source, const std::string& target, OtherRows& rows) {
                    certified::pairs(pointers, query_count, AXISCERT_EXACT_ONLY, to);
                  }});
   std::vector<std::uint8_t> features(query_count), has_normal(query_count);
-  std::array<std::vector<Real>, 7> numbers;
-  for (auto& column : numbers) column.resize(query_count);
-  const auto number = [&](std::size_t k) { return numbers[k].data(); };
+  // Placed as the queries are: columns of vectors would lie at the same places of pages, across cache lines.
+  QueryBatch<Real> numbers(query_count, 7);
+  const auto number = [&](std::size_t k) { return numbers.mutable_columns().column[k]; };
   all.push_back({"contacts", [&] {
                    certified::contact_pairs(pointers, query_count, AXISCERT_CLOSED_SPHERE,
                                             {reinterpret_cast<std::uint8_t*>(verdicts.data()),

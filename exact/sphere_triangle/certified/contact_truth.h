@@ -1,6 +1,6 @@
-// For tests: what is wrong with the numbers of a contact, if anything. In long double where that is certain, by
-// integers and MPFR elsewhere; the parts are compared by their squared distances, not by the conditions that the
-// library uses.
+// For tests: what is wrong with the numbers of a contact, if anything. In long double, or in 113 bits, where these are
+// certain, by integers and MPFR elsewhere; the parts are compared by their squared distances, not by the conditions
+// that the library uses.
 #pragma once
 
 #include <gmpxx.h>
@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "kernel/include/axiscert/contact.hpp"
@@ -58,7 +59,23 @@ struct ContactPromise {
   static constexpr double of_point = u, point_of_scene = (narrow ? 0x1p-12 : 14) * u;
 };
 
-using Wide = long double;
+// What a query is judged in before integers are asked.
+template <class Wide>
+inline constexpr int bits_of_wide = std::is_same_v<Wide, long double> ? 64 : 113;
+using Widest = __float128;
+
+template <class Wide>
+Wide magnitude_of(Wide x) {
+  return x < 0 ? -x : x;
+}
+template <class Wide>
+Wide root_of(Wide x) {
+  const long double near = std::sqrt(static_cast<long double>(x));
+  if constexpr (std::is_same_v<Wide, long double>) return near;
+  else return near > 0 ? (near + x / near) / 2 : Wide(near);
+}
+
+template <class Wide>
 struct WideVector {
   Wide x, y, z;
   friend WideVector operator-(const WideVector& a, const WideVector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -68,22 +85,24 @@ struct WideVector {
   friend WideVector cross(const WideVector& a, const WideVector& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
   }
-  Wide length() const { return std::sqrt(dot(*this, *this)); }
+  Wide length() const { return root_of(dot(*this, *this)); }
 };
 
 inline bool has_sign_of_verdict(bool open, const ContactSaid& said) {
   return (said.verdict == 0) == (open ? said.separation < 0 : said.separation <= 0);
 }
 
-// Whether all is right, where long double is certain of it. Each quantity is off by less than 64 units of its roundoff
-// times the sizes that it is made of; `slack` is 2^-57 of these.
-template <class Real>
+// Whether all is right, where Wide is certain of it. Each quantity is off by less than 64 units of its roundoff times
+// the sizes that it is made of; `slack` is 128 units.
+template <class Real, class Wide>
 bool is_surely_right(const std::array<double, 13>& q, bool open, const ContactSaid& said) {
-  static_assert(std::numeric_limits<Wide>::digits >= 64);
+  static_assert(std::numeric_limits<long double>::digits >= 64);
   using Promise = ContactPromise<Real>;
-  constexpr Wide slack = 0x1p-57L;
-  const auto at = [&](std::size_t i) { return WideVector{q[3 * i], q[3 * i + 1], q[3 * i + 2]}; };
-  const WideVector v[3] = {at(0), at(1), at(2)}, p = at(3);
+  using Vector = WideVector<Wide>;
+  constexpr Wide slack = bits_of_wide<Wide> == 64 ? Wide(0x1p-57L) : Wide(0x1p-106L);
+  constexpr Wide greatest_condition = bits_of_wide<Wide> == 64 ? 0x1p6 : 0x1p40;
+  const auto at = [&](std::size_t i) { return Vector{q[3 * i], q[3 * i + 1], q[3 * i + 2]}; };
+  const Vector v[3] = {at(0), at(1), at(2)}, p = at(3);
   const Wide r = q[12];
   if (!(r >= 0) || said.feature < 0 || said.feature > 6 || said.has_normal != 1) return false;
   Wide scene = r, widest = 0;
@@ -91,40 +110,41 @@ bool is_surely_right(const std::array<double, 13>& q, bool open, const ContactSa
     scene = std::max(scene, (v[i] - p).length());
     widest = std::max(widest, (v[(i + 1) % 3] - v[i]).length());
   }
-  if (!(scene > Wide(0x1p-900) && scene < std::numeric_limits<double>::max())) return false;
+  if (!(scene > Wide(0x1p-900) && scene < Wide(std::numeric_limits<double>::max()))) return false;
   const std::size_t f = static_cast<std::size_t>(said.feature), first = f % 3, second = (f + 1) % 3,
                     third = (f + 2) % 3;
-  WideVector w{};  // from the centre to the nearest point
+  Vector w{};  // from the centre to the nearest point
   Wide error = slack * scene;
   if (f < 3) {
     w = v[f] - p;
     const Wide margin = slack * scene * widest;
     if (!(dot(w, v[second] - v[f]) > margin && dot(w, v[third] - v[f]) > margin)) return false;
   } else if (f < 6) {
-    const WideVector b = v[first] - p, y = v[second] - v[first];
-    const Wide yy = dot(y, y), t = -dot(b, y) / yy, room = slack * scene / std::sqrt(yy);
+    const Vector b = v[first] - p, y = v[second] - v[first];
+    const Wide yy = dot(y, y), t = -dot(b, y) / yy, room = slack * scene / root_of(yy);
     if (!(t > room && t < 1 - room)) return false;
     w = b + y * t;
     if (!(dot(w, v[third] - v[first]) > slack * scene * widest)) return false;
   } else {
-    const WideVector ab = v[1] - v[0], ac = v[2] - v[0], n = cross(ab, ac), b = v[0] - p;
-    const Wide nn = dot(n, n), condition = dot(ab, ab) * dot(ac, ac) / nn;
-    if (!(condition < Wide(0x1p12))) return false;
-    error *= 64;
+    const Vector ab = v[1] - v[0], ac = v[2] - v[0], n = cross(ab, ac), b = v[0] - p;
+    // |AB| |AC| / |n|, by which the rounding of n counts.
+    const Wide nn = dot(n, n), condition = root_of(dot(ab, ab) * dot(ac, ac) / nn);
+    if (!(condition < greatest_condition)) return false;
+    error *= condition;
     w = n * (dot(b, n) / nn);
     for (std::size_t i = 0; i < 3; ++i) {
-      const WideVector side = v[(i + 1) % 3] - v[i];
-      if (!(dot(cross(side, p + w - v[i]), n) > 64 * slack * side.length() * scene * std::sqrt(nn))) return false;
+      const Vector side = v[(i + 1) % 3] - v[i];
+      if (!(dot(cross(side, w - (v[i] - p)), n) > error * side.length() * root_of(nn))) return false;
     }
   }
   const Wide d = w.length(), separation = d - r;
-  if (!(d > 0) || !(std::fabs(separation) > error) || (said.verdict == 0) != (separation < 0)) return false;
+  if (!(d > 0) || !(magnitude_of<Wide>(separation) > error) || (said.verdict == 0) != (separation < 0)) return false;
   if (!has_sign_of_verdict(open, said)) return false;
-  if (!(std::fabs(said.separation - separation) + error <=
-        Promise::of_separation * std::fabs(separation) + Promise::of_scene * scene))
+  if (!(magnitude_of<Wide>(said.separation - separation) + error <=
+        Promise::of_separation * magnitude_of<Wide>(separation) + Promise::of_scene * scene))
     return false;
-  const WideVector normal = w * (-1 / d), point = f < 3 ? v[f] : p + w;
-  const WideVector normal_said{said.normal[0], said.normal[1], said.normal[2]},
+  const Vector normal = w * (-1 / d), point = f < 3 ? v[f] : p + w;
+  const Vector normal_said{said.normal[0], said.normal[1], said.normal[2]},
       point_said{said.point[0], said.point[1], said.point[2]};
   const Wide point_error = f < 3 ? 0 : error + slack * point.length();
   return (normal_said - normal).length() + 2 * error / d <= Promise::normal &&
@@ -301,9 +321,10 @@ std::string exactly_wrong(const std::array<double, 13>& q, bool open, const Cont
   return {};
 }
 
-// The first thing that is wrong; empty where nothing is.
+// The first thing that is wrong; empty where nothing is. `is_exact` is set where integers and MPFR were asked.
 template <class Real>
-std::string what_is_wrong(const std::array<double, 13>& q, bool open, const ContactSaid& said) {
+std::string what_is_wrong(const std::array<double, 13>& q, bool open, const ContactSaid& said,
+                          bool* is_exact = nullptr) {
   bool is_valid = q[12] >= 0;
   for (const double x : q) is_valid = is_valid && std::isfinite(x);
   if (!is_valid) {
@@ -312,7 +333,9 @@ std::string what_is_wrong(const std::array<double, 13>& q, bool open, const Cont
                             std::isnan(said.point[2]) && said.feature == 7 && said.has_normal == 0;
     return said.verdict == 3 && is_nothing ? "" : "an answer about what is no query";
   }
-  return is_surely_right<Real>(q, open, said) ? std::string() : exactly_wrong<Real>(q, open, said);
+  if (is_surely_right<Real, long double>(q, open, said) || is_surely_right<Real, Widest>(q, open, said)) return {};
+  if (is_exact != nullptr) *is_exact = true;
+  return exactly_wrong<Real>(q, open, said);
 }
 
 }  // namespace axiscert::testing_support

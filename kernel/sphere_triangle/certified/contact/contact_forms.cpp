@@ -20,14 +20,17 @@
 #include "kernel/sphere_triangle/certified/numbers/pairs-inl.h"
 #include "kernel/sphere_triangle/certified/leftovers-inl.h"
 #include "kernel/sphere_triangle/certified/contact/contact_step-inl.h"
+#include "kernel/sphere_triangle/certified/contact/contact_block-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified::HWY_NAMESPACE {
 ContactForms contact_forms() {
+  using Floats = hn::ScalableTag<float>;
   using Doubles = hn::ScalableTag<double>;
+  using OneFloat = hn::CappedTag<float, 1>;
   using OneDouble = hn::CappedTag<double, 1>;
-  return {decide_contacts<Doubles, float>, decide_contacts<Doubles, double>, decide_contacts<OneDouble, float>,
-          decide_contacts<OneDouble, double>};
+  return {decide_contacts<Floats, Doubles, float>, decide_contacts<Floats, Doubles, double>,
+          decide_contacts<OneFloat, OneDouble, float>, decide_contacts<OneFloat, OneDouble, double>};
 }
 }  // namespace axiscert::certified::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

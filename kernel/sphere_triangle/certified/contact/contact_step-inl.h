@@ -1,15 +1,91 @@
-// The first step of a contact's numbers, one query a lane; contact_steps.h has the derivation of its bounds. No include
-// guard: included once for each of Highway's instruction sets, after ../numbers/pairs-inl.h and ../leftovers-inl.h.
+// The first steps of a contact's numbers, one query a lane; contact_steps.h has the derivation of their bounds. No
+// include guard: included once for each of Highway's instruction sets, after ../numbers/pairs-inl.h and
+// ../leftovers-inl.h.
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
 
-// D is of doubles, Real the type of the input.
-template <class D, class Real>
-class ContactStep {
- public:
+// Which part is nearest, by signs that are certain: where none of the masks holds, one is not.
+template <class D>
+struct NearestPart {
   using T = Lanes<D, false>;  // nothing is fused
   using Mask = hn::Mask<D>;
+  using Vector = Vec3<T>;
+
+  Vector AB, AC;
+  T e1, e3, E, S;
+  Mask on_b, on_c, on_ab, on_bc, on_ca, on_vertex, on_edge, on_face;
+
+  AXISCERT_INLINE explicit NearestPart(const Problem<T>& q) : AB(q.b - q.a), AC(q.c - q.a) {
+    constexpr double v = unit_roundoff<hn::TFromD<D>>;
+    const Vector A = q.a - q.p;
+    const T aa = dot(A, A), g1 = dot(A, AB), g2 = dot(A, AC), f = dot(AB, AC);
+    e1 = dot(AB, AB), e3 = dot(AC, AC);
+    E = e1 + e3, S = aa + E;
+    const T by2 = number(ContactBounds::side_2 * v) * S, by4 = number(ContactBounds::side_4 * v) * (S * E);
+    const T g3 = g1 + e1, g6 = g2 + e3, bc = g3 - (g2 + f), cb = g6 - (g1 + f);
+    const T beyond_ab = g1 * f - e1 * g2, beyond_ca = f * g2 - g1 * e3;
+    const T beyond_bc = (e1 * e3 - f * f) - (beyond_ab + beyond_ca);
+    const T minus2 = -by2, minus4 = -by4;
+
+    on_b = above(minus2, greatest(g3, bc)), on_c = above(minus2, greatest(g6, cb));
+    on_ab = hn::And(hn::And(above(minus2, g1), above(g3, by2)), above(minus4, beyond_ab));
+    on_bc = hn::And(above(least(bc, cb), by2), above(minus4, beyond_bc));
+    on_ca = hn::And(hn::And(above(minus2, g2), above(g6, by2)), above(minus4, beyond_ca));
+    on_face = above(least(least(beyond_ab, beyond_bc), beyond_ca), by4);
+    on_vertex = hn::Or(hn::Or(above(least(g1, g2), by2), on_b), on_c);
+    on_edge = hn::Or(hn::Or(on_ab, on_bc), on_ca);
+  }
+  // A binary digit of the feature.
+  AXISCERT_INLINE Mask digit(int k) const {
+    return k == 0   ? hn::Or(hn::Or(on_b, on_ab), on_ca)
+           : k == 1 ? hn::Or(hn::Or(on_c, on_ab), on_face)
+                    : hn::Or(hn::Or(on_bc, on_ca), on_face);
+  }
+  // The vertex, the ends of the edge, or A and C.
+  AXISCERT_INLINE Vector first(const Problem<T>& q) const {
+    return either(hn::Or(on_c, on_ca), q.c, either(hn::Or(on_b, on_bc), q.b, q.a));
+  }
+  AXISCERT_INLINE Vector second(const Problem<T>& q) const { return either(on_ab, q.b, either(on_ca, q.a, q.c)); }
+
+  AXISCERT_INLINE static T number(double x) { return {hn::Set(D(), static_cast<hn::TFromD<D>>(x))}; }
+  AXISCERT_INLINE static Mask above(const T& x, const T& y) { return hn::Gt(x.v, y.v); }
+  AXISCERT_INLINE static T either(Mask mask, const T& yes, const T& no) { return {hn::IfThenElse(mask, yes.v, no.v)}; }
+  AXISCERT_INLINE static Vector either(Mask mask, const Vector& yes, const Vector& no) {
+    return {either(mask, yes.x, no.x), either(mask, yes.y, no.y), either(mask, yes.z, no.z)};
+  }
+  // 0 <= r, and finite as Real.
+  template <class Real>
+  AXISCERT_INLINE static Mask is_radius(const T& r) {
+    const T greatest_number = number(std::numeric_limits<Real>::max());
+    return hn::And(hn::Ge(r.v, hn::Zero(D())), hn::Le(r.v, greatest_number.v));
+  }
+};
+
+// Of binary32, in doubles: from P to the nearest point, by the first and the second place of its part and AB.
+template <class D>
+struct ToNearest {
+  using T = Lanes<D, false>;
+  Vec3<T> w;
+  T square;  // of the edge, or of the normal
+
+  AXISCERT_INLINE ToNearest(const Vec3<T>& first, const Vec3<T>& second, const Vec3<T>& P, const Vec3<T>& AB,
+                            hn::Mask<D> on_vertex, hn::Mask<D> on_face) {
+    const Vec3<T> b = first - P, y = second - first;
+    const Vec3<T> along = NearestPart<D>::either(on_face, cross(AB, y), y);
+    square = dot(along, along);
+    const Vec3<T> part = along * T{hn::Div(dot(b, along).v, square.v)};
+    w = NearestPart<D>::either(on_vertex, b, NearestPart<D>::either(on_face, part, b - part));
+  }
+};
+
+// Of binary32: the signs in floats, the numbers in doubles. F is of floats, D of doubles, with as many lanes or half of
+// them.
+template <class F, class D>
+class QuickStep {
+ public:
+  using T = Lanes<F, false>;
+  using Mask = hn::Mask<F>;
   using Vector = Vec3<T>;
 
   Mask measured;          // the feature is certain, and the numbers keep their bounds
@@ -18,40 +94,109 @@ class ContactStep {
   T separation;
   Vector normal, point;
 
+  AXISCERT_INLINE explicit QuickStep(const Problem<T>& q) {
+    using Part = NearestPart<F>;
+    const Part part(q);
+    for (int k = 0; k < 3; ++k) feature[k] = part.digit(k);
+    const Vector Q = part.first(q), to = part.second(q);
+    const std::uint64_t vertices = bits_of(F(), part.on_vertex), faces = bits_of(F(), part.on_face);
+    const Half lower = half<0>(q, Q, to, vertices, faces);
+    Half upper = lower;
+    if constexpr (halves == 2) upper = half<1>(q, Q, to, vertices, faces);
+    const auto number = [&](int k) HWY_ATTR {
+#if HWY_TARGET != HWY_SCALAR
+      if constexpr (halves == 2) return T{hn::Combine(F(), upper.number[k], lower.number[k])};
+      else
+#endif
+        return T{lower.number[k]};
+    };
+    const T ww = number(0);
+    const T zero = Part::number(0);
+    separation = number(1);
+    normal = Vector{number(2), number(3), number(4)} + Vector{zero, zero, zero};  // no -0
+    point = Part::either(part.on_vertex, Q, Vector{number(5), number(6), number(7)});
+
+    const T certain = Part::number(ContactBounds::certain_32) * part.S;
+    const T least_square = Part::either(part.on_edge, Part::number(ContactBounds::least_edge_32) * part.S, certain);
+    measured = hn::And(hn::Or(hn::Or(part.on_vertex, part.on_edge), part.on_face), Part::above(ww, least_square));
+    measured = hn::And(measured, hn::And(Part::above(part.E, Part::number(ContactBounds::least_triangle_32)),
+                                         Part::above(Part::number(ContactBounds::greatest_square_32), part.S)));
+    measured = hn::And(measured, Part::template is_radius<float>(q.r));
+    decided = hn::And(measured, Part::above(separation * separation, certain));
+    contact = hn::And(decided, hn::Lt(separation.v, hn::Zero(F())));
+  }
+
+ private:
+  using Narrow = hn::Rebind<float, D>;
+  using Wide = NearestPart<D>;
+  static constexpr std::size_t halves = hn::MaxLanes(F()) / hn::MaxLanes(D());
+  static_assert(halves == 1 || halves == 2);
+
+  // w.w, the separation, the normal and P + w.
+  struct Half {
+    hn::Vec<Narrow> number[8];
+  };
+  template <int which>
+  AXISCERT_INLINE static typename Wide::T widened(const T& x) {
+#if HWY_TARGET != HWY_SCALAR  // whose vectors have no halves
+    if constexpr (halves == 2 && which == 0) return {hn::PromoteTo(D(), hn::LowerHalf(Narrow(), x.v))};
+    else if constexpr (halves == 2) return {hn::PromoteTo(D(), hn::UpperHalf(Narrow(), x.v))};
+    else
+#endif
+      return {hn::PromoteTo(D(), x.v)};
+  }
+  template <int which>
+  AXISCERT_INLINE static typename Wide::Vector widened(const Vector& x) {
+    return {widened<which>(x.x), widened<which>(x.y), widened<which>(x.z)};
+  }
+  template <int which>
+  AXISCERT_INLINE static hn::Mask<D> mask_of(std::uint64_t lanes) {
+    const std::uint64_t bits = lanes >> (which * hn::MaxLanes(D())) & low_bits(hn::MaxLanes(D()));
+    return hn::LoadMaskBits(D(), reinterpret_cast<const std::uint8_t*>(&bits));
+  }
+  template <int which>
+  AXISCERT_INLINE static Half half(const Problem<T>& q, const Vector& first, const Vector& second,
+                                   std::uint64_t vertices, std::uint64_t faces) {
+    const auto Q = widened<which>(first), to = widened<which>(second), P = widened<which>(q.p);
+    const auto AB = widened<which>(q.b) - Q;
+    const auto w = ToNearest<D>(Q, to, P, AB, mask_of<which>(vertices), mask_of<which>(faces)).w;
+    const auto square = dot(w, w);
+    const typename Wide::T d{hn::Sqrt(square.v)}, by{hn::Div(hn::Set(D(), -1), d.v)};
+    const auto normal = w * by, point = P + w;
+    const auto narrowed = [&](const typename Wide::T& x) HWY_ATTR { return hn::DemoteTo(Narrow(), x.v); };
+    return {{narrowed(square), narrowed(d - widened<which>(q.r)), narrowed(normal.x), narrowed(normal.y),
+             narrowed(normal.z), narrowed(point.x), narrowed(point.y), narrowed(point.z)}};
+  }
+};
+
+// D is of doubles, Real the type of the input.
+template <class D, class Real>
+class ContactStep {
+ public:
+  using T = Lanes<D, false>;  // nothing is fused
+  using Mask = hn::Mask<D>;
+  using Vector = Vec3<T>;
+  using Part = NearestPart<D>;
+
+  Mask measured;          // the feature is certain, and the numbers keep their bounds
+  Mask decided, contact;  // the verdict is certain too
+  Mask feature[3];        // its binary digits
+  T separation;
+  Vector normal, point;
+
   AXISCERT_INLINE explicit ContactStep(const Problem<T>& q) {
-    const Vector A = q.a - q.p, AB = q.b - q.a, AC = q.c - q.a;
-    const T aa = dot(A, A), g1 = dot(A, AB), g2 = dot(A, AC), f = dot(AB, AC), e1 = dot(AB, AB), e3 = dot(AC, AC);
-    const T E = e1 + e3, S = aa + E;
-    const T by2 = number(ContactBounds::side_2 * v) * S, by4 = number(ContactBounds::side_4 * v) * (S * E);
-    const T g3 = g1 + e1, g6 = g2 + e3, bc = g3 - (g2 + f), cb = g6 - (g1 + f);
-    const T beyond_ab = g1 * f - e1 * g2, beyond_ca = f * g2 - g1 * e3;
-    const T beyond_bc = (e1 * e3 - f * f) - (beyond_ab + beyond_ca);
-    const T minus2 = -by2, minus4 = -by4;
-
-    const Mask on_a = above(least(g1, g2), by2);
-    const Mask on_b = above(minus2, greatest(g3, bc)), on_c = above(minus2, greatest(g6, cb));
-    const Mask on_ab = hn::And(hn::And(above(minus2, g1), above(g3, by2)), above(minus4, beyond_ab));
-    const Mask on_bc = hn::And(above(least(bc, cb), by2), above(minus4, beyond_bc));
-    const Mask on_ca = hn::And(hn::And(above(minus2, g2), above(g6, by2)), above(minus4, beyond_ca));
-    const Mask on_face = above(least(least(beyond_ab, beyond_bc), beyond_ca), by4);
-    const Mask on_vertex = hn::Or(hn::Or(on_a, on_b), on_c), on_edge = hn::Or(hn::Or(on_ab, on_bc), on_ca);
-    feature[0] = hn::Or(hn::Or(on_b, on_ab), on_ca);
-    feature[1] = hn::Or(hn::Or(on_c, on_ab), on_face);
-    feature[2] = hn::Or(hn::Or(on_bc, on_ca), on_face);
-
-    const Vector Q = either(hn::Or(on_c, on_ca), q.c, either(hn::Or(on_b, on_bc), q.b, q.a));
-    const Vector to = either(on_ab, q.b, either(on_ca, q.a, q.c));
-    const Vector b = Q - q.p, y = to - Q;
+    const Part part(q);
+    for (int k = 0; k < 3; ++k) feature[k] = part.digit(k);
+    const Mask on_vertex = part.on_vertex, on_edge = part.on_edge, on_face = part.on_face;
+    const Vector Q = part.first(q), to = part.second(q);
     Vector w;
     Mask is_sound;  // the normal that w is made of is accurate
     if constexpr (is_narrow) {
-      const Vector along = either(on_face, cross(AB, AC), y);
-      const T square = dot(along, along);
-      const Vector part = along * T{hn::Div(dot(b, along).v, square.v)};
-      w = either(on_vertex, b, either(on_face, part, b - part));
-      is_sound = above(square, number(ContactBounds::least_normal_32) * (e1 * e3));
+      const ToNearest<D> nearest(Q, to, q.p, part.AB, on_vertex, on_face);
+      w = nearest.w;
+      is_sound = above(nearest.square, number(ContactBounds::least_normal_32) * (part.e1 * part.e3));
     } else {
-      const Vector of = either(on_face, q.b, Q), from = either(on_face, Q, q.p), x = of - from;
+      const Vector b = Q - q.p, y = to - Q, of = either(on_face, q.b, Q), from = either(on_face, Q, q.p), x = of - from;
       const Vector N = accurate_cross(of, from, to, Q);
       const T nn = dot(N, N), yy = dot(y, y);
       const T factor{hn::Div(either(on_face, dot(b, N), number(1)).v, either(on_face, nn, yy).v)};
@@ -65,14 +210,14 @@ class ContactStep {
     normal = w * T{hn::Div(number(-1).v, d.v)} + Vector{zero, zero, zero};  // no -0
     point = either(on_vertex, Q, q.p + w);
 
-    const T certain = number(is_narrow ? ContactBounds::certain_32 : ContactBounds::certain_64) * S;
-    const Mask is_long = is_narrow ? above(ww, number(ContactBounds::least_edge_32) * S) : is_sound;
+    const T certain = number(is_narrow ? ContactBounds::certain_32 : ContactBounds::certain_64) * part.S;
+    const Mask is_long = is_narrow ? above(ww, number(ContactBounds::least_edge_32) * part.S) : is_sound;
     measured =
         hn::And(hn::Or(on_vertex, hn::Or(hn::And(on_face, is_sound), hn::And(on_edge, is_long))), above(ww, certain));
-    measured = hn::And(measured, hn::And(hn::Ge(q.r.v, hn::Zero(D())), hn::Le(q.r.v, greatest_number())));
+    measured = hn::And(measured, Part::template is_radius<Real>(q.r));
     if constexpr (!is_narrow) {
-      measured = hn::And(measured, hn::And(above(E, number(ContactBounds::least_triangle)),
-                                           above(number(ContactBounds::greatest_square), S)));
+      measured = hn::And(measured, hn::And(above(part.E, number(ContactBounds::least_triangle)),
+                                           above(number(ContactBounds::greatest_square), part.S)));
     }
     // So great that it is not 0 as a float.
     const T shown = is_narrow ? certain + number(ContactBounds::least_shown_32) : certain;
@@ -81,17 +226,13 @@ class ContactStep {
   }
 
  private:
-  static constexpr double v = 0x1p-53;
   static constexpr bool is_narrow = sizeof(Real) == 4;
-  AXISCERT_INLINE static T number(double x) { return {hn::Set(D(), x)}; }
-  AXISCERT_INLINE static hn::Vec<D> greatest_number() {
-    return hn::Set(D(), static_cast<double>(std::numeric_limits<Real>::max()));
-  }
+  AXISCERT_INLINE static T number(double x) { return Part::number(x); }
   AXISCERT_INLINE static T magnitude(const T& x) { return {hn::Abs(x.v)}; }
-  AXISCERT_INLINE static Mask above(const T& x, const T& y) { return hn::Gt(x.v, y.v); }
-  AXISCERT_INLINE static T either(Mask mask, const T& yes, const T& no) { return {hn::IfThenElse(mask, yes.v, no.v)}; }
-  AXISCERT_INLINE static Vector either(Mask mask, const Vector& yes, const Vector& no) {
-    return {either(mask, yes.x, no.x), either(mask, yes.y, no.y), either(mask, yes.z, no.z)};
+  AXISCERT_INLINE static Mask above(const T& x, const T& y) { return Part::above(x, y); }
+  template <class Of>
+  AXISCERT_INLINE static Of either(Mask mask, const Of& yes, const Of& no) {
+    return Part::either(mask, yes, no);
   }
 
   // (of - from) x (to - at), as if its differences and products were exact.
@@ -112,98 +253,6 @@ class ContactStep {
     return sum.zero_where(above(number(ContactBounds::negligible_component), magnitude(sum)));
   }
 };
-
-// D is of doubles.
-template <class D, class Real>
-class Contacts {
- public:
-  Contacts(const Block<Real>& block, Question question, const ContactColumns<Real>& to, BlockContacts& answer) noexcept
-      : block_(block), question_(question), to_(to), answer_(answer) {}
-
-  HWY_NOINLINE void run() noexcept {
-    for (std::size_t first = 0; first < block_.size; first += 64) {
-      take_word(first, block_.size - first < 64 ? block_.size - first : 64);
-    }
-    if (unsure_count_ != 0) settle_verdicts(block_, unsure_, unsure_count_, question_, to_, answer_);
-  }
-
- private:
-  static constexpr std::size_t lanes = hn::MaxLanes(D());
-
-  // Of up to 64 queries, a bit each.
-  struct Word {
-    std::uint64_t contact = 0, measured = 0, decided = 0, feature[3] = {};
-  };
-
-  AXISCERT_INLINE void take_word(std::size_t first, std::size_t size) noexcept {
-    Word found;
-    std::size_t i = 0;
-    for (; i + lanes <= size; i += lanes) take_vector(block_, first + i, to_, first + i, i, found);
-    if (i < size) {
-      const Tail<Real, lanes> tail(block_, first + i);
-      Real room[7][lanes];
-      take_vector(tail.block, 0, {room[0], {room[1], room[2], room[3]}, {room[4], room[5], room[6]}}, 0, i, found);
-      for (std::size_t k = 0; k < 7; ++k) std::memcpy(column(k) + first + i, room[k], (size - i) * sizeof(Real));
-    }
-    const std::size_t word = first / 64;
-    const std::uint64_t measured = found.measured & low_bits(size);
-    answer_.contact[word] = found.contact & measured;
-    for (int k = 0; k < 3; ++k) answer_.feature[k][word] = found.feature[k] & measured;
-    for (std::uint64_t rest = measured & ~found.decided; rest != 0; rest &= rest - 1) {
-      unsure_[unsure_count_++] = static_cast<std::uint16_t>(first + first_bit(rest));
-    }
-    if (const std::uint64_t open = low_bits(size) & ~measured; open != 0) settle(open, first);
-  }
-
-  Real* column(std::size_t k) const noexcept {
-    return k == 0 ? to_.separation : k < 4 ? to_.normal[k - 1] : to_.point[k - 4];
-  }
-
-  // Takes the queries at `at` of a block; their numbers go to `place` of the columns, their bits to `shift` of the
-  // word.
-  AXISCERT_INLINE static void take_vector(const Block<Real>& from, std::size_t at, const ContactColumns<Real>& to,
-                                          std::size_t place, std::size_t shift, Word& found) noexcept {
-    const D d;
-    const ContactStep<D, Real> step(load<false>(d, from, at));
-    const auto store = [&](const Lanes<D, false>& x, Real* out) HWY_ATTR {
-      if constexpr (sizeof(Real) == 8) hn::StoreU(x.v, d, out + place);
-      else hn::StoreU(hn::DemoteTo(hn::Rebind<float, D>(), x.v), hn::Rebind<float, D>(), out + place);
-    };
-    store(step.separation, to.separation);
-    store(step.normal.x, to.normal[0]);
-    store(step.normal.y, to.normal[1]);
-    store(step.normal.z, to.normal[2]);
-    store(step.point.x, to.point[0]);
-    store(step.point.y, to.point[1]);
-    store(step.point.z, to.point[2]);
-    found.contact |= bits_of(d, step.contact) << shift;
-    found.measured |= bits_of(d, step.measured) << shift;
-    found.decided |= bits_of(d, step.decided) << shift;
-    for (int k = 0; k < 3; ++k) found.feature[k] |= bits_of(d, step.feature[k]) << shift;
-  }
-  HWY_NOINLINE void settle(std::uint64_t open, std::size_t i) noexcept {
-    for (; open != 0; open &= open - 1) {
-      const std::size_t at = i + first_bit(open);
-      double q[13];
-      widen(block_, at, q);
-      settle_contact(q, question_, at, to_, answer_);
-    }
-  }
-
-  const Block<Real>& block_;
-  const Question question_;
-  const ContactColumns<Real>& to_;
-  std::uint16_t unsure_[block_size];  // queries that lack their verdict alone
-  std::size_t unsure_count_ = 0;
-  BlockContacts& answer_;
-};
-
-template <class D, class Real>
-void decide_contacts(const Block<Real>& block, Question question, const ContactColumns<Real>& to,
-                     BlockContacts& answer) noexcept {
-  answer = {};
-  Contacts<D, Real>(block, question, to, answer).run();
-}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace axiscert::certified

@@ -1,8 +1,9 @@
 // The numbers beside the verdict: how far apart, which part of the triangle is nearest, where, and in which direction.
 //
-// Two steps. The first (contact_step-inl.h) takes one query a lane, in doubles without fused operations, so that its
-// bits are the same on every instruction set; a query whose feature or accuracy it is not certain of goes to the second
-// (exact_contact.h), whose signs are those of integers. Both keep the bounds below. What lacks its verdict alone goes
+// Three steps. The quick one is of binary32 alone: signs in floats, numbers in doubles. The next takes what that is not
+// certain of, and binary64, all in doubles (both contact_step-inl.h: one query a lane, no operation fused, so that the
+// bits are the same on every instruction set). A query whose feature or accuracy it is not certain of goes to the last
+// (exact_contact.h), whose signs are those of integers. All keep the bounds below. What lacks its verdict alone goes
 // to the steps of certified.h. Where a separation has not the sign of its verdict, it is moved to 0 or the least number
 // on that side, which is nearer to the exact one.
 //
@@ -13,7 +14,7 @@
 //   point        u |point| + 2^-12 u M           u |point| + 14 u M likewise; a vertex is given as it stands
 // and the least subnormal number for each component. A separation beyond the greatest number is infinite.
 //
-// Why the first step keeps them. v = 2^-53. Q is the vertex, or the first end of the edge, or A; b = Q - P, |b| <= M; y
+// Why doubles keep them. v = 2^-53. Q is the vertex, or the first end of the edge, or A; b = Q - P, |b| <= M; y
 // is along the edge, V = AB x AC; w leads from P to the nearest point: d = |w|, normal = -w / |w|, point = P + w. A
 // component of a difference is (1 + v) times the exact one.
 //   vertex    w = b: v d;  |w|: w.w and the root 2.5 v more                                    |w|: 3.5 v d
@@ -41,6 +42,13 @@
 //   BC's       AB.AB AC.AC - f^2 less these two: 6 v E^2, 12 v S E, three sums 3 v S E; of 24 v S E allowed
 // The rest is for terms of v^2 and the roundings of S and E.
 //
+// The quick step has these signs with v = 2^-24, where E >= 2^-50 and S <= 2^60. Nothing overflows: S E <= 2^120. A
+// product that underflows errs by 2^-150: at degree 2 less than 2^-146 in all, below 2^-70 of 24 v S; at degree 4 less
+// than 2^-146 S + 2^-146, below 2^-26 of 24 v S E >= 2^-70 S and 2^-119.5. Its numbers are those of the doubles. Where
+// it is certain of the face, V.V = AB.AB AC.AC - f^2, the sum of what BC, AB and CA are beyond by, is more than 3 times
+// 2.9 v S E >= 34 v AB.AB AC.AC > 2^-24 AB.AB AC.AC. w.w and d^ - r are rounded to floats, by less than the 2^0.6 that
+// 2^-73 S has above what is needed; it is at least 2^-123, so d^ - r is not 0 as a float.
+//
 // Range. What is widened from binary32 neither overflows nor underflows: nonzero values of degree 4 are between 2^-596
 // and 2^530. In binary64 E >= 2^-300, S <= 2^240 and N.N >= 2^-500 are asked: then a product that underflows errs by
 // 2^-1074, below v^4 of each threshold; a component of N below 2^-600 counts as 0, less than 2^-350 of |N|, so that no
@@ -66,9 +74,10 @@ namespace axiscert::certified {
 struct ContactBounds {
   static constexpr double side_2 = 24, side_4 = 24;                    // of v S, of v S E
   static constexpr double certain_32 = 0x1p-73, certain_64 = 0x1p-97;  // the squares of |d - r| and of d, of S
-  static constexpr double least_normal_32 = 0x1p-24, least_normal_64 = 0x1p-60;  // N.N, of x.x y.y
-  static constexpr double least_shown_32 = 0x1p-298;                             // the square of the least float
-  static constexpr double least_edge_32 = 0x1p-30;                               // the square of d, of S
+  static constexpr double least_normal_32 = 0x1p-24, least_normal_64 = 0x1p-60;      // N.N, of x.x y.y
+  static constexpr double least_shown_32 = 0x1p-298;                                 // the square of the least float
+  static constexpr double least_edge_32 = 0x1p-30;                                   // the square of d, of S
+  static constexpr double least_triangle_32 = 0x1p-50, greatest_square_32 = 0x1p60;  // of signs in floats
   // Of binary64 alone.
   static constexpr double least_triangle = 0x1p-300, greatest_square = 0x1p240, least_normal = 0x1p-500,
                           negligible_component = 0x1p-600;
