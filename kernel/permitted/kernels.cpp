@@ -8,6 +8,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/permitted/adversary.h"
+#include "kernel/permitted/lanes.h"
 #include "kernel/permitted/permissions.h"
 #include "kernel/permitted/recording.h"
 
@@ -53,7 +54,8 @@ std::optional<Kernel> kernel(std::string_view id, const Kernel& rung, std::strin
         fmt::format("kernel '{}': '{}' takes roots, or has formulae that permissions are not applied to (docs/gpu.md)",
                     id, rung.id));
   }
-  const auto recording = std::make_shared<const Recording>(record(parsed_name->part->permissions));
+  const Permissions& permissions = parsed_name->part->permissions;
+  const auto recording = std::make_shared<const Recording>(record(permissions));
   const Verdict wished = verdict_of(parsed_name->wish);
   Kernel made;
   made.id = id;
@@ -64,14 +66,24 @@ std::optional<Kernel> kernel(std::string_view id, const Kernel& rung, std::strin
   made.entry = rung.entry;
   made.exposes = Exposure::verdict;
   made.is_reference = false;
+  const auto lanes = AdversaryInLanes::covers(permissions)
+                         ? std::make_shared<const AdversaryInLanes>(*rung.predicate, rung.entry, *recording, wished)
+                         : nullptr;
   made.binary32 = [=, predicate = rung.predicate](std::string_view) {
     Implementation<float> implementation;
     implementation.verdicts = [=](const QueryColumns<float>& batch, Verdict* out) {
-      Adversary adversary(*predicate, *recording, wished);
+      const Verdict other = wished == Verdict::separated ? Verdict::contact : Verdict::separated;
+      std::vector<std::uint8_t> can_be(batch.size, 1);
+      if (lanes) lanes->ask(batch, can_be.data());
+      // One value each behind barriers is tried for what can be with more.
+      std::optional<Adversary> adversary;
+      if (!lanes || permissions.kept) adversary.emplace(*predicate, *recording, wished);
       std::array<float, most_columns> query;
       for (std::size_t i = 0; i < batch.size; ++i) {
+        out[i] = can_be[i] != 0 ? wished : other;
+        if (can_be[i] == 0 || !adversary) continue;
         for (std::size_t k = 0; k < batch.count; ++k) query[k] = batch.column[k][i];
-        out[i] = adversary.answer({query.data(), batch.count});
+        out[i] = adversary->answer({query.data(), batch.count});
       }
     };
     return implementation;

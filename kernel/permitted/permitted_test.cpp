@@ -4,12 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
 #include <random>
 #include <set>
 
 #include "kernel/base/error.h"
+#include "kernel/permitted/adversary.h"
 #include "kernel/permitted/kernels.h"
+#include "kernel/permitted/lanes.h"
 #include "kernel/permitted/reach.h"
 #include "kernel/permitted/recording.h"
 #include "kernel/sphere_triangle/formulae/methods.h"
@@ -221,6 +224,75 @@ TEST(Adversary, TheQuickIntervalHoldsWhatANodeMayBe) {
     }
   }
   EXPECT_GT(narrow, all * 3 / 4);
+}
+
+// Numbers of all kinds: near each other and far away, of few bits, very small and very great, 0, subnormal, infinite.
+std::vector<float> mixed_numbers(std::mt19937_64& random, const Predicate& predicate, std::size_t entry) {
+  const std::uint64_t kind = random() % 9;
+  std::vector<float> q;
+  for (const PredicateColumn& column : predicate.entries[entry].columns) {
+    float x = std::ldexp(static_cast<float>(static_cast<int>(random() % 0x1ffffff) - 0xffffff), -24);
+    if (kind == 1) x = static_cast<float>(static_cast<int>(random() % 5) - 2);
+    if (kind == 2) x = std::ldexp(x, -static_cast<int>(random() % 100));
+    if (kind == 3) x = std::ldexp(x, static_cast<int>(random() % 70));
+    if (kind == 4) x += 1000;
+    if (kind == 5 && random() % 3 == 0) x = 0;
+    if (kind == 6 && random() % 9 == 0) x = std::ldexp(x, -126);
+    if (kind == 7 && random() % 40 == 0) x = HUGE_VALF;
+    q.push_back(column.role == Role::length ? std::fabs(x) : x);
+  }
+  return q;
+}
+
+// Such numbers, or a sphere that nearly touches, also of so little size that products are flushed.
+std::vector<float> mixed_query(std::mt19937_64& random, const Kernel& kernel) {
+  if (kernel.predicate->id != "sphere-triangle" || random() % 3 == 0)
+    return mixed_numbers(random, *kernel.predicate, kernel.entry);
+  const Numbers<float> near = near_query(random);
+  std::vector<float> q(near.begin(), near.end());
+  const int exponent = random() % 2 == 0 ? 0 : -31;
+  for (float& x : q) x = std::ldexp(x, exponent);
+  return q;
+}
+
+TEST(AdversaryInLanes, AnswersAsTheAdversaryAlsoAskedAgainWithOneColumnChanged) {
+  std::mt19937_64 random(seed);
+  std::map<Verdict, int> answers;
+  for (const char* rung :
+       {"published", "reduced-nonstrict", "closest-point", "moving-sphere/twenty-nonstrict", "box-box/cofactor"}) {
+    const Kernel& kernel = find_kernel(rung);
+    const std::size_t count = kernel.predicate->entries[kernel.entry].columns.size();
+    for (const Part& one : parts) {
+      if (!AdversaryInLanes::covers(one.permissions) || one.permissions.kept) continue;
+      const Recording recording = recorder_of(kernel)(one.permissions);
+      for (const Verdict wished : {Verdict::separated, Verdict::contact}) {
+        const AdversaryInLanes lanes(*kernel.predicate, kernel.entry, recording, wished);
+        Adversary adversary(*kernel.predicate, recording, wished);
+        QueryBatch<float> batch(199, count);
+        std::vector<std::vector<float>> queries;
+        batch.resize(batch.capacity());
+        for (std::size_t i = 0; i < batch.size(); ++i) queries.push_back(mixed_query(random, kernel));
+        for (int again = 0; again < 3; ++again) {
+          const std::size_t changed = random() % count;
+          for (std::size_t i = 0; i < batch.size(); ++i) {
+            if (again > 0) queries[i][changed] *= 0.9999999F;
+            for (std::size_t k = 0; k < count; ++k) batch.mutable_columns().column[k][i] = queries[i][k];
+          }
+          std::vector<std::uint8_t> can_be(batch.size());
+          lanes.ask(batch.columns(), can_be.data());
+          for (std::size_t i = 0; i < batch.size(); ++i) {
+            const Verdict verdict = adversary.answer(queries[i]);
+            EXPECT_EQ(can_be[i] != 0, verdict == wished)
+                << rung << " " << one.name << " query " << i << " seed " << seed;
+            ++answers[verdict];
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(answers[Verdict::separated], 1000);
+  EXPECT_GT(answers[Verdict::contact], 1000);
+  EXPECT_EQ(std::fegetround(), FE_TONEAREST);
 }
 
 TEST(Kernels, WhatAPermissionAllowsIsWithinIt) {

@@ -22,11 +22,18 @@ Reach around(const Permissions& permissions, float nearest, double rest) {
   return flushed(permissions, checked(r));
 }
 
+// The float at a double or above it, and at or below it, however the processor rounds.
+float above(double x) {
+  const auto near = static_cast<float>(x);
+  return near < x ? std::nextafter(near, infinity) : near;
+}
+float below(double x) { return -above(-x); }
+
 // The distance of the two floats around an exact value; of a float, to the nearer of its neighbours.
-double ulp(double exact, float nearest) {
-  const double below = std::nextafter(nearest, -infinity), above = std::nextafter(nearest, infinity);
-  if (exact == nearest) return std::min(nearest - below, above - nearest);
-  return exact < nearest ? nearest - below : above - nearest;
+double ulp(double exact) {
+  const double least = below(exact), greatest = above(exact);
+  if (least != greatest) return greatest - least;
+  return std::min(exact - std::nextafter(below(exact), -infinity), std::nextafter(above(exact), infinity) - exact);
 }
 
 // Joins what `operation` gives of each pair of ends.
@@ -86,19 +93,18 @@ Reach rounded_product(const Permissions& permissions, float a, float b) {
   return around(permissions, nearest, exact - nearest);
 }
 // The quotient of two floats is a number of 25 bits, or by more than 2^-50 of its size beside each of these: so the
-// double is on the right side of every float and of every half of an ulp.
+// double, and the double that is 2.5 ulp away, are on the right side of every float, however the processor rounds.
 Reach rounded_quotient(const Permissions& permissions, float a, float b) {
   const double exact = static_cast<double>(a) / b;
-  const auto nearest = static_cast<float>(exact);
-  if (!std::isfinite(nearest)) return indeterminate;
-  if (!permissions.divided) return around(permissions, nearest, exact - nearest);
+  if (!permissions.divided) {
+    const auto nearest = static_cast<float>(exact);
+    return std::isfinite(nearest) ? around(permissions, nearest, exact - nearest) : indeterminate;
+  }
   if (std::fabs(b) < least_normal || std::fabs(b) > 0x1p126F) return indeterminate;
-  if (exact == 0) return {nearest, nearest};
-  const double most = quotient_ulps * ulp(exact, nearest);
-  Reach r{nearest, nearest};
-  for (float x; exact - (x = std::nextafter(r.least, -infinity)) <= most;) r.least = x;
-  for (float x; (x = std::nextafter(r.greatest, infinity)) - exact <= most;) r.greatest = x;
-  return flushed(permissions, checked(r));
+  if (!(std::fabs(exact) <= std::numeric_limits<float>::max())) return indeterminate;
+  if (exact == 0) return {0, 0};
+  const double most = quotient_ulps * ulp(exact);
+  return flushed(permissions, {above(exact - most), below(exact + most)});
 }
 
 }  // namespace axiscert::permitted

@@ -1,0 +1,369 @@
+#include "kernel/permitted/lanes.h"
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <limits>
+#include <span>
+
+#include "kernel/base/environment.h"
+#include "kernel/base/error.h"
+#include "kernel/permitted/reach.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernel/permitted/lanes.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+#define AXISCERT_PER_TARGET
+#include "kernel/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace axiscert::permitted {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+using axiscert::HWY_NAMESPACE::bits_of_mask;
+using axiscert::HWY_NAMESPACE::for_each_vector;
+constexpr D d;
+constexpr std::size_t lanes = hn::MaxLanes(d);
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float least_normal = std::numeric_limits<float>::min();
+
+// The greatest and the negated least of what may be.
+struct Ends {
+  V greatest, negated_least;
+};
+AXISCERT_INLINE Ends negative(const Ends& a) { return {a.negated_least, a.greatest}; }
+AXISCERT_INLINE Ends joined(const Ends& a, const Ends& b) {
+  return {hn::Max(a.greatest, b.greatest), hn::Max(a.negated_least, b.negated_least)};
+}
+AXISCERT_INLINE M is_finite(const Ends& a) {
+  const V most = hn::Set(d, infinity);
+  return hn::And(hn::Lt(hn::Abs(a.greatest), most), hn::Lt(hn::Abs(a.negated_least), most));
+}
+AXISCERT_INLINE Ends where(M is_determinate, const Ends& a) {
+  const V any = hn::Set(d, infinity);
+  return {hn::IfThenElse(is_determinate, a.greatest, any), hn::IfThenElse(is_determinate, a.negated_least, any)};
+}
+
+AXISCERT_INLINE Ends sum_of(const Ends& a, const Ends& b) {
+  return {hn::Add(a.greatest, b.greatest), hn::Add(a.negated_least, b.negated_least)};
+}
+// Of all pairs of ends, the products and the negated products.
+AXISCERT_INLINE Ends product_of(const Ends& a, const Ends& b) {
+  const V greatest = hn::Neg(a.greatest), least = hn::Neg(a.negated_least);
+  return {hn::Max(hn::Max(hn::Mul(a.greatest, b.greatest), hn::Mul(a.negated_least, b.negated_least)),
+                  hn::Max(hn::Mul(greatest, b.negated_least), hn::Mul(least, b.greatest))),
+          hn::Max(hn::Max(hn::Mul(greatest, b.greatest), hn::Mul(least, b.negated_least)),
+                  hn::Max(hn::Mul(a.greatest, b.negated_least), hn::Mul(a.negated_least, b.greatest)))};
+}
+
+class Queries {
+ public:
+  // As many as there are lanes, from `first` on.
+  Queries(const AdversaryInLanes::Plan& plan, AdversaryInLanes::Memory& memory, AdversaryInLanes::Block& block,
+          const QueryColumns<float>& batch, std::size_t first)
+      : plan_(plan), graph_(plan.recording.graph), memory_(memory), block_(block) {
+    if (block.plan != plan.number) {
+      block.plan = plan.number;
+      block.columns.assign(plan.above.size() * lanes, 0);
+      block.greatest.resize(graph_.nodes().size() * lanes);
+      block.negated_least.resize(block.greatest.size());
+      block.is_known.assign(graph_.nodes().size(), 0);
+      block.known = 0;
+    }
+    for (std::size_t k = 0; k < plan.above.size(); ++k) {
+      float* column = &block.columns[k * lanes];
+      if (std::memcmp(column, batch.column[k] + first, lanes * sizeof(float)) == 0) continue;
+      std::memcpy(column, batch.column[k] + first, lanes * sizeof(float));
+      for (const std::uint32_t node : plan.above[k]) block.is_known[node] = 0;
+      block.known &= ~plan.comparisons_above[k];
+    }
+  }
+
+  // The lanes that `wished` can be in, among `asked`.
+  std::uint64_t open(std::uint64_t asked) {
+    std::uint64_t found = 0;
+    std::array<std::uint64_t, most_comparisons + 1> left = {asked};  // by the number of decisions
+    for (const auto& [decisions, shared] : plan_.ways) {
+      for (std::size_t k = shared; k < decisions.size(); ++k)
+        left[k + 1] = (left[k] & ~found) == 0 ? 0 : left[k] & can_be(decisions[k].first, decisions[k].second);
+      found |= left[decisions.size()];
+      if (found == asked) return found;
+    }
+    if (plan_.clauses.empty()) return found;
+    for (const ComparisonBits clause : plan_.clauses) {
+      std::uint64_t fail = 0;
+      for (ComparisonBits bits = clause; bits != 0 && fail != asked; bits &= bits - 1)
+        fail |= asked & can_be(static_cast<std::size_t>(std::countr_zero(bits)), false);
+      if ((asked = fail) == 0) break;
+    }
+    return asked;
+  }
+
+ private:
+  Ends known(Value v) const {
+    const Ends ends{hn::LoadU(d, &block_.greatest[v.node * lanes]),
+                    hn::LoadU(d, &block_.negated_least[v.node * lanes])};
+    return v.is_negative ? negative(ends) : ends;
+  }
+  Ends flushed(const Ends& a) const {
+    if (!graph_.permissions().flushed) return a;
+    const V zero = hn::Zero(d), most = hn::Set(d, -least_normal);
+    const auto one = [&](V v) HWY_ATTR { return hn::IfThenElse(hn::And(hn::Lt(v, zero), hn::Gt(v, most)), zero, v); };
+    return {one(a.greatest), one(a.negated_least)};
+  }
+
+  std::uint64_t can_be(std::size_t i, bool holding) {
+    if (!has_bit(block_.known, i)) {
+      for (const std::uint32_t node : plan_.below[i]) {
+        if (block_.is_known[node] != 0) continue;
+        const Ends ends = found(node);
+        hn::StoreU(ends.greatest, d, &block_.greatest[node * lanes]);
+        hn::StoreU(ends.negated_least, d, &block_.negated_least[node * lanes]);
+        block_.is_known[node] = 1;
+      }
+      const Ends l = known(plan_.recording.sides[i].first), r = known(plan_.recording.sides[i].second);
+      const bool nonstrict = has_bit(plan_.recording.nonstrict, i);
+      const V least_r = hn::Neg(r.negated_least), least_l = hn::Neg(l.negated_least);
+      block_.holds[i] = bits_of_mask(d, nonstrict ? hn::Ge(l.greatest, least_r) : hn::Gt(l.greatest, least_r));
+      block_.fails[i] = bits_of_mask(d, nonstrict ? hn::Lt(least_l, r.greatest) : hn::Le(least_l, r.greatest));
+      block_.known |= one_bit<ComparisonBits>(i);
+    }
+    return holding ? block_.holds[i] : block_.fails[i];
+  }
+
+  Ends found(std::uint32_t number) {
+    const Node& node = graph_.nodes()[number];
+    switch (node.kind) {
+      case Kind::input: {
+        const V x = hn::LoadU(d, &block_.columns[static_cast<std::size_t>(node.payload) * lanes]);
+        const Ends ends{x, hn::Neg(x)};
+        return flushed(where(is_finite(ends), ends));
+      }
+      case Kind::constant: {
+        const V x = hn::Set(d, static_cast<float>(node.payload));
+        return {x, hn::Neg(x)};
+      }
+      case Kind::magnitude: {
+        const Ends a = known(node.children[0]);
+        const V x = hn::Abs(a.greatest), y = hn::Abs(a.negated_least);
+        return {hn::Max(x, y), hn::Neg(hn::Min(x, y))};
+      }
+      case Kind::least: {
+        const Ends a = known(node.children[0]), b = known(node.children[1]);
+        return {hn::Min(a.greatest, b.greatest), hn::Max(a.negated_least, b.negated_least)};
+      }
+      case Kind::greatest: {
+        const Ends a = known(node.children[0]), b = known(node.children[1]);
+        return {hn::Max(a.greatest, b.greatest), hn::Min(a.negated_least, b.negated_least)};
+      }
+      case Kind::kept:
+      case Kind::reciprocal:
+        return known(node.children[0]);
+      case Kind::quotient: {
+        const Ends a = known(node.children[0]), b = known(node.children[1]), q = quotient_of(a, b);
+        return where(hn::And(hn::And(is_finite(a), is_finite(b)), is_finite(q)), q);
+      }
+      case Kind::sum:
+      case Kind::product:
+        return plan_.divisors[number] == 0 ? subsets<false>(node, 0) : subsets<true>(node, plan_.divisors[number]);
+    }
+    return {hn::Zero(d), hn::Zero(d)};
+  }
+
+  // As Evaluation::subsets. What is indeterminate in a subset is so in every greater one, and in the node.
+  template <bool divides>
+  Ends subsets(const Node& node, std::uint32_t divisors) {
+    float* greatest = memory_.greatest_of_subset.data();
+    float* negated_least = memory_.negated_least_of_subset.data();
+    const auto at = [&](std::uint32_t mask) HWY_ATTR {
+      return Ends{hn::LoadU(d, greatest + mask * lanes), hn::LoadU(d, negated_least + mask * lanes)};
+    };
+    const auto put = [&](std::uint32_t mask, const Ends& ends) HWY_ATTR {
+      hn::StoreU(ends.greatest, d, greatest + mask * lanes);
+      hn::StoreU(ends.negated_least, d, negated_least + mask * lanes);
+    };
+    const bool is_sum = node.kind == Kind::sum;
+    const std::uint32_t count = std::uint32_t{1} << node.children.size();
+    const V none = hn::Set(d, -infinity);
+    M is_determinate = hn::Eq(none, none);
+    Ends ends{none, none};
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+      const Ends child = known(node.children[i]);
+      is_determinate = hn::And(is_determinate, is_finite(child));
+      put(std::uint32_t{1} << i, child);
+    }
+    for (std::uint32_t mask = 3; mask < count; ++mask) {
+      if (std::has_single_bit(mask) || (divides && (mask & ~divisors) == 0)) continue;
+      ends = {none, none};
+      if (is_sum) {
+        for_each_split(mask, [&](std::uint32_t sub, std::uint32_t rest)
+                                 HWY_ATTR { ends = joined(ends, sum_of(at(sub), at(rest))); });
+      } else {
+        for_each_split(mask, [&](std::uint32_t sub, std::uint32_t rest) HWY_ATTR {
+          if (divides && (sub & ~divisors) == 0) std::swap(sub, rest);
+          const bool is_divisor = divides && (rest & ~divisors) == 0;
+          if (is_divisor && !std::has_single_bit(rest)) return;
+          ends = joined(ends, is_divisor ? quotient_of(at(sub), at(rest)) : product_of(at(sub), at(rest)));
+        });
+      }
+      ends = flushed(ends);
+      for (const Factoring& factoring : node.factorings) {
+        if (factoring.mask != mask) continue;
+        const Ends product = known(factoring.product);
+        is_determinate = hn::And(is_determinate, is_finite(product));
+        ends = joined(ends, product);
+      }
+      is_determinate = hn::And(is_determinate, is_finite(ends));
+      put(mask, ends);
+    }
+    return where(is_determinate, ends);
+  }
+
+  // Within 2.5 ulp one after the other: they are few. A divisor that is 0 makes any value, and rounded_quotient says
+  // so.
+  Ends quotient_of(const Ends& a, const Ends& b) const {
+    if (!graph_.permissions().divided) {
+      const V x = hn::Neg(a.negated_least), y = hn::Neg(b.negated_least);
+      const auto greatest = [&](V least_a, V greatest_a) HWY_ATTR {
+        return hn::Max(hn::Max(hn::Div(least_a, y), hn::Div(least_a, b.greatest)),
+                       hn::Max(hn::Div(greatest_a, y), hn::Div(greatest_a, b.greatest)));
+      };
+      const V zero = hn::Zero(d);
+      return where(hn::And(hn::Ne(y, zero), hn::Ne(b.greatest, zero)),
+                   {greatest(x, a.greatest), greatest(a.negated_least, hn::Neg(a.greatest))});
+    }
+    float x[2][lanes], y[2][lanes];
+    hn::StoreU(a.greatest, d, x[0]);
+    hn::StoreU(a.negated_least, d, x[1]);
+    hn::StoreU(b.greatest, d, y[0]);
+    hn::StoreU(b.negated_least, d, y[1]);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const Reach q = permitted::quotient_of(graph_.permissions(), {-x[1][i], x[0][i]}, {-y[1][i], y[0][i]});
+      x[0][i] = q.greatest;
+      x[1][i] = -q.least;
+    }
+    return {hn::LoadU(d, x[0]), hn::LoadU(d, x[1])};
+  }
+
+  const AdversaryInLanes::Plan& plan_;
+  const Graph& graph_;
+  AdversaryInLanes::Memory& memory_;
+  AdversaryInLanes::Block& block_;
+};
+
+std::size_t lane_count() { return lanes; }
+void ask_lanes(const AdversaryInLanes::Plan& plan, AdversaryInLanes::Memory& memory, const QueryColumns<float>& batch,
+               std::uint8_t* can_be) {
+  for_each_vector<float>(batch, [&](const QueryColumns<float>& from, std::size_t at, std::size_t i, std::size_t count) {
+    AdversaryInLanes::Block& block = memory.blocks[i / lanes % memory.blocks.size()];
+    const std::uint64_t open = Queries(plan, memory, block, from, at).open((std::uint64_t{1} << count) - 1);
+    for (std::size_t k = 0; k < count; ++k) can_be[i + k] = has_bit(open, k) ? 1 : 0;
+  });
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace axiscert::permitted
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace axiscert::permitted {
+HWY_EXPORT(lane_count);
+HWY_EXPORT(ask_lanes);
+
+namespace {
+
+template <class Use>
+void for_each_operand(const Node& node, Use&& use) {
+  for (const Value child : node.children) use(child);
+  for (const Factoring& factoring : node.factorings) use(factoring.product);
+}
+
+std::vector<std::uint32_t> numbers_of(const std::vector<bool>& among) {
+  std::vector<std::uint32_t> numbers;
+  for (std::size_t i = 0; i < among.size(); ++i) {
+    if (among[i]) numbers.push_back(static_cast<std::uint32_t>(i));
+  }
+  return numbers;
+}
+
+std::atomic<std::uint64_t> plans = 0;
+
+}  // namespace
+
+AdversaryInLanes::AdversaryInLanes(const Predicate& predicate, std::size_t entry, const Recording& recording,
+                                   Verdict wished)
+    : plan_{recording, ++plans} {
+  if (!covers(recording.graph.permissions())) throw HarnessFault("what is fused and rounded to nearest has no lanes");
+  const bool separated = wished == Verdict::separated;
+  const auto put = [&](const std::vector<std::pair<std::size_t, bool>>& decisions) {
+    std::size_t shared = 0;
+    if (!plan_.ways.empty()) {
+      const auto& before = plan_.ways.back().decisions;
+      const auto [first, _] = std::mismatch(decisions.begin(), decisions.end(), before.begin(), before.end());
+      shared = static_cast<std::size_t>(first - decisions.begin());
+    }
+    if (decisions.size() > most_comparisons) throw HarnessFault("a way of too many decisions");
+    plan_.ways.push_back({decisions, shared});
+  };
+  for (const Path& path : recording.paths) {
+    if (path.separates == separated) put(path.decisions);
+  }
+  for (const PredicateClause& clause : predicate.clauses) {
+    if (!recording.paths.empty()) break;
+    if (!separated) {
+      plan_.clauses.push_back(clause.comparisons);
+      continue;
+    }
+    std::vector<std::pair<std::size_t, bool>> decisions;
+    for (ComparisonBits bits = clause.comparisons; bits != 0; bits &= bits - 1)
+      decisions.emplace_back(static_cast<std::size_t>(std::countr_zero(bits)), true);
+    put(decisions);
+  }
+  const std::vector<Node>& nodes = recording.graph.nodes();
+  for (const Node& node : nodes) {
+    plan_.divisors.push_back(divisors_of(recording.graph, node));
+    plan_.most_children = std::max(plan_.most_children, node.children.size());
+  }
+  for (const auto& [lhs, rhs] : recording.sides) {
+    std::vector<bool> needed(nodes.size());
+    needed[lhs.node] = needed[rhs.node] = true;
+    for (std::size_t i = nodes.size(); i-- > 0;) {
+      if (needed[i]) for_each_operand(nodes[i], [&](Value operand) { needed[operand.node] = true; });
+    }
+    plan_.below.push_back(numbers_of(needed));
+  }
+  for (std::size_t k = 0; k < predicate.entries[entry].columns.size(); ++k) {
+    std::vector<bool> needs(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      needs[i] = nodes[i].kind == Kind::input && nodes[i].payload == static_cast<double>(k);
+      for_each_operand(nodes[i], [&](Value operand) { needs[i] = needs[i] || needs[operand.node]; });
+    }
+    plan_.above.push_back(numbers_of(needs));
+    ComparisonBits& comparisons = plan_.comparisons_above.emplace_back(0);
+    for (std::size_t i = 0; i < recording.sides.size(); ++i) {
+      const auto& [lhs, rhs] = recording.sides[i];
+      comparisons |= bit_if<ComparisonBits>(needs[lhs.node] || needs[rhs.node], i);
+    }
+  }
+}
+
+void AdversaryInLanes::ask(const QueryColumns<float>& batch, std::uint8_t* can_be) const {
+  static thread_local Memory memory;
+  const std::size_t subsets = (std::size_t{1} << plan_.most_children) * HWY_DYNAMIC_DISPATCH(lane_count)();
+  if (memory.greatest_of_subset.size() < subsets) {
+    memory.greatest_of_subset.resize(subsets);
+    memory.negated_least_of_subset.resize(subsets);
+  }
+  const bool is_upward = plan_.recording.graph.permissions().faithful;
+  const FloatingEnvironment scope(is_upward ? Rounding::upward : Rounding::nearest, false);
+  HWY_DYNAMIC_DISPATCH(ask_lanes)(plan_, memory, batch, can_be);
+}
+
+}  // namespace axiscert::permitted
+#endif
