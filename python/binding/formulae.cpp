@@ -9,8 +9,8 @@
 #include "kernel/formulae_list.h"
 #include "kernel/ask.h"
 #include "python/binding/common.h"
-#include "python/binding/options.h"
 #include "python/binding/work.h"
+#include "plans/formula_figures.h"
 #include "plans/predicate_options.h"
 
 namespace axiscert::python {
@@ -79,8 +79,8 @@ py::tuple in_format(const std::string& predicate, const std::string& entry, cons
   if (kernel.predicate != of.predicate || formulae == Formulae::none)
     throw Error(fmt::format("kernel {}: it has no formulae of {}", kernel.id, of.predicate->id));
   const NumberFormat number = parse_number_format(format_name);
-  const RoundingRule rule = enumerator_named<RoundingRule>("rounding", rounding);
-  const Contraction fused = enumerator_named<Contraction>("fused", contraction);
+  const RoundingRule rule = enumerator_of<RoundingRule>("rounding=", rounding);
+  const Contraction fused = enumerator_of<Contraction>("fused=", contraction);
   if (!has_contraction(formulae, fused))
     throw Error(fmt::format("kernel {}: its formulae have no form with fused {}", kernel.id, contraction));
   return given.visit([&]<class Real>(const QueryColumns<Real>& columns) -> py::tuple {
