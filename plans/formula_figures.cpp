@@ -94,13 +94,6 @@ std::vector<NumberFormat> numbers_of(const PrecisionOptions& options) {
   return once;
 }
 
-template <class Enum>
-Enum enumerator_named(std::string_view text) {
-  for (const Enum each : enumerators<Enum>) {
-    if (name(each) == text) return each;
-  }
-  throw Error(fmt::format("unknown name '{}'", text));  // the options check it
-}
 }  // namespace
 
 InstrumentReport precision_figures(const PrecisionOptions& options, const ShowProgress& show) {
@@ -110,12 +103,12 @@ InstrumentReport precision_figures(const PrecisionOptions& options, const ShowPr
   plan.precision = parse_precision(options.precision);
   plan.numbers = numbers_of(options);
   plan.threads = options.threads;
-  plan.rounding = enumerator_named<RoundingRule>(options.rounding);
+  plan.rounding = enumerator_of<RoundingRule>("--rounding ", options.rounding);
   if (options.rounding_seeds && !is_by_chance(plan.rounding))
     throw Error(fmt::format("--rounding-seeds {}: --rounding {} draws no numbers; seeds are of faithful and stochastic",
                             *options.rounding_seeds, options.rounding));
   plan.rounding_seeds = options.rounding_seeds.value_or(default_rounding_seeds);
-  plan.contraction = enumerator_named<Contraction>(options.contraction);
+  plan.contraction = enumerator_of<Contraction>("--contraction ", options.contraction);
   plan.round_inputs = options.round_inputs;
   plan.kernels = instrument_kernels(options,
                                     {"ladder-0", "ladder-1", "ladder-2", "ladder-3", "ladder-4", "ladder-5", "ladder-6",

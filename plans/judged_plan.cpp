@@ -5,11 +5,16 @@
 
 #include <charconv>
 #include <filesystem>
+#include <span>
 
+#include "fuzz/campaign/parts/distribute.h"
+#include "fuzz/campaign/parts/gathered.h"
+#include "fuzz/campaign/parts/journal.h"
 #include "fuzz/causes/cause.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/diagnosis/range_window.h"
 #include "kernel/base/error.h"
+#include "kernel/base/sha256.h"
 #include "kernel/base/text.h"
 #include "kernel/registry/self_check.h"
 #include "reports/gates/ratchet.h"
@@ -76,13 +81,57 @@ HarnessFault save_disagreement(const OutputFolder& folder, const OracleDisagreem
   return HarnessFault(fmt::format("{}; the query is saved in {}", disagreement.what(), folder.save(disagreement)));
 }
 
+void run_stretches(const Plan& plan, const Stretches& stretches, const std::vector<std::uint64_t>& numbers,
+                   const std::atomic<bool>& interrupted, const ShowProgress& show,
+                   const std::function<void(const Entry&)>& done) {
+  Crew crew(plan.running.threads, [&](Task task) { return encode(run_stretch(plan, stretches, task)); });
+  Distributor distributor(crew, nullptr);
+  ProgressCount count(show, numbers.size());
+  auto next = numbers.begin();
+  distributor.run({[&]() -> std::optional<Task> {
+                     return next == numbers.end() || interrupted ? std::nullopt : std::optional<Task>(*next++);
+                   },
+                   [&] { return static_cast<std::uint64_t>(numbers.end() - next); },
+                   [&](const TaskResult& result) {
+                     const Entry entry = decode_entry(result.bytes);
+                     done(entry);
+                     count.finish_unit(stretches.at(entry.stretch).queries);
+                   }});
+}
+
+namespace {
+
+CampaignResult kept_campaign(const Plan& plan, const Keeping& keeping, const std::atomic<bool>& interrupted,
+                             const ShowProgress& show, const OutputFolder& folder) {
+  const Stretches stretches(plan.questions, Stretches::default_units_each(plan.questions));
+  GatheredStretches gathered(plan.questions, plan.answerers.kernels.size(), stretches);
+  if (!keeping.resumes) folder.remove(journal_file);
+  const std::string of = json_of(plan_record(plan)).dump() + keeping.code;
+  std::optional<Journal> journal;
+  try {
+    journal.emplace(folder.path(journal_file), sha256_hex(std::as_bytes(std::span(of))),
+                    [&](std::string_view content) { gathered.replay(content); });
+  } catch (const Error& wrong) {
+    throw Error(fmt::format("{}; give another folder, or begin again without --resume", wrong.what()));
+  }
+  run_stretches(plan, stretches, gathered.missing(), interrupted, show, [&](const Entry& entry) {
+    journal->append(encode(entry));
+    gathered.add(entry);
+  });
+  journal->sync();
+  return std::move(gathered).take();
+}
+
+}  // namespace
+
 CampaignResult judge_plan(const Plan& plan, const std::atomic<bool>& interrupted, const ShowProgress& show,
-                          const OutputFolder* folder) {
+                          const OutputFolder* folder, const Keeping* keeping) {
   for (const std::string& target : targets_of(plan.answerers.kernels, plan.running.target))
     require_uncontracted(target);
   CampaignResult result;
   try {
-    result = run_campaign(plan, interrupted, show);
+    result = keeping == nullptr ? run_campaign(plan, interrupted, show)
+                                : kept_campaign(plan, *keeping, interrupted, show, *folder);
   } catch (const OracleDisagreement& disagreement) {
     if (folder == nullptr) throw;
     throw save_disagreement(*folder, disagreement);

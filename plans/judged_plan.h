@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/campaign/parts/stretch.h"
+#include "fuzz/campaign/progress.h"
 #include "fuzz/record/run_info.h"
 #include "kernel/kernel.h"
 #include "plans/output_folder.h"
@@ -34,10 +36,24 @@ struct RunFiles {
 // Is told what is under way, where that cannot say how far it is; may be empty.
 using BeginStage = std::function<void(std::string_view name)>;
 
+// Runs these stretches of a plan on its threads and hands each to `done`, in any order, from this thread; begins no
+// other once `interrupted`. Throws what judging throws.
+void run_stretches(const Plan& plan, const Stretches& stretches, const std::vector<std::uint64_t>& numbers,
+                   const std::atomic<bool>& interrupted, const ShowProgress& show,
+                   const std::function<void(const Entry&)>& done);
+
+// The stretches that are done are kept in the folder's journal. The record is the same however often the run was ended.
+inline constexpr const char* journal_file = "journal";
+struct Keeping {
+  bool resumes = false;  // goes on from the journal, where there is one; otherwise that is taken away
+  std::string code;      // what kernels are made of that are no files: the journal is of these alone
+};
+
 // Runs the plan, on targets whose arithmetic has passed the self-check. Throws HarnessFault where it has not, where a
-// planted fault was not found, or the oracles disagree: then the query is saved in `folder`, if that is given.
+// planted fault was not found, or the oracles disagree: then the query is saved in `folder`, if that is given. With
+// `keeping`, which takes a folder and a plan without a time limit, throws Error for a journal of another plan.
 CampaignResult judge_plan(const Plan& plan, const std::atomic<bool>& interrupted, const ShowProgress& show,
-                          const OutputFolder* folder);
+                          const OutputFolder* folder, const Keeping* keeping = nullptr);
 
 // Confirms the witnesses of a result. `scale` is run.json's entry on ranks and journal.
 RunFiles run_files(const Plan& plan, const CampaignResult& result, const OutputOptions& output,

@@ -47,7 +47,7 @@ std::string OutputFolder::save(const OracleDisagreement& d) const {
   StoredQuery stored{"disagreement", d.precision, numbers(double()), d.predicate, d.entry};
   if (d.precision == Precision::binary32) stored.numbers = numbers(float());
   write_text("disagreement.jsonl", query_line(stored) + "\n");
-  return (path_ / "disagreement.jsonl").string();
+  return path("disagreement.jsonl");
 }
 
 std::string iso_time(std::chrono::system_clock::time_point time) {

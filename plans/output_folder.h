@@ -18,6 +18,7 @@ void make_folder(const std::string& path);
 class OutputFolder {
  public:
   explicit OutputFolder(const std::string& path);  // throws Error
+  std::string path(const std::string& file) const { return (path_ / file).string(); }
   void write(const std::string& file, const Json& json) const;
   void write_text(const std::string& file, const std::string& text) const;  // whole or not at all
   void remove(const std::string& file) const;                               // where it exists

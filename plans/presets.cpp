@@ -81,7 +81,11 @@ std::string presets_text() {
 RunOptions with_preset(const RunOptions& given) {
   RunOptions options = given;
   const auto preset = std::ranges::find_if(presets, [&](const Preset& one) { return one.name == given.preset; });
-  if (preset == std::end(presets)) return options;
+  if (given.preset.empty()) return options;
+  if (preset == std::end(presets)) {
+    const std::vector<std::string> known = preset_names();
+    throw Error(unknown_name("preset", "presets", given.preset, {known.begin(), known.end()}));
+  }
   std::vector<const Kernel*> kernels;
   for (const std::string& id : given.kernels) kernels.push_back(&find_kernel(id));
   const Predicate& predicate = predicate_of_kernels(given.predicate, kernels);

@@ -2,11 +2,11 @@
 // finished.
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "plans/judged_plan.h"
 #include "plans/plan_file.h"
 #include "fuzz/campaign/parts/distribute.h"
 #include "fuzz/campaign/parts/gathered.h"
@@ -15,14 +15,6 @@
 #include "fuzz/campaign/progress.h"
 
 namespace axiscert {
-// Stretches of a plan, run by the threads of this process.
-
-// Runs these stretches on the plan's threads and hands each to `done`, in any order, from this thread; begins no other
-// once `interrupted`. Throws what judging throws.
-void run_stretches(const Plan& plan, const Stretches& stretches, const std::vector<std::uint64_t>& numbers,
-                   const std::atomic<bool>& interrupted, const ShowProgress& show,
-                   const std::function<void(const Entry&)>& done);
-
 struct PlannedOptions {
   std::string plan;               // file; empty: not a planned run
   std::optional<PlanFile> made;   // the plan itself, in place of its file
@@ -37,8 +29,7 @@ struct PlannedOptions {
   std::string recheck_target, recheck_with;
 };
 
-// Files in the folder of a planned run.
-inline constexpr const char* journal_file = "journal";
+// Files in the folder of a planned run, beside the journal.
 inline constexpr const char* plan_copy = "plan.json";
 
 inline constexpr const char* shard_file = "shard";  // "I/N", of a folder with a shard

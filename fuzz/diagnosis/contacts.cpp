@@ -114,14 +114,6 @@ const ContactLikeness* likeness_of(const Subject<Real>& subject, const std::vect
   return nullptr;
 }
 
-template <Enumeration Value>
-Value value_named(std::string_view text) {
-  for (const Value value : enumerators<Value>) {
-    if (name(value) == text) return value;
-  }
-  return Value{};
-}
-
 }  // namespace contacts
 
 template <class Real>
@@ -167,7 +159,7 @@ ProbeFinding separations(Subject<Real>& subject) {
                     all.size()))
     return found(Separations::negated, "Its separations have the other sign: above 0 where the two overlap.", measured);
   if (const ContactLikeness* like = likeness_of(subject, all, kind, is_wrong)) {
-    return found(value_named<Separations>(like->value),
+    return found(enumerator_named<Separations>(like->value).value(),
                  fmt::format("{}: so on {} of {} clear queries, where that is another number.", like->sentence, wrong,
                              all.size()),
                  measured);
@@ -240,7 +232,7 @@ ProbeFinding normals(Subject<Real>& subject) {
       return found(Normals::flipped,
                    fmt::format("Its normals go to the other side, on {} of {} clear queries.", opposite, all.size()));
     if (const ContactLikeness* like = likeness_of(subject, all, kind, is_wrong))
-      return found(value_named<Normals>(like->value),
+      return found(enumerator_named<Normals>(like->value).value(),
                    fmt::format("{}: so on {} of {} clear queries, where that is another direction.", like->sentence,
                                wrong, all.size()));
     const auto is_usual = [&](const JudgedContact<Real>& one) { return angle(one) <= 1.5 * usual; };
@@ -327,7 +319,7 @@ ProbeFinding contact_points(Subject<Real>& subject) {
   const auto witnesses =
       witness_of(subject, *shown, fmt::format("the point is {:.3g} of the scene off", error(*shown)));
   if (const ContactLikeness* like = likeness_of(subject, all, kind, is_wrong))
-    return decided(value_named<Points>(like->value),
+    return decided(enumerator_named<Points>(like->value).value(),
                    fmt::format("{}: so on {} of {} clear queries.", like->sentence, wrong, all.size()), witnesses,
                    measured);
   if (has_pair) {

@@ -260,12 +260,7 @@ struct JsonForm<Enum> {
     for (const Enum one : enumerators<Enum>) all.push_back(name(one));
     return all;
   }
-  static bool is_name(std::string_view text) {
-    for (const Enum one : enumerators<Enum>) {
-      if (name(one) == text) return true;
-    }
-    return false;
-  }
+  static bool is_name(std::string_view text) { return enumerator_named<Enum>(text).has_value(); }
   static Json write(Enum value) { return name(value); }
   static void read(const JsonPlace& place, Enum& into) {
     for (const Enum one : enumerators<Enum>) {

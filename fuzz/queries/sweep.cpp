@@ -143,10 +143,7 @@ class SweptSource final : public Source {
 Sweep parse_sweep(std::string_view given) {
   const std::size_t equals = given.find('=');
   const std::string_view parameter_text = given.substr(0, equals);
-  std::optional<SweepParameter> parameter;
-  for (const SweepParameter each : enumerators<SweepParameter>) {
-    if (name(each) == parameter_text) parameter = each;
-  }
+  const std::optional<SweepParameter> parameter = enumerator_named<SweepParameter>(parameter_text);
   if (!parameter) {
     throw Error(fmt::format("sweep '{}': {}", given,
                             unknown_name("parameter", "parameters", parameter_text,

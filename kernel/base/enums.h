@@ -1,10 +1,12 @@
-// Enums as indices and as bits: an array with an element for each enumerator, words of bits, and sets of enumerators.
+// Enums as indices, names and bits: an array with an element for each enumerator, words of bits, sets of enumerators.
 #pragma once
 
 #include <bit>
 #include <concepts>
 #include <cstddef>
 #include <initializer_list>
+#include <optional>
+#include <string_view>
 #include <type_traits>
 
 namespace axiscert {
@@ -63,6 +65,15 @@ struct Enumerators {
 };
 template <Enumeration Enum>
 inline constexpr Enumerators<Enum> enumerators;
+
+// The enumerator whose name() is the text; nothing where there is none.
+template <Enumeration Enum>
+constexpr std::optional<Enum> enumerator_named(std::string_view text) {
+  for (const Enum each : enumerators<Enum>) {
+    if (name(each) == text) return each;
+  }
+  return std::nullopt;
+}
 
 // Words whose bit i is thing i of a list that is only known while axiscert runs, such as comparison i of a predicate's
 // description. Where the things are an enum, EnumSet below says more.

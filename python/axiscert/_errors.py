@@ -1,7 +1,8 @@
 """What axiscert raises. Messages have the words of the command: what was given, where, and what would be right."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Optional
+import operator
+from typing import TYPE_CHECKING, Any, Dict, Optional
 
 if TYPE_CHECKING:
     from ._judge import Record
@@ -10,6 +11,44 @@ if TYPE_CHECKING:
 
 class Error(ValueError):
     """Bad usage or input."""
+
+
+def whole(name: str, value: Any, least: int = 0, greatest: int = 2**63 - 1) -> int:
+    """The value of an argument that is a whole number."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise Error(f"{name}={value!r}: give a whole number") from None
+    if not least <= number <= greatest:
+        raise Error(f"{name}={value!r}: give a whole number from {least} to {greatest}")
+    return number
+
+
+_LIMITS = {"trials": (1, 2**48), "evaluations": (1, 2**48), "seed": (0, 2**64 - 1), "threads": (0, 4096), "flips": (0, 2**32),
+           "sample": (0, 2**32), "rounding_seeds": (1, 1000)}
+
+
+def checked(options: Dict[str, Any]) -> Dict[str, Any]:
+    """The options, with numbers within the limits that the command has for them."""
+    for name, (least, greatest) in _LIMITS.items():
+        if options.get(name) is not None:
+            options[name] = whole(name, options[name], least, greatest)
+    if options.get("seconds") is not None:
+        options["seconds"] = above_zero("seconds", options["seconds"])
+    return options
+
+
+def above_zero(name: str, value: Any) -> float:
+    if not (isinstance(value, (int, float)) and 0 < value < float("inf")):
+        raise Error(f"{name}={value!r}: give a number above 0")
+    return float(value)
+
+
+def text(name: str, value: Any) -> str:
+    """The value of an argument that is a text."""
+    if not isinstance(value, str):
+        raise Error(f"{name}={value!r}: give a text")
+    return value
 
 
 class HarnessFault(RuntimeError):

@@ -6,16 +6,17 @@ from typing import Any, Dict, List, Optional
 import numpy as np
 
 from . import _core
-from ._errors import Error
+from ._errors import Error, text, whole
 from ._queries import Queries, describe
 
 
 class Computed:
     """What formulae come to: `verdict`, uint8, shape (n,); `holds`, bool, (n, comparisons), and `bits`, uint64, None where there are
-    no comparisons; `lhs` and `rhs`, (comparisons, n), the sides in the precision of the queries, None in another format.
+    no comparisons; `lhs` and `rhs`, (comparisons, n), the sides in the precision of the queries.
 
-    In a format, `unlimited` is the same with unlimited exponents, so that `verdict != unlimited.verdict` is the cost of range; and
-    `valid` is False where the query is none, or is beyond the format that its numbers are rounded to.
+    In a format the sides are float64, each the nearest to the format's number, NaN where `valid` is False: the query is none, or is
+    beyond the format that its numbers are rounded to. `unlimited` is verdict and bits with unlimited exponents, so that
+    `verdict != unlimited.verdict` is the cost of range.
     """
 
     lhs: "Optional[np.ndarray[Any, Any]]" = None
@@ -55,24 +56,26 @@ def formulae(kernel: str, queries: Queries, *, format: str = "", rounding: str =
     >>> q = generate("tangent", 200)
     >>> exact = formulae("published", q)
     >>> rough = formulae("published", q, format="bfloat16")
-    >>> exact.lhs.shape, rough.bits.shape
-    ((16, 200), (200,))
+    >>> exact.lhs.shape, rough.lhs.shape, rough.bits.shape
+    ((16, 200), (16, 200), (200,))
     """
     if not isinstance(queries, Queries):
         raise Error(f"formulae takes Queries, not {type(queries).__name__}; Queries.of makes them of arrays")
     comparisons: List[str] = describe(queries.predicate)["comparisons"]
-    asked = (queries.predicate, queries.entry, queries.numbers, kernel)
-    if not format:
+    asked = (queries.predicate, queries.entry, queries.numbers, text("kernel", kernel))
+    threads = whole("threads", threads, greatest=4096)
+    if not text("format", format):
         if rounding != "nearest" or fused != "none" or round_inputs:
             raise Error("rounding, fused and round_inputs are of a format; give one, as format=\"binary32\"")
         verdict, bits, lhs, rhs = _core.computed(*asked, target, threads)
         made = Computed(verdict, bits, comparisons)
         made.lhs, made.rhs = lhs, rhs
         return made
-    verdict, bits, unlimited_verdict, unlimited_bits, valid = _core.in_format(
-        *asked, format, rounding, fused, seed, round_inputs, threads)
+    verdict, bits, unlimited_verdict, unlimited_bits, valid, lhs, rhs = _core.in_format(
+        *asked, format, text("rounding", rounding), text("fused", fused), whole("seed", seed, greatest=2**64 - 1), round_inputs, threads)
     made = Computed(verdict, bits, comparisons)
     made.unlimited, made.valid = Computed(unlimited_verdict, unlimited_bits, comparisons), valid
+    made.lhs, made.rhs = lhs, rhs
     return made
 
 

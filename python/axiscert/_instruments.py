@@ -9,9 +9,9 @@ import tempfile
 from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 from . import _core
-from ._errors import Error, Interrupted
-from ._judge import Names, Path, Progress, Record, names, of_family, run_watched
-from ._kernels import Kernel, as_kernel
+from ._errors import Error, Interrupted, checked
+from ._judge import Names, Path, Progress, Record, folder_of, names, of_family, run_watched
+from ._kernels import Kernel, as_kernel, as_kernels
 from ._queries import Queries, load_all_queries, show_notices
 
 _BIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bin")
@@ -76,11 +76,10 @@ def _raise(raised: Any) -> None:
 
 
 def _figures(command: str, kernel: Any, options: Dict[str, Any], progress: Progress) -> Report:
-    kernels = [kernel] if isinstance(kernel, (str, Kernel)) or callable(kernel) else list(kernel)
     predicate, entry = of_family(options["families"], "", "")
-    asked = [as_kernel(one, predicate, entry) for one in kernels]
+    asked = as_kernels(kernel, predicate, entry)
     options["kernels"] = [one.id for one in asked]
-    given = run_watched(asked, lambda show: getattr(_core, command)(options, show), progress, command)
+    given = run_watched(asked, lambda show: getattr(_core, command)(checked(options), show), progress, command)
     _raise(given[4])
     return Report(given)
 
@@ -131,7 +130,7 @@ def diagnose(kernel: Any, *, precision: str = "", seed: int = 1, predicate: str 
     """
     asked = _one(kernel, predicate, entry)
     options = dict(kernel=asked.id, precision=precision, seed=seed)
-    given, complete, witnesses = run_watched([asked], lambda show: _core.diagnose(options, show), progress, "diagnose")
+    given, complete, witnesses = run_watched([asked], lambda show: _core.diagnose(checked(options), show), progress, "diagnose")
     report = Report(given, complete, witnesses)
     if out is not None:
         report.save(out)
@@ -150,11 +149,13 @@ def search(kernel: Any, *, precision: str = "binary32", comparison: Names = (), 
     asked = _one(kernel, predicate, entry)
     options = dict(kernel=asked.id, precision=precision, comparisons=names(comparison), families=names(family),
                    evaluations=evaluations, seconds=seconds, seed=seed, target=target, threads=threads,
-                   out="" if out is None else os.fspath(out), resume=resume)
-    given, complete, witnesses = run_watched([asked], lambda show: _core.search(options, show), progress, "search")
+                   out=folder_of(out) or "", resume=resume)
+    given, complete, witnesses = run_watched([asked], lambda show: _core.search(checked(options), show), progress, "search")
     report = Report(given, complete, witnesses)
     if out is not None:
         report.save(out)
+    if given[4] is not None and not isinstance(given[4], KeyboardInterrupt):
+        raise given[4]
     if given[4] is not None:
         raise Interrupted("what was found, and the state of the search, are kept" if out is not None else
                           "a search without out= keeps no state to go on from") from given[4]
@@ -201,11 +202,10 @@ def shrink(query: Any, kernel: Any = (), *, what: str = "", evaluations: int = 1
             for address in given:
                 if address.count(":") == 5:
                     predicate, entry = of_family([address.split(":")[1]], "", "")
-        kernels = [kernel] if isinstance(kernel, (str, Kernel)) or callable(kernel) else list(kernel)
-        asked = [as_kernel(one, predicate, entry) for one in kernels]
+        asked = as_kernels(kernel, predicate, entry)
         options = dict(queries=given, kernels=[one.id for one in asked], what=what, evaluations=evaluations, any_class=any_class,
                        precision=precision, target=target)
-        lines, nothing, raised = run_watched(asked, lambda show: _core.shrink(options, show), progress, "shrink")
+        lines, nothing, raised = run_watched(asked, lambda show: _core.shrink(checked(options), show), progress, "shrink")
     _raise(raised)
     import warnings
 
@@ -245,13 +245,16 @@ def certify(kernel: Any, out: Path, *, effort: str = "quick", seed: int = 1, mes
             key: Optional[Path] = None, threads: int = 0, resume: bool = False) -> Dict[str, Any]:
     """A certificate of a kernel, in the folder `out`; as `axiscert certify`, which does it in a process of its own.
 
-    A certificate is of files: a kernel is an id, a plug-in or a program, or a function that is `supervised`. Ctrl-C ends it, and
-    `resume` goes on. Returns certificate.json.
+    A certificate states the SHA-256 of files, by which others check it: a function is certified by its file, in a process of its own
+    (`axiscert.kernel`, `supervised`), which finds it there by its name. Ctrl-C ends it, and `resume` goes on. Returns certificate.json.
     """
     asked = _one(kernel, "")
-    if asked._core is not None:
-        raise Error(f"certify: a certificate is of files, and {asked.id} is a function of this process; "
-                    "axiscert.kernel(f, supervised=True) has it in one of its own")
+    if asked._again is not None:
+        try:
+            asked = asked._again()
+        except Error as why:
+            raise Error(f"certify: a certificate states the SHA-256 of the files of a kernel, and of {asked.id} there are none: "
+                        f"{why}") from None
     words = [os.path.join(_BIN, "axiscert"), "certify", asked.id, "--out", os.fspath(out), "--effort", effort, "--seed", str(seed)]
     for one in names(mesh):
         words += ["--mesh", one]

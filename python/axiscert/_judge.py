@@ -9,8 +9,8 @@ import tempfile
 from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 from . import _core
-from ._errors import Error, Interrupted
-from ._kernels import Kernel, as_kernel
+from ._errors import Error, Interrupted, above_zero, checked
+from ._kernels import Kernel, as_kernels
 from ._queries import Queries, query_at, show_notices
 
 Names = Union[str, Iterable[str]]
@@ -20,9 +20,22 @@ Progress = Union[None, bool, Callable[[int, int, int, float, str], Any]]
 
 def names(given: Any) -> List[str]:
     """A name, or several, as a list."""
-    if given is None or given == "":
+    if given is None or isinstance(given, str) and not given:
         return []
-    return [os.fspath(given)] if isinstance(given, (str, os.PathLike)) else [os.fspath(one) for one in given]
+    try:
+        return [os.fsdecode(one) for one in ([given] if isinstance(given, (str, bytes, os.PathLike)) else given)]
+    except TypeError:
+        raise Error(f"{given!r}: give a name or a path, as a text, or several") from None
+
+
+def folder_of(out: Any) -> Optional[str]:
+    """A folder that is given, as a text."""
+    if out is None:
+        return None
+    given = names(out) if isinstance(out, (str, bytes, os.PathLike)) else []
+    if not given:
+        raise Error(f"out={out!r}: give the path of a folder")
+    return given[0]
 
 
 class _Bar:
@@ -187,7 +200,8 @@ def of_family(family: List[str], predicate: str, entry: str) -> Tuple[str, str]:
     for name in family:
         for known in _core.families(""):
             if known["name"] == name:
-                return predicate or known["predicate"], entry or known["entry"]
+                is_of = predicate in ("", known["predicate"])
+                return predicate or known["predicate"], entry or (known["entry"] if is_of else "")
     return predicate, entry
 
 
@@ -210,13 +224,17 @@ def judge(kernel: Any, *, family: Names = (), trials: Optional[int] = None, seed
           require: Names = (), allow_unchecked: Names = (), unit: str = "", predicate: str = "", entry: str = "",
           queries: Any = (), mesh: Any = (), corpus: Union[None, bool, str] = None, preset: str = "", tolerance: Names = (),
           seconds: Optional[float] = None, target: str = "auto", threads: int = 0, exact_only: bool = False, source: Names = (),
-          plugin_seconds: Optional[float] = None, progress: Progress = None, out: Optional[Path] = None) -> Record:
+          plugin_seconds: Optional[float] = None, progress: Progress = None, out: Optional[Path] = None,
+          resume: bool = False) -> Record:
     """Judges a kernel, or several, on the same queries, beside exact arithmetic.
 
     A kernel is an id, as `axiscert run --kernel` takes it ("published", "plugin:./mine.so"), a function, or what
     `axiscert.kernel` makes of one. All other arguments are the options of `axiscert run` of the same names. `queries` are files, or
     Queries. Without a family, mesh or file all families of the predicate are asked. `progress` is True for a bar (default: where
     standard error is a terminal), or a function of (units done, units, queries, seconds, stage). `out` is a folder for the reports.
+    Unless `seconds` limits the run, the folder keeps what is done too: after Ctrl-C, an exception or a kill the same call with
+    `resume` does the rest, and the record is the same. It refuses what was another plan, or a function of other code
+    (`axiscert.Kernel.code`).
 
     Returns a `Record`. Raises `Error` for what cannot be judged, `KernelRaised` where a function raises, and after Ctrl-C
     `Interrupted`, which has the record of what was done; a second Ctrl-C gives that up.
@@ -225,20 +243,29 @@ def judge(kernel: Any, *, family: Names = (), trials: Optional[int] = None, seed
     >>> record.met
     True
     """
-    families, files = names(family), [queries] if isinstance(queries, Queries) else queries
-    given = [kernel] if isinstance(kernel, (str, Kernel)) or callable(kernel) else list(kernel)
-    own = [one for one in ([files] if isinstance(files, (str, os.PathLike)) else list(files))]
+    families, folder_out = names(family), folder_of(out)
+    several: List[Any] = list(queries) if isinstance(queries, (list, tuple)) else [queries]
+    own: List[Any] = []
+    for part in several:
+        files: List[Any] = [part] if isinstance(part, Queries) else names(part)
+        own += files
     for one in own:
         if isinstance(one, Queries):
             predicate, entry = predicate or one.predicate, entry or one.entry
     predicate_of, entry_of_ = of_family(families, predicate, entry)
-    kernels = [as_kernel(one, predicate_of, entry_of_) for one in given]
+    kernels = as_kernels(kernel, predicate_of, entry_of_)
     ids = [one.id for one in kernels]
+    if not ids:
+        raise Error("no kernel is given to judge")
     if len(set(ids)) != len(ids):
         raise Error(f"two kernels have the name '{next(id for id in ids if ids.count(id) > 1)}'; axiscert.kernel(f, name=...) gives "
                     "another")
+    if resume and out is None:
+        raise Error("resume=True goes on from what out= keeps; give the folder of the run that ended early")
+    if resume and seconds is not None:
+        raise Error(f"resume=True with seconds={seconds}: a run with a time limit keeps nothing to go on from; give trials=")
     if plugin_seconds is not None:
-        _core.set_plugin_seconds(float(plugin_seconds))
+        _core.set_plugin_seconds(above_zero("plugin_seconds", plugin_seconds))
     with tempfile.TemporaryDirectory(prefix="axiscert-") as folder:
         paths = []
         for number, one in enumerate(own):
@@ -247,21 +274,26 @@ def judge(kernel: Any, *, family: Names = (), trials: Optional[int] = None, seed
                 one.save(path)
                 paths.append(path)
             else:
-                paths.append(os.fspath(one))
+                paths.append(one)
         options = dict(
             kernels=ids, predicate=predicate, families=families, meshes=names(mesh), queries=paths,
             corpus=None if corpus is None or corpus is False else default_corpus() if corpus is True else corpus, trials=trials,
             seed=seed, seconds=seconds, precision=precision, preset=preset, tolerances=names(tolerance), require=names(require),
             allow_unchecked=names(allow_unchecked), unit=unit, sources=names(source), target=target, exact_only=exact_only,
-            threads=threads)
-        judged, raised = run_watched(kernels, lambda show: _core.judge(options, show), progress, "judging")
+            threads=threads, out=folder_out, resume=bool(resume),
+            code=json.dumps({one.id: one.code for one in kernels}))
+        judged, raised = run_watched(kernels, lambda show: _core.judge(checked(options), show), progress, "judging")
     record = Record(judged, kernels)
-    if out is not None:
-        record.save(out)
+    if folder_out is not None:
+        record.save(folder_out)
+        journal = os.path.join(folder_out, "journal")
+        if record.complete and os.path.exists(journal):
+            os.remove(journal)
     if raised is not None:
         if not isinstance(raised, KeyboardInterrupt):
             raise raised
-        interrupted = Interrupted("the record has the units of queries that were done")
+        kept = "" if out is None or seconds is not None else f"; judge(..., out={folder_out!r}, resume=True) does the rest"
+        interrupted = Interrupted("the record has the units of queries that were done" + kept)
         interrupted.record = record
         raise interrupted from raised
     return record

@@ -1,14 +1,18 @@
 """Functions as kernels: in this process, or in a supervised one of its own."""
 from __future__ import annotations
 
+import functools
+import hashlib
 import inspect
 import json
 import os
 import re
 import sys
-import tempfile
+import types
 import weakref
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
 
 from . import _core
 from ._errors import Error, KernelRaised
@@ -21,17 +25,22 @@ class Kernel:
     """A function that is judged, as `kernel` makes it. It stands wherever a kernel's id does.
 
     `id` is its name in records; `seconds` and `calls` say how long the function itself has taken, of all threads together,
-    and how often it was called (in this process alone).
+    and how often it was called (in this process alone). `code` is a digest of a function's code, and of the functions of its
+    module, numbers, texts and arrays that it names; not of other modules and of objects.
     """
 
-    def __init__(self, id: str, core: Any = None, folder: Any = None) -> None:
-        self.id, self._core, self._folder = id, core, folder
+    def __init__(self, id: str, core: Any = None, function: Any = None) -> None:
+        self.id, self._core, self._function = id, core, function
         if core is not None:  # what the library keeps of a kernel outlives this; the function does not have to
             weakref.finalize(self, core.release)
 
     @property
     def seconds(self) -> float:
         return float(self._core.seconds) if self._core is not None else float("nan")
+
+    @property
+    def code(self) -> str:
+        return _code(self._function) if self._function is not None else ""
 
     @property
     def calls(self) -> int:
@@ -50,6 +59,7 @@ class Kernel:
         raise error from original
 
     _predicate: Tuple[str, str] = ("", "")
+    _again: Optional[Callable[[], Any]] = None  # makes the same, supervised
 
     def __repr__(self) -> str:
         return f"<kernel {self.id}>"
@@ -83,6 +93,43 @@ def _where(function: Callable[..., Any]) -> str:
     return f"{os.path.abspath(file)}:{name}"
 
 
+def _code(function: Any) -> str:
+    """The digest of `Kernel.code`."""
+    kept: List[Any] = []  # once each
+
+    def told(value: Any) -> Any:
+        if value is None or isinstance(value, (bool, int, float, complex, str, bytes, np.generic)):
+            return repr(value)
+        if isinstance(value, frozenset):
+            return sorted(map(repr, value))
+        if isinstance(value, np.ndarray):
+            return [str(value.dtype), value.shape, hashlib.sha256(value.tobytes()).hexdigest()]
+        if isinstance(value, types.CodeType):
+            return [value.co_code.hex(), value.co_names, told(value.co_consts)]
+        if any(one is value for one in kept):
+            return "again"
+        kept.append(value)
+        if isinstance(value, (list, tuple)):
+            return [told(one) for one in value]
+        if isinstance(value, dict):
+            return {str(name): told(one) for name, one in value.items()}
+        if isinstance(value, functools.partial):
+            return told([value.func, value.args, value.keywords])
+        if isinstance(value, types.MethodType):
+            return told(value.__func__)
+        value = inspect.unwrap(value) if callable(value) else value
+        if isinstance(value, types.FunctionType) and value.__module__ == module:
+            named = inspect.getclosurevars(value)
+            return told([value.__code__, value.__defaults__, value.__kwdefaults__, named.globals, named.nonlocals])
+        return getattr(value, "__qualname__", type(value).__qualname__)
+
+    base = inspect.unwrap(function.func if isinstance(function, functools.partial) else function)
+    if not isinstance(base, (types.FunctionType, types.MethodType)):
+        function = base = type(base).__call__
+    module = getattr(base, "__module__", None)
+    return hashlib.sha256(json.dumps(told(function)).encode()).hexdigest()
+
+
 def kernel(function: Optional[Callable[..., Any]] = None, *, name: str = "", predicate: str = "", entry: str = "",
            precisions: Sequence[str] = ("binary32", "binary64"), layout: str = "groups",
            tensors: Optional[Callable[[Any], Any]] = None, formulae: str = "", conforms_to: str = "",
@@ -104,8 +151,8 @@ def kernel(function: Optional[Callable[..., Any]] = None, *, name: str = "", pre
 
     `touching` ("contact", "separated", "either"), `sides`, `margin` and `may_decline` say what it promises, as for a plug-in
     (docs/plugins.md). What the function raises is raised as `KernelRaised`; with `on_error` "record" it is a finding, and the
-    query that it raises for has no answer. `supervised`: it runs in a process of its own, which finds it by its name in its file;
-    a crash, a hang and answers that change are findings of the record.
+    query that it raises for has no answer. `supervised`: it runs in a process of its own, which finds it by its name in its file,
+    and is told how by a manifest in ~/.cache/axiscert/functions; a crash, a hang and answers that change are findings of the record.
 
     >>> import numpy as np
     >>> @kernel(name="centre-only")
@@ -114,9 +161,9 @@ def kernel(function: Optional[Callable[..., Any]] = None, *, name: str = "", pre
     >>> centre_only
     <kernel centre-only>
     """
+    options = dict(locals())
+    del options["function"]
     if function is None:
-        options = dict(locals())
-        del options["function"]
         return lambda given: kernel(given, **options)
     if not callable(function):
         raise Error(f"a kernel is a function, or an id as a text, not {type(function).__name__}")
@@ -130,6 +177,8 @@ def kernel(function: Optional[Callable[..., Any]] = None, *, name: str = "", pre
         raise Error(f"sides='{sides}': there are: both, front")
     of, described = entry_of(predicate, entry), describe(predicate)
     id = name or re.sub(r"[^A-Za-z0-9._-]+", "-", getattr(function, "__name__", type(function).__name__)).strip("-") or "function"
+    if not re.fullmatch(r"[A-Za-z0-9._-]{1,100}", id):
+        raise Error(f"name={id!r}: give 1 to 100 letters, digits, '-', '_', '.'")
     has_bits, count = bool(formulae or conforms_to), _measure_count(described, measures)
     if supervised:
         if tensors is not None:
@@ -140,14 +189,14 @@ def kernel(function: Optional[Callable[..., Any]] = None, *, name: str = "", pre
     core = _core.Callable(function, tensors, layout, on_error == "record", dict(
         id=id, predicate=of["predicate"], entry=of["name"], precisions=list(precisions), bits=has_bits, measures=count,
         touching=touching, sides=sides, margin=float(margin), may_decline=may_decline, conforms_to=conforms_to, formulae=formulae))
-    made = Kernel(id, core)
+    made = Kernel(id, core, function)
     made._predicate = of["predicate"], of["name"]
+    made._again = lambda: kernel(function, **dict(options, supervised=True))
     return made
 
 
 def _program(function: Callable[..., Any], id: str, of: Dict[str, Any], precisions: List[str], layout: str,
              claims: Dict[str, Any], margin: float, is_of_motions: bool) -> Kernel:
-    folder = tempfile.TemporaryDirectory(prefix="axiscert-")
     where = _where(function)
     manifest: Dict[str, Any] = {
         "format": "axiscert-program/2", "name": id, "summary": "a function of Python",
@@ -171,10 +220,29 @@ def _program(function: Callable[..., Any], id: str, of: Dict[str, Any], precisio
             manifest["motion"] = {"sides": claims["sides"]}
         else:
             manifest["sides"] = claims["sides"]
-    path = os.path.join(folder.name, f"{id}.json")
-    with open(path, "w", encoding="utf-8") as file:
-        json.dump(manifest, file, indent=1)
-    return Kernel(f"program:{path}", None, folder)
+    # A place that is its own: the same function has the same id again, and a certificate's manifest stays.
+    text = json.dumps(manifest, indent=1)
+    cache = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
+    folder = os.path.join(cache, "axiscert", "functions", hashlib.sha256(text.encode()).hexdigest()[:16])
+    path = os.path.join(folder, f"{id}.json")
+    if not os.path.exists(path):
+        try:
+            os.makedirs(folder, exist_ok=True)
+            written = f"{path}.{os.getpid()}"
+            with open(written, "w", encoding="utf-8") as file:
+                file.write(text)
+            os.replace(written, path)
+        except OSError as why:
+            raise Error(f"supervised: {path} cannot be written: {why.strerror}; XDG_CACHE_HOME names another folder") from None
+    return Kernel(f"program:{path}")
+
+
+def as_kernels(given: Any, predicate: str, entry: str) -> List[Kernel]:
+    """Kernels of one, or of several."""
+    several = [given] if isinstance(given, (str, Kernel)) or callable(given) else given
+    if not isinstance(several, Iterable):
+        raise Error(f"a kernel is a function, or an id as a text, or several of these, not {type(given).__name__}")
+    return [as_kernel(one, predicate, entry) for one in several]
 
 
 def as_kernel(given: Any, predicate: str, entry: str) -> Kernel:

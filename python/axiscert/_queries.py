@@ -8,7 +8,7 @@ from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple
 import numpy as np
 
 from . import _core
-from ._errors import Error, Notice
+from ._errors import Error, Notice, text, whole
 
 DTYPES = {"binary32": np.float32, "binary64": np.float64}
 _PRECISIONS = {np.dtype(np.float32): "binary32", np.dtype(np.float64): "binary64"}
@@ -130,11 +130,18 @@ class Queries:
             if name is None:
                 raise Error(f"there is no column or group '{asked}' in {described['predicate']}, entry {described['name']}; "
                             f"there are: {', '.join(attribute(group) for group, _, _ in described['groups'])}")
-            value = np.asarray(array, dtype=DTYPES[precision])
+            try:
+                value = np.asarray(array)
+                if value.dtype.kind not in "biufO":
+                    raise TypeError
+                value = value.astype(DTYPES[precision])
+            except (TypeError, ValueError):
+                what = getattr(array, "dtype", type(array).__name__)
+                raise Error(f"'{asked}' is of {what} that are no numbers of one shape; give float32 or float64") from None
             width = len(places[name])
             if value.ndim == (0 if width == 1 else 1):
                 value = value[None]
-            if value.shape != ((len(value),) if width == 1 else (len(value), width)):
+            if value.ndim == 0 or value.shape != ((len(value),) if width == 1 else (len(value), width)):
                 raise Error(f"'{asked}' has shape {np.shape(array)}; give shape {'(n,)' if width == 1 else f'(n, {width})'}")
             count = len(value) if count is None else count
             if len(value) != count:
@@ -239,9 +246,8 @@ class Queries:
 
 
 def _made(source: Any, n: int, seed: int, precision: str, first: int, threads: int) -> Queries:
-    if n < 0 or first < 0:
-        raise Error(f"{n} queries from number {first} on are asked for; neither is negative")
-    numbers = source.queries(precision, seed, first, n, threads)
+    n, first, seed = whole("n", n), whole("first", first), whole("seed", seed, greatest=2**64 - 1)
+    numbers = source.queries(text("precision", precision), seed, first, n, whole("threads", threads, greatest=4096))
     queries = Queries(source.predicate, numbers, source.entry)
     queries._made_by = (source, seed, np.arange(first, first + n))
     return queries
@@ -256,7 +262,7 @@ def generate(family: str, n: int, seed: int = 1, precision: str = "binary32", *,
     >>> q.addresses[7]
     '1:tangent:2:binary32:0:7'
     """
-    return _made(_core.family_source(family), n, seed, precision, first, threads)
+    return _made(_core.family_source(text("family", family)), n, seed, precision, first, threads)
 
 
 def _whole(source: Any, precision: str, n: Optional[int], seed: int, threads: int) -> Queries:
@@ -306,7 +312,7 @@ def query_at(address: Union[str, Sequence[str]], *, mesh: str = "", queries: str
     >>> query_at("1:tangent:2:binary32:0:7").r.shape
     (1,)
     """
-    addresses = [address] if isinstance(address, str) else list(address)
+    addresses = [address] if isinstance(address, str) else [text("address", one) for one in np.atleast_1d(address).tolist()]
     if not addresses:
         raise Error("no address is given; an address is SEED:NAME:VERSION:PRECISION:UNIT:INDEX")
     parts = _parts(_core.queries_at(addresses, mesh, queries, corpus))

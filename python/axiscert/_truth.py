@@ -9,7 +9,7 @@ from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 import numpy as np
 
 from . import _core
-from ._errors import Error
+from ._errors import Error, whole
 from ._queries import Queries, describe, entry_of
 
 CONTACT, SEPARATED, UNDECIDED, INVALID, UNANSWERED = range(5)
@@ -22,6 +22,9 @@ def nearest_sqrt(value: Fraction) -> float:
     >>> nearest_sqrt(Fraction(2)) == math.sqrt(2)
     True
     """
+    value = Fraction(value)
+    if value < 0:
+        raise Error(f"{value} is negative, and has no root")
     if value == 0:
         return 0.0
     shift = max(0, 64 - (value.numerator.bit_length() - value.denominator.bit_length()) // 2)
@@ -218,4 +221,4 @@ def truth(queries: Queries, *, threads: int = 0) -> Truth:
     """
     if not isinstance(queries, Queries):
         raise Error(f"truth takes Queries, not {type(queries).__name__}; Queries.of makes them of arrays")
-    return Truth(queries, threads)
+    return Truth(queries, whole("threads", threads, greatest=4096))

@@ -90,7 +90,10 @@ def mesh(sphere: Any, vertices: Any, indices: Any, triangles: Any = None, questi
         raise Error(f"triangles have shape {asked.shape} and type {asked.dtype}; give integers of shape (k,)")
     if asked.size and (asked.min() < 0 or asked.max() >= len(faces)):
         raise Error(f"a triangle is number {asked.min() if asked.min() < 0 else asked.max()}, and there are {len(faces)}")
-    ball = np.ascontiguousarray(sphere, dtype=points.dtype)
+    try:
+        ball = np.ascontiguousarray(sphere, dtype=points.dtype)
+    except (TypeError, ValueError):
+        raise Error(f"the sphere is {sphere!r}; give its centre and radius, shape (4,)") from None
     if ball.shape != (4,):
         raise Error(f"the sphere has shape {ball.shape}; give its centre and radius, shape (4,)")
     contact, invalid, hits, said = _core.certified_mesh(

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <string_view>
 
 #include "kernel/base/error.h"
 #include "kernel/base/stopwatch.h"
@@ -28,6 +29,20 @@ std::atomic<bool>& Callable::is_abandoned() {
   static std::atomic<bool> abandoned = false;
   return abandoned;
 }
+
+namespace {
+
+// Of any object, whatever its own methods do, and with what is no UTF-8 as escapes.
+std::string text_of(const py::handle& object) {
+  const auto made = py::reinterpret_steal<py::object>(PyObject_Str(object.ptr()));
+  const auto bytes = py::reinterpret_steal<py::object>(
+      made ? PyUnicode_AsEncodedString(made.ptr(), "utf-8", "backslashreplace") : nullptr);
+  if (bytes) return py::reinterpret_borrow<py::bytes>(bytes);
+  PyErr_Clear();
+  return "(which has no text)";
+}
+
+}  // namespace
 
 void Callable::refuse(const std::string& what) const { throw Error(fmt::format("kernel {}: {}", id_, what)); }
 
@@ -66,10 +81,16 @@ py::array Callable::array_of(const py::handle& given, const std::string& what, s
           ? numpy.attr("asarray")(given)
           : numpy.attr("from_dlpack")(given);
   py::array array = py::reinterpret_borrow<py::array>(made);
+  static const py::handle masked = py::object(numpy.attr("ma").attr("MaskedArray")).release();
+  if (py::isinstance(given, masked)) refuse(fmt::format("its {} are a masked array; give each query an answer", what));
+  if (array.ndim() == 0) {
+    refuse(fmt::format("its {} are {}, no array; give shape ({}{})", what,
+                       text_of(py::type::of(given).attr("__name__")), size,
+                       width == 1 ? std::string(",") : fmt::format(", {}", width)));
+  }
   const bool fits = width == 1 ? array.ndim() == 1 : array.ndim() == 2 && array.shape(1) == py::ssize_t(width);
   if (!fits || static_cast<std::size_t>(array.shape(0)) != size) {
-    refuse(fmt::format("its {} have shape {}, of {} queries; give shape {}", what,
-                       std::string(py::str(array.attr("shape"))), size,
+    refuse(fmt::format("its {} have shape {}, of {} queries; give shape {}", what, text_of(array.attr("shape")), size,
                        width == 1 ? fmt::format("({},)", size) : fmt::format("({}, {})", size, width)));
   }
   return array;
@@ -93,7 +114,7 @@ void Callable::read_verdicts(const py::handle& given, std::size_t size, std::vec
   }
   if (shown_.has_bits || (kind != 'b' && !(kind == 'u' && item == 1))) {
     refuse(fmt::format(
-        "its {} are {}; give {}", shown_.has_bits ? "comparison bits" : "verdicts", std::string(py::str(array.dtype())),
+        "its {} are {}; give {}", shown_.has_bits ? "comparison bits" : "verdicts", text_of(array.dtype()),
         shown_.has_bits ? "uint32 or uint64, bit i for comparison i"
                         : "bool, where True is contact, or uint8, where 0 is contact, 1 separated, 2 undecided and 3 "
                           "invalid; comparison bits take formulae="));
@@ -111,7 +132,7 @@ Outputs<Real> Callable::read(const py::object& result, std::size_t size) const {
     if (shown_.measure_count != 0)
       refuse(fmt::format(
           "it returns {}; with measures= it returns a dictionary: \"verdict\", and each measure by its name",
-          std::string(py::str(py::type::of(result).attr("__name__")))));
+          text_of(py::type::of(result).attr("__name__"))));
     read_verdicts(result, size, out.verdicts, out.bits);
     return out;
   }
@@ -121,24 +142,27 @@ Outputs<Real> Callable::read(const py::object& result, std::size_t size) const {
   const auto& measures = shown_.predicate->measures;
   out.measures.assign(shown_.measure_count, std::vector<Real>(size, std::numeric_limits<Real>::quiet_NaN()));
   const auto take = [&](const py::array& array, std::size_t m, py::ssize_t place) {
+    if (std::string_view("biuf").find(array.dtype().kind()) == std::string_view::npos) {
+      refuse(fmt::format("its numbers of {} are {}; give numbers, as {}", measures[m].name,
+                         std::string(py::str(array.dtype())), name(precision_of<Real>)));
+    }
     const auto numbers = py::array_t<Real, py::array::forcecast>::ensure(array);
-    if (!numbers) throw py::error_already_set();
     const auto* const base =
         reinterpret_cast<const char*>(numbers.data()) + (numbers.ndim() == 2 ? place * numbers.strides(1) : 0);
     for (std::size_t i = 0; i < size; ++i)
       out.measures[m][i] = *reinterpret_cast<const Real*>(base + static_cast<py::ssize_t>(i) * numbers.strides(0));
   };
   for (const auto& [key, value] : answers) {
-    const std::string named = py::str(key);
+    const std::string named = text_of(key);
     if (named == "verdict") continue;
     bool is_taken = false;
     for (std::size_t m = 0; m < shown_.measure_count; ++m) {
       if (measures[m].name == named) {
-        take(array_of(value, named, size, 1), m, 0);
+        take(array_of(value, "numbers of " + named, size, 1), m, 0);
         is_taken = true;
       } else if (measures[m].name == named + "_x") {  // a vector: three measures after each other
         if (m + 3 > shown_.measure_count) break;
-        const py::array vectors = array_of(value, named, size, 3);
+        const py::array vectors = array_of(value, "numbers of " + named, size, 3);
         for (py::ssize_t axis = 0; axis < 3; ++axis) take(vectors, m + static_cast<std::size_t>(axis), axis);
         is_taken = true;
       }
@@ -172,13 +196,12 @@ Outputs<Real> Callable::ask(const QueryColumns<Real>& batch) {
     raised_ = py::make_tuple(py::none(), numbers, std::string(refused.what()));
   } catch (py::error_already_set& raised) {
     const bool is_to_end = !raised.matches(PyExc_Exception);
-    const std::string what = fmt::format("{}: {}", std::string(py::str(raised.type().attr("__name__"))),
-                                         std::string(py::str(raised.value())));
+    const std::string what = fmt::format("{}: {}", text_of(raised.type().attr("__name__")), text_of(raised.value()));
     py::object value = raised.value();
     if (raised.trace()) value.attr("__traceback__") = raised.trace();
     if (records_errors_ && !is_to_end) throw CallableFailed(what);
     raised_ = py::make_tuple(value, numbers, fmt::format("kernel {}: it raised {}", id_, what));
-    throw CallableFailed("raised");
+    if (!is_to_end) throw CallableFailed("raised");
   }
   throw AnswerRefused("refused");
 }

@@ -1,6 +1,9 @@
 // The formulae of a built-in kernel in any format, and the certified predicate: of spheres and triangles.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "exact/numbers/number_format.h"
 #include "exact/sphere_triangle/unbounded/unbounded.h"
 #include "exact/trait/oracles.h"
@@ -9,8 +12,8 @@
 #include "kernel/formulae_list.h"
 #include "kernel/ask.h"
 #include "python/binding/common.h"
-#include "python/binding/options.h"
 #include "python/binding/work.h"
+#include "plans/formula_figures.h"
 #include "plans/predicate_options.h"
 
 namespace axiscert::python {
@@ -66,8 +69,10 @@ py::tuple computed(const std::string& predicate, const std::string& entry, const
   });
 }
 
-// The formulae of a kernel in a format: (verdict, bits), with the format's exponents and with unlimited ones, and
-// whether the numbers of the query are numbers of the format, where they are rounded to it first.
+// The formulae of a kernel in a format: (verdict, bits), with the format's exponents and with unlimited ones; whether
+// the numbers of the query are numbers of the format, where they are rounded to it first; and both sides with the
+// format's exponents, shape (comparisons, n), float64, NaN of what is no valid query, or None of formulae without
+// comparisons.
 py::tuple in_format(const std::string& predicate, const std::string& entry, const py::array& numbers,
                     const std::string& kernel_id, const std::string& format_name, const std::string& rounding,
                     const std::string& contraction, std::uint64_t seed, bool rounds_inputs, int threads) {
@@ -79,8 +84,8 @@ py::tuple in_format(const std::string& predicate, const std::string& entry, cons
   if (kernel.predicate != of.predicate || formulae == Formulae::none)
     throw Error(fmt::format("kernel {}: it has no formulae of {}", kernel.id, of.predicate->id));
   const NumberFormat number = parse_number_format(format_name);
-  const RoundingRule rule = enumerator_named<RoundingRule>("rounding", rounding);
-  const Contraction fused = enumerator_named<Contraction>("fused", contraction);
+  const RoundingRule rule = enumerator_of<RoundingRule>("rounding=", rounding);
+  const Contraction fused = enumerator_of<Contraction>("fused=", contraction);
   if (!has_contraction(formulae, fused))
     throw Error(fmt::format("kernel {}: its formulae have no form with fused {}", kernel.id, contraction));
   return given.visit([&]<class Real>(const QueryColumns<Real>& columns) -> py::tuple {
@@ -91,6 +96,11 @@ py::tuple in_format(const std::string& predicate, const std::string& entry, cons
     std::uint8_t *const v = data_of(verdict), *const uv = data_of(unlimited_verdict);
     std::uint64_t *const b = data_of(bits), *const ub = data_of(unlimited_bits);
     bool* const h = data_of(held);
+    const std::size_t comparisons = has_comparisons(formulae) ? of.predicate->comparisons.size() : 0;
+    py::array_t<double> lhs({comparisons, columns.size}), rhs({comparisons, columns.size});
+    double *const l = data_of(lhs), *const r = data_of(rhs);
+    for (double* const side : {l, r})
+      std::fill_n(side, comparisons * columns.size, std::numeric_limits<double>::quiet_NaN());
     const ExponentLimits own = given.precision();
     const Oracles& oracles = oracles_of(kernel);
     for_each_block(columns.size, threads, [&](std::size_t first, std::size_t count) {
@@ -111,9 +121,15 @@ py::tuple in_format(const std::string& predicate, const std::string& entry, cons
         uv[i] = static_cast<std::uint8_t>(found.unlimited.verdict);
         b[i] = found.limited.bits.value_or(0);
         ub[i] = found.unlimited.bits.value_or(0);
+        const auto sides = sides_in_format(formulae, *asked, format, fused);
+        for (std::size_t k = 0; sides && k < comparisons; ++k) {
+          l[k * columns.size + i] = sides->lhs[k];
+          r[k * columns.size + i] = sides->rhs[k];
+        }
       }
     });
-    return py::make_tuple(verdict, bits, unlimited_verdict, unlimited_bits, held);
+    const auto shown = [&](const py::array& sides) { return comparisons == 0 ? py::none() : py::object(sides); };
+    return py::make_tuple(verdict, bits, unlimited_verdict, unlimited_bits, held, shown(lhs), shown(rhs));
   });
 }
 

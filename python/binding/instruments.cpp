@@ -5,7 +5,6 @@
 
 #include "fuzz/confirm/record.h"
 #include "kernel/base/error.h"
-#include "python/binding/callables.h"
 #include "python/binding/common.h"
 #include "python/binding/options.h"
 #include "python/binding/work.h"
@@ -28,15 +27,26 @@ namespace {
 py::tuple in_python(const InstrumentReport& report, const std::optional<py::error_already_set>& raised = {},
                     int indentation = 2) {
   return py::make_tuple(report.name, report.data.dump(indentation) + "\n", instrument_text(report),
-                        instrument_page(report), raised ? raised->value() : py::none());
+                        instrument_page(report), value_of(raised));
 }
 
 // The figures are of all queries or of none: an interrupt is waited out, and raised then.
 py::tuple figures(const py::object& progress, const std::function<InstrumentReport(const ShowProgress&)>& measure) {
-  std::optional<InstrumentReport> report;
-  Callable::is_abandoned() = false;
-  const auto raised = do_watched(progress, [&](Watch& watch) { report = measure(watch.show()); });
-  return in_python(*report, raised);
+  const auto [report, raised] =
+      watched<InstrumentReport>(progress, [&](Watch& watch) { return measure(watch.show()); });
+  return in_python(report, raised);
+}
+
+// What is found of a kernel until an interrupt: the figures, and with them (complete, the witnesses as lines of a query
+// file).
+struct Found {
+  InstrumentReport report;
+  bool is_complete;
+  std::string witnesses;
+};
+py::tuple found(const py::object& progress, const std::function<Found(Watch&)>& find) {
+  const auto [found, raised] = watched<Found>(progress, find);
+  return py::make_tuple(in_python(found.report, raised), found.is_complete, found.witnesses);
 }
 
 void take_measured(Options& taken, InstrumentOptions& o, const char* command) {
@@ -90,7 +100,6 @@ py::tuple condition(const py::dict& given, const py::object& progress) {
   return figures(progress, [&](const ShowProgress& show) { return condition_figures(o, show); });
 }
 
-// Also (complete, the witnesses as lines of a query file).
 py::tuple diagnose(const py::dict& given, const py::object& progress) {
   Options taken(given);
   DiagnoseOptions o;
@@ -98,12 +107,10 @@ py::tuple diagnose(const py::dict& given, const py::object& progress) {
   taken.take("precision", o.precision);
   taken.take("seed", o.seed);
   taken.require_all_taken();
-  std::optional<Diagnosed> found;
-  Callable::is_abandoned() = false;
-  const auto raised =
-      do_watched(progress, [&](Watch& watch) { found = diagnosed(o, watch.interrupted(), watch.show()); });
-  return py::make_tuple(in_python(found->report, raised), found->diagnosis.complete,
-                        diagnosis_witnesses(found->diagnosis));
+  return found(progress, [&](Watch& watch) -> Found {
+    Diagnosed made = diagnosed(o, watch.interrupted(), watch.show());
+    return {std::move(made.report), made.diagnosis.complete, diagnosis_witnesses(made.diagnosis)};
+  });
 }
 
 py::tuple search(const py::dict& given, const py::object& progress) {
@@ -122,19 +129,17 @@ py::tuple search(const py::dict& given, const py::object& progress) {
   taken.take("out", o.out);
   taken.take("resume", o.resume);
   taken.require_all_taken();
-  std::optional<Searched> found;
-  Callable::is_abandoned() = false;
-  const auto raised = do_watched(progress, [&](Watch& watch) {
+  return found(progress, [&](Watch& watch) -> Found {
     const SearchPlan plan = search_plan_of(o);
     const auto state = search_state(o);
     std::optional<OutputFolder> folder;
     if (!o.out.empty()) folder.emplace(o.out);  // checked before anything runs
-    found = searched(o, plan, state, watch.interrupted(), [&](const SearchProgress& p) {
+    Searched made = searched(o, plan, state, watch.interrupted(), [&](const SearchProgress& p) {
       watch.take({p.islands, 0, p.evaluations, p.seconds});
     });
-    if (folder) write_search(*folder, found->result);
+    if (folder) write_search(*folder, made.result);
+    return {std::move(made.report), made.result.complete, search_witnesses(made.result)};
   });
-  return py::make_tuple(in_python(found->report, raised), found->result.complete, search_witnesses(found->result));
 }
 
 // Of each query that shows something to keep, what `axiscert shrink --format jsonl` prints; and why others show
@@ -150,9 +155,11 @@ py::tuple shrink(const py::dict& given, const py::object& progress) {
   taken.take("evaluations", o.evaluations);
   taken.take("any_class", o.any_class);
   taken.require_all_taken();
-  std::vector<std::string> lines, nothing;
-  Callable::is_abandoned() = false;
-  const auto raised = do_watched(progress, [&](Watch& watch) {
+  struct Lines {
+    std::vector<std::string> smaller, nothing;
+  };
+  const auto [lines, raised] = watched<Lines>(progress, [&](Watch& watch) {
+    Lines made;
     std::vector<const Kernel*> kernels;
     for (const std::string& id : o.kernels) require_known_symptom(*kernels.emplace_back(&find_kernel(id)), o.what);
     require_one_of_each(kernels);
@@ -164,24 +171,27 @@ py::tuple shrink(const py::dict& given, const py::object& progress) {
     for (std::size_t i = 0; i < queries.size() && !watch.interrupted(); ++i) {
       try {
         const Shrunk found = shrunk(queries[i], o, kernel_to_shrink(queries[i], kernels), target, {});
-        lines.push_back(json_of(ShrinkLine{{}, found.line}).dump());
+        made.smaller.push_back(json_of(ShrinkLine{{}, found.line}).dump());
       } catch (const NothingToKeep& none) {
         if (queries.size() == 1) throw;
-        nothing.emplace_back(none.what());
+        made.nothing.emplace_back(none.what());
       }
       watch.take({i + 1, queries.size(), i + 1, 0});
     }
+    return made;
   });
-  return py::make_tuple(lines, nothing, raised ? raised->value() : py::none());
+  return py::make_tuple(lines.smaller, lines.nothing, value_of(raised));
 }
 
 // Also (whether nothing is new or worse, a text for a pull request).
 py::tuple compare(const std::string& before_folder, const std::string& after_folder,
                   const std::vector<std::string>& allowed, bool replays, const py::object& progress) {
-  std::optional<InstrumentReport> report;
-  std::string markdown;
-  bool passes = false;
-  const auto raised = do_watched(progress, [&](Watch& watch) {
+  struct Compared {
+    InstrumentReport report;
+    bool passes;
+    std::string markdown;
+  };
+  const auto [compared, raised] = watched<Compared>(progress, [&](Watch& watch) {
     const Run before = read_run(before_folder), after = read_run(after_folder);
     require_same_predicate(before.record, after.record, before_folder, after_folder);
     watch.begin_stage("the witnesses are evaluated again");
@@ -189,11 +199,9 @@ py::tuple compare(const std::string& before_folder, const std::string& after_fol
     if (replays) replayed = replay_witnesses(before.record, resolve_target("auto"), {});
     const RunComparison comparison = compare_records(before.record, after.record, std::move(replayed), allowed);
     const ComparedRuns runs{before.record, after.record, before_folder, after_folder};
-    report = comparison_report(runs, comparison);
-    markdown = comparison_markdown(runs, comparison);
-    passes = comparison.passes();
+    return Compared{comparison_report(runs, comparison), comparison.passes(), comparison_markdown(runs, comparison)};
   });
-  return py::make_tuple(in_python(*report, raised, 1), passes, markdown);
+  return py::make_tuple(in_python(compared.report, raised, 1), compared.passes, compared.markdown);
 }
 
 }  // namespace

@@ -29,8 +29,7 @@ struct Judged {
   std::vector<LevelOutcome> outcomes() const { return outcomes_of(files.record); }
 };
 
-RunOptions run_options(const py::dict& given) {
-  Options taken(given);
+RunOptions run_options(Options& taken) {
   RunOptions o;
   taken.take("predicate", o.predicate);
   taken.take("kernels", o.kernels);
@@ -51,17 +50,24 @@ RunOptions run_options(const py::dict& given) {
   taken.take("target", o.target);
   taken.take("exact_only", o.exact_only);
   taken.take("threads", o.threads);
-  taken.require_all_taken();
   return o;
 }
 
-// The record of the plan, and what a signal raised, after which it is of the units that were done.
+// The record of the plan, and what a signal raised, after which it is of the units that were done. With a folder, what
+// is done is kept there.
 py::tuple judge(const py::dict& given, const py::object& progress) {
-  const RunOptions asked = run_options(given);
-  std::optional<Judged> judged;
-  Callable::is_abandoned() = false;
-  const auto raised = do_watched(progress, [&](Watch& watch) {
+  Options taken(given);
+  const RunOptions asked = run_options(taken);
+  std::optional<std::string> out;
+  Keeping keeping;
+  taken.take("out", out);
+  taken.take("resume", keeping.resumes);
+  taken.take("code", keeping.code);
+  taken.require_all_taken();
+  auto [judged, raised] = watched<Judged>(progress, [&](Watch& watch) {
     const RunOptions options = with_preset(asked);
+    std::optional<OutputFolder> folder;
+    if (out) folder.emplace(*out);  // checked before anything runs
     const Plan plan = plan_of(options);
     source_places(plan.answerers.kernels, options.sources);
     print_first_look(plan.answerers.kernels);
@@ -70,11 +76,12 @@ py::tuple judge(const py::dict& given, const py::object& progress) {
       if (const std::string found = first_look(*kernel); !found.empty()) notice("kernel {}: {}", kernel->id, found);
     }
     const auto started = std::chrono::system_clock::now();
-    const CampaignResult result = judge_plan(plan, watch.interrupted(), watch.show(), nullptr);
-    judged = Judged{run_files(plan, result, options, options.target, started,
-                              [&](std::string_view stage) { watch.begin_stage(stage); })};
+    const CampaignResult result = judge_plan(plan, watch.interrupted(), watch.show(), folder ? &*folder : nullptr,
+                                             folder && !plan.questions.seconds ? &keeping : nullptr);
+    return Judged{run_files(plan, result, options, options.target, started,
+                            [&](std::string_view stage) { watch.begin_stage(stage); })};
   });
-  return py::make_tuple(std::move(*judged), raised ? raised->value() : py::none());
+  return py::make_tuple(std::move(judged), value_of(raised));
 }
 
 std::string text_of(const Json& json) { return json.dump(1) + "\n"; }

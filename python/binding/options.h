@@ -2,13 +2,9 @@
 #pragma once
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <string>
-#include <string_view>
-#include <vector>
 
-#include "kernel/base/enums.h"
 #include "kernel/base/error.h"
 #include "python/binding/common.h"
 
@@ -38,16 +34,5 @@ class Options {
  private:
   py::dict left_;
 };
-
-// The enumerator of this name. Throws Error that lists them.
-template <class Enum>
-Enum enumerator_named(const char* option, const std::string& text) {
-  std::vector<std::string_view> known;
-  for (const Enum each : enumerators<Enum>) {
-    if (name(each) == text) return each;
-    known.push_back(name(each));
-  }
-  throw Error(fmt::format("{}='{}': there are: {}", option, text, fmt::join(known, ", ")));
-}
 
 }  // namespace axiscert::python

@@ -1,11 +1,12 @@
 #include "python/binding/work.h"
 
+#include <mpfr.h>
+
 #include <algorithm>
 #include <chrono>
 #include <vector>
 
 #include "plans/run_plan.h"
-#include "python/binding/callables.h"
 
 namespace axiscert::python {
 namespace {
@@ -14,6 +15,8 @@ constexpr auto look_every = std::chrono::milliseconds(50);
 constexpr std::size_t block_size = 1024;  // queries
 
 }  // namespace
+
+ThreadCaches::~ThreadCaches() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
 
 void Watch::begin_stage(std::string_view name) {
   const std::lock_guard lock(mutex_);
@@ -32,6 +35,7 @@ class WatchedThread {
  public:
   WatchedThread(const std::function<void(Watch&)>& work, Watch& watch) : watch_(watch) {
     thread_ = std::thread([this, &work] {
+      const ThreadCaches given_back;
       try {
         work(watch_);
       } catch (...) {
@@ -108,7 +112,12 @@ void for_each_block(std::size_t size, int threads,
       }
     };
     std::vector<std::thread> others;
-    for (std::size_t w = 1; w < workers; ++w) others.emplace_back(do_blocks);
+    for (std::size_t w = 1; w < workers; ++w) {
+      others.emplace_back([&] {
+        const ThreadCaches given_back;
+        do_blocks();
+      });
+    }
     do_blocks();
     for (std::thread& other : others) other.join();
     if (thrown) std::rethrow_exception(thrown);

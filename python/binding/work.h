@@ -9,8 +9,10 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "fuzz/campaign/progress.h"
+#include "python/binding/callables.h"
 #include "python/binding/common.h"
 
 namespace axiscert::python {
@@ -35,11 +37,29 @@ class Watch {
   bool is_new_ = false;
 };
 
+// Gives back what MPFR keeps for this thread, at the end of one that may have computed.
+struct ThreadCaches {
+  ~ThreadCaches();
+};
+
 // Does `work` in a thread of its own. Meanwhile this one, which holds the lock on entry and on return, calls `progress`
 // (units done, units, queries, seconds, stage) unless it is None, and looks for signals. After one that raises, as
 // KeyboardInterrupt, the work is told to stop and ends as it does then; what was raised is returned. After a second one
 // functions that are asked fail. Rethrows what the work threw.
 std::optional<py::error_already_set> do_watched(const py::object& progress, const std::function<void(Watch&)>& work);
+
+// What the work makes, and what was raised; nothing that an earlier work abandoned stays so.
+template <class Made, class Work>
+std::pair<Made, std::optional<py::error_already_set>> watched(const py::object& progress, Work&& work) {
+  std::optional<Made> made;
+  Callable::is_abandoned() = false;
+  auto raised = do_watched(progress, [&](Watch& watch) { made.emplace(work(watch)); });
+  return {std::move(*made), std::move(raised)};
+}
+// As Python has it: the exception, or None.
+inline py::object value_of(const std::optional<py::error_already_set>& raised) {
+  return raised ? raised->value() : py::none();
+}
 
 // Calls part(first, size) for each block of `size` queries on so many threads (0: all cores), without the lock; stops
 // early and raises where a signal does.

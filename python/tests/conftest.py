@@ -7,6 +7,9 @@ import pytest
 
 import axiscert as ax
 
+# Of ./dev python --sanitized: for processes that import the package, not for those of the command and of supervised functions, whose memory
+# is limited.
+PRELOADED = {name: os.environ.pop(name) for name in ("LD_PRELOAD",) if name in os.environ}
 BIN = os.path.join(os.path.dirname(ax.__file__), "bin")
 
 

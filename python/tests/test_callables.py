@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import axiscert as ax
-from conftest import nearest_point_test, squared_distance
+from conftest import PRELOADED, nearest_point_test, squared_distance
 
 ONE = dict(family="tangent", trials=3000, precision="binary32")
 
@@ -23,8 +23,10 @@ def contact(n):
 @pytest.mark.parametrize("answer, said", [
     (lambda r: contact(len(r))[:, None], r"verdicts have shape \(251, 1\), of 251 queries; give shape \(251,\)"),
     (lambda r: contact(len(r) - 1), r"verdicts have shape \(250,\)"),
-    (lambda r: True, r"verdicts have shape \(\)"),
-    (lambda r: None, r"verdicts have shape \(\)"),
+    (lambda r: True, r"verdicts are bool, no array; give shape \(251,\)"),
+    (lambda r: None, "verdicts are NoneType, no array"),
+    (lambda r: "contact", "verdicts are str, no array"),
+    (lambda r: np.ma.array(contact(len(r)), mask=True), "verdicts are a masked array"),
     (lambda r: np.ones(len(r)), "verdicts are float64; give bool, where True is contact, or uint8"),
     (lambda r: np.full(len(r), np.nan), "verdicts are float64"),
     (lambda r: np.ones(len(r), int), "verdicts are int64"),
@@ -113,6 +115,32 @@ def test_an_exception_is_raised_or_recorded():
     assert counts["unanswered"] == int((q.r > 1).sum())
 
 
+def raiser(raised):
+    def raises(a, b, c, p, r):
+        raise raised
+    return raises
+
+
+class NoText(Exception):
+    def __str__(self):
+        raise RuntimeError("no text")
+
+
+@pytest.mark.parametrize("raised, said", [(NoText(), "NoText: \\(which has no text\\)"), (ValueError("a\udc80"), r"ValueError: a.*udc80")])
+def test_an_exception_without_a_text(raised, said):
+    with pytest.raises(ax.KernelRaised, match=said) as caught:
+        ax.judge(ax.kernel(raiser(raised), name="odd"), **ONE)
+    assert caught.value.__cause__ is raised
+    with pytest.warns(ax.Notice, match=said):
+        ax.judge(ax.kernel(raiser(raised), name="odd", on_error="record"), **ONE)
+
+
+@pytest.mark.parametrize("on_error", ["raise", "record"])
+def test_what_ends_a_program_is_no_finding(on_error):
+    with pytest.raises(SystemExit):
+        ax.judge(ax.kernel(raiser(SystemExit(3)), on_error=on_error), **ONE)
+
+
 def test_answers_that_change_are_findings():
     calls = []
 
@@ -155,6 +183,12 @@ def test_measures_are_judged():
     record = ax.judge(kernel, family="general", trials=300)
     told = record.json["kernels"][0]["families"]["general"]["contacts"]
     assert told["answers"] > 0, told
+    for numbers, said in ((np.ones(len("x")), r"have shape \(1,\)"), ("complex64", "its numbers of separation are complex64; give numbers"),
+                          ("U1", "its numbers of separation are <U1"), (object, "its numbers of separation are object")):
+        def odd(a, b, c, p, r):
+            return {"verdict": contact(len(r)), "separation": numbers if isinstance(numbers, np.ndarray) else np.ones(len(r), numbers)}
+        with pytest.raises(ax.KernelRaised, match=said):
+            ax.judge(ax.kernel(odd, name="odd", measures="separation"), **ONE)
     with pytest.raises(ax.Error, match="there is no measure 'colour'.*there are: separation"):
         ax.kernel(measured, measures="colour")
     with pytest.raises(ax.KernelRaised, match="with measures= it returns a dictionary"):
@@ -187,7 +221,7 @@ def test_a_function_that_judges():
 def run_script(text, tmp_path, **named):
     script = tmp_path / "script.py"
     script.write_text(textwrap.dedent(text))
-    environment = dict(os.environ, PYTHONPATH=os.pathsep.join(sys.path))
+    environment = dict(os.environ, PYTHONPATH=os.pathsep.join(sys.path), **PRELOADED)
     return subprocess.Popen([sys.executable, str(script)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment, **named)
 
 
@@ -296,7 +330,7 @@ def test_a_supervised_function(tmp_path):
     (dict(layout="rows"), "layout='rows': there are: groups, columns"),
     (dict(on_error="ignore"), "on_error='ignore'"),
     (dict(touching="maybe"), "touching='maybe'"),
-    (dict(name="a b"), "an id is 1 to 100 letters"),
+    (dict(name="a b"), "name='a b': give 1 to 100 letters"),
     (dict(name="published"), "that is a built-in kernel"),
     (dict(predicate="sphere"), "sphere-triangle"),
     (dict(predicate="box-box", entry="none"), "quaternion"),

@@ -10,6 +10,7 @@ import sys
 import pytest
 
 import axiscert as ax
+from conftest import PRELOADED
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 MODULES = ("_queries", "_truth", "_kernels", "_judge", "_formulae", "_instruments", "certified")
@@ -45,7 +46,7 @@ def test_types_are_right():
 
 
 def run(*words, cwd):
-    environment = dict(os.environ, PYTHONPATH=os.pathsep.join(sys.path))
+    environment = dict(os.environ, PYTHONPATH=os.pathsep.join(sys.path), **PRELOADED)
     ended = subprocess.run([sys.executable, *words], cwd=cwd, env=environment, capture_output=True, text=True)
     assert ended.returncode == 0, ended.stderr
     return ended.stdout

@@ -3,6 +3,7 @@ import json
 import os
 import signal
 import subprocess
+import sys
 import time
 
 import numpy as np
@@ -70,12 +71,33 @@ def test_two_runs_are_compared(command, tmp_path):
 
 
 def test_a_certificate(tmp_path):
-    with pytest.raises(ax.Error, match="a certificate is of files"):
-        ax.certify(nearest_point_test, tmp_path / "mine")
+    with pytest.raises(ax.Error, match="SHA-256 of the files of a kernel, and of mine there are none: .*by its name in a file"):
+        ax.certify(ax.kernel(lambda *q: nearest_point_test(*q), name="mine"), tmp_path / "mine")
+    with pytest.raises(ax.Error, match="there are none: .*tensors= is for this process"):
+        ax.certify(ax.kernel(nearest_point_test, name="mine", tensors=np.asarray), tmp_path / "mine")
     certificate = ax.certify("published", tmp_path / "out", effort="smoke")
     assert certificate
     with pytest.raises(ax.Error, match="certify: .*--resume continues it"):
         ax.certify("published", tmp_path / "out", effort="smoke")
+
+
+def test_a_certificate_of_a_function(tmp_path, command):
+    """By its file, which has to be there and the same wherever it is verified."""
+    source = tmp_path / "mine.py"
+    source.write_text("import numpy as np\ndef centre_only(a, b, c, p, r):\n    return np.linalg.norm(a - p, axis=1) <= r\n")
+    sys.path.insert(0, str(tmp_path))
+    try:
+        from mine import centre_only
+    finally:
+        sys.path.pop(0)
+    kernel = ax.kernel(centre_only, precisions=["binary32"])
+    certificate = ax.certify(kernel, tmp_path / "out", effort="smoke")
+    assert "axiscert" in json.dumps(certificate)
+    made = kernel._again().id
+    assert made == kernel._again().id
+    command("verify", tmp_path / "out" / "certificate.json", "--kernel", made)
+    source.write_text(source.read_text() + "# changed\n")
+    command("verify", tmp_path / "out" / "certificate.json", "--kernel", made, code=1)
 
 
 def test_an_interrupt_ends_figures(tmp_path):
@@ -100,9 +122,19 @@ def test_formats(command):
     own = ax.formulae("published", q)
     same = ax.formulae("published", q, format="binary32")
     assert np.array_equal(own.verdict, same.verdict) and np.array_equal(own.bits, same.bits)
+    assert np.array_equal(own.lhs, same.lhs) and np.array_equal(own.rhs, same.rhs) and same.lhs.dtype == np.float64
+    fused, own_fused = ax.formulae("published", q, format="binary32", fused="dots"), ax.formulae("published+fma", q)
+    assert np.array_equal(fused.lhs, own_fused.lhs) and np.array_equal(fused.rhs, own_fused.rhs)
+    for rounding in ("down", "stochastic"):
+        rough = ax.formulae("published", q, format="bits=6", rounding=rounding)
+        assert np.array_equal((rough.lhs > rough.rhs).T, rough.holds)
+        significands = np.frexp(rough.lhs)[0] * 64
+        assert np.array_equal(significands, np.round(significands))
+    assert ax.formulae("closest-point", q, format="bfloat16").lhs is None
     kernel_says = (own.lhs > own.rhs).T
     assert np.array_equal(kernel_says, own.holds)
     rough = ax.formulae("published", q, format="fp8-e4m3", round_inputs=True)
+    assert np.isnan(rough.lhs[:, ~rough.valid]).all()
     assert 0 < rough.valid.sum() <= 300 and (rough.verdict != own.verdict).any()
     assert not np.array_equal(ax.formulae("published", q, format="bits=6", rounding="stochastic", seed=1).bits,
                               ax.formulae("published", q, format="bits=6", rounding="stochastic", seed=2).bits)

@@ -8,6 +8,7 @@ import pytest
 
 import axiscert as ax
 from conftest import BIN, nearest_point_test
+from test_callables import run_script
 
 
 def judged_by_command(command, tmp_path, *words, code=0):
@@ -54,6 +55,69 @@ def test_a_run_that_is_saved_is_the_folder_of_the_command(command, tmp_path):
     assert names("python") == names("command")
     for name in ("record.json", "record.csv", "witnesses.jsonl"):
         assert (tmp_path / "python" / name).read_bytes() == (tmp_path / "command" / name).read_bytes(), name
+
+
+def stopped_after(units):
+    def stop(done, *news):
+        if done >= units:
+            raise KeyboardInterrupt
+    return stop
+
+
+def test_a_run_goes_on(tmp_path):
+    kernel = ax.kernel(nearest_point_test, name="mine")
+    options = dict(family=["tangent", "general"], trials=1 << 17, precision="binary32", require="conservative")
+    whole = ax.judge(kernel, **options)
+    calls = kernel.calls
+    out = tmp_path / "out"
+    with pytest.raises(ax.Interrupted, match=r"judge\(\.\.\., out='.*', resume=True\) does the rest") as ended:
+        ax.judge(kernel, progress=stopped_after(2), out=out, **options)
+    assert not ended.value.record.complete and os.path.exists(out / "journal")
+    begun = kernel.calls
+    again = ax.judge(kernel, out=out, resume=True, **options)
+    assert again.bytes == whole.bytes == (out / "record.json").read_bytes() and kernel.calls - begun < calls
+    assert not os.path.exists(out / "journal")
+    assert ax.judge(kernel, out=out, resume=True, **options).bytes == whole.bytes  # begins where there is none
+
+
+def test_a_run_that_was_killed_goes_on(tmp_path):
+    script = """
+        import os, sys, axiscert as ax
+        def killed(done, *news):
+            if done >= 3:
+                os.kill(os.getpid(), 9)
+        ax.judge("published", family="tangent", trials=1 << 20, precision="binary32", out="out", progress=killed)
+        """
+    assert run_script(script, tmp_path, cwd=tmp_path).wait(60) == -9
+    options = dict(family="tangent", trials=1 << 20, precision="binary32")
+    assert ax.judge("published", out=tmp_path / "out", resume=True, **options).bytes == ax.judge("published", **options).bytes
+
+
+def test_another_run_does_not_go_on(tmp_path):
+    slack = 0.0
+
+    def mine(a, b, c, p, r):
+        return nearest_point_test(a, b, c, p, r + a.dtype.type(slack))
+
+    def begun(**named):
+        given = dict(dict(family="tangent", trials=1 << 18, precision="binary32", out=tmp_path / "out"), **named)
+        return ax.judge(ax.kernel(mine, name="mine"), **given)
+
+    with pytest.raises(ax.Interrupted):
+        begun(progress=stopped_after(1))
+    journal = (tmp_path / "out" / "journal").read_bytes()
+    with pytest.raises(ax.Error, match="is not a journal of this plan"):
+        begun(resume=True, trials=1 << 17)
+    slack = 1e-3
+    with pytest.raises(ax.Error, match="is not a journal of this plan.*begin again without --resume"):
+        begun(resume=True)
+    assert (tmp_path / "out" / "journal").read_bytes() == journal
+    slack = 0.0
+    assert begun(resume=True).complete
+    with pytest.raises(ax.Error, match="give the folder"):
+        begun(resume=True, out=None)
+    with pytest.raises(ax.Error, match="seconds=3"):
+        begun(resume=True, seconds=3, trials=None)
 
 
 def test_what_the_record_shows(tmp_path):
@@ -131,8 +195,13 @@ def test_words_of_the_command():
         ax.judge("published", family="box-box/general", trials=10)
     with pytest.raises(TypeError):
         ax.judge("published", familly="tangent")
-    with pytest.raises(ax.Error, match="trials='many': not of the type"):
-        ax.judge("published", trials="many")
+    for named, said in ((dict(trials="many"), "trials='many': give a whole number"), (dict(trials=0), "trials=0: .* from 1"),
+                        (dict(threads=-1), "threads=-1"), (dict(seconds=float("nan")), "seconds=nan: give a number above 0"),
+                        (dict(family=3), "3: give a name"), (dict(preset="nope"), "unknown preset 'nope'"), (dict(out=""), "out=''")):
+        with pytest.raises(ax.Error, match=said):
+            ax.judge("published", **named)
+    with pytest.raises(ax.Error, match="no kernel is given"):
+        ax.judge([])
     with pytest.raises(ax.Error, match="two kernels have the name"):
         ax.judge([nearest_point_test, nearest_point_test], family="tangent", trials=10)
     with pytest.warns(ax.Notice, match="no kernel of this run takes the 3 queries in binary64"):

@@ -77,6 +77,12 @@ def test_numbers_of_another_shape_or_type(numbers, said):
         ax.Queries("sphere-triangle", numbers)
 
 
+@pytest.mark.parametrize("given", [[["x", "0", "0"]], np.zeros((1, 3), complex), [[0, 0], [0]], [[None, object(), 0]]])
+def test_what_is_no_number_is_named(given):
+    with pytest.raises(ax.Error, match="'a' is of .* no numbers of one shape; give float32"):
+        ax.Queries.of(a=given, b=[[1, 0, 0]], c=[[0, 1, 0]], p=[[0, 0, 1]], r=[1])
+
+
 def test_arrays_in_any_order_of_memory_are_the_same_queries():
     q = ax.generate("general", 100)
     expected = ax.truth(q).verdict
@@ -96,7 +102,7 @@ def test_words_that_are_not_known():
         ax.families("sphere")
     with pytest.raises(ax.Error, match="binary32"):
         ax.generate("tangent", 5, precision="half")
-    with pytest.raises(ax.Error, match="neither is negative"):
+    with pytest.raises(ax.Error, match="n=-1: give a whole number from 0"):
         ax.generate("tangent", -1)
 
 

@@ -50,6 +50,12 @@ template <class Real>
 BothRanges in_both_ranges(Formulae formulae, Strictness strictness, const Query<Real>& q, const FloatingFormat& format,
                           Contraction contraction = Contraction::none);
 
+// Both sides of every comparison in the format, each as the nearest binary64 number: itself, where the format's numbers
+// are such. Empty for formulae without comparisons. The formulae have the contraction.
+template <class Real>
+std::optional<Sides<double>> sides_in_format(Formulae formulae, const Query<Real>& q, const FloatingFormat& format,
+                                             Contraction contraction = Contraction::none);
+
 // The query whose numbers are rounded to the format, to nearest even; empty where one of them becomes infinite or NaN,
 // or is beyond the query's own precision.
 template <class Real>
