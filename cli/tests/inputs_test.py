@@ -23,7 +23,7 @@ class Inputs(InputCase):
                            (["runn"], ["unknown subcommand 'runn'; did you mean 'run'?"]),
                            (["rum", "--family", "tangent"], ["unknown subcommand 'rum'; did you mean 'run'?"]),
                            (["--kernel", "published"], ["the option --kernel belongs after a subcommand, as in axiscert run --kernel"]),
-                           (["frobnicate"], ["unknown subcommand 'frobnicate'; subcommands:"]),
+                           (["frobnicate"], ["unknown subcommand 'frobnicate'; the nearest of "]),
                            (["corpus", "lst"], ["axiscert corpus: unknown subcommand 'lst'; did you mean 'list'?"]),
                            (["--versoin"], ["unknown option '--versoin'; did you mean '--version'?"]),
                            (["run", "--kernle", "published"], ["axiscert run: unknown option '--kernle'; did you mean '--kernel'?"]),
