@@ -193,84 +193,52 @@ STEP_FAULTS = {
         f"{CERTIFIED}/box_step-inl.h", "face(hn::Lt(v, hn::Set(d, box.low[k])), 2 * k)", "face(hn::Le(v, hn::Set(d, box.low[k])), 2 * k)", STEPS,
         "RecordedIsBox.v"),
     "a vertex that is not finite with an outcode": (
-        f"{CERTIFIED}/box_step-inl.h", "hn::IfThenElseZero(is_finite, hn::Or(hn::Or(axis(x, 0)", "hn::IfThenElseZero(hn::RebindMask(bits, hn::Eq(x, x)), hn::Or(hn::Or(axis(x, 0)",
-        STEPS, "RecordedIsBox.v"),
+        f"{CERTIFIED}/box_step-inl.h", "hn::IfThenElseZero(is_finite, hn::Or(",
+        "hn::IfThenElseZero(hn::RebindMask(bits, hn::Eq(x, x)), hn::Or(", STEPS, "RecordedIsBox.v"),
     # What becomes of blocks: tails, masks, packing, queues, and which step runs when.
     "a tail's vector whose lanes all count": (
-        f"{CERTIFIED}/block-inl.h", "coarse_vector(tail.block, 0, size - i,", "coarse_vector(tail.block, 0, lanes,", BLOCKS, @@a tail's vector whose lanes all count@@),
+        f"{CERTIFIED}/block-inl.h", "coarse_vector(tail.block, 0, size - i,", "coarse_vector(tail.block, 0, lanes,", BLOCKS, RECORDER),
     "a mask of one bit too many": (
-        f"{CERTIFIED}/leftovers-inl.h", "(std::uint64_t{1} << count) - 1;", "(std::uint64_t{2} << count) - 1;", BLOCKS, @@a mask of one bit too many@@),
+        f"{CERTIFIED}/leftovers-inl.h", "(std::uint64_t{1} << count) - 1;", "(std::uint64_t{2} << count) - 1;", BLOCKS, RECORDER),
     "contacts of a tail's padding": (
-        f"{CERTIFIED}/block-inl.h", "return contact & low_bits(count);", "return contact;", BLOCKS, @@contacts of a tail's padding@@),
+        f"{CERTIFIED}/block-inl.h", "return contact & low_bits(count);", "return contact;", BLOCKS, RECORDER),
     "what one answer leaves open, for what neither decides": (
-        f"{CERTIFIED}/block-inl.h", "~(contact | separated) & low_bits(count)", "~(contact & separated) & low_bits(count)", BLOCKS, @@what one answer leaves open, for what neither decides@@),
+        f"{CERTIFIED}/block-inl.h", "~(contact | separated) & low_bits(count)", "~(contact & separated) & low_bits(count)", BLOCKS, None),
     "a chunk that is hard where a quarter is left": (
-        f"{CERTIFIED}/block-inl.h", "chunk_size * 3 / 4", "chunk_size * 1 / 4", BLOCKS, @@a chunk that is hard where a quarter is left@@),
+        f"{CERTIFIED}/block-inl.h", "chunk_size * 3 / 4", "chunk_size * 1 / 4", BLOCKS, None),
     "a query with one open comparison, or in range, for both": (
-        f"{CERTIFIED}/block-inl.h", "hn::And(has_one_open(d, known), limits", "hn::Or(has_one_open(d, known), limits", BLOCKS, @@a query with one open comparison, or in range, for both@@),
+        f"{CERTIFIED}/block-inl.h", "hn::And(has_one_open(d, known), limits", "hn::Or(has_one_open(d, known), limits", BLOCKS, "BlocksAreRight.v"),
     "the few for the many": (
-        f"{CERTIFIED}/block-inl.h", "many = pending & ~few", "many = pending & few", BLOCKS, @@the few for the many@@),
+        f"{CERTIFIED}/block-inl.h", "many = pending & ~few", "many = pending & few", BLOCKS, "BlocksAreRight.v"),
     "binary64 whose range nothing asks": (
-        f"{CERTIFIED}/block-inl.h", "sizeof(Real) == 8 ? bits_of(d, step.is_sound())", "sizeof(Real) == 4 ? bits_of(d, step.is_sound())", BLOCKS, @@binary64 whose range nothing asks@@),
+        f"{CERTIFIED}/block-inl.h", "sizeof(Real) == 8 ? bits_of(d, step.is_sound())", "sizeof(Real) == 4 ? bits_of(d, step.is_sound())",
+        BLOCKS, "BlocksAreRight.v"),
     "contacts of lanes out of range": (
-        f"{CERTIFIED}/block-inl.h", "bits_of(d, found.decided.contact) & sound", "bits_of(d, found.decided.contact) & queries", BLOCKS, @@contacts of lanes out of range@@),
+        f"{CERTIFIED}/block-inl.h", "bits_of(d, found.decided.contact) & sound", "bits_of(d, found.decided.contact) & queries",
+        BLOCKS, "BlocksAreRight.v"),
     "queries out of range that go to the deep step": (
-        f"{CERTIFIED}/block-inl.h", "const std::uint64_t pending = sound & ~", "const std::uint64_t pending = valid & ~", BLOCKS, @@queries out of range that go to the deep step@@),
+        f"{CERTIFIED}/block-inl.h", "const std::uint64_t pending = sound & ~", "const std::uint64_t pending = valid & ~", BLOCKS, "BlocksAreRight.v"),
     "valid queries out of range that nothing takes": (
-        f"{CERTIFIED}/block-inl.h", "rest = queries & ~sound", "rest = queries & ~valid", BLOCKS, @@valid queries out of range that nothing takes@@),
+        f"{CERTIFIED}/block-inl.h", "rest = queries & ~sound", "rest = queries & ~valid", BLOCKS, "BlocksAreRight.v"),
     "invalid where either test says so": (
-        f"{CERTIFIED}/block-inl.h", "!has_bit(valid, lane) && !is_valid(q)", "!has_bit(valid, lane) || !is_valid(q)", BLOCKS, @@invalid where either test says so@@),
+        f"{CERTIFIED}/block-inl.h", "!has_bit(valid, lane) && !is_valid(q)", "!has_bit(valid, lane) || !is_valid(q)", BLOCKS, "BlocksAreRight.v"),
     "a scaled query with the numbers of the first lane": (
-        f"{CERTIFIED}/block-inl.h", "scaled[k][lane]", "scaled[k][0]", BLOCKS, @@a scaled query with the numbers of the first lane@@),
+        f"{CERTIFIED}/block-inl.h", "scaled[k][lane]", "scaled[k][0]", BLOCKS, "BlocksAreRight.v"),
     "a contact where the bits say separated": (
-        f"{CERTIFIED}/block-inl.h", "std::uint64_t{known.is_contact()} <<", "std::uint64_t{known.is_separated()} <<", BLOCKS, @@a contact where the bits say separated@@),
-    "the last step's answer reversed": (
-        f"{CERTIFIED}/block-inl.h", "if (!exactly_separated(", "if (exactly_separated(", BLOCKS, @@the last step's answer reversed@@),
-    "a box that passes the last whole vector by": (
-        f"{CERTIFIED}/block-inl.h", "while (i + lanes <= size && box", "while (i + lanes < size && box", BLOCKS, @@a box that passes the last whole vector by@@),
-    "a pair's answer taken where both are there": (
-        f"{CERTIFIED}/block-inl.h", "step.separated() || step.contact()", "step.separated() && step.contact()", BLOCKS, @@a pair's answer taken where both are there@@),
-    "a pair's contact where it is separated": (
-        f"{CERTIFIED}/block-inl.h", "answer.contact[0] = step.contact();", "answer.contact[0] = step.separated();", BLOCKS, @@a pair's contact where it is separated@@),
-    "a comparison with two vertices exchanged": (
-        f"{CERTIFIED}/open_comparisons-inl.h", "{{0, 3, 6}, {3, 6, 0}, {6, 0, 3}, {0, 3, 6},", "{{0, 3, 6}, {3, 0, 6}, {6, 0, 3}, {0, 3, 6},", BLOCKS, @@a comparison with two vertices exchanged@@),
-    "an axis that fails where it holds": (
-        f"{CERTIFIED}/open_comparisons-inl.h", "std::uint64_t{has_bit(fails, i)}", "std::uint64_t{has_bit(holds, i)}", BLOCKS, @@an axis that fails where it holds@@),
-    "an edge's side told as its radius": (
-        f"{CERTIFIED}/open_comparisons-inl.h", "flush<DeepComparison::edge_side>(KnownResults::sides)", "flush<DeepComparison::edge_side>(KnownResults::radius)", BLOCKS, @@an edge's side told as its radius@@),
-    "half a vector that is worth asking": (
-        f"{CERTIFIED}/open_comparisons-inl.h", "lanes / 2 + 1", "lanes / 2", BLOCKS, @@half a vector that is worth asking@@),
-    "answers of a queue's padding": (
-        f"{CERTIFIED}/open_comparisons-inl.h", "count = std::min(queue.size - first, lanes)", "count = std::max(queue.size - first, lanes)", BLOCKS, @@answers of a queue's padding@@),
-    "a centre of the block for a query's own": (
-        f"{CERTIFIED}/leftovers-inl.h", "const bool is_one = one_sphere && k >= 9;", "const bool is_one = one_sphere || k >= 9;", BLOCKS, @@a centre of the block for a query's own@@),
-    "a tail that begins with the block": (
-        f"{CERTIFIED}/leftovers-inl.h", "from.column[k] + begin, block.size", "from.column[k], block.size", BLOCKS, @@a tail that begins with the block@@),
-    "packed queries with the places before": (
-        f"{CERTIFIED}/leftovers-inl.h", "static_cast<std::uint16_t>(number(first_bit(mask)))", "static_cast<std::uint16_t>(number(first_bit(mask) - 1))", BLOCKS, @@packed queries with the places before@@),
-    "a conservative answer of either evaluation": (
-        f"{CERTIFIED}/conservative_block-inl.h", "hn::And(found.unknown, scaled.separated)", "hn::Or(found.unknown, scaled.separated)", BLOCKS, @@a conservative answer of either evaluation@@),
-    "a conservative contact of what is unknown": (
-        f"{CERTIFIED}/conservative_block-inl.h", "(~(bits_of(d, found.separated) | unknown)", "(~(bits_of(d, found.separated) & unknown)", BLOCKS, @@a conservative contact of what is unknown@@),
+        f"{CERTIFIED}/block-inl.h", "std::uint64_t{known.is_contact()} <<", "std::uint64_t{known.is_separated()} <<", BLOCKS, "BlocksAreRight.v"),
     # Which integers the exact step takes, and when it asks balls.
     "balls asked at 126 bits": (
-        f"{CERTIFIED}/exact_step.cpp", "if (bits > before_balls)", "if (bits >= before_balls)", WINDOWS, @@balls asked at 126 bits@@),
+        f"{CERTIFIED}/exact_step.cpp", "if (bits > before_balls)", "if (bits >= before_balls)", WINDOWS, "WindowsAreRight.v"),
     "digits from 126 bits on": (
-        f"{CERTIFIED}/exact_step.cpp", "return bits <= widest ?", "return bits < widest ?", WINDOWS, @@digits from 126 bits on@@),
+        f"{CERTIFIED}/exact_step.cpp", "return bits <= widest ?", "return bits < widest ?", WINDOWS, "WindowsAreRight.v"),
     "a radius that is negligible at the end of its range only below": (
-        f"{CERTIFIED}/exact_step.cpp", "r.top() <= span.unit", "r.top() < span.unit", WINDOWS, @@a radius that is negligible at the end of its range only below@@),
+        f"{CERTIFIED}/exact_step.cpp", "r.top() <= span.unit", "r.top() < span.unit", WINDOWS, None),
     "an open sphere that stays open where its radius is taken as zero": (
-        f"{CERTIFIED}/exact_step.cpp", "    open = false;\n", "    open = open;\n", WINDOWS, @@an open sphere that stays open where its radius is taken as zero@@),
+        f"{CERTIFIED}/exact_step.cpp", "    open = false;\n", "    open = open;\n", WINDOWS, "WindowsAreRight.v"),
     "a closed sphere of radius 0 that is empty": (
-        f"{CERTIFIED}/exact_step.cpp", "if (open && query[12] == 0)", "if (open || query[12] == 0)", WINDOWS, @@a closed sphere of radius 0 that is empty@@),
+        f"{CERTIFIED}/exact_step.cpp", "if (open && query[12] == 0)", "if (open || query[12] == 0)", WINDOWS, "WindowsAreRight.v"),
     "a span of one bit less": (
-        f"{CERTIFIED}/numbers/widths.h", "top - unit + 1", "top - unit", WINDOWS, @@a span of one bit less@@),
-    "numbers shifted by their own zeros": (
-        f"{CERTIFIED}/numbers/widths.h", "x.exponent + x.zeros - unit", "x.exponent - unit", WINDOWS, @@numbers shifted by their own zeros@@),
-    "a number that does not come back taken for the radius": (
-        f"{CERTIFIED}/numbers/widths.h", "if (i != 12 || scaled", "if (i != 12 && scaled", WINDOWS, @@a number that does not come back taken for the radius@@),
-    "integers of 29 bits": (
-        f"{CERTIFIED}/numbers/widths.h", "const int shift = bits - 1 - top;", "const int shift = bits - top;", WINDOWS, @@integers of 29 bits@@),
+        f"{CERTIFIED}/numbers/widths.h", "top - unit + 1", "top - unit", WINDOWS, "WindowsAreRight.v"),
 }
 
 
