@@ -113,6 +113,17 @@ FAULTS = {
         "RecordedCertified.v", "let t71 := m_least m t70 (m_constant m 1 0) in", "let t71 := t70 in", "RecordedIsConservative.v"),
     "a quotient that is taken where the edge has no length": (
         "RecordedCertified.v", "let t69 := if t61 then t68 else (m_zero m) in", "let t69 := t68 in", "RecordedIsConservative.v"),
+    "a low end of the box that is the high one": (
+        "RecordedIsBox.v", "if code_valid then m_subtract m p r", "if code_valid then m_add m p r", "RecordedIsBox.v"),
+    "an answer that the opposite verdict supports": ("Blocks.v", "| said_contact => negb apart", "| said_contact => apart", "Blocks.v"),
+    "a last step that is given bits that nothing told": (
+        "Blocks.v", "Z.land k (Z.lnot told) =? 0 | _ => true", "Z.land k told =? k + 1 | _ => true", "BlocksAreRight.v"),
+    "a contact that a recorded block's answer lacks": (
+        "RecordedBlocks.v", "Taken false true false [said_contact]", "Taken false false false [said_contact]", "BlocksAreRight.v"),
+    "integers of 62 bits for numbers of 94": ("RecordedWindows.v", " (94) ", " (62) ", "WindowsAreRight.v"),
+    "a coarse step that is trusted outside its range": (
+        "WhatRemains.v", "fused low a b c p r else nothing_known.", "fused low a b c p r else coarse_known 53 1024 eq_refl eq_refl fused low a b c p r.",
+        "WhatRemains.v"),
     # Theorems made weaker, which the theorems that use them refuse.
     "a coarse step that may be wrong for an infinite radius": (
         "CoarseFloat.v", "(r : binary_float prec emax),\n", "(r : binary_float prec emax), is_finite r = true ->\n",

@@ -7,6 +7,7 @@
 #define AXISCERT_INLINE inline
 
 #include "kernel/sphere_triangle/certified/coarse_step-inl.h"
+#include "kernel/sphere_triangle/certified/box_step-inl.h"
 #include "kernel/sphere_triangle/certified/conservative_step-inl.h"
 #include "kernel/sphere_triangle/certified/range_step-inl.h"
 #include "kernel/sphere_triangle/certified/margins-inl.h"

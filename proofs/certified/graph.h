@@ -174,6 +174,8 @@ RecordedExact recorded_exact();
 
 // Every step that computes with numbers of a format, in each format and with and without fused multiply-add.
 std::vector<RecordedStep> recorded_steps();
+// The step of the sphere's box, in each format, which is never fused: its ends, what it passes over, outcodes.
+std::vector<RecordedStep> recorded_box();
 // How queries of binary64 are scaled, with and without.
 std::vector<RecordedStep> recorded_scaling();
 

@@ -41,6 +41,8 @@ template <class D>
 using RebindToUnsigned = typename Of<D>::Unsigned;
 template <class D>
 using RebindToSigned = typename Of<D>::SignedTag;
+template <class To, class D>
+using Rebind = Tag<To, Of<D>::count>;
 template <class D>
 constexpr std::size_t MaxLanes(D) {
   return Of<D>::count;
@@ -230,6 +232,17 @@ Flags<Lane, n> MaskFromVec(const Symbols<Lane, n>& zero) {
 }
 template <class D, class From>
 Mask<D> RebindMask(D, const From& from) {
+  return {from.at};
+}
+template <class D>
+Mask<D> FirstN(D, std::size_t n) {
+  Mask<D> to;
+  for (std::size_t i = 0; i < to.at.size(); ++i) to.at[i] = graph::recorder->flag(i < n);
+  return to;
+}
+// A word of fewer bits is recorded as the word, of which only low bits are set.
+template <class D, class From>
+Vec<D> TruncateTo(D, const From& from) {
   return {from.at};
 }
 

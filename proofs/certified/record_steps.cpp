@@ -42,6 +42,11 @@ std::vector<RecordedStep> recorded_steps() {
   return all;
 }
 
+std::vector<RecordedStep> recorded_box() {
+  namespace plain = axiscert::certified::recorded_plain;
+  return {plain::record_box<float>(), plain::record_box<double>()};
+}
+
 std::vector<RecordedStep> recorded_scaling() {
   namespace plain = axiscert::certified::recorded_plain;
   namespace fused = axiscert::certified::recorded_fused;

@@ -33,6 +33,31 @@ class Recording {
   const std::vector<graph::AskedOfLanes>& asked() const { return step_.asked; }
   Index node(Op op, Index a, Index b) { return step_.graph.node(op, {a, b}); }
 
+  // Whether `run` says yes, as a flag, made of what it asks of all lanes and says after each answer.
+  template <class Run>
+  Index decided(const Run& run, std::vector<bool> given = {}) {
+    step_.answers = given;
+    step_.asked.clear();
+    const bool says = run();
+    if (step_.asked.size() == given.size()) return step_.graph.flag(says);
+    const graph::AskedOfLanes question = step_.asked[given.size()];
+    Index joined = question.flags.front();
+    for (const Index flag : question.flags) {
+      if (flag != joined) joined = node(question.of_all ? Op::both : Op::either, joined, flag);
+    }
+    // The answer where `joined` holds, which is no where the question was whether none does.
+    const auto after = [&](bool holds) {
+      std::vector<bool> more = given;
+      more.push_back(holds == question.of_all);
+      return decided(run, std::move(more));
+    };
+    const Index yes = node(Op::both, joined, after(true));
+    const Index no = node(Op::both, node(Op::opposite, joined, 0), after(false));
+    step_.asked.clear();
+    step_.answers.clear();
+    return node(Op::either, yes, no);
+  }
+
   template <class Lane>
   void result(std::string name, const hn::Symbols<Lane, 1>& value) {
     result(std::move(name), value.at[0]);
@@ -100,6 +125,69 @@ graph::RecordedStep record_coarse() {
   recording.result("contact", decided.contact);
   if constexpr (sizeof(Real) == 8) recording.result("in_deep_range", limits.in_deep_range(m.S, m.r));
   recording.result("known", coarsely_known(D(), m, limits));
+  return recording.done();
+}
+
+// A number that is no lane, as SphereBox computes with.
+struct Symbol {
+  Index node;
+  Symbol() = default;
+  Symbol(double x) : node(graph::recorder->number(x)) {}  // NOLINT: numbers become symbols
+  Symbol(Op op, Index a, Index b) : node(graph::recorder->node(op, {a, b})) {}
+  friend Symbol operator+(Symbol a, Symbol b) { return {Op::add, a.node, b.node}; }
+  friend Symbol operator-(Symbol a, Symbol b) { return {Op::subtract, a.node, b.node}; }
+  friend Symbol operator-(Symbol a) { return {Op::negate, a.node, 0}; }
+};
+struct SymbolFlag {
+  Index node;
+  friend SymbolFlag operator&(SymbolFlag a, SymbolFlag b) {
+    return {graph::recorder->node(Op::both, {a.node, b.node})};
+  }
+};
+inline SymbolFlag operator>=(Symbol a, Symbol b) { return {graph::recorder->node(Op::at_most, {b.node, a.node})}; }
+inline SymbolFlag operator==(Symbol a, Symbol b) { return {graph::recorder->node(Op::equal, {a.node, b.node})}; }
+inline Symbol chosen(SymbolFlag flag, Symbol yes, Symbol no) {
+  Symbol made;
+  made.node = graph::recorder->node(Op::choose, {flag.node, yes.node, no.node});
+  return made;
+}
+
+// The box's ends; whether a triangle is beyond it, as columns and as vertices that are vectors; the outcode of vertex
+// A.
+template <class Real>
+graph::RecordedStep record_box() {
+  using D = hn::Tag<Real, 1>;
+  using D4 = hn::Tag<Real, 4>;
+  Recording recording("box", bits_of_real<Real>);
+  const auto input = [](Index i) {
+    Symbol made;
+    made.node = i;
+    return made;
+  };
+  const SphereBox<Symbol> ends(input(9), input(10), input(11), input(12));
+  SphereBox<Real> box(0, 0, 0, 0);
+  constexpr const char* axes[] = {"_x", "_y", "_z"};
+  for (int k = 0; k < 3; ++k) {
+    box.low[k] = graph::as_number<Real>(ends.low[k].node);
+    box.high[k] = graph::as_number<Real>(ends.high[k].node);
+    recording.result(std::string("low") + axes[k], ends.low[k].node);
+    recording.result(std::string("high") + axes[k], ends.high[k].node);
+  }
+  recording.result("beyond", recording.decided([&] {
+    const bool says = BoxStep<D>(box).all_beyond(Recording::query<D>());
+    for (const auto& question : recording.asked()) {
+      if (!question.of_all)
+        throw std::logic_error("the box passes a vector over where not all of its lanes are beyond");
+    }
+    return says;
+  }));
+  // The fourth lane is whatever follows in memory.
+  const auto vertex = [](Index x, Index y, Index z) { return hn::Vec<D4>{{x, y, z, 12}}; };
+  const auto end = [](const Symbol(&of)[3]) { return hn::Vec<D4>{{of[0].node, of[1].node, of[2].node, 12}}; };
+  recording.result("vertices_beyond", recording.decided([&] {
+    return is_beyond(D4(), vertex(0, 1, 2), vertex(3, 4, 5), vertex(6, 7, 8), end(ends.low), end(ends.high));
+  }));
+  recording.result("outcode", outcodes_of(D(), box, hn::Vec<D>{{0}}, hn::Vec<D>{{1}}, hn::Vec<D>{{2}}));
   return recording.done();
 }
 

@@ -16,6 +16,7 @@ Files proof_files() {
   all.merge(fpcore_files());
   all.merge(latex_files());
   all.merge(certified_files());
+  all.merge(block_files());
   return all;
 }
 

@@ -25,6 +25,8 @@ Files header_files();
 
 // The steps of the certified predicate.
 Files certified_files();
+// What becomes of blocks of queries; the windows of the exact step.
+Files block_files();
 // A step as a program: an operation a line.
 std::string text_of(const certified::RecordedStep& step);
 // The path of a program: a step, or a set of formulae.

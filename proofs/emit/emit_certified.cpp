@@ -183,6 +183,30 @@ void find_bits(const Graph& graph, Index word, std::vector<Index>& bits) {
   }
 }
 
+// The flags of an outcode's bits, one for each face of the box, in place of the word.
+RecordedStep with_outcode_bits(RecordedStep step) {
+  constexpr std::string_view faces[] = {"low_x", "high_x", "low_y", "high_y", "low_z", "high_z"};
+  // The flag of a bit of a word that is joined of single bits, each of them, or all, chosen by a flag or else zero.
+  const auto flag_of = [&](const auto& self, Index word, std::uint64_t bit) -> Index {
+    const Node node = step.graph.nodes()[word];
+    if (node.op == Op::word_constant) return step.graph.flag(node.word == bit);
+    if (node.op == Op::word_or) {
+      return step.graph.node(Op::either, {self(self, node.operands[0], bit), self(self, node.operands[1], bit)});
+    }
+    const auto is_zero = [](const Node& of) { return of.op == Op::word_constant && of.word == 0; };
+    if (node.op != Op::choose || !is_zero(step.graph.nodes()[node.operands[2]])) {
+      throw std::logic_error("emit_certified: an outcode that is not made of bits");
+    }
+    return step.graph.node(Op::both, {node.operands[0], self(self, node.operands[1], bit)});
+  };
+  const Index outcode = step.result("outcode");
+  std::erase_if(step.results, [](const Result& result) { return result.name == "outcode"; });
+  for (std::size_t face = 0; face < 6; ++face) {
+    step.results.push_back({fmt::format("a_{}", faces[face]), flag_of(flag_of, outcode, std::uint64_t{1} << face)});
+  }
+  return step;
+}
+
 std::vector<Result> results_of(const RecordedStep& step, Sort sort) {
   std::vector<Result> results;
   for (const Result& result : step.results) {
@@ -349,7 +373,8 @@ Open Scope bool_scope.
 )";
 
 bool is_stated(const RecordedStep& step) {
-  return step.name == "coarse" || step.name == "pair" || step.name == "fine" || step.name == "conservative";
+  return step.name == "coarse" || step.name == "pair" || step.name == "box" || step.name == "fine" ||
+         step.name == "conservative";
 }
 
 }  // namespace
@@ -359,10 +384,13 @@ Files certified_files() {
   std::string coq = coq_header;
   coq +=
       promised_depth("binary32", AXISCERT_PHANTOM_DEPTH_F32) + promised_depth("binary64", AXISCERT_PHANTOM_DEPTH_F64);
-  for (const RecordedStep& step : recorded_steps()) {
-    files[program_path(full_name(step))] = text_of(step);
-    if (step.name.starts_with("deep_")) coq += coq_constants(step);
-    if (!is_stated(step)) continue;
+  std::vector<RecordedStep> steps = recorded_steps();
+  for (RecordedStep& box : recorded_box()) steps.push_back(std::move(box));
+  for (const RecordedStep& recorded : steps) {
+    files[program_path(full_name(recorded))] = text_of(recorded);
+    if (recorded.name.starts_with("deep_")) coq += coq_constants(recorded);
+    if (!is_stated(recorded)) continue;
+    const RecordedStep step = recorded.name == "box" ? with_outcode_bits(recorded) : recorded;
     coq += coq_definition(step, Sort::number, "numbers", "(m_number m)");
     coq += coq_definition(step, Sort::flag, "answers", "bool");
     if (step.name == "coarse" && step.bits == 64)

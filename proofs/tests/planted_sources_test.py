@@ -97,7 +97,9 @@ class PlantedSources(Planted):
 
 CERTIFIED = "kernel/sphere_triangle/certified"
 BOUNDS = "kernel/sphere_triangle/certified_filter/margin_bounds.h"
-STEPS, EXACT = "proofs/certified/record_steps.cpp", "proofs/certified/record_exact.cpp"
+STEPS, EXACT, BLOCKS, WINDOWS = (f"proofs/certified/record_{unit}.cpp" for unit in ("steps", "exact", "blocks", "windows"))
+# The recorder itself refuses to write a program.
+RECORDER = "the recorder"
 # Faults of the certified predicate: the source and what is replaced in it, the unit that records it, and the file of the
 # theory at which what is recorded then stops. None: the theory states no more of it than that it is the committed program.
 STEP_FAULTS = {
@@ -174,24 +176,100 @@ STEP_FAULTS = {
         f"{CERTIFIED}/exact_test.h", "(sides & edges)", "edges", EXACT, "ExactVerdict.v"),
     "a side that is added in the exact step": (
         f"{CERTIFIED}/numbers/exact_margins.h", "dot<Four>(N, N) - product", "dot<Four>(N, N) + product", EXACT, "ExactStep.v"),
+    # The box.
+    "a low end on the wrong side of the centre": (
+        f"{CERTIFIED}/box_step-inl.h", "chosen(is_sphere, p[k] - r, -infinity)", "chosen(is_sphere, p[k] + r, -infinity)", STEPS, "RecordedIsBox.v"),
+    "a triangle beyond a face by its least vertex": (
+        f"{CERTIFIED}/box_step-inl.h", "hn::Or(hn::Lt(greatest, hn::Set", "hn::Or(hn::Lt(least, hn::Set", STEPS, "RecordedIsBox.v"),
+    "a vector that is passed over where some lane is beyond": (
+        f"{CERTIFIED}/box_step-inl.h", "return hn::AllTrue(d, hn::And(any,", "return !hn::AllFalse(d, hn::And(any,", STEPS, RECORDER),
+    "vertices that are beyond all faces": (
+        f"{CERTIFIED}/box_step-inl.h", "!hn::AllFalse(d, hn::And(xyz, beyond))", "hn::AllTrue(d, hn::Or(fourth, beyond))", STEPS, "RecordedIsBox.v"),
+    "a fourth lane that counts": (
+        f"{CERTIFIED}/box_step-inl.h", "hn::FirstN(d, 3)", "hn::FirstN(d, 4)", STEPS, "RecordedIsBox.v"),
+    "an outcode's bit for the face across": (
+        f"{CERTIFIED}/box_step-inl.h", "hn::Set(d, box.high[k])), 2 * k + 1)", "hn::Set(d, box.high[k])), 2 * k)", STEPS, "RecordedIsBox.v"),
+    "a vertex on a face that counts as beyond": (
+        f"{CERTIFIED}/box_step-inl.h", "face(hn::Lt(v, hn::Set(d, box.low[k])), 2 * k)", "face(hn::Le(v, hn::Set(d, box.low[k])), 2 * k)", STEPS,
+        "RecordedIsBox.v"),
+    "a vertex that is not finite with an outcode": (
+        f"{CERTIFIED}/box_step-inl.h", "hn::IfThenElseZero(is_finite, hn::Or(",
+        "hn::IfThenElseZero(hn::RebindMask(bits, hn::Eq(x, x)), hn::Or(", STEPS, "RecordedIsBox.v"),
+    # What becomes of blocks: tails, masks, packing, queues, and which step runs when.
+    "a tail's vector whose lanes all count": (
+        f"{CERTIFIED}/block-inl.h", "coarse_vector(tail.block, 0, size - i,", "coarse_vector(tail.block, 0, lanes,", BLOCKS, RECORDER),
+    "a mask of one bit too many": (
+        f"{CERTIFIED}/leftovers-inl.h", "(std::uint64_t{1} << count) - 1;", "(std::uint64_t{2} << count) - 1;", BLOCKS, RECORDER),
+    "contacts of a tail's padding": (
+        f"{CERTIFIED}/block-inl.h", "return contact & low_bits(count);", "return contact;", BLOCKS, RECORDER),
+    "what one answer leaves open, for what neither decides": (
+        f"{CERTIFIED}/block-inl.h", "~(contact | separated) & low_bits(count)", "~(contact & separated) & low_bits(count)", BLOCKS, None),
+    "a chunk that is hard where a quarter is left": (
+        f"{CERTIFIED}/block-inl.h", "chunk_size * 3 / 4", "chunk_size * 1 / 4", BLOCKS, None),
+    "a query with one open comparison, or in range, for both": (
+        f"{CERTIFIED}/block-inl.h", "hn::And(has_one_open(d, known), limits", "hn::Or(has_one_open(d, known), limits", BLOCKS, "BlocksAreRight.v"),
+    "the few for the many": (
+        f"{CERTIFIED}/block-inl.h", "many = pending & ~few", "many = pending & few", BLOCKS, "BlocksAreRight.v"),
+    "binary64 whose range nothing asks": (
+        f"{CERTIFIED}/block-inl.h", "sizeof(Real) == 8 ? bits_of(d, step.is_sound())", "sizeof(Real) == 4 ? bits_of(d, step.is_sound())",
+        BLOCKS, "BlocksAreRight.v"),
+    "contacts of lanes out of range": (
+        f"{CERTIFIED}/block-inl.h", "bits_of(d, found.decided.contact) & sound", "bits_of(d, found.decided.contact) & queries",
+        BLOCKS, "BlocksAreRight.v"),
+    "queries out of range that go to the deep step": (
+        f"{CERTIFIED}/block-inl.h", "const std::uint64_t pending = sound & ~", "const std::uint64_t pending = valid & ~", BLOCKS, "BlocksAreRight.v"),
+    "valid queries out of range that nothing takes": (
+        f"{CERTIFIED}/block-inl.h", "rest = queries & ~sound", "rest = queries & ~valid", BLOCKS, "BlocksAreRight.v"),
+    "invalid where either test says so": (
+        f"{CERTIFIED}/block-inl.h", "!has_bit(valid, lane) && !is_valid(q)", "!has_bit(valid, lane) || !is_valid(q)", BLOCKS, "BlocksAreRight.v"),
+    "a scaled query with the numbers of the first lane": (
+        f"{CERTIFIED}/block-inl.h", "scaled[k][lane]", "scaled[k][0]", BLOCKS, "BlocksAreRight.v"),
+    "a contact where the bits say separated": (
+        f"{CERTIFIED}/block-inl.h", "std::uint64_t{known.is_contact()} <<", "std::uint64_t{known.is_separated()} <<", BLOCKS, "BlocksAreRight.v"),
+    # Which integers the exact step takes, and when it asks balls.
+    "balls asked at 126 bits": (
+        f"{CERTIFIED}/exact_step.cpp", "if (bits > before_balls)", "if (bits >= before_balls)", WINDOWS, "WindowsAreRight.v"),
+    "digits from 126 bits on": (
+        f"{CERTIFIED}/exact_step.cpp", "return bits <= widest ?", "return bits < widest ?", WINDOWS, "WindowsAreRight.v"),
+    "a radius that is negligible at the end of its range only below": (
+        f"{CERTIFIED}/exact_step.cpp", "r.top() <= span.unit", "r.top() < span.unit", WINDOWS, None),
+    "an open sphere that stays open where its radius is taken as zero": (
+        f"{CERTIFIED}/exact_step.cpp", "    open = false;\n", "    open = open;\n", WINDOWS, "WindowsAreRight.v"),
+    "a closed sphere of radius 0 that is empty": (
+        f"{CERTIFIED}/exact_step.cpp", "if (open && query[12] == 0)", "if (open || query[12] == 0)", WINDOWS, "WindowsAreRight.v"),
+    "a span of one bit less": (
+        f"{CERTIFIED}/numbers/widths.h", "top - unit + 1", "top - unit", WINDOWS, "WindowsAreRight.v"),
 }
 
 
+# What each unit records: the programs, where these are all, and the files of the theory.
+PROGRAMS = {EXACT: ["exact"], BLOCKS: ["blocks"], WINDOWS: ["windows"]}
+FILES = {BLOCKS: ["RecordedBlocks.v"], WINDOWS: ["RecordedWindows.v"]}
+
+
 class PlantedSteps(Planted):
-    def fault(self, source, old, new, unit, refused_at):
+    def fault(self, name, source, old, new, unit, refused_at):
+        if refused_at == RECORDER:
+            with self.assertRaises(subprocess.CalledProcessError) as stopped:
+                self.written(source, old, new, unit)
+            self.assertEqual(stopped.exception.cmd, [self.work / "write_proofs", self.work / "written"])
+            print(f"refused {name:60} {RECORDER}")
+            return
         made = self.written(source, old, new, unit)
         stale = programs.differing(made)
-        if unit == EXACT:
-            self.assertEqual(stale, ["exact"])
+        if unit in PROGRAMS:
+            self.assertEqual(stale, PROGRAMS[unit])
         elif unit == STEPS:
-            self.assertLessEqual({"plain"} if "conservative" in source else {"plain", "fma"}, {word for name in stale for word in name.split("_")})
+            unfused = "conservative" in source or "box" in source
+            self.assertLessEqual({"plain"} if unfused else {"plain", "fma"}, {word for name in stale for word in name.split("_")})
         if refused_at:
-            self.assertEqual(self.refused_by_coq(made, refused_at, "RecordedCertified.v", "RecordedExact.v"), refused_at)
+            self.assertEqual(self.refused_by_coq(made, refused_at, *FILES.get(unit, ["RecordedCertified.v", "RecordedExact.v"])), refused_at)
+        print(f"refused {name:60} {refused_at or 'another program: ' + ', '.join(stale)}")
 
 
 for number, (name, given) in enumerate(STEP_FAULTS.items()):
-    def planted(self, given=given):
-        self.fault(*given)
+    def planted(self, name=name, given=given):
+        self.fault(name, *given)
     planted.__doc__ = name
     setattr(PlantedSteps, f"test_step_{number:02}_" + re.sub(r"\W+", "_", name), planted)
 

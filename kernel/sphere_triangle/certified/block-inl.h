@@ -55,7 +55,8 @@ class Steps {
   // Number of queries at the beginning of the chunk that are in vectors wholly beyond the sphere's box.
   AXISCERT_INLINE std::size_t skipped_by_box(std::size_t first, std::size_t size) const noexcept {
     const D d;
-    const BoxStep<D> box(block_.column[9][0], block_.column[10][0], block_.column[11][0], block_.column[12][0]);
+    const BoxStep<D> box(
+        SphereBox<Real>(block_.column[9][0], block_.column[10][0], block_.column[11][0], block_.column[12][0]));
     std::size_t i = 0;
     while (i + lanes <= size && box.all_beyond(load(d, block_, first + i))) {
       // The loop waits for memory, and nine columns are more streams than processors prefetch by themselves.

@@ -108,7 +108,6 @@ class MeshSteps {
   HWY_NOINLINE void skip_by_vertices(const SphereBox<Real>& box, std::uint32_t greatest,
                                      std::uint64_t* rest) const noexcept {
     const D4 d;
-    const auto xyz = hn::FirstN(d, 3), fourth = hn::Not(xyz);
     const auto three = [&](const Real* from) HWY_ATTR {
       Real four[4] = {};
       std::memcpy(four, from, 3 * sizeof(Real));
@@ -124,12 +123,7 @@ class MeshSteps {
         hwy::Prefetch(vertex(next[2]));
       }
       const std::uint32_t* v = vertices_of(i);
-      const auto a = load(v[0]), b = load(v[1]), c = load(v[2]);
-      const auto beyond = hn::Or(hn::Lt(hn::Max(hn::Max(a, b), c), low), hn::Gt(hn::Min(hn::Min(a, b), c), high));
-      const auto sum = hn::Add(hn::Add(a, b), c);
-      // Not Ne, which on AVX-512 is false for NaN.
-      const bool is_finite = hn::AllTrue(d, hn::Or(fourth, hn::Eq(hn::Sub(sum, sum), hn::Zero(d))));
-      if (!is_finite || hn::AllFalse(d, hn::And(xyz, beyond))) set_bit(rest, i);
+      if (!is_beyond(d, load(v[0]), load(v[1]), load(v[2]), low, high)) set_bit(rest, i);
     }
   }
 

@@ -10,7 +10,7 @@ struct VertexRange {
   std::uint32_t first, end;
 };
 
-// A window of the vertices, which moves with the triangles asked. A vertex that is not finite has no bit set.
+// A window of the vertices, which moves with the triangles asked.
 template <class D>
 class OutcodeStep {
  public:
@@ -61,22 +61,6 @@ class OutcodeStep {
   static constexpr std::size_t lanes = hn::MaxLanes(D()), most_a_triangle = 8;
   using Bytes = hn::Rebind<std::uint8_t, D>;
 
-  AXISCERT_INLINE hn::Vec<Bytes> codes(V x, V y, V z) const {
-    const D d;
-    const hn::RebindToUnsigned<D> bits;
-    const auto face = [&](hn::Mask<D> beyond, int bit) HWY_ATTR {
-      return hn::IfThenElseZero(hn::RebindMask(bits, beyond),
-                                hn::Set(bits, static_cast<hn::TFromD<decltype(bits)>>(1 << bit)));
-    };
-    const auto axis = [&](V v, int k) HWY_ATTR {
-      return hn::Or(face(hn::Lt(v, hn::Set(d, box_.low[k])), 2 * k),
-                    face(hn::Gt(v, hn::Set(d, box_.high[k])), 2 * k + 1));
-    };
-    const V sum = hn::Add(hn::Add(x, y), z);  // an overflow clears the bits, which does no harm
-    const auto is_finite = hn::RebindMask(bits, hn::Eq(hn::Sub(sum, sum), hn::Zero(d)));
-    return hn::TruncateTo(Bytes(), hn::IfThenElseZero(is_finite, hn::Or(hn::Or(axis(x, 0), axis(y, 1)), axis(z, 2))));
-  }
-
   AXISCERT_INLINE void compute(std::size_t v, std::size_t end) {
     const D d;
     std::uint8_t* code = known_.code + (v - known_.first);
@@ -84,12 +68,12 @@ class OutcodeStep {
     if (mesh_.stride == 3) {
       for (; v + lanes <= end; v += lanes, code += lanes) {
         hn::LoadInterleaved3(d, mesh_.vertices + 3 * v, x, y, z);
-        hn::StoreU(codes(x, y, z), Bytes(), code);
+        hn::StoreU(outcodes_of(d, box_, x, y, z), Bytes(), code);
       }
     } else if (mesh_.stride == 4) {  // the last vertex may have no fourth number
       for (; v + lanes < end; v += lanes, code += lanes) {
         hn::LoadInterleaved4(d, mesh_.vertices + 4 * v, x, y, z, w);
-        hn::StoreU(codes(x, y, z), Bytes(), code);
+        hn::StoreU(outcodes_of(d, box_, x, y, z), Bytes(), code);
       }
     }
     for (; v < end; v += lanes, code += lanes) {
@@ -99,7 +83,8 @@ class OutcodeStep {
         for (std::size_t k = 0; k < 3; ++k) column[k][i] = mesh_.vertices[(v + i) * mesh_.stride + k];
       }
       alignas(64) std::uint8_t bytes[lanes];
-      hn::Store(codes(hn::Load(d, column[0]), hn::Load(d, column[1]), hn::Load(d, column[2])), Bytes(), bytes);
+      hn::Store(outcodes_of(d, box_, hn::Load(d, column[0]), hn::Load(d, column[1]), hn::Load(d, column[2])), Bytes(),
+                bytes);
       std::memcpy(code, bytes, count);
     }
   }

@@ -1,0 +1,52 @@
+(* What is still assumed of the steps in floating point, each under its name, and that certified is exact of every query of binary32 if
+   these hold. Of what the steps tell, the coarse step's bits are right by proof (CoarseKnown.v): nothing is assumed of it here. *)
+From Coq Require Import ZArith List Reals Bool.
+From Flocq Require Import Core BinarySingleNaN.
+From Axiscert Require Import Vectors Sat7 OpenSphere Known Filter CoarseFloat Machine CoarseKnown ExactProgram RecordedExact ExactStep
+  ExactVerdict CertifiedIsExact.
+Import ListNotations.
+Open Scope R_scope.
+
+Section Remaining.
+  Variable q : question.
+  Variables (a b c p : float_vec 53 1024) (r : binary_float 53 1024).
+  Let at_ := real_vec 53 1024.
+  Notation holds := (holds_for q (sub (at_ a) (at_ p)) (sub (at_ b) (at_ p)) (sub (at_ c) (at_ p)) (B2R r * B2R r)).
+  (* Bits that a step tells of a query are right. The fine step: its margins are within their bounds (fine_is_near) where nothing
+     underflows; which margin sets which bit is not stated. The deep step: in pairs and by residues. Balls: before integers of more
+     than 126 bits. *)
+  Definition fine_tells_right (told : known) : Prop := sound_known holds told.
+  Definition deep_tells_right (told : known) : Prop := sound_known holds told.
+  Definition balls_tell_right (told : known) : Prop := sound_known holds told.
+
+  (* What the coarse step tells in its range, in doubles, to which binary32 is widened; else nothing. *)
+  Definition coarse_told (low : binary_float 53 1024 -> binary_float 53 1024 -> binary_float 53 1024) (fused : bool) : known :=
+    if float_in_range 53 1024 eq_refl eq_refl fused (-300) 150 a b c p r
+    then coarse_known 53 1024 eq_refl eq_refl fused low a b c p r else nothing_known.
+  Lemma coarse_told_is_right low fused : is_least 53 1024 low -> sound_known holds (coarse_told low fused).
+  Proof using Type.
+    intros low_is. unfold coarse_told. destruct float_in_range eqn:inside; [| apply nothing_is_sound].
+    exact (coarse_known_is_sound64 low fused a b c p r low_is inside q).
+  Qed.
+End Remaining.
+
+Definition certified_is_exact_if_these_hold : Prop :=
+  forall low fused (q : question) (a b c p : float_vec 53 1024) (r : binary_float 53 1024) (fine deep balls : known),
+  let v := real_vec 53 1024 in
+  let query := [cx (v a); cy (v a); cz (v a); cx (v b); cy (v b); cz (v b); cx (v c); cy (v c); cz (v c); cx (v p); cy (v p); cz (v p); B2R r] in
+  let truth := apart q (v a) (v b) (v c) (v p) (B2R r) in
+  let k := both_known (coarse_told a b c p r low fused) (both_known fine (both_known deep (both_known balls nothing_known))) in
+  is_least 53 1024 low -> Forall in_binary32 query -> 0 <= B2R r ->
+  fine_tells_right q a b c p r fine -> deep_tells_right q a b c p r deep -> balls_tell_right q a b c p r balls ->
+  (is_separated k = true -> truth) /\ (is_contact k = true -> ~ truth) /\
+  exists whole : list Z, map of_least whole = query /\ (recorded_separates q k (run_Z whole exact_program) = true <-> truth).
+Theorem what_remains_assumed_binary32 : certified_is_exact_if_these_hold.
+Proof.
+  intros low fused q a b c p r fine deep balls. cbv zeta. intros low_is format r0 fine_right deep_right balls_right.
+  pose proof (certified_is_exact_binary32 q _ _ _ _ _ _ _ _ _ _ _ _ (B2R r) [coarse_told a b c p r low fused; fine; deep; balls] format r0) as exact.
+  cbn [fold_right] in exact. destruct exact as (separated & contact & whole & same & verdict & _).
+  - pose proof (coarse_told_is_right q a b c p r low fused low_is) as coarse_right.
+    apply Forall_cons; [exact coarse_right |]. apply Forall_cons; [exact fine_right |]. apply Forall_cons; [exact deep_right |].
+    apply Forall_cons; [exact balls_right |]. apply Forall_nil.
+  - split; [exact separated |]. split; [exact contact |]. exists whole. split; assumption.
+Qed.
