@@ -10,9 +10,17 @@ namespace {
 // The last part, 1 / polish_share, of an island's evaluations, in which only single numbers change, by a few ulps.
 constexpr std::uint64_t polish_share = 8;
 
+// The way of the last gain again, up to twice as far, or back by half.
+template <class Real>
+void go_on(Dice& random, Numbers<Real>& q, const Numbers<Real>& gained) {
+  const auto exponent = static_cast<int>(random.integer(-2, 1));
+  const Real by = std::ldexp(random.below(4) == 0 ? Real(-0.5) : Real(1), exponent);
+  for (std::size_t k = 0; k < q.size(); ++k) q[k] += by * gained[k];
+}
+
 template <class Real>
 Numbers<Real> child(const Guide<Real>& guide, const Aim& aim, Dice& random, const Numbers<Real>& parent,
-                    const Numbers<Real>& other, bool is_polishing) {
+                    const Numbers<Real>& gained, const Numbers<Real>& other, bool is_polishing) {
   Numbers<Real> q = parent;
   if (is_polishing) {
     const auto count = 1 + random.below(2);
@@ -20,6 +28,8 @@ Numbers<Real> child(const Guide<Real>& guide, const Aim& aim, Dice& random, cons
       Real& x = q[random.below(q.size())];
       x = moved_by_ulps(x, random.integer(-64, 64));
     }
+  } else if (aim.goal == Goal::number && gained.size() != 0 && random.coin()) {
+    go_on(random, q, gained);
   } else if (!guide.step(aim, random, q)) {
     do move(random, guide.shape(), q, other);
     while (random.below(4) == 0);
@@ -56,13 +66,14 @@ std::vector<ScoredQuery<Real>> climb(Guide<Real>& guide, const Aim& aim, Dice& r
   for (std::size_t i = 0; i < starts.size(); ++i) found.push_back({batch[i], scores[i]});
   sort_best_first(found);
   found.resize(std::min(found.size(), walkers));
+  std::vector<Numbers<Real>> gained(found.size());  // by how much each changed when its score rose last
   for (std::uint64_t done = batch.size(); done + batch.capacity() <= evaluations; done += batch.capacity()) {
     const bool is_polishing = done >= evaluations - evaluations / polish_share;
     batch.clear();
-    for (const ScoredQuery<Real>& parent : found) {
+    for (std::size_t w = 0; w < found.size(); ++w) {
       for (std::size_t i = 0; i < children; ++i) {
         const Numbers<Real>& other = found[random.below(found.size())].query;
-        batch.push_back(child(guide, aim, random, parent.query, other, is_polishing));
+        batch.push_back(child(guide, aim, random, found[w].query, gained[w], other, is_polishing));
       }
     }
     evaluate();
@@ -70,7 +81,13 @@ std::vector<ScoredQuery<Real>> climb(Guide<Real>& guide, const Aim& aim, Dice& r
       const auto first = scores.begin() + static_cast<std::ptrdiff_t>(w * children);
       const auto best = std::max_element(first, first + children);
       // An equal score is accepted as well, so that plateaus are crossed.
-      if (*best >= found[w].score) found[w] = {batch[static_cast<std::size_t>(best - scores.begin())], *best};
+      if (*best < found[w].score) continue;
+      const Numbers<Real> q = batch[static_cast<std::size_t>(best - scores.begin())];
+      if (*best > found[w].score) {
+        gained[w] = q;
+        for (std::size_t k = 0; k < q.size(); ++k) gained[w][k] -= found[w].query[k];
+      }
+      found[w] = {q, *best};
     }
   }
   sort_best_first(found);

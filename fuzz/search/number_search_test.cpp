@@ -110,6 +110,16 @@ TEST(SearchNumbersLong, FindRareFaultsOfASphereAndATriangle) {
   expect("left", 0.1, [](double s, Numbers& m) { tilt(m, 2, 3 * s); });
 }
 
+// Of separations: the normals of boxes are off by a right angle where two axes are alike but for a rounding.
+TEST(SearchNumbersLong, FindRareFaultsOfBoxes) {
+  constexpr auto half_extents = [](const auto& at) { return std::array{at(3), at(4), at(5)}; };
+  constexpr auto deepened = [](double s, std::vector<double>& m) { m[0] -= s; };
+  expect_found_by_search_alone(faulty("box-box/cofactor", half_extents, deepened), "separation",
+                               {"box-box/general", "box-box/tangent"}, 0.05);
+  expect_found_by_search_alone(faulty("box-triangle/textbook", half_extents, deepened), "separation",
+                               {"box-triangle/general", "box-triangle/touching"}, 0.05);
+}
+
 // The same numbers on any threads, and however often it was stopped.
 TEST(SearchNumbers, DoNotDependOnThreadsOrWhereItStopped) {
   const Kernel& kernel = find_kernel("closest-point");

@@ -86,7 +86,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Has to be raised whenever the same plan would give a different result.
-constexpr int search_version = 4;
+constexpr int search_version = 5;
 constexpr const char* state_format = "axiscert-search-state/4";
 
 // The part of the plan that has to be the same for a search to continue.
