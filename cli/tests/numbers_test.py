@@ -27,6 +27,15 @@ class Numbers(Case):
                 met, said = self.met(built(self.folder, "mine", margin=margin, promised=declared), "separation=0.1mm")
                 self.assertEqual(met, is_kept, said)
 
+    def test_a_kernel_without_contact_within_its_margin_is_told(self):
+        for name, (margin, declared, _) in self.MARGINS.items():
+            with self.subTest(margin=name):
+                met, said = self.met(built(self.folder, "mine", margin=margin, promised=declared), "keeps-margin")
+                self.assertEqual(met, name in ("keeps", "adds more"), said)
+                self.assertEqual("NOT CHECKED: the kernel declares no margin" in said, declared is None, said)
+                told = "queries that are apart by no more contact" in (self.folder / "out/report.md").read_text()
+                self.assertEqual(told, name in ("gives the distance", "adds it now and then"), said)
+
     def test_numbers_have_to_follow_exact_images(self):
         images = ("axes", "orders", "translated")
         for kernel, is_right in (("contact", True), (built(self.folder, "upwards", UPWARDS), False),

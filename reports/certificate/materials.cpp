@@ -159,6 +159,16 @@ std::map<ImageKind, ImageChangesRecord> invariance_again(Json invariance, const 
   return read;
 }
 
+ImageNumbersRecord image_numbers_again(Json numbers, const std::string& where) {
+  for (const char* size : {"largest_separation", "largest_angle", "largest_point"}) {
+    Json* const text = part_at(numbers, size, Json::value_t::string);
+    if (text == nullptr) continue;
+    *text = number_of_text(*text, where);
+    if (*text < 0) throw NotValid(fmt::format("{}: {} is below 0", where, size));
+  }
+  return form_again<ImageNumbersRecord>(numbers, where);
+}
+
 KernelRecord entry_again(Json entry, const std::string& id, const std::string& where) {
   if (entry["id"] == portable_id) entry["id"] = id;
   for (const char* part : {"limits", "critical_radius"}) {

@@ -70,6 +70,8 @@ T form_again(const Json& part, const std::string& where) {
 KernelRecord entry_again(Json entry, const std::string& id, const std::string& where);
 // A family's "invariance".
 std::map<ImageKind, ImageChangesRecord> invariance_again(Json invariance, const std::string& where);
+// The "numbers" of a family's "asymmetry".
+ImageNumbersRecord image_numbers_again(Json numbers, const std::string& where);
 
 // The whole counts of one stretch, of so many queries, which agree with each other.
 StretchCounts counts_again(const Json& whole, std::uint64_t queries, const std::string& where);

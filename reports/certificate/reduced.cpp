@@ -248,6 +248,11 @@ class Reducer {
     for (const auto& [kind, changes] : *result.invariance) {
       if (changes.images > result.trials) throw NotValid(where + ": more images than queries");
     }
+    result.asymmetry.emplace();
+    if (!beside.image_numbers) return;
+    const auto& numbers = result.asymmetry->numbers = image_numbers_again(beside.image_numbers->json, where);
+    if (numbers->images > result.trials || numbers->features.value_or(0) > numbers->images)
+      throw NotValid(where + ": more images with numbers than queries");
   }
 
   // All but the medians follows from the stretches, `counted`.
@@ -315,6 +320,8 @@ std::vector<KernelMaterial> kernels_of_record(const Record& record) {
       FamilyMaterial& beside = entry.families.put(family);
       beside.base_triangles = result.base_triangles;
       if (result.invariance) beside.invariance.emplace().json = without_fractions(json_of(*result.invariance));
+      if (result.asymmetry && result.asymmetry->numbers)
+        beside.image_numbers.emplace().json = without_fractions(json_of(*result.asymmetry->numbers));
     }
   }
   return kernels;

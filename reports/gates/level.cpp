@@ -142,6 +142,7 @@ std::string Subject::list_of_families() const {
   X(left)                       \
   X(point)                      \
   X(follows)                    \
+  X(keeps_margin)               \
   X(no_slack)
 
 namespace axiscert {

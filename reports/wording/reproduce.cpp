@@ -11,6 +11,7 @@
 
 #include "kernel/predicate.h"
 #include "kernel/base/text.h"
+#include "reports/wording/margin.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -249,6 +250,8 @@ std::vector<std::string> not_checked(const Record& record) {
           fmt::format("{} queries outside the limits that {} declares: counted separately, outside of any requirement.",
                       thousands(outside), who));
     }
+    if (const std::string broken = broken_margin_text(kernel); !broken.empty())
+      open.push_back(fmt::format("{} {}.", who, broken));
     std::vector<std::string_view> missing;
     for (const Name& family : plan.families) {
       if (!kernel.families.contains(family)) missing.push_back(family);

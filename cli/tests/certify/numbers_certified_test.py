@@ -4,7 +4,7 @@ import json
 import unittest
 
 from certificates import CertifyCase
-from closest_point import built
+from closest_point import UPWARDS, built
 
 
 class NumbersCertified(CertifyCase):
@@ -17,6 +17,8 @@ class NumbersCertified(CertifyCase):
         good = self.levels_of(kernel, "good")
         bad = self.levels_of(built(self.folder, "changed", "*feature = 6"), "bad")
         self.assertEqual({name for name, state in good.items() if bad.get(name) != state and state == "met"}, {"feature=0.001"}, f"{good}\n{bad}")
+        uneven = self.levels_of(built(self.folder, "uneven", UPWARDS), "uneven")
+        self.assertEqual((good["follows=0.001"], uneven["follows=0.001"]), ("met", "not met"), f"{good}\n{uneven}")
         self.verify(self.folder_of("good") / "certificate.json", "--kernel", kernel)
         self.verify(self.folder_of("good") / "certificate.json", "--kernel", built(self.folder, "mine", "*feature = 6"), code=1)
 

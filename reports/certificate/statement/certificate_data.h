@@ -75,12 +75,13 @@ struct PlanMaterial {
 
 struct FamilyMaterial {
   std::uint64_t base_triangles = 0;
-  std::optional<JsonObject> invariance;
+  std::optional<JsonObject> invariance, image_numbers;
 
   static constexpr auto fields(auto&& visit) {
     using Of = FamilyMaterial;
     return visit(field(&Of::base_triangles, {"base_triangles", {}}),
-                 field(&Of::invariance, {.name = "invariance", .about = {}, .may_be_absent = true}));
+                 field(&Of::invariance, {.name = "invariance", .about = {}, .may_be_absent = true}),
+                 field(&Of::image_numbers, {.name = "image_numbers", .about = {}, .may_be_absent = true}));
   }
 };
 

@@ -1,0 +1,54 @@
+// keeps-margin: a kernel that declares a margin reports contact within it. The declaration allows either answer there,
+// so no other level asks.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
+
+#include "reports/gates/level.h"
+#include "reports/wording/margin.h"
+#include "reports/wording/summary.h"
+
+namespace axiscert {
+namespace {
+
+LevelFindings judge_keeps_margin(const AskedLevel&, const Subject& subject) {
+  LevelFindings found;
+  std::vector<std::string> families;
+  std::uint64_t within = 0;
+  for (const auto& [family, result] : subject.families()) {
+    const std::optional<WithinMargin> look = within_margin(subject.kernel(), result);
+    if (!look || look->answered == 0) {
+      found.unseen.push_back(family);
+      continue;
+    }
+    within += look->answered;
+    families.push_back(family);
+    found.families[family] = {look->answered, look->answered};
+    subject.add(found.failures, family, look->answered - look->contacts,
+                "apart by no more than its margin, and not called contact", [](const FlipRecord&) { return false; });
+  }
+  if (within == 0) {
+    found.not_checked = why_no_margin(subject.kernel());
+    return found;
+  }
+  found.covers =
+      fmt::format("{} queries of {}, apart by no more than the margin", thousands(within), fmt::join(families, ", "));
+  found.leaves_out = "whether contact is right beyond the margin, which the other levels ask";
+  return found;
+}
+
+}  // namespace
+
+extern const GateLevel keeps_margin_level = {
+    .usage = "keeps-margin",
+    .meaning = "contact wherever the two are apart by no more than the margin that the kernel declares",
+    .check = accept_no_argument,
+    .sentence =
+        [](const AskedLevel&) {
+          return std::string("contact wherever the two are apart by no more than the margin that the kernel declares");
+        },
+    .judge = judge_keeps_margin,
+    .in_certificates = {}};  // few kernels declare one
+
+}  // namespace axiscert
