@@ -72,7 +72,7 @@ class BadInput(Case):
 
     def test_names(self):
         self.refused("run", "--kernel", "nosuch", says=["unknown kernel 'nosuch'", "published"])
-        self.refused("run", "--family", "nosuch", says=["unknown family 'nosuch'", "tangent"])
+        self.refused("run", "--family", "nosuch", says=["unknown family 'nosuch'; the nearest of ", "`axiscert families --predicate ID` lists them"])
         self.refused("run", "--target", "nosuch", says=["target 'nosuch'", "scalar"])
         self.refused("run", "--precision", "binary16", says=["binary16", "binary64"])
         self.refused("run", "--require", "nosuch", says=["nosuch", "logic"])
