@@ -126,7 +126,7 @@ class Ladder(Case):
         self.assertIn('"intervals":[[', page)
 
     def test_bad_input(self):
-        self.refused("ladder", "--kernel", "nosuch", says=["unknown kernel 'nosuch'", "ladder-9"])
+        self.refused("ladder", "--kernel", "nosuch", says=["unknown kernel 'nosuch'", "the nearest of "])
         self.refused("ladder", "--kernel", "minkowski", says=["minkowski", "only its verdict", "ladder-0"])
         self.refused("ladder", "--kernel", "minkowski+fma", says=["minkowski"])
         self.refused("ladder", "--family", "nosuch", says=["unknown family 'nosuch'"])
@@ -208,7 +208,7 @@ class Condition(Case):
     def test_bad_input(self):
         self.refused("condition", "--kernel", "minkowski", says=["minkowski", "verdict alone"])
         self.refused("condition", "--kernel", "nosuch", says=["nosuch", "published"])
-        self.refused("condition", "--family", "nosuch", says=["nosuch", "tangent"])
+        self.refused("condition", "--family", "nosuch", says=["nosuch", "the nearest of "])
         self.refused("condition", "--flips", "-1", says=["--flips", "-1"])
         self.refused("condition", "--kernel", "published+in-double", "--precision", "binary64", says=["in-double"])
 
@@ -286,7 +286,7 @@ class Search(Case):
         self.refused("search", "--comparison", "plane", says=["plane", "plane.radius"])
         self.refused("search", "--kernel", "minkowski", "--comparison", "plane.radius", says=["minkowski"])
         self.refused("search", "--kernel", "published+in-double", "--precision", "binary64", says=["in-double"])
-        self.refused("search", "--family", "nosuch", says=["nosuch", "general"])
+        self.refused("search", "--family", "nosuch", says=["nosuch", "the nearest of "])
         self.refused("search", "--evaluations", "0", says=["--evaluations"])
         self.refused("search", "--time", "0", says=["--time"])
         self.refused("search", "--time", "1", "--evaluations", "1", says=["--time", "excludes"])

@@ -145,7 +145,7 @@ class Mutate(MutateCase):
         self.refused("mutate", "--kernel", "published", says=["published", "nonstrict, reduced-nonstrict"])
         self.refused("mutate", "--mutant", "nosuch", says=["nonstrict~nosuch", "swap", "--list"])
         self.refused("mutate", "--mutant", "reduced-nonstrict~sign:28", says=["not a mutant of nonstrict"])
-        self.refused("mutate", "--family", "nosuch", says=["nosuch", "tangent"])
+        self.refused("mutate", "--family", "nosuch", says=["nosuch", "the nearest of "])
         self.refused("mutate", "--precision", "binary16", says=["binary16"])
         self.refused("mutate", "--trials", "0", says=["--trials"])
         self.refused("run", "--kernel", "nonstrict~swap:9999", says=["nonstrict~swap:9999", "--list"])

@@ -120,7 +120,7 @@ class Shrink(Case):
                      says=["minkowski", "no sides"])
         self.refused("shrink", "-", stdin=json.dumps({**RIGHT, "r": -1}), says=["'right'", "not a valid query"])
         self.refused("shrink", "-", "--kernel", "nosuch", stdin=json.dumps(RIGHT), says=["nosuch", "published"])
-        self.refused("shrink", "1:nosuch:1:binary32:0:1", says=["nosuch", "tangent"])
+        self.refused("shrink", "1:nosuch:1:binary32:0:1", says=["nosuch", "the nearest of "])
         self.refused("shrink", "nosuch.jsonl", says=["nosuch.jsonl"])
         self.refused("shrink", says=["QUERY"])
 
