@@ -1,11 +1,15 @@
 """What the tests of the package share: the command beside it, and kernels that are written in NumPy."""
 import os
+import signal
 import subprocess
 
 import numpy as np
 import pytest
 
 import axiscert as ax
+
+# A shell's background job ignores Ctrl-C, and so would the processes that tests interrupt.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # Of ./dev python --sanitized: for processes that import the package, not for those of the command and of supervised functions, whose memory
 # is limited.
