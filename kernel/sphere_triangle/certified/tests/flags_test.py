@@ -59,7 +59,8 @@ class Checked(unittest.TestCase):
         source, program = pathlib.Path(folder.name) / "user.cpp", pathlib.Path(folder.name) / "user"
         source.write_text(USER)
         subprocess.run([CXX, "-std=c++20", "-O2", "-w", "-I", ROOT,
-                        f"-DHWY_DISABLED_TARGETS=({'|'.join('HWY_' + target for target in without)})", *hidden, *flags, source, *(FOLDER / name for name in SOURCES), "-lhwy", "-o", program], check=True)
+                        f"-DHWY_DISABLED_TARGETS=({'|'.join('HWY_' + target for target in without)})", *hidden, *flags,
+                        source, *(FOLDER / name for name in SOURCES), "-lhwy", "-o", program], check=True)
         return subprocess.run([program], text=True, capture_output=True)
 
     def test_as_it_is_built(self):
