@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "exact/trait/oracles.h"
@@ -102,9 +103,10 @@ std::optional<ExactContactRecord> exact_contact_of(const Oracles& oracles, const
   if (judge == nullptr) return record;
   const ContactPlace place = judge->place();
   record.after_time = place.after_best;
-  if (place.separation) record.separation = SignedNumber{*place.separation};
-  const auto put = [](std::optional<PlaceNumbers>& into, const std::optional<std::array<double, 3>>& at) {
-    if (at) into = place_numbers(*at);
+  const auto is_finite = [](double number) { return std::isfinite(number); };
+  if (place.separation && is_finite(*place.separation)) record.separation = SignedNumber{*place.separation};
+  const auto put = [&](std::optional<PlaceNumbers>& into, const std::optional<std::array<double, 3>>& at) {
+    if (at && std::ranges::all_of(*at, is_finite)) into = place_numbers(*at);
   };
   put(record.point, place.point);
   put(record.point_b, place.point_b);

@@ -236,7 +236,7 @@ struct ExactContactRecord {
         field(&Of::separation,
               optional("separation",
                        "Of a predicate without motions: the distance where the two are apart, less the "
-                       "penetration where not.")),
+                       "penetration where not. It and the points are absent where beyond binary64.")),
         field(&Of::point,
               optional("point",
                        "The triangle's point that is nearest to the centre, of motions then; of two bodies the "
