@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The program gives the same output every time, a picture that shows it, refusals that say what would be right, and the
-figures of docs/certified.md.
+figures of README.md.
 
 program_test.py BUILD_FOLDER MODELS_FOLDER TRIAL_DIVISOR [unittest arguments]
 """
@@ -172,7 +172,7 @@ class Program(Walked):
 
     @unittest.skipUnless(HAS_BULLET and DIVISOR == 1, "the figures are those of a build with Bullet; sanitized they are slow")
     def test_the_figures_of_the_document_are_what_the_command_makes(self):
-        section = re.search(r"## A walk\n(.*?)\n## ", (ROOT / "docs/certified.md").read_text(), re.DOTALL)[1]
+        section = re.search(r"## A walk\n(.*?)\n## ", (ROOT / "examples/character/README.md").read_text(), re.DOTALL)[1]
         blocks = re.findall(r"```\n\$ character (.*?)\n(.*?)```", section, re.DOTALL)
         self.assertTrue(blocks)
         for number in re.findall(r"\d[\d,]+\d", re.sub(r"```.*?```", "", section, flags=re.DOTALL)):
