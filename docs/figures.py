@@ -68,7 +68,7 @@ def draw(plot, caption, path):
         if series.get("intervals"):
             below = [v - low for v, (low, _) in zip(y, series["intervals"])]
             above = [high - v for v, (_, high) in zip(y, series["intervals"])]
-            # Of many points every fourth has its interval, without caps: the file stays small.
+            # Where there are many points, every fourth has its interval, without caps: the file stays small.
             axes.errorbar(x, y, yerr=[below, above], fmt="none", ecolor=style["color"], elinewidth=0.9, capsize=0 if is_full else 2,
                           errorevery=(i % 4, 4) if is_full else 1)
         if plot["kind"] == "line":

@@ -131,7 +131,7 @@ struct CheckedByOne {
   std::size_t queries = 0;
 };
 
-// Of those given: with one a query of another predicate or entry is refused in its words.
+// With one of those given, a query of another predicate or entry is refused in its words.
 const Kernel& kernel_checked(const StoredQuery& stored, const std::vector<const Kernel*>& given,
                              const std::string& file) {
   const std::string what = fmt::format("{}: query '{}'", file, stored.id);

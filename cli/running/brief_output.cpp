@@ -41,7 +41,7 @@ std::vector<std::string> ids_in_order(const Record& record) {
 
 // The report has further findings.
 std::string first_finding(const Record& record) {
-  const std::vector<FindingGroup> groups = finding_groups(record);
+  const std::vector<FindingGroup> groups = findings_of_judged(record);
   if (groups.empty()) return "";
   const FindingGroup& first = groups.front();
   const std::size_t others = groups.size() - 1 + !first.others.empty();

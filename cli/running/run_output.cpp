@@ -160,7 +160,7 @@ std::string contact_table(const Record& record) {
   return rows.empty() ? "" : aligned_table(columns, rows);
 }
 
-// Of each kernel what a user of it reads first.
+// What a user of each kernel reads first.
 std::string first_sentences_text(const Record& record) {
   std::string text;
   for (const KernelRecord& kernel : record.kernels) {
@@ -172,9 +172,18 @@ std::string first_sentences_text(const Record& record) {
 
 }  // namespace
 
+std::vector<FindingGroup> findings_of_judged(const Record& record) {
+  const std::vector<std::string> told = not_judged(record);
+  std::vector<FindingGroup> groups = finding_groups(record);
+  std::erase_if(groups, [&](const FindingGroup& group) {
+    return std::ranges::find(told, static_cast<const std::string&>(group.first->kernel)) != told.end();
+  });
+  return groups;
+}
+
 std::string summary_text(const Record& record, double seconds) {
   std::string text;
-  for (const FindingGroup& group : finding_groups(record)) {
+  for (const FindingGroup& group : findings_of_judged(record)) {
     text += finding_text(*group.first) + "\n";
     if (!group.others.empty()) text += fmt::format("  {}\n", group.others_text());
     if (group.first->address) text += fmt::format("  {}\n", replay_command(*group.first, record.plan));

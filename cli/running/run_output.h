@@ -2,9 +2,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "fuzz/record/record.h"
 #include "plans/output_folder.h"
+#include "reports/wording/summary.h"
 
 namespace axiscert {
 // Output that depends on whether a person sees it: colour.
@@ -15,6 +17,9 @@ enum class TextColour { red, yellow, green };
 bool output_has_colour();
 // The text in that colour where output_has_colour(), otherwise unchanged. A line end stays outside the colour.
 std::string coloured(const std::string& text, TextColour colour);
+
+// The findings but those of kernels that could not be loaded: unjudged() has told these.
+std::vector<FindingGroup> findings_of_judged(const Record& record);
 
 // The final output of `run`: findings first, each with the command that reproduces it, then causes and the sentences
 // about each kernel and precision, then tables; in colour on a terminal.

@@ -177,6 +177,8 @@ class NotJudged(GatesCase):
                     done = self.judged("out", f"plugin:{kernel}", *beside)
                     self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
                     self.assertIn(f"plugin:{kernel}: NOT JUDGED: it could not be loaded", done.stderr)
+                    self.assertEqual(done.stderr.count(f"plugin:{kernel}: it could not be loaded"), len(beside), "before others are asked")
+                    self.assertEqual([line for line in done.stdout.splitlines() if line.startswith(f"plugin:{kernel}: load")], [])
 
     def test_a_process_that_dies_while_it_loads(self):
         source, kernel = self.folder / "dies.c", self.folder / "dies.so"

@@ -27,7 +27,7 @@ class Slack(Case):
         out = self.folder / "out"
         done = axiscert("run", "--kernel", self.built("1e-3"), *PLAN, "--require", "no-slack=1e-4", "--out", out)
         self.assertEqual(done.returncode, 1, done.stderr)
-        self.assertRegex(done.stdout, r"contacts 0\.001 of r too early on \d+ of \d+ queries nearest to any feature: a slack")
+        self.assertRegex(done.stdout, r"a slack: contact comes too early by 0\.001 of r on \d+ of \d+ queries nearest to any feature")
         slack = json.loads((out / "record.json").read_text())["kernels"][0]["slack"]
         self.assertEqual((slack["found"][0]["kind"], slack["found"][0]["to"], slack["found"][0]["side"]), ("relative", "r", "early"))
         self.assertIn("no-slack=1e-4", (out / "junit.xml").read_text())

@@ -39,7 +39,7 @@ class Blocks(unittest.TestCase):
         for page, added in (("README.md", "```c\nint x = 7;\n```\n"), ("docs/ci.md", "```\naxiscert run --preset ci\n```\n"),
                             ("docs/queries.md", "```\n$ axiscert kernels\npublished 7\n```\n"),  # a session, whose test is another
                             ("docs/map.md", "| word | meaning |\n|---|---|\n| depth | how far |\n"),
-                            ("docs/moving.md", "<!-- held by examples/character/program_test.py -->\n```\n17\n```\n")):
+                            ("docs/moving.md", "<!-- held by exact/moving_sphere/kernel_faults_test.cpp -->\n```\n17\n```\n")):
             self.assertEqual(errors_with(page, added), [], (page, added))
 
     def test_a_line_of_the_list_of_those_that_none_holds_is_about_a_block(self):

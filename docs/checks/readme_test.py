@@ -233,7 +233,7 @@ TABLES = {
     "front": ("README.md", front, "quick"),
     "main-job": ("docs/main-job.md", main_job, "long"),
     "main-job-rows": ("docs/main-job.md", main_job_rows, "long"),
-    "declined": ("docs/proofs.md", declined, "quick"),
+    "declined": ("docs/bounds.md", declined, "quick"),
     "answered": ("docs/precision.md", answered, "quick"),
     "sweeps": ("docs/moving.md", sweeps, "long"),
     "starts": ("docs/moving.md", starts, "long"),

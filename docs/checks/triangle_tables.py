@@ -98,7 +98,7 @@ def main_job_rows(commands, old):
     return "".join(lines[:2]) + "".join(row_of([*cells_of(line)[:2], *rows[tuple(cells_of(line)[:2])]]) for line in lines[2:])
 
 
-# ---- docs/proofs.md
+# ---- docs/bounds.md
 
 def declined(commands, old):
     _, record, _ = commands.run("--kernel", "certified-filter", "--kernel", "certified-filter-published", "--family", "all", "--trials", "65536")

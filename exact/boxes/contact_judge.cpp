@@ -34,7 +34,7 @@ void BoxContactJudge<Real>::measure_separation(Verdict said, double separation, 
   if (said == Verdict::contact && separation > 0) out.consistency = Consistency::positive;
   if (said == Verdict::separated && separation < 0) out.consistency = Consistency::negative;
   if (sgn(exact().squared_scene()) == 0) return;
-  // Of a penetration both signs are turned round, and the error is the same.
+  // In a penetration both signs are turned round, and the error is the same.
   const double towards = exact().is_apart() ? separation : -separation;
   const auto error_from = [&](const Rational& less) {
     return separation_error<Real>(towards, exact().squared_separation(), less, exact().squared_scene());

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The program gives the same output every time, a picture that shows it, refusals that say what would be right, and the
-figures of docs/certified.md.
+figures of README.md.
 
 program_test.py BUILD_FOLDER MODELS_FOLDER TRIAL_DIVISOR [unittest arguments]
 """
@@ -16,6 +16,7 @@ import xml.etree.ElementTree as xml
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+README = Path(__file__).with_name("README.md")
 sys.path.insert(0, str(ROOT / "cli" / "tests"))
 from command import BUILD, DIVISOR, MODELS, axiscert  # noqa: E402
 
@@ -172,7 +173,7 @@ class Program(Walked):
 
     @unittest.skipUnless(HAS_BULLET and DIVISOR == 1, "the figures are those of a build with Bullet; sanitized they are slow")
     def test_the_figures_of_the_document_are_what_the_command_makes(self):
-        section = re.search(r"## A walk\n(.*?)\n## ", (ROOT / "docs/certified.md").read_text(), re.DOTALL)[1]
+        section = re.search(r"## A walk\n(.*?)\n## ", README.read_text(), re.DOTALL)[1]
         blocks = re.findall(r"```\n\$ character (.*?)\n(.*?)```", section, re.DOTALL)
         self.assertTrue(blocks)
         for number in re.findall(r"\d[\d,]+\d", re.sub(r"```.*?```", "", section, flags=re.DOTALL)):
@@ -242,7 +243,7 @@ class Sweeps(Walked):
 
     @unittest.skipUnless(DIVISOR == 1, "sanitized they are slow")
     def test_the_figures_of_the_document_are_what_the_command_makes(self):
-        section = re.search(r"## A walk by sweeps\n(.*?)\n## ", (ROOT / "docs/moving.md").read_text(), re.DOTALL)[1]
+        section = re.search(r"### Bullets\n(.*?)\n## ", README.read_text(), re.DOTALL)[1]
         blocks = re.findall(r"```\n\$ character (.*?)\n(.*?)```", section, re.DOTALL)
         self.assertTrue(blocks)
         for command, figures in blocks:

@@ -172,7 +172,7 @@ BoxAndTriangle<Big> made_longer(BoxAndTriangle<Big> q, std::size_t k, bool is_be
   return q;
 }
 
-// Of two that are apart: the sides of the box on which the triangle is, where it would meet the box if it went on
+// Where the two are apart: the sides of the box on which the triangle is, where it would meet the box if it went on
 // there.
 void put_sides(TraitBits<CornerTrait>& found, const BoxAndTriangle<Big>& q) {
   for (std::size_t k = 0; k < 3; ++k) {
@@ -183,7 +183,7 @@ void put_sides(TraitBits<CornerTrait>& found, const BoxAndTriangle<Big>& q) {
   }
 }
 
-// Of two in contact: the edges of either that meet the other, and corners without which they would be apart.
+// Where they are in contact: the edges of either that meet the other, and corners without which they would be apart.
 void put_meeting(TraitBits<CornerTrait>& found, const BoxAndTriangle<Big>& q, const std::array<Vec3<Big>, 3>& from) {
   using enum CornerTrait;
   std::array<bool, 3> edge{}, along{};

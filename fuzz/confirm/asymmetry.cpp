@@ -226,7 +226,7 @@ class AsymmetryBlock {
     return wide;
   }
 
-  // Of the answer to query i of the group at hand.
+  // For the answer to query i of the group at hand.
   OwnErrors own_errors_of(std::size_t i, const std::vector<double>& measures) const {
     const Numbers<Real>& q = queries_[i];
     const Oracles& oracles = oracles_of(kernel_);

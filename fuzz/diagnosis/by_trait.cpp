@@ -45,7 +45,7 @@ std::vector<TraitQuery<Real>> clear_having(Subject<Real>& subject, const Traits&
   return found;
 }
 
-// Of one trait.
+// By one trait.
 struct TraitCounts {
   std::size_t k;
   std::uint64_t wrong = 0, of = 0;

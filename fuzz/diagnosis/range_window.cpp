@@ -34,7 +34,7 @@ class WindowScan {
       for (const auto& query : clear_of_families(subject)) base_.push_back(query.numbers);
     }
     at_one_ = subject.ask(base_);
-    // Of the others those that it decides.
+    // Those of the others that it decides.
     for (std::size_t i = base_.size(); i-- > clear_;) {
       if (is_decided(at_one_[i])) continue;
       base_.erase(base_.begin() + static_cast<std::ptrdiff_t>(i));
@@ -90,7 +90,7 @@ std::string why_text(const Kernel& kernel, const SidesOfForms<Real>& forms, cons
   for (const std::size_t k : unit.columns)
     greatest = std::max(greatest, std::abs(std::ldexp(static_cast<double>(end.base[k]), *end.beyond)));
   const bool is_above = *end.beyond > 0;
-  // Of differences, which are up to twice the numbers.
+  // For differences, which are up to twice the numbers.
   const double size = std::log2(is_above ? 2 * greatest : greatest);
   const double degree = std::ceil((is_above ? Limits::max_exponent : Limits::min_exponent) / size);
   if (degree > 0 && degree <= most_degree) {

@@ -69,7 +69,7 @@ inline constexpr std::size_t enum_count<moving_sphere::MotionTrait> = 43;
 namespace moving_sphere {
 namespace {
 
-// Of a motion without contact, nearest is meant where the centre comes nearest.
+// For a motion without contact, nearest is meant where the centre comes nearest.
 constexpr EnumArray<MotionTrait, Trait> motion_traits = {{
     {"vertex_a", "that meet or pass vertex a first", "regions"},
     {"vertex_b", "that meet or pass vertex b first", "regions"},

@@ -110,7 +110,7 @@ TEST(SearchNumbersLong, FindRareFaultsOfASphereAndATriangle) {
   expect("left", 0.1, [](double s, Numbers& m) { tilt(m, 2, 3 * s); });
 }
 
-// Of separations: the normals of boxes are off by a right angle where two axes are alike but for a rounding.
+// On separations: the normals of boxes are off by a right angle where two axes are alike but for a rounding.
 TEST(SearchNumbersLong, FindRareFaultsOfBoxes) {
   constexpr auto half_extents = [](const auto& at) { return std::array{at(3), at(4), at(5)}; };
   constexpr auto deepened = [](double s, std::vector<double>& m) { m[0] -= s; };

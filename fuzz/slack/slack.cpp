@@ -250,9 +250,9 @@ std::optional<double> least_absolute(const SlacksRecord& slacks) {
 
 std::string slack_text(const SlackRecord& slack) {
   const bool is_early = slack.side == SlackSide::early;
-  const std::string size = slack.kind == SlackKind::absolute ? fmt::format("{:.2g} of the queries' unit", slack.size)
+  const std::string size = slack.kind == SlackKind::absolute ? fmt::format("{:.2g}, an absolute length,", slack.size)
                                                              : fmt::format("{:.2g} of {}", slack.size, slack.to);
-  return fmt::format("contacts {} too {} on {} of {} queries {}: a slack", size, is_early ? "early" : "late",
+  return fmt::format("a slack: contact comes too {} by {} on {} of {} queries {}", is_early ? "early" : "late", size,
                      slack.shown, slack.looked_at, slack.where);
 }
 

@@ -28,7 +28,7 @@ class ClusterSums {
   std::map<std::int64_t, std::uint64_t> clusters_;
 };
 
-// Of fewer clusters of several trials a design effect is too uncertain for limits: their coverage falls below 93 %.
+// With fewer clusters of several trials a design effect is too uncertain for limits: their coverage falls below 93 %.
 inline constexpr std::uint64_t fewest_clusters = 20;
 
 struct ClusteredTrials {

@@ -121,7 +121,7 @@ BoxAndTriangle<T> oriented(const CornersAndTriangle<T>& q) {
   return oriented(centred(q));
 }
 
-// Of a quaternion the rotation, each entry divided once.
+// The rotation of a quaternion, each entry divided once.
 template <class T>
 BoxAndTriangle<T> oriented(const TurnedAndTriangle<T>& q) {
   return {with_matrix(q.box), q.corner};

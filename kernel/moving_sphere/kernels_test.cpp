@@ -229,7 +229,7 @@ bool differ(const Reply<Real>& one, const Reply<Real>& other) {
   return false;
 }
 
-// Of {-1, 0, 1} no operation is rounded in any of them; of other numbers some are rounded otherwise.
+// On {-1, 0, 1} no operation is rounded in any of them; on other numbers some are rounded otherwise.
 TYPED_TEST(MotionSimdTest, EveryArithmeticIsThePlainOneWhereNothingIsRounded) {
   std::mt19937_64 random(9);
   QueryBatch<TypeParam> lattice(2000, 16);

@@ -4,7 +4,7 @@
 
 namespace axiscert::permitted {
 
-// Of contact by clauses there is one way: a comparison of each clause fails, whichever.
+// Contact by clauses comes one way: a comparison of each clause fails, whichever.
 Adversary::Adversary(const Predicate& predicate, const Recording& recording, Verdict wished, std::size_t tries)
     : predicate_(predicate), recording_(recording), wished_(wished), evaluation_(recording.graph), tries_(tries) {
   const bool separated = wished == Verdict::separated;

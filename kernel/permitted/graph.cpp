@@ -44,7 +44,7 @@ Value Graph::sum(Value a, Value b) {
   return sum_of(std::move(terms));
 }
 
-// Of a sum and its negative one is a node.
+// Only one of a sum and its negative is a node.
 Value Graph::sum_of(std::vector<Value> terms) {
   std::sort(terms.begin(), terms.end());
   const bool is_negative = terms.front().is_negative;

@@ -53,7 +53,7 @@ AXISCERT_INLINE Ends where(M is_determinate, const Ends& a) {
 AXISCERT_INLINE Ends sum_of(const Ends& a, const Ends& b) {
   return {hn::Add(a.greatest, b.greatest), hn::Add(a.negated_least, b.negated_least)};
 }
-// Of all pairs of ends, the products and the negated products.
+// The products and the negated products of all pairs of ends.
 AXISCERT_INLINE Ends product_of(const Ends& a, const Ends& b) {
   const V greatest = hn::Neg(a.greatest), least = hn::Neg(a.negated_least);
   return {hn::Max(hn::Max(hn::Mul(a.greatest, b.greatest), hn::Mul(a.negated_least, b.negated_least)),

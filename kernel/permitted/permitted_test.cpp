@@ -59,7 +59,8 @@ const Part& part(std::string_view name) {
 
 TEST(Reach, EndsAreThoseOfEveryEvaluationTriedOneByOne) {
   std::mt19937_64 random(seed);
-  // Of few bits and sizes near each other, so that long doubles are exact, and that roundings and ties are many.
+  // Numbers of few bits and sizes near each other, so that long doubles are exact, and that roundings and ties are
+  // many.
   const auto number = [&] {
     return std::ldexp(static_cast<float>(static_cast<int>(random() % 0x1ffffff) - 0xffffff),
                       static_cast<int>(random() % 12));

@@ -48,7 +48,7 @@ Recording recorded(const Permissions& permissions, std::size_t comparisons, Comp
   return made;
 }
 
-// Of a method that says whether they are separate, over numbers that record: every way that its comparisons may go.
+// Records a method that says whether they are separate: every way that its comparisons may go.
 // `separated(load)` is called once for each.
 template <class Separated>
 Recording recorded_paths(const Permissions& permissions, Separated&& separated) {
@@ -80,7 +80,7 @@ Recording recorded_paths(const Permissions& permissions, Separated&& separated) 
   return made;
 }
 
-// Of formulae as kernel/formulae_kernel.h has them: `found` where the kernel claims them.
+// Records formulae as kernel/formulae_kernel.h has them: `found` where the kernel claims them.
 template <class Test, class F>
 void put_recorder(const Kernel& kernel, Recorder& found) {
   using T = RecordedNumber;

@@ -22,11 +22,11 @@ Reach sum_of(const Permissions& permissions, Reach a, Reach b);
 Reach product_of(const Permissions& permissions, Reach a, Reach b);
 // x y + z, rounded once, to nearest: faithful roundings of product and sum reach at least as far.
 Reach fused_of(const Permissions& permissions, Reach a, Reach b, Reach z);
-// Of the divisor its ends are tried. What is divided by 0 is indeterminate; by WGSL too where the divisor is beyond
+// The ends of the divisor are tried. What is divided by 0 is indeterminate; by WGSL too where the divisor is beyond
 // 2^-126 or 2^126 in size.
 Reach quotient_of(const Permissions& permissions, Reach a, Reach b);
 
-// Of operands that are floats.
+// For operands that are floats.
 Reach rounded_sum(const Permissions& permissions, float a, float b);
 Reach rounded_product(const Permissions& permissions, float a, float b);
 Reach rounded_quotient(const Permissions& permissions, float a, float b);

@@ -73,7 +73,7 @@ void describe_subject(const Description& d, Kernel& kernel) {
   kernel.measure_count = d.measure_count;
 }
 
-// Of a predicate without motions `sides` is a limit; where it has no triangle either, it is refused.
+// In a predicate without motions `sides` is a limit; where it has no triangle either, it is refused.
 Limits limits_of(const Description& d, const Predicate& predicate) {
   Limits limits{d.limits[0], d.limits[1], d.limits[2], d.limits[3], d.limits[4], d.limits[5]};
   for (const double limit : d.limits) {

@@ -54,8 +54,8 @@ inline std::string row_text(std::string_view kernel, const Behaviour& b) {
 
 inline constexpr std::string_view behaviours_place = "docs/kernels.md, table \"What each answers\"";
 
-// Of each kernel that the first cell names. Throws std::runtime_error with the row that has not nine cells, or whose
-// answers are not among `says_names`.
+// The figures of each kernel that the first cell names. Throws std::runtime_error with the row that has not nine cells,
+// or whose answers are not among `says_names`.
 inline std::vector<BehaviourRow> parsed_row(const std::string& row) {
   std::vector<std::string> cells;
   for (std::size_t at = 1; at < row.size();) {

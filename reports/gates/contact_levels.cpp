@@ -73,7 +73,7 @@ struct Given {
 };
 using Counts = std::function<std::optional<Given>(const ContactTally& contacts)>;  // empty: the kernel gives none
 
-// Of a part of the tally that counts both, or has nothing that could be missing.
+// For a part of the tally that counts both, or has nothing that could be missing.
 template <class Part>
 Counts counts_of(std::optional<Part> ContactTally::*member) {
   return [member](const ContactTally& contacts) -> std::optional<Given> {

@@ -42,7 +42,7 @@ TEST(SlackLevel, ASlackAboveTheSizeFailsWithItsSizeAndQueries) {
   const auto failures = first(outcomes_at(with_slack(1e-3, 1e-5), "no-slack=1e-4")).failures;
   ASSERT_FALSE(failures.empty());
   EXPECT_THAT(failures.back().text(),
-              HasSubstr("contacts 0.001 of r too early on 61 of 64 queries nearest to an edge"));
+              HasSubstr("contact comes too early by 0.001 of r on 61 of 64 queries nearest to an edge"));
   EXPECT_TRUE(first(outcomes_at(with_slack(1e-3, 1e-5), "no-slack=1e-2")).failures.empty());
 }
 

@@ -70,11 +70,8 @@ SlackText slack_text_of(const KernelRecord& kernel) {
   if (!kernel.slack || kernel.slack->found.empty()) return {};
   const std::vector<SlackRecord>& found = kernel.slack->found;
   SlackText slack{slack_text(found.front())};
-  if (found.size() > 1) {
-    const bool is_one = found.size() == 2;
-    slack.text += fmt::format(", and {} other kind{} of query show{} one", found.size() - 1, is_one ? "" : "s",
-                              is_one ? "s" : "");
-  }
+  if (found.size() > 1)
+    slack.text += fmt::format(", and on {} other kind{} of query", found.size() - 1, found.size() == 2 ? "" : "s");
   std::uint64_t shown = 0;
   for (const SlackRecord& one : found) shown += one.shown;
   slack.is_local = 4 * shown < kernel.slack->bracketed;

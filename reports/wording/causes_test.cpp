@@ -35,8 +35,8 @@ KernelRecord with_number(KernelRecord kernel, const char* family, std::uint64_t 
 const std::string class_text = "wrong on 10 of 10 spheres nearest to edge bc; right elsewhere (0 of 0)",
                   number = "as if an absolute number near 0.01 (squared 0.0001) were compared with r";
 std::string slack(const char* side, int shown) {
-  return "contacts 0.5 of the queries' unit too " + std::string(side) + " on " + std::to_string(shown) + " of " +
-         std::to_string(shown) + " queries beside edge bc: a slack";
+  return "a slack: contact comes too " + std::string(side) + " by 0.5, an absolute length, on " +
+         std::to_string(shown) + " of " + std::to_string(shown) + " queries beside edge bc";
 }
 
 TEST(CauseSentence, ASlackOfManyQueriesIsFirst) {

@@ -1,5 +1,5 @@
 // The first step of the judge, over SIMD lanes: the conclusions about a batch that need no exact arithmetic. Each
-// answer is certain or missing; docs/error_model.md derives the bounds.
+// answer is certain or missing; margins-inl.h derives the bounds.
 #pragma once
 
 #include <string_view>

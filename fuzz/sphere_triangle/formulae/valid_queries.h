@@ -6,7 +6,7 @@
 
 namespace axiscert {
 
-// Of a file all of its queries, whatever number the caller chose.
+// All queries of a file, whatever number the caller chose.
 inline void take_whole_files(JudgedPlan& plan, Precision precision) {
   for (std::size_t i = 0; i < plan.sources.size(); ++i)
     plan.trials[i] = plan.sources[i]->fixed_size(precision).value_or(plan.trials[i]);

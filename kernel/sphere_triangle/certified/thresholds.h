@@ -38,8 +38,8 @@
 // threshold, and every threshold is a normal number.
 //
 // The fine step is evaluated in doubles, the deep one in pairs of them, with a bound for each margin from the leaves of
-// its own: docs/error_model.md, "The bounds of lanes", where |x|o is the greatest component of a leaf and |x|1 the sum
-// of three.
+// its own: exact/sphere_triangle/filters/margins-inl.h derives it, where |x|o is the greatest component of a leaf and
+// |x|1 the sum of three.
 #pragma once
 
 #include "kernel/sphere_triangle/certified_filter/margin_bounds.h"
@@ -59,7 +59,7 @@ inline constexpr Real greatest_square =
                       : static_cast<Real>(filter::CoarseBounds::greatest_square_binary64);
 
 // binary64 in doubles, and all in pairs: a leaf and the radius are zero or in [2^-100, 2^100], so that underflow is
-// below 2^-200 of a bound; binary32 in doubles needs no such guard (docs/error_model.md).
+// below 2^-200 of a bound; binary32 in doubles needs no such guard (margins-inl.h there).
 inline constexpr double least_fine_leaf = 0x1p-100, greatest_fine_leaf = 0x1p100;
 
 }  // namespace axiscert::certified

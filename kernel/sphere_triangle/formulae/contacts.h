@@ -46,7 +46,7 @@ void put_contact(const portable::Problem<Real>& q, const NearestPart<Real>& near
   out[7] = q.p.z + nearest.point.z;
 }
 
-// Of the closest point: the normal goes from there to the centre.
+// By the closest point: the normal goes from there to the centre.
 template <class Real>
 void closest_point_contact(const portable::Problem<Real>& q, const NearestPart<Real>& nearest, bool is_separated,
                            Real* out) {
@@ -55,7 +55,7 @@ void closest_point_contact(const portable::Problem<Real>& q, const NearestPart<R
   put_contact(q, nearest, away, is_separated, out);
 }
 
-// Of the triangle inflated by the radius: the nearest of the parts that the centre is over, and over the face the
+// By the triangle inflated by the radius: the nearest of the parts that the centre is over, and over the face the
 // normal of its plane.
 template <class Real>
 void minkowski_contact(const portable::Problem<Real>& q, bool is_separated, Real* out) {

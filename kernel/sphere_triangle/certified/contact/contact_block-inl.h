@@ -27,7 +27,7 @@ class Contacts {
  private:
   using Left = Leftovers<Real>;
 
-  // Of up to 64 queries, a bit each.
+  // A bit for each of up to 64 queries.
   struct Word {
     std::uint64_t contact = 0, measured = 0, decided = 0, feature[3] = {};
   };

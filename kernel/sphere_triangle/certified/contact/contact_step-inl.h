@@ -62,7 +62,8 @@ struct NearestPart {
   }
 };
 
-// Of binary32, in doubles: from P to the nearest point, by the first and the second place of its part and AB.
+// The vector of binary32, in doubles: from P to the nearest point, by the first and the second place of its part and
+// AB.
 template <class D>
 struct ToNearest {
   using T = Lanes<D, false>;
@@ -79,8 +80,8 @@ struct ToNearest {
   }
 };
 
-// Of binary32: the signs in floats, the numbers in doubles. F is of floats, D of doubles, with as many lanes or half of
-// them.
+// In binary32 the signs are in floats, the numbers in doubles. F is of floats, D of doubles, with as many lanes or half
+// of them.
 template <class F, class D>
 class QuickStep {
  public:

@@ -7,8 +7,9 @@
 //   x.y        8 of each product; the low parts' sums (3 + 3 + 2 + 5) of their sizes' sum: 21 sum |x_i y_i|
 //   x y' - y x'  8 of each product, 3 + 4: 15 (|x y'| + |y x'|)
 //   x - y      1 of each size for their low parts, 2 for what the sum rounded and these: 4 (|x| + |y|)
-// The derivation of the bounds (docs/error_model.md) allows U for each of x y and x - y, 3 U for each product of x.y, 2
-// U for each of the third line, and U for a leaf, which is exact here: U = 2^-102 is at least twice as much.
+// The derivation of the bounds (exact/sphere_triangle/filters/margins-inl.h) allows U for each of x y and x - y, 3 U
+// for each product of x.y, 2 U for each of the third line, and U for a leaf, which is exact here: U = 2^-102 is at
+// least twice as much.
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {
