@@ -9,7 +9,7 @@ from fractions import Fraction
 from command import Case, axiscert
 from exact_predicates import UPRIGHT, box, cross, dot, from_triangle, minus, plus, segment_from_triangle, times, turned
 
-QUERIES, SEED = 100, 20240607
+SEED = 20240607
 decimal.getcontext().prec = 2000
 
 
@@ -45,6 +45,8 @@ def rounded(x, digits):
 
 
 class ExactFacts(Case):
+    queries = 30
+
     def facts(self, text):
         done = axiscert("check", "-", "--format", "jsonl", stdin=text)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -80,7 +82,7 @@ class ExactFacts(Case):
     def test_a_sphere_and_a_triangle(self):
         numbers = random.Random(SEED)
         queries, text = [], ""
-        for i in range(3 * QUERIES):
+        for i in range(3 * self.queries):
             wide = 2 ** numbers.randrange(1, 40)
             at = lambda: tuple(Fraction(numbers.randint(-wide, wide), 8) for _ in range(3))
             a, b, c, p = at(), at(), at(), at()
@@ -120,7 +122,7 @@ class ExactFacts(Case):
     def test_a_motion(self):
         numbers = random.Random(SEED)
         queries, text, contacts = [], "", 0
-        for i in range(2 * QUERIES):
+        for i in range(2 * self.queries):
             at = lambda size=40: tuple(Fraction(numbers.randint(-size, size), 4) for _ in range(3))
             a, b, c, p, d, r = at(), at(), at(), at(), at(120), Fraction(numbers.randint(0, 30), 4)
             queries.append((a, b, c, p, d, r))
@@ -152,7 +154,7 @@ class ExactFacts(Case):
                     self.assertGreater(from_triangle(plus(p, times(before, d)), (a, b, c)), r * r)
                 else:
                     self.assertLessEqual(from_triangle(p, (a, b, c)), r * r)
-        self.assertGreater(contacts, QUERIES // 4)
+        self.assertGreater(contacts, self.queries // 4)
 
     def pair(self, found, first, second):
         return self.point(found["nearest_point_" + first]), self.point(found["nearest_point_" + second])
@@ -185,7 +187,7 @@ class ExactFacts(Case):
     def test_two_boxes(self):
         numbers = random.Random(SEED)
         queries, text, apart = [], "", 0
-        for i in range(QUERIES):
+        for i in range(self.queries):
             whole = lambda size: [numbers.randint(-size, size) for _ in range(3)]
             both = []
             for _ in "ab":
@@ -203,12 +205,12 @@ class ExactFacts(Case):
                 else:
                     axes = [*turns[0], *turns[1], *(cross(u, v) for u in turns[0] for v in turns[1])]
                     self.assert_penetration(found, axes, a, b)
-        self.assertTrue(QUERIES // 8 < apart < QUERIES * 7 // 8, apart)
+        self.assertTrue(self.queries // 8 < apart < self.queries * 7 // 8, apart)
 
     def test_a_box_and_a_triangle(self):
         numbers = random.Random(SEED)
         queries, text, apart = [], "", 0
-        for i in range(QUERIES):
+        for i in range(self.queries):
             whole = lambda size: tuple(numbers.randint(-size, size) for _ in range(3))
             m, s, corners = whole(4), [numbers.randint(0, 4) for _ in range(3)], [whole(6) for _ in range(3)]
             queries.append((m, s, corners))
@@ -223,7 +225,7 @@ class ExactFacts(Case):
                 else:
                     self.assert_penetration(found, [*UPRIGHT, cross(edges[0], edges[1]), *(cross(u, v) for u in UPRIGHT for v in edges)],
                                             own, corners)
-        self.assertTrue(QUERIES // 8 < apart < QUERIES * 7 // 8, apart)
+        self.assertTrue(self.queries // 8 < apart < self.queries * 7 // 8, apart)
 
     def test_points_that_are_not_the_only_ones_say_so(self):
         cube = {"m": [0, 0, 0], "s": [1, 1, 1], "q": [1, 0, 0, 0]}
@@ -242,6 +244,10 @@ class ExactFacts(Case):
                          "nearest_point (1, 1, 0); normal (0, 0, 1)")
         self.assertIn("depth 0.204124145 = sqrt(1/24) of the scene", axiscert("check", "-", "--exact", stdin=text).stdout)
         self.refused("check", "1:general:2:binary32:0:0-1", "--format", "csv", "--exact", says=["--exact", "queries in a file"])
+
+
+class ExactFactsLong(ExactFacts):
+    queries = 100
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """One form for every command: kernels, options that several commands have, help with examples that work."""
+import functools
 import os
 import re
 import shutil
@@ -104,6 +105,7 @@ class Names(Case):
             self.refused(*args, says=[says])
 
 
+@functools.cache
 def help_of(command, columns):
     environment = {key: value for key, value in os.environ.items() if key != "COLUMNS"} | ({"COLUMNS": str(columns)} if columns else {})
     done = subprocess.run([BUILD / "axiscert", *command.split(), "--help"], capture_output=True, text=True, timeout=60, env=environment)

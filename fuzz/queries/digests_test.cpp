@@ -47,9 +47,8 @@ inline void expect_committed_digests(const Predicate& predicate, const std::stri
   EXPECT_EQ(committed, made) << path << ": other order than the list of the families; write it anew: " << command;
 }
 
-// Every family makes the same bytes everywhere. The quick sanitized build has this too, of the families that it
-// compiles, since its compiler is another: operands of which each draws a random number are evaluated in the order that
-// a compiler likes.
+// Every family makes the same bytes everywhere: in the preset release-clang too, since operands of which each draws a
+// random number are evaluated in the order that a compiler likes.
 
 // Tests are listed with it; without it, with a pointer.
 static void PrintTo(const Predicate* predicate, std::ostream* out) { *out << predicate->id; }

@@ -162,7 +162,7 @@ EnumArray<TimeFault, TimesSeen> seen_of_all() {
   return seen;
 }
 
-TEST(TimeMutants, AreEachSeenByVerdictAndTimeAloneAndTheRightTimesPass) {
+TEST(TimeMutantsLong, AreEachSeenByVerdictAndTimeAloneAndTheRightTimesPass) {
   const EnumArray<TimeFault, TimesSeen> seen = seen_of_all();
   const TimesSeen& right = seen[TimeFault::right];
   EXPECT_GT(right.hits, 200u);

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""claims_test.py [--long]: docs/precision.md says what docs/precision_claims.json says, and claims.py tells a wrong claim from a right one.
+"""claims_test.py [--long] [CLASS...]: docs/precision.md says what docs/precision_claims.json says, and claims.py tells a wrong claim from a right one.
 
-Quick, on small samples: no claim is refuted, and those that are planted with a great effect are. With --long, on the whole sample: every claim is shown, and
+Without --long, on small samples: no claim is refuted, and those that are planted with a great effect are. With --long, on the whole sample: every claim is shown, and
 none is that was planted: the other way round, with twice the effect that was measured, or in a scene in which it does not hold.
 """
 import dataclasses

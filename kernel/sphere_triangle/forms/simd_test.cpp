@@ -101,7 +101,7 @@ void expect_agreement_on_random_bits(int count) {
 }
 
 TYPED_TEST(SimdTest, AgreesWithTheReferenceOnRandomAndOnArbitraryBits) {
-  expect_agreement_on_random_bits<TypeParam>(is_slow ? 2000 : 20000);
+  expect_agreement_on_random_bits<TypeParam>(is_slow ? 500 : 20000);
 }
 TYPED_TEST(SimdTestLong, AgreesWithTheReferenceOnRandomAndOnArbitraryBits) {
   if (is_slow) expect_agreement_on_random_bits<TypeParam>(20000);
