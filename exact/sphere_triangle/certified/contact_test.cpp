@@ -170,31 +170,52 @@ class ContactTestLong : public testing::Test {};
 TYPED_TEST_SUITE(ContactTestLong, Reals);
 TYPED_TEST(ContactTestLong, VerdictAndFeatureAreExactAndTheNumbersKeepTheirBounds) { expect_right<TypeParam>(1000000); }
 
-// What the tests above look at sees each fault that is twice what is allowed.
+// What the tests above look at sees each fault that is twice what is allowed, whichever step judges: floating point,
+// integers of one word, two or many.
 TYPED_TEST(ContactTest, TheTruthSeesWhatIsWrong) {
   using Real = TypeParam;
   using Promise = testing_support::ContactPromise<Real>;
-  const std::array<double, 13> q = {0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, 2, 1},
+  const std::array<double, 13> apart = {0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, 2, 1},
                                beyond = {0, 0, 0, 4, 0, 0, 0, 4, 0, 2, -1, 0, 1};
-  const ContactSaid right{1, 6, 1, 1, {0, 0, 1}, {1, 1, 0}}, touching{0, 3, 1, 0, {0, -1, 0}, {2, 0, 0}};
-  ASSERT_EQ(what_is_wrong<Real>(q, false, right), "");
+  const ContactSaid touching{0, 3, 1, 0, {0, -1, 0}, {2, 0, 0}};
   ASSERT_EQ(what_is_wrong<Real>(beyond, false, touching), "");
   EXPECT_NE(what_is_wrong<Real>(beyond, true, touching), "") << "an open sphere does not touch";
-  const auto expect_seen = [&](auto&& change) {
-    ContactSaid wrong = right;
-    change(wrong);
-    EXPECT_NE(what_is_wrong<Real>(q, false, wrong), "");
-  };
   const double scene = std::sqrt(14.0);  // |B - P|
-  expect_seen([](ContactSaid& said) { said.verdict = 0; });
-  expect_seen([](ContactSaid& said) { said.feature = 3; });
-  expect_seen([](ContactSaid& said) { said.has_normal = 0; });
-  expect_seen([&](ContactSaid& said) { said.separation += 2 * (Promise::of_separation + Promise::of_scene * scene); });
-  expect_seen([](ContactSaid& said) { said.normal[0] = 2 * Promise::normal; });
-  expect_seen([](ContactSaid& said) { said.normal[2] = -1; });
-  expect_seen(
-      [&](ContactSaid& said) { said.point[1] += 2 * (1.5 * Promise::of_point + Promise::point_of_scene * scene); });
-  expect_seen([](ContactSaid& said) { said.point[2] = std::numeric_limits<double>::quiet_NaN(); });
+  const auto expect_all_seen = [&](std::array<double, 13> q, const ContactSaid& right, int expected_judge) {
+    int judge = -1;
+    ASSERT_EQ(what_is_wrong<Real>(q, false, right, &judge), "");
+    EXPECT_EQ(judge, expected_judge);
+    const auto expect_seen = [&](auto&& change) {
+      ContactSaid wrong = right;
+      change(wrong);
+      EXPECT_NE(what_is_wrong<Real>(q, false, wrong), "");
+    };
+    expect_seen([](ContactSaid& said) { said.verdict = 1 - said.verdict; });
+    expect_seen([](ContactSaid& said) { said.feature = 3; });
+    expect_seen([](ContactSaid& said) { said.has_normal = 0; });
+    for (const int sign : {-1, 1}) {
+      expect_seen([&](ContactSaid& said) {
+        said.separation += sign * 2 * (Promise::of_separation + Promise::of_scene * scene);
+      });
+      expect_seen([&](ContactSaid& said) { said.normal[0] = sign * 2 * Promise::normal; });
+      expect_seen([&](ContactSaid& said) {
+        said.point[1] += sign * 2 * (1.5 * Promise::of_point + Promise::point_of_scene * scene);
+      });
+    }
+    expect_seen([](ContactSaid& said) { said.normal[2] = -1; });
+    expect_seen([](ContactSaid& said) { said.point[2] = std::numeric_limits<double>::quiet_NaN(); });
+  };
+  expect_all_seen(apart, {1, 6, 1, 1, {0, 0, 1}, {1, 1, 0}}, 0);
+  for (const double speck : {0.0, 0x1p-80, 0x1p-125}) {
+    std::array<double, 13> over_face = apart, over_edge = {0, -4, 0, 4, 0, 0, 0, 0, 0, 1, 1, 2, 1};
+    over_face[12] = 2;
+    over_face[2] = over_face[5] = over_face[8] = speck;
+    expect_all_seen(over_face, {0, 6, 1, 0, {0, 0, 1}, {1, 1, speck}}, 1);
+    // The foot on the edge BC, of which it is as near as of the face.
+    over_edge[10] = 0;
+    over_edge[0] = speck;
+    expect_all_seen(over_edge, {1, 4, 1, 1, {0, 0, 1}, {1, 0, 0}}, 1);
+  }
 }
 
 TYPED_TEST(ContactTest, EveryInstructionSetGivesTheSameBits) {
