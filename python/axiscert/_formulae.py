@@ -42,6 +42,9 @@ class Computed:
         contact: "np.ndarray[Any, Any]" = self.verdict == 0
         return contact
 
+    def __repr__(self) -> str:
+        return f"<verdicts of {len(self.verdict)} queries, {len(self.comparisons)} comparisons of each>"
+
 
 def formulae(kernel: str, queries: Queries, *, format: str = "", rounding: str = "nearest", fused: str = "none",
              round_inputs: bool = False, seed: int = 1, target: str = "scalar", threads: int = 0) -> Computed:
@@ -61,13 +64,15 @@ def formulae(kernel: str, queries: Queries, *, format: str = "", rounding: str =
     """
     if not isinstance(queries, Queries):
         raise Error(f"formulae takes Queries, not {type(queries).__name__}; Queries.of makes them of arrays")
+    if not isinstance(round_inputs, (bool, np.bool_)):
+        raise Error(f"round_inputs={round_inputs!r}: give True or False")
     comparisons: List[str] = describe(queries.predicate)["comparisons"]
     asked = (queries.predicate, queries.entry, queries.numbers, text("kernel", kernel))
     threads = whole("threads", threads, greatest=4096)
     if not text("format", format):
         if rounding != "nearest" or fused != "none" or round_inputs:
             raise Error("rounding, fused and round_inputs are of a format; give one, as format=\"binary32\"")
-        verdict, bits, lhs, rhs = _core.computed(*asked, target, threads)
+        verdict, bits, lhs, rhs = _core.computed(*asked, text("target", target), threads)
         made = Computed(verdict, bits, comparisons)
         made.lhs, made.rhs = lhs, rhs
         return made

@@ -129,11 +129,11 @@ def diagnose(kernel: Any, *, precision: str = "", seed: int = 1, predicate: str 
     A kernel is as in `judge`; `predicate` and `entry` are those of a function.
     """
     asked = _one(kernel, predicate, entry)
-    options = dict(kernel=asked.id, precision=precision, seed=seed)
+    options, folder = dict(kernel=asked.id, precision=precision, seed=seed), folder_of(out)
     given, complete, witnesses = run_watched([asked], lambda show: _core.diagnose(checked(options), show), progress, "diagnose")
     report = Report(given, complete, witnesses)
-    if out is not None:
-        report.save(out)
+    if folder is not None:
+        report.save(folder)
     _raise(given[4])
     return report
 

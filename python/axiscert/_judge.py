@@ -4,6 +4,7 @@ from __future__ import annotations
 import html
 import json
 import os
+import reprlib
 import sys
 import tempfile
 from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
@@ -25,7 +26,7 @@ def names(given: Any) -> List[str]:
     try:
         return [os.fsdecode(one) for one in ([given] if isinstance(given, (str, bytes, os.PathLike)) else given)]
     except TypeError:
-        raise Error(f"{given!r}: give a name or a path, as a text, or several") from None
+        raise Error(f"{reprlib.repr(given)}: give a name or a path, as a text, or several") from None
 
 
 def folder_of(out: Any) -> Optional[str]:
@@ -59,6 +60,8 @@ def shower(progress: Progress, what: str) -> Any:
     """What is called with the progress: a bar of tqdm where that is there, and somebody to see it."""
     if callable(progress):
         return progress
+    if progress not in (None, True, False):
+        raise Error(f"progress={progress!r}: give True, False, or a function of (units done, units, queries, seconds, stage)")
     if progress is None:
         progress = sys.stderr is not None and sys.stderr.isatty()
     if not progress:
@@ -247,6 +250,8 @@ def judge(kernel: Any, *, family: Names = (), trials: Optional[int] = None, seed
     several: List[Any] = list(queries) if isinstance(queries, (list, tuple)) else [queries]
     own: List[Any] = []
     for part in several:
+        if hasattr(part, "dtype"):
+            raise Error(f"queries= are an array of shape {part.shape}; Queries.of makes queries of arrays")
         files: List[Any] = [part] if isinstance(part, Queries) else names(part)
         own += files
     for one in own:
@@ -292,8 +297,9 @@ def judge(kernel: Any, *, family: Names = (), trials: Optional[int] = None, seed
     if raised is not None:
         if not isinstance(raised, KeyboardInterrupt):
             raise raised
-        kept = "" if out is None or seconds is not None else f"; judge(..., out={folder_out!r}, resume=True) does the rest"
-        interrupted = Interrupted("the record has the units of queries that were done" + kept)
+        rest = "" if out is None or seconds is not None else f"; judge(..., out={folder_out!r}, resume=True) does the rest"
+        interrupted = Interrupted("all was done when it came: the record is whole" if record.complete else
+                                  "the record has the units of queries that were done" + rest)
         interrupted.record = record
         raise interrupted from raised
     return record

@@ -15,7 +15,7 @@ from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tupl
 import numpy as np
 
 from . import _core
-from ._errors import Error, KernelRaised
+from ._errors import Error, KernelRaised, text, whole
 from ._queries import Queries, describe, entry_of
 
 _SERVE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "serve.py")
@@ -67,8 +67,10 @@ class Kernel:
 
 def _measure_count(described: Dict[str, Any], measures: Union[int, str, Sequence[str]]) -> int:
     if isinstance(measures, int):
-        return measures
+        return whole("measures", measures)
     names: List[str] = [measure["name"] for measure in described["measures"]]
+    if not isinstance(measures, Iterable):
+        raise Error(f"measures={measures!r}: give \"all\", names or how many; there are: {', '.join(names) or 'none'}")
     if measures == "all":
         return len(names)
     count = 0
@@ -175,19 +177,26 @@ def kernel(function: Optional[Callable[..., Any]] = None, *, name: str = "", pre
         raise Error(f"touching='{touching}': there are: contact, separated, either")
     if sides not in ("both", "front"):
         raise Error(f"sides='{sides}': there are: both, front")
+    if tensors is not None and not callable(tensors):
+        raise Error(f"tensors={tensors!r}: give a function of an array, as torch.from_dlpack")
+    if not isinstance(margin, (int, float)) or not 0 <= margin < float("inf"):
+        raise Error(f"margin={margin!r}: give a number from 0, in the unit of the queries")
+    listed = [precisions] if isinstance(precisions, str) else precisions
+    if not isinstance(listed, Iterable) or not (known := list(listed)):
+        raise Error(f"precisions={precisions!r}: give \"binary32\", \"binary64\" or both")
     of, described = entry_of(predicate, entry), describe(predicate)
-    id = name or re.sub(r"[^A-Za-z0-9._-]+", "-", getattr(function, "__name__", type(function).__name__)).strip("-") or "function"
+    id = text("name", name) or re.sub(r"[^A-Za-z0-9._-]+", "-", getattr(function, "__name__", type(function).__name__)).strip("-") or "function"
     if not re.fullmatch(r"[A-Za-z0-9._-]{1,100}", id):
         raise Error(f"name={id!r}: give 1 to 100 letters, digits, '-', '_', '.'")
     has_bits, count = bool(formulae or conforms_to), _measure_count(described, measures)
     if supervised:
         if tensors is not None:
             raise Error("supervised: the function converts arrays itself; tensors= is for this process")
-        return _program(function, id, of, list(precisions), layout, dict(
+        return _program(function, id, of, known, layout, dict(
             conforms_to=conforms_to, formulae=formulae, touching=touching, sides=sides, may_decline=may_decline, measures=count),
             margin, described["is_of_motions"])
     core = _core.Callable(function, tensors, layout, on_error == "record", dict(
-        id=id, predicate=of["predicate"], entry=of["name"], precisions=list(precisions), bits=has_bits, measures=count,
+        id=id, predicate=of["predicate"], entry=of["name"], precisions=known, bits=has_bits, measures=count,
         touching=touching, sides=sides, margin=float(margin), may_decline=may_decline, conforms_to=conforms_to, formulae=formulae))
     made = Kernel(id, core, function)
     made._predicate = of["predicate"], of["name"]
@@ -251,5 +260,7 @@ def as_kernel(given: Any, predicate: str, entry: str) -> Kernel:
         return given
     if isinstance(given, str):
         return Kernel(given)
+    if not callable(given):
+        raise Error(f"a kernel is a function, or an id as a text, not {type(given).__name__}")
     made: Kernel = kernel(given, predicate=predicate, entry=entry)
     return made

@@ -35,13 +35,13 @@ def describe(predicate: str = "") -> Dict[str, Any]:
     >>> describe("sphere-triangle")["entries"][0]["columns"]
     ['ax', 'ay', 'az', 'bx', 'by', 'bz', 'cx', 'cy', 'cz', 'px', 'py', 'pz', 'r']
     """
-    return dict(_core.predicate(predicate))
+    return dict(_core.predicate(text("predicate", predicate)))
 
 
 def entry_of(predicate: str, entry: str = "") -> Dict[str, Any]:
     """The description of an entry: a form in which the numbers of a query are given; the first where none is named."""
     described = describe(predicate)
-    name = _core.entry_of(predicate, entry)[1]
+    name = _core.entry_of(predicate, text("entry", entry))[1]
     return next(dict(one, predicate=described["id"]) for one in described["entries"] if one["name"] == name)
 
 
@@ -51,12 +51,12 @@ def families(predicate: str = "") -> List[Dict[str, Any]]:
     >>> [family["name"] for family in families("sphere-triangle")][:3]
     ['general', 'tangent', 'seam']
     """
-    return list(_core.families(predicate))
+    return list(_core.families(text("predicate", predicate)))
 
 
 def kernels(predicate: str = "") -> List[Dict[str, Any]]:
     """The built-in kernels of a predicate, or of all: `id`, `summary`, `formulae`, `exposes`."""
-    return list(_core.kernels(predicate))
+    return list(_core.kernels(text("predicate", predicate)))
 
 
 def attribute(group: str) -> str:
@@ -111,6 +111,8 @@ class Queries:
         `a_m` is the group `a.m`; `numbers` takes names as they are. Without a precision, binary32 unless an array is float64
         already. The arrays are copied into one.
         """
+        if numbers is not None and not isinstance(numbers, Mapping):
+            raise Error(f"numbers= is of {type(numbers).__name__}; give a dictionary of arrays by their names")
         given = {**(numbers or {}), **groups}
         described = entry_of(predicate, entry)
         columns: List[str] = described["columns"]
@@ -132,7 +134,7 @@ class Queries:
                             f"there are: {', '.join(attribute(group) for group, _, _ in described['groups'])}")
             try:
                 value = np.asarray(array)
-                if value.dtype.kind not in "biufO":
+                if value.dtype.kind not in "biufO" or value.dtype.kind == "O" and any(one is None for one in value.flat):
                     raise TypeError
                 value = value.astype(DTYPES[precision])
             except (TypeError, ValueError):
@@ -275,7 +277,7 @@ def _whole(source: Any, precision: str, n: Optional[int], seed: int, threads: in
 def load_mesh(path: Union[str, "os.PathLike[str]"], n: int, predicate: str = "", seed: int = 1, precision: str = "binary32", *,
               threads: int = 0) -> Queries:
     """Queries on the triangles of a mesh, of any format that assimp reads."""
-    return _whole(_core.mesh_source(os.fspath(path), predicate), precision, n, seed, threads)
+    return _whole(_core.mesh_source(os.fspath(path), text("predicate", predicate)), precision, n, seed, threads)
 
 
 def load_queries(path: Union[str, "os.PathLike[str]"], precision: str = "binary32") -> Queries:
@@ -303,7 +305,7 @@ def load_all_queries(path: Union[str, "os.PathLike[str]"], precision: str = "bin
 
 def corpus(predicate: str = "", entry: str = "", precision: str = "binary32", folder: str = "") -> Queries:
     """The queries of the corpus: those that were hard once."""
-    return _whole(_core.corpus_source(folder, predicate, entry), precision, None, 1, 1)
+    return _whole(_core.corpus_source(os.fspath(folder), text("predicate", predicate), text("entry", entry)), precision, None, 1, 1)
 
 
 def query_at(address: Union[str, Sequence[str]], *, mesh: str = "", queries: str = "", corpus: str = "") -> Queries:
@@ -315,7 +317,7 @@ def query_at(address: Union[str, Sequence[str]], *, mesh: str = "", queries: str
     addresses = [address] if isinstance(address, str) else [text("address", one) for one in np.atleast_1d(address).tolist()]
     if not addresses:
         raise Error("no address is given; an address is SEED:NAME:VERSION:PRECISION:UNIT:INDEX")
-    parts = _parts(_core.queries_at(addresses, mesh, queries, corpus))
+    parts = _parts(_core.queries_at(addresses, os.fspath(mesh), os.fspath(queries), os.fspath(corpus)))
     if len(parts) > 1:
         raise Error("the addresses are of " + "; ".join(repr(part)[1:-1] for part in parts))
     return parts[0]

@@ -9,7 +9,7 @@ from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 import numpy as np
 
 from . import _core
-from ._errors import Error, whole
+from ._errors import Error, text, whole
 from ._queries import Queries, describe, entry_of
 
 CONTACT, SEPARATED, UNDECIDED, INVALID, UNANSWERED = range(5)
@@ -136,7 +136,7 @@ class Truth:
         if not kernel:
             kernel = described["usual_formulae"] or entry_of(self.queries.predicate, self.queries.entry)["default_kernel"]
         bits = np.arange(len(described["comparisons"]), dtype=np.uint64)
-        holds, ties = self._asked(_core.signs, kernel)
+        holds, ties = self._asked(_core.signs, text("kernel", kernel))
         one = np.uint64(1)
         return ((holds[:, None] >> bits) & one).astype(bool), ((ties[:, None] >> bits) & one).astype(bool)
 

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple, Optional
 import numpy as np
 
 from . import _core
-from ._errors import Error
+from ._errors import Error, text
 from ._queries import Queries
 
 FEATURES = ("vertex_a", "vertex_b", "vertex_c", "edge_ab", "edge_bc", "edge_ca", "face", "none")
@@ -43,13 +43,13 @@ def verdicts(queries: Queries, question: str = "closed") -> "np.ndarray[Any, Any
     >>> bool((verdicts(q) == truth(q).verdict).all())
     True
     """
-    array: "np.ndarray[Any, Any]" = _core.certified_verdicts(_numbers(queries), question)
+    array: "np.ndarray[Any, Any]" = _core.certified_verdicts(_numbers(queries), text("question", question))
     return array
 
 
 def contacts(queries: Queries, question: str = "closed") -> Contacts:
     """The verdict, the nearest part of the triangle, separation, normal and point, within the bounds of axiscert/contact.h."""
-    return _contacts(_core.certified_contacts(_numbers(queries), question))
+    return _contacts(_core.certified_contacts(_numbers(queries), text("question", question)))
 
 
 def _contacts(said: Any, count: Optional[int] = None) -> Contacts:
@@ -73,9 +73,13 @@ def mesh(sphere: Any, vertices: Any, indices: Any, triangles: Any = None, questi
     >>> found.triangles, found.contacts.separation
     (array([0], dtype=uint32), array([-0.5]))
     """
-    points = np.asarray(vertices)
-    if points.dtype not in (np.float32, np.float64):
-        points = points.astype(np.float64)
+    try:
+        points = np.asarray(vertices)
+        if points.dtype not in (np.float32, np.float64):
+            points = points.astype(np.float64, casting="unsafe" if points.dtype == object else "same_kind")
+    except (TypeError, ValueError):
+        raise Error(f"vertices are of {getattr(vertices, 'dtype', type(vertices).__name__)} that are no numbers of one shape; give "
+                    "shape (v, 3)") from None
     if points.ndim != 2 or points.shape[1] != 3:
         raise Error(f"vertices have shape {points.shape}; give shape (v, 3)")
     if points.strides[1] != points.itemsize or points.strides[0] < 3 * points.itemsize or points.strides[0] % points.itemsize:
@@ -86,6 +90,8 @@ def mesh(sphere: Any, vertices: Any, indices: Any, triangles: Any = None, questi
     if faces.size and (faces.min() < 0 or faces.max() >= len(points)):
         raise Error(f"an index is {faces.min() if faces.min() < 0 else faces.max()}, and there are {len(points)} vertices")
     asked = np.arange(len(faces), dtype=np.uint32) if triangles is None else np.asarray(triangles)
+    if asked.shape == (0,):
+        asked = asked.astype(np.uint32)
     if asked.ndim != 1 or asked.dtype.kind not in "iu":
         raise Error(f"triangles have shape {asked.shape} and type {asked.dtype}; give integers of shape (k,)")
     if asked.size and (asked.min() < 0 or asked.max() >= len(faces)):
@@ -97,6 +103,6 @@ def mesh(sphere: Any, vertices: Any, indices: Any, triangles: Any = None, questi
     if ball.shape != (4,):
         raise Error(f"the sphere has shape {ball.shape}; give its centre and radius, shape (4,)")
     contact, invalid, hits, said = _core.certified_mesh(
-        ball, points, np.ascontiguousarray(faces, np.uint32), np.ascontiguousarray(asked, np.uint32), question)
+        ball, points, np.ascontiguousarray(faces, np.uint32), np.ascontiguousarray(asked, np.uint32), text("question", question))
     found = _contacts(said, contact)
     return MeshContacts(hits[:contact], found._replace(verdict=np.zeros(contact, np.uint8)), invalid)

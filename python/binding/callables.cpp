@@ -32,6 +32,12 @@ std::atomic<bool>& Callable::is_abandoned() {
 
 namespace {
 
+// A module that stays.
+py::handle numpy() {
+  static const py::handle module_ = py::module_::import("numpy").release();
+  return module_;
+}
+
 // Of any object, whatever its own methods do, and with what is no UTF-8 as escapes.
 std::string text_of(const py::handle& object) {
   const auto made = py::reinterpret_steal<py::object>(PyObject_Str(object.ptr()));
@@ -59,6 +65,8 @@ py::object Callable::result_of(const QueryColumns<Real>& batch, py::array_t<Real
   // A library of tensors takes no memory that may not be written; what it writes is its own.
   const bool is_converted = !convert_.is_none();
   if (!is_converted) numbers.attr("setflags")(py::arg("write") = false);
+  // Of this thread: queries that overflow are asked on purpose.
+  numpy().attr("seterr")(py::arg("all") = "ignore");
   const auto given = [&](py::object array) { return is_converted ? convert_(array) : array; };
   if (layout_ == Layout::columns) return function_(given(numbers));
   const PredicateEntry& entry = shown_.predicate->entries[shown_.entry];
@@ -75,13 +83,18 @@ py::object Callable::result_of(const QueryColumns<Real>& batch, py::array_t<Real
 
 py::array Callable::array_of(const py::handle& given, const std::string& what, std::size_t size,
                              std::size_t width) const {
-  static const py::handle numpy = py::module_::import("numpy").release();
-  py::object made =
-      py::isinstance<py::array>(given) || py::hasattr(given, "__array__") || !py::hasattr(given, "__dlpack__")
-          ? numpy.attr("asarray")(given)
-          : numpy.attr("from_dlpack")(given);
+  py::object made;
+  try {
+    made = py::isinstance<py::array>(given) || py::hasattr(given, "__array__") || !py::hasattr(given, "__dlpack__")
+               ? numpy().attr("asarray")(given)
+               : numpy().attr("from_dlpack")(given);
+  } catch (const py::error_already_set& raised) {
+    if (!raised.matches(PyExc_Exception)) throw;
+    refuse(fmt::format("its {} are {}, of which NumPy makes no array: {}", what,
+                       text_of(py::type::of(given).attr("__name__")), text_of(raised.value())));
+  }
   py::array array = py::reinterpret_borrow<py::array>(made);
-  static const py::handle masked = py::object(numpy.attr("ma").attr("MaskedArray")).release();
+  static const py::handle masked = py::object(numpy().attr("ma").attr("MaskedArray")).release();
   if (py::isinstance(given, masked)) refuse(fmt::format("its {} are a masked array; give each query an answer", what));
   if (array.ndim() == 0) {
     refuse(fmt::format("its {} are {}, no array; give shape ({}{})", what,

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <type_traits>
 
 #include "kernel/base/error.h"
 #include "python/binding/common.h"
@@ -23,7 +24,12 @@ class Options {
     try {
       value = given.cast<Value>();
     } catch (const py::cast_error&) {
-      throw Error(fmt::format("{}={}: not of the type that this option takes", name, std::string(py::repr(given))));
+      constexpr const char* right = std::is_same_v<Value, bool>   ? "give True or False"
+                                    : std::is_arithmetic_v<Value> ? "give a number"
+                                    : std::is_convertible_v<Value, std::string>
+                                        ? "give a text"
+                                        : "not of the type that this option takes";
+      throw Error(fmt::format("{}={}: {}", name, std::string(py::repr(given)), right));
     }
   }
   void require_all_taken() const {

@@ -71,13 +71,20 @@ def test_a_run_goes_on(tmp_path):
     calls = kernel.calls
     out = tmp_path / "out"
     with pytest.raises(ax.Interrupted, match=r"judge\(\.\.\., out='.*', resume=True\) does the rest") as ended:
-        ax.judge(kernel, progress=stopped_after(2), out=out, **options)
+        ax.judge(kernel, progress=stopped_after(1), out=out, threads=1, **options)
     assert not ended.value.record.complete and os.path.exists(out / "journal")
     begun = kernel.calls
     again = ax.judge(kernel, out=out, resume=True, **options)
     assert again.bytes == whole.bytes == (out / "record.json").read_bytes() and kernel.calls - begun < calls
     assert not os.path.exists(out / "journal")
     assert ax.judge(kernel, out=out, resume=True, **options).bytes == whole.bytes  # begins where there is none
+
+
+def test_an_interrupt_at_the_end_leaves_a_whole_record(tmp_path):
+    options = dict(family="tangent", trials=100, precision="binary32")
+    with pytest.raises(ax.Interrupted, match="^all was done when it came: the record is whole$") as ended:
+        ax.judge("published", progress=stopped_after(1), out=tmp_path / "out", **options)
+    assert ended.value.record.complete and ended.value.record.bytes == ax.judge("published", **options).bytes
 
 
 def test_a_run_that_was_killed_goes_on(tmp_path):
@@ -104,7 +111,7 @@ def test_another_run_does_not_go_on(tmp_path):
         return ax.judge(ax.kernel(mine, name="mine"), **given)
 
     with pytest.raises(ax.Interrupted):
-        begun(progress=stopped_after(1))
+        begun(progress=stopped_after(1), threads=1)
     journal = (tmp_path / "out" / "journal").read_bytes()
     with pytest.raises(ax.Error, match="is not a journal of this plan"):
         begun(resume=True, trials=1 << 17)

@@ -55,6 +55,7 @@ def test_calls_leave_no_objects(name):
                 warnings.simplefilter("ignore")
                 CALLS[name]()
         gc.collect()
+        sys._clear_type_cache()  # which keeps names that were looked up
         return sys.getallocatedblocks()
 
     some(3)
