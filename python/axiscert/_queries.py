@@ -137,7 +137,7 @@ class Queries:
                 if value.dtype.kind not in "biufO" or value.dtype.kind == "O" and any(one is None for one in value.flat):
                     raise TypeError
                 value = value.astype(DTYPES[precision])
-            except (TypeError, ValueError):
+            except (TypeError, ValueError, OverflowError):
                 what = getattr(array, "dtype", type(array).__name__)
                 raise Error(f"'{asked}' is of {what} that are no numbers of one shape; give float32 or float64") from None
             width = len(places[name])
