@@ -206,8 +206,16 @@ def of_family(family: List[str], predicate: str, entry: str) -> Tuple[str, str]:
 def run_watched(kernels: Sequence[Kernel], work: Callable[[Any], Any], progress: Progress, what: str) -> Any:
     """Calls work(progress), and raises what a kernel's function has raised."""
     show = shower(progress, what)
+
+    def require_newest() -> None:
+        for kernel in kernels:
+            kernel.require_newest()
+
+    require_newest()
     try:
-        return work(show)
+        made = work(show)
+        require_newest()  # no thread has taken a name meanwhile
+        return made
     except BaseException as error:
         for kernel in kernels:
             kernel.raise_kept(error)

@@ -184,6 +184,10 @@ class Queries:
             self._addresses = source.addresses(self.precision, seed, [int(i) for i in positions])
         return list(self._addresses)
 
+    def __reduce__(self) -> Any:
+        has_addresses = self._addresses is not None or self._made_by is not None
+        return Queries, (self.predicate, self.numbers, self.entry, self._ids, self.addresses if has_addresses else None)
+
     def __len__(self) -> int:
         return int(self.numbers.shape[1])
 

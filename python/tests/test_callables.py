@@ -221,6 +221,21 @@ def test_threads_inside_a_function():
     assert ax.judge(ax.kernel(threaded, name="one"), **ONE).bytes == ax.judge(ax.kernel(nearest_point_test, name="one"), **ONE).bytes
 
 
+def test_a_name_that_another_function_took(tmp_path):
+    first = ax.kernel(nearest_point_test, name="taken")
+    second = ax.kernel(lambda *q: contact(len(q[0])), name="taken")
+    assert ax.judge(second, **ONE).summary()[0]["missed"] == 0
+    for use in (lambda: ax.judge(first, **ONE), lambda: ax.diagnose(first)):
+        with pytest.raises(ax.Error, match="kernel taken: another function has been given that name since"):
+            use()
+
+    def takes(*news):
+        ax.kernel(nearest_point_test, name="taken")
+
+    with pytest.raises(ax.Error, match="has been given that name since"):
+        ax.judge(second, progress=takes, **ONE)
+
+
 def test_a_function_that_judges():
     def nested(a, b, c, p, r):
         ax.judge("certified", family="tangent", trials=10, threads=1)

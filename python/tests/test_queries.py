@@ -1,5 +1,6 @@
 """Queries as arrays: what generates, selects and reads them, and what is refused."""
 import json
+import pickle
 import warnings
 
 import numpy as np
@@ -150,6 +151,12 @@ def test_a_file_of_queries_that_is_none(tmp_path):
 def test_no_queries_are_queries():
     q = ax.generate("general", 0)
     assert len(q) == 0 and q.addresses == [] and ax.truth(q).verdict.shape == (0,) and ax.truth(q).facts == []
+
+
+def test_queries_are_pickled():
+    for q in (ax.generate("tangent", 5), ax.Queries.of(a=[[0, 0, 0]], b=[[1, 0, 0]], c=[[0, 1, 0]], p=[[0, 0, 2]], r=[1])):
+        again = pickle.loads(pickle.dumps(q))
+        assert np.array_equal(again.numbers, q.numbers) and again.addresses == q.addresses and again.ids == q.ids
 
 
 def test_a_table_of_queries():
