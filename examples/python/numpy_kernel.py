@@ -35,15 +35,13 @@ def nearest_point(a, b, c, p, edges):
 
 
 def first(a, b, c, p, r):
-    with np.errstate(all="ignore"):
-        away = p - nearest_point(a, b, c, p, edges=())
-        return dot(away, away) <= r * r
+    away = p - nearest_point(a, b, c, p, edges=())
+    return dot(away, away) <= r * r
 
 
 def mended(a, b, c, p, r):
-    with np.errstate(all="ignore"):
-        away = p - nearest_point(a, b, c, p, edges=("bc",))
-        return dot(away, away) <= r * r
+    away = p - nearest_point(a, b, c, p, edges=("bc",))
+    return dot(away, away) <= r * r
 
 
 # %% Judged in everyday scenes, in metres: contacts that are invented, where the sphere is beside that edge.

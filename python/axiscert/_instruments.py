@@ -9,7 +9,7 @@ import tempfile
 from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 from . import _core
-from ._errors import Error, Interrupted, checked
+from ._errors import Error, Interrupted, checked, text, whole
 from ._judge import Names, Path, Progress, Record, folder_of, names, of_family, run_watched
 from ._kernels import Kernel, as_kernel, as_kernels
 from ._queries import Queries, load_all_queries, show_notices
@@ -105,7 +105,7 @@ def precision(kernel: Any = (), *, format: Union[str, Sequence[str]] = (), bits:
     """Formulae in formats by name ("bfloat16", "bits=10,emax=31") or of any number of bits; as `axiscert precision`."""
     return _figures("precision", kernel, dict(
         families=names(family), trials=trials, seed=seed, precision=precision, queries=names(queries), meshes=names(mesh),
-        sweep=sweep, numbers=names(format), bits=[bits] if isinstance(bits, int) else list(bits), rounding=rounding,
+        sweep=sweep, numbers=names(format), bits=[whole("bits", one) for one in (bits if isinstance(bits, (list, tuple, range)) else [bits])], rounding=rounding,
         rounding_seeds=rounding_seeds, contraction=fused, round_inputs=round_inputs, threads=threads), progress)
 
 
@@ -199,6 +199,8 @@ def shrink(query: Any, kernel: Any = (), *, what: str = "", evaluations: int = 1
             query.save(given[0])
         else:
             given = names(query)
+            if not given:
+                raise Error("no query is given to shrink: give Queries, an address or a file")
             for address in given:
                 if address.count(":") == 5:
                     predicate, entry = of_family([address.split(":")[1]], "", "")
@@ -234,7 +236,7 @@ def compare(before: Union[Record, Path], after: Union[Record, Path], *, allow_no
                 paths.append(os.path.join(folder, name))
                 run.save(paths[-1])
             else:
-                paths.append(os.fspath(run))
+                paths.append(folder_of("" if run is None else run, name) or "")
         given, passes, markdown = run_watched(
             [], lambda show: _core.compare(paths[0], paths[1], names(allow_not_compared), replay, show), progress, "compare")
     _raise(given[4])
@@ -248,14 +250,14 @@ def certify(kernel: Any, out: Path, *, effort: str = "quick", seed: int = 1, mes
     A certificate states the SHA-256 of files, by which others check it: a function is certified by its file, in a process of its own
     (`axiscert.kernel`, `supervised`), which finds it there by its name. Ctrl-C ends it, and `resume` goes on. Returns certificate.json.
     """
-    asked = _one(kernel, "")
+    asked, folder = _one(kernel, ""), folder_of("" if out is None else out) or ""
     if asked._again is not None:
         try:
             asked = asked._again()
         except Error as why:
             raise Error(f"certify: a certificate states the SHA-256 of the files of a kernel, and of {asked.id} there are none: "
                         f"{why}") from None
-    words = [os.path.join(_BIN, "axiscert"), "certify", asked.id, "--out", os.fspath(out), "--effort", effort, "--seed", str(seed)]
+    words = [os.path.join(_BIN, "axiscert"), "certify", asked.id, "--out", folder, "--effort", text("effort", effort), "--seed", str(seed)]
     for one in names(mesh):
         words += ["--mesh", one]
     for option, value in (("--time", seconds), ("--key", key), ("--threads", threads or None)):
@@ -267,7 +269,7 @@ def certify(kernel: Any, out: Path, *, effort: str = "quick", seed: int = 1, mes
         ended = subprocess.run(words, capture_output=True, text=True)
     except FileNotFoundError:
         raise Error(f"certify: the command is not beside the package: {words[0]}; the Debian package axiscert has it") from None
-    path = os.path.join(out, "certificate.json")
+    path = os.path.join(folder, "certificate.json")
     if ended.returncode > 1 or not os.path.exists(path):
         lines = [line.removeprefix("axiscert: ") for line in ended.stderr.strip().split("\n")]
         raise Error("certify: " + "; ".join(lines))

@@ -29,13 +29,13 @@ def names(given: Any) -> List[str]:
         raise Error(f"{reprlib.repr(given)}: give a name or a path, as a text, or several") from None
 
 
-def folder_of(out: Any) -> Optional[str]:
+def folder_of(out: Any, name: str = "out") -> Optional[str]:
     """A folder that is given, as a text."""
     if out is None:
         return None
     given = names(out) if isinstance(out, (str, bytes, os.PathLike)) else []
     if not given:
-        raise Error(f"out={out!r}: give the path of a folder")
+        raise Error(f"{name}={reprlib.repr(out)}: give the path of a folder")
     return given[0]
 
 
@@ -122,14 +122,9 @@ class Record:
 
     def witness_queries(self) -> List[Queries]:
         """The queries of the witnesses that have an address of a family, each by itself."""
-        plan = self.json["plan"]
-        families = {source["name"] for source in plan["sources"] if source.get("kind") == "family"} if "sources" in plan else None
-        made = []
-        for witness in self.witnesses:
-            address = witness.get("address") or ""
-            if address and (families is None or address.split(":")[1] in families):
-                made.append(query_at(address))
-        return made
+        families = {known["name"] for known in _core.families("")}
+        addresses = [witness.get("address") or "" for witness in self.witnesses]
+        return [query_at(address) for address in addresses if address and address.split(":")[1] in families]
 
     def rows(self) -> List[Dict[str, Any]]:
         """A row for each kernel, precision and family, with every count under its path: "verdict.false_contact"."""
@@ -211,8 +206,16 @@ def of_family(family: List[str], predicate: str, entry: str) -> Tuple[str, str]:
 def run_watched(kernels: Sequence[Kernel], work: Callable[[Any], Any], progress: Progress, what: str) -> Any:
     """Calls work(progress), and raises what a kernel's function has raised."""
     show = shower(progress, what)
+
+    def require_newest() -> None:
+        for kernel in kernels:
+            kernel.require_newest()
+
+    require_newest()
     try:
-        return work(show)
+        made = work(show)
+        require_newest()  # no thread has taken a name meanwhile
+        return made
     except BaseException as error:
         for kernel in kernels:
             kernel.raise_kept(error)

@@ -8,6 +8,7 @@ import json
 import os
 import re
 import sys
+import threading
 import types
 import weakref
 from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
@@ -18,6 +19,8 @@ from . import _core
 from ._errors import Error, KernelRaised, text, whole
 from ._queries import Queries, describe, entry_of
 
+_newest: "weakref.WeakValueDictionary[str, Kernel]" = weakref.WeakValueDictionary()  # the library finds a function by its name
+_naming = threading.Lock()
 _SERVE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "serve.py")
 
 
@@ -31,7 +34,9 @@ class Kernel:
 
     def __init__(self, id: str, core: Any = None, function: Any = None) -> None:
         self.id, self._core, self._function = id, core, function
-        if core is not None:  # what the library keeps of a kernel outlives this; the function does not have to
+        if core is not None:
+            _newest[id] = self
+            # What the library keeps of a kernel outlives this; the function does not have to.
             weakref.finalize(self, core.release)
 
     @property
@@ -45,6 +50,11 @@ class Kernel:
     @property
     def calls(self) -> int:
         return int(self._core.calls) if self._core is not None else 0
+
+    def require_newest(self) -> None:
+        """Raises where another function has its name since."""
+        if self._core is not None and _newest.get(self.id) is not self:
+            raise Error(f"kernel {self.id}: another function has been given that name since; axiscert.kernel(f, name=...) gives another")
 
     def raise_kept(self, cause: Optional[BaseException] = None) -> None:
         """Raises what the function has raised, if it has."""
@@ -195,10 +205,11 @@ def kernel(function: Optional[Callable[..., Any]] = None, *, name: str = "", pre
         return _program(function, id, of, known, layout, dict(
             conforms_to=conforms_to, formulae=formulae, touching=touching, sides=sides, may_decline=may_decline, measures=count),
             margin, described["is_of_motions"])
-    core = _core.Callable(function, tensors, layout, on_error == "record", dict(
+    claims = dict(
         id=id, predicate=of["predicate"], entry=of["name"], precisions=known, bits=has_bits, measures=count,
-        touching=touching, sides=sides, margin=float(margin), may_decline=may_decline, conforms_to=conforms_to, formulae=formulae))
-    made = Kernel(id, core, function)
+        touching=touching, sides=sides, margin=float(margin), may_decline=may_decline, conforms_to=conforms_to, formulae=formulae)
+    with _naming:
+        made = Kernel(id, _core.Callable(function, tensors, layout, on_error == "record", claims), function)
     made._predicate = of["predicate"], of["name"]
     made._again = lambda: kernel(function, **dict(options, supervised=True))
     return made

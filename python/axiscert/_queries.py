@@ -137,7 +137,7 @@ class Queries:
                 if value.dtype.kind not in "biufO" or value.dtype.kind == "O" and any(one is None for one in value.flat):
                     raise TypeError
                 value = value.astype(DTYPES[precision])
-            except (TypeError, ValueError):
+            except (TypeError, ValueError, OverflowError):
                 what = getattr(array, "dtype", type(array).__name__)
                 raise Error(f"'{asked}' is of {what} that are no numbers of one shape; give float32 or float64") from None
             width = len(places[name])
@@ -183,6 +183,10 @@ class Queries:
             source, seed, positions = self._made_by
             self._addresses = source.addresses(self.precision, seed, [int(i) for i in positions])
         return list(self._addresses)
+
+    def __reduce__(self) -> Any:
+        has_addresses = self._addresses is not None or self._made_by is not None
+        return Queries, (self.predicate, self.numbers, self.entry, self._ids, self.addresses if has_addresses else None)
 
     def __len__(self) -> int:
         return int(self.numbers.shape[1])

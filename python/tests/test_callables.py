@@ -6,6 +6,7 @@ import sys
 import textwrap
 import threading
 import time
+import warnings
 
 import numpy as np
 import pytest
@@ -32,6 +33,7 @@ def contact(n):
     (lambda r: np.ones(len(r), int), "verdicts are int64"),
     (lambda r: np.ones(len(r), np.uint32), "comparison bits take formulae="),
     (lambda r: np.array(["x"] * len(r)), "verdicts are <U1"),
+    (lambda r: [[1], [1, 2]], "verdicts are list, of which NumPy makes no array"),
     (lambda r: {"contact": contact(len(r))}, 'has no "verdict"'),
     (lambda r: {"verdict": contact(len(r)), "time": r}, 'has "time"; it may have: verdict$'),
 ])
@@ -168,6 +170,15 @@ def test_no_verdict_is_a_finding():
     assert "its comparison bit 20 is 1; there are comparisons 0 to 15" in record.json["findings"][0]["detail"]
 
 
+def test_queries_that_overflow_warn_of_nothing():
+    def naive(a, b, c, p, r):
+        return ((p - a) ** 2).sum(axis=1) <= r * r
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", RuntimeWarning)
+        assert not ax.judge(ax.kernel(naive, precisions=["binary32"]), family="general", trials=300).json["findings"]
+
+
 def test_exchanged_verdicts_are_said_first():
     with pytest.warns(ax.Notice, match="kernel exchanged: its verdicts are exchanged"):
         ax.judge(ax.kernel(lambda *q: ~nearest_point_test(*q), name="exchanged"), family="general", trials=3000, precision="binary32")
@@ -208,6 +219,21 @@ def test_threads_inside_a_function():
         return out
 
     assert ax.judge(ax.kernel(threaded, name="one"), **ONE).bytes == ax.judge(ax.kernel(nearest_point_test, name="one"), **ONE).bytes
+
+
+def test_a_name_that_another_function_took(tmp_path):
+    first = ax.kernel(nearest_point_test, name="taken")
+    second = ax.kernel(lambda *q: contact(len(q[0])), name="taken")
+    assert ax.judge(second, **ONE).summary()[0]["missed"] == 0
+    for use in (lambda: ax.judge(first, **ONE), lambda: ax.diagnose(first)):
+        with pytest.raises(ax.Error, match="kernel taken: another function has been given that name since"):
+            use()
+
+    def takes(*news):
+        ax.kernel(nearest_point_test, name="taken")
+
+    with pytest.raises(ax.Error, match="has been given that name since"):
+        ax.judge(second, progress=takes, **ONE)
 
 
 def test_a_function_that_judges():
@@ -335,6 +361,12 @@ def test_a_supervised_function(tmp_path):
     (dict(predicate="sphere"), "sphere-triangle"),
     (dict(predicate="box-box", entry="none"), "quaternion"),
     (dict(precisions=["half"]), "binary32"),
+    (dict(precisions=[]), r"precisions=\[\]: give"),
+    (dict(measures=1.5), 'measures=1.5: give "all"'),
+    (dict(margin=-1), "margin=-1: give a number from 0"),
+    (dict(margin=float("nan")), "margin=nan: give a number from 0"),
+    (dict(tensors=3), "tensors=3: give a function"),
+    (dict(name=3), "name=3: give a text"),
     (dict(formulae="closest-point"), "it has no comparisons"),
     (dict(conforms_to="eigen"), "conforms-to"),
     (dict(predicate="box-box", sides="front"), "no triangle with a front"),

@@ -83,11 +83,11 @@ def test_a_certificate(tmp_path):
 
 def test_a_certificate_of_a_function(tmp_path, command):
     """By its file, which has to be there and the same wherever it is verified."""
-    source = tmp_path / "mine.py"
+    source = tmp_path / "centres.py"
     source.write_text("import numpy as np\ndef centre_only(a, b, c, p, r):\n    return np.linalg.norm(a - p, axis=1) <= r\n")
     sys.path.insert(0, str(tmp_path))
     try:
-        from mine import centre_only
+        from centres import centre_only
     finally:
         sys.path.pop(0)
     kernel = ax.kernel(centre_only, precisions=["binary32"])

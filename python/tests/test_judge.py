@@ -138,6 +138,12 @@ def test_what_the_record_shows(tmp_path):
         record.met
 
 
+def test_witnesses_of_a_mesh_have_no_family():
+    record = ax.judge("published", mesh="/usr/share/assimp/models/OBJ/spider.obj", family="tangent", trials=300, precision="binary32")
+    families = [one["address"].split(":")[1] for one in record.witnesses]
+    assert len(set(families)) == 2 and len(record.witness_queries()) == families.count("tangent")
+
+
 def test_a_function_is_judged_as_a_plug_in_of_the_same_answers(tmp_path, command):
     """The kernel of examples/pipe/published.py, in NumPy: as a program of the command and as a function here."""
     import importlib.util

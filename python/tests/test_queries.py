@@ -1,5 +1,6 @@
 """Queries as arrays: what generates, selects and reads them, and what is refused."""
 import json
+import pickle
 import warnings
 
 import numpy as np
@@ -77,7 +78,7 @@ def test_numbers_of_another_shape_or_type(numbers, said):
         ax.Queries("sphere-triangle", numbers)
 
 
-@pytest.mark.parametrize("given", [[["x", "0", "0"]], np.zeros((1, 3), complex), [[0, 0], [0]], [[None, object(), 0]]])
+@pytest.mark.parametrize("given", [[["x", "0", "0"]], np.zeros((1, 3), complex), [[0, 0], [0]], [[None, object(), 0]], [[None, 0, 0]], [[10**400, 0, 0]]])
 def test_what_is_no_number_is_named(given):
     with pytest.raises(ax.Error, match="'a' is of .* no numbers of one shape; give float32"):
         ax.Queries.of(a=given, b=[[1, 0, 0]], c=[[0, 1, 0]], p=[[0, 0, 1]], r=[1])
@@ -106,6 +107,39 @@ def test_words_that_are_not_known():
         ax.generate("tangent", -1)
 
 
+Q = ax.generate("tangent", 2)
+
+
+@pytest.mark.parametrize("call, said", [
+    (lambda: ax.families(3), "predicate=3: give a text"),
+    (lambda: ax.kernels(3), "predicate=3: give a text"),
+    (lambda: ax.generate("tangent", 3, precision=np.float32), "give a text"),
+    (lambda: ax.Queries.of(numbers=3), "numbers= is of int; give a dictionary"),
+    (lambda: ax.truth(Q).signs(3), "kernel=3: give a text"),
+    (lambda: ax.certified.verdicts(Q, 3), "question=3: give a text"),
+    (lambda: ax.certified.mesh([0, 0, 0, 1], [[0, 0, 0], [1]], [[0, 0, 0]]), "vertices are of list that are no numbers"),
+    (lambda: ax.certified.mesh([0, 0, 0, 1], np.zeros((3, 3), complex), [[0, 0, 0]]), "vertices are of complex128"),
+    (lambda: ax.formulae("published", Q, format="bfloat16", round_inputs="yes"), "round_inputs='yes': give True or False"),
+    (lambda: ax.judge("published", queries=Q.numbers), r"an array of shape \(13, 2\); Queries.of"),
+    (lambda: ax.judge("published", progress=3), "progress=3: give True"),
+    (lambda: ax.judge("published", exact_only="no"), "exact_only='no': give True or False"),
+    (lambda: ax.judge("published", precision=32), "precision=32: give a text"),
+    (lambda: ax.diagnose("published", out=3), "out=3: give the path of a folder"),
+    (lambda: ax.search(None), "a kernel is a function, or an id as a text, not NoneType"),
+    (lambda: ax.compare("here", None), "after='': give the path"),
+    (lambda: ax.certify("published", "out", effort=3), "effort=3: give a text"),
+    (lambda: ax.shrink(None, "published"), "no query is given to shrink"),
+    (lambda: ax.precision("published", bits=8.5), "bits=8.5: give a whole number"),
+])
+def test_an_argument_of_another_kind_is_named(call, said):
+    with pytest.raises(ax.Error, match=said):
+        call()
+
+
+def test_no_triangles_of_a_mesh_are_asked():
+    assert len(ax.certified.mesh([0, 0, 0, 1], np.zeros((3, 3)), [[0, 1, 2]], []).triangles) == 0
+
+
 def test_a_file_of_queries_that_is_none(tmp_path):
     (tmp_path / "bad.jsonl").write_text('{"a": 1}\n')
     with pytest.raises(ax.Error, match="bad.jsonl"):
@@ -117,6 +151,12 @@ def test_a_file_of_queries_that_is_none(tmp_path):
 def test_no_queries_are_queries():
     q = ax.generate("general", 0)
     assert len(q) == 0 and q.addresses == [] and ax.truth(q).verdict.shape == (0,) and ax.truth(q).facts == []
+
+
+def test_queries_are_pickled():
+    for q in (ax.generate("tangent", 5), ax.Queries.of(a=[[0, 0, 0]], b=[[1, 0, 0]], c=[[0, 1, 0]], p=[[0, 0, 2]], r=[1])):
+        again = pickle.loads(pickle.dumps(q))
+        assert np.array_equal(again.numbers, q.numbers) and again.addresses == q.addresses and again.ids == q.ids
 
 
 def test_a_table_of_queries():
