@@ -1,6 +1,6 @@
 // ask_contacts QUERIES [MESH...]: the library's contacts against their stated bounds, QUERIES in each precision shared
-// by the families and meshes; a family marked with a cost is asked a sixteenth. One block of sixteen is asked on every
-// instruction set too, one as single pairs and one as a mesh, which have to be the same to the bit. Exit 1: one is
+// by the families and meshes; a family marked with a cost is asked a sixteenth. Of 32 blocks one is asked on every
+// instruction set too, two as single pairs and two as meshes, which have to be the same to the bit. Exit 1: one is
 // wrong.
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -172,12 +172,12 @@ void ask_mesh(const Asked<Real>& asked, Counted& counted) {
   if (next != counts.contacts) counted.add_wrong(asked.first, "a mesh has more contacts");
 }
 
-// Queries `first` to first + size of a source, the open sphere's for every fourth block.
+// Queries `first` to first + size of a source, of the open sphere in every fourth block.
 template <class Real>
 void ask_block(const Source& source, std::uint64_t first, std::size_t size, Counted& counted) {
   QueryBatch<Real> batch(size, coordinate_count);
   source.fill(seed, first, size, batch);
-  const std::uint64_t turn = first / block % 16;
+  const std::uint64_t turn = first / block % 32;
   const QueryColumns<Real> columns = batch.columns();
   const Asked<Real> asked(columns, first, turn % 4 == 3 ? AXISCERT_OPEN_SPHERE : AXISCERT_CLOSED_SPHERE);
   judge(asked, counted);
