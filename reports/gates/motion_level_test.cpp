@@ -162,6 +162,7 @@ EnumArray<TimeFault, TimesSeen> seen_of_all() {
   return seen;
 }
 
+// Long: the suites above plant each kind of fault alone, and this asks all families about all of them.
 TEST(TimeMutantsLong, AreEachSeenByVerdictAndTimeAloneAndTheRightTimesPass) {
   const EnumArray<TimeFault, TimesSeen> seen = seen_of_all();
   const TimesSeen& right = seen[TimeFault::right];
