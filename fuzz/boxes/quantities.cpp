@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/boxes/scaled.h"
 #include "kernel/boxes/box_triangle.h"
 #include "kernel/boxes/boxes.h"
 
@@ -29,9 +30,21 @@ void add_product(std::vector<Double3>& all, const Double3& u, const Double3& v) 
   if (dot(product, product) > 1e-20 * dot(u, u) * dot(v, v)) all.push_back(product);
 }
 
+// The square of the farthest corner's distance from the centre.
+double squared_reach(const DoubleBox& box) {
+  double greatest = 0;
+  for (const Double3& corner : corners_of(DoubleBox{{}, box.half, box.axis}))
+    greatest = std::max(greatest, dot(corner, corner));
+  return greatest;
+}
+
 struct TwoBoxes {
   DoubleBox a, b;
 
+  double squared_extent() const {
+    const Double3 between = b.centre - a.centre;
+    return std::max({dot(between, between), squared_reach(a), squared_reach(b)});
+  }
   std::vector<double> halves() const { return {a.half[0], a.half[1], a.half[2], b.half[0], b.half[1], b.half[2]}; }
   double apart(const Double3& l, double least) const {
     return std::abs(dot(b.centre - a.centre, l)) - reach(a, l, least) - reach(b, l, least);
@@ -52,6 +65,11 @@ struct BoxWithTriangle {
   DoubleBox box;
   std::array<Double3, 3> corner;  // seen from the box's centre
 
+  double squared_extent() const {
+    double greatest = squared_reach(box);
+    for (const Double3& v : corner) greatest = std::max(greatest, dot(v, v));
+    return greatest;
+  }
   std::vector<double> halves() const { return {box.half.begin(), box.half.end()}; }
   Double3 edge(std::size_t k) const { return corner[(k + 1) % 3] - corner[k]; }
   Double3 normal() const { return cross(edge(0), edge(1)); }
@@ -76,6 +94,11 @@ double gap_on_axes(const auto& scene, double least) {
   double greatest = -std::numeric_limits<double>::infinity();
   for (const Double3& l : scene.axes()) greatest = std::max(greatest, scene.apart(l, least) / extent_of(l));
   return greatest;
+}
+
+double rough_depth_of(const auto& scene) {
+  const double squared = scene.squared_extent();
+  return squared > 0 ? -gap_on_axes(scene, 0) / std::sqrt(squared) : 0;
 }
 
 // The length |L| of the product of edges that parts the two the most; 0 where a facet or a plane does, or nothing.
@@ -195,52 +218,62 @@ DoubleBox turned(const TurnedBox<double>& box) {
 }
 
 template <class Entry>
-std::vector<double> values_with_triangle(const auto& load) {
+BoxWithTriangle scene_with_triangle(const auto& load) {
   const BoxAndTriangle<double> q = oriented(Entry::template problem<double>(load));
   const Double3& from = q.box.centre;
-  return values_of(BoxWithTriangle{q.box, {q.corner[0] - from, q.corner[1] - from, q.corner[2] - from}});
+  return {q.box, {q.corner[0] - from, q.corner[1] - from, q.corner[2] - from}};
 }
 
 class BoxBoxQuantities final : public Quantities {
  public:
   std::span<const Quantity> all() const override { return names_of_boxes; }
-  std::vector<double> values(std::size_t entry, const Numbers<float>& query) const override { return of(entry, query); }
+  std::vector<double> values(std::size_t entry, const Numbers<float>& query) const override {
+    return values_of(scene(entry, query));
+  }
   std::vector<double> values(std::size_t entry, const Numbers<double>& query) const override {
-    return of(entry, query);
+    return values_of(scene(entry, query));
+  }
+  std::optional<double> rough_depth(std::size_t entry, const Numbers<float>& query) const override {
+    return rough_depth_of(scene(entry, query));
   }
 
  private:
-  static std::vector<double> of(std::size_t entry, const auto& query) {
+  static TwoBoxes scene(std::size_t entry, const auto& query) {
     const auto load = [&](std::size_t k) { return static_cast<double>(query[k]); };
     if (entry == QuaternionBoxes::entry) {
       const TurnedPair<double> q = QuaternionBoxes::problem<double>(load);
-      return values_of(TwoBoxes{turned(q.a), turned(q.b)});
+      return {turned(q.a), turned(q.b)};
     }
     if (entry == MixedBoxes::entry) {
       const MixedPair<double> q = MixedBoxes::problem<double>(load);
-      return values_of(TwoBoxes{with_matrix(q.a), turned(q.b)});
+      return {with_matrix(q.a), turned(q.b)};
     }
     const BoxPair<double> q = entry == MinmaxBoxes::entry ? with_matrices(MinmaxBoxes::problem<double>(load))
                                                           : MatrixBoxes::problem<double>(load);
-    return values_of(TwoBoxes{q.a, q.b});
+    return {q.a, q.b};
   }
 };
 
 class BoxTriangleQuantities final : public Quantities {
  public:
   std::span<const Quantity> all() const override { return names_of_triangle; }
-  std::vector<double> values(std::size_t entry, const Numbers<float>& query) const override { return of(entry, query); }
+  std::vector<double> values(std::size_t entry, const Numbers<float>& query) const override {
+    return values_of(scene(entry, query));
+  }
   std::vector<double> values(std::size_t entry, const Numbers<double>& query) const override {
-    return of(entry, query);
+    return values_of(scene(entry, query));
+  }
+  std::optional<double> rough_depth(std::size_t entry, const Numbers<float>& query) const override {
+    return rough_depth_of(scene(entry, query));
   }
 
  private:
-  static std::vector<double> of(std::size_t entry, const auto& query) {
+  static BoxWithTriangle scene(std::size_t entry, const auto& query) {
     const auto load = [&](std::size_t k) { return static_cast<double>(query[k]); };
-    if (entry == CentreEntry::entry) return values_with_triangle<CentreEntry>(load);
-    if (entry == MinmaxEntry::entry) return values_with_triangle<MinmaxEntry>(load);
-    if (entry == TurnedEntry::entry) return values_with_triangle<TurnedEntry>(load);
-    return values_with_triangle<OrientedEntry>(load);
+    if (entry == CentreEntry::entry) return scene_with_triangle<CentreEntry>(load);
+    if (entry == MinmaxEntry::entry) return scene_with_triangle<MinmaxEntry>(load);
+    if (entry == TurnedEntry::entry) return scene_with_triangle<TurnedEntry>(load);
+    return scene_with_triangle<OrientedEntry>(load);
   }
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,6 +39,9 @@ class Quantities {
   // none of it.
   virtual std::vector<double> values(std::size_t entry, const Numbers<float>& query) const = 0;
   virtual std::vector<double> values(std::size_t entry, const Numbers<double>& query) const = 0;
+  // In double, by which a search is guided: the depth of a valid query, negative where the shapes are apart, of which
+  // boxes have the gap in place of the distance. Empty where it is not told.
+  virtual std::optional<double> rough_depth(std::size_t, const Numbers<float>&) const { return std::nullopt; }
 
  protected:
   ~Quantities() = default;

@@ -75,19 +75,63 @@ std::vector<double> values_of(const GivenMotion& q) {
           edges[2]};
 }
 
+// The point of a triangle that is nearest to 0: among those of its edges and, where that is inside, of its plane.
+Double3 nearest_of(const std::array<Double3, 3>& v) {
+  Double3 nearest = v[0];
+  const auto note = [&](const Double3& point) {
+    if (dot(point, point) < dot(nearest, nearest)) nearest = point;
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Double3 edge = v[(k + 1) % 3] - v[k];
+    const double squared = dot(edge, edge);
+    if (squared > 0) note(v[k] + edge * std::clamp(-dot(v[k], edge) / squared, 0.0, 1.0));
+  }
+  const Double3 normal = cross(v[1] - v[0], v[2] - v[0]);
+  const double a = dot(normal, cross(v[1], v[2])), b = dot(normal, cross(v[2], v[0])),
+               c = dot(normal, cross(v[0], v[1]));
+  if (a > 0 && b > 0 && c > 0) note((v[0] * a + v[1] * b + v[2] * c) * (1 / (a + b + c)));
+  return nearest;
+}
+
+// The distance is convex in the time, and falls as long as the centre moves towards the nearest point.
+double rough_depth_of(const GivenMotion& q) {
+  const Double3 d = q.displacement<double>([](double x) { return x; });
+  const auto seen = [&](double t) {
+    const Double3 centre = q.p + d * t;
+    return std::array<Double3, 3>{q.a - centre, q.b - centre, q.c - centre};
+  };
+  double scene = q.r, first = 0, last = 1;
+  for (const double t : {first, last}) {
+    for (const Double3& v : seen(t)) scene = std::max(scene, extent_of(v));
+  }
+  double least = std::min(extent_of(nearest_of(seen(first))), extent_of(nearest_of(seen(last))));
+  for (int step = 0; step < 50; ++step) {
+    const double middle = (first + last) / 2;
+    const Double3 nearest = nearest_of(seen(middle));
+    least = std::min(least, extent_of(nearest));
+    (dot(nearest, d) > 0 ? first : last) = middle;
+  }
+  return scene > 0 ? (q.r - least) / scene : 0;
+}
+
 class MotionQuantities final : public Quantities {
  public:
   std::span<const Quantity> all() const override { return names; }
-  std::vector<double> values(std::size_t entry, const Numbers<float>& query) const override { return of(entry, query); }
+  std::vector<double> values(std::size_t entry, const Numbers<float>& query) const override {
+    return values_of(motion(entry, query));
+  }
   std::vector<double> values(std::size_t entry, const Numbers<double>& query) const override {
-    return of(entry, query);
+    return values_of(motion(entry, query));
+  }
+  std::optional<double> rough_depth(std::size_t entry, const Numbers<float>& query) const override {
+    return rough_depth_of(motion(entry, query));
   }
 
  private:
-  static std::vector<double> of(std::size_t entry, const auto& query) {
+  static GivenMotion motion(std::size_t entry, const auto& query) {
     const auto load = [&](std::size_t k) { return static_cast<double>(query[k]); };
-    if (entry == MovingEnds::entry) return values_of(MovingEnds::problem<double>(load));
-    return values_of(MovingSphere::problem<double>(load));
+    if (entry == MovingEnds::entry) return MovingEnds::problem<double>(load);
+    return MovingSphere::problem<double>(load);
   }
 };
 

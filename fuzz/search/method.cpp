@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 
+#include "fuzz/confirm/absolute_size.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/search/moves.h"
 
@@ -73,6 +74,12 @@ void VerdictGuide<Real>::solve_lengths(Goal goal, QueryBatch<Real>& batch) {
 template <class Real>
 double VerdictGuide<Real>::score(Goal goal, const Numbers<Real>& q, Verdict said) const {
   if (said != (goal == Goal::missed_contact ? Verdict::separated : Verdict::contact)) return 0;
+  if constexpr (std::is_same_v<Real, float>) {
+    const Quantities* const quantities = capabilities_of(*kernel_.predicate).quantities;
+    const auto rough = quantities ? quantities->rough_depth(kernel_.entry, q) : std::nullopt;
+    // Of what is no number, 0.
+    if (rough) return std::max(0.0, goal == Goal::missed_contact ? *rough : -*rough);
+  }
   const Truth truth = oracles_.truth(q);
   const auto right = truth.verdict == Verdict::invalid ? std::nullopt : right_verdict(truth, kernel_.touching);
   return right && *right != said ? oracles_.depth(q).value_or(0) : 0;
@@ -94,7 +101,6 @@ template class VerdictGuide<double>;
 
 namespace {
 
-// Each evaluation asks the exact truth: there is no quick estimate.
 class SearchByVerdicts final : public SearchMethod {
  public:
   std::vector<Aim> aims(const Kernel& kernel, const std::vector<std::size_t>& /*only*/) const override {

@@ -6,6 +6,8 @@
 #include "exact/boxes/cofactor_bound.h"
 #include "exact/trait/examine.h"
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/confirm/absolute_size.h"
+#include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/query_shape.h"
 #include "fuzz/search/method.h"
@@ -119,6 +121,31 @@ TEST(SearchMotions, TheLengthIsSetToWhereTheVerdictChanges) {
   guide.evaluate({Goal::missed_contact}, batch, scores, said);
   EXPECT_EQ(batch[0][15], std::nextafter(1.5f, 0.0f));
   EXPECT_EQ(scores[0], 0);
+}
+
+// Of queries as a search has them.
+TEST(SearchByVerdicts, RoughDepthsAreThoseOfTheOracles) {
+  for (const char* name : {"moving-sphere", "box-box", "box-triangle"}) {
+    const Predicate& predicate = find_predicate(name);
+    const Quantities& quantities = *capabilities_of(predicate).quantities;
+    for (std::size_t entry = 0; entry < predicate.entries.size(); ++entry) {
+      const Oracles& oracles = oracles_of(predicate, entry);
+      const QueryShape shape = shape_of(predicate.entries[entry]);
+      for (const Family* family : families_of(predicate, entry)) {
+        for (std::uint64_t n = 0; n < 12; ++n) {
+          Numbers<float> q = family->make<float>(motions_seed, n);
+          settle(shape, q);
+          if (!may_be_valid(shape, q) || !oracles.is_valid(q)) continue;
+          const double rough = quantities.rough_depth(entry, q).value(), depth = oracles.depth(q).value();
+          const bool is_gap = !is_of_motions(predicate);
+          const bool apart = oracles.truth(q).verdict == Verdict::separated;
+          const double least = apart ? -depth : depth, most = !apart ? depth : is_gap ? 0 : -depth;
+          EXPECT_GT(rough, least - 1e-12) << family->name << ' ' << n;
+          EXPECT_LT(rough, most + 1e-12) << family->name << ' ' << n;
+        }
+      }
+    }
+  }
 }
 
 TEST(SearchMotions, WhateverTheMovesMakeSettles) {

@@ -187,8 +187,9 @@ class LeagueReport {
           thousands(count_of(all, FindingKind::hang)), thousands(count_of(all, FindingKind::crash)),
           thousands(other_findings(all))});
       const std::optional<double> ns = time(k, precision);
-      if (ns) row.push_back(fmt::format("{:.3g}", *ns));
-      if (ns && certified) row.push_back(fmt::format("{:.3g}", *ns / *certified));
+      const auto ratio = [&](double by) { return ns ? fmt::format("{:.3g}", *ns / by) : "not measured"; };
+      if (!league_.nanoseconds.empty()) row.push_back(ratio(1));
+      if (certified) row.push_back(ratio(*certified));
     });
     return table;
   }

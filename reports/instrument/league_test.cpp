@@ -181,6 +181,14 @@ TEST(LeagueFirst, IsTheFarthestSceneAndWhoIsRight) {
   EXPECT_THAT(wrong.worst->sentence, testing::HasSubstr("invents a contact across a gap of 16.6 cm, where r is "));
 }
 
+// As a program's: its time is not taken.
+TEST(League, OfAContenderWithoutATimeTheTableSaysNotMeasured) {
+  WorstRun run(find_kernel("published"));
+  run.league.nanoseconds[{Precision::binary32, 1}] = 2.5;
+  const std::string text = instrument_text(league_report(run.league, run.result, "axiscert league"));
+  EXPECT_THAT(text, testing::ContainsRegex("ns a query\n  published .* 0  not measured\n"));
+}
+
 TEST(LeagueWorst, HasTheCodeOfAProgramsManifestWithNumbersThatReadBackExactly) {
   TestFolder folder;
   folder.write("m.json", R"({"format":"axiscert-program/2","name":"m","command":["sh"],"precisions":["binary32"],)"
