@@ -85,11 +85,11 @@ def definitions():
         if path.suffix not in (".cpp", ".h") or re.search(r"_(test|bench|target|testing)\.", path.name):
             continue
         file, text = str(path.relative_to(ROOT)), re.sub(r"//.*", "", path.read_text())
-        for name, body in re.findall(r"^(?:template <.*>\s)?(?:class|struct) (\w+)[^;{()]*\{(.*?)^\}", text, re.M | re.S):
+        for name, body in re.findall(r"^(?:template <[^\n]*>\s)?(?:class|struct) (\w+)[^;{()]*\{(.*?)^\}", text, re.M | re.S):
             for function in re.findall(r"(~?\w+)\(", body):
                 found[name, function].add(file)
         for match in re.finditer(r"^(?!template|class|struct|namespace|using|enum|typedef|#)[A-Za-z_][^\n(;=]*?"
-                                 r"(?:(\w+)(?:<[^()\n]*>)?::)?(~?\w+)\(", text, re.M):
+                                 r"(?:\b(\w+)(?:<[^()<>\n]*>)?::)?(~?\w+)\(", text, re.M):
             depth, end = 1, match.end()
             while depth and end < len(text):
                 depth += {"(": 1, ")": -1}.get(text[end], 0)

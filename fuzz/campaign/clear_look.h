@@ -1,7 +1,7 @@
 // The look at clear queries, of kernels whose wrong verdicts have no links to tell the cause.
 #pragma once
 
-#include "fuzz/campaign/stages.h"
+#include "fuzz/campaign/unit.h"
 
 namespace axiscert {
 

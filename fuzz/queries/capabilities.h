@@ -91,7 +91,7 @@ struct Capabilities {
   const MeshQueries* mesh = nullptr;                            // fuzz/meshes/mesh.h: queries for a mesh
   std::string (*canonical_form)(const StoredQuery&) = nullptr;  // fuzz/files/corpus.h: of all images of a query
 
-  const Screens* screens = nullptr;                   // fuzz/campaign/stages.h: of a predicate with filters
+  const Screens* screens = nullptr;                   // fuzz/campaign/unit.h: of a predicate with filters
   const InputClasses* input_classes = nullptr;        // above
   const NearestFeatures* nearest_features = nullptr;  // above
   bool has_engine_queries = false;                    // which the screen counts (fuzz/record/wrong_verdicts.h)

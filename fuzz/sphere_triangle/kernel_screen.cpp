@@ -79,10 +79,47 @@ KernelScreen<Real>::KernelScreen(KernelRun<Real>& run, const JudgingOptions& jud
       errors_(formulae_, judging.tolerances, filter, run.standing(), first_position, tally_) {}
 
 template <class Real>
-void KernelScreen<Real>::look_at_errors(const DecidedBatch<Real>& batch) {
+void KernelScreen<Real>::count_in_bulk(const DecidedBatch<Real>& batch) {
   if (!by_signs_) return;
   if (kernel_.is_reference) reference_.evaluate(batch.queries.columns());
-  if (!run_.shows_sides()) return;
+  const Real* radii = batch.queries.columns().column[coordinate_count - 1];
+  const auto count_if_clean = [&](std::size_t i) {
+    const Signs signs = batch.signs[i].signs;
+    const ComparisonBits exact = signs.bits(kernel_.strictness);
+    const AxisBits axes = axes_table[exact];
+    const Verdict right = verdict_of(axes_table[signs.bits(Strictness::nonstrict)]);
+    const Answer answer = run_.answer(i);
+    if (answer.verdict != right) return false;
+    const bool touching = (signs.ties != 0 || radii[i] == 0) && is_touching(signs, radii[i] == 0);
+    if (touching && kernel_.touching != TouchingPolicy::contact) return false;
+    if (formulae_ == Formulae::none) {
+      clean_.add_verdict(right, touching);
+      return true;
+    }
+    if (verdict_of(axes) != right || (answer.bits && *answer.bits != exact)) return false;
+    if (kernel_.is_reference && reference_.shared(i) != exact) return false;
+    clean_.add(axes, signs.ties, touching);
+    return true;
+  };
+  // The same in a few comparisons of flat arrays, where no sign is a tie: of nearly all queries.
+  const bool is_flat = formulae_ != Formulae::none && !run_.has_replies(), is_reference = kernel_.is_reference;
+  const Verdict* verdicts = run_.reply().verdicts.data();
+  const ComparisonBits* bits = run_.reply().has_bits ? run_.reply().answers.bits.data() : nullptr;
+  counted_.assign(batch.size(), false);
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (batch.is_exact(i)) continue;
+    const Signs signs = batch.signs[i].signs;
+    const AxisBits axes = axes_table[signs.strict];
+    const bool is_clear = is_flat && signs.ties == 0 && radii[i] != 0 && verdicts[i] == verdict_of(axes) &&
+                          (!bits || bits[i] == signs.strict) && (!is_reference || reference_.shared(i) == signs.strict);
+    if (is_clear) clean_.add(axes, 0, false);
+    counted_[i] = is_clear || count_if_clean(i);
+  }
+}
+
+template <class Real>
+void KernelScreen<Real>::look_at_errors(const DecidedBatch<Real>& batch) {
+  if (!by_signs_ || !run_.shows_sides()) return;
   const Reply<Real>& reply = run_.reply();
   if (std::find(reply.verdicts.begin(), reply.verdicts.end(), Verdict::unanswered) == reply.verdicts.end()) {
     errors_.look(batch, batch.screening, reply.answers);
@@ -95,51 +132,9 @@ void KernelScreen<Real>::look_at_errors(const DecidedBatch<Real>& batch) {
   errors_.look(batch, answered, reply.answers);
 }
 
-// Without ties strict and non-strict signs are the same, no query touches, and each predicate is one comparison of flat
-// arrays.
-template <class Real>
-void KernelScreen<Real>::count_in_bulk(const DecidedBatch<Real>& batch) {
-  counted_.clear();
-  if (!by_signs_ || run_.has_replies()) return;
-  if (formulae_ == Formulae::none || (kernel_.is_reference && !reference_.has_form())) return;
-  counted_.assign(batch.size(), false);
-  const Real* radii = batch.queries.columns().column[coordinate_count - 1];
-  const Reply<Real>& reply = run_.reply();
-  const ComparisonBits* bits = reply.has_bits ? reply.answers.bits.data() : nullptr;
-  for (std::size_t i = 0; i < batch.size(); ++i) {
-    const Signs signs = batch.signs[i].signs;
-    const AxisBits axes = axes_table[signs.strict];
-    const bool is_clear = !batch.is_exact(i) && signs.ties == 0 && radii[i] != 0;
-    const bool is_right = reply.verdicts[i] == verdict_of(axes) && (!bits || bits[i] == signs.strict) &&
-                          (!kernel_.is_reference || reference_.are_both(i, signs.strict));
-    if (!(is_clear && is_right)) continue;
-    clean_.add(axes, 0, false);
-    counted_[i] = true;
-  }
-}
-
 template <class Real>
 void KernelScreen<Real>::count_engine_like(std::uint64_t queries) {
   if (!kernel_.limits.any()) tally_.verdict.engine->queries += queries;
-}
-
-template <class Real>
-bool KernelScreen<Real>::count_if_clean(std::size_t i, const Signs& signs, bool radius_is_zero) {
-  const Answer answer = run_.answer(i);
-  const Verdict right = verdict_of(axes_table[signs.bits(Strictness::nonstrict)]);
-  if (answer.verdict != right) return false;
-  const bool touching = (signs.ties != 0 || radius_is_zero) && is_touching(signs, radius_is_zero);
-  if (touching && kernel_.touching != TouchingPolicy::contact) return false;
-  if (formulae_ == Formulae::none) {
-    clean_.add_verdict(right, touching);
-    return true;
-  }
-  const ComparisonBits exact = signs.bits(kernel_.strictness);
-  const AxisBits axes = axes_table[exact];
-  if (verdict_of(axes) != right || (answer.bits && *answer.bits != exact)) return false;
-  if (kernel_.is_reference && reference_.shared(i) != exact) return false;
-  clean_.add(axes, signs.ties, touching);
-  return true;
 }
 
 template <class Real>

@@ -6,7 +6,7 @@
 #include "exact/sphere_triangle/asked_sphere_triangle.h"
 #include "exact/sphere_triangle/filters/signs.h"
 #include "exact/sphere_triangle/unbounded/reference_batch.h"
-#include "fuzz/campaign/stages.h"
+#include "fuzz/campaign/unit.h"
 #include "fuzz/record/tally.h"
 #include "fuzz/sphere_triangle/error_watch.h"
 #include "kernel/sphere_triangle/query.h"
@@ -89,17 +89,15 @@ class KernelScreen {
   bool shows_comparisons() const { return kernel_.exposes != Exposure::verdict; }
   bool judges_by_signs() const { return by_signs_; }
 
-  // Evaluates the reference and looks at the errors of the computed sides, where the kernel is judged by signs.
-  void look_at_errors(const DecidedBatch<Real>& batch);
-  // Counts the queries on which no sign is a tie and nothing is wrong with the answer, unless exact arithmetic judges
-  // them.
+  // These, where the kernel is judged by signs. Evaluates the reference, and counts the queries on which nothing is
+  // wrong with the answer, unless exact arithmetic judges them.
   void count_in_bulk(const DecidedBatch<Real>& batch);
+  // Looks at the errors of the computed sides.
+  void look_at_errors(const DecidedBatch<Real>& batch);
   // Counts the engine-like queries of a batch, unless the kernel has limits: then they are counted one by one.
   void count_engine_like(std::uint64_t queries);
   bool has_counted(std::size_t i) const { return !counted_.empty() && counted_[i]; }
 
-  // Counts a query by its signs if nothing is wrong with the answer, and returns whether it did.
-  bool count_if_clean(std::size_t i, const Signs& signs, bool radius_is_zero);
   void judge_by_signs(std::size_t i, const Signs& signs, AskedSphereTriangle<Real>& look);
   // The oracles judged the answer to query `i`, which lies within the limits: counts the class of a wrong verdict's
   // input and the errors of the sides. Where a filter decided the query too, what it and the SIMD reference said is

@@ -1,5 +1,9 @@
 #include "fuzz/sphere_triangle/screen.h"
 
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
 #include <algorithm>
 
 #include "exact/sphere_triangle/measures/input_class.h"
@@ -7,6 +11,80 @@
 #include "fuzz/record/margins.h"
 
 namespace axiscert {
+namespace {
+
+void require_ieee_modes() {
+#if defined(__x86_64__)
+  // The vector unit's own register: rounding in bits 13 and 14, flush to zero 15, denormals are zero 6.
+  const bool is_ieee = (_mm_getcsr() & 0xe040u) == 0;
+#else
+  const bool is_ieee = true;
+#endif
+  if (is_ieee && std::fegetround() == FE_TONEAREST) return;
+  throw HarnessFault(
+      "the rounding mode is not to nearest, or subnormals are flushed: something left it so, and no filter "
+      "is certain");
+}
+
+}  // namespace
+
+template <class Real>
+DecidedBatch<Real> Decider<Real>::decide(const MadeBatch<Real>& made) {
+  const std::size_t size = made.size();
+  screening_.assign(size, Screening::skipped);
+  if (exact_only_) {
+    steps_.queries[Step::exact] += size;
+    undecided_.resize(size);
+    return {made, undecided_, screening_};
+  }
+  require_ieee_modes();
+  const std::vector<DecidedSigns>& decided = cascade_.decide(made.queries);
+  EnumArray<Step, std::uint64_t> queries{};
+  EnumArray<Step, std::array<std::uint32_t, comparison_count>> in_lanes{};  // signs of queries that the lanes left
+  for (std::size_t i = 0; i < size; ++i) {
+    const DecidedSigns& found = decided[i];
+    ++queries[found.step];
+    if (found.step != Step::lanes) {
+      for (std::size_t k = 0; k < comparison_count; ++k) in_lanes[found.step][k] += found.certain_in_lanes >> k & 1u;
+    }
+    if (found.step == Step::exact) continue;
+    const std::uint64_t stride = found.step == Step::integers ? integer_check_stride : second_opinion_stride;
+    const bool is_checked = (made.position + i) % stride == 0 || found.is_close;
+    steps_.checked += is_checked;
+    screening_[i] = is_checked ? Screening::cross_checked : Screening::screened;
+  }
+  for (std::size_t s = 0; s < enum_count<Step>; ++s) {
+    const auto step = static_cast<Step>(s);
+    steps_.queries[step] += queries[step];
+    for (std::size_t k = 0; k < comparison_count; ++k) {
+      steps_.signs[k][step] += queries[step] - in_lanes[step][k];
+      steps_.signs[k][Step::lanes] += in_lanes[step][k];
+    }
+  }
+  return {made, decided, screening_};
+}
+
+template <class Real>
+Opinion Decider<Real>::opinion_on(std::uint64_t position) const {
+  if (exact_only_) return Opinion::exact_only;
+  return position % second_opinion_stride == 0 ? Opinion::second : Opinion::first;
+}
+
+template <class Real>
+void Decider<Real>::check(const DecidedBatch<Real>& batch, std::size_t index, const Query<Real>& q,
+                          const ExactTruth& truth) {
+  if (!truth.sides) return;
+  second_opinions_ += opinion_on(batch.position + index) != Opinion::first;
+  ++steps_.by_cgal;
+  if (batch.is_filtered(index)) require_same(batch.signs[index], truth, q);
+}
+
+template <class Real>
+void Decider<Real>::count_times() const {
+  for (const Step step : {Step::lanes, Step::grid, Step::wide, Step::integers}) {
+    steps_.steps[step] = cascade_.nanoseconds(step);
+  }
+}
 
 template <class Real>
 SphereTriangleScreen<Real>::SphereTriangleScreen(const ScreenedRuns<Real>& of)
@@ -24,19 +102,23 @@ void SphereTriangleScreen<Real>::decide(const MadeBatch<Real>& made) {
 }
 
 template <class Real>
-void SphereTriangleScreen<Real>::look_at_errors() {
-  for (KernelScreen<Real>& kernel : kernels_) kernel.look_at_errors(*batch_);
-}
-
-template <class Real>
-void SphereTriangleScreen<Real>::count_in_bulk() {
-  open_.assign(batch_->size(), false);
+const std::vector<std::size_t>& SphereTriangleScreen<Real>::count_in_bulk() {
   const std::uint64_t engine_like = engine_like_queries(batch_->queries.columns());
   for (KernelScreen<Real>& kernel : kernels_) {
     kernel.count_engine_like(engine_like);
     kernel.count_in_bulk(*batch_);
-    for (std::size_t i = 0; i < open_.size(); ++i) open_[i] |= static_cast<char>(!kernel.has_counted(i));
   }
+  open_.clear();
+  for (std::size_t i = 0; i < batch_->size(); ++i) {
+    const auto is_left = [&](const KernelScreen<Real>& kernel) { return !kernel.has_counted(i); };
+    if (std::any_of(kernels_.begin(), kernels_.end(), is_left)) open_.push_back(i);
+  }
+  return open_;
+}
+
+template <class Real>
+void SphereTriangleScreen<Real>::look_at_errors() {
+  for (KernelScreen<Real>& kernel : kernels_) kernel.look_at_errors(*batch_);
 }
 
 template <class Real>
@@ -50,9 +132,7 @@ bool SphereTriangleScreen<Real>::try_judge(std::size_t k, std::size_t i) {
   KernelScreen<Real>& kernel = kernels_[k];
   if (kernel.has_counted(i)) return true;
   if (batch_->is_exact(i) || !kernel.judges_by_signs()) return false;
-  const bool radius_is_zero = batch_->queries.columns().column[coordinate_count - 1][i] == 0;
-  const Signs& signs = batch_->signs[i].signs;
-  if (!kernel.count_if_clean(i, signs, radius_is_zero)) kernel.judge_by_signs(i, signs, look(i));
+  kernel.judge_by_signs(i, batch_->signs[i].signs, look(i));
   return true;
 }
 

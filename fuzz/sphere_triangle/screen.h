@@ -7,11 +7,47 @@
 #include <optional>
 
 #include "exact/sphere_triangle/asked_sphere_triangle.h"
-#include "fuzz/campaign/stages.h"
-#include "fuzz/sphere_triangle/decider.h"
+#include "exact/sphere_triangle/filters/cascade.h"
+#include "fuzz/campaign/unit.h"
 #include "fuzz/sphere_triangle/kernel_screen.h"
 
 namespace axiscert {
+
+// How the queries of a batch are decided: by filters, each of whose answers is certain, and by exact arithmetic where
+// they are silent, on a sample of the rest, and on the close calls that they report.
+template <class Real>
+class Decider {
+ public:
+  Decider(const JudgingOptions& judging, const std::string& target, StepCounts& steps, std::uint64_t& second_opinions)
+      : exact_only_(judging.exact_only),
+        filter_(filter_on<Real>(target, judging.planted)),
+        cascade_(filter_),
+        steps_(steps),
+        second_opinions_(second_opinions) {
+    steps_.signs.resize(comparison_count);
+  }
+
+  const Filter<Real>& filter() const { return filter_; }
+  // Good until the next call.
+  DecidedBatch<Real> decide(const MadeBatch<Real>& made);
+
+  // How the oracles are asked about the query at this position.
+  Opinion opinion_on(std::uint64_t position) const;
+  // Compares the exact truth of query `index`, which is `q`, with what a filter decided. Throws OracleDisagreement.
+  void check(const DecidedBatch<Real>& batch, std::size_t index, const Query<Real>& q, const ExactTruth& truth);
+
+  // Adds the time that the filters took, in nanoseconds, to the counts.
+  void count_times() const;
+
+ private:
+  bool exact_only_;
+  Filter<Real> filter_;
+  Cascade<Real> cascade_;
+  StepCounts& steps_;
+  std::uint64_t& second_opinions_;
+  std::vector<DecidedSigns> undecided_;  // where no filter is used
+  std::vector<Screening> screening_;
+};
 
 // A query that the oracles are asked about: what a filter decided of it is compared with what they say.
 template <class Real>
@@ -50,9 +86,8 @@ class SphereTriangleScreen final : public Screen<Real> {
   explicit SphereTriangleScreen(const ScreenedRuns<Real>& of);
 
   void decide(const MadeBatch<Real>& batch) override;
+  const std::vector<std::size_t>& count_in_bulk() override;
   void look_at_errors() override;
-  void count_in_bulk() override;
-  bool is_open(std::size_t i) const override { return open_[i]; }
   bool try_judge(std::size_t k, std::size_t i) override;
   AskedQuery& about(std::size_t i) override { return look(i); }
   void look_at_answer(std::size_t k, std::size_t i, const typename KernelRun<Real>::JudgedAnswer& found) override;
@@ -70,7 +105,7 @@ class SphereTriangleScreen final : public Screen<Real> {
   Decider<Real> decider_;
   std::deque<KernelScreen<Real>> kernels_;
   std::optional<DecidedBatch<Real>> batch_;
-  std::vector<char> open_;  // by query of the batch: some kernel's answer is not counted yet
+  std::vector<std::size_t> open_;
   std::optional<CheckedQuery<Real>> look_;
 };
 

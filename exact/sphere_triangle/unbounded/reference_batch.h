@@ -42,8 +42,6 @@ class ReferenceBatch {
  public:
   explicit ReferenceBatch(const Kernel& kernel);
   void evaluate(const QueryColumns<Real>& batch);
-  // Whether the formulae have such a form.
-  bool has_form() const { return form_ != nullptr; }
   // The decisions of both; empty if the formulae have no such form.
   std::optional<RoundedBits> rounded(std::size_t i) const {
     if (bits_.empty()) return std::nullopt;
@@ -54,8 +52,6 @@ class ReferenceBatch {
     if (bits_.empty() || bits_[i] != range_free(i)) return std::nullopt;
     return bits_[i];
   }
-  // Whether both have these bits.
-  bool are_both(std::size_t i, ComparisonBits bits) const { return bits_[i] == bits && range_free(i) == bits; }
 
  private:
   // If no operation over- or underflowed in a block of queries, the two are the same

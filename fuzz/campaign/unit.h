@@ -1,4 +1,4 @@
-// One kernel at work on the batches of one unit, and a query looked at closely for it.
+// The parts of a unit: a kernel at work on its batches, a query looked at closely for it, and the screen between.
 #pragma once
 
 #include <deque>
@@ -27,14 +27,14 @@ class CloseLook {
  public:
   // `asked` is about `numbers`; all have to outlive this.
   CloseLook(const Oracles& oracles, const Numbers<Real>& numbers, AskedQuery& asked)
-      : oracles_(oracles), numbers_(numbers), asked_(asked), truth_(asked.truth()) {}
+      : oracles_(oracles), numbers_(numbers), asked_(asked) {}
 
-  const Truth& truth() const { return truth_; }
-  bool is_valid() const { return truth_.verdict != Verdict::invalid; }
+  Truth truth() { return asked_.truth(); }
+  bool is_valid() { return truth().verdict != Verdict::invalid; }
   DepthOf& depth() { return asked_.depth(); }
   // Empty without a claim or a truth.
   std::optional<Reference> chain(const Kernel& kernel) { return is_valid() ? asked_.chain(kernel) : std::nullopt; }
-  bool is_promised_by(const Kernel& kernel) const {
+  bool is_promised_by(const Kernel& kernel) {
     return !is_valid() || is_promised(oracles_, kernel.limits, kernel.motion, numbers_);
   }
 
@@ -42,7 +42,6 @@ class CloseLook {
   const Oracles& oracles_;
   const Numbers<Real>& numbers_;
   AskedQuery& asked_;
-  Truth truth_;
 };
 
 // A valid query of a batch, of which what kernels say beside their verdicts is judged: the judge is made once for all.
@@ -91,7 +90,9 @@ class KernelRun {
   // These are about the batch asked last.
   std::uint64_t position(std::size_t i) const { return position_ + i; }
   const Reply<Real>& reply() const { return reply_; }
-  Answer answer(std::size_t i) const;
+  Answer answer(std::size_t i) const {
+    return replies_ ? replies_->at(source_, precision_of<Real>, position_ + i) : reply_.outcome(i);
+  }
   bool is_answered(std::size_t i) const { return reply_.verdicts[i] != Verdict::unanswered; }
   bool shows_sides() const { return kernel_.exposes == Exposure::sides && reply_.has_bits; }
 
@@ -144,10 +145,10 @@ class Screen {
   virtual ~Screen() = default;
   // The queries are made and the kernels asked. Counts the steps that decide; takes its own time.
   virtual void decide(const MadeBatch<Real>& batch) = 0;
+  // Counts answers with nothing to see in bulk. The queries of which some kernel's answer is left: the open ones, good
+  // until the next batch.
+  virtual const std::vector<std::size_t>& count_in_bulk() = 0;
   virtual void look_at_errors() {}
-  // Counts answers with nothing to see in bulk. Whether some kernel's answer to query `i` is left.
-  virtual void count_in_bulk() {}
-  virtual bool is_open(std::size_t) const { return true; }
   // Whether kernel k's answer to an open query is judged and counted, now or before; else the oracles judge it.
   virtual bool try_judge(std::size_t, std::size_t) { return false; }
   // Open query `i`, for the oracles. Good until another is asked for.
@@ -181,9 +182,5 @@ class Screens {
  protected:
   ~Screens() = default;
 };
-
-// That of the kernels' predicate.
-template <class Real>
-std::unique_ptr<Screen<Real>> screen_of(const ScreenedRuns<Real>& of);
 
 }  // namespace axiscert
