@@ -7,7 +7,6 @@
 #include <string>
 
 #include "kernel/base/names.h"
-#include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/sphere_triangle/query.h"
 #include "kernel/sphere_triangle/names.h"

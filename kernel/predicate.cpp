@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "kernel/base/text.h"
+#include "kernel/base/names.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

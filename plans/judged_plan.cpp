@@ -15,6 +15,7 @@
 #include "fuzz/diagnosis/range_window.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sha256.h"
+#include "kernel/base/names.h"
 #include "kernel/base/text.h"
 #include "kernel/registry/self_check.h"
 #include "reports/gates/ratchet.h"

@@ -10,6 +10,7 @@
 #include "fuzz/files/corpus.h"
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
+#include "kernel/base/names.h"
 
 namespace axiscert {
 namespace {

@@ -19,7 +19,7 @@
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sha256.h"
-#include "kernel/base/text.h"
+#include "kernel/base/names.h"
 #include "kernel/plugin/load.h"
 #include "reports/gates/requirement.h"
 #include "plans/notices.h"

@@ -12,7 +12,7 @@
 #include "fuzz/queries/family.h"
 #include "fuzz/search/method.h"
 #include "fuzz/search/numbers.h"
-#include "kernel/base/text.h"
+#include "kernel/base/names.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
 

@@ -7,7 +7,7 @@
 
 #include "fuzz/confirm/record.h"
 #include "fuzz/shrink/pair.h"
-#include "kernel/base/text.h"
+#include "kernel/base/names.h"
 #include "plans/query_parts.h"
 
 namespace axiscert {

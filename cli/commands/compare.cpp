@@ -13,7 +13,7 @@
 #include "cli/usage.h"
 #include "cli/running/run_output.h"
 #include "kernel/base/error.h"
-#include "kernel/base/text.h"
+#include "kernel/base/names.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/load.h"
 #include "reports/comparison/compare.h"

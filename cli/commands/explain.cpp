@@ -10,7 +10,7 @@
 #include "cli/usage.h"
 #include "cli/words.h"
 #include "kernel/base/error.h"
-#include "kernel/base/text.h"
+#include "kernel/base/names.h"
 #include "reports/formats/schemas.h"
 
 namespace axiscert {

@@ -16,6 +16,7 @@
 #include "cli/running/run_output.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/text/file_bytes.h"
+#include "kernel/base/names.h"
 #include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"

@@ -17,7 +17,6 @@
 #include "plans/shrunk.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
-#include "kernel/base/text.h"
 #include "reports/formats/format.h"
 #include "reports/gates/ratchet.h"
 #include "reports/run_folder/run_folder.h"

@@ -12,7 +12,7 @@
 #include "fuzz/queries/source.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
-#include "kernel/base/text.h"
+#include "kernel/base/names.h"
 #include "kernel/base/version.h"
 #include "kernel/plugin/load.h"
 #include "reports/certificate/statement/statement.h"

@@ -5,7 +5,7 @@
 #include <charconv>
 
 #include "kernel/base/error.h"
-#include "kernel/base/text.h"
+#include "kernel/base/names.h"
 
 namespace axiscert {
 namespace {

@@ -15,6 +15,7 @@
 #include "fuzz/files/query_line.h"
 #include "fuzz/queries/capabilities.h"
 #include "kernel/base/own_folder.h"
+#include "kernel/base/names.h"
 #include "kernel/base/text.h"
 
 namespace axiscert {

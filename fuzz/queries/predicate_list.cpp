@@ -7,7 +7,6 @@
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
 #include "kernel/base/names.h"
-#include "kernel/base/text.h"
 #include "kernel/predicate_list.h"
 
 namespace axiscert {

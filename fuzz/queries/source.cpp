@@ -11,7 +11,7 @@
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
 #include "kernel/base/error.h"
-#include "kernel/base/text.h"
+#include "kernel/base/names.h"
 
 namespace axiscert {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "kernel/base/text.h"
+#include "kernel/base/names.h"
 #include "kernel/base/error.h"
 #include "kernel/mutants/forms.h"
 #include "kernel/mutants/mutant.h"

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "kernel/base/names.h"
 #include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/declared.h"

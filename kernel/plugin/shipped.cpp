@@ -7,7 +7,6 @@
 #include <map>
 
 #include "kernel/base/names.h"
-#include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/host_process.h"
 #include "kernel/plugin/load.h"

@@ -1,7 +1,7 @@
 // The predicates that exist, of the one list.
 #include <algorithm>
 
-#include "kernel/base/text.h"
+#include "kernel/base/names.h"
 #include "kernel/base/error.h"
 #include "kernel/predicate.h"
 #include "kernel/predicate_list.h"

@@ -9,7 +9,6 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/names.h"
-#include "kernel/base/text.h"
 #include "reports/gates/gate.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
