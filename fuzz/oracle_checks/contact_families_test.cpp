@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/sphere_triangle/certified/contact_truth.h"
+#include "exact/sphere_triangle/measures/nearest_place.h"
 #include "fuzz/queries/source.h"
 #include "kernel/include/axiscert/contact.hpp"
 #include "kernel/sphere_triangle/query.h"
@@ -38,8 +39,39 @@ void expect_within_bounds(std::size_t size) {
   both(*mesh_source(TEST_MODELS "/OBJ/spider.obj", sphere_triangle_predicate()), 1);
 }
 
+// A third way: the rationals and CGAL by which the judge goes.
+template <class Real>
+void expect_the_judges_place(std::size_t size) {
+  static constexpr std::array part_names = {"vertex a", "vertex b", "vertex c", "edge ab",
+                                            "edge bc",  "edge ca",  "face"};
+  for (const Family* family : all_families_of(sphere_triangle_predicate())) {
+    const std::size_t asked = size / (family->cost > 1 ? 16 : 1);
+    QueryBatch<Real> batch(asked, coordinate_count);
+    family_source(*family)->fill(8, 0, asked, batch);
+    std::array<const Real*, coordinate_count> columns;
+    std::copy_n(batch.columns().column.begin(), coordinate_count, columns.begin());
+    const auto all = testing_support::contacts_said<Real>(columns, asked, AXISCERT_CLOSED_SPHERE);
+    for (std::size_t i = 0; i < asked; ++i) {
+      if (all[i].verdict == AXISCERT_INVALID) continue;
+      std::array<double, 13> q;
+      for (std::size_t k = 0; k < 13; ++k) q[k] = columns[k][i];
+      const NearestPlace place = nearest_place(from_coordinates(q));
+      ASSERT_EQ(place.features.front(), part_names[static_cast<std::size_t>(all[i].feature)])
+          << family->name << ", query " << i << ": " << testing::PrintToString(q);
+      const Rational r(q[12]);
+      ASSERT_EQ(all[i].verdict == AXISCERT_CONTACT, place.squared_distance <= r * r)
+          << family->name << ", query " << i << ": " << testing::PrintToString(q);
+    }
+  }
+}
+
 TEST(ContactFamilies, WithinTheirBounds) { expect_within_bounds(4096 / TRIAL_DIVISOR); }
 TEST(ContactFamiliesLong, WithinTheirBounds) { expect_within_bounds((std::size_t{1} << 20) / TRIAL_DIVISOR); }
+
+TEST(ContactFamiliesLong, PartAndVerdictAreTheJudges) {
+  expect_the_judges_place<float>(10000 / TRIAL_DIVISOR);
+  expect_the_judges_place<double>(10000 / TRIAL_DIVISOR);
+}
 
 }  // namespace
 }  // namespace axiscert
