@@ -28,7 +28,7 @@ LANGUAGES = ("c", "cpp", "js", "json", "python", "cmake", "yaml", "rust", "wgsl"
 COMMENT = re.compile(r"<!-- (.*?) -->")
 SESSION = re.compile(r"^<!-- session(, long)? -->$", re.M)
 # A line of a block of commands: a program, its arguments, perhaps a comment. No program that is listed here prints its own name first.
-COMMAND = re.compile(r"^\s*\(?(axiscert|\./dev|\./my-program|build/\S+|P/bin/axiscert|cmake|ctest|cpack|cd|mpirun|cc|c\+\+|sed|grep|git)( .*)?$")
+COMMAND = re.compile(r"^\s*\(?(axiscert|\./dev|\./my-program|build/\S+|P/bin/axiscert|cmake|ctest|cpack|cd|mpirun|cc|c\+\+|sed|grep|git|eval)( .*)?$")
 NUMBER = re.compile(r"^[-~<>=|]*\s*\d[\d.,]*(e[-+]?\d+)?(?=$|[\s%^(/;:.])")
 
 
