@@ -48,7 +48,7 @@ class Slack(Case):
         done = axiscert("diagnose", self.built("1e-3"), "--format", "json")
         slack = next(p for p in json.loads(done.stdout)["properties"] if p["name"] == "slack")
         self.assertEqual(slack["value"], "early")
-        self.assertIn("of r too early", slack["sentence"])
+        self.assertIn("contact comes too early by 0.001 of r", slack["sentence"])
 
     def test_a_size_is_a_part_or_a_length(self):
         self.refused("run", *PLAN, "--require", "no-slack=1parsec", says=["no-slack=1parsec", "1e-4", "1mm"])
