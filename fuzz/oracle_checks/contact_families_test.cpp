@@ -42,8 +42,8 @@ void expect_within_bounds(std::size_t size) {
 // A third way: the rationals and CGAL by which the judge goes.
 template <class Real>
 void expect_the_judges_place(std::size_t size) {
-  static constexpr std::array part_names = {"vertex a", "vertex b", "vertex c", "edge ab",
-                                            "edge bc",  "edge ca",  "face"};
+  static constexpr std::array<std::string_view, 7> part_names = {"vertex_a", "vertex_b", "vertex_c", "edge_ab",
+                                                                 "edge_bc",  "edge_ca",  "face"};
   for (const Family* family : all_families_of(sphere_triangle_predicate())) {
     const std::size_t asked = size / (family->cost > 1 ? 16 : 1);
     QueryBatch<Real> batch(asked, coordinate_count);
