@@ -77,7 +77,7 @@ double VerdictGuide<Real>::score(Goal goal, const Numbers<Real>& q, Verdict said
   if constexpr (std::is_same_v<Real, float>) {
     const Quantities* const quantities = capabilities_of(*kernel_.predicate).quantities;
     const auto rough = quantities ? quantities->rough_depth(kernel_.entry, q) : std::nullopt;
-    // Of what is no number, 0.
+    // A depth that is no number is 0.
     if (rough) return std::max(0.0, goal == Goal::missed_contact ? *rough : -*rough);
   }
   const Truth truth = oracles_.truth(q);

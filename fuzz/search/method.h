@@ -126,11 +126,10 @@ const SearchMethod& search_method_of(const Predicate& predicate);
 
 // The guide of a search in any predicate whose oracles have a depth: by the kernel's verdicts and the oracles alone.
 
-// A query scores the depth of its wrong verdict, of floats in double where the predicate tells it, else as the oracles
-// have it. Where the entry has a length, the first of
-// them is set to where the kernel's verdict changes: to the least float that bisection finds in contact, or the one
-// below it for a missed contact. So every query comes to where it is wrong, if it is for any length. Keeps a reference
-// to the kernel.
+// A query scores the depth of its wrong verdict: of floats in double where the predicate tells it, else as the oracles
+// have it. Where the entry has a length, the first of them is set to where the kernel's verdict changes: to the least
+// float that bisection finds in contact, or the one below it for a missed contact. So every query comes to where it is
+// wrong, if it is for any length. Keeps a reference to the kernel.
 template <class Real>
 class VerdictGuide final : public Guide<Real> {
  public:

@@ -123,7 +123,7 @@ TEST(SearchMotions, TheLengthIsSetToWhereTheVerdictChanges) {
   EXPECT_EQ(scores[0], 0);
 }
 
-// Of queries as a search has them.
+// The queries are as a search has them.
 TEST(SearchByVerdicts, RoughDepthsAreThoseOfTheOracles) {
   for (const char* name : {"moving-sphere", "box-box", "box-triangle"}) {
     const Predicate& predicate = find_predicate(name);
