@@ -81,11 +81,11 @@ class OraclesOf final : public Oracles {
     return {F::name...};
   }
 
-  // A float widens exactly.
+  // A float widens exactly, so what is exact is evaluated of doubles alone: each set of formulae is compiled once.
   template <class Real>
   static Numbers<double> widened(const Numbers<Real>& q) {
     Numbers<double> wide(q.size());
-    for (std::size_t k = 0; k < q.size(); ++k) wide[k] = static_cast<double>(q[k]);
+    std::copy(q.begin(), q.end(), wide.begin());
     return wide;
   }
 
@@ -117,8 +117,8 @@ class OraclesOf final : public Oracles {
   }
 
   // Both sides of each comparison of these formulae.
-  template <class F, class Real>
-  static ExactSides exact_sides(const Numbers<Real>& q) {
+  template <class F>
+  static ExactSides exact_sides(const Numbers<double>& q) {
     ExactSides sides(Trait::description().comparisons.size());
     const auto keep = [&](std::size_t i, const Exact& lhs, const Exact& rhs) { sides.set(i, lhs, rhs); };
     F::template comparisons<Exact>(problem_of<Exact>(q), keep);
@@ -131,8 +131,7 @@ class OraclesOf final : public Oracles {
   }
 
   // The same of the first formulae, without the sides.
-  template <class Real>
-  static ExactSigns exact_signs(const Numbers<Real>& q) {
+  static ExactSigns exact_signs(const Numbers<double>& q) {
     ExactSigns signs;
     const auto see = [&](std::size_t i, const Exact& lhs, const Exact& rhs) {
       if (lhs == rhs) signs.ties |= one_bit<ComparisonBits>(i);
@@ -251,7 +250,7 @@ class OraclesOf final : public Oracles {
       const Outcome found = outcome(reference.bits);
       if (reference.stayed) return {found, found};
       const FloatingScope scope({std::numeric_limits<Real>::digits, Rounding::nearest, {}});
-      return {outcome(bits_of<F, Floating>(problem_of<Floating>(q_), ignore)), found};
+      return {outcome(bits_of<F, Floating>(problem_of<Floating>(widened(q_)), ignore)), found};
     }
     static Outcome outcome(ComparisonBits bits) { return {verdict_of(Trait::description(), bits), bits}; }
 
@@ -259,17 +258,17 @@ class OraclesOf final : public Oracles {
     const ExactSigns& signs() {
       if (signs_) return *signs_;
       if (keeps_sides_) {
-        first_ = exact_sides<First>(q_);
+        first_ = exact_sides<First>(widened(q_));
         signs_ = ExactSigns{first_->holding(nonstrict_comparisons<First>()), first_->ties};
       } else {
-        signs_ = exact_signs(q_);
+        signs_ = exact_signs(widened(q_));
       }
       return *signs_;
     }
     // Those that the signs were found from are handed on to the first claim that has them.
     template <class F>
     ExactSides sides_of() {
-      if (!has_first_sides<F> || !first_) return exact_sides<F>(q_);
+      if (!has_first_sides<F> || !first_) return exact_sides<F>(widened(q_));
       return *std::exchange(first_, std::nullopt);
     }
 
