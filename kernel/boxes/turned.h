@@ -94,8 +94,8 @@ struct Homogeneous {
   }
 };
 
-// Two boxes along the axes by their corners alone: the greater of the mins is above the lesser of the maxes. Nothing is
-// computed, so nothing is rounded. Degree 1 > 1.
+// Two boxes along the axes by their corners alone: the min of one is above the max of the other. Nothing is computed, so
+// nothing is rounded. Degree 1 > 1.
 struct Intervals {
   static constexpr std::string_view name = "intervals";
   static constexpr FormulaeKind kind = FormulaeKind::rung;
@@ -104,7 +104,9 @@ struct Intervals {
   static void comparisons(const CornersPair<T>& q, Sink& sink) {
     const auto axis = [&](std::size_t i, std::size_t k) {
       const auto at = [&](const Vec3<T>& v) -> const T& { return k == 0 ? v.x : k == 1 ? v.y : v.z; };
-      sink(i, greater(at(q.a.low), at(q.b.low)), lesser(at(q.a.high), at(q.b.high)));
+      // Not the greater min and the lesser max: they may be of one box, which says nothing where it has no extent.
+      const bool is_b_above = !(at(q.b.low) < at(q.a.high));
+      sink(i, is_b_above ? at(q.b.low) : at(q.a.low), is_b_above ? at(q.a.high) : at(q.b.high));
     };
     for (std::size_t k = 0; k < 3; ++k) {
       axis(facet_of_a(k), k);
