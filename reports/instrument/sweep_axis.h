@@ -22,10 +22,8 @@ struct SweepData {
 
   static constexpr Field in_data = {
       .name = "sweep", .about = "The swept parameter; absent: there is none.", .may_be_absent = true};
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&SweepData::parameter, {"parameter", "What is changed of the queries."}),
-                 field(&SweepData::values, {"values", "To which values, one after the other."}));
-  }
+  AXISCERT_FIELDS(SweepData, AXISCERT_FIELD(parameter, "What is changed of the queries."),
+                  AXISCERT_FIELD(values, "To which values, one after the other."))
 };
 inline constexpr Field swept_field = {
     .name = "swept", .about = "The value of the swept parameter; absent: none, or all of them.", .may_be_absent = true};
