@@ -209,7 +209,7 @@ TraitSet pair_traits_of(const Given& given) {
   return found.bits();
 }
 
-TraitSet traits_of_numbers(const std::vector<double>& numbers, std::size_t entry) {
+TraitSet traits_of_pair(const std::vector<double>& numbers, std::size_t entry) {
   if (entry == MinmaxBoxes::entry) return pair_traits_of(given_of<MinmaxBoxes>(numbers));
   if (entry == MixedBoxes::entry) return pair_traits_of(given_of<MixedBoxes>(numbers));
   if (entry == MatrixBoxes::entry) return pair_traits_of(given_of<MatrixBoxes>(numbers));
@@ -220,7 +220,7 @@ TraitSet traits_of_numbers(const std::vector<double>& numbers, std::size_t entry
 }  // namespace boxes
 
 const Traits& box_box_traits() {
-  static constexpr Traits traits = {"pairs of boxes", boxes::pair_traits, boxes::traits_of_numbers};
+  static constexpr Traits traits = {"pairs of boxes", boxes::pair_traits, boxes::traits_of_pair};
   return traits;
 }
 

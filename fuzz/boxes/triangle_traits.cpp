@@ -220,7 +220,7 @@ TraitSet corner_traits_of(const Given& given, const std::vector<double>& sizes, 
   return found.bits();
 }
 
-TraitSet traits_of_numbers(const std::vector<double>& numbers, std::size_t entry) {
+TraitSet traits_of_box_and_triangle(const std::vector<double>& numbers, std::size_t entry) {
   if (entry == CentreEntry::entry) {
     const auto given = given_of<CentreEntry>(numbers);
     return corner_traits_of(given, numbers, given.centre);
@@ -240,7 +240,7 @@ TraitSet traits_of_numbers(const std::vector<double>& numbers, std::size_t entry
 }  // namespace boxes
 
 const Traits& box_triangle_traits() {
-  static constexpr Traits traits = {"boxes and triangles", boxes::corner_traits, boxes::traits_of_numbers};
+  static constexpr Traits traits = {"boxes and triangles", boxes::corner_traits, boxes::traits_of_box_and_triangle};
   return traits;
 }
 
