@@ -35,8 +35,8 @@ struct Quantity {
 class Quantities {
  public:
   virtual std::span<const Quantity> all() const = 0;
-  // Of a valid query in an entry of the predicate, in that order and in double: four digits would do. 0: the query has
-  // none of it.
+  // The quantities of a valid query in an entry of the predicate, in that order and in double: four digits would do. 0:
+  // the query has none of it.
   virtual std::vector<double> values(std::size_t entry, const Numbers<float>& query) const = 0;
   virtual std::vector<double> values(std::size_t entry, const Numbers<double>& query) const = 0;
   // In double, by which a search is guided: the depth of a valid query, negative where the shapes are apart, of which

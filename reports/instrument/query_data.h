@@ -226,7 +226,7 @@ struct CheckLine : DataHead<CheckLine> {
   }
 };
 
-// What a query and the smaller one both show.
+// The fault that a query and the smaller one both show.
 struct KeptLine {
   std::optional<Level> level;
   Name name, kind;

@@ -19,7 +19,7 @@ struct UlpsAt {
   }
 };
 
-// Of one kernel, over all families or on one.
+// The errors of one kernel, over all families or on one.
 struct CriticalRadiiData {
   std::uint64_t measured = 0;
   std::optional<std::uint64_t> right, within_1_ulp;

@@ -66,7 +66,7 @@ struct NumberFormatData {
   }
 };
 
-// Of wrong verdicts.
+// The rate of wrong verdicts.
 struct WrongRateData {
   double rate = 0, low = 0, high = 0;
 
