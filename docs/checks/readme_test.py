@@ -119,7 +119,7 @@ def rapier_times(commands, old):
 
 BOX_KERNELS = "textbook rtcd gottschalk bullet projected cofactor".split()
 BOX_FAMILIES = "resting crossed parallel ramp beams corridor".split()
-BOX_PEERS = "ode ode-unimportant ode-touches fcl fcl-obb bullet libccd-gjk libccd-mpr mujoco dart".split()
+BOX_PEERS = "ode ode-unimportant fcl-obb bullet libccd-gjk libccd-mpr mujoco dart".split()
 BOX_PEER_FAMILIES = "lattice resting crossed parallel flat".split()
 
 

@@ -191,7 +191,7 @@ TraitSet pair_traits_of(const Given& given) {
   found.put(inside, is_inside(q.b.centre, q.a) || is_inside(q.a.centre, q.b));
   found.put(same_centre, squared_length(between).is_zero());
   put_given(found, given);
-  // Of the lengths and places, without the axes.
+  // The lengths and places, without the axes.
   std::vector<double> sizes;
   double extent = 0;
   const auto add = [&](const auto& box) {

@@ -56,7 +56,7 @@ void KernelRun<Real>::finish() {
   const std::uint64_t touching = tally_.truth.touching - outside.touching;
   const std::uint64_t apart = tally_.truth.separated - (outside.trials - outside.contact);
   const std::uint64_t overlapping = tally_.truth.contact - outside.contact - touching;
-  // Of touching queries any convention may be right.
+  // Any convention may be right where bodies touch.
   const WrongBothWays wrong{apart, std::min(verdict.false_contact, apart), overlapping,
                             std::min(verdict.false_separation, overlapping)};
   if (!wrong.are_exchanged()) return;

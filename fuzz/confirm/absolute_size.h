@@ -35,8 +35,8 @@ struct Quantity {
 };
 struct Quantities {
   std::span<const Quantity> all;
-  // Of a valid query in an entry of the predicate, in that order and in double: four digits would do. 0: the query has
-  // none of it.
+  // The quantities of a valid query in an entry of the predicate, in that order and in double: four digits would do. 0:
+  // the query has none of it.
   std::vector<double> (*values_of)(std::size_t entry, const Numbers<double>& query);
   // In double, by which a search is guided: the depth of a valid query, negative where the shapes are apart, of which
   // boxes have the gap in place of the distance. Null where it is not told.

@@ -95,7 +95,7 @@ struct Capabilities {
   const Quantities* quantities = nullptr;             // fuzz/confirm/absolute_size.h
   const WitnessSides* witness_sides = nullptr;        // fuzz/confirm/witness.h
 
-  // Of the documents: what the predicate's built-in kernels answer.
+  // The section of the documents that says what the predicate's built-in kernels answer.
   std::string_view section_of_forms = {};
   const Situations* situations = nullptr;  // fuzz/queries/family.h
 

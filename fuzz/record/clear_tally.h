@@ -9,7 +9,7 @@
 
 namespace axiscert {
 
-// Of a kernel without a reference: nothing else tells its faults of logic from its rounding.
+// Counts of a kernel without a reference: nothing else tells its faults of logic from its rounding.
 struct ClearTally {
   std::uint64_t queries = 0, undecided = 0, unanswered = 0;
   std::uint64_t false_separation = 0, false_contact = 0;

@@ -103,16 +103,16 @@ struct MeasuresRecord {
   std::optional<std::optional<TimeVerdict>> time;
   std::optional<std::optional<ErrorNumber>> ulps, in_u;
   std::optional<std::optional<double>> share, length, gap;
-  // Of a predicate without motions.
+  // Members of a predicate without motions.
   std::optional<std::optional<Consistency>> consistency;
   std::optional<std::optional<double>> separation_error, separation_length;
   std::optional<std::optional<ErrorNumber>> separation_ulps, separation_u;
   std::optional<std::optional<ErrorNumber>> left;
   std::optional<std::optional<bool>> is_flip;
-  // Of any.
+  // Members of any predicate.
   std::optional<std::optional<bool>> feature_is_right;
   std::optional<std::optional<double>> feature_error, normal_angle, normal_length_error, point_error;
-  // Of a predicate with two such points.
+  // Members of a predicate with two such points.
   std::optional<std::optional<double>> point_a_error, point_b_error, points_apart;
 
   static constexpr std::string_view about =

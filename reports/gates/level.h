@@ -154,7 +154,7 @@ struct GateLevel {
   LevelFindings (*judge)(const AskedLevel&, const Subject&);
   // The kernel that others are measured against, which itself has to meet no level; null where there is none.
   std::string (*yardstick)(const AskedLevel&) = nullptr;
-  // Of a level about wrong verdicts alone, whatever their cause; null for any other.
+  // The depths that a level about wrong verdicts alone allows, whatever their cause; null for any other.
   AllowedDepths (*allowed)(const AskedLevel&) = nullptr;
   bool is_about_causes = false;  // of wrong verdicts: met where none is wrong
   bool asks_itself = false;      // it looks at queries of its own, and at no family

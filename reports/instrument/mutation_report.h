@@ -9,7 +9,7 @@
 #include "reports/instrument/instrument.h"
 
 namespace axiscert {
-// What both say of the run.
+// The members about the run that both reports have.
 struct MutationRunData {
   bool complete = true;
   Name kernel, require;

@@ -188,7 +188,7 @@ struct CheckLine : DataHead<CheckLine> {
       AXISCERT_OPTIONAL_FIELD(errors, "With --errors: of each comparison's sides; null where the kernel shows none."))
 };
 
-// What a query and the smaller one both show.
+// The fault that a query and the smaller one both show.
 struct KeptLine {
   std::optional<Level> level;
   Name name, kind;

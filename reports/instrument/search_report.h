@@ -67,7 +67,7 @@ struct RadiusFindData {
                   AXISCERT_FIELD(witness, "The query; its r is the radius."))
 };
 
-// What is not an aim of the search is absent.
+// A member that is no aim of the search is absent.
 struct VerdictFindsData {
   std::optional<std::optional<WrongVerdictFindData>> missed_contact, phantom_contact;
   std::optional<std::optional<RadiusFindData>> critical_radius;

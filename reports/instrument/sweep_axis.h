@@ -28,9 +28,9 @@ struct SweepData {
 inline constexpr Field swept_field = {
     .name = "swept", .about = "The value of the swept parameter; absent: none, or all of them.", .may_be_absent = true};
 
-// Of sources that were swept together; empty where none was.
+// The sweep of sources that were swept together; empty where none was.
 std::optional<SweepData> sweep_of(const std::vector<SourcePtr>& sources);
-// Of one source.
+// The value at which one source was swept.
 std::optional<SignedNumber> swept_value(const Source& source);
 
 std::vector<std::string> ids_of(const std::vector<const Kernel*>& kernels);

@@ -65,7 +65,7 @@ TYPED_TEST_SUITE(EverydayFamiliesLong, EverydayPrecisions);
 
 template <class Real>
 void expect_gaps(const EverydayFamily& everyday, std::uint64_t queries) {
-  // Of places up to 1 km from the origin, with the axes' own.
+  // The rounding of places up to 1 km from the origin, with the axes' own.
   const double rounding = 4000 * static_cast<double>(std::numeric_limits<Real>::epsilon());
   const Family& family = find_family(everyday.name);
   std::uint64_t contacts = 0, visible = 0;

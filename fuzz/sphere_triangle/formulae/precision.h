@@ -31,8 +31,8 @@ struct PrecisionPlan {
   int threads = 0;                            // 0: one per core
 
   RoundingRule rounding = RoundingRule::nearest;
-  // Of rounding by chance: each format is evaluated with the seeds 1 to so many. What an operation draws follows from
-  // the seed and the query's numbers.
+  // Each format is evaluated with the seeds 1 to so many, where rounding is by chance. What an operation draws follows
+  // from the seed and the query's numbers.
   std::uint64_t rounding_seeds = 1;
   Contraction contraction = Contraction::none;
   // Whether the numbers of a query are rounded to the format, to nearest even, before anything is asked: the truth is

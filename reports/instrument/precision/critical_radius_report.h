@@ -17,7 +17,7 @@ struct UlpsAt {
   AXISCERT_FIELDS(UlpsAt, AXISCERT_FIELD(ulps, "The error."), AXISCERT_FIELD(address, "Its query."))
 };
 
-// Of one kernel, over all families or on one.
+// The errors of one kernel, over all families or on one.
 struct CriticalRadiiData {
   std::uint64_t measured = 0;
   std::optional<std::uint64_t> right, within_1_ulp;

@@ -53,7 +53,7 @@ struct NumberFormatData {
       AXISCERT_FIELD(overflow, "What a result beyond the greatest number becomes."))
 };
 
-// Of wrong verdicts.
+// The rate of wrong verdicts.
 struct WrongRateData {
   double rate = 0, low = 0, high = 0;
 
