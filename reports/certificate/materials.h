@@ -28,8 +28,8 @@ struct StretchCounts : FamilyCounts {
   std::map<FindingKind, std::uint64_t> findings;
 
   AXISCERT_FIELDS(StretchCounts, base<Of, FamilyCounts>(),
-                  field(&Of::critical_radius, {"critical_radius", {}}, RadiiAdded()),
-                  AXISCERT_OPTIONAL_FIELD(classes), AXISCERT_FIELD(findings))
+                  field(&Of::critical_radius, {"critical_radius", {}}, RadiiAdded()), AXISCERT_OPTIONAL_FIELD(classes),
+                  AXISCERT_FIELD(findings))
 };
 
 // The counts of counts_json without zeros, nulls and empty objects; fractions are decimal
