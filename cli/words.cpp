@@ -63,8 +63,8 @@ class NamedWords {
         add("situation", situation->name, fmt::format("{}. {}", situation->meaning, situation->advice));
     }
     if (has.traits != nullptr) {
-      for (const Trait& trait : has.traits->all())
-        add("trait", trait.name, fmt::format("of {}: {}", has.traits->noun(), trait.phrase));
+      for (const Trait& trait : has.traits->all)
+        add("trait", trait.name, fmt::format("of {}: {}", has.traits->noun, trait.phrase));
     }
   }
 

@@ -123,7 +123,7 @@ KeepingRule keeping_rule(const ShrinkOptions& options) {
   return options.any_class ? KeepingRule::symptom : KeepingRule::symptom_and_class;
 }
 
-// What both ways of shrinking have found.
+// The result, as both ways of shrinking find it.
 template <class Real>
 Shrunk shrunk_of(const StoredQuery& stored, const StoredQuery& smaller, std::string kept,
                  const ShrinkResult<Real>& found, ShrunkQuery line) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "exact/numbers/in_doubles.h"
 #include "plans/first_look.h"
 #include "cli/running/check_output.h"
 #include "cli/running/query_rows.h"
@@ -45,11 +46,8 @@ CheckResult check_query(Examiner& examiner, const Numbers<Real>& q) {
   if (found.truth.verdict != Verdict::invalid) {
     CheckResult checked = checked_of(predicate, found, oracles.details(q));
     checked.digits = std::numeric_limits<Real>::max_digits10;
-    if (const auto facts_of = capabilities_of(predicate).exact_facts) {
-      Numbers<double> wide(q.size());
-      std::copy(q.begin(), q.end(), wide.begin());
-      checked.facts = facts_of(wide, examiner.kernel().entry);
-    }
+    if (const auto facts_of = capabilities_of(predicate).exact_facts)
+      checked.facts = facts_of(in_doubles(q), examiner.kernel().entry);
     return checked;
   }
   CheckResult invalid = checked_of(predicate, found);

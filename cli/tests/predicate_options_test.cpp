@@ -26,7 +26,7 @@ const Predicate& point_box() {
   return predicate;
 }
 
-class NoQueries final : public ColumnSource<NoQueries> {
+class NoQueries final : public Source {
  public:
   NoQueries(std::string name, const Predicate& predicate, std::size_t entry)
       : name_(std::move(name)), predicate_(predicate), entry_(entry) {}
@@ -36,8 +36,8 @@ class NoQueries final : public ColumnSource<NoQueries> {
   int version() const override { return 1; }
   const Predicate& predicate() const override { return predicate_; }
   std::size_t entry() const override { return entry_; }
-  template <class Real>
-  void fill_columns(std::uint64_t, std::uint64_t, const MutableColumns<Real>&) const {}
+  void fill_columns(std::uint64_t, std::uint64_t, const MutableColumns<float>&) const override {}
+  void fill_columns(std::uint64_t, std::uint64_t, const MutableColumns<double>&) const override {}
 
  private:
   std::string name_;

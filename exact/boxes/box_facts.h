@@ -8,7 +8,7 @@
 
 namespace axiscert::boxes {
 
-// Of a valid query. The normal is the direction in which B leaves A, or the triangle the box.
+// The query is valid. The normal is the direction in which B leaves A, or the triangle the box.
 std::vector<ExactFact> exact_facts(const ExactPair& q);
 std::vector<ExactFact> exact_facts(const ExactBoxAndTriangle& q);
 

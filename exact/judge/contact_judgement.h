@@ -66,7 +66,7 @@ struct Pushed {
 
 // Sizes are decided exactly and rounded once, or to 2^-240 before.
 struct ContactJudgement {
-  // Of motions.
+  // Members of motions.
   std::optional<TimeVerdict> time;  // empty: the kernel gives no times
   // Early or late: |t^ - t*| in units in the last place of the best number, and in u = 2^-24 or 2^-53; rounded up.
   Decimal6 ulps, in_u;
@@ -75,18 +75,18 @@ struct ContactJudgement {
   std::optional<Tunnel> missed;  // of an answer that there is no contact; nothing else is judged then
   double gap = 0;                // of an early time: distance - r at that time, relative to the scene
 
-  // Of two bodies as they are, whatever the verdict.
+  // Members of two bodies as they are, whatever the verdict.
   std::optional<Consistency> consistency;     // empty: the kernel gives no separation
   std::optional<SeparationError> separation;  // of a number
   // The same against the exact separation less the margin that the kernel declares; empty too where it declares none.
   std::optional<SeparationError> separation_less_margin;
   std::optional<Pushed> pushed;  // of a normal that is not 0, where the depth is above 0
-  // Of two points, one of each body: how far from its body each is, and how far from |separation| their distance is.
+  // How far each of two points, one of each body, is from its body, and their distance from |separation|.
   std::optional<double> point_a_error, point_b_error, points_apart;
 
   // Empty where not given.
   std::optional<bool> feature_is_right;
-  // Of a wrong feature: how far the centre is, at the contact, beyond a plane that bounds the region in which that part
+  // How far the centre is, at the contact, beyond a plane that bounds the region in which a wrong feature's part
   // is nearest, relative to the scene; infinite where the number names no part.
   std::optional<double> feature_error;
   // At the contact; the angle is empty too where there is no exact normal, or more than one.

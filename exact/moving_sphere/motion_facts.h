@@ -16,7 +16,7 @@ struct ExactPlace {
 };
 ExactPlace exact_place(const GivenMotion& q, const MotionPieces& motion, const FirstContact& contact);
 
-// Of a valid query.
+// The query is valid.
 std::vector<ExactFact> exact_facts(const GivenMotion& q);
 
 }  // namespace axiscert::moving_sphere

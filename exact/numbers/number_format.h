@@ -33,8 +33,8 @@ const std::vector<NamedFormat>& named_formats();
 // "bfloat16, binary16, ... or bits=P[,emax=E]": what parse_number_format() takes.
 std::string number_formats_text();
 
-// Of a name, or bits=P,emax=E: P bits, exponents from 1 - E to E, gradual underflow and infinities, as IEEE 754's
-// formats have them; bits=P alone: format_of_bits(). Throws Error that says what was given and what would be right.
+// The format of a name, or bits=P,emax=E: P bits, exponents from 1 - E to E, gradual underflow and infinities, as in
+// IEEE 754; bits=P alone: format_of_bits(). Throws Error that says what was given and what would be right.
 NumberFormat parse_number_format(std::string_view text);
 
 // How each operation is rounded, as it is asked for.

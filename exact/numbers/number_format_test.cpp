@@ -242,7 +242,7 @@ TEST(NumberFormatHardware, X87IsLongDouble) {
 struct Ofp8 {
   int exponent_bits, significand_bits, bias;
 
-  // Of a code without a sign; NaN where it is none, and infinity.
+  // The value of a code without a sign; NaN where it is none, and infinity.
   double value(int code) const {
     const int exponent = code >> significand_bits, significand = code & ((1 << significand_bits) - 1);
     const int last = (1 << exponent_bits) - 1;

@@ -1,4 +1,5 @@
-// One query of sphere-triangle, of which more than one thing is asked.
+// The truth about one query of sphere-triangle, with the cross-checks that every query has to pass before anything is
+// reported, and all else that is asked of it.
 #pragma once
 
 #include <forward_list>
@@ -10,6 +11,12 @@
 #include "kernel/formulae_list.h"
 
 namespace axiscert {
+// Decides by CGAL and by the exact formulae and compares: the verdict of the formulae with non-strict sides is the
+// geometric one on every triangle; with strict sides it may differ only on a zero-area triangle, and only as a phantom
+// contact. With `second_opinion`, and before any disagreement is reported, MPFR repeats all decisions. Throws
+// OracleDisagreement.
+template <class Real>
+ExactTruth exact_truth(const Query<Real>& q, bool second_opinion);
 
 template <class Real>
 class AskedSphereTriangle : public AskedQuery {

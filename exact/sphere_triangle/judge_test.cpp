@@ -8,7 +8,6 @@
 
 #include "exact/trait/examine.h"
 #include "exact/sphere_triangle/asked_sphere_triangle.h"
-#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {

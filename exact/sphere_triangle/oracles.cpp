@@ -1,4 +1,5 @@
 // sphere-triangle by the interface of all predicates.
+#include "exact/numbers/in_doubles.h"
 #include "exact/trait/oracles.h"
 
 #include "exact/sphere_triangle/asked_sphere_triangle.h"
@@ -146,9 +147,7 @@ class SphereTriangleOracles final : public Oracles {
   }
   template <class Real>
   static std::unique_ptr<ContactJudge> judge_of(const Numbers<Real>& q) {
-    Numbers<double> wide(q.size());  // a float widens exactly
-    for (std::size_t k = 0; k < q.size(); ++k) wide[k] = static_cast<double>(q[k]);
-    return std::make_unique<SphereTriangleJudge<Real>>(query_from(wide));
+    return std::make_unique<SphereTriangleJudge<Real>>(query_from(in_doubles(q)));
   }
   template <class Real>
   static double depth_of(const Query<Real>& q) {

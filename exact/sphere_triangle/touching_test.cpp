@@ -1,7 +1,6 @@
 // A kernel's touching convention: the right answer to a query that touches, and the cause of a wrong one.
 #include <gtest/gtest.h>
 
-#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/asked_sphere_triangle.h"
 #include "kernel/sphere_triangle/query.h"
 

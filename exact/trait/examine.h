@@ -26,7 +26,7 @@ struct Examination {
   std::optional<double> length;     // the same as a length in the query's unit
   std::optional<ShownSides> sides;  // as computed, if the kernel exposes them and was asked now
   std::vector<double> measures;     // that the kernel gave, the first of the predicate's
-  // Of these: of motions beside a contact that is right, or of a missed one; else beside any verdict.
+  // The judgement of these: of motions beside a right contact, or of a missed one; else beside any verdict.
   std::optional<ContactJudgement> contact;
   bool is_promised = true;        // the query is one on which the kernel promises to be right, or is invalid
   std::vector<Finding> findings;  // faults of the kernel other than a wrong answer

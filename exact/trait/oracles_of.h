@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "exact/numbers/floating.h"
+#include "exact/numbers/in_doubles.h"
 #include "exact/trait/clear.h"
 #include "exact/trait/oracles.h"
 #include "exact/trait/trait.h"
@@ -36,8 +37,8 @@ class OraclesOf final : public Oracles {
   const Predicate& predicate() const override { return Trait::description(); }
   std::vector<std::string_view> formulae() const override { return names_of(typename Trait::AllFormulae()); }
 
-  bool is_valid(const Numbers<float>& q) const override { return Trait::is_valid(widened(q)); }
-  bool is_valid(const Numbers<double>& q) const override { return Trait::is_valid(widened(q)); }
+  bool is_valid(const Numbers<float>& q) const override { return Trait::is_valid(in_doubles(q)); }
+  bool is_valid(const Numbers<double>& q) const override { return Trait::is_valid(in_doubles(q)); }
   std::string why_invalid(const Numbers<float>& q) const override { return reason(q); }
   std::string why_invalid(const Numbers<double>& q) const override { return reason(q); }
 
@@ -81,14 +82,6 @@ class OraclesOf final : public Oracles {
     return {F::name...};
   }
 
-  // A float widens exactly, so what is exact is evaluated of doubles alone: each set of formulae is compiled once.
-  template <class Real>
-  static Numbers<double> widened(const Numbers<Real>& q) {
-    Numbers<double> wide(q.size());
-    std::copy(q.begin(), q.end(), wide.begin());
-    return wide;
-  }
-
   template <class T, class Real>
   static auto problem_of(const Numbers<Real>& q) {
     return Trait::template problem<T>([&](std::size_t k) { return T(q[k]); });
@@ -113,10 +106,10 @@ class OraclesOf final : public Oracles {
     if constexpr (requires { Trait::is_clear_at_start(q); }) {
       if (found == Verdict::contact && !Trait::is_clear_at_start(q)) return std::nullopt;
     }
-    return found && Trait::is_valid(widened(q)) ? found : std::nullopt;
+    return found && Trait::is_valid(in_doubles(q)) ? found : std::nullopt;
   }
 
-  // Both sides of each comparison of these formulae.
+  // Both sides of each comparison of these formulae: of doubles alone, so that each is compiled once.
   template <class F>
   static ExactSides exact_sides(const Numbers<double>& q) {
     ExactSides sides(Trait::description().comparisons.size());
@@ -126,7 +119,7 @@ class OraclesOf final : public Oracles {
   }
   template <class Real>
   static std::string reason(const Numbers<Real>& q) {
-    if constexpr (SaysWhyInvalid<Trait>) return Trait::why_invalid(widened(q));
+    if constexpr (SaysWhyInvalid<Trait>) return Trait::why_invalid(in_doubles(q));
     else return {};
   }
 
@@ -176,7 +169,7 @@ class OraclesOf final : public Oracles {
     DepthOf& depth() override { return *this; }
     std::optional<ExactDepth> exact_depth() override {
       if constexpr (HasDepth<Trait>) {
-        if (!depth_) depth_ = Trait::exact_depth(widened(q_));
+        if (!depth_) depth_ = Trait::exact_depth(in_doubles(q_));
       }
       return depth_;
     }
@@ -195,7 +188,7 @@ class OraclesOf final : public Oracles {
         throw HarnessFault(fmt::format("{}: the oracles of entry {}, of {} columns, are asked about {} numbers",
                                        Trait::description().id, entry.name, entry.columns.size(), q_.size()));
       }
-      const Numbers<double> wide = widened(q_);
+      const Numbers<double> wide = in_doubles(q_);
       if (!Trait::is_valid(wide)) return {Verdict::invalid, false};
       const auto truth = Trait::geometric_truth(wide);
       const std::string wrong = Trait::contradiction(wide, truth, signs().holds, signs().ties);
@@ -295,7 +288,7 @@ class OraclesOf final : public Oracles {
 
   template <class Real>
   static std::optional<double> depth_of(const Numbers<Real>& q) {
-    if constexpr (HasDepth<Trait>) return rounded_depth(Trait::exact_depth(widened(q)));
+    if constexpr (HasDepth<Trait>) return rounded_depth(Trait::exact_depth(in_doubles(q)));
     else return std::nullopt;
   }
   static std::size_t first_length() {
@@ -305,18 +298,18 @@ class OraclesOf final : public Oracles {
   }
   template <class Real>
   static bool says_degenerate(const Numbers<Real>& q) {
-    if constexpr (SaysDegenerate<Trait, Real>) return Trait::template is_degenerate<Real>(widened(q));
+    if constexpr (SaysDegenerate<Trait, Real>) return Trait::template is_degenerate<Real>(in_doubles(q));
     else return false;
   }
   template <class Real>
   static std::vector<Detail> details_of(const Numbers<Real>& q) {
-    if constexpr (HasDetails<Trait, Real>) return Trait::template details<Real>(widened(q));
+    if constexpr (HasDetails<Trait, Real>) return Trait::template details<Real>(in_doubles(q));
     else return {};
   }
   // Numbers that are no query have neither a front nor a distance.
   template <class Real>
   static bool is_inside(const Limits& limits, const Numbers<Real>& q) {
-    const Numbers<double> wide = widened(q);
+    const Numbers<double> wide = in_doubles(q);
     if (!Trait::is_valid(wide)) return true;
     if constexpr (HasFront<Trait>) {
       if (limits.sides == SidesPolicy::front && !Trait::is_in_front(wide)) return false;
@@ -328,12 +321,12 @@ class OraclesOf final : public Oracles {
   }
   template <class Real>
   static bool promises(const MotionPolicy& policy, const Numbers<Real>& q) {
-    if constexpr (HasMotionPolicy<Trait>) return policy == MotionPolicy{} || Trait::is_promised(policy, widened(q));
+    if constexpr (HasMotionPolicy<Trait>) return policy == MotionPolicy{} || Trait::is_promised(policy, in_doubles(q));
     else return true;
   }
   template <class Real>
   static std::unique_ptr<ContactJudge> contact_judge_of(const Numbers<Real>& q) {
-    if constexpr (HasContactJudge<Trait, Real>) return Trait::template contact_judge<Real>(widened(q));
+    if constexpr (HasContactJudge<Trait, Real>) return Trait::template contact_judge<Real>(in_doubles(q));
     else return nullptr;
   }
 };

@@ -14,144 +14,72 @@ namespace {
 
 using namespace traits;
 
-enum class PairTrait : std::uint8_t {
-  a0,
-  a1,
-  a2,
-  b0,
-  b1,
-  b2,
-  a0b0,
-  a0b1,
-  a0b2,
-  a1b0,
-  a1b1,
-  a1b2,
-  a2b0,
-  a2b1,
-  a2b2,
-  facet_of_a,
-  facet_of_b,
-  facet,
-  edges,
-  several,
-  shallow_facet,
-  shallow_edges,
-  a0_decides,
-  a1_decides,
-  a2_decides,
-  b0_decides,
-  b1_decides,
-  b2_decides,
-  a0b0_decides,
-  a0b1_decides,
-  a0b2_decides,
-  a1b0_decides,
-  a1b1_decides,
-  a1b2_decides,
-  a2b0_decides,
-  a2b1_decides,
-  a2b2_decides,
-  no_edge_of_a,
-  no_edge_of_b,
-  parallel,
-  nearly_parallel,
-  same_axes,
-  perpendicular,
-  a_level,
-  b_level,
-  both_level,
-  flat,
-  thin,
-  larger,
-  inside,
-  same_centre,
-  short_quaternion,
-  long_quaternion,
-  other_norm,
-  tiny_w,
-  identity,
-  tiny_turn,
-  tiniest_turn,
-  scaled_axes,
-  small,
-  large,
-  far,
-};
+#define AXISCERT_PAIR_TRAITS(X)                                                      \
+  X(a0_alone, "parted by a0 alone", "regions", true)                                 \
+  X(a1_alone, "parted by a1 alone", "regions", true)                                 \
+  X(a2_alone, "parted by a2 alone", "regions", true)                                 \
+  X(b0_alone, "parted by b0 alone", "regions", true)                                 \
+  X(b1_alone, "parted by b1 alone", "regions", true)                                 \
+  X(b2_alone, "parted by b2 alone", "regions", true)                                 \
+  X(a0b0_alone, "parted by a0 x b0 alone", "regions", true)                          \
+  X(a0b1_alone, "parted by a0 x b1 alone", "regions", true)                          \
+  X(a0b2_alone, "parted by a0 x b2 alone", "regions", true)                          \
+  X(a1b0_alone, "parted by a1 x b0 alone", "regions", true)                          \
+  X(a1b1_alone, "parted by a1 x b1 alone", "regions", true)                          \
+  X(a1b2_alone, "parted by a1 x b2 alone", "regions", true)                          \
+  X(a2b0_alone, "parted by a2 x b0 alone", "regions", true)                          \
+  X(a2b1_alone, "parted by a2 x b1 alone", "regions", true)                          \
+  X(a2b2_alone, "parted by a2 x b2 alone", "regions", true)                          \
+  X(facet_of_a_alone, "parted by one facet of A alone", "regions")                   \
+  X(facet_of_b_alone, "parted by one facet of B alone", "regions")                   \
+  X(facet_alone, "parted by one facet alone", "regions")                             \
+  X(edges_alone, "parted by one product of edges alone", "regions")                  \
+  X(several, "parted by several axes", "regions")                                    \
+  X(shallow_facet, "least deep along a facet", "regions")                            \
+  X(shallow_edges, "least deep along a product of edges", "regions")                 \
+  X(a0_decides, "decided by a0", {}, true)                                           \
+  X(a1_decides, "decided by a1", {}, true)                                           \
+  X(a2_decides, "decided by a2", {}, true)                                           \
+  X(b0_decides, "decided by b0", {}, true)                                           \
+  X(b1_decides, "decided by b1", {}, true)                                           \
+  X(b2_decides, "decided by b2", {}, true)                                           \
+  X(a0b0_decides, "decided by a0 x b0", {}, true)                                    \
+  X(a0b1_decides, "decided by a0 x b1", {}, true)                                    \
+  X(a0b2_decides, "decided by a0 x b2", {}, true)                                    \
+  X(a1b0_decides, "decided by a1 x b0", {}, true)                                    \
+  X(a1b1_decides, "decided by a1 x b1", {}, true)                                    \
+  X(a1b2_decides, "decided by a1 x b2", {}, true)                                    \
+  X(a2b0_decides, "decided by a2 x b0", {}, true)                                    \
+  X(a2b1_decides, "decided by a2 x b1", {}, true)                                    \
+  X(a2b2_decides, "decided by a2 x b2", {}, true)                                    \
+  X(no_edge_of_a, "of which no edge of A meets B")                                   \
+  X(no_edge_of_b, "of which no edge of B meets A")                                   \
+  X(parallel, "with parallel edges", "parallel")                                     \
+  X(nearly_parallel, "with edges within 1 % of parallel", "parallel")                \
+  X(same_axes, "with all edges parallel", "parallel")                                \
+  X(perpendicular, "with edges at right angles")                                     \
+  X(a_level, "with A along the axes", "aligned")                                     \
+  X(b_level, "with B along the axes", "aligned")                                     \
+  X(both_level, "with both along the axes", "aligned")                               \
+  X(flat, "with a box without volume", "flat")                                       \
+  X(thin, "with a box less than a thousandth as thick as long", "flat")              \
+  X(larger, "with one a hundred times as large as the other")                        \
+  X(inside, "with the centre of one inside the other")                               \
+  X(same_centre, "with the same centre")                                             \
+  X(short_quaternion, "with a quaternion shorter than a thousandth")                 \
+  X(long_quaternion, "with a quaternion longer than a thousand")                     \
+  X(other_norm, "with a quaternion not within 1 % of length 1")                      \
+  X(tiny_w, "with w below a thousandth of its quaternion")                           \
+  X(identity, "with a quaternion that does not turn")                                \
+  X(tiny_turn, "with the vector part of a quaternion below 1e-3 of w, and not 0")    \
+  X(tiniest_turn, "with the vector part of a quaternion below 1e-6 of w, and not 0") \
+  X(scaled_axes, "with an axis not within 1 % of length 1")                          \
+  X(small, "with all numbers below 1e-3")                                            \
+  X(large, "with a number of 1e4 or more")                                           \
+  X(far, "with the origin 64 times as far away as the scene is long")
 
-}  // namespace
-}  // namespace boxes
-template <>
-inline constexpr std::size_t enum_count<boxes::PairTrait> = 62;
-namespace boxes {
-namespace {
-
-constexpr EnumArray<PairTrait, Trait> pair_traits = {{
-    {"a0_alone", "parted by a0 alone", "regions", true},
-    {"a1_alone", "parted by a1 alone", "regions", true},
-    {"a2_alone", "parted by a2 alone", "regions", true},
-    {"b0_alone", "parted by b0 alone", "regions", true},
-    {"b1_alone", "parted by b1 alone", "regions", true},
-    {"b2_alone", "parted by b2 alone", "regions", true},
-    {"a0b0_alone", "parted by a0 x b0 alone", "regions", true},
-    {"a0b1_alone", "parted by a0 x b1 alone", "regions", true},
-    {"a0b2_alone", "parted by a0 x b2 alone", "regions", true},
-    {"a1b0_alone", "parted by a1 x b0 alone", "regions", true},
-    {"a1b1_alone", "parted by a1 x b1 alone", "regions", true},
-    {"a1b2_alone", "parted by a1 x b2 alone", "regions", true},
-    {"a2b0_alone", "parted by a2 x b0 alone", "regions", true},
-    {"a2b1_alone", "parted by a2 x b1 alone", "regions", true},
-    {"a2b2_alone", "parted by a2 x b2 alone", "regions", true},
-    {"facet_of_a_alone", "parted by one facet of A alone", "regions"},
-    {"facet_of_b_alone", "parted by one facet of B alone", "regions"},
-    {"facet_alone", "parted by one facet alone", "regions"},
-    {"edges_alone", "parted by one product of edges alone", "regions"},
-    {"several", "parted by several axes", "regions"},
-    {"shallow_facet", "least deep along a facet", "regions"},
-    {"shallow_edges", "least deep along a product of edges", "regions"},
-    {"a0_decides", "decided by a0", {}, true},
-    {"a1_decides", "decided by a1", {}, true},
-    {"a2_decides", "decided by a2", {}, true},
-    {"b0_decides", "decided by b0", {}, true},
-    {"b1_decides", "decided by b1", {}, true},
-    {"b2_decides", "decided by b2", {}, true},
-    {"a0b0_decides", "decided by a0 x b0", {}, true},
-    {"a0b1_decides", "decided by a0 x b1", {}, true},
-    {"a0b2_decides", "decided by a0 x b2", {}, true},
-    {"a1b0_decides", "decided by a1 x b0", {}, true},
-    {"a1b1_decides", "decided by a1 x b1", {}, true},
-    {"a1b2_decides", "decided by a1 x b2", {}, true},
-    {"a2b0_decides", "decided by a2 x b0", {}, true},
-    {"a2b1_decides", "decided by a2 x b1", {}, true},
-    {"a2b2_decides", "decided by a2 x b2", {}, true},
-    {"no_edge_of_a", "of which no edge of A meets B"},
-    {"no_edge_of_b", "of which no edge of B meets A"},
-    {"parallel", "with parallel edges", "parallel"},
-    {"nearly_parallel", "with edges within 1 % of parallel", "parallel"},
-    {"same_axes", "with all edges parallel", "parallel"},
-    {"perpendicular", "with edges at right angles"},
-    {"a_level", "with A along the axes", "aligned"},
-    {"b_level", "with B along the axes", "aligned"},
-    {"both_level", "with both along the axes", "aligned"},
-    {"flat", "with a box without volume", "flat"},
-    {"thin", "with a box less than a thousandth as thick as long", "flat"},
-    {"larger", "with one a hundred times as large as the other"},
-    {"inside", "with the centre of one inside the other"},
-    {"same_centre", "with the same centre"},
-    {"short_quaternion", "with a quaternion shorter than a thousandth"},
-    {"long_quaternion", "with a quaternion longer than a thousand"},
-    {"other_norm", "with a quaternion not within 1 % of length 1"},
-    {"tiny_w", "with w below a thousandth of its quaternion"},
-    {"identity", "with a quaternion that does not turn"},
-    {"tiny_turn", "with the vector part of a quaternion below 1e-3 of w, and not 0"},
-    {"tiniest_turn", "with the vector part of a quaternion below 1e-6 of w, and not 0"},
-    {"scaled_axes", "with an axis not within 1 % of length 1"},
-    {"small", "with all numbers below 1e-3"},
-    {"large", "with a number of 1e4 or more"},
-    {"far", "with the origin 64 times as far away as the scene is long"},
-}};
-
-PairTrait pair_axis(std::size_t i) { return static_cast<PairTrait>(i); }
+enum class PairTrait : std::uint8_t { AXISCERT_PAIR_TRAITS(AXISCERT_TRAIT_ENUMERATOR) };
+constexpr Trait pair_traits[] = {AXISCERT_PAIR_TRAITS(AXISCERT_TRAIT_ROW)};
 
 // Whether a squared length is from 0.99^2 to 1.01^2.
 bool is_about_one(const Big& squared) { return squared >= Big(0.9801) && squared <= Big(1.0201); }
@@ -226,11 +154,11 @@ TraitSet pair_traits_of(const Given& given) {
   });
   if (std::popcount(axes.parting) == 1) {
     const std::size_t i = first_bit(axes.parting);
-    found.put(pair_axis(i));
-    found.put(facet_of_a, i < 3);
-    found.put(facet_of_b, i >= 3 && i < 6);
-    found.put(facet, i < 6);
-    found.put(edges, i >= 6);
+    found.put(static_cast<PairTrait>(i));
+    found.put(facet_of_a_alone, i < 3);
+    found.put(facet_of_b_alone, i >= 3 && i < 6);
+    found.put(facet_alone, i < 6);
+    found.put(edges_alone, i >= 6);
   }
   found.put(several, std::popcount(axes.parting) > 1);
   found.put(shallow_facet, (axes.least & 0x3f) != 0);
@@ -263,7 +191,7 @@ TraitSet pair_traits_of(const Given& given) {
   found.put(inside, is_inside(q.b.centre, q.a) || is_inside(q.a.centre, q.b));
   found.put(same_centre, squared_length(between).is_zero());
   put_given(found, given);
-  // Of the lengths and places, without the axes.
+  // The lengths and places, without the axes.
   std::vector<double> sizes;
   double extent = 0;
   const auto add = [&](const auto& box) {
@@ -281,27 +209,18 @@ TraitSet pair_traits_of(const Given& given) {
   return found.bits();
 }
 
-class BoxBoxTraits final : public Traits {
- public:
-  std::string_view noun() const override { return "pairs of boxes"; }
-  std::span<const Trait> all() const override { return {pair_traits.begin(), pair_traits.end()}; }
-  TraitSet of(const Numbers<float>& q, std::size_t entry) const override { return found(doubles(q), entry); }
-  TraitSet of(const Numbers<double>& q, std::size_t entry) const override { return found(doubles(q), entry); }
-
- private:
-  static TraitSet found(const std::vector<double>& numbers, std::size_t entry) {
-    if (entry == MinmaxBoxes::entry) return pair_traits_of(given_of<MinmaxBoxes>(numbers));
-    if (entry == MixedBoxes::entry) return pair_traits_of(given_of<MixedBoxes>(numbers));
-    if (entry == MatrixBoxes::entry) return pair_traits_of(given_of<MatrixBoxes>(numbers));
-    return pair_traits_of(given_of<QuaternionBoxes>(numbers));
-  }
-};
+TraitSet traits_of_pair(const std::vector<double>& numbers, std::size_t entry) {
+  if (entry == MinmaxBoxes::entry) return pair_traits_of(given_of<MinmaxBoxes>(numbers));
+  if (entry == MixedBoxes::entry) return pair_traits_of(given_of<MixedBoxes>(numbers));
+  if (entry == MatrixBoxes::entry) return pair_traits_of(given_of<MatrixBoxes>(numbers));
+  return pair_traits_of(given_of<QuaternionBoxes>(numbers));
+}
 
 }  // namespace
 }  // namespace boxes
 
 const Traits& box_box_traits() {
-  static const boxes::BoxBoxTraits traits;
+  static constexpr Traits traits = {"pairs of boxes", boxes::pair_traits, boxes::traits_of_pair};
   return traits;
 }
 

@@ -224,67 +224,43 @@ BoxWithTriangle scene_with_triangle(const auto& load) {
   return {q.box, {q.corner[0] - from, q.corner[1] - from, q.corner[2] - from}};
 }
 
-class BoxBoxQuantities final : public Quantities {
- public:
-  std::span<const Quantity> all() const override { return names_of_boxes; }
-  std::vector<double> values(std::size_t entry, const Numbers<float>& query) const override {
-    return values_of(scene(entry, query));
+TwoBoxes scene_of_pair(std::size_t entry, const Numbers<double>& query) {
+  const auto load = [&](std::size_t k) { return query[k]; };
+  if (entry == QuaternionBoxes::entry) {
+    const TurnedPair<double> q = QuaternionBoxes::problem<double>(load);
+    return {turned(q.a), turned(q.b)};
   }
-  std::vector<double> values(std::size_t entry, const Numbers<double>& query) const override {
-    return values_of(scene(entry, query));
+  if (entry == MixedBoxes::entry) {
+    const MixedPair<double> q = MixedBoxes::problem<double>(load);
+    return {with_matrix(q.a), turned(q.b)};
   }
-  std::optional<double> rough_depth(std::size_t entry, const Numbers<float>& query) const override {
-    return rough_depth_of(scene(entry, query));
-  }
+  const BoxPair<double> q = entry == MinmaxBoxes::entry ? with_matrices(MinmaxBoxes::problem<double>(load))
+                                                        : MatrixBoxes::problem<double>(load);
+  return {q.a, q.b};
+}
 
- private:
-  static TwoBoxes scene(std::size_t entry, const auto& query) {
-    const auto load = [&](std::size_t k) { return static_cast<double>(query[k]); };
-    if (entry == QuaternionBoxes::entry) {
-      const TurnedPair<double> q = QuaternionBoxes::problem<double>(load);
-      return {turned(q.a), turned(q.b)};
-    }
-    if (entry == MixedBoxes::entry) {
-      const MixedPair<double> q = MixedBoxes::problem<double>(load);
-      return {with_matrix(q.a), turned(q.b)};
-    }
-    const BoxPair<double> q = entry == MinmaxBoxes::entry ? with_matrices(MinmaxBoxes::problem<double>(load))
-                                                          : MatrixBoxes::problem<double>(load);
-    return {q.a, q.b};
-  }
-};
+BoxWithTriangle scene_of_triangle(std::size_t entry, const Numbers<double>& query) {
+  const auto load = [&](std::size_t k) { return query[k]; };
+  if (entry == CentreEntry::entry) return scene_with_triangle<CentreEntry>(load);
+  if (entry == MinmaxEntry::entry) return scene_with_triangle<MinmaxEntry>(load);
+  if (entry == TurnedEntry::entry) return scene_with_triangle<TurnedEntry>(load);
+  return scene_with_triangle<OrientedEntry>(load);
+}
 
-class BoxTriangleQuantities final : public Quantities {
- public:
-  std::span<const Quantity> all() const override { return names_of_triangle; }
-  std::vector<double> values(std::size_t entry, const Numbers<float>& query) const override {
-    return values_of(scene(entry, query));
-  }
-  std::vector<double> values(std::size_t entry, const Numbers<double>& query) const override {
-    return values_of(scene(entry, query));
-  }
-  std::optional<double> rough_depth(std::size_t entry, const Numbers<float>& query) const override {
-    return rough_depth_of(scene(entry, query));
-  }
-
- private:
-  static BoxWithTriangle scene(std::size_t entry, const auto& query) {
-    const auto load = [&](std::size_t k) { return static_cast<double>(query[k]); };
-    if (entry == CentreEntry::entry) return scene_with_triangle<CentreEntry>(load);
-    if (entry == MinmaxEntry::entry) return scene_with_triangle<MinmaxEntry>(load);
-    if (entry == TurnedEntry::entry) return scene_with_triangle<TurnedEntry>(load);
-    return scene_with_triangle<OrientedEntry>(load);
-  }
-};
+template <auto scene_of>
+constexpr Quantities quantities_of(std::span<const Quantity> names) {
+  return {names, [](std::size_t entry, const Numbers<double>& q) { return values_of(scene_of(entry, q)); },
+          [](std::size_t entry, const Numbers<double>& q) { return rough_depth_of(scene_of(entry, q)); }};
+}
 
 }  // namespace
 
 const Quantities& box_box_quantities() {
-  static const BoxBoxQuantities all;
+  static constexpr Quantities all = quantities_of<scene_of_pair>(names_of_boxes);
   return all;
 }
 const Quantities& box_triangle_quantities() {
-  static const BoxTriangleQuantities all;
+  static constexpr Quantities all = quantities_of<scene_of_triangle>(names_of_triangle);
   return all;
 }
 

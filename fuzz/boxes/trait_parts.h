@@ -88,8 +88,6 @@ inline bool is_level(const BigBox& box) {
       box.axis, [](const Vec3<Big>& axis) { return axis.x.is_zero() + axis.y.is_zero() + axis.z.is_zero() == 2; });
 }
 
-std::vector<double> doubles(const auto& numbers) { return {numbers.begin(), numbers.end()}; }
-
 template <class Entry>
 auto given_of(const std::vector<double>& numbers) {
   return Entry::template problem<double>([&](std::size_t k) { return numbers[k]; });

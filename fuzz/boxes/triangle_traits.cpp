@@ -14,134 +14,68 @@ namespace {
 
 using namespace traits;
 
-enum class CornerTrait : std::uint8_t {
-  x,
-  y,
-  z,
-  plane,
-  x_ab,
-  x_bc,
-  x_ca,
-  y_ab,
-  y_bc,
-  y_ca,
-  z_ab,
-  z_bc,
-  z_ca,
-  facet,
-  edges,
-  several,
-  below_x,
-  above_x,
-  below_y,
-  above_y,
-  below_z,
-  above_z,
-  shallow_facet,
-  shallow_plane,
-  shallow_edges,
-  no_edge,
-  by_ab,
-  by_bc,
-  by_ca,
-  by_x,
-  by_y,
-  by_z,
-  reached_by_a,
-  reached_by_b,
-  reached_by_c,
-  beyond_ab,
-  beyond_bc,
-  beyond_ca,
-  front,
-  behind,
-  vertex_inside,
-  all_inside,
-  crosses,
-  parallel,
-  nearly_parallel,
-  level_edge,
-  axis_plane,
-  axis_edge,
-  flat_triangle,
-  flat_box,
-  thin_triangle,
-  thin_box,
-  large_triangle,
-  small_triangle,
-  obtuse,
-  small,
-  large,
-  far,
-};
+#define AXISCERT_CORNER_TRAITS(X)                                                        \
+  X(x_alone, "parted by the box's facet x alone", "regions", true)                       \
+  X(y_alone, "parted by the box's facet y alone", "regions", true)                       \
+  X(z_alone, "parted by the box's facet z alone", "regions", true)                       \
+  X(plane_alone, "parted by the triangle's plane alone", "regions", true)                \
+  X(x_ab_alone, "parted by x x ab alone", "regions", true)                               \
+  X(x_bc_alone, "parted by x x bc alone", "regions", true)                               \
+  X(x_ca_alone, "parted by x x ca alone", "regions", true)                               \
+  X(y_ab_alone, "parted by y x ab alone", "regions", true)                               \
+  X(y_bc_alone, "parted by y x bc alone", "regions", true)                               \
+  X(y_ca_alone, "parted by y x ca alone", "regions", true)                               \
+  X(z_ab_alone, "parted by z x ab alone", "regions", true)                               \
+  X(z_bc_alone, "parted by z x bc alone", "regions", true)                               \
+  X(z_ca_alone, "parted by z x ca alone", "regions", true)                               \
+  X(facet_alone, "parted by one facet of the box alone", "regions")                      \
+  X(edges_alone, "parted by one product of edges alone", "regions")                      \
+  X(several, "parted by several axes", "regions")                                        \
+  X(below_x, "that meet the box made longer to lower x", {}, true, true)                 \
+  X(above_x, "that meet the box made longer to higher x", {}, true, true)                \
+  X(below_y, "that meet the box made longer to lower y", {}, true, true)                 \
+  X(above_y, "that meet the box made longer to higher y", {}, true, true)                \
+  X(below_z, "that meet the box made longer to lower z", {}, true, true)                 \
+  X(above_z, "that meet the box made longer to higher z", {}, true, true)                \
+  X(shallow_facet, "least deep along a facet of the box", "regions")                     \
+  X(shallow_plane, "least deep along the triangle's plane", "regions")                   \
+  X(shallow_edges, "least deep along a product of edges", "regions")                     \
+  X(no_edge, "of which no edge of the triangle meets the box")                           \
+  X(by_ab, "of which edge ab alone meets the box", {}, true)                             \
+  X(by_bc, "of which edge bc alone meets the box", {}, true)                             \
+  X(by_ca, "of which edge ca alone meets the box", {}, true)                             \
+  X(by_x, "of which the box's edges along x alone meet the triangle", {}, true)          \
+  X(by_y, "of which the box's edges along y alone meet the triangle", {}, true)          \
+  X(by_z, "of which the box's edges along z alone meet the triangle", {}, true)          \
+  X(reached_by_a, "with edge bc beyond a facet of the box, and a not", {}, true)         \
+  X(reached_by_b, "with edge ca beyond a facet of the box, and b not", {}, true)         \
+  X(reached_by_c, "with edge ab beyond a facet of the box, and c not", {}, true)         \
+  X(beyond_ab, "with edge ab beyond the box along a product of it, and c not", {}, true) \
+  X(beyond_bc, "with edge bc beyond the box along a product of it, and a not", {}, true) \
+  X(beyond_ca, "with edge ca beyond the box along a product of it, and b not", {}, true) \
+  X(front, "with the box's centre in front of the triangle", {}, false, true)            \
+  X(behind, "with the box's centre behind the triangle", {}, false, true)                \
+  X(vertex_inside, "with a vertex in the box", "on_triangle")                            \
+  X(all_inside, "with all vertices in the box", "on_triangle")                           \
+  X(centre_inside, "with the box's centre in the triangle's plane", "on_triangle")       \
+  X(parallel, "with parallel edges", "parallel")                                         \
+  X(nearly_parallel, "with edges within 1 % of parallel", "parallel")                    \
+  X(level_edge, "with an edge at right angles to an axis of the box")                    \
+  X(axis_plane, "of a triangle in a plane x, y or z = constant", "aligned")              \
+  X(axis_edge, "of a triangle with an edge along an axis", "aligned")                    \
+  X(flat_triangle, "of a triangle without area", "flat")                                 \
+  X(flat_box, "of a box without volume", "flat")                                         \
+  X(thin_triangle, "of a triangle less than a thousandth as high as long")               \
+  X(thin_box, "of a box less than a thousandth as thick as long")                        \
+  X(large_triangle, "of a triangle a hundred times as large as the box")                 \
+  X(small_triangle, "of a triangle less than a hundredth as large as the box")           \
+  X(obtuse, "of an obtuse triangle", "obtuse")                                           \
+  X(small, "with all numbers below 1e-3")                                                \
+  X(large, "with a number of 1e4 or more")                                               \
+  X(far, "with the origin 64 times as far away as the scene is long")
 
-}  // namespace
-}  // namespace boxes
-template <>
-inline constexpr std::size_t enum_count<boxes::CornerTrait> = 58;
-namespace boxes {
-namespace {
-
-constexpr EnumArray<CornerTrait, Trait> corner_traits = {{
-    {"x_alone", "parted by the box's facet x alone", "regions", true},
-    {"y_alone", "parted by the box's facet y alone", "regions", true},
-    {"z_alone", "parted by the box's facet z alone", "regions", true},
-    {"plane_alone", "parted by the triangle's plane alone", "regions", true},
-    {"x_ab_alone", "parted by x x ab alone", "regions", true},
-    {"x_bc_alone", "parted by x x bc alone", "regions", true},
-    {"x_ca_alone", "parted by x x ca alone", "regions", true},
-    {"y_ab_alone", "parted by y x ab alone", "regions", true},
-    {"y_bc_alone", "parted by y x bc alone", "regions", true},
-    {"y_ca_alone", "parted by y x ca alone", "regions", true},
-    {"z_ab_alone", "parted by z x ab alone", "regions", true},
-    {"z_bc_alone", "parted by z x bc alone", "regions", true},
-    {"z_ca_alone", "parted by z x ca alone", "regions", true},
-    {"facet_alone", "parted by one facet of the box alone", "regions"},
-    {"edges_alone", "parted by one product of edges alone", "regions"},
-    {"several", "parted by several axes", "regions"},
-    {"below_x", "that meet the box made longer to lower x", {}, true, true},
-    {"above_x", "that meet the box made longer to higher x", {}, true, true},
-    {"below_y", "that meet the box made longer to lower y", {}, true, true},
-    {"above_y", "that meet the box made longer to higher y", {}, true, true},
-    {"below_z", "that meet the box made longer to lower z", {}, true, true},
-    {"above_z", "that meet the box made longer to higher z", {}, true, true},
-    {"shallow_facet", "least deep along a facet of the box", "regions"},
-    {"shallow_plane", "least deep along the triangle's plane", "regions"},
-    {"shallow_edges", "least deep along a product of edges", "regions"},
-    {"no_edge", "of which no edge of the triangle meets the box"},
-    {"by_ab", "of which edge ab alone meets the box", {}, true},
-    {"by_bc", "of which edge bc alone meets the box", {}, true},
-    {"by_ca", "of which edge ca alone meets the box", {}, true},
-    {"by_x", "of which the box's edges along x alone meet the triangle", {}, true},
-    {"by_y", "of which the box's edges along y alone meet the triangle", {}, true},
-    {"by_z", "of which the box's edges along z alone meet the triangle", {}, true},
-    {"reached_by_a", "with edge bc beyond a facet of the box, and a not", {}, true},
-    {"reached_by_b", "with edge ca beyond a facet of the box, and b not", {}, true},
-    {"reached_by_c", "with edge ab beyond a facet of the box, and c not", {}, true},
-    {"beyond_ab", "with edge ab beyond the box along a product of it, and c not", {}, true},
-    {"beyond_bc", "with edge bc beyond the box along a product of it, and a not", {}, true},
-    {"beyond_ca", "with edge ca beyond the box along a product of it, and b not", {}, true},
-    {"front", "with the box's centre in front of the triangle", {}, false, true},
-    {"behind", "with the box's centre behind the triangle", {}, false, true},
-    {"vertex_inside", "with a vertex in the box", "on_triangle"},
-    {"all_inside", "with all vertices in the box", "on_triangle"},
-    {"centre_inside", "with the box's centre in the triangle's plane", "on_triangle"},
-    {"parallel", "with parallel edges", "parallel"},
-    {"nearly_parallel", "with edges within 1 % of parallel", "parallel"},
-    {"level_edge", "with an edge at right angles to an axis of the box"},
-    {"axis_plane", "of a triangle in a plane x, y or z = constant", "aligned"},
-    {"axis_edge", "of a triangle with an edge along an axis", "aligned"},
-    {"flat_triangle", "of a triangle without area", "flat"},
-    {"flat_box", "of a box without volume", "flat"},
-    {"thin_triangle", "of a triangle less than a thousandth as high as long"},
-    {"thin_box", "of a box less than a thousandth as thick as long"},
-    {"large_triangle", "of a triangle a hundred times as large as the box"},
-    {"small_triangle", "of a triangle less than a hundredth as large as the box"},
-    {"obtuse", "of an obtuse triangle", "obtuse"},
-    {"small", "with all numbers below 1e-3"},
-    {"large", "with a number of 1e4 or more"},
-    {"far", "with the origin 64 times as far away as the scene is long"},
-}};
+enum class CornerTrait : std::uint8_t { AXISCERT_CORNER_TRAITS(AXISCERT_TRAIT_ENUMERATOR) };
+constexpr Trait corner_traits[] = {AXISCERT_CORNER_TRAITS(AXISCERT_TRAIT_ROW)};
 
 // The corners are seen from the box's centre.
 Big reach(const std::array<Vec3<Big>, 3>& from, const Vec3<Big>& along) {
@@ -236,8 +170,8 @@ TraitSet corner_traits_of(const Given& given, const std::vector<double>& sizes, 
   if (std::popcount(axes.parting) == 1) {
     const std::size_t i = first_bit(axes.parting);
     found.put(static_cast<CornerTrait>(i));
-    found.put(facet, i < 3);
-    found.put(edges, i > plane_axis);
+    found.put(facet_alone, i < 3);
+    found.put(edges_alone, i > plane_axis);
   }
   found.put(several, std::popcount(axes.parting) > 1);
   if (axes.parting != 0) put_sides(found, q);
@@ -252,7 +186,7 @@ TraitSet corner_traits_of(const Given& given, const std::vector<double>& sizes, 
   for (const Vec3<Big>& corner : q.corner) inside += is_inside(corner, q.box);
   found.put(vertex_inside, inside != 0);
   found.put(all_inside, inside == 3);
-  found.put(crosses, !triangle.is_flat() && side == 0);
+  found.put(centre_inside, !triangle.is_flat() && side == 0);
 
   for (std::size_t j = 0; j < 3; ++j) {
     const Vec3<Big>& edge = triangle.edge[j];
@@ -286,36 +220,27 @@ TraitSet corner_traits_of(const Given& given, const std::vector<double>& sizes, 
   return found.bits();
 }
 
-class BoxTriangleTraits final : public Traits {
- public:
-  std::string_view noun() const override { return "boxes and triangles"; }
-  std::span<const Trait> all() const override { return {corner_traits.begin(), corner_traits.end()}; }
-  TraitSet of(const Numbers<float>& q, std::size_t entry) const override { return found(doubles(q), entry); }
-  TraitSet of(const Numbers<double>& q, std::size_t entry) const override { return found(doubles(q), entry); }
-
- private:
-  static TraitSet found(const std::vector<double>& numbers, std::size_t entry) {
-    if (entry == CentreEntry::entry) {
-      const auto given = given_of<CentreEntry>(numbers);
-      return corner_traits_of(given, numbers, given.centre);
-    }
-    if (entry == MinmaxEntry::entry) {
-      const auto given = given_of<MinmaxEntry>(numbers);
-      return corner_traits_of(given, numbers, given.low);
-    }
-    std::vector<double> sizes = numbers;  // without the axes, or the quaternion
-    sizes.erase(sizes.begin() + 6, sizes.end() - 9);
-    const auto traits_of = [&](const auto& given) { return corner_traits_of(given, sizes, given.box.centre); };
-    if (entry == TurnedEntry::entry) return traits_of(given_of<TurnedEntry>(numbers));
-    return traits_of(given_of<OrientedEntry>(numbers));
+TraitSet traits_of_box_and_triangle(const std::vector<double>& numbers, std::size_t entry) {
+  if (entry == CentreEntry::entry) {
+    const auto given = given_of<CentreEntry>(numbers);
+    return corner_traits_of(given, numbers, given.centre);
   }
-};
+  if (entry == MinmaxEntry::entry) {
+    const auto given = given_of<MinmaxEntry>(numbers);
+    return corner_traits_of(given, numbers, given.low);
+  }
+  std::vector<double> sizes = numbers;  // without the axes, or the quaternion
+  sizes.erase(sizes.begin() + 6, sizes.end() - 9);
+  const auto traits_of = [&](const auto& given) { return corner_traits_of(given, sizes, given.box.centre); };
+  if (entry == TurnedEntry::entry) return traits_of(given_of<TurnedEntry>(numbers));
+  return traits_of(given_of<OrientedEntry>(numbers));
+}
 
 }  // namespace
 }  // namespace boxes
 
 const Traits& box_triangle_traits() {
-  static const boxes::BoxTriangleTraits traits;
+  static constexpr Traits traits = {"boxes and triangles", boxes::corner_traits, boxes::traits_of_box_and_triangle};
   return traits;
 }
 

@@ -74,13 +74,10 @@ struct StepCounts {
   EnumArray<Step, double> steps{};  // of the filters; `exact` is part of judging
 
   void merge(const StepCounts& other);
-  static constexpr auto fields(auto&& visit) {
-    using Of = StepCounts;
-    return visit(journalled(&Of::queries), journalled(&Of::signs), journalled(&Of::checked), journalled(&Of::by_cgal),
-                 journalled(&Of::generation, by::added), journalled(&Of::kernels, by::added),
-                 journalled(&Of::errors, by::added), journalled(&Of::judging, by::added),
-                 journalled(&Of::steps, by::added));
-  }
+  AXISCERT_FIELDS(StepCounts, journalled(&Of::queries), journalled(&Of::signs), journalled(&Of::checked),
+                  journalled(&Of::by_cgal), journalled(&Of::generation, by::added), journalled(&Of::kernels, by::added),
+                  journalled(&Of::errors, by::added), journalled(&Of::judging, by::added),
+                  journalled(&Of::steps, by::added))
 };
 
 // One source in one precision.

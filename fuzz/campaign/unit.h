@@ -137,7 +137,7 @@ using KernelRuns = std::deque<KernelRun<Real>>;
 // judges nearly every answer itself (fuzz/sphere_triangle/screen.h); for all others the oracles are asked about every
 // query.
 
-// Of one unit: its batches in the order of their positions, and of each batch these calls in this order. Kernel `k` is
+// It is asked about one unit: the batches in the order of their positions, each by these calls in order. Kernel `k` is
 // number k of the unit's runs, query `i` of the batch. Throws OracleDisagreement where the oracles contradict a filter.
 template <class Real>
 class Screen {

@@ -111,21 +111,21 @@ FoundClass sharp_class(std::span<const Case> cases, const Weights& weights, cons
 
 TraitKinds kinds_of(const Traits& traits) {
   TraitKinds kinds;
-  for (std::size_t k = 0; k < traits.all().size(); ++k) {
-    kinds.narrow |= bit_if<TraitSet>(traits.all()[k].is_narrow, k);
-    kinds.alone |= bit_if<TraitSet>(traits.all()[k].stands_alone, k);
+  for (std::size_t k = 0; k < traits.all.size(); ++k) {
+    kinds.narrow |= bit_if<TraitSet>(traits.all[k].is_narrow, k);
+    kinds.alone |= bit_if<TraitSet>(traits.all[k].stands_alone, k);
   }
   return kinds;
 }
 
 std::string phrase_of(const Traits& traits, TraitSet found) {
   std::string text((found & separated_trait) != 0 ? "separated " : "");
-  text += traits.noun();
+  text += traits.noun;
   if ((found & contact_trait) != 0) text += " in contact";
   bool is_first = true;
   for_each_bit(found & ~(contact_trait | separated_trait), [&](std::size_t k) {
     text += is_first ? " " : ", ";
-    text += traits.all()[k].phrase;
+    text += traits.all[k].phrase;
     is_first = false;
   });
   return text;
@@ -136,7 +136,7 @@ std::vector<std::string> trait_names(const Traits& traits, TraitSet found) {
   if ((found & contact_trait) != 0) names.emplace_back("contact");
   if ((found & separated_trait) != 0) names.emplace_back("separated");
   for_each_bit(found & ~(contact_trait | separated_trait),
-               [&](std::size_t k) { names.emplace_back(traits.all()[k].name); });
+               [&](std::size_t k) { names.emplace_back(traits.all[k].name); });
   return names;
 }
 

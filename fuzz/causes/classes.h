@@ -43,7 +43,7 @@ struct FoundClass {
 // fewer are a matter of chance.
 inline constexpr double least_of_special = 5;
 
-// Of the conjunctions that explain at least half of the wrong verdicts, that with the greatest share: the wrong ones
+// The conjunction with the greatest share, among those that explain at least half of the wrong verdicts: the wrong ones
 // within it, of these, the right ones within it and the wrong ones outside it; else of all conjunctions. One trait less
 // is worth 15 % of it, and among equals the first counts. There is a wrong case.
 FoundClass best_class(std::span<const Case> cases, const Weights& weights, const TraitKinds& kinds = {});

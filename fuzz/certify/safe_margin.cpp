@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "exact/numbers/in_doubles.h"
 #include "exact/trait/critical_radius.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/fields/merge.h"
@@ -165,9 +166,7 @@ class MarginFinder {
   void probe(Numbers<Real> query, const std::string& family, const std::string& id) {
     const auto is_finite = [](Real x) { return std::isfinite(x); };
     if (!(query[radius()] >= 0) || !std::all_of(query.begin(), query.end(), is_finite)) return;
-    Numbers<double> wide(query.size());
-    std::copy(query.begin(), query.end(), wide.begin());
-    const std::optional<Rational> squared = length_.squared(wide);
+    const std::optional<Rational> squared = length_.squared(in_doubles(query));
     if (!squared) return;
     const auto least = sqrt_rounded_up<Real>(*squared);
     if (!least || *least < range_.least || *least > range_.greatest) return;

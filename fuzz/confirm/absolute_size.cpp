@@ -97,7 +97,7 @@ std::vector<AbsoluteSize> sizes_in(const SeededSource& of, std::span<const UnitF
   const std::size_t entry = of.source.entry();
   for (const UnitFlip& flip : flips)
     measured.push_back({quantities.values(entry, of.source.make<Real>(of.seed, flip.base)), flip.right, flip.wrong});
-  return absolute_sizes(quantities.all(), measured);
+  return absolute_sizes(quantities.all, measured);
 }
 
 }  // namespace

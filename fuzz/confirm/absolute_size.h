@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
 
@@ -32,19 +33,19 @@ struct Quantity {
   int degree;
   bool is_of_scene = false;
 };
-class Quantities {
- public:
-  virtual std::span<const Quantity> all() const = 0;
-  // Of a valid query in an entry of the predicate, in that order and in double: four digits would do. 0: the query has
-  // none of it.
-  virtual std::vector<double> values(std::size_t entry, const Numbers<float>& query) const = 0;
-  virtual std::vector<double> values(std::size_t entry, const Numbers<double>& query) const = 0;
+struct Quantities {
+  std::span<const Quantity> all;
+  // The quantities of a valid query in an entry of the predicate, in that order and in double: four digits would do. 0:
+  // the query has none of it.
+  std::vector<double> (*values_of)(std::size_t entry, const Numbers<double>& query);
   // In double, by which a search is guided: the depth of a valid query, negative where the shapes are apart, of which
-  // boxes have the gap in place of the distance. Empty where it is not told.
-  virtual std::optional<double> rough_depth(std::size_t, const Numbers<float>&) const { return std::nullopt; }
+  // boxes have the gap in place of the distance. Null where it is not told.
+  double (*rough_depth)(std::size_t entry, const Numbers<double>& query) = nullptr;
 
- protected:
-  ~Quantities() = default;
+  template <class Real>
+  std::vector<double> values(std::size_t entry, const Numbers<Real>& query) const {
+    return values_of(entry, in_doubles(query));
+  }
 };
 
 // A number with which the quantity was compared: all that is known is that it lies between two values.

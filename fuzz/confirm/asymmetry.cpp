@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "exact/numbers/in_doubles.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/confirm/image_numbers.h"
 #include "kernel/ask.h"
@@ -220,11 +221,6 @@ class AsymmetryBlock {
   std::vector<double> measures(std::uint64_t position, std::size_t in_batch) const {
     return replies_ ? replies_->measures(of_.source, precision_of<Real>, position) : reply_.measures(in_batch);
   }
-  static Numbers<double> widened(const Numbers<Real>& q) {
-    Numbers<double> wide(q.size());
-    for (std::size_t k = 0; k < q.size(); ++k) wide[k] = static_cast<double>(q[k]);
-    return wide;
-  }
 
   // For the answer to query i of the group at hand.
   OwnErrors own_errors_of(std::size_t i, const std::vector<double>& measures) const {
@@ -234,7 +230,7 @@ class AsymmetryBlock {
       return {};
     const std::unique_ptr<ContactJudge> judge = oracles.contact_judge(q);
     if (!judge) return {};
-    const double extent = image_extent(kernel_.predicate->entries[kernel_.entry], widened(q));
+    const double extent = image_extent(kernel_.predicate->entries[kernel_.entry], in_doubles(q));
     return own_errors(judge->judge(*verdicts_[i], measures), judge->scene(), extent);
   }
 
@@ -242,12 +238,12 @@ class AsymmetryBlock {
   void count_numbers_of(std::uint64_t position, std::size_t in_batch) {
     const Predicate& predicate = *kernel_.predicate;
     const PredicateEntry& entry = predicate.entries[kernel_.entry];
-    const Numbers<double> base = widened(queries_[0]);
+    const Numbers<double> base = in_doubles(queries_[0]);
     const std::vector<double> of_base = measures(position, in_batch);
     std::optional<OwnErrors> own_of_base;
     for (std::size_t i = 1; i < group_.size; ++i) {
       if (!verdicts_[i] || verdicts_[i] != verdicts_[0]) continue;
-      const Numbers<double> image = widened(queries_[i]);
+      const Numbers<double> image = in_doubles(queries_[i]);
       const bool is_scaled = group_.kind(i) == ImageKind::scale && group_.exponent != nullptr;
       const int exponent = is_scaled ? group_.exponent(precision_of<Real>, position / group_.size, i) : 0;
       const std::optional<ImageMap> map = image_map(entry, group_, i, exponent, base, image);

@@ -61,8 +61,8 @@ ProbeFinding by_trait(Subject<Real>& subject, std::string_view property) {
   std::vector<TraitCounts> counts;
   TraitSet wanted = 0;
   if (traits != nullptr) {
-    for (std::size_t k = 0; k < traits->all().size(); ++k) {
-      if (traits->all()[k].property != property) continue;
+    for (std::size_t k = 0; k < traits->all.size(); ++k) {
+      if (traits->all[k].property != property) continue;
       counts.push_back({k});
       wanted |= one_bit<TraitSet>(k);
     }
@@ -71,7 +71,7 @@ ProbeFinding by_trait(Subject<Real>& subject, std::string_view property) {
   const std::vector<TraitQuery<Real>> clear = clear_having(subject, *traits, wanted);
   if (clear.size() < fewest) {
     return unasked(fmt::format("{} clear {} have such a trait, among those that were looked at: too few to say.",
-                               clear.size(), traits->noun()));
+                               clear.size(), traits->noun));
   }
 
   Queries<Real> queries;
@@ -90,12 +90,12 @@ ProbeFinding by_trait(Subject<Real>& subject, std::string_view property) {
   }
   Json measured = Json::object();
   for (const TraitCounts& of : counts)
-    measured[std::string(traits->all()[of.k].name)] = {{"wrong", of.wrong}, {"of", of.of}};
+    measured[std::string(traits->all[of.k].name)] = {{"wrong", of.wrong}, {"of", of.of}};
   if (decided < fewest) return undecided("It decides too few of them to say.", std::move(measured));
   if (wrong == 0) {
     return diagnosis::decided(ByTrait::right,
-                              fmt::format("It is right on all {} clear {} that were asked.", decided, traits->noun()),
-                              {}, std::move(measured));
+                              fmt::format("It is right on all {} clear {} that were asked.", decided, traits->noun), {},
+                              std::move(measured));
   }
   const TraitCounts& worst =
       *std::ranges::max_element(counts, [](const TraitCounts& x, const TraitCounts& y) { return y.is_more_wrong(x); });
@@ -107,7 +107,7 @@ ProbeFinding by_trait(Subject<Real>& subject, std::string_view property) {
   }
   return diagnosis::decided(ByTrait::wrong,
                             fmt::format("It is wrong on {} of {} clear {} {}, which no right method gets wrong.",
-                                        worst.wrong, worst.of, traits->noun(), traits->all()[worst.k].phrase),
+                                        worst.wrong, worst.of, traits->noun, traits->all[worst.k].phrase),
                             std::move(witnesses), std::move(measured));
 }
 

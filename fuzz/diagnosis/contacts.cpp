@@ -19,7 +19,7 @@ constexpr std::size_t most_queries = 1024, fewest_judged = 32;
 // A rule holds on so many of a hundred queries.
 constexpr std::size_t percent = 95;
 
-// Of ordinary rounding, in shares of the scene and in radians.
+// The size of ordinary rounding, in shares of the scene and in radians.
 template <class Real>
 constexpr double small = 0x1p11 * std::numeric_limits<Real>::epsilon();
 

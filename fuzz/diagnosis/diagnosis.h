@@ -39,15 +39,11 @@ struct DiagnosisWitness {
   QueryLine query;
   std::string answered, truth, shows;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = DiagnosisWitness;
-    return visit(
-        field(&Of::query, {"query", "A query as in a query file."}),
-        field(&Of::answered, {"answered", "The kernel's verdict; where it was asked in two ways both, with a comma."}),
-        field(&Of::truth,
-              {"truth", "The exact answer: contact, separated, invalid, or touching, at a distance of exactly r."}),
-        field(&Of::shows, {"shows", "How it was asked, and what follows, in a line."}));
-  }
+  AXISCERT_FIELDS(
+      DiagnosisWitness, AXISCERT_FIELD(query, "A query as in a query file."),
+      AXISCERT_FIELD(answered, "The kernel's verdict; where it was asked in two ways both, with a comma."),
+      AXISCERT_FIELD(truth, "The exact answer: contact, separated, invalid, or touching, at a distance of exactly r."),
+      AXISCERT_FIELD(shows, "How it was asked, and what follows, in a line."))
 };
 
 struct Property {
@@ -58,22 +54,17 @@ struct Property {
   LookedAt looked_at = {};
 
   static constexpr std::string_view about = "One property, with what its value rests on.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = Property;
-    return visit(
-        field(&Of::name, {"name", "Which property."}),
-        field(&Of::value,
-              {"value",
-               "One of the property's values, not_known or not_asked; of nearest_form the id of a built-in kernel."}),
-        field(&Of::sentence, {"sentence", "The same in words, for a reader who has not read the probe."}),
-        field(&Of::queries, {"queries", "Answers of the kernel that were looked at."}),
-        field(&Of::witnesses, {"witnesses", "A few queries that show it; none where no single query does."}),
-        field(&Of::measured, {"measured", "Numbers by name, such as the size of a threshold; null: none."}),
-        field(&Of::looked_at,
-              {"looked_at",
-               "What became of them, without those that invariance is counted from. A value needs half of them "
-               "decided and within the limits, but where one answer shows it."}));
-  }
+  AXISCERT_FIELDS(
+      Property, AXISCERT_FIELD(name, "Which property."),
+      AXISCERT_FIELD(
+          value, "One of the property's values, not_known or not_asked; of nearest_form the id of a built-in kernel."),
+      AXISCERT_FIELD(sentence, "The same in words, for a reader who has not read the probe."),
+      AXISCERT_FIELD(queries, "Answers of the kernel that were looked at."),
+      AXISCERT_FIELD(witnesses, "A few queries that show it; none where no single query does."),
+      AXISCERT_FIELD(measured, "Numbers by name, such as the size of a threshold; null: none."),
+      AXISCERT_FIELD(looked_at,
+                     "What became of them, without those that invariance is counted from. A value needs half of them "
+                     "decided and within the limits, but where one answer shows it."))
 };
 
 struct Diagnosis {
@@ -93,22 +84,17 @@ struct Diagnosis {
   std::string predicate_id() const { return std::string(predicate->id); }
   WholeNumber whole_seed() const { return {seed}; }
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = Diagnosis;
-    return visit(
-        field(&Of::kernel, {"kernel", "The kernel as given."}), journalled(&Of::predicate),
-        field(&Of::predicate_id, {"predicate", "The predicate that it answers."}),
-        field(&Of::precision, {"precision", "The precision of the queries."}), journalled(&Of::seed),
-        field(&Of::whole_seed, {"seed", "The seed of all random choices."}),
-        field(&Of::may_decline, {"may_decline", "Whether the kernel declares that it may answer `undecided`."}),
-        field(&Of::complete,
-              {"complete", "False where it was interrupted: the properties that were not reached are missing."}),
-        field(&Of::looked_at,
-              {"looked_at",
-               "The answers over all properties, without those that invariance is counted from. With none decided, "
-               "nothing is known of the kernel."}),
-        field(&Of::properties, {"properties", "In the order in which they were asked."}));
-  }
+  AXISCERT_FIELDS(Diagnosis, AXISCERT_FIELD(kernel, "The kernel as given."), journalled(&Of::predicate),
+                  field(&Of::predicate_id, {"predicate", "The predicate that it answers."}),
+                  AXISCERT_FIELD(precision, "The precision of the queries."), journalled(&Of::seed),
+                  field(&Of::whole_seed, {"seed", "The seed of all random choices."}),
+                  AXISCERT_FIELD(may_decline, "Whether the kernel declares that it may answer `undecided`."),
+                  AXISCERT_FIELD(complete,
+                                 "False where it was interrupted: the properties that were not reached are missing."),
+                  AXISCERT_FIELD(looked_at,
+                                 "The answers over all properties, without those that invariance is counted from. With "
+                                 "none decided, nothing is known of the kernel."),
+                  AXISCERT_FIELD(properties, "In the order in which they were asked."))
 };
 
 struct DiagnosisOptions {

@@ -77,7 +77,7 @@ class SidesOfForms {
     const auto doubled = times_exactly(query, scaling.columns, 1);
     if (!doubled) return std::nullopt;
     UnitRange range{std::numeric_limits<double>::infinity(), greatest_of(query, scaling), 0};
-    // Of a comparison the greater side: the other is nothing beside it where it is lost.
+    // The greater side of a comparison: the other is nothing beside it where it is lost.
     const auto add = [&](const Sides& one, const Sides& two) {
       if (!same_significand(one.lhs, two.lhs) || !same_significand(one.rhs, two.rhs)) return false;
       const bool is_left = std::abs(one.lhs) >= std::abs(one.rhs);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/numbers/in_doubles.h"
 #include "fuzz/diagnosis/other_units.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/image_groups.h"
@@ -68,9 +69,7 @@ Queries<Real> near_turning(const Kernel& kernel, std::uint64_t seed, std::size_t
   const std::optional<CriticalLength> length = oracles_of(kernel).critical_length();
   for (std::uint64_t i = 0; family && length && queries.size() < count && i < count; ++i) {
     Numbers<Real> query = family->make<Real>(seed, i);
-    Numbers<double> wide(query.size());
-    std::copy(query.begin(), query.end(), wide.begin());
-    const std::optional<Rational> squared = length->squared(wide);
+    const std::optional<Rational> squared = length->squared(in_doubles(query));
     const auto critical = squared ? sqrt_rounded_up<Real>(*squared) : std::nullopt;
     if (!critical || !(*critical > 0)) continue;
     for (const Real factor : {Real(0.75), Real(1.25)}) {

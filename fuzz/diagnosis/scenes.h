@@ -105,9 +105,9 @@ struct Scenes {
   TouchingScenes<Real> (*touching)(Subject<Real>& subject, std::size_t count) = touching_by_trait<Real>;
   // At most `count`, of which half are of each side.
   SidedScenes<Real> (*sided)(Subject<Real>& subject, std::size_t count) = sided_by_trait<Real>;
-  // Of each kind at most `of_each`, as many contacts as separations.
+  // At most `of_each` of each kind, as many contacts as separations.
   FlatScenes<Real> (*flat)(Subject<Real>& subject, std::size_t of_each) = flat_by_trait<Real>;
-  // Of predicates with a critical distance: at most `count`.
+  // At most `count`, of predicates with a critical distance.
   TurningScenes<Real> (*turning)(Subject<Real>& subject, std::size_t count) = turning_by_trait<Real>;
   // Those that tell of subnormal numbers: intermediate results are, and where that does not tell, lengths too.
   Queries<Real> (*small)(const Kernel& kernel) = small_of_any_degree<Real>;

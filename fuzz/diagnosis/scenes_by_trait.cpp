@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "exact/numbers/in_doubles.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/queries/image_groups.h"
 
@@ -241,9 +242,7 @@ TurningScenes<Real> turning_by_trait(Subject<Real>& subject, std::size_t count) 
   for (std::uint64_t i = 0; family && i < turning_positions && scenes.queries.size() < count; ++i) {
     Numbers<Real> query = family->make<Real>(subject.seed(), i);
     if (!is_plump(kernel, query)) continue;
-    Numbers<double> wide(query.size());
-    std::copy(query.begin(), query.end(), wide.begin());
-    const std::optional<Rational> squared = distance.squared(wide);
+    const std::optional<Rational> squared = distance.squared(in_doubles(query));
     const auto critical = squared ? sqrt_rounded_up<Real>(*squared) : std::nullopt;
     if (!critical || *critical < Real(0.125) || *critical > Real(4)) continue;
     const auto at = [&](double factor) {

@@ -260,7 +260,7 @@ void add_sizes(ThresholdFindings& into, const Kernel& kernel, const std::vector<
   }
   into.bases += flips.size();
   if (flips.empty() || (!quaternion && !quantities)) return;
-  const std::span<const Quantity> all = quaternion ? std::span(&quaternion_length, 1) : quantities->all();
+  const std::span<const Quantity> all = quaternion ? std::span(&quaternion_length, 1) : quantities->all;
   const std::vector<AbsoluteSize> sizes = absolute_sizes(all, flips);
   for (const AbsoluteSize& size : sizes) {
     into.compared.push_back({{"wrong_where", is_small ? "small" : "large"},

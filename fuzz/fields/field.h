@@ -3,10 +3,9 @@
 //   struct TruthCounts {
 //     std::uint64_t separated = 0, contact = 0;
 //     static constexpr std::string_view about = "The geometric truth of the queries.";
-//     static constexpr auto fields(auto&& visit) {
-//       return visit(field(&TruthCounts::separated, {"separated", "Queries whose exact distance is greater than r."}),
-//                    field(&TruthCounts::contact, {"contact", "The other valid ones."}));
-//     }
+//     AXISCERT_FIELDS(TruthCounts,
+//                     AXISCERT_FIELD(separated, "Queries whose exact distance is greater than r."),
+//                     AXISCERT_FIELD(contact, "The other valid ones."))
 //   };
 //
 // `about` may be left out; where there is `is_open`, readers ignore members of JSON that no field has. The fields are
@@ -85,12 +84,12 @@ inline constexpr Same same;
 }  // namespace by
 
 struct Field {
-  std::string_view name;       // in JSON, and in the path of a column
-  std::string_view about;      // one sentence: what is counted, and what null means
-  std::string_view unit = {};  // empty: queries, of a count; of another number, none
-  bool is_inlined = false;     // JSON has the fields of this struct in its place
-  bool may_be_absent = false;  // an empty optional is left out of JSON, and not null
-  bool is_rest = false;        // a Named: its values are members of the struct's object, whatever their names
+  std::string_view name;        // in JSON, and in the path of a column
+  std::string_view about = {};  // one sentence: what is counted, and what null means
+  std::string_view unit = {};   // empty: queries, of a count; of another number, none
+  bool is_inlined = false;      // JSON has the fields of this struct in its place
+  bool may_be_absent = false;   // an empty optional is left out of JSON, and not null
+  bool is_rest = false;         // a Named: its values are members of the struct's object, whatever their names
 };
 
 template <class Of, class Member, class How = by::Type>
@@ -140,6 +139,21 @@ constexpr auto merged(auto&& visit, Fields... members) {
   };
   return visit(field_of(members)...);
 }
+
+// An optional of which an empty one is left out of JSON.
+constexpr Field optional_field(std::string_view name, std::string_view about = {}, std::string_view unit = {}) {
+  return {.name = name, .about = about, .unit = unit, .may_be_absent = true};
+}
+
+// The fields of a struct, which is `Of` among them; a member by its own name, and what is said of it: what it is about,
+// and its unit.
+#define AXISCERT_FIELDS(Struct, ...)           \
+  static constexpr auto fields(auto&& visit) { \
+    using Of [[maybe_unused]] = Struct;        \
+    return visit(__VA_ARGS__);                 \
+  }
+#define AXISCERT_FIELD(member, ...) field(&Of::member, {#member __VA_OPT__(, ) __VA_ARGS__})
+#define AXISCERT_OPTIONAL_FIELD(member, ...) field(&Of::member, optional_field(#member __VA_OPT__(, ) __VA_ARGS__))
 
 template <class Of>
 concept Fielded = requires { Of::fields([](const auto&...) {}); };

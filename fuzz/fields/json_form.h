@@ -100,7 +100,7 @@ struct JsonForm<T> {
         read_member(place, field.name, of);
       }
     });
-    // What the others say already.
+    // Fields that others already say.
     for_each_written<T>([&](const auto& field) {
       if constexpr (!std::remove_cvref_t<decltype(field)>::is_stored)
         require_said(place, field.name, json_of(value_of(into, field)));

@@ -55,12 +55,9 @@ struct ProvenanceLine {
   std::string where;
   std::optional<std::string> subject;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = ProvenanceLine;
-    return visit(field(&Of::kind, {"kind", "address, search, report or made."}),
-                 field(&Of::where, {"where", "The address, link or title."}),
-                 field(&Of::subject, {.name = "about", .about = "The subject of a report.", .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(ProvenanceLine, AXISCERT_FIELD(kind, "address, search, report or made."),
+                  AXISCERT_FIELD(where, "The address, link or title."),
+                  field(&Of::subject, {.name = "about", .about = "The subject of a report.", .may_be_absent = true}))
 };
 struct ExpectedLine {
   Verdict verdict = Verdict::invalid;
@@ -69,22 +66,14 @@ struct ExpectedLine {
   NamedValues<Json> details;  // of the predicate, by name
 
   static constexpr std::string_view about = "The exact answers, with what else the predicate's oracles tell.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ExpectedLine;
-    return visit(
-        field(&Of::verdict, {"verdict", "The answer."}),
-        field(&Of::touching, {"touching", "Whether the two touch and no more."}),
-        field(
-            &Of::squared_distance,
-            {.name = "squared_distance",
-             .about = "A fraction; this and the next two of a predicate that compares a distance, null where invalid.",
-             .may_be_absent = true}),
-        field(&Of::comparisons, {.name = "comparisons",
-                                 .about = "Comparison bits, a digit each in the order of `axiscert predicates`.",
-                                 .may_be_absent = true}),
-        field(&Of::ties, {.name = "ties", .about = "Which of the comparisons are ties.", .may_be_absent = true}),
-        rest(&Of::details));
-  }
+  AXISCERT_FIELDS(ExpectedLine, AXISCERT_FIELD(verdict, "The answer."),
+                  AXISCERT_FIELD(touching, "Whether the two touch and no more."),
+                  AXISCERT_OPTIONAL_FIELD(
+                      squared_distance,
+                      "A fraction; this and the next two of a predicate that compares a distance, null where invalid."),
+                  AXISCERT_OPTIONAL_FIELD(comparisons,
+                                          "Comparison bits, a digit each in the order of `axiscert predicates`."),
+                  AXISCERT_OPTIONAL_FIELD(ties, "Which of the comparisons are ties."), rest(&Of::details))
 };
 struct CorpusLine : StoredLine {
   ProvenanceLine provenance;
@@ -97,12 +86,8 @@ struct CorpusLine : StoredLine {
                                         "a line of a query file (docs/queries.md) with its exact answers "
                                         "(docs/corpus.md). The files are written by hand too, so no line names the "
                                         "format.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = CorpusLine;
-    return visit(base<Of, StoredLine>(), field(&Of::provenance, {"provenance", "Where it came from."}),
-                 field(&Of::note, {.name = "note", .about = "What it shows.", .may_be_absent = true}),
-                 field(&Of::expected, {"expected", ExpectedLine::about}));
-  }
+  AXISCERT_FIELDS(CorpusLine, base<Of, StoredLine>(), AXISCERT_FIELD(provenance, "Where it came from."),
+                  AXISCERT_OPTIONAL_FIELD(note, "What it shows."), AXISCERT_FIELD(expected, ExpectedLine::about))
 };
 std::string corpus_line(const CorpusEntry& entry);
 // The entry that a query is a symmetric image of, if any.

@@ -1,4 +1,5 @@
 // Every entry of the corpus as a test of its own, and the messages about a corpus that is not valid.
+#include "exact/numbers/in_doubles.h"
 #include "fuzz/files/corpus.h"
 
 #include <gmock/gmock.h>
@@ -65,13 +66,7 @@ Rational walked(const Query<Real>& q) {
 }
 
 Numbers<double> wide_numbers(const StoredQuery& stored) {
-  return std::visit(
-      [](const auto& q) {
-        Numbers<double> wide(q.size());
-        std::copy(q.begin(), q.end(), wide.begin());
-        return wide;
-      },
-      stored.numbers);
+  return std::visit([](const auto& q) { return in_doubles(q); }, stored.numbers);
 }
 
 TEST_P(CorpusEntryTest, HasTheseExactAnswers) {

@@ -35,16 +35,9 @@ struct StoredLine {
 
   static constexpr std::string_view about =
       "A line of a query file (docs/queries.md). The numbers have the names of the groups of columns of its predicate.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = StoredLine;
-    return visit(
-        field(&Of::id, {"id", "Its name."}), field(&Of::precision, {"precision", "Of its numbers."}),
-        field(&Of::predicate,
-              {.name = "predicate", .about = "Its predicate; absent for the implied one.", .may_be_absent = true}),
-        field(&Of::entry,
-              {.name = "entry", .about = "The form of its numbers; absent for the first.", .may_be_absent = true}),
-        rest(&Of::numbers));
-  }
+  AXISCERT_FIELDS(StoredLine, AXISCERT_FIELD(id, "Its name."), AXISCERT_FIELD(precision, "Of its numbers."),
+                  AXISCERT_OPTIONAL_FIELD(predicate, "Its predicate; absent for the implied one."),
+                  AXISCERT_OPTIONAL_FIELD(entry, "The form of its numbers; absent for the first."), rest(&Of::numbers))
 };
 inline StoredLine stored_line(const StoredQuery& stored) {
   return read_as<StoredLine>(Json::parse(query_line(stored)));

@@ -53,7 +53,7 @@ DistinctParts distinct(const Rows<Real>& queries, std::size_t columns) {
   return parts;
 }
 
-class QueryFileSource final : public ColumnSource<QueryFileSource> {
+class QueryFileSource final : public Source {
  public:
   // `kind` is "queries", or "corpus", of which there is only one; the hash is that of `bytes`, and the address that of
   // `addressed`. There is a query, and all are of one predicate and entry.
@@ -112,8 +112,16 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
 
   const Predicate& predicate() const override { return predicate_; }
   std::size_t entry() const override { return entry_; }
+  void fill_columns(std::uint64_t, std::uint64_t first, const MutableColumns<float>& out) const override {
+    copy(first, out);
+  }
+  void fill_columns(std::uint64_t, std::uint64_t first, const MutableColumns<double>& out) const override {
+    copy(first, out);
+  }
+
+ private:
   template <class Real>
-  void fill_columns(std::uint64_t, std::uint64_t first, const MutableColumns<Real>& out) const {
+  void copy(std::uint64_t first, const MutableColumns<Real>& out) const {
     const auto& queries = rows<Real>();
     for (std::size_t i = 0; i < out.size; ++i) {
       if (first + i >= queries.size()) {
@@ -123,8 +131,6 @@ class QueryFileSource final : public ColumnSource<QueryFileSource> {
       for (std::size_t k = 0; k < out.count; ++k) out.column[k][i] = queries[first + i][k];
     }
   }
-
- private:
   template <class Real>
   const Rows<Real>& rows() const {
     if constexpr (precision_of<Real> == Precision::binary32) return binary32_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/numbers/in_doubles.h"
 #include "exact/trait/critical_radius.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/fields/merge.h"
@@ -82,13 +83,6 @@ template <class Real>
 bool is_measurable(const QueryWithRadius<Real>& q) {
   return q.numbers[q.column] >= 0 &&
          std::all_of(q.numbers.begin(), q.numbers.end(), [](Real x) { return std::isfinite(x); });
-}
-
-template <class Real>
-Numbers<double> in_doubles(const Numbers<Real>& q) {
-  Numbers<double> wide(q.size());
-  for (std::size_t k = 0; k < q.size(); ++k) wide[k] = static_cast<double>(q[k]);
-  return wide;
 }
 
 template <class Real>

@@ -57,7 +57,7 @@ struct JudgedPlan {
 template <class Real>
 class JudgedBatch {
  public:
-  // Of a block of the plan, which has to outlive this.
+  // The block is one of the plan, which has to outlive this.
   JudgedBatch(const JudgedPlan& plan, const QueryBlock& block, ProgressCount& progress);
   // Fills the next batch of the block; false: there is none.
   bool next();

@@ -228,7 +228,7 @@ double box_diagonal(const std::vector<MeshTriangle>& triangles) {
   return std::sqrt(sum);
 }
 
-class MeshSource final : public ColumnSource<MeshSource> {
+class MeshSource final : public Source {
  public:
   MeshSource(const std::string& path, const std::string& bytes, const Predicate& predicate)
       : mesh_(load_mesh(path, bytes.size())), predicate_(predicate), queries_(mesh_queries_of(predicate)) {
@@ -256,15 +256,23 @@ class MeshSource final : public ColumnSource<MeshSource> {
   std::size_t cluster_run() const override { return 0; }
   std::optional<FileInfo> file() const override { return file_; }
 
-  template <class Real>
-  void fill_columns(std::uint64_t seed, std::uint64_t first, const MutableColumns<Real>& out) const {
-    const StreamName placed(seed, placements_, placements_version, precision_of<Real>);
-    const StreamName own(seed, generator_, version(), precision_of<Real>);
-    if constexpr (sizeof(Real) == 4) queries_.in_binary32(mesh_, placed, own, first, out);
-    else queries_.in_binary64(mesh_, placed, own, first, out);
+  void fill_columns(std::uint64_t seed, std::uint64_t first, const MutableColumns<float>& out) const override {
+    queries_.in_binary32(mesh_, placed<float>(seed), own<float>(seed), first, out);
+  }
+  void fill_columns(std::uint64_t seed, std::uint64_t first, const MutableColumns<double>& out) const override {
+    queries_.in_binary64(mesh_, placed<double>(seed), own<double>(seed), first, out);
   }
 
  private:
+  template <class Real>
+  StreamName placed(std::uint64_t seed) const {
+    return {seed, placements_, placements_version, precision_of<Real>};
+  }
+  template <class Real>
+  StreamName own(std::uint64_t seed) const {
+    return {seed, generator_, version(), precision_of<Real>};
+  }
+
   Mesh mesh_;
   const Predicate& predicate_;
   const MeshQueries& queries_;

@@ -69,7 +69,7 @@ struct MeshQueries {
   void (*in_binary64)(const Mesh& mesh, const StreamName& placed, const StreamName& own, std::uint64_t first,
                       const MutableColumns<double>& out);
 };
-// Of a predicate of mesh_predicates().
+// The predicate is one of mesh_predicates().
 const MeshQueries& mesh_queries_of(const Predicate& predicate);
 
 }  // namespace axiscert

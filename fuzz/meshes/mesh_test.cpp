@@ -11,7 +11,7 @@
 
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/sphere_triangle/asked_sphere_triangle.h"
 #include "fuzz/meshes/mesh_testing.h"
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
 #include "fuzz/queries/lane_testing.h"

@@ -114,31 +114,18 @@ double rough_depth_of(const GivenMotion& q) {
   return scene > 0 ? (q.r - least) / scene : 0;
 }
 
-class MotionQuantities final : public Quantities {
- public:
-  std::span<const Quantity> all() const override { return names; }
-  std::vector<double> values(std::size_t entry, const Numbers<float>& query) const override {
-    return values_of(motion(entry, query));
-  }
-  std::vector<double> values(std::size_t entry, const Numbers<double>& query) const override {
-    return values_of(motion(entry, query));
-  }
-  std::optional<double> rough_depth(std::size_t entry, const Numbers<float>& query) const override {
-    return rough_depth_of(motion(entry, query));
-  }
-
- private:
-  static GivenMotion motion(std::size_t entry, const auto& query) {
-    const auto load = [&](std::size_t k) { return static_cast<double>(query[k]); };
-    if (entry == MovingEnds::entry) return MovingEnds::problem<double>(load);
-    return MovingSphere::problem<double>(load);
-  }
-};
+GivenMotion motion(std::size_t entry, const Numbers<double>& query) {
+  const auto load = [&](std::size_t k) { return query[k]; };
+  if (entry == MovingEnds::entry) return MovingEnds::problem<double>(load);
+  return MovingSphere::problem<double>(load);
+}
 
 }  // namespace
 
 const Quantities& quantities() {
-  static const MotionQuantities all;
+  static constexpr Quantities all = {
+      names, [](std::size_t entry, const Numbers<double>& q) { return values_of(motion(entry, q)); },
+      [](std::size_t entry, const Numbers<double>& q) { return rough_depth_of(motion(entry, q)); }};
   return all;
 }
 

@@ -16,105 +16,54 @@ namespace {
 using Integer = mpz_class;
 using portable::cross, portable::dot;
 
-enum class MotionTrait : std::uint8_t {
-  vertex_a,
-  vertex_b,
-  vertex_c,
-  edge_ab,
-  edge_bc,
-  edge_ca,
-  face,
-  vertex,
-  edge,
-  obtuse_there,
-  overlap,
-  clear,
-  leaving,
-  still,
-  early,
-  earliest,
-  late,
-  beyond_end,
-  before_start,
-  parallel,
-  nearly_parallel,
-  along_edge,
-  nearly_along_edge,
-  head_on,
-  from_front,
-  from_behind,
-  through,
-  tiny_motion,
-  short_motion,
-  long_motion,
-  on_triangle,
-  in_plane,
-  obtuse,
-  flat,
-  thin,
-  axis_plane,
-  axis_edge,
-  zero_radius,
-  large_sphere,
-  small_sphere,
-  small,
-  large,
-  far,
-};
-
-}  // namespace
-}  // namespace moving_sphere
-template <>
-inline constexpr std::size_t enum_count<moving_sphere::MotionTrait> = 43;
-namespace moving_sphere {
-namespace {
-
 // For a motion without contact, nearest is meant where the centre comes nearest.
-constexpr EnumArray<MotionTrait, Trait> motion_traits = {{
-    {"vertex_a", "that meet or pass vertex a first", "regions"},
-    {"vertex_b", "that meet or pass vertex b first", "regions"},
-    {"vertex_c", "that meet or pass vertex c first", "regions"},
-    {"edge_ab", "that meet or pass edge ab first", "regions"},
-    {"edge_bc", "that meet or pass edge bc first", "regions"},
-    {"edge_ca", "that meet or pass edge ca first", "regions"},
-    {"face", "that meet or pass the face first", "regions"},
-    {"vertex", "that meet or pass a vertex first", "regions"},
-    {"edge", "that meet or pass an edge first", "regions"},
-    {"obtuse_there", "with an obtuse corner there", "obtuse"},
-    {"overlap", "that overlap at the start"},
-    {"clear", "that are clear at the start"},
-    {"leaving", "that begin to move away"},
-    {"still", "that do not move"},
-    {"early", "with the contact in the first 5 %"},
-    {"earliest", "with the contact in the first 0.1 %"},
-    {"late", "with the contact in the last 5 %"},
-    {"beyond_end", "that come nearest at their end"},
-    {"before_start", "that come nearest at their start"},
-    {"parallel", "parallel to the face, or still", "parallel"},
-    {"nearly_parallel", "within 1 % of parallel to the face", "parallel"},
-    {"along_edge", "parallel to an edge", "parallel"},
-    {"nearly_along_edge", "within 1 % of parallel to an edge", "parallel"},
-    {"head_on", "within 1 % of head on to the face"},
-    {"from_front", "that move against the normal"},
-    {"from_behind", "that move along the normal"},
-    {"through", "through the triangle's plane"},
-    {"tiny_motion", "that move less than a thousandth of the radius"},
-    {"short_motion", "that move less than the radius"},
-    {"long_motion", "that move a hundred times the longest edge"},
-    {"on_triangle", "with the centre on the triangle at the start", "on_triangle"},
-    {"in_plane", "with the centre in the triangle's plane at the start", "on_triangle"},
-    {"obtuse", "of an obtuse triangle", "obtuse"},
-    {"flat", "of a triangle without area", "flat"},
-    {"thin", "of a triangle less than a thousandth as high as long"},
-    {"axis_plane", "of a triangle in a plane x, y or z = constant", "aligned"},
-    {"axis_edge", "of a triangle with an edge along an axis", "aligned"},
-    {"zero_radius", "of radius 0"},
-    {"large_sphere", "with a radius above the longest edge"},
-    {"small_sphere", "with a radius below a hundredth of the longest edge"},
-    {"small", "with all numbers below 1e-3"},
-    {"large", "with a number of 1e4 or more"},
-    {"far", "with the origin 64 times as far away as the scene is long"},
-}};
+#define AXISCERT_MOTION_TRAITS(X)                                                    \
+  X(vertex_a, "that meet or pass vertex a first", "regions")                         \
+  X(vertex_b, "that meet or pass vertex b first", "regions")                         \
+  X(vertex_c, "that meet or pass vertex c first", "regions")                         \
+  X(edge_ab, "that meet or pass edge ab first", "regions")                           \
+  X(edge_bc, "that meet or pass edge bc first", "regions")                           \
+  X(edge_ca, "that meet or pass edge ca first", "regions")                           \
+  X(face, "that meet or pass the face first", "regions")                             \
+  X(vertex, "that meet or pass a vertex first", "regions")                           \
+  X(edge, "that meet or pass an edge first", "regions")                              \
+  X(obtuse_there, "with an obtuse corner there", "obtuse")                           \
+  X(overlap, "that overlap at the start")                                            \
+  X(clear, "that are clear at the start")                                            \
+  X(leaving, "that begin to move away")                                              \
+  X(still, "that do not move")                                                       \
+  X(early, "with the contact in the first 5 %")                                      \
+  X(earliest, "with the contact in the first 0.1 %")                                 \
+  X(late, "with the contact in the last 5 %")                                        \
+  X(beyond_end, "that come nearest at their end")                                    \
+  X(before_start, "that come nearest at their start")                                \
+  X(parallel, "parallel to the face, or still", "parallel")                          \
+  X(nearly_parallel, "within 1 % of parallel to the face", "parallel")               \
+  X(along_edge, "parallel to an edge", "parallel")                                   \
+  X(nearly_along_edge, "within 1 % of parallel to an edge", "parallel")              \
+  X(head_on, "within 1 % of head on to the face")                                    \
+  X(from_front, "that move against the normal")                                      \
+  X(from_behind, "that move along the normal")                                       \
+  X(through, "through the triangle's plane")                                         \
+  X(tiny_motion, "that move less than a thousandth of the radius")                   \
+  X(short_motion, "that move less than the radius")                                  \
+  X(long_motion, "that move a hundred times the longest edge")                       \
+  X(on_triangle, "with the centre on the triangle at the start", "on_triangle")      \
+  X(in_plane, "with the centre in the triangle's plane at the start", "on_triangle") \
+  X(obtuse, "of an obtuse triangle", "obtuse")                                       \
+  X(flat, "of a triangle without area", "flat")                                      \
+  X(thin, "of a triangle less than a thousandth as high as long")                    \
+  X(axis_plane, "of a triangle in a plane x, y or z = constant", "aligned")          \
+  X(axis_edge, "of a triangle with an edge along an axis", "aligned")                \
+  X(zero_radius, "of radius 0")                                                      \
+  X(large_sphere, "with a radius above the longest edge")                            \
+  X(small_sphere, "with a radius below a hundredth of the longest edge")             \
+  X(small, "with all numbers below 1e-3")                                            \
+  X(large, "with a number of 1e4 or more")                                           \
+  X(far, "with the origin 64 times as far away as the scene is long")
+
+enum class MotionTrait : std::uint8_t { AXISCERT_MOTION_TRAITS(AXISCERT_TRAIT_ENUMERATOR) };
+constexpr Trait motion_traits[] = {AXISCERT_MOTION_TRAITS(AXISCERT_TRAIT_ROW)};
 static_assert(static_cast<int>(MotionTrait::face) == static_cast<int>(Feature::face));
 MotionTrait of_feature(Feature feature) { return static_cast<MotionTrait>(index_of(feature)); }
 
@@ -210,26 +159,17 @@ TraitSet traits_of(const GivenMotion& q, const std::vector<double>& numbers) {
   return found.bits();
 }
 
-class MovingSphereTraits final : public Traits {
- public:
-  std::string_view noun() const override { return "motions"; }
-  std::span<const Trait> all() const override { return {motion_traits.begin(), motion_traits.end()}; }
-  TraitSet of(const Numbers<float>& q, std::size_t entry) const override { return found({q.begin(), q.end()}, entry); }
-  TraitSet of(const Numbers<double>& q, std::size_t entry) const override { return found({q.begin(), q.end()}, entry); }
-
- private:
-  static TraitSet found(const std::vector<double>& numbers, std::size_t entry) {
-    const auto load = [&](std::size_t k) { return numbers[k]; };
-    if (entry == MovingSphere::entry) return traits_of(MovingSphere::problem<double>(load), numbers);
-    return traits_of(MovingEnds::problem<double>(load), numbers);
-  }
-};
+TraitSet traits_of_numbers(const std::vector<double>& numbers, std::size_t entry) {
+  const auto load = [&](std::size_t k) { return numbers[k]; };
+  if (entry == MovingSphere::entry) return traits_of(MovingSphere::problem<double>(load), numbers);
+  return traits_of(MovingEnds::problem<double>(load), numbers);
+}
 
 }  // namespace
 }  // namespace moving_sphere
 
 const Traits& moving_sphere_traits() {
-  static const moving_sphere::MovingSphereTraits traits;
+  static constexpr Traits traits = {"motions", moving_sphere::motion_traits, moving_sphere::traits_of_numbers};
   return traits;
 }
 

@@ -38,18 +38,15 @@ struct Survival {
   std::optional<DeepestWrong> deepest;  // of the first wrong ones of each family and batch
 
   double depth() const { return deepest ? deepest->depth : 0; }
-  static constexpr auto fields(auto&& visit) {
-    using Of = Survival;
-    return visit(
-        field(&Of::queries, {"queries", "Of all families together."}),
-        field(&Of::other_verdicts, {"other_verdicts", "Verdicts other than that of the kernel without the fault."}),
-        field(&Of::wrong, {"wrong", "Other verdicts that are wrong."}),
-        field(&Of::wrong_in_exact,
-              {"wrong_in_exact_arithmetic", "Of these, in families with exact arithmetic, touching spheres apart."}),
-        field(&Of::touching_in_exact, {"touching_in_exact_arithmetic",
-                                       "Of the wrong ones, touching spheres in families with exact arithmetic."}),
-        journalled(&Of::deepest));
-  }
+  AXISCERT_FIELDS(Survival, AXISCERT_FIELD(queries, "Of all families together."),
+                  AXISCERT_FIELD(other_verdicts, "Verdicts other than that of the kernel without the fault."),
+                  AXISCERT_FIELD(wrong, "Other verdicts that are wrong."),
+                  field(&Of::wrong_in_exact, {"wrong_in_exact_arithmetic",
+                                              "Of these, in families with exact arithmetic, touching spheres apart."}),
+                  field(&Of::touching_in_exact,
+                        {"touching_in_exact_arithmetic",
+                         "Of the wrong ones, touching spheres in families with exact arithmetic."}),
+                  journalled(&Of::deepest))
 };
 
 struct BlackBoxResult {

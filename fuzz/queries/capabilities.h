@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "exact/numbers/in_doubles.h"
 #include "kernel/predicate.h"
 #include "kernel/query.h"
 
@@ -26,15 +27,14 @@ class InputClasses {
 
 // The parts of a shape that are nearest to the other, in a predicate that names them.
 
-class NearestFeatures {
- public:
+struct NearestFeatures {
   // The names of all parts that have a point at the least distance of a valid query: at least one, exactly. A part is
   // without its rim: where a vertex is nearest, its edges are not.
-  virtual std::vector<std::string_view> of(const Numbers<float>& query) const = 0;
-  virtual std::vector<std::string_view> of(const Numbers<double>& query) const = 0;
-
- protected:
-  ~NearestFeatures() = default;
+  std::vector<std::string_view> (*of_doubles)(const Numbers<double>& query);
+  template <class Real>
+  std::vector<std::string_view> of(const Numbers<Real>& query) const {
+    return of_doubles(in_doubles(query));
+  }
 };
 
 // What the exact answer says of a query, by definitions of its predicate's own: with a class of them a cause is named
@@ -50,35 +50,32 @@ struct Trait {
 using TraitSet = std::uint64_t;  // bit k: all()[k]
 inline constexpr std::size_t most_traits = 62;
 
-class Traits {
- public:
-  virtual std::string_view noun() const = 0;  // of several queries: "spheres"
+struct Traits {
+  std::string_view noun;  // of several queries: "spheres"
   // At most most_traits, in the order in which a sentence has them: what is nearest first, then the shape, then sizes.
-  virtual std::span<const Trait> all() const = 0;
+  std::span<const Trait> all;
   // Those of a valid query in that entry of the predicate, exactly: a threshold that a phrase states is a definition,
   // and is compared without rounding.
-  virtual TraitSet of(const Numbers<float>& query, std::size_t entry) const = 0;
-  virtual TraitSet of(const Numbers<double>& query, std::size_t entry) const = 0;
-
- protected:
-  ~Traits() = default;
+  TraitSet (*of_numbers)(const std::vector<double>& numbers, std::size_t entry);
+  template <class Real>
+  TraitSet of(const Numbers<Real>& query, std::size_t entry) const {
+    return of_numbers({query.begin(), query.end()}, entry);
+  }
 };
 
 class AimValues;
 class ImageMaps;
 class InputClasses;
-class NearestFeatures;
 class ProvedBounds;
-class Quantities;
 class Screens;
 class SearchMethod;
-class Traits;
 class WitnessSides;
 struct ContactLikeness;
 struct CriticalRadiusDefaults;
 struct ExactFact;
 struct ImageGroup;
 struct MeshQueries;
+struct Quantities;
 struct Situations;
 struct SlackScenes;
 struct StoredQuery;
@@ -98,7 +95,7 @@ struct Capabilities {
   const Quantities* quantities = nullptr;             // fuzz/confirm/absolute_size.h
   const WitnessSides* witness_sides = nullptr;        // fuzz/confirm/witness.h
 
-  // Of the documents: what the predicate's built-in kernels answer.
+  // The section of the documents that says what the predicate's built-in kernels answer.
   std::string_view section_of_forms = {};
   const Situations* situations = nullptr;  // fuzz/queries/family.h
 

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/sphere_triangle/asked_sphere_triangle.h"
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
 #include "fuzz/queries/steps.h"
 #include "fuzz/queries/family_testing.h"

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "exact/sphere_triangle/measures/depth.h"
+#include "exact/sphere_triangle/asked_sphere_triangle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/queries/family_testing.h"

@@ -52,42 +52,26 @@ class Source {
   virtual std::size_t entry() const { return 0; }
   const std::vector<PredicateColumn>& columns() const { return predicate().entries[entry()].columns; }
 
-  // Sets `out`, which has these columns, to the queries at `first` to first + count - 1; `count` is at most its
-  // capacity.
-  virtual void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<float>& out) const = 0;
-  virtual void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<double>& out) const = 0;
+  // Sets the columns, which are these, to the queries at `first` and after: as many as they have.
+  virtual void fill_columns(std::uint64_t seed, std::uint64_t first, const MutableColumns<float>& out) const = 0;
+  virtual void fill_columns(std::uint64_t seed, std::uint64_t first, const MutableColumns<double>& out) const = 0;
+  // Sets `out`, which has these columns, to `count` queries, at most its capacity.
+  template <class Real>
+  void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<Real>& out) const {
+    out.resize(count);
+    fill_columns(seed, first, out.mutable_columns());
+  }
   // The query at one position.
   template <class Real>
   Numbers<Real> make(std::uint64_t seed, std::uint64_t position) const {
-    QueryBatch<Real> one(1, columns().size());
-    fill(seed, position, 1, one);
-    return one[0];
-  }
-};
-
-// A source by one template: the class gives `void fill_columns(seed, first, const MutableColumns<Real>& out) const`,
-// which makes as many queries as the columns have.
-template <class Made>
-class ColumnSource : public Source {
- public:
-  void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<float>& out) const override {
-    fill_batch(seed, first, count, out);
-  }
-  void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<double>& out) const override {
-    fill_batch(seed, first, count, out);
-  }
-
- private:
-  template <class Real>
-  void fill_batch(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<Real>& out) const {
-    out.resize(count);
-    static_cast<const Made&>(*this).fill_columns(seed, first, out.mutable_columns());
+    return filled_numbers<Real>(columns().size(),
+                                [&](const MutableColumns<Real>& one) { fill_columns(seed, position, one); });
   }
 };
 
 using SourcePtr = std::shared_ptr<const Source>;
 
-SourcePtr family_source(const Family& family);
+SourcePtr family_source(const Family& family);  // in fuzz/queries/family.cpp
 // Defined in fuzz/meshes/mesh.cpp: any format that assimp reads. Throws Error with the file and its fault, or for a
 // predicate that is not one of mesh_predicates().
 SourcePtr mesh_source(const std::string& path, const Predicate& predicate);

@@ -73,22 +73,21 @@ class SweptSource final : public Source {
   const SweepPoint& point() const { return point_; }
   const Source& unswept() const { return *of_; }
 
-  void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<float>& out) const override {
-    change(seed, first, count, out);
+  void fill_columns(std::uint64_t seed, std::uint64_t first, const MutableColumns<float>& out) const override {
+    change(seed, first, out);
   }
-  void fill(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<double>& out) const override {
-    change(seed, first, count, out);
+  void fill_columns(std::uint64_t seed, std::uint64_t first, const MutableColumns<double>& out) const override {
+    change(seed, first, out);
   }
 
  private:
   template <class Real>
-  void change(std::uint64_t seed, std::uint64_t first, std::size_t count, QueryBatch<Real>& out) const {
-    of_->fill(seed, first, count, out);
-    const MutableColumns<Real> columns = out.mutable_columns();
-    for (std::size_t i = 0; i < count; ++i) {
+  void change(std::uint64_t seed, std::uint64_t first, const MutableColumns<Real>& out) const {
+    of_->fill_columns(seed, first, out);
+    for (std::size_t i = 0; i < out.size; ++i) {
       Numbers<Real> q = out[i];
       change(q);
-      columns.set(i, q);
+      out.set(i, q);
     }
   }
   // Each new number is exact and rounded once; a number that is not finite, or that nothing changes, stays.

@@ -39,14 +39,10 @@ struct CauseWitness {
   Verdict answered = Verdict::unanswered, truth = Verdict::unanswered;
 
   static constexpr std::string_view about = "The wrong verdict of the class whose numbers are the simplest.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = CauseWitness;
-    return visit(field(&Of::address, {"address", "Its address."}),
-                 field(&Of::query, {"query", "A line of a query file, in hexadecimal numbers."}),
-                 field(&Of::numbers, {"numbers", "The same numbers in decimal, in the order of the columns."}),
-                 field(&Of::answered, {"answered", "What the kernel said."}),
-                 field(&Of::truth, {"truth", "The exact answer."}));
-  }
+  AXISCERT_FIELDS(CauseWitness, AXISCERT_FIELD(address, "Its address."),
+                  AXISCERT_FIELD(query, "A line of a query file, in hexadecimal numbers."),
+                  AXISCERT_FIELD(numbers, "The same numbers in decimal, in the order of the columns."),
+                  AXISCERT_FIELD(answered, "What the kernel said."), AXISCERT_FIELD(truth, "The exact answer."))
 };
 
 struct CauseRecord {
@@ -65,30 +61,25 @@ struct CauseRecord {
   static constexpr std::string_view about =
       "Why it is wrong: the class of queries, by what the exact answers say of them, within which it is wrong and "
       "elsewhere right. The probe asked the kernel again. Null where nothing was wrong, or no kernel could be asked.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = CauseRecord;
-    return visit(
-        field(&Of::sentence, {"sentence", "All of it in one sentence."}),
-        field(&Of::is_known, {"known",
-                              "Whether the class explains half of the wrong verdicts, or a quarter where it is wrong "
-                              "on four fifths of its queries, and is wrong more often than others."}),
-        field(&Of::phrase, {"phrase", "The class in words."}),
-        field(&Of::traits,
-              {"traits", "The traits that its queries have in common; contact and separated are the exact answer."}),
-        field(&Of::basis,
-              {"basis",
-               "The queries that were asked: clear ones, which a right method cannot get wrong; where none of these is "
-               "wrong, those of families with exact arithmetic; where none of these, those whose depth is above 64 "
-               "u."}),
-        field(&Of::direction, {"direction", "The wrong verdicts of the class: missed contacts, phantom ones or both."}),
-        field(&Of::wrong, {"wrong", "Wrong verdicts in the class."}),
-        field(&Of::of, {"of", "Queries of the class that were asked."}),
-        field(&Of::elsewhere_wrong, {"elsewhere_wrong", "Wrong verdicts elsewhere."}),
-        field(&Of::elsewhere_of, {"elsewhere_of", "Queries elsewhere that were asked."}),
-        field(&Of::explained, {"explained", "Of all wrong verdicts that were looked at, those in the class."}),
-        field(&Of::looked_at, {"looked_at", "Wrong verdicts that were looked at, with those that were looked for."}),
-        field(&Of::witness, {"witness", "A wrong verdict of the class."}));
-  }
+  AXISCERT_FIELDS(
+      CauseRecord, AXISCERT_FIELD(sentence, "All of it in one sentence."),
+      field(&Of::is_known, {"known",
+                            "Whether the class explains half of the wrong verdicts, or a quarter where it is wrong "
+                            "on four fifths of its queries, and is wrong more often than others."}),
+      AXISCERT_FIELD(phrase, "The class in words."),
+      AXISCERT_FIELD(traits, "The traits that its queries have in common; contact and separated are the exact answer."),
+      AXISCERT_FIELD(
+          basis,
+          "The queries that were asked: clear ones, which a right method cannot get wrong; where none of these is "
+          "wrong, those of families with exact arithmetic; where none of these, those whose depth is above 64 u."),
+      AXISCERT_FIELD(direction, "The wrong verdicts of the class: missed contacts, phantom ones or both."),
+      AXISCERT_FIELD(wrong, "Wrong verdicts in the class."),
+      AXISCERT_FIELD(of, "Queries of the class that were asked."),
+      AXISCERT_FIELD(elsewhere_wrong, "Wrong verdicts elsewhere."),
+      AXISCERT_FIELD(elsewhere_of, "Queries elsewhere that were asked."),
+      AXISCERT_FIELD(explained, "Of all wrong verdicts that were looked at, those in the class."),
+      AXISCERT_FIELD(looked_at, "Wrong verdicts that were looked at, with those that were looked for."),
+      AXISCERT_FIELD(witness, "A wrong verdict of the class."))
 };
 
 }  // namespace axiscert

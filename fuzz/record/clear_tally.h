@@ -9,7 +9,7 @@
 
 namespace axiscert {
 
-// Of a kernel without a reference: nothing else tells its faults of logic from its rounding.
+// Counts of a kernel without a reference: nothing else tells its faults of logic from its rounding.
 struct ClearTally {
   std::uint64_t queries = 0, undecided = 0, unanswered = 0;
   std::uint64_t false_separation = 0, false_contact = 0;
@@ -25,15 +25,12 @@ struct ClearTally {
   static constexpr std::string_view about =
       "Answers to clear queries within the kernel's limits: no right method of the precision gets one wrong, since its "
       "margin is many times the bound of any rounding.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ClearTally;
-    return visit(field(&Of::queries, {"queries", "Clear queries within the limits."}),
-                 field(&Of::undecided, {"undecided", "Those that the kernel declined."}),
-                 field(&Of::unanswered, {"unanswered", "Those that it called invalid, or that got no answer."}),
-                 field(&Of::false_separation, {"false_separation", "Missed contacts among them."}),
-                 field(&Of::false_contact, {"false_contact", "Phantom contacts among them."}),
-                 journalled(&Of::first_missed), journalled(&Of::first_phantom));
-  }
+  AXISCERT_FIELDS(ClearTally, AXISCERT_FIELD(queries, "Clear queries within the limits."),
+                  AXISCERT_FIELD(undecided, "Those that the kernel declined."),
+                  AXISCERT_FIELD(unanswered, "Those that it called invalid, or that got no answer."),
+                  AXISCERT_FIELD(false_separation, "Missed contacts among them."),
+                  AXISCERT_FIELD(false_contact, "Phantom contacts among them."), journalled(&Of::first_missed),
+                  journalled(&Of::first_phantom))
 };
 
 }  // namespace axiscert

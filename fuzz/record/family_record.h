@@ -22,44 +22,31 @@ struct CriticalRadiusRecord {
 
   static constexpr std::string_view about =
       "The distance of the smallest radius for which the kernel says contact from the exact distance.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = CriticalRadiusRecord;
-    return visit(
-        field(&Of::sampled, {"sampled", "Queries whose critical radius was found by bisection."}),
-        field(
-            &Of::median_ulps,
-            {"median_ulps",
-             "Median of the finite errors, in ulps of the correctly rounded exact distance; null where there is none.",
-             "ulps"}),
-        field(&Of::largest_ulps,
-              {"largest_ulps", "Largest finite error, in the same ulps; null where there is none.", "ulps"}),
-        field(
-            &Of::unbounded,
-            {"unbounded", "Sampled queries for which the kernel says contact for no finite radius within its limits."}),
-        field(&Of::unanswered,
-              {"unanswered", "Queries whose search ended at a radius that got no answer: not sampled."}),
-        field(
-            &Of::undecided,
-            {"undecided",
-             "Queries of which the kernel declined some radius that was asked: not sampled, since the change that was "
-             "found may be one to that."}),
-        field(
-            &Of::invalid,
-            {"invalid", "Queries of which the kernel called some radius that was asked invalid: not sampled either."}),
-        field(&Of::signed_median_ulps,
-              {"signed_median_ulps",
-               "Median of the finite errors with their signs: negative where the kernel says contact too early, at a "
-               "radius below the exact distance.",
-               "ulps"}),
-        field(&Of::early,
-              {"early",
-               "Sampled queries whose critical radius is below the exact distance, correctly rounded: phantom contacts "
-               "there."}),
-        field(&Of::late,
-              {"late",
-               "Sampled queries whose critical radius is more than one ulp above that: missed contacts there; a right "
-               "kernel's is at most one ulp above."}));
-  }
+  AXISCERT_FIELDS(
+      CriticalRadiusRecord, AXISCERT_FIELD(sampled, "Queries whose critical radius was found by bisection."),
+      AXISCERT_FIELD(
+          median_ulps,
+          "Median of the finite errors, in ulps of the correctly rounded exact distance; null where there is none.",
+          "ulps"),
+      AXISCERT_FIELD(largest_ulps, "Largest finite error, in the same ulps; null where there is none.", "ulps"),
+      AXISCERT_FIELD(unbounded,
+                     "Sampled queries for which the kernel says contact for no finite radius within its limits."),
+      AXISCERT_FIELD(unanswered, "Queries whose search ended at a radius that got no answer: not sampled."),
+      AXISCERT_FIELD(undecided,
+                     "Queries of which the kernel declined some radius that was asked: not sampled, since the change "
+                     "that was found may be one to that."),
+      AXISCERT_FIELD(invalid,
+                     "Queries of which the kernel called some radius that was asked invalid: not sampled either."),
+      AXISCERT_FIELD(signed_median_ulps,
+                     "Median of the finite errors with their signs: negative where the kernel says contact too early, "
+                     "at a radius below the exact distance.",
+                     "ulps"),
+      AXISCERT_FIELD(early,
+                     "Sampled queries whose critical radius is below the exact distance, correctly rounded: phantom "
+                     "contacts there."),
+      AXISCERT_FIELD(late,
+                     "Sampled queries whose critical radius is more than one ulp above that: missed contacts there; a "
+                     "right kernel's is at most one ulp above."))
 };
 CriticalRadiusRecord summary_of(CriticalRadiusTally tally);
 
@@ -69,10 +56,8 @@ struct AddressPair {
 
   static constexpr std::string_view about =
       "Two queries to which the kernel gives different answers; null where there are none.";
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&AddressPair::base, {"base", "Address of the query."}),
-                 field(&AddressPair::image, {"image", "Address of its image."}));
-  }
+  AXISCERT_FIELDS(AddressPair, AXISCERT_FIELD(base, "Address of the query."),
+                  AXISCERT_FIELD(image, "Address of its image."))
 };
 
 struct ImageNumbersRecord {
@@ -87,32 +72,27 @@ struct ImageNumbersRecord {
       "length. "
       "Absent for a kernel without "
       "measures.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ImageNumbersRecord;
-    return visit(
-        field(&Of::images,
-              {"images", "Images among the first 65,536 queries compared with their base, with one verdict on both."}),
-        field(&Of::features,
-              {"features",
-               "Those with another feature than the base's, one of the two wrong; null where none was compared."}),
-        field(&Of::largest_separation,
-              {"largest_separation", "Greatest difference of separations; null where none was compared.",
-               "of the extent"}),
-        field(&Of::largest_angle,
-              {"largest_angle",
-               "Greatest angle between the two normals, where there is one; null where none was compared. Of two that "
-               "overlap at most the sum of the angles at which normals leave as much: two right ones differ by 0.",
-               "radians"}),
-        field(&Of::largest_point,
-              {"largest_point",
-               "Greatest distance of the two points; null where none was compared. Of two bodies' points at most the "
-               "sum of what the two answers are off by.",
-               "of the extent"}),
-        field(&Of::worst_separation, {"worst_separation", "The pair with it; null: none."}),
-        field(&Of::worst_angle, {"worst_angle", "The pair with it; null: none."}),
-        field(&Of::worst_point, {"worst_point", "The pair with it; null: none."}),
-        field(&Of::first_feature, {"first_feature", "The first with another feature; null: none."}));
-  }
+  AXISCERT_FIELDS(
+      ImageNumbersRecord,
+      AXISCERT_FIELD(images,
+                     "Images among the first 65,536 queries compared with their base, with one verdict on both."),
+      AXISCERT_FIELD(features,
+                     "Those with another feature than the base's, one of the two wrong; null where none was compared."),
+      AXISCERT_FIELD(largest_separation, "Greatest difference of separations; null where none was compared.",
+                     "of the extent"),
+      AXISCERT_FIELD(
+          largest_angle,
+          "Greatest angle between the two normals, where there is one; null where none was compared. Of two that "
+          "overlap at most the sum of the angles at which normals leave as much: two right ones differ by 0.",
+          "radians"),
+      AXISCERT_FIELD(largest_point,
+                     "Greatest distance of the two points; null where none was compared. Of two bodies' points at most "
+                     "the sum of what the two answers are off by.",
+                     "of the extent"),
+      AXISCERT_FIELD(worst_separation, "The pair with it; null: none."),
+      AXISCERT_FIELD(worst_angle, "The pair with it; null: none."),
+      AXISCERT_FIELD(worst_point, "The pair with it; null: none."),
+      AXISCERT_FIELD(first_feature, "The first with another feature; null: none."))
 };
 
 struct AsymmetryRecord {
@@ -125,22 +105,18 @@ struct AsymmetryRecord {
       "turned, mirrored, translated or scaled, that differ from its answer to the query. No exact answer differs. "
       "Absent "
       "where a family makes no images.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = AsymmetryRecord;
-    return visit(
-        field(&Of::images,
-              {"images",
-               "Images compared with their base: whole groups among the first 2^22 queries, with an answer to both and "
-               "both within the kernel's limits."}),
-        field(&Of::verdicts, {"verdicts", "Images with another verdict than the base."}),
-        field(&Of::comparisons,
-              {"comparisons",
-               "Images with another comparison by the base's names, whatever the verdict; 0 for a kernel that shows "
-               "none."}),
-        field(&Of::first_verdict, {"first_verdict", "The first with another verdict; null: none."}),
-        field(&Of::first_comparison, {"first_comparison", "The first with another comparison; null: none."}),
-        field(&Of::numbers, {.name = "numbers", .about = ImageNumbersRecord::about, .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(
+      AsymmetryRecord,
+      AXISCERT_FIELD(images,
+                     "Images compared with their base: whole groups among the first 2^22 queries, with an answer to "
+                     "both and both within the kernel's limits."),
+      AXISCERT_FIELD(verdicts, "Images with another verdict than the base."),
+      AXISCERT_FIELD(
+          comparisons,
+          "Images with another comparison by the base's names, whatever the verdict; 0 for a kernel that shows none."),
+      AXISCERT_FIELD(first_verdict, "The first with another verdict; null: none."),
+      AXISCERT_FIELD(first_comparison, "The first with another comparison; null: none."),
+      AXISCERT_OPTIONAL_FIELD(numbers, ImageNumbersRecord::about))
 };
 
 struct ComparedQuantity {
@@ -150,15 +126,12 @@ struct ComparedQuantity {
   std::uint64_t explains = 0;
 
   static constexpr std::string_view about = "One quantity.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ComparedQuantity;
-    return visit(field(&Of::quantity, {"quantity", "What may have been compared, in terms of the query."}),
-                 field(&Of::degree,
-                       {"degree", "The power of s by which the quantity grows where every number is multiplied by s."}),
-                 field(&Of::least, {"least", "The number is not less."}),
-                 field(&Of::greatest, {"greatest", "The number is not greater."}),
-                 field(&Of::explains, {"explains", "Bases for which this quantity passes the number."}));
-  }
+  AXISCERT_FIELDS(ComparedQuantity, AXISCERT_FIELD(quantity, "What may have been compared, in terms of the query."),
+                  AXISCERT_FIELD(degree,
+                                 "The power of s by which the quantity grows where every number is multiplied by s."),
+                  AXISCERT_FIELD(least, "The number is not less."),
+                  AXISCERT_FIELD(greatest, "The number is not greater."),
+                  AXISCERT_FIELD(explains, "Bases for which this quantity passes the number."))
 };
 
 struct AbsoluteSizeRecord {
@@ -168,15 +141,11 @@ struct AbsoluteSizeRecord {
   static constexpr std::string_view about =
       "An estimate of the number with which a kernel compares something that has a size, such as an epsilon: from at "
       "most 256 bases of depth above 2^-10, the first, that are right times one power of two and wrong times the next.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = AbsoluteSizeRecord;
-    return visit(
-        field(&Of::bases, {"bases", "Bases used."}),
-        field(&Of::compared,
-              {"compared",
-               "The quantities that may have been compared, at most three: those that pass a common number between the "
-               "two powers for most of the bases, at least three quarters of them."}));
-  }
+  AXISCERT_FIELDS(
+      AbsoluteSizeRecord, AXISCERT_FIELD(bases, "Bases used."),
+      AXISCERT_FIELD(compared,
+                     "The quantities that may have been compared, at most three: those that pass a common number "
+                     "between the two powers for most of the bases, at least three quarters of them."))
 };
 
 // Counts by size: of the kind scale the power of two, as its exponent; of a translation the exponent of its greatest
@@ -192,23 +161,18 @@ struct UnitFaultsRecord {
   static constexpr std::string_view about =
       "Images within the range to which the answer is wrong, of a base to which it is right and whose depth exceeds "
       "2^-10. No rounding differs between the two, so that something was compared with a number of the kernel's own.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = UnitFaultsRecord;
-    return visit(
-        field(&Of::count, {"count", "Images."}), field(&Of::by_size, {"by_size", "The same by power of two."}),
-        field(&Of::first, {"first", "The pair whose power is nearest to 1, and the first of these; null: none."}),
-        field(&Of::where_small, {"where_small", "The estimate from answers that are wrong where numbers are small."}),
-        field(&Of::where_large, {"where_large", "The estimate from answers that are wrong where numbers are large."}));
-  }
+  AXISCERT_FIELDS(UnitFaultsRecord, AXISCERT_FIELD(count, "Images."),
+                  AXISCERT_FIELD(by_size, "The same by power of two."),
+                  AXISCERT_FIELD(first, "The pair whose power is nearest to 1, and the first of these; null: none."),
+                  AXISCERT_FIELD(where_small, "The estimate from answers that are wrong where numbers are small."),
+                  AXISCERT_FIELD(where_large, "The estimate from answers that are wrong where numbers are large."))
 };
 
 struct PowerRangeRecord {
   int least = 0, greatest = 0;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&PowerRangeRecord::least, {"least", "The exponent of the least power."}),
-                 field(&PowerRangeRecord::greatest, {"greatest", "The exponent of the greatest power."}));
-  }
+  AXISCERT_FIELDS(PowerRangeRecord, AXISCERT_FIELD(least, "The exponent of the least power."),
+                  AXISCERT_FIELD(greatest, "The exponent of the greatest power."))
 };
 
 struct ImageChangesRecord {
@@ -219,44 +183,32 @@ struct ImageChangesRecord {
   std::optional<UnitFaultsRecord> wrong;
 
   static constexpr std::string_view about = "Images of one kind that were compared with their base.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ImageChangesRecord;
-    return visit(
-        field(&Of::images,
-              {"images",
-               "Images of this kind whose verdict was compared with their base's: both within the kernel's limits, "
-               "neither unanswered nor undecided."}),
-        field(&Of::changed, {"changed", "Images with another verdict than the base."}),
-        field(&Of::undecided,
-              {"undecided", "Images that were not compared, since the kernel declined the image or its base."}),
-        field(&Of::by_size,
-              {"by_size",
-               "Those that changed, by size: of the kind scale the power of two, as its exponent; of a translation the "
-               "exponent of its greatest coordinate; 0 of the other kinds."}),
-        field(&Of::first,
-              {"first",
-               "The pair of the least size, for a power of two regardless of its sign, and the first of these; null: "
-               "none."}),
-        field(
-            &Of::range,
-            {.name = "range",
-             .about = "Of the kind scale: all images are times powers of two from 2^least to 2^greatest, within which "
-                      "no form of degree 6 overflows or underflows; null where that is not known of every base.",
-             .may_be_absent = true}),
-        field(&Of::wrong, {.name = "wrong",
-                           .about = "Of the kind scale, with a range: those that are wrong although the base is right.",
-                           .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(
+      ImageChangesRecord,
+      AXISCERT_FIELD(images,
+                     "Images of this kind whose verdict was compared with their base's: both within the kernel's "
+                     "limits, neither unanswered nor undecided."),
+      AXISCERT_FIELD(changed, "Images with another verdict than the base."),
+      AXISCERT_FIELD(undecided, "Images that were not compared, since the kernel declined the image or its base."),
+      AXISCERT_FIELD(by_size,
+                     "Those that changed, by size: of the kind scale the power of two, as its exponent; of a "
+                     "translation the exponent of its greatest coordinate; 0 of the other kinds."),
+      AXISCERT_FIELD(
+          first,
+          "The pair of the least size, for a power of two regardless of its sign, and the first of these; null: none."),
+      AXISCERT_OPTIONAL_FIELD(
+          range,
+          "Of the kind scale: all images are times powers of two from 2^least to 2^greatest, within which no form of "
+          "degree 6 overflows or underflows; null where that is not known of every base."),
+      AXISCERT_OPTIONAL_FIELD(wrong,
+                              "Of the kind scale, with a range: those that are wrong although the base is right."))
 };
 
 struct ClassRecord : ClassCount {
   Name witness;
 
   static constexpr std::string_view about = ClassCount::about;
-  static constexpr auto fields(auto&& visit) {
-    return visit(base<ClassRecord, ClassCount>(),
-                 field(&ClassRecord::witness, {"witness", "The address of the deepest."}));
-  }
+  AXISCERT_FIELDS(ClassRecord, base<ClassRecord, ClassCount>(), AXISCERT_FIELD(witness, "The address of the deepest."))
 };
 
 // What adds up over families.
@@ -270,36 +222,25 @@ struct FamilyCounts {
   std::optional<ContactTally> contacts;
   std::optional<std::uint64_t> asked_again;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = FamilyCounts;
-    return visit(
-        field(&Of::trials, {"trials", "Number of queries: separated + contact + invalid."}),
-        field(&Of::base_triangles,
-              {"base_triangles",
-               "Number of different triangles among them. Queries that share a triangle are not independent, so limits "
-               "for zero failures count triangles. Of a query file of a predicate without triangles, the number of "
-               "different "
-               "queries."}),
-        field(&Of::exact_arithmetic,
-              {"exact_arithmetic", "The precision's arithmetic is exact on every query of the family."}, by::least),
-        field(&Of::truth, {"truth", {}}), field(&Of::verdict, {"verdict", {}}),
-        field(&Of::axes, {"axes", "Results per axis, or other clause; null for a kernel that shows only verdicts."}),
-        field(&Of::comparisons,
-              {"comparisons",
-               "Results per comparison, in the order of the strings of bits; null for a kernel that shows only "
-               "verdicts."}),
-        field(&Of::contacts,
-              {.name = "contacts",
-               .about = "What the kernel says beside its verdicts, against what is exact. Absent for a kernel without "
-                        "measures of a predicate without motions, and where a predicate has none.",
-               .may_be_absent = true}),
-        field(&Of::asked_again,
-              {.name = "asked_again",
-               .about =
-                   "Queries that were asked again with their batch reversed and shifted by one, and at most 251 of a "
-                   "batch alone: each other answer is a finding. Absent for a built-in kernel.",
-               .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(
+      FamilyCounts, AXISCERT_FIELD(trials, "Number of queries: separated + contact + invalid."),
+      AXISCERT_FIELD(base_triangles,
+                     "Number of different triangles among them. Queries that share a triangle are not independent, so "
+                     "limits for zero failures count triangles. Of a query file of a predicate without triangles, the "
+                     "number of different queries."),
+      field(&Of::exact_arithmetic,
+            {"exact_arithmetic", "The precision's arithmetic is exact on every query of the family."}, by::least),
+      AXISCERT_FIELD(truth), AXISCERT_FIELD(verdict),
+      AXISCERT_FIELD(axes, "Results per axis, or other clause; null for a kernel that shows only verdicts."),
+      AXISCERT_FIELD(
+          comparisons,
+          "Results per comparison, in the order of the strings of bits; null for a kernel that shows only verdicts."),
+      AXISCERT_OPTIONAL_FIELD(contacts,
+                              "What the kernel says beside its verdicts, against what is exact. Absent for a kernel "
+                              "without measures of a predicate without motions, and where a predicate has none."),
+      AXISCERT_OPTIONAL_FIELD(asked_again,
+                              "Queries that were asked again with their batch reversed and shifted by one, and at most "
+                              "251 of a batch alone: each other answer is a finding. Absent for a built-in kernel."))
 };
 
 struct FamilyRecord : FamilyCounts {
@@ -309,24 +250,16 @@ struct FamilyRecord : FamilyCounts {
   std::optional<std::map<InputClass, ClassRecord>> classes;
 
   static constexpr std::string_view about = "One kernel's results on one family.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = FamilyRecord;
-    return visit(
-        base<Of, FamilyCounts>(), field(&Of::critical_radius, {"critical_radius", "Critical radii on this family."}),
-        field(&Of::asymmetry, {.name = "asymmetry", .about = AsymmetryRecord::about, .may_be_absent = true}),
-        field(&Of::invariance,
-              {.name = "invariance",
-               .about = "For a family of images: the same images by kind. Absent where a family makes no images.",
-               .may_be_absent = true}),
-        field(
-            &Of::classes,
-            {.name = "classes",
-             .about = "Wrong verdicts by the class of the input, the first of these whose definition it meets; "
-                      "together all wrong verdicts of the family. A class without any is left out. Absent for a kernel "
-                      "with a reference, whose links say why it is wrong. L is the greatest |coordinate of A-P, B-P, "
-                      "C-P| or r, E that of the edges.",
-             .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(
+      FamilyRecord, base<Of, FamilyCounts>(), AXISCERT_FIELD(critical_radius, "Critical radii on this family."),
+      AXISCERT_OPTIONAL_FIELD(asymmetry, AsymmetryRecord::about),
+      AXISCERT_OPTIONAL_FIELD(
+          invariance, "For a family of images: the same images by kind. Absent where a family makes no images."),
+      AXISCERT_OPTIONAL_FIELD(
+          classes,
+          "Wrong verdicts by the class of the input, the first of these whose definition it meets; together all wrong "
+          "verdicts of the family. A class without any is left out. Absent for a kernel with a reference, whose links "
+          "say why it is wrong. L is the greatest |coordinate of A-P, B-P, C-P| or r, E that of the edges."))
 };
 
 }  // namespace axiscert

@@ -32,10 +32,8 @@ struct LookedAt {
       if (other.place < place) *this = other;
     }
     bool operator==(const Fault&) const = default;
-    static constexpr auto fields(auto&& visit) {
-      return visit(journalled(&Fault::place), field(&Fault::said, {"said", "The answer."}),
-                   field(&Fault::query, {"query", "A line of a query file."}));
-    }
+    AXISCERT_FIELDS(Fault, journalled(&Fault::place), AXISCERT_FIELD(said, "The answer."),
+                    AXISCERT_FIELD(query, "A line of a query file."))
   };
   std::optional<Fault> first_fault = {};
 
@@ -64,20 +62,16 @@ struct LookedAt {
 
   static constexpr std::string_view about =
       "Queries that were asked, by what became of them. Only decided ones show anything about the kernel.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = LookedAt;
-    return visit(
-        field(&Of::asked, {"asked", "All of them."}),
-        field(&Of::decided, {"decided", "Valid, within the kernel's limits, and called contact or separated."}),
-        field(&Of::undecided, {"undecided", "It declined: a fault, unless it declares that it may."}),
-        field(&Of::invalid, {"invalid", "It called a valid query invalid: a fault."}),
-        field(&Of::unanswered, {"unanswered", "It gave no answer, or one that is none: a fault."}),
-        field(&Of::outside_limits, {"outside_limits", "Outside its limits or policies, whatever it answered."}),
-        field(&Of::no_query, {"no_query", "Not valid, whatever it answered."}),
-        field(&Of::first_fault,
-              {"first_fault",
-               "The first answer that no kernel may give to a query within its limits; null: none, or not kept."}));
-  }
+  AXISCERT_FIELDS(
+      LookedAt, AXISCERT_FIELD(asked, "All of them."),
+      AXISCERT_FIELD(decided, "Valid, within the kernel's limits, and called contact or separated."),
+      AXISCERT_FIELD(undecided, "It declined: a fault, unless it declares that it may."),
+      AXISCERT_FIELD(invalid, "It called a valid query invalid: a fault."),
+      AXISCERT_FIELD(unanswered, "It gave no answer, or one that is none: a fault."),
+      AXISCERT_FIELD(outside_limits, "Outside its limits or policies, whatever it answered."),
+      AXISCERT_FIELD(no_query, "Not valid, whatever it answered."),
+      AXISCERT_FIELD(first_fault,
+                     "The first answer that no kernel may give to a query within its limits; null: none, or not kept."))
 };
 
 // The counts of a cell of a run, without its first fault.

@@ -58,11 +58,10 @@ struct MarginTally {
       "plan.margin_queries queries that have an answer and exact sides. A comparison with finite computed sides is "
       "wrong "
       "only where its error is no less than its margin.";
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&MarginTally::right,
-                       {"right", "Queries where the kernel's comparison agrees with its formula in exact arithmetic."}),
-                 field(&MarginTally::wrong, {"wrong", "Queries where it does not."}));
-  }
+  AXISCERT_FIELDS(MarginTally,
+                  AXISCERT_FIELD(right,
+                                 "Queries where the kernel's comparison agrees with its formula in exact arithmetic."),
+                  AXISCERT_FIELD(wrong, "Queries where it does not."))
 };
 
 // One query with a valid truth: `exact` and `computed` are the signs, each by the kernel's own strictness.

@@ -40,16 +40,12 @@ struct GeneratorRecord {
   std::string purpose;
 
   static constexpr std::string_view about = "A family's source of queries.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = GeneratorRecord;
-    return visit(
-        field(&Of::version, {"version", "Raised whenever the same address would make another query."}),
-        field(&Of::exact_arithmetic,
-              {"exact_arithmetic",
-               "Whether the precision's arithmetic is exact on every query, so that no rounding can be the cause of an "
-               "error."}),
-        field(&Of::purpose, {"purpose", "The purpose of the family, in one line."}));
-  }
+  AXISCERT_FIELDS(GeneratorRecord,
+                  AXISCERT_FIELD(version, "Raised whenever the same address would make another query."),
+                  AXISCERT_FIELD(exact_arithmetic,
+                                 "Whether the precision's arithmetic is exact on every query, so that no rounding can "
+                                 "be the cause of an error."),
+                  AXISCERT_FIELD(purpose, "The purpose of the family, in one line."))
 };
 
 struct FileRecord {
@@ -59,26 +55,17 @@ struct FileRecord {
   std::optional<std::uint64_t> queries, triangles, degenerate_triangles, skipped_primitives;
 
   static constexpr std::string_view about = "A file that was read.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = FileRecord;
-    return visit(
-        field(&Of::name, {"name", "Base name."}),
-        field(&Of::kind,
-              {"kind",
-               "mesh: triangles at which the queries aim; queries: stored queries, or the corpus; plugin: somebody "
-               "else's "
-               "kernel; manifest, program or file, lock: a program's manifest, a file that its command names, the lock "
-               "file of its packages."}),
-        field(&Of::sha256, {"sha256", "SHA-256 of the file's bytes; null where it could not be read."}),
-        field(&Of::queries, {.name = "queries", .about = "Of queries: those read.", .may_be_absent = true}),
-        field(&Of::triangles, {.name = "triangles", .about = "Of a mesh: triangles read.", .may_be_absent = true}),
-        field(&Of::degenerate_triangles, {.name = "degenerate_triangles",
-                                          .about = "Of a mesh: triangles of exactly zero area among them.",
-                                          .may_be_absent = true}),
-        field(&Of::skipped_primitives, {.name = "skipped_primitives",
-                                        .about = "Of a mesh: points and lines, which have no triangle.",
-                                        .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(FileRecord, AXISCERT_FIELD(name, "Base name."),
+                  AXISCERT_FIELD(kind,
+                                 "mesh: triangles at which the queries aim; queries: stored queries, or the corpus; "
+                                 "plugin: somebody else's kernel; manifest, program or file, lock: a program's "
+                                 "manifest, a file that its command names, the lock file of its packages."),
+                  AXISCERT_FIELD(sha256, "SHA-256 of the file's bytes; null where it could not be read."),
+                  AXISCERT_OPTIONAL_FIELD(queries, "Of queries: those read."),
+                  AXISCERT_OPTIONAL_FIELD(triangles, "Of a mesh: triangles read."),
+                  AXISCERT_OPTIONAL_FIELD(degenerate_triangles,
+                                          "Of a mesh: triangles of exactly zero area among them."),
+                  AXISCERT_OPTIONAL_FIELD(skipped_primitives, "Of a mesh: points and lines, which have no triangle."))
 };
 
 struct RepliesRecord {
@@ -92,30 +79,21 @@ struct RepliesRecord {
   static constexpr std::string_view about =
       "Present where the replies of a program were judged (axiscert judge) and no kernel was run: what the program "
       "claims to be.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = RepliesRecord;
-    return visit(
-        field(&Of::conforms_to,
-              {"conforms_to", "The kernel that it claims to equal bit for bit, as given to --conforms-to."}),
-        field(&Of::formulae, {"formulae", "The kernel whose formulae it claims to evaluate, as given to --formulae."}),
-        field(&Of::touching, {"touching", "Its intended answer for a sphere that touches the triangle."}),
-        field(&Of::may_decline, {"may_decline", "Whether it may answer `undecided`, as --may-decline says."}),
-        field(&Of::measures,
-              {.name = "measures",
-               .about =
-                   "So many of the predicate's measures came with each reply, from the first on, as given to generate "
-                   "--measures. Absent: none.",
-               .may_be_absent = true}),
-        field(&Of::margin, {.name = "margin",
-                            .about = "It may report contact where the two are apart by at most this, as given to "
-                                     "--margin. Absent: nowhere.",
-                            .unit = "length",
-                            .may_be_absent = true}),
-        field(&Of::sides, {.name = "sides",
-                           .about = "front: it promises the front side of the triangle alone, as given to --sides. "
-                                    "Absent: both.",
-                           .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(
+      RepliesRecord,
+      AXISCERT_FIELD(conforms_to, "The kernel that it claims to equal bit for bit, as given to --conforms-to."),
+      AXISCERT_FIELD(formulae, "The kernel whose formulae it claims to evaluate, as given to --formulae."),
+      AXISCERT_FIELD(touching, "Its intended answer for a sphere that touches the triangle."),
+      AXISCERT_FIELD(may_decline, "Whether it may answer `undecided`, as --may-decline says."),
+      AXISCERT_OPTIONAL_FIELD(measures,
+                              "So many of the predicate's measures came with each reply, from the first on, as given "
+                              "to generate --measures. Absent: none."),
+      AXISCERT_OPTIONAL_FIELD(
+          margin,
+          "It may report contact where the two are apart by at most this, as given to --margin. Absent: nowhere.",
+          "length"),
+      AXISCERT_OPTIONAL_FIELD(
+          sides, "front: it promises the front side of the triangle alone, as given to --sides. Absent: both."))
 };
 
 // What was given to --require: JSON has null where there is none, one level as text, several as an array.
@@ -151,55 +129,42 @@ struct PlanRecord {
 
   static constexpr std::string_view about =
       "The plan of the run: together with the files and this version of axiscert, enough to make the record again.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = PlanRecord;
-    return visit(
-        field(&Of::axiscert, {"axiscert", "The version of axiscert that ran it."}),
-        field(&Of::predicate, {"predicate",
-                               "The predicate of all kernels and queries, as `axiscert predicates` lists it. Its "
-                               "description says which axes, "
-                               "comparisons and numbers of a query this record has: those and no others."}),
-        field(&Of::seed, {"seed", "The seed of every generator's random stream; 64 bits."}),
-        field(&Of::kernels, {"kernels", "Ids as given to --kernel."}),
-        field(&Of::precisions,
-              {"precisions", "The precisions asked for in which a kernel exists; empty where none could be loaded."}),
-        field(&Of::families,
-              {"families",
-               "In order: generator families by name, meshes as mesh/FILE, query files as queries/FILE, the corpus as "
-               "corpus."}),
-        field(&Of::generators, {"generators", "The generator of each family's queries."}),
-        field(&Of::trials, {"trials", "Number of queries, per family and precision."}),
-        field(&Of::files, {"files", "The meshes, query files and plug-ins that were read, by base name."}),
-        field(&Of::tolerance, {"tolerance",
-                               "The error T, in u, above which a comparison of the predicate fails, as it was written. "
-                               "A comparison without "
-                               "one is not checked."}),
-        field(&Of::require,
-              {"require",
-               "What was given to --require: a level, or several of them as a list; null where none was given."}),
-        field(&Of::allow_unchecked,
-              {.name = "allow_unchecked",
-               .about = "The levels that pass where they are not checked, as given to --allow-unchecked; absent where "
-                        "there are none.",
-               .may_be_absent = true}),
-        field(&Of::margin_queries,
-              {"margin_queries",
-               "The number of queries, the first of each family and precision, whose exact margins were counted."}),
-        field(&Of::replies, {.name = "replies", .about = RepliesRecord::about, .may_be_absent = true}),
-        field(&Of::unit, {.name = "unit",
-                          .about = "The unit of length of the queries' numbers, as given to --unit. Absent: it was not "
-                                   "said, and levels take it for the metre, in which families of scenes are.",
-                          .may_be_absent = true}),
-        field(&Of::planned,
-              {.name = "planned",
-               .about = "Of how many queries `trials` are those that were asked, per family and precision. "
-                        "Absent where these were all, and with --time.",
-               .may_be_absent = true}),
-        field(&Of::units_done,
-              {"units_done",
-               "Units of 2^16 queries done, per family and precision, where the plan does not determine them: with "
-               "--time, or after an interruption. Null otherwise."}));
-  }
+  AXISCERT_FIELDS(
+      PlanRecord, AXISCERT_FIELD(axiscert, "The version of axiscert that ran it."),
+      AXISCERT_FIELD(predicate,
+                     "The predicate of all kernels and queries, as `axiscert predicates` lists it. Its description "
+                     "says which axes, comparisons and numbers of a query this record has: those and no others."),
+      AXISCERT_FIELD(seed, "The seed of every generator's random stream; 64 bits."),
+      AXISCERT_FIELD(kernels, "Ids as given to --kernel."),
+      AXISCERT_FIELD(precisions,
+                     "The precisions asked for in which a kernel exists; empty where none could be loaded."),
+      AXISCERT_FIELD(families,
+                     "In order: generator families by name, meshes as mesh/FILE, query files as queries/FILE, the "
+                     "corpus as corpus."),
+      AXISCERT_FIELD(generators, "The generator of each family's queries."),
+      AXISCERT_FIELD(trials, "Number of queries, per family and precision."),
+      AXISCERT_FIELD(files, "The meshes, query files and plug-ins that were read, by base name."),
+      AXISCERT_FIELD(tolerance,
+                     "The error T, in u, above which a comparison of the predicate fails, as it was written. A "
+                     "comparison without one is not checked."),
+      AXISCERT_FIELD(require,
+                     "What was given to --require: a level, or several of them as a list; null where none was given."),
+      AXISCERT_OPTIONAL_FIELD(allow_unchecked,
+                              "The levels that pass where they are not checked, as given to --allow-unchecked; absent "
+                              "where there are none."),
+      AXISCERT_FIELD(
+          margin_queries,
+          "The number of queries, the first of each family and precision, whose exact margins were counted."),
+      AXISCERT_OPTIONAL_FIELD(replies, RepliesRecord::about),
+      AXISCERT_OPTIONAL_FIELD(unit,
+                              "The unit of length of the queries' numbers, as given to --unit. Absent: it was not "
+                              "said, and levels take it for the metre, in which families of scenes are."),
+      AXISCERT_OPTIONAL_FIELD(planned,
+                              "Of how many queries `trials` are those that were asked, per family and precision. "
+                              "Absent where these were all, and with --time."),
+      AXISCERT_FIELD(units_done,
+                     "Units of 2^16 queries done, per family and precision, where the plan does not determine them: "
+                     "with --time, or after an interruption. Null otherwise."))
 };
 
 }  // namespace axiscert

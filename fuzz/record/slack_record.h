@@ -39,26 +39,20 @@ struct SlackRecord {
   static constexpr std::string_view about =
       "A slack: on these queries the answer turns from separated to contact too early, or too late, by the same size "
       "within a factor of 2 from its middle.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = SlackRecord;
-    return visit(
-        field(&Of::kind,
-              {"kind", "What is the same on all of them: the length, or its part of a length of the query."}),
-        field(&Of::to, {"to", "The length of which the size is a part; of an absolute slack the queries' unit."}),
-        field(&Of::side, {"side", "Early: contact where the two are apart. Late: separated where they touch."}),
-        field(&Of::size, {"size", "The median, in units of `to`."}),
-        field(&Of::least, {"least", "The least of those that agree."}),
-        field(&Of::greatest, {"greatest", "The greatest of those that agree."}),
-        field(&Of::in_units,
-              {"in_units", "The median as a length in the queries' unit, where shapes are about one unit large."}),
-        field(&Of::shown, {"shown", "Queries that agree."}),
-        field(&Of::looked_at,
-              {"looked_at",
-               "Queries whose critical value was bracketed, and whose own rounding is under a tenth of it."}),
-        field(&Of::where, {"where", "The queries on which it shows."}),
-        field(&Of::witness, {"witness", "A query between the exact turn and the kernel's: the kernel is wrong on it."}),
-        field(&Of::said, {"said", "What the kernel says of the witness."}));
-  }
+  AXISCERT_FIELDS(
+      SlackRecord,
+      AXISCERT_FIELD(kind, "What is the same on all of them: the length, or its part of a length of the query."),
+      AXISCERT_FIELD(to, "The length of which the size is a part; of an absolute slack the queries' unit."),
+      AXISCERT_FIELD(side, "Early: contact where the two are apart. Late: separated where they touch."),
+      AXISCERT_FIELD(size, "The median, in units of `to`."), AXISCERT_FIELD(least, "The least of those that agree."),
+      AXISCERT_FIELD(greatest, "The greatest of those that agree."),
+      AXISCERT_FIELD(in_units, "The median as a length in the queries' unit, where shapes are about one unit large."),
+      AXISCERT_FIELD(shown, "Queries that agree."),
+      AXISCERT_FIELD(looked_at,
+                     "Queries whose critical value was bracketed, and whose own rounding is under a tenth of it."),
+      AXISCERT_FIELD(where, "The queries on which it shows."),
+      AXISCERT_FIELD(witness, "A query between the exact turn and the kernel's: the kernel is wrong on it."),
+      AXISCERT_FIELD(said, "What the kernel says of the witness."))
 };
 
 // What could have been seen on the queries of one kind.
@@ -69,16 +63,12 @@ struct SlackLook {
 
   static constexpr std::string_view about =
       "The queries of one kind, and the least slack that would have been seen on them.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = SlackLook;
-    return visit(
-        field(&Of::where, {"where", "The queries."}),
-        field(&Of::bracketed, {"bracketed", "Queries whose exact turn and whose turn by the kernel are known."}),
-        field(&Of::least_relative,
-              {"least_relative", "The least part of a length that would be seen; null: too few queries for any."}),
-        field(&Of::least_absolute,
-              {"least_absolute", "The least length in the queries' unit that would be seen; null: the same."}));
-  }
+  AXISCERT_FIELDS(SlackLook, AXISCERT_FIELD(where, "The queries."),
+                  AXISCERT_FIELD(bracketed, "Queries whose exact turn and whose turn by the kernel are known."),
+                  AXISCERT_FIELD(least_relative,
+                                 "The least part of a length that would be seen; null: too few queries for any."),
+                  AXISCERT_FIELD(least_absolute,
+                                 "The least length in the queries' unit that would be seen; null: the same."))
 };
 
 struct SlacksRecord {
@@ -89,16 +79,12 @@ struct SlacksRecord {
   static constexpr std::string_view about =
       "Slacks of the kernel, sought after its families by bisection on queries made for it. Null where they were not "
       "looked for: a predicate without critical values, answers of a program, a run that was interrupted.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = SlacksRecord;
-    return visit(
-        field(&Of::asked, {"asked", "Queries that were made, within what the kernel promises."}),
-        field(&Of::bracketed, {"bracketed", "Those whose exact turn and whose turn by the kernel are known."}),
-        field(&Of::answers, {"answers", "Answers that the kernel was asked for."}),
-        field(&Of::looks, {"looks", "The same by kind of query, with what could have been seen."}),
-        field(&Of::found,
-              {"found", "The slacks that were found, of one size on the most queries first; none: an empty list."}));
-  }
+  AXISCERT_FIELDS(
+      SlacksRecord, AXISCERT_FIELD(asked, "Queries that were made, within what the kernel promises."),
+      AXISCERT_FIELD(bracketed, "Those whose exact turn and whose turn by the kernel are known."),
+      AXISCERT_FIELD(answers, "Answers that the kernel was asked for."),
+      AXISCERT_FIELD(looks, "The same by kind of query, with what could have been seen."),
+      AXISCERT_FIELD(found, "The slacks that were found, of one size on the most queries first; none: an empty list."))
 };
 
 }  // namespace axiscert

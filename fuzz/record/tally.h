@@ -34,14 +34,11 @@ struct TruthCounts {
   bool operator==(const TruthCounts&) const = default;
 
   static constexpr std::string_view about = "The geometric truth of the queries.";
-  static constexpr auto fields(auto&& visit) {
-    return visit(
-        field(&TruthCounts::separated, {"separated", "Queries whose exact squared distance is greater than r^2."}),
-        field(&TruthCounts::contact, {"contact", "The other valid ones, touching included."}),
-        field(&TruthCounts::touching, {"touching", "Contacts whose squared distance equals r^2."}),
-        field(&TruthCounts::invalid,
-              {"invalid", "Queries with a non-finite input or a negative radius: no flips are counted on them."}));
-  }
+  AXISCERT_FIELDS(TruthCounts, AXISCERT_FIELD(separated, "Queries whose exact squared distance is greater than r^2."),
+                  AXISCERT_FIELD(contact, "The other valid ones, touching included."),
+                  AXISCERT_FIELD(touching, "Contacts whose squared distance equals r^2."),
+                  AXISCERT_FIELD(invalid,
+                                 "Queries with a non-finite input or a negative radius: no flips are counted on them."))
 };
 
 // Flips by broken link. A flip is relative to the kernel's own exact formulae, so none is `specification`.
@@ -50,13 +47,10 @@ struct FormulaLinks {
 
   static constexpr std::string_view about =
       "Flips with each link broken, on this level's own bits, beginning with the kernel's own exact formulae.";
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&FormulaLinks::rounding, {"rounding", "E and R-infinity differ here."}),
-                 field(&FormulaLinks::range, {"range", "R-infinity and R differ here."}),
-                 field(&FormulaLinks::implementation, {"implementation", "R and K differ here."}),
-                 field(&FormulaLinks::unattributed,
-                       {"unattributed", "E and K differ here, and the kernel has no reference between them."}));
-  }
+  AXISCERT_FIELDS(FormulaLinks, AXISCERT_FIELD(rounding, "E and R-infinity differ here."),
+                  AXISCERT_FIELD(range, "R-infinity and R differ here."),
+                  AXISCERT_FIELD(implementation, "R and K differ here."),
+                  AXISCERT_FIELD(unattributed, "E and K differ here, and the kernel has no reference between them."))
 };
 
 // Sign errors of one axis or one comparison against the kernel's own formulae in exact arithmetic. What may be empty is
@@ -69,46 +63,35 @@ struct SignTally {
 
   std::optional<Decimal6> smallest_passing_tolerance() const { return max_error; }
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(
-        field(&SignTally::false_separation,
-              {"false_separation", "Queries that the kernel separates here, and its exact formulae do not."}),
-        field(&SignTally::missed_separation,
-              {"missed_separation", "Queries that its exact formulae separate here, and the kernel does not."}),
-        field(&SignTally::masked, {"masked", "The flips that are not decisive."}),
-        field(
-            &SignTally::decisive,
-            {"decisive",
-             "The flips on queries where the kernel's verdict differs from that of its exact formulae, the same way as "
-             "the flip; of a comparison, those that belong to a decisive flip of its axis."}),
-        field(
-            &SignTally::tolerance_failures,
-            {"tolerance_failures",
-             "Queries whose error is above the plan's tolerance; null where there is none, or no sides were measured: "
-             "not checked."}),
-        field(&SignTally::max_error,
-              {"max_error_u",
-               "The largest |(computed lhs - computed rhs) - (lhs - rhs)| / (u (|lhs| + |rhs|)), u = 2^-24 or 2^-53, "
-               "rounded up to 6 significant digits; null where no sides were measured.",
-               "u"},
-              by::greatest),
-        field(&SignTally::smallest_passing_tolerance,
-              {"smallest_passing_tolerance", "The smallest tolerance with no failure; equal to max_error_u.", "u"}),
-        field(&SignTally::links, {"links", {}}));
-  }
+  AXISCERT_FIELDS(
+      SignTally,
+      AXISCERT_FIELD(false_separation, "Queries that the kernel separates here, and its exact formulae do not."),
+      AXISCERT_FIELD(missed_separation, "Queries that its exact formulae separate here, and the kernel does not."),
+      AXISCERT_FIELD(masked, "The flips that are not decisive."),
+      AXISCERT_FIELD(decisive,
+                     "The flips on queries where the kernel's verdict differs from that of its exact formulae, the "
+                     "same way as the flip; of a comparison, those that belong to a decisive flip of its axis."),
+      AXISCERT_FIELD(tolerance_failures,
+                     "Queries whose error is above the plan's tolerance; null where there is none, or no sides were "
+                     "measured: not checked."),
+      field(&SignTally::max_error,
+            {"max_error_u",
+             "The largest |(computed lhs - computed rhs) - (lhs - rhs)| / (u (|lhs| + |rhs|)), u = 2^-24 or 2^-53, "
+             "rounded up to 6 significant digits; null where no sides were measured.",
+             "u"},
+            by::greatest),
+      AXISCERT_FIELD(smallest_passing_tolerance, "The smallest tolerance with no failure; equal to max_error_u.", "u"),
+      AXISCERT_FIELD(links))
 };
 
 struct AxisTally : SignTally {
   std::uint64_t sole_separator = 0;
 
   static constexpr std::string_view about = "One axis: the kernel against its own formulae in exact arithmetic.";
-  static constexpr auto fields(auto&& visit) {
-    return visit(base<AxisTally, SignTally>(),
-                 field(&AxisTally::sole_separator,
-                       {"sole_separator",
-                        "Queries that this axis alone separates, by the kernel's own formulae in exact arithmetic: "
-                        "without it they would be phantom contacts."}));
-  }
+  AXISCERT_FIELDS(AxisTally, base<AxisTally, SignTally>(),
+                  AXISCERT_FIELD(sole_separator,
+                                 "Queries that this axis alone separates, by the kernel's own formulae in exact "
+                                 "arithmetic: without it they would be phantom contacts."))
 };
 
 struct ComparisonTally : SignTally {
@@ -120,22 +103,17 @@ struct ComparisonTally : SignTally {
 
   static constexpr std::string_view about =
       "One comparison lhs > rhs: the kernel against its own formula in exact arithmetic.";
-  static constexpr auto fields(auto&& visit) {
-    return visit(
-        base<ComparisonTally, SignTally>(), field(&ComparisonTally::margins, {"margins", {}}),
-        field(&ComparisonTally::ties, {"ties", "Queries whose exact margin lhs - rhs is zero."}),
-        field(&ComparisonTally::range_events,
-              {"range_events",
-               "Queries with a computed side that is not finite; left out of the error. Null where no sides were "
-               "measured."}),
-        field(
-            &ComparisonTally::error_without_scale,
-            {"error_without_scale",
-             "Queries with both exact sides zero and a computed difference that is not: no relative error; left out of "
-             "the maximum. Null where no sides were measured."}),
-        journalled(&ComparisonTally::largest_error), journalled(&ComparisonTally::false_witness),
-        journalled(&ComparisonTally::missed_witness));
-  }
+  AXISCERT_FIELDS(
+      ComparisonTally, base<ComparisonTally, SignTally>(), AXISCERT_FIELD(margins),
+      AXISCERT_FIELD(ties, "Queries whose exact margin lhs - rhs is zero."),
+      AXISCERT_FIELD(
+          range_events,
+          "Queries with a computed side that is not finite; left out of the error. Null where no sides were measured."),
+      AXISCERT_FIELD(error_without_scale,
+                     "Queries with both exact sides zero and a computed difference that is not: no relative error; "
+                     "left out of the maximum. Null where no sides were measured."),
+      journalled(&ComparisonTally::largest_error), journalled(&ComparisonTally::false_witness),
+      journalled(&ComparisonTally::missed_witness))
 };
 
 // Valid queries outside the limits that a kernel declares; only the truth counts them too.
@@ -147,18 +125,16 @@ struct OutsideTally {
   static constexpr std::string_view about =
       "Results where the kernel promises nothing. No other count of its verdicts, axes, comparisons or critical radii "
       "includes these queries, and no requirement covers them.";
-  static constexpr auto fields(auto&& visit) {
-    return visit(
-        field(&OutsideTally::trials, {"trials", "Valid queries outside the limits."}),
-        field(&OutsideTally::false_separation, {"false_separation", "Missed contacts among them."}),
-        field(&OutsideTally::false_contact, {"false_contact", "Phantom contacts among them."}),
-        field(&OutsideTally::unanswered, {"unanswered", "Queries among them without an answer."}),
-        field(&OutsideTally::contact, {"contact", "Those of trials whose truth is contact."}),
-        field(&OutsideTally::touching, {"touching", "Those of contact that touch."}),
-        field(&OutsideTally::deepest,
-              {"deepest", "Largest depth of a wrong verdict among them; 0 where there is none.", "of the scene"},
-              by::greatest));
-  }
+  AXISCERT_FIELDS(OutsideTally, AXISCERT_FIELD(trials, "Valid queries outside the limits."),
+                  AXISCERT_FIELD(false_separation, "Missed contacts among them."),
+                  AXISCERT_FIELD(false_contact, "Phantom contacts among them."),
+                  AXISCERT_FIELD(unanswered, "Queries among them without an answer."),
+                  AXISCERT_FIELD(contact, "Those of trials whose truth is contact."),
+                  AXISCERT_FIELD(touching, "Those of contact that touch."),
+                  field(&Of::deepest,
+                        {"deepest", "Largest depth of a wrong verdict among them; 0 where there is none.",
+                         "of the scene"},
+                        by::greatest))
 };
 
 // The first query of a family with some property, by its position.
@@ -211,66 +187,47 @@ struct VerdictTally {
   static constexpr std::string_view about =
       "The kernel's verdicts on the queries within its limits, against the geometric truth and, where the sphere "
       "touches, its own convention.";
-  static constexpr auto fields(auto&& visit) {
-    return visit(
-        field(&VerdictTally::false_separation,
-              {"false_separation",
-               "Missed contacts: the kernel says separated, the truth is contact. The dangerous ones."}),
-        field(&VerdictTally::false_contact,
-              {"false_contact", "Phantom contacts: the kernel says contact, the truth is separated."}),
-        field(&VerdictTally::undecided,
-              {"undecided", "Valid queries that the kernel declined to decide. Not wrong verdicts."}),
-        field(&VerdictTally::undecided_contact, {"undecided_contact", "Those of undecided whose truth is contact."}),
-        field(&VerdictTally::undecided_touching, {"undecided_touching", "Those of undecided_contact that touch."}),
-        field(&VerdictTally::invalid,
-              {"invalid", "Valid queries that the kernel called invalid. Not counted as wrong verdicts."}),
-        field(
-            &VerdictTally::unanswered,
-            {"unanswered",
-             "Valid queries without an answer: the kernel crashed, hung, or was not asked because of that. Not counted "
-             "as wrong verdicts."}),
-        field(&VerdictTally::deepest,
-              {"deepest",
-               "Largest depth |d - r| / max(|A-P|, |B-P|, |C-P|, r) of a wrong verdict, d the exact distance; 0 where "
-               "there is none.",
-               "of the scene"}),
-        field(&VerdictTally::deepest_false_separation,
-              {"deepest_false_separation", "The same over missed contacts.", "of the scene"}),
-        field(&VerdictTally::deepest_false_contact,
-              {"deepest_false_contact", "The same over phantom contacts.", "of the scene"}),
-        field(
-            &VerdictTally::farthest_false_separation,
-            {"farthest_false_separation",
-             "The greatest length by which a missed contact is off: from touching, in the queries' unit; 0 where there "
-             "is none.",
-             "length"}),
-        field(&VerdictTally::farthest_false_contact,
-              {"farthest_false_contact", "The same over phantom contacts.", "length"}),
-        field(
-            &VerdictTally::links,
-            {"links",
-             "Wrong verdicts with each link of the chain broken: geometric truth G, exact formula E, unbounded "
-             "exponent R-infinity, reference R, kernel K. One verdict may break several, so these do not add up to the "
-             "wrong verdicts."}),
-        field(&VerdictTally::masked_links,
-              {"masked_links", "Right verdicts with each link broken: the breaks cancelled."}),
-        field(&VerdictTally::first_by_link,
-              {"first_by_link",
-               "The first query of the family, counted from 1, with a wrong verdict and this link broken; touching "
-               "queries, which a convention may explain, are not counted, except for implementation; null: none."}),
-        field(&VerdictTally::touching_flips, {"touching_flips", "Wrong verdicts on touching queries."}),
-        field(&VerdictTally::touching_links, {"touching_links", "Broken links on touching queries."}),
-        field(&VerdictTally::outside_limits,
-              {"outside_limits", "Valid queries outside the kernel's limits; null where it declares none."}),
-        field(&VerdictTally::clear,
-              {"clear",
-               "Answers to clear queries; null for a kernel with a reference, whose links say why it is wrong."}),
-        field(&VerdictTally::depths,
-              {"depths", "Wrong verdicts by decade of depth; null where the predicate has no depth."}),
-        field(&VerdictTally::engine,
-              {"engine_like", "What is left on engine-like queries; null where the predicate has none."}),
-        journalled(&VerdictTally::deepest_by_link));
-  }
+  AXISCERT_FIELDS(
+      VerdictTally,
+      AXISCERT_FIELD(false_separation,
+                     "Missed contacts: the kernel says separated, the truth is contact. The dangerous ones."),
+      AXISCERT_FIELD(false_contact, "Phantom contacts: the kernel says contact, the truth is separated."),
+      AXISCERT_FIELD(undecided, "Valid queries that the kernel declined to decide. Not wrong verdicts."),
+      AXISCERT_FIELD(undecided_contact, "Those of undecided whose truth is contact."),
+      AXISCERT_FIELD(undecided_touching, "Those of undecided_contact that touch."),
+      AXISCERT_FIELD(invalid, "Valid queries that the kernel called invalid. Not counted as wrong verdicts."),
+      AXISCERT_FIELD(unanswered,
+                     "Valid queries without an answer: the kernel crashed, hung, or was not asked because of that. Not "
+                     "counted as wrong verdicts."),
+      AXISCERT_FIELD(deepest,
+                     "Largest depth |d - r| / max(|A-P|, |B-P|, |C-P|, r) of a wrong verdict, d the exact distance; 0 "
+                     "where there is none.",
+                     "of the scene"),
+      AXISCERT_FIELD(deepest_false_separation, "The same over missed contacts.", "of the scene"),
+      AXISCERT_FIELD(deepest_false_contact, "The same over phantom contacts.", "of the scene"),
+      AXISCERT_FIELD(farthest_false_separation,
+                     "The greatest length by which a missed contact is off: from touching, in the queries' unit; 0 "
+                     "where there is none.",
+                     "length"),
+      AXISCERT_FIELD(farthest_false_contact, "The same over phantom contacts.", "length"),
+      AXISCERT_FIELD(links,
+                     "Wrong verdicts with each link of the chain broken: geometric truth G, exact formula E, unbounded "
+                     "exponent R-infinity, reference R, kernel K. One verdict may break several, so these do not add "
+                     "up to the wrong verdicts."),
+      AXISCERT_FIELD(masked_links, "Right verdicts with each link broken: the breaks cancelled."),
+      AXISCERT_FIELD(
+          first_by_link,
+          "The first query of the family, counted from 1, with a wrong verdict and this link broken; touching queries, "
+          "which a convention may explain, are not counted, except for implementation; null: none."),
+      AXISCERT_FIELD(touching_flips, "Wrong verdicts on touching queries."),
+      AXISCERT_FIELD(touching_links, "Broken links on touching queries."),
+      AXISCERT_FIELD(outside_limits, "Valid queries outside the kernel's limits; null where it declares none."),
+      AXISCERT_FIELD(clear,
+                     "Answers to clear queries; null for a kernel with a reference, whose links say why it is wrong."),
+      AXISCERT_FIELD(depths, "Wrong verdicts by decade of depth; null where the predicate has no depth."),
+      field(&VerdictTally::engine,
+            {"engine_like", "What is left on engine-like queries; null where the predicate has none."}),
+      journalled(&VerdictTally::deepest_by_link))
 };
 
 struct CriticalRadiusTally {
@@ -281,11 +238,8 @@ struct CriticalRadiusTally {
   std::uint64_t unanswered = 0;              // not measured: a radius got no answer
   std::uint64_t undecided = 0, invalid = 0;  // not measured: that was the answer to some radius
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = CriticalRadiusTally;
-    return visit(journalled(&Of::errors_ulps), journalled(&Of::unbounded), journalled(&Of::unanswered),
-                 journalled(&Of::undecided), journalled(&Of::invalid));
-  }
+  AXISCERT_FIELDS(CriticalRadiusTally, journalled(&Of::errors_ulps), journalled(&Of::unbounded),
+                  journalled(&Of::unanswered), journalled(&Of::undecided), journalled(&Of::invalid))
 };
 
 // One kind of finding: how often, and the first of them.
@@ -294,9 +248,8 @@ struct FindingTally {
   std::string detail;  // of the first
 
   void merge(const FindingTally& other);
-  static constexpr auto fields(auto&& visit) {
-    return visit(journalled(&FindingTally::count), journalled(&FindingTally::first), journalled(&FindingTally::detail));
-  }
+  AXISCERT_FIELDS(FindingTally, journalled(&FindingTally::count), journalled(&FindingTally::first),
+                  journalled(&FindingTally::detail))
 };
 
 struct Tally {
@@ -312,12 +265,10 @@ struct Tally {
   std::uint64_t asked_again = 0;  // queries asked again in another order of their batch
 
   void merge(const Tally& other);
-  static constexpr auto fields(auto&& visit) {
-    return visit(journalled(&Tally::trials), journalled(&Tally::truth), journalled(&Tally::verdict),
-                 journalled(&Tally::axes), journalled(&Tally::comparisons), journalled(&Tally::critical_radius),
-                 journalled(&Tally::findings), journalled(&Tally::classes), journalled(&Tally::contacts),
-                 journalled(&Tally::asked_again));
-  }
+  AXISCERT_FIELDS(Tally, journalled(&Tally::trials), journalled(&Tally::truth), journalled(&Tally::verdict),
+                  journalled(&Tally::axes), journalled(&Tally::comparisons), journalled(&Tally::critical_radius),
+                  journalled(&Tally::findings), journalled(&Tally::classes), journalled(&Tally::contacts),
+                  journalled(&Tally::asked_again))
 };
 
 // Nothing counted, for every clause and comparison of a predicate.

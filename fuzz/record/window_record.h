@@ -20,14 +20,10 @@ struct WindowRecord {
       "where it was not asked: answers of a program, an interrupted run, a predicate without such queries, a kernel "
       "that "
       "does not give both answers to them.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = WindowRecord;
-    return visit(field(&Of::low, {"low", "From 2^low on, every answer is that of scale 1."}),
-                 field(&Of::high, {"high", "Up to 2^high."}),
-                 field(&Of::scanned_low, {"scanned_low", "The least power that was asked."}),
-                 field(&Of::scanned_high, {"scanned_high", "The greatest."}),
-                 field(&Of::queries, {"queries", "The clear queries, each asked at every power."}));
-  }
+  AXISCERT_FIELDS(WindowRecord, AXISCERT_FIELD(low, "From 2^low on, every answer is that of scale 1."),
+                  AXISCERT_FIELD(high, "Up to 2^high."), AXISCERT_FIELD(scanned_low, "The least power that was asked."),
+                  AXISCERT_FIELD(scanned_high, "The greatest."),
+                  AXISCERT_FIELD(queries, "The clear queries, each asked at every power."))
 };
 
 }  // namespace axiscert

@@ -57,33 +57,23 @@ struct FlipRecord {
   bool operator==(const FlipRecord&) const = default;
   static constexpr std::string_view about =
       "One place where the kernel differs: from the truth at the verdict, from its own exact formulae elsewhere.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = FlipRecord;
-    return visit(
-        field(&Of::level, {"level", "The level at which it shows."}),
-        field(&Of::name, {"name", "verdict, an axis or a comparison."}),
-        field(&Of::kind, {"kind", "The direction: the kernel wrongly says yes, or wrongly says no."}),
-        field(&Of::decisive, {"decisive", "Whether the verdict is wrong because of it; otherwise it is masked."}),
-        field(&Of::links, {"links", "The links broken here."}));
-  }
+  AXISCERT_FIELDS(FlipRecord, AXISCERT_FIELD(level, "The level at which it shows."),
+                  AXISCERT_FIELD(name, "verdict, an axis or a comparison."),
+                  AXISCERT_FIELD(kind, "The direction: the kernel wrongly says yes, or wrongly says no."),
+                  AXISCERT_FIELD(decisive, "Whether the verdict is wrong because of it; otherwise it is masked."),
+                  AXISCERT_FIELD(links, "The links broken here."))
 };
 
 struct ExactSidesRecord {
   Digits lhs, rhs, margin;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = ExactSidesRecord;
-    return visit(field(&Of::lhs, {"lhs", "Left side."}), field(&Of::rhs, {"rhs", "Right side."}),
-                 field(&Of::margin, {"margin", "lhs - rhs, rounded once: not the difference of the two texts."}));
-  }
+  AXISCERT_FIELDS(ExactSidesRecord, AXISCERT_FIELD(lhs, "Left side."), AXISCERT_FIELD(rhs, "Right side."),
+                  AXISCERT_FIELD(margin, "lhs - rhs, rounded once: not the difference of the two texts."))
 };
 struct ComputedSidesRecord {
   HexNumber lhs, rhs;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&ComputedSidesRecord::lhs, {"lhs", "Left side."}),
-                 field(&ComputedSidesRecord::rhs, {"rhs", "Right side."}));
-  }
+  AXISCERT_FIELDS(ComputedSidesRecord, AXISCERT_FIELD(lhs, "Left side."), AXISCERT_FIELD(rhs, "Right side."))
 };
 struct SidesRecord {
   std::optional<ExactSidesRecord> exact;
@@ -91,24 +81,19 @@ struct SidesRecord {
   std::optional<ErrorNumber> lhs_ulps, rhs_ulps, error_u;
 
   static constexpr std::string_view about = "The sides of one comparison.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = SidesRecord;
-    return visit(
-        field(&Of::exact,
-              {"exact",
-               "The kernel's own formulae in exact arithmetic, to 17 significant digits; null where they are undefined "
-               "(0/0)."}),
-        field(&Of::computed, {"computed", "The sides as computed by the kernel; null where it does not show them."}),
-        field(&Of::lhs_ulps,
-              {"lhs_ulps",
-               "|computed - exact| lhs, in ulps of the exact one, rounded up, to 1e-300 where it is less but not zero; "
-               "null: not finite, not shown, or a root.",
-               "ulps"}),
-        field(&Of::rhs_ulps, {"rhs_ulps", "The same for rhs.", "ulps"}),
-        field(
-            &Of::error_u,
-            {"error_u", "The error of the comparison on this query, as in max_error_u; null where it has none.", "u"}));
-  }
+  AXISCERT_FIELDS(
+      SidesRecord,
+      AXISCERT_FIELD(exact,
+                     "The kernel's own formulae in exact arithmetic, to 17 significant digits; null where they are "
+                     "undefined (0/0)."),
+      AXISCERT_FIELD(computed, "The sides as computed by the kernel; null where it does not show them."),
+      AXISCERT_FIELD(lhs_ulps,
+                     "|computed - exact| lhs, in ulps of the exact one, rounded up, to 1e-300 where it is less but not "
+                     "zero; null: not finite, not shown, or a root.",
+                     "ulps"),
+      AXISCERT_FIELD(rhs_ulps, "The same for rhs.", "ulps"),
+      AXISCERT_FIELD(error_u, "The error of the comparison on this query, as in max_error_u; null where it has none.",
+                     "u"))
 };
 
 struct MeasuresRecord {
@@ -118,86 +103,65 @@ struct MeasuresRecord {
   std::optional<std::optional<TimeVerdict>> time;
   std::optional<std::optional<ErrorNumber>> ulps, in_u;
   std::optional<std::optional<double>> share, length, gap;
-  // Of a predicate without motions.
+  // Members of a predicate without motions.
   std::optional<std::optional<Consistency>> consistency;
   std::optional<std::optional<double>> separation_error, separation_length;
   std::optional<std::optional<ErrorNumber>> separation_ulps, separation_u;
   std::optional<std::optional<ErrorNumber>> left;
   std::optional<std::optional<bool>> is_flip;
-  // Of any.
+  // Members of any predicate.
   std::optional<std::optional<bool>> feature_is_right;
   std::optional<std::optional<double>> feature_error, normal_angle, normal_length_error, point_error;
-  // Of a predicate with two such points.
+  // Members of a predicate with two such points.
   std::optional<std::optional<double>> point_a_error, point_b_error, points_apart;
 
   static constexpr std::string_view about =
       "What a kernel said beside its verdict on this query, and how it is wrong. Absent for a predicate without "
       "measures; "
       "null where it gave none, and of motions where it gave none beside a contact, and missed none.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = MeasuresRecord;
-    const auto optional = [](std::string_view name, std::string_view about, std::string_view unit = {}) {
-      return Field{.name = name, .about = about, .unit = unit, .may_be_absent = true};
-    };
-    return visit(
-        field(&Of::given, {"given", "The measures by name."}),
-        field(&Of::tunnel, optional("tunnel", "Of motions: of a late time or a missed contact.", "radii")),
-        field(&Of::time, optional("time",
-                                  "What is said of the time: none, invalid, early, best, late; null where the kernel "
-                                  "gives no times.")),
-        field(&Of::ulps,
-              optional("ulps",
-                       "The error of an early or late time in units in the last place of the best one, rounded "
-                       "up.",
-                       "ulps")),
-        field(&Of::in_u, optional("in_u", "The same in u of the displacement.", "u")),
-        field(&Of::share, optional("share", "The error of an early or late time as a share of the way.", "of the way")),
-        field(&Of::length,
-              optional("length", "How far the centre then is from where it is at the first contact.", "length")),
-        field(&Of::gap, optional("gap", "Of an early time, relative to the scene.", "of the scene")),
-        field(&Of::consistency, optional("consistency",
-                                         "The numbers of the answer against its verdict and each other: consistent, "
-                                         "positive, a contact with a separation above 0, negative, separated with one "
-                                         "below 0, missing, without one of them that there is; null where the kernel "
-                                         "gives no separation.")),
-        field(&Of::separation_error,
-              optional("separation_error", "The error of the separation, relative to the scene.", "of the scene")),
-        field(&Of::separation_length, optional("separation_length", "The same as a length.", "length")),
-        field(&Of::separation_ulps,
-              optional("separation_ulps",
-                       "The same in units in the last place of the number nearest to the exact one, "
-                       "rounded up.",
-                       "ulps")),
-        field(&Of::separation_u, optional("separation_u", "The same in u of the scene.", "u")),
-        field(&Of::left,
-              optional("left",
-                       "What is left of the penetration when the second body is pushed by the exact depth along "
-                       "the normal, as a share of that depth, rounded up; null where there is no depth or no "
-                       "normal.",
-                       "of the depth")),
-        field(&Of::is_flip, optional("is_flip", "Whether that is a flip: a normal to the other side.")),
-        field(&Of::feature_is_right, optional("feature_is_right", "Null where no feature is given.")),
-        field(&Of::feature_error,
-              optional("feature_error",
-                       "Of a wrong feature: how far the centre is beyond the region in which that part is nearest, "
-                       "relative to the scene; null where there is none.",
-                       "of the scene")),
-        field(&Of::normal_angle, optional("normal_angle", "In radians; null where it is not judged.", "radians")),
-        field(&Of::normal_length_error,
-              optional("normal_length_error", "The difference of its length from 1; null where it is not judged.",
-                       "of its length")),
-        field(&Of::point_error,
-              optional("point_error", "Relative to the scene; null where it is not judged.", "of the scene")),
-        field(&Of::point_a_error,
-              optional("point_a_error", "How far the first point is from the first body, relative to the scene.",
-                       "of the scene")),
-        field(&Of::point_b_error, optional("point_b_error", "The same of the second.", "of the scene")),
-        field(&Of::points_apart,
-              optional("points_apart",
-                       "How far the distance of the two points is from that of the separation from 0, relative to the "
-                       "scene.",
-                       "of the scene")));
-  }
+  AXISCERT_FIELDS(
+      MeasuresRecord, AXISCERT_FIELD(given, "The measures by name."),
+      AXISCERT_OPTIONAL_FIELD(tunnel, "Of motions: of a late time or a missed contact.", "radii"),
+      AXISCERT_OPTIONAL_FIELD(
+          time, "What is said of the time: none, invalid, early, best, late; null where the kernel gives no times."),
+      AXISCERT_OPTIONAL_FIELD(
+          ulps, "The error of an early or late time in units in the last place of the best one, rounded up.", "ulps"),
+      AXISCERT_OPTIONAL_FIELD(in_u, "The same in u of the displacement.", "u"),
+      AXISCERT_OPTIONAL_FIELD(share, "The error of an early or late time as a share of the way.", "of the way"),
+      AXISCERT_OPTIONAL_FIELD(length, "How far the centre then is from where it is at the first contact.", "length"),
+      AXISCERT_OPTIONAL_FIELD(gap, "Of an early time, relative to the scene.", "of the scene"),
+      AXISCERT_OPTIONAL_FIELD(consistency,
+                              "The numbers of the answer against its verdict and each other: consistent, positive, a "
+                              "contact with a separation above 0, negative, separated with one below 0, missing, "
+                              "without one of them that there is; null where the kernel gives no separation."),
+      AXISCERT_OPTIONAL_FIELD(separation_error, "The error of the separation, relative to the scene.", "of the scene"),
+      AXISCERT_OPTIONAL_FIELD(separation_length, "The same as a length.", "length"),
+      AXISCERT_OPTIONAL_FIELD(separation_ulps,
+                              "The same in units in the last place of the number nearest to the exact one, rounded up.",
+                              "ulps"),
+      AXISCERT_OPTIONAL_FIELD(separation_u, "The same in u of the scene.", "u"),
+      AXISCERT_OPTIONAL_FIELD(
+          left,
+          "What is left of the penetration when the second body is pushed by the exact depth along the normal, as a "
+          "share of that depth, rounded up; null where there is no depth or no normal.",
+          "of the depth"),
+      AXISCERT_OPTIONAL_FIELD(is_flip, "Whether that is a flip: a normal to the other side."),
+      AXISCERT_OPTIONAL_FIELD(feature_is_right, "Null where no feature is given."),
+      AXISCERT_OPTIONAL_FIELD(feature_error,
+                              "Of a wrong feature: how far the centre is beyond the region in which that part is "
+                              "nearest, relative to the scene; null where there is none.",
+                              "of the scene"),
+      AXISCERT_OPTIONAL_FIELD(normal_angle, "In radians; null where it is not judged.", "radians"),
+      AXISCERT_OPTIONAL_FIELD(normal_length_error, "The difference of its length from 1; null where it is not judged.",
+                              "of its length"),
+      AXISCERT_OPTIONAL_FIELD(point_error, "Relative to the scene; null where it is not judged.", "of the scene"),
+      AXISCERT_OPTIONAL_FIELD(point_a_error, "How far the first point is from the first body, relative to the scene.",
+                              "of the scene"),
+      AXISCERT_OPTIONAL_FIELD(point_b_error, "The same of the second.", "of the scene"),
+      AXISCERT_OPTIONAL_FIELD(
+          points_apart,
+          "How far the distance of the two points is from that of the separation from 0, relative to the scene.",
+          "of the scene"))
 };
 
 // Three numbers: x, y and z.
@@ -215,43 +179,31 @@ struct ExactContactRecord {
   static constexpr std::string_view about =
       "The exact contact: of motions the first, else where the two bodies are nearest, or least parted. Absent where "
       "`measures` are; null where the query is invalid.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ExactContactRecord;
-    const auto optional = [](std::string_view name, std::string_view about) {
-      return Field{.name = name, .about = about, .may_be_absent = true};
-    };
-    return visit(
-        field(&Of::time,
-              optional("time",
-                       "Of motions, the best time: the greatest number of the precision that is not late; null "
-                       "where there is no contact.")),
-        field(&Of::features, optional("features",
-                                      "All parts of the triangle that are nearest to the centre, of motions then; null "
-                                      "where these have no contact.")),
-        field(&Of::start, optional("start", "Sphere and triangle before the motion: overlap, touching or clear.")),
-        field(&Of::after_time,
-              optional("after_time",
-                       "The exact time less the best one. It and what follows is there where motions have "
-                       "contact, each number the nearest of binary64.")),
-        field(&Of::separation,
-              optional("separation",
-                       "Of a predicate without motions: the distance where the two are apart, less the "
-                       "penetration where not. It and the points are absent where beyond binary64.")),
-        field(&Of::point,
-              optional("point",
-                       "The triangle's point that is nearest to the centre, of motions then; of two bodies the "
-                       "first's. Absent where it is not the only one.")),
-        field(&Of::point_b, optional("point_b", "Of two bodies the second's.")),
-        field(
-            &Of::point_from_a,
-            optional("point_from_a",
-                     "The same point less A: rounded after the subtraction, so that it has all its digits however far "
-                     "both are from the origin.")),
-        field(&Of::normal,
-              optional("normal",
-                       "The unit vector from there to the centre; of two bodies that in which the second is "
-                       "pushed. Null where there is none, or more than one.")));
-  }
+  AXISCERT_FIELDS(
+      ExactContactRecord,
+      AXISCERT_OPTIONAL_FIELD(time,
+                              "Of motions, the best time: the greatest number of the precision that is not late; null "
+                              "where there is no contact."),
+      AXISCERT_OPTIONAL_FIELD(features,
+                              "All parts of the triangle that are nearest to the centre, of motions then; null where "
+                              "these have no contact."),
+      AXISCERT_OPTIONAL_FIELD(start, "Sphere and triangle before the motion: overlap, touching or clear."),
+      AXISCERT_OPTIONAL_FIELD(after_time,
+                              "The exact time less the best one. It and what follows is there where motions have "
+                              "contact, each number the nearest of binary64."),
+      AXISCERT_OPTIONAL_FIELD(separation,
+                              "Of a predicate without motions: the distance where the two are apart, less the "
+                              "penetration where not. It and the points are absent where beyond binary64."),
+      AXISCERT_OPTIONAL_FIELD(point,
+                              "The triangle's point that is nearest to the centre, of motions then; of two bodies the "
+                              "first's. Absent where it is not the only one."),
+      AXISCERT_OPTIONAL_FIELD(point_b, "Of two bodies the second's."),
+      AXISCERT_OPTIONAL_FIELD(point_from_a,
+                              "The same point less A: rounded after the subtraction, so that it has all its digits "
+                              "however far both are from the origin."),
+      AXISCERT_OPTIONAL_FIELD(normal,
+                              "The unit vector from there to the centre; of two bodies that in which the second is "
+                              "pushed. Null where there is none, or more than one."))
 };
 
 struct WitnessRecord {
@@ -274,42 +226,32 @@ struct WitnessRecord {
       "A query, with one kernel's results on it. The numbers of the query have the names of the groups of columns of "
       "its "
       "predicate.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = WitnessRecord;
-    return visit(
-        field(&Of::id, {"id", "Unique in this record."}), field(&Of::precision, {"precision", "Of the query."}),
-        rest(&Of::numbers), field(&Of::kernel, {"kernel", "The kernel that shows it."}),
-        field(&Of::family, {"family", "The family it came from."}),
-        field(&Of::address, {"address", "The address from which `axiscert query` makes it again."}),
-        field(&Of::truth, {"truth", "The geometric truth."}),
-        field(&Of::computed, {"computed", "The kernel's verdict."}),
-        field(&Of::touching, {"touching", "Whether the exact distance equals r."}),
-        field(&Of::depth, {"depth", "The depth of a wrong verdict; null where the verdict is right.", "of the scene"}),
-        field(&Of::length, {.name = "length",
-                            .about = "The same as a length, in the queries' unit; absent where there is none.",
-                            .unit = "length",
-                            .may_be_absent = true}),
-        field(&Of::input_class,
-              {.name = "class",
-               .about = "The class of the input of a wrong verdict; absent for a kernel without family.classes.",
-               .may_be_absent = true}),
-        field(
-            &Of::exact_comparisons,
-            {"exact_comparisons",
-             "The comparisons of the kernel's own formulae in exact arithmetic, one 0 or 1 each; null where there are "
-             "none."}),
-        field(&Of::computed_comparisons,
-              {"computed_comparisons", "The comparisons as computed by the kernel; null where it does not show them."}),
-        field(&Of::shows, {"shows", "The reasons for which it was kept."}),
-        field(&Of::flips, {"flips", "Flips in the order verdict, axes, comparisons."}),
-        field(&Of::sides,
-              {"sides",
-               "The two sides of each comparison of the axes that flip and of those with the largest error. Null where "
-               "the kernel claims no formulae with comparisons."}),
-        field(&Of::measures, {.name = "measures", .about = MeasuresRecord::about, .may_be_absent = true}),
-        field(&Of::exact_contact,
-              {.name = "exact_contact", .about = ExactContactRecord::about, .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(
+      WitnessRecord, AXISCERT_FIELD(id, "Unique in this record."), AXISCERT_FIELD(precision, "Of the query."),
+      rest(&Of::numbers), AXISCERT_FIELD(kernel, "The kernel that shows it."),
+      AXISCERT_FIELD(family, "The family it came from."),
+      AXISCERT_FIELD(address, "The address from which `axiscert query` makes it again."),
+      AXISCERT_FIELD(truth, "The geometric truth."), AXISCERT_FIELD(computed, "The kernel's verdict."),
+      AXISCERT_FIELD(touching, "Whether the exact distance equals r."),
+      AXISCERT_FIELD(depth, "The depth of a wrong verdict; null where the verdict is right.", "of the scene"),
+      AXISCERT_OPTIONAL_FIELD(length, "The same as a length, in the queries' unit; absent where there is none.",
+                              "length"),
+      field(&Of::input_class,
+            {.name = "class",
+             .about = "The class of the input of a wrong verdict; absent for a kernel without family.classes.",
+             .may_be_absent = true}),
+      AXISCERT_FIELD(exact_comparisons,
+                     "The comparisons of the kernel's own formulae in exact arithmetic, one 0 or 1 each; null where "
+                     "there are none."),
+      AXISCERT_FIELD(computed_comparisons,
+                     "The comparisons as computed by the kernel; null where it does not show them."),
+      AXISCERT_FIELD(shows, "The reasons for which it was kept."),
+      AXISCERT_FIELD(flips, "Flips in the order verdict, axes, comparisons."),
+      AXISCERT_FIELD(sides,
+                     "The two sides of each comparison of the axes that flip and of those with the largest error. Null "
+                     "where the kernel claims no formulae with comparisons."),
+      AXISCERT_OPTIONAL_FIELD(measures, MeasuresRecord::about),
+      AXISCERT_OPTIONAL_FIELD(exact_contact, ExactContactRecord::about))
 };
 
 struct FindingRecord {
@@ -327,28 +269,22 @@ struct FindingRecord {
       "precision, "
       "family, address and query are null. The numbers of the query have the names of the groups of columns of its "
       "predicate.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = FindingRecord;
-    return visit(
-        field(&Of::kernel, {"kernel", "The kernel at fault."}),
-        field(&Of::precision, {"precision", "The precision in which it occurred; null: in loading."}),
-        field(&Of::family, {"family", "The family on which it occurred; null: in loading."}),
-        field(
-            &Of::kind,
-            {"kind",
-             "load: cannot be loaded, or declares something that cannot be true; abi: made for another version of the "
-             "interface; crash: a signal, or the process exited; hang: no answer in time; out_of_bounds: touched "
-             "memory "
-             "next to an array, or wrote to an input; nondeterministic: another answer to the same batch; "
-             "batch_dependent: another answer depending on the query's place in the batch; order_dependent: another "
-             "answer with the batch in another order, or to the query alone; environment: left the floating-point "
-             "environment changed; inconsistent: no verdict, or one that its own comparisons contradict; exchanged: "
-             "contact where the two are apart, and separated where they are in contact, nearly everywhere."}),
-        field(&Of::count, {"count", "Number of occurrences."}),
-        field(&Of::detail, {"detail", "The observation at the first occurrence."}),
-        field(&Of::address, {"address", "The address of the first query that showed it; null: in loading."}),
-        rest(&Of::numbers));
-  }
+  AXISCERT_FIELDS(
+      FindingRecord, AXISCERT_FIELD(kernel, "The kernel at fault."),
+      AXISCERT_FIELD(precision, "The precision in which it occurred; null: in loading."),
+      AXISCERT_FIELD(family, "The family on which it occurred; null: in loading."),
+      AXISCERT_FIELD(
+          kind,
+          "load: cannot be loaded, or declares something that cannot be true; abi: made for another version of the "
+          "interface; crash: a signal, or the process exited; hang: no answer in time; out_of_bounds: touched memory "
+          "next to an array, or wrote to an input; nondeterministic: another answer to the same batch; "
+          "batch_dependent: another answer depending on the query's place in the batch; order_dependent: another "
+          "answer with the batch in another order, or to the query alone; environment: left the floating-point "
+          "environment changed; inconsistent: no verdict, or one that its own comparisons contradict; exchanged: "
+          "contact where the two are apart, and separated where they are in contact, nearly everywhere."),
+      AXISCERT_FIELD(count, "Number of occurrences."),
+      AXISCERT_FIELD(detail, "The observation at the first occurrence."),
+      AXISCERT_FIELD(address, "The address of the first query that showed it; null: in loading."), rest(&Of::numbers))
 };
 
 }  // namespace axiscert

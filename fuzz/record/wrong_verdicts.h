@@ -26,11 +26,9 @@ struct DepthTally {
   bool operator==(const DepthTally&) const = default;
 
   static constexpr std::string_view about = "Wrong verdicts by decade of depth.";
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&DepthTally::false_separation, {"false_separation", "Missed contacts."}),
-                 field(&DepthTally::false_contact, {"false_contact", "Phantom contacts."}),
-                 field(&DepthTally::deep, {"deep", "Wrong verdicts of both directions whose depth is at least 1e-3."}));
-  }
+  AXISCERT_FIELDS(DepthTally, AXISCERT_FIELD(false_separation, "Missed contacts."),
+                  AXISCERT_FIELD(false_contact, "Phantom contacts."),
+                  AXISCERT_FIELD(deep, "Wrong verdicts of both directions whose depth is at least 1e-3."))
 };
 
 // Wrong verdicts on queries such as an engine asks (DepthOf::engine_threshold).
@@ -45,13 +43,10 @@ struct EngineTally {
       "Results on engine-like queries: every number is zero or normal, no |coordinate| is above 2^20, and the radius "
       "is "
       "from 2^-20 to 2^20. Wrong verdicts count where their depth is above 16 u.";
-  static constexpr auto fields(auto&& visit) {
-    return visit(
-        field(&EngineTally::queries, {"queries", "Engine-like queries within the kernel's limits."}),
-        field(&EngineTally::false_separation, {"false_separation", "Missed contacts among them, deeper than 16 u."}),
-        field(&EngineTally::false_contact, {"false_contact", "Phantom contacts among them, deeper than 16 u."}),
-        field(&EngineTally::wrong, {"depths", {}}));
-  }
+  AXISCERT_FIELDS(EngineTally, AXISCERT_FIELD(queries, "Engine-like queries within the kernel's limits."),
+                  AXISCERT_FIELD(false_separation, "Missed contacts among them, deeper than 16 u."),
+                  AXISCERT_FIELD(false_contact, "Phantom contacts among them, deeper than 16 u."),
+                  field(&EngineTally::wrong, {"depths", {}}))
 };
 
 // Whether a kernel says contact for separated and separated for contact. No method is wrong so often in both
@@ -83,11 +78,9 @@ struct ClassCount {
   Leaders<double> deepest;  // of both kinds, ranked by depth
 
   static constexpr std::string_view about = "The wrong verdicts on input of one class.";
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&ClassCount::false_separation, {"false_separation", "Missed contacts."}),
-                 field(&ClassCount::false_contact, {"false_contact", "Phantom contacts."}),
-                 field(&ClassCount::deepest, {"deepest", "The greatest depth of them.", "of the scene"}));
-  }
+  AXISCERT_FIELDS(ClassCount, AXISCERT_FIELD(false_separation, "Missed contacts."),
+                  AXISCERT_FIELD(false_contact, "Phantom contacts."),
+                  AXISCERT_FIELD(deepest, "The greatest depth of them.", "of the scene"))
 };
 
 // Empty for a kernel without classes. The result of merging does not depend on the order.
@@ -95,9 +88,7 @@ struct ClassTally {
   EnumArray<InputClass, ClassCount> classes;
   std::vector<std::uint64_t> first_wrong;  // positions of wrong verdicts below nearest_queries, in any order
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(journalled(&ClassTally::classes), journalled(&ClassTally::first_wrong));
-  }
+  AXISCERT_FIELDS(ClassTally, journalled(&ClassTally::classes), journalled(&ClassTally::first_wrong))
 };
 
 class DepthOf;

@@ -76,9 +76,11 @@ double VerdictGuide<Real>::score(Goal goal, const Numbers<Real>& q, Verdict said
   if (said != (goal == Goal::missed_contact ? Verdict::separated : Verdict::contact)) return 0;
   if constexpr (std::is_same_v<Real, float>) {
     const Quantities* const quantities = capabilities_of(*kernel_.predicate).quantities;
-    const auto rough = quantities ? quantities->rough_depth(kernel_.entry, q) : std::nullopt;
-    // A depth that is no number is 0.
-    if (rough) return std::max(0.0, goal == Goal::missed_contact ? *rough : -*rough);
+    if (quantities != nullptr && quantities->rough_depth != nullptr) {
+      const double rough = quantities->rough_depth(kernel_.entry, in_doubles(q));
+      // A depth that is no number is 0.
+      return std::max(0.0, goal == Goal::missed_contact ? rough : -rough);
+    }
   }
   const Truth truth = oracles_.truth(q);
   const auto right = truth.verdict == Verdict::invalid ? std::nullopt : right_verdict(truth, kernel_.touching);

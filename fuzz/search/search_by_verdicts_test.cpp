@@ -136,7 +136,7 @@ TEST(SearchByVerdicts, RoughDepthsAreThoseOfTheOracles) {
           Numbers<float> q = family->make<float>(motions_seed, n);
           settle(shape, q);
           if (!may_be_valid(shape, q) || !oracles.is_valid(q)) continue;
-          const double rough = quantities.rough_depth(entry, q).value(), depth = oracles.depth(q).value();
+          const double rough = quantities.rough_depth(entry, in_doubles(q)), depth = oracles.depth(q).value();
           const bool is_gap = !is_of_motions(predicate);
           const bool apart = oracles.truth(q).verdict == Verdict::separated;
           const double least = apart ? -depth : depth, most = !apart ? depth : is_gap ? 0 : -depth;

@@ -43,22 +43,9 @@ const InputClasses& sphere_triangle_input_classes() {
   return classes;
 }
 
-namespace {
-
-class SphereTriangleFeatures final : public NearestFeatures {
- public:
-  std::vector<std::string_view> of(const Numbers<float>& q) const override {
-    return nearest_place(widened(query_from(q))).features;
-  }
-  std::vector<std::string_view> of(const Numbers<double>& q) const override {
-    return nearest_place(query_from(q)).features;
-  }
-};
-
-}  // namespace
-
 const NearestFeatures& sphere_triangle_nearest_features() {
-  static const SphereTriangleFeatures features;
+  static constexpr NearestFeatures features = {
+      [](const Numbers<double>& q) { return nearest_place(query_from(q)).features; }};
   return features;
 }
 
@@ -107,10 +94,8 @@ double excess_of_areas(const std::array<Vec3<double>, 3>& v, const Vec3<double>&
   return excess > 0x1p-40 * std::sqrt(squared) ? excess / 2 : 0;
 }
 
-template <class Real>
-std::vector<double> values_of(const Query<Real>& base) {
-  const Query<double> q = widened(base);
-  const Rational exact_square = squared_distance(base), radius = exact(q.r);
+std::vector<double> values_of(const Query<double>& q) {
+  const Rational exact_square = squared_distance(q), radius = exact(q.r);
   const double dd = nearest<double>(exact_square), d = std::sqrt(dd);
   const double gap = std::abs(nearest<double>(Rational(exact_square - radius * radius)));
   const std::array<Vec3<double>, 3> v = {q.a - q.p, q.b - q.p, q.c - q.p};
@@ -152,21 +137,11 @@ std::vector<double> values_of(const Query<Real>& base) {
           excess_of_areas(v, normal)};
 }
 
-class SphereTriangleQuantities final : public Quantities {
- public:
-  std::span<const Quantity> all() const override { return size_names; }
-  std::vector<double> values(std::size_t, const Numbers<float>& query) const override {
-    return values_of<float>(query);
-  }
-  std::vector<double> values(std::size_t, const Numbers<double>& query) const override {
-    return values_of<double>(query);
-  }
-};
-
 }  // namespace
 
 const Quantities& sphere_triangle_quantities() {
-  static const SphereTriangleQuantities quantities;
+  static constexpr Quantities quantities = {
+      size_names, [](std::size_t, const Numbers<double>& q) { return values_of(query_from(q)); }};
   return quantities;
 }
 

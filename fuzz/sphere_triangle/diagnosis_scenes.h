@@ -7,7 +7,7 @@ namespace axiscert::diagnosis {
 
 const DiagnosisScenes& sphere_triangle_scenes();
 
-// Of these, those with full significands: clear ones are those of the ladder's range windows,
+// Only scenes with full significands: clear ones are those of the ladder's range windows,
 // a near tie has the radius nearest to its distance, up to two ulps from there, which is not 0, and a scene whose
 // answer turns is not flat, thin, or nearly in contact.
 template <class Real>

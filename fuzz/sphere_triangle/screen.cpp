@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "exact/sphere_triangle/measures/input_class.h"
-#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "fuzz/record/margins.h"
 
 namespace axiscert {

@@ -20,7 +20,7 @@ struct SceneTriangle {
   ScenePoint normal;  // of length 1, on the front or the back
 
   ScenePoint along(std::size_t edge) const { return corner[(edge + 1) % 3] - corner[edge]; }
-  // Of length 1, in the plane and away from the triangle.
+  // A vector of length 1, in the plane and away from the triangle.
   ScenePoint outward(std::size_t edge) const;
   double altitude(std::size_t edge) const { return dot(corner[edge] - corner[(edge + 2) % 3], outward(edge)); }
 };

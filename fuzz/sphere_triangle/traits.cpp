@@ -75,86 +75,45 @@ bool is_far_away(std::span<const portable::Vec3<double>> points, double also) {
 
 namespace {
 
-enum class SphereTrait : std::uint8_t {
-  face,
-  edge,
-  vertex,
-  edge_ab,
-  edge_bc,
-  edge_ca,
-  vertex_a,
-  vertex_b,
-  vertex_c,
-  off_ab,
-  off_bc,
-  off_ca,
-  on_triangle,
-  in_plane,
-  just_outside,
-  closely_outside,
-  just_inside,
-  front,
-  behind,
-  obtuse_there,
-  obtuse,
-  acute,
-  obtuse_a,
-  obtuse_b,
-  obtuse_c,
-  flat,
-  thin,
-  axis_plane,
-  axis_edge,
-  zero_radius,
-  large_sphere,
-  small_sphere,
-  small,
-  large,
-  far,
-};
+#define AXISCERT_SPHERE_TRAITS(X)                                                 \
+  X(face, "nearest to the face", "regions")                                       \
+  X(edge, "nearest to an edge", "regions")                                        \
+  X(vertex, "nearest to a vertex", "regions")                                     \
+  X(edge_ab, "nearest to edge ab", "regions")                                     \
+  X(edge_bc, "nearest to edge bc", "regions")                                     \
+  X(edge_ca, "nearest to edge ca", "regions")                                     \
+  X(vertex_a, "nearest to vertex a", "regions")                                   \
+  X(vertex_b, "nearest to vertex b", "regions")                                   \
+  X(vertex_c, "nearest to vertex c", "regions")                                   \
+  X(off_ab, "that do not meet the line of edge ab", {}, true, true)               \
+  X(off_bc, "that do not meet the line of edge bc", {}, true, true)               \
+  X(off_ca, "that do not meet the line of edge ca", {}, true, true)               \
+  X(on_triangle, "with the centre on the triangle", "on_triangle")                \
+  X(in_plane, "with the centre in the triangle's plane, beside it")               \
+  X(just_outside, "with the centre over a strip of 1 % beside the triangle")      \
+  X(closely_outside, "with the centre over a strip of 0.1 % beside the triangle") \
+  X(just_inside, "with the centre over a strip of 1 % within the triangle")       \
+  X(front, "with the centre in front")                                            \
+  X(behind, "with the centre behind")                                             \
+  X(obtuse_there, "with an obtuse corner there", "obtuse")                        \
+  X(obtuse, "of an obtuse triangle", "obtuse")                                    \
+  X(acute, "of a triangle without an obtuse corner")                              \
+  X(obtuse_a, "of a triangle obtuse at a", "obtuse")                              \
+  X(obtuse_b, "of a triangle obtuse at b", "obtuse")                              \
+  X(obtuse_c, "of a triangle obtuse at c", "obtuse")                              \
+  X(flat, "of a triangle without area", "flat")                                   \
+  X(thin, "of a triangle less than a thousandth as high as long")                 \
+  X(axis_plane, "of a triangle in a plane x, y or z = constant", "aligned")       \
+  X(axis_edge, "of a triangle with an edge along an axis", "aligned")             \
+  X(zero_radius, "of radius 0")                                                   \
+  X(large_sphere, "with a radius above the longest edge")                         \
+  X(small_sphere, "with a radius below a hundredth of the longest edge")          \
+  X(small, "with all numbers below 1e-3")                                         \
+  X(large, "with a number of 1e4 or more")                                        \
+  X(far, "with the origin 64 times as far away as the scene is long")
 
-}  // namespace
-template <>
-inline constexpr std::size_t enum_count<SphereTrait> = 35;
-namespace {
-
-constexpr EnumArray<SphereTrait, Trait> sphere_traits = {{
-    {"face", "nearest to the face", "regions"},
-    {"edge", "nearest to an edge", "regions"},
-    {"vertex", "nearest to a vertex", "regions"},
-    {"edge_ab", "nearest to edge ab", "regions"},
-    {"edge_bc", "nearest to edge bc", "regions"},
-    {"edge_ca", "nearest to edge ca", "regions"},
-    {"vertex_a", "nearest to vertex a", "regions"},
-    {"vertex_b", "nearest to vertex b", "regions"},
-    {"vertex_c", "nearest to vertex c", "regions"},
-    {"off_ab", "that do not meet the line of edge ab", {}, true, true},
-    {"off_bc", "that do not meet the line of edge bc", {}, true, true},
-    {"off_ca", "that do not meet the line of edge ca", {}, true, true},
-    {"on_triangle", "with the centre on the triangle", "on_triangle"},
-    {"in_plane", "with the centre in the triangle's plane, beside it"},
-    {"just_outside", "with the centre over a strip of 1 % beside the triangle"},
-    {"closely_outside", "with the centre over a strip of 0.1 % beside the triangle"},
-    {"just_inside", "with the centre over a strip of 1 % within the triangle"},
-    {"front", "with the centre in front"},
-    {"behind", "with the centre behind"},
-    {"obtuse_there", "with an obtuse corner there", "obtuse"},
-    {"obtuse", "of an obtuse triangle", "obtuse"},
-    {"acute", "of a triangle without an obtuse corner"},
-    {"obtuse_a", "of a triangle obtuse at a", "obtuse"},
-    {"obtuse_b", "of a triangle obtuse at b", "obtuse"},
-    {"obtuse_c", "of a triangle obtuse at c", "obtuse"},
-    {"flat", "of a triangle without area", "flat"},
-    {"thin", "of a triangle less than a thousandth as high as long"},
-    {"axis_plane", "of a triangle in a plane x, y or z = constant", "aligned"},
-    {"axis_edge", "of a triangle with an edge along an axis", "aligned"},
-    {"zero_radius", "of radius 0"},
-    {"large_sphere", "with a radius above the longest edge"},
-    {"small_sphere", "with a radius below a hundredth of the longest edge"},
-    {"small", "with all numbers below 1e-3"},
-    {"large", "with a number of 1e4 or more"},
-    {"far", "with the origin 64 times as far away as the scene is long"},
-}};
+enum class SphereTrait : std::uint8_t { AXISCERT_SPHERE_TRAITS(AXISCERT_TRAIT_ENUMERATOR) };
+constexpr Trait sphere_traits[] = {AXISCERT_SPHERE_TRAITS(AXISCERT_TRAIT_ROW)};
 
 SphereTrait of_corner(SphereTrait first, std::size_t i) { return static_cast<SphereTrait>(index_of(first) + i); }
 
@@ -192,16 +151,17 @@ void put_nearest(TraitBits<SphereTrait>& found, const ExactTriangle& triangle, c
     const BinaryNumber& length = triangle.squared_edge[i];
     if (foot.sign() > 0 && foot < length) add({squared * length - foot * foot, length}, of_corner(edge_ab, i), edge);
   }
-  for (const SphereTrait which : enumerators<SphereTrait>) found.put(which, nearest.has(which));
+  found.put_all(nearest);
   found.put(on_triangle, least->over.is_zero());
   for (std::size_t i = 0; i < 3; ++i)
     found.put(obtuse_there, nearest.has(of_corner(vertex_a, i)) && triangle.is_obtuse_at(i));
 }
 
-template <class Real>
-TraitSet traits_of(const Query<Real>& given) {
+TraitSet traits_of(const std::vector<double>& numbers, std::size_t) {
   using enum SphereTrait;
-  const Query<double> q = widened(given);
+  std::array<double, coordinate_count> given{};
+  std::ranges::copy(numbers, given.begin());
+  const Query<double> q = from_coordinates(given);
   const ExactTriangle triangle({q.a, q.b, q.c});
   const ExactVector p = exact_vector(q.p);
   std::array<ExactVector, 3> to;
@@ -239,27 +199,17 @@ TraitSet traits_of(const Query<Real>& given) {
   found.put(zero_radius, q.r == 0);
   found.put(large_sphere, squared_radius > triangle.squared_longest());
   found.put(small_sphere, squared_radius * BinaryNumber(1e4) < triangle.squared_longest());
-  const auto numbers = coordinates(q);
-  const std::vector<double> all(numbers.begin(), numbers.end());
-  found.put(small, is_small_scene(all));
-  found.put(large, is_large_scene(all));
+  found.put(small, is_small_scene(numbers));
+  found.put(large, is_large_scene(numbers));
   const std::array points = {q.p, q.a, q.b, q.c};
   found.put(far, is_far_away(points, q.r));
   return found.bits();
 }
 
-class SphereTriangleTraits final : public Traits {
- public:
-  std::string_view noun() const override { return "spheres"; }
-  std::span<const Trait> all() const override { return {sphere_traits.begin(), sphere_traits.end()}; }
-  TraitSet of(const Numbers<float>& q, std::size_t) const override { return traits_of<float>(q); }
-  TraitSet of(const Numbers<double>& q, std::size_t) const override { return traits_of<double>(q); }
-};
-
 }  // namespace
 
 const Traits& sphere_triangle_traits() {
-  static const SphereTriangleTraits traits;
+  static constexpr Traits traits = {"spheres", sphere_traits, traits_of};
   return traits;
 }
 

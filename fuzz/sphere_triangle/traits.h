@@ -14,11 +14,16 @@ namespace axiscert {
 
 const Traits& sphere_triangle_traits();
 
+// The enumerators and the table of a list X(NAME, PHRASE, ...), of the members of Trait.
+#define AXISCERT_TRAIT_ENUMERATOR(name, ...) name,
+#define AXISCERT_TRAIT_ROW(name, ...) {#name, __VA_ARGS__},
+
 // A set of traits by their enumerators.
 template <class Enum>
 class TraitBits {
  public:
   void put(Enum which, bool holds = true) { bits_ |= bit_if<TraitSet>(holds, index_of(which)); }
+  void put_all(const TraitBits& others) { bits_ |= others.bits_; }
   bool has(Enum which) const { return has_bit(bits_, which); }
   TraitSet bits() const { return bits_; }
 

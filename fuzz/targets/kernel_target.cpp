@@ -4,7 +4,6 @@
 
 #include <map>
 
-#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/asked_sphere_triangle.h"
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/measures/depth.h"

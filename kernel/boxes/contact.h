@@ -51,7 +51,7 @@ Vec3<T> lowest(const Polygon<T>& polygon, const Vec3<T>& d) {
   return found;
 }
 
-// What is not beyond the plane of this normal through `at`, of a polygon that is not empty; its nearest corner where
+// The part of a polygon, not empty, that is not beyond the plane of this normal through `at`; its nearest corner where
 // all is, as a rounding can have it.
 template <class T>
 Polygon<T> clipped(const Polygon<T>& given, const Vec3<T>& out, const Vec3<T>& at) {
@@ -140,8 +140,8 @@ struct ContactPoints {
   Vec3<T> a, b;
 };
 
-// Of a face with these sides and this normal, outwards, and the face that it meets: the lowest point of that one before
-// the first, and the point of the first there.
+// The lowest point of the face that is met before the face with these sides and this outward normal, and the point of
+// the latter there.
 template <class T>
 struct FacePoints {
   Vec3<T> on_face, on_other;

@@ -1,5 +1,5 @@
 // The first three rungs of the predicate of two boxes, in the world's axes: by definition, and with each of the two
-// steps that need orthogonal columns. docs: README.md of this folder has the table of the rungs.
+// steps that need orthogonal columns. docs/boxes.md has the table of the rungs.
 #pragma once
 
 #include "kernel/boxes/axes.h"

@@ -12,8 +12,8 @@ namespace axiscert::permitted {
 // Looks for one verdict among all permitted evaluations of formulae; a thread has its own.
 class Adversary {
  public:
-  // Of values behind barriers it gives up after so many choices that do not lead to the verdict, for each set of
-  // comparisons that suffices.
+  // It gives up, where values are behind barriers, after so many choices that do not lead to the verdict, for each set
+  // of comparisons that suffices.
   Adversary(const Predicate& predicate, const Recording& recording, Verdict wished, std::size_t tries = 4096);
 
   // `wished` where it can be, else the other verdict. The evaluation has the values by which.

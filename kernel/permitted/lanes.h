@@ -15,7 +15,7 @@ class AdversaryInLanes {
  public:
   // Not of operations that are fused and rounded to nearest.
   static bool covers(const Permissions& permissions) { return permissions.faithful || !permissions.fused; }
-  // What `covers` refuses is a HarnessFault. `recording` has to outlive it.
+  // Permissions that `covers` refuses are a HarnessFault. `recording` has to outlive it.
   AdversaryInLanes(const Predicate& predicate, std::size_t entry, const Recording& recording, Verdict wished);
 
   // Whether `wished` can be, of each query, 1 or 0; of values behind barriers as if each use had one of its own.
@@ -39,7 +39,7 @@ class AdversaryInLanes {
     std::vector<ComparisonBits> clauses = {};  // where there is no way: of each clause one fails
     std::size_t most_children = 1;
   };
-  // What it writes, a vector for each column, for each node and for each set of the children of one, by mask: the
+  // The output: a vector for each column, for each node and for each set of the children of one, by mask: the
   // greatest and the negated least, both infinity where a value is indeterminate.
   struct Block {
     std::uint64_t plan = 0;

@@ -11,7 +11,7 @@ namespace {
 constexpr double unknown = std::numeric_limits<double>::infinity();
 constexpr double greatest_float = std::numeric_limits<float>::max();
 constexpr double least_normal = std::numeric_limits<float>::min();
-// Of one operation, relative: a faithful rounding, with more than what the doubles here may be off.
+// The relative error of one operation: a faithful rounding, with more than what the doubles here may be off.
 constexpr double w = 0x1p-23 * 1.001;
 constexpr double quotient_roundings = 2.6;  // 2.5 ulp, in w
 constexpr double doubles = 0x1p-46;         // what less than 64 operations in doubles may be off, relative

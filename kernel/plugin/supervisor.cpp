@@ -245,7 +245,7 @@ Reordering<Real> Supervisor<Real>::reordering_of(const Chunk& chunk) {
 
 template <class Real>
 void Supervisor<Real>::reorder(const Chunk& chunk, const Outputs<Real>& outputs) {
-  // What was found in pieces of a batch would be found again.
+  // A finding in pieces of a batch would be found again.
   for (const FindingKind kind :
        {FindingKind::nondeterministic, FindingKind::batch_dependent, FindingKind::order_dependent}) {
     if (told_.contains(kind)) return;
@@ -261,7 +261,7 @@ template <class Real>
 void Supervisor<Real>::tell_with_cause(const Chunk& chunk, FindingKind kind, std::size_t query, std::string detail) {
   if (told_.contains(kind)) return;
   std::string cause = cause_of_difference(reordering_of(chunk), query);
-  // What its copies did not have, such as an alignment, may have changed its answer in another place.
+  // Something that its copies did not have, such as an alignment, may have changed its answer in another place.
   if (cause.empty() && kind != FindingKind::batch_dependent)
     cause = ": it did not do so again: it keeps state from call to call, such as a counter, or is random";
   tell(chunk, kind, query, detail + cause);

@@ -35,7 +35,7 @@ Kernel evaluated(std::string id, std::string summary) {
   Kernel kernel = scalar<formulae, strictness>(std::move(id), std::move(summary));
   if (strictness == not_less || !has_simd_form(formulae)) return kernel;
   kernel.has_simd = true;
-  // What is said beside the verdict is the scalar form's on every target.
+  // Numbers beside the verdict are the scalar form's on every target.
   const auto on = []<class Real>(std::string_view target, std::type_identity<Real>) {
     Implementation<Real> scalar = scalar_implementation<formulae, strictness, Real>();
     if (target == scalar_target) return scalar;

@@ -119,7 +119,7 @@ struct FineStep {
   hn::Mask<D> is_sound() const {
     return mask_of<D>(lanes, [](const LaneQuery& q) { return script->is_in_fine_range(q); });
   }
-  // What is not sound may say anything.
+  // A query that is not sound may have any answer.
   Answer answer() const {
     const auto is_sound = [](const LaneQuery& q) {
       return script->is_surely_valid(q) && (!script->is_wide || script->is_in_fine_range(q));

@@ -130,7 +130,7 @@ template <class Lane, std::size_t n, class Integer>
 Vector<Lane, n> TableLookupLanes(const Vector<Lane, n>& a, const Integer& from) {
   return made_of(Tag<Lane, n>(), [&](std::size_t i) { return a.at.at(from.at[i]); });
 }
-// What follows the lanes that are kept is anything.
+// Lanes after those that are kept have any value.
 template <class Lane, std::size_t n>
 Vector<Lane, n> Compress(const Vector<Lane, n>& a, const Flags<n>& mask) {
   Vector<Lane, n> to = Set(Tag<Lane, n>(), static_cast<Lane>(-7));

@@ -95,8 +95,8 @@ class StepQueries {
     }
   }
   int whole(int limit) { return static_cast<int>(random_() % (2 * limit + 1)) - limit; }
-  // Of two numbers; often so many that an error of 2^-102 of the greater's square, fourth or sixth power is about 2^60
-  // of the less's.
+  // How far apart two numbers are; often so far that an error of 2^-102 of the greater's square, fourth or sixth power
+  // is about 2^60 of the less's.
   int places_apart() {
     constexpr int limits[] = {56, 39, 26};
     return random_() % 2 == 0 ? limits[random_() % 3] + whole(4)

@@ -38,7 +38,7 @@ py::handle numpy() {
   return module_;
 }
 
-// Of any object, whatever its own methods do, and with what is no UTF-8 as escapes.
+// The text of any object, whatever its own methods do, and with what is no UTF-8 as escapes.
 std::string text_of(const py::handle& object) {
   const auto made = py::reinterpret_steal<py::object>(PyObject_Str(object.ptr()));
   const auto bytes = py::reinterpret_steal<py::object>(
@@ -65,7 +65,7 @@ py::object Callable::result_of(const QueryColumns<Real>& batch, py::array_t<Real
   // A library of tensors takes no memory that may not be written; what it writes is its own.
   const bool is_converted = !convert_.is_none();
   if (!is_converted) numbers.attr("setflags")(py::arg("write") = false);
-  // Of this thread: queries that overflow are asked on purpose.
+  // Warnings go in this thread alone: queries that overflow are asked on purpose.
   numpy().attr("seterr")(py::arg("all") = "ignore");
   const auto given = [&](py::object array) { return is_converted ? convert_(array) : array; };
   if (layout_ == Layout::columns) return function_(given(numbers));

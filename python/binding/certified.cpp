@@ -83,7 +83,7 @@ py::tuple contacts(const py::array& numbers, const std::string& question) {
   });
 }
 
-// Of one sphere and triangles of a mesh, those in contact: (their numbers, what is said of them).
+// The triangles of a mesh that are in contact with one sphere: (their numbers, what is said of them).
 template <class Real>
 py::tuple mesh_of(const py::array_t<Real>& sphere, const py::array_t<Real>& vertices,
                   const py::array_t<std::uint32_t>& indices, const py::array_t<std::uint32_t>& triangles,

@@ -142,8 +142,8 @@ py::tuple search(const py::dict& given, const py::object& progress) {
   });
 }
 
-// Of each query that shows something to keep, what `axiscert shrink --format jsonl` prints; and why others show
-// nothing.
+// Lines as `axiscert shrink --format jsonl` prints them, for each query that shows something to keep; and why others
+// show nothing.
 py::tuple shrink(const py::dict& given, const py::object& progress) {
   Options taken(given);
   ShrinkOptions o;

@@ -184,7 +184,7 @@ py::object in_python(const Detail& detail) {
       detail.value);
 }
 
-// Of each query a dictionary, or None where it is not valid: what there is to tell, by its name.
+// A dictionary for each query, or None where it is not valid: what there is to tell, by its name.
 py::list facts(const std::string& predicate, const std::string& entry, const py::array& numbers, int threads) {
   const Asked asked(predicate, entry, numbers, threads);
   const Capabilities& capabilities = capabilities_of(*asked.of.predicate);

@@ -27,12 +27,9 @@ struct StretchCounts : FamilyCounts {
   std::optional<std::map<InputClass, ClassCount>> classes;
   std::map<FindingKind, std::uint64_t> findings;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = StretchCounts;
-    return visit(base<Of, FamilyCounts>(), field(&Of::critical_radius, {"critical_radius", {}}, RadiiAdded()),
-                 field(&Of::classes, {.name = "classes", .about = {}, .may_be_absent = true}),
-                 field(&Of::findings, {"findings", {}}));
-  }
+  AXISCERT_FIELDS(StretchCounts, base<Of, FamilyCounts>(),
+                  field(&Of::critical_radius, {"critical_radius", {}}, RadiiAdded()), AXISCERT_OPTIONAL_FIELD(classes),
+                  AXISCERT_FIELD(findings))
 };
 
 // The counts of counts_json without zeros, nulls and empty objects; fractions are decimal

@@ -54,18 +54,16 @@ struct ComparedKernel {
   std::optional<std::string> old_id() const { return before.empty() ? std::nullopt : std::optional(before); }
   std::optional<std::string> new_id() const { return after.empty() ? std::nullopt : std::optional(after); }
   std::optional<bool> is_changed() const { return has_digests ? std::optional(!digest_change.empty()) : std::nullopt; }
-  static constexpr auto fields(auto&& visit) {
-    using Of = ComparedKernel;
-    return visit(
-        field(&Of::name,
-              {"name", "What both runs know it by: plugin/NAME for a plug-in that declares NAME, otherwise its id."}),
-        journalled(&Of::before), field(&Of::old_id, {"old", "Its id in OLD; null where OLD does not have it."}),
-        journalled(&Of::after), field(&Of::new_id, {"new", "Its id in NEW; null where NEW does not have it."}),
-        journalled(&Of::digest_change), journalled(&Of::has_digests),
-        field(&Of::cells, {"compared", "Counts of it that were compared.", "cells"}),
-        field(&Of::is_changed,
-              {"changed", "Whether its files have other bytes; null where a record has no digest of them."}));
-  }
+  AXISCERT_FIELDS(
+      ComparedKernel,
+      AXISCERT_FIELD(name,
+                     "What both runs know it by: plugin/NAME for a plug-in that declares NAME, otherwise its id."),
+      journalled(&Of::before), field(&Of::old_id, {"old", "Its id in OLD; null where OLD does not have it."}),
+      journalled(&Of::after), field(&Of::new_id, {"new", "Its id in NEW; null where NEW does not have it."}),
+      journalled(&Of::digest_change), journalled(&Of::has_digests),
+      field(&Of::cells, {"compared", "Counts of it that were compared.", "cells"}),
+      field(&Of::is_changed,
+            {"changed", "Whether its files have other bytes; null where a record has no digest of them."}))
 };
 
 // A kernel's promise in one precision, where it is another in NEW.
@@ -76,11 +74,8 @@ struct ComparedPromise {
   bool is_alarm() const { return !change.less.empty(); }
   // "K binary32 promises less: radius from 1e+30, was none", or "... promises other things: ...".
   std::string text() const;
-  static constexpr auto fields(auto&& visit) {
-    using Of = ComparedPromise;
-    return visit(field(&Of::kernel, {"kernel", "What both runs know it by."}),
-                 field(&Of::precision, {"precision", "The precision."}), inlined(&Of::change));
-  }
+  AXISCERT_FIELDS(ComparedPromise, AXISCERT_FIELD(kernel, "What both runs know it by."),
+                  AXISCERT_FIELD(precision, "The precision."), inlined(&Of::change))
 };
 
 struct RunComparison {

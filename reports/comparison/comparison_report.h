@@ -15,13 +15,10 @@ struct ComparedRunData {
   WholeNumber seed;
   bool complete = false;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = ComparedRunData;
-    return visit(field(&Of::folder, {"folder", "The folder as given."}),
-                 field(&Of::axiscert, {"axiscert", "The version that ran it."}),
-                 field(&Of::seed, {"seed", "The seed of its plan; 64 bits."}),
-                 field(&Of::complete, {"complete", "False where it was interrupted."}));
-  }
+  AXISCERT_FIELDS(ComparedRunData, AXISCERT_FIELD(folder, "The folder as given."),
+                  AXISCERT_FIELD(axiscert, "The version that ran it."),
+                  AXISCERT_FIELD(seed, "The seed of its plan; 64 bits."),
+                  AXISCERT_FIELD(complete, "False where it was interrupted."))
 };
 
 struct ComparedCellData {
@@ -33,35 +30,29 @@ struct ComparedCellData {
   std::optional<double> p, p_corrected;
   std::vector<std::string> witnesses;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = ComparedCellData;
-    return visit(
-        field(&Of::fingerprint,
-              {"fingerprint", "A hash of kernel, precision, family and cell: the same in every run."}),
-        field(&Of::kernel, {"kernel", "Its id; plugin/NAME where it has another id in each run."}),
-        field(&Of::precision, {"precision", "Empty for a finding made in loading."}),
-        field(&Of::family, {"family", "Empty for a finding made in loading."}),
-        field(&Of::place, {"place", "verdict, a comparison, finding, or a member of the record's `contacts`."}),
-        field(&Of::figure, {"figure", "The record's member, or the kind of a finding."}),
-        field(&Of::change, {"change", "How NEW differs from OLD."}),
-        field(&Of::before, {"old", "A count, or a maximum; the text of a number that binary64 cannot hold."}),
-        field(&Of::after, {"new", "The same for NEW."}),
-        field(&Of::before_queries,
-              {"old_queries",
-               "The number of queries among which OLD counted it, for time the contacts that were found, for feature "
-               "those with one; 0 for maxima and findings."}),
-        field(&Of::after_queries, {"new_queries", "The same for NEW."}),
-        field(&Of::same_queries,
-              {"same_queries",
-               "Whether both were counted over the same queries: figures are then compared as they are."}),
-        field(&Of::p, {"p", "Fisher's probability, two-sided; null where nothing was tested."}),
-        field(&Of::p_corrected,
-              {"p_corrected",
-               "The same after Holm's correction. An undeclared decline, an answer invalid or none that OLD does not "
-               "have is new whatever it is."}),
-        field(&Of::witnesses,
-              {"witnesses", "Ids of the witnesses in NEW that show it, where it is new or worse.", "witnesses"}));
-  }
+  AXISCERT_FIELDS(
+      ComparedCellData,
+      AXISCERT_FIELD(fingerprint, "A hash of kernel, precision, family and cell: the same in every run."),
+      AXISCERT_FIELD(kernel, "Its id; plugin/NAME where it has another id in each run."),
+      AXISCERT_FIELD(precision, "Empty for a finding made in loading."),
+      AXISCERT_FIELD(family, "Empty for a finding made in loading."),
+      AXISCERT_FIELD(place, "verdict, a comparison, finding, or a member of the record's `contacts`."),
+      AXISCERT_FIELD(figure, "The record's member, or the kind of a finding."),
+      AXISCERT_FIELD(change, "How NEW differs from OLD."),
+      field(&Of::before, {"old", "A count, or a maximum; the text of a number that binary64 cannot hold."}),
+      field(&Of::after, {"new", "The same for NEW."}),
+      field(&Of::before_queries,
+            {"old_queries",
+             "The number of queries among which OLD counted it, for time the contacts that were found, for feature "
+             "those with one; 0 for maxima and findings."}),
+      field(&Of::after_queries, {"new_queries", "The same for NEW."}),
+      AXISCERT_FIELD(same_queries,
+                     "Whether both were counted over the same queries: figures are then compared as they are."),
+      AXISCERT_FIELD(p, "Fisher's probability, two-sided; null where nothing was tested."),
+      AXISCERT_FIELD(p_corrected,
+                     "The same after Holm's correction. An undeclared decline, an answer invalid or none that OLD does "
+                     "not have is new whatever it is."),
+      AXISCERT_FIELD(witnesses, "Ids of the witnesses in NEW that show it, where it is new or worse.", "witnesses"))
 };
 
 struct ComparisonData {
@@ -83,41 +74,32 @@ struct ComparisonData {
 
   static constexpr std::string_view format = "axiscert-comparison/3", title = "axiscert comparison";
   static constexpr std::string_view about = "The result of `axiscert compare OLD NEW`.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ComparisonData;
-    return visit(
-        field(&Of::schema, {"schema", "The format of this file."}), field(&Of::before, {"old", "The earlier run."}),
-        field(&Of::after, {"new", "The later run."}), field(&Of::answer, {"answer", "The answer in one line."}),
-        field(&Of::passes,
-              {"passes",
-               "Whether the exit code is 0: no alarm, something was compared, and nothing of not_compared fails."}),
-        field(&Of::alarms,
-              {"alarms",
-               "Cells that are new or worse, kernels that promise less in a precision, and witnesses of OLD that were "
-               "right and are wrong now, or that are no longer promised."}),
-        field(&Of::family_wise_error,
-              {"family_wise_error",
-               "Upper bound on the probability of any alarm between runs that differ by chance alone."}),
-        field(&Of::tested, {"tested", "Cells over different queries, which Holm's correction covers.", "cells"}),
-        field(&Of::compared,
-              {"compared",
-               "Counts over promised queries of both runs, which were set against each other. Exit 1 where there are "
-               "none.",
-               "cells"}),
-        field(&Of::promises,
-              {"promises",
-               "Kernels whose promise is another in NEW: its limits, policies, answer to touching queries, leave to "
-               "decline, or existence in a precision."}),
-        field(&Of::kernels, {"kernels", "The kernels of both plans."}),
-        field(&Of::counts, {"counts", "Cells by change.", "cells"}),
-        field(&Of::cells, {"cells", "Every cell that is not zero in both."}),
-        field(&Of::wrong_nowhere, {"wrong_nowhere", "Cells that are zero in both.", "cells"}),
-        field(&Of::replayed, {"replayed", "Witnesses of OLD, evaluated again by the kernels of this build."}),
-        field(&Of::not_compared,
-              {"not_compared", "Everything that only one run has, or that they counted over other promised queries."}),
-        field(&Of::new_witnesses,
-              {"new_witnesses", "Witnesses of NEW that show what is new or worse, as its record has them."}));
-  }
+  AXISCERT_FIELDS(
+      ComparisonData, AXISCERT_FIELD(schema, "The format of this file."),
+      field(&Of::before, {"old", "The earlier run."}), field(&Of::after, {"new", "The later run."}),
+      AXISCERT_FIELD(answer, "The answer in one line."),
+      AXISCERT_FIELD(
+          passes, "Whether the exit code is 0: no alarm, something was compared, and nothing of not_compared fails."),
+      AXISCERT_FIELD(alarms,
+                     "Cells that are new or worse, kernels that promise less in a precision, and witnesses of OLD that "
+                     "were right and are wrong now, or that are no longer promised."),
+      AXISCERT_FIELD(family_wise_error,
+                     "Upper bound on the probability of any alarm between runs that differ by chance alone."),
+      AXISCERT_FIELD(tested, "Cells over different queries, which Holm's correction covers.", "cells"),
+      AXISCERT_FIELD(
+          compared,
+          "Counts over promised queries of both runs, which were set against each other. Exit 1 where there are none.",
+          "cells"),
+      AXISCERT_FIELD(promises,
+                     "Kernels whose promise is another in NEW: its limits, policies, answer to touching queries, leave "
+                     "to decline, or existence in a precision."),
+      AXISCERT_FIELD(kernels, "The kernels of both plans."), AXISCERT_FIELD(counts, "Cells by change.", "cells"),
+      AXISCERT_FIELD(cells, "Every cell that is not zero in both."),
+      AXISCERT_FIELD(wrong_nowhere, "Cells that are zero in both.", "cells"),
+      AXISCERT_FIELD(replayed, "Witnesses of OLD, evaluated again by the kernels of this build."),
+      AXISCERT_FIELD(not_compared,
+                     "Everything that only one run has, or that they counted over other promised queries."),
+      AXISCERT_FIELD(new_witnesses, "Witnesses of NEW that show what is new or worse, as its record has them."))
 };
 
 // The presentation of a comparison, for people and for programs.

@@ -27,18 +27,16 @@ struct NotCompared {
   std::string family = {};
   Absence absence = Absence::fails;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = NotCompared;
-    return visit(
-        field(&Of::what, {"what",
-                          "A kernel, a precision or family of it, a cell, a family of the plan, or OLD or NEW. "
-                          "--allow-not-compared takes it."}),
-        field(&Of::why, {"why", "The reason."}), journalled(&Of::kernels), journalled(&Of::family),
-        field(&Of::absence,
-              {"state",
-               "fails: exit 1. allowed: by --allow-not-compared. only in NEW, and empty (no promised query in either "
-               "run): no fault."}));
-  }
+  AXISCERT_FIELDS(
+      NotCompared,
+      AXISCERT_FIELD(what,
+                     "A kernel, a precision or family of it, a cell, a family of the plan, or OLD or NEW. "
+                     "--allow-not-compared takes it."),
+      AXISCERT_FIELD(why, "The reason."), journalled(&Of::kernels), journalled(&Of::family),
+      field(&Of::absence,
+            {"state",
+             "fails: exit 1. allowed: by --allow-not-compared. only in NEW, and empty (no promised query in either "
+             "run): no fault."}))
 };
 
 // Allows everything that one of `names` names: by its `what`, by its kernel or by its family. Throws Error where a name

@@ -30,12 +30,9 @@ struct PromiseChange {
   std::vector<std::string> other;  // parts that leave out less, or that mean another answer
   bool is_none() const { return less.empty() && other.empty(); }
   std::string text() const;  // of all parts
-  static constexpr auto fields(auto&& visit) {
-    using Of = PromiseChange;
-    return visit(
-        field(&Of::less, {"less", "Parts that leave out more, as text. An alarm where there is any.", "parts"}),
-        field(&Of::other, {"other", "Parts that leave out less, or that mean another answer.", "parts"}));
-  }
+  AXISCERT_FIELDS(PromiseChange,
+                  AXISCERT_FIELD(less, "Parts that leave out more, as text. An alarm where there is any.", "parts"),
+                  AXISCERT_FIELD(other, "Parts that leave out less, or that mean another answer.", "parts"))
 };
 PromiseChange change_of(const Promise& before, const Promise& now);
 

@@ -32,14 +32,11 @@ struct ReplayedQuery {
   ReplayOutcome outcome;
   std::string note;  // why it was not replayed, or is not promised; otherwise the answer's faults now
   bool is_alarm() const { return outcome == ReplayOutcome::wrong_now || outcome == ReplayOutcome::not_promised; }
-  static constexpr auto fields(auto&& visit) {
-    using Of = ReplayedQuery;
-    return visit(
-        field(&Of::id, {"id", "Its id in OLD."}), field(&Of::kernel, {"kernel", "Its id."}),
-        field(&Of::precision, {"precision", "The precision."}), field(&Of::family, {"family", "Its family."}),
-        field(&Of::outcome, {"outcome", "What the kernel does now."}),
-        field(&Of::note, {"note", "The faults of the answer now, what is not promised, or why it was not evaluated."}));
-  }
+  AXISCERT_FIELDS(ReplayedQuery, AXISCERT_FIELD(id, "Its id in OLD."), AXISCERT_FIELD(kernel, "Its id."),
+                  AXISCERT_FIELD(precision, "The precision."), AXISCERT_FIELD(family, "Its family."),
+                  AXISCERT_FIELD(outcome, "What the kernel does now."),
+                  AXISCERT_FIELD(note,
+                                 "The faults of the answer now, what is not promised, or why it was not evaluated."))
 };
 
 // The plug-ins that may be loaded: by the id that a record has, "plugin:PATH", the id of the one to load for it.

@@ -145,7 +145,7 @@ LevelFindings judge_early(const AskedLevel& asked, const Subject& subject) {
     const std::string by = bound.is_length ? metric_text(metres) + " of the way"
                                            : fmt::format("{} u of the displacement, {}", error_amount(earliest),
                                                          way_text(time.early_errors));
-    // Of those that are early by more than a length the record has the earliest, and not how many.
+    // The record has the earliest of those that are early by more than a length, and not how many.
     subject.add_shown(found.failures, family, bound.is_length ? 1 : time.early,
                       fmt::format("times before the best one, the earliest by {}: {} is allowed", by, bound.text("u")),
                       bound.is_length ? fmt::format("earliest time: {:.6g} in length", length) : "earliest time");
@@ -170,7 +170,7 @@ LevelFindings judge_separation(const AskedLevel& asked, const Subject& subject) 
   for_each_part(subject, &ContactTally::separation, [&](const std::string& family, const SeparationTally& tally) {
     const double share = tally.worst_share(), length = tally.worst_length(), metres = length * metres_of_unit;
     if ((bound.is_length ? metres : share) <= bound.most) return;
-    // Of those that are off by more the record has the worst, and not how many.
+    // The record has the worst of those that are off by more, and not how many.
     subject.add_shown(
         found.failures, family, 1,
         fmt::format("the worst separation is off by {}{}: {} is allowed",

@@ -26,15 +26,11 @@ struct Failure {
   bool is_beside_families = false;        // of queries that no family made: `family` says which
 
   std::string text() const;
-  static constexpr auto fields(auto&& visit) {
-    using Of = Failure;
-    return visit(
-        journalled(&Of::kernel), journalled(&Of::precision),
-        field(&Of::family, {"family", "Empty for a kernel that could not be loaded."}),
-        field(&Of::count, {"count", "Number of queries."}), field(&Of::what, {"what", "What is wrong with them."}),
-        field(&Of::witness, {"witness", "The deepest one, by its id in the record; empty where none was stored."}),
-        journalled(&Of::is_beside_families));
-  }
+  AXISCERT_FIELDS(Failure, journalled(&Of::kernel), journalled(&Of::precision),
+                  AXISCERT_FIELD(family, "Empty for a kernel that could not be loaded."),
+                  AXISCERT_FIELD(count, "Number of queries."), AXISCERT_FIELD(what, "What is wrong with them."),
+                  AXISCERT_FIELD(witness, "The deepest one, by its id in the record; empty where none was stored."),
+                  journalled(&Of::is_beside_families))
 };
 
 // A family as a level looks at it, in queries, or in pairs of a query and its image.
@@ -118,11 +114,8 @@ struct AskedLevel {
 
   bool is_about(const std::string& family) const;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = AskedLevel;
-    return visit(field(&Of::text, {"level", "The level as it was given."}), journalled(&Of::name),
-                 journalled(&Of::argument), journalled(&Of::has_argument), journalled(&Of::families));
-  }
+  AXISCERT_FIELDS(AskedLevel, field(&Of::text, {"level", "The level as it was given."}), journalled(&Of::name),
+                  journalled(&Of::argument), journalled(&Of::has_argument), journalled(&Of::families))
 };
 
 // The findings of a level about one kernel in one precision. It is met where there is no failure, `not_checked` is
@@ -161,7 +154,7 @@ struct GateLevel {
   LevelFindings (*judge)(const AskedLevel&, const Subject&);
   // The kernel that others are measured against, which itself has to meet no level; null where there is none.
   std::string (*yardstick)(const AskedLevel&) = nullptr;
-  // Of a level about wrong verdicts alone, whatever their cause; null for any other.
+  // The depths that a level about wrong verdicts alone allows, whatever their cause; null for any other.
   AllowedDepths (*allowed)(const AskedLevel&) = nullptr;
   bool is_about_causes = false;  // of wrong verdicts: met where none is wrong
   bool asks_itself = false;      // it looks at queries of its own, and at no family

@@ -40,7 +40,7 @@ FamilyLook look_at_exact(const Subject& subject, const FamilyRecord& result) {
   return {evidence.population - touching, decided - std::min(decided, touched)};
 }
 
-// Of any other family, at the clear ones that are decided. Fewer than the least are no evidence about it: then it
+// Any other family is looked at by the clear ones that are decided. Fewer than the least are no evidence: then it
 // counts as unseen, and is judged all the same.
 FamilyLook look_at_clear(const FamilyRecord& result) {
   const ClearTally clear = result.verdict.clear.value_or(ClearTally());

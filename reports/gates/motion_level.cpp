@@ -102,7 +102,7 @@ LevelFindings judge_never_late(const AskedLevel& asked, const Subject& subject) 
       subject.add_shown(found.failures, family, time.late,
                         "times after the first contact, the latest by " + lateness(time.late_errors), "latest time");
     } else if (metres > most) {
-      // Of those that are later the record has the latest, and not how many.
+      // The record has the latest of those that are later, and not how many.
       subject.add_shown(found.failures, family, 1,
                         fmt::format("times after the first contact, the latest by {} of the way: {} is allowed",
                                     metric_text(metres), metric_text(most)),

@@ -45,39 +45,30 @@ struct LevelOutcome {
   std::optional<std::string> judged_precision() const {
     return precision.empty() ? std::nullopt : std::optional(precision);
   }
-  static constexpr auto fields(auto&& visit) {
-    using Of = LevelOutcome;
-    return visit(
-        inlined(&Of::asked), field(&Of::kernel, {"kernel", "The kernel's id."}), journalled(&Of::precision),
-        field(&Of::judged_precision, {"precision", "Null for a kernel that could not be loaded."}),
-        field(&Of::state, {"state", "NOT CHECKED: these queries, or what the kernel shows, cannot say."}),
-        field(&Of::is_allowed, {"allowed", "Whether it is not checked and --allow-unchecked names it."}),
-        field(&Of::reason, {"reason", "Why it is not checked; empty otherwise."}),
-        field(&Of::covers, {"covers", "What 'met' says of this kernel; empty where it is not met."}),
-        field(&Of::leaves_out, {"leaves_out", "What 'met' does not say."}),
-        field(&Of::text, {"text", "The whole in one sentence: how much was looked at, and what came of it."}),
-        field(&Of::failures, {"failures", "Where it is not met."}), journalled(&Of::unseen),
-        field(&Of::evidence, {"evidence", Evidence::about}),
-        field(&Of::looked_at,
-              {"looked_at", "Queries that the level judged; for some families pairs of a query and its image."}),
-        field(&Of::families, {"families", "Families that the level requires and that have a valid query."}),
-        field(&Of::outside,
-              {"outside_limits", "Of these, those without a query that the kernel promises.", "families"}),
-        journalled(&Of::has_limits));
-  }
+  AXISCERT_FIELDS(
+      LevelOutcome, inlined(&Of::asked), AXISCERT_FIELD(kernel, "The kernel's id."), journalled(&Of::precision),
+      field(&Of::judged_precision, {"precision", "Null for a kernel that could not be loaded."}),
+      AXISCERT_FIELD(state, "NOT CHECKED: these queries, or what the kernel shows, cannot say."),
+      field(&Of::is_allowed, {"allowed", "Whether it is not checked and --allow-unchecked names it."}),
+      AXISCERT_FIELD(reason, "Why it is not checked; empty otherwise."),
+      AXISCERT_FIELD(covers, "What 'met' says of this kernel; empty where it is not met."),
+      AXISCERT_FIELD(leaves_out, "What 'met' does not say."),
+      AXISCERT_FIELD(text, "The whole in one sentence: how much was looked at, and what came of it."),
+      AXISCERT_FIELD(failures, "Where it is not met."), journalled(&Of::unseen),
+      AXISCERT_FIELD(evidence, Evidence::about),
+      AXISCERT_FIELD(looked_at, "Queries that the level judged; for some families pairs of a query and its image."),
+      AXISCERT_FIELD(families, "Families that the level requires and that have a valid query."),
+      field(&Of::outside, {"outside_limits", "Of these, those without a query that the kernel promises.", "families"}),
+      journalled(&Of::has_limits))
 };
 
 // run.json, with what came of each level of --require.
 struct RunFile : RunInfo {
   std::optional<std::vector<LevelOutcome>> requirements;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(
-        base<RunFile, RunInfo>(),
-        field(&RunFile::requirements, {.name = "requirements",
-                                       .about = "What came of each level of --require, for each kernel and precision.",
-                                       .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(RunFile, base<RunFile, RunInfo>(),
+                  AXISCERT_OPTIONAL_FIELD(requirements,
+                                          "What came of each level of --require, for each kernel and precision."))
 };
 
 // Parses a level. Throws Error that lists them, or says what its argument has to be.

@@ -18,23 +18,19 @@ struct DataHead {
   FormatName<File> schema;
   Name axiscert = std::string(axiscert_version), revision = std::string(axiscert_revision);
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = DataHead;
-    return visit(field(&Of::schema, {"schema", "The format of this file."}),
-                 field(&Of::axiscert, {"axiscert", "The version that wrote it."}),
-                 field(&Of::revision, {"revision",
-                                       "The commit that it was built from, with -dirty where the tree differed; "
-                                       "unknown without a repository."}));
-  }
+  AXISCERT_FIELDS(
+      DataHead, AXISCERT_FIELD(schema, "The format of this file."),
+      AXISCERT_FIELD(axiscert, "The version that wrote it."),
+      AXISCERT_FIELD(
+          revision,
+          "The commit that it was built from, with -dirty where the tree differed; unknown without a repository."))
 };
 template <class File>
 struct CommandData : DataHead<File> {
   Name command;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(base<CommandData, DataHead<File>>(),
-                 field(&CommandData::command, {"command", "The command that makes the same file again."}));
-  }
+  AXISCERT_FIELDS(CommandData, base<CommandData, DataHead<File>>(),
+                  AXISCERT_FIELD(command, "The command that makes the same file again."))
 };
 
 // A fault of a kernel as lists and lines have it.
@@ -42,10 +38,7 @@ struct FindingRow {
   FindingKind kind = FindingKind::load;
   std::string detail;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&FindingRow::kind, {"kind", "The kind of fault."}),
-                 field(&FindingRow::detail, {"detail", "What happened."}));
-  }
+  AXISCERT_FIELDS(FindingRow, AXISCERT_FIELD(kind, "The kind of fault."), AXISCERT_FIELD(detail, "What happened."))
 };
 inline std::vector<FindingRow> finding_rows(const std::vector<Finding>& findings) {
   std::vector<FindingRow> rows;

@@ -14,9 +14,7 @@ struct DiagnosisData : CommandData<DiagnosisData> {
   static constexpr std::string_view about =
       "diagnosis.json, which `axiscert diagnose` writes. It depends on the kernel, the precision and the seed alone. "
       "docs/diagnosis.md says what decides each value.";
-  static constexpr auto fields(auto&& visit) {
-    return visit(base<DiagnosisData, CommandData<DiagnosisData>>(), inlined(&DiagnosisData::diagnosis));
-  }
+  AXISCERT_FIELDS(DiagnosisData, base<DiagnosisData, CommandData<DiagnosisData>>(), inlined(&DiagnosisData::diagnosis))
 };
 // Its schema, with the values of each property.
 Json diagnosis_data_schema();

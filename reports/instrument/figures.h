@@ -23,15 +23,11 @@ struct RadiusSummary {
   std::uint64_t unbounded = 0;
 
   static constexpr std::string_view about = "The smallest radius that the kernel calls a contact.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = RadiusSummary;
-    return visit(
-        field(&Of::sampled, {"sampled", "Triangles that were measured."}),
-        field(&Of::median_ulps,
-              {"median_ulps", "The median error of the critical radius, in ulps of the exact distance.", "ulps"}),
-        field(&Of::largest_ulps, {"largest_ulps", "The greatest.", "ulps"}),
-        field(&Of::unbounded, {"unbounded", "Triangles for which no radius is a contact."}));
-  }
+  AXISCERT_FIELDS(RadiusSummary, AXISCERT_FIELD(sampled, "Triangles that were measured."),
+                  AXISCERT_FIELD(median_ulps, "The median error of the critical radius, in ulps of the exact distance.",
+                                 "ulps"),
+                  AXISCERT_FIELD(largest_ulps, "The greatest.", "ulps"),
+                  AXISCERT_FIELD(unbounded, "Triangles for which no radius is a contact."))
 };
 inline RadiusSummary radius_summary(const std::vector<double>& ascending, std::uint64_t unbounded) {
   const auto at = [&](std::size_t i) { return ascending.empty() ? std::nullopt : std::optional(ascending[i]); };

@@ -26,27 +26,22 @@ struct WorstData {
   std::optional<std::string> code;
 
   static constexpr std::string_view about = "Its deepest wrong verdict.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = WorstData;
-    return visit(field(&Of::what, {"what", "Missed, or invented."}), field(&Of::family, {"family", "The family."}),
-                 field(&Of::depth, {"depth", "As a share of the scene."}),
-                 field(&Of::address, {"address", "The address of the query."}),
-                 field(&Of::query, {"query", "Its numbers as hex-floats."}),
-                 field(&Of::code, {"code", "Code that asks it by hand; null: a command does."}));
-  }
+  AXISCERT_FIELDS(WorstData, AXISCERT_FIELD(what, "Missed, or invented."), AXISCERT_FIELD(family, "The family."),
+                  AXISCERT_FIELD(depth, "As a share of the scene."),
+                  AXISCERT_FIELD(address, "The address of the query."),
+                  AXISCERT_FIELD(query, "Its numbers as hex-floats."),
+                  AXISCERT_FIELD(code, "Code that asks it by hand; null: a command does."))
 };
 
 struct TrustData {
   Name answer, words;
 
   static constexpr std::string_view about = "May it be trusted with inputs of one kind?";
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&TrustData::answer,
-                       {"answer",
-                        "yes, rarely, no, too few or not looked at; yes takes 59 decided queries, and half of the "
-                        "contacts and of the separations."}),
-                 field(&TrustData::words, {"words", "The counts that it rests on."}));
-  }
+  AXISCERT_FIELDS(TrustData,
+                  AXISCERT_FIELD(answer,
+                                 "yes, rarely, no, too few or not looked at; yes takes 59 decided queries, and half of "
+                                 "the contacts and of the separations."),
+                  AXISCERT_FIELD(words, "The counts that it rests on."))
 };
 
 struct LeagueFamilyData {
@@ -60,33 +55,26 @@ struct LeagueFamilyData {
   std::optional<ContactTally> contacts;
 
   static constexpr std::string_view about = "On one family.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = LeagueFamilyData;
-    return visit(
-        field(&Of::trials, {"trials", "Queries."}),
-        field(&Of::decided, {"decided", "Valid queries within its limits on which it said contact or separated."}),
-        field(&Of::false_separation, {"false_separation", "Missed contacts; null: none was decided."}),
-        field(&Of::false_contact, {"false_contact", "Phantom contacts; null: none was decided."}),
-        field(&Of::touching_flips, {"touching_flips", "Wrong answers to spheres that touch; null: none was decided."}),
-        field(&Of::deepest_false_separation,
-              {"deepest_false_separation",
-               "The depth of the deepest missed contact, as a share of the scene; 0: none; null: none was decided."}),
-        field(&Of::deepest_false_contact, {"deepest_false_contact", "The same of phantom contacts."}),
-        field(&Of::undecided, {"undecided", "It declined."}),
-        field(&Of::invalid, {"invalid", "It called a query invalid."}),
-        field(&Of::unanswered, {"unanswered", "It gave no answer."}),
-        field(&Of::outside_limits, {"outside_limits", "Valid queries outside its limits, whatever it said."}),
-        field(&Of::caught_after,
-              {"caught_after",
-               "Of a kernel that claims a built-in one's bits: queries until the first that shows another; null: none "
-               "does."}),
-        field(&Of::critical_radius, {"critical_radius", RadiusSummary::about}),
-        field(&Of::findings, {"findings", "Faults other than wrong answers, by kind."}),
-        field(&Of::contacts,
-              {"contacts",
-               "What it says beside its verdicts, of the first 4,096 queries; null: it gives no numbers, or the "
-               "predicate has none."}));
-  }
+  AXISCERT_FIELDS(
+      LeagueFamilyData, AXISCERT_FIELD(trials, "Queries."),
+      AXISCERT_FIELD(decided, "Valid queries within its limits on which it said contact or separated."),
+      AXISCERT_FIELD(false_separation, "Missed contacts; null: none was decided."),
+      AXISCERT_FIELD(false_contact, "Phantom contacts; null: none was decided."),
+      AXISCERT_FIELD(touching_flips, "Wrong answers to spheres that touch; null: none was decided."),
+      AXISCERT_FIELD(
+          deepest_false_separation,
+          "The depth of the deepest missed contact, as a share of the scene; 0: none; null: none was decided."),
+      AXISCERT_FIELD(deepest_false_contact, "The same of phantom contacts."), AXISCERT_FIELD(undecided, "It declined."),
+      AXISCERT_FIELD(invalid, "It called a query invalid."), AXISCERT_FIELD(unanswered, "It gave no answer."),
+      AXISCERT_FIELD(outside_limits, "Valid queries outside its limits, whatever it said."),
+      AXISCERT_FIELD(caught_after,
+                     "Of a kernel that claims a built-in one's bits: queries until the first that shows another; null: "
+                     "none does."),
+      AXISCERT_FIELD(critical_radius, RadiusSummary::about),
+      AXISCERT_FIELD(findings, "Faults other than wrong answers, by kind."),
+      AXISCERT_FIELD(contacts,
+                     "What it says beside its verdicts, of the first 4,096 queries; null: it gives no numbers, or the "
+                     "predicate has none."))
 };
 
 struct LeagueKernelData {
@@ -102,23 +90,17 @@ struct LeagueKernelData {
   NamedValues<LeagueFamilyData> families;
 
   static constexpr std::string_view about = "One kernel in one precision.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = LeagueKernelData;
-    return visit(
-        field(&Of::id, {"id", "The kernel or library."}),
-        field(&Of::precision, {"precision", "The precision of the queries."}),
-        field(&Of::summary, {"summary", "What it computes."}),
-        field(&Of::touching, {"touching", "The verdict that it promises where the two touch."}),
-        field(&Of::may_decline, {"may_decline", "Whether it declares that it may answer `undecided`."}),
-        field(&Of::has_planted_fault,
-              {"has_planted_fault", "Whether it is a kernel with a fault, which should be caught."}),
-        field(&Of::ns, {"ns", "Nanoseconds a query; null: not timed.", "ns"}),
-        field(&Of::worst, {"worst", "Its deepest wrong verdict; null: none, among the decided queries of `families`."}),
-        field(&Of::cause, {"cause", CauseRecord::about}),
-        field(&Of::trust,
-              {"trust", "May it be trusted? By kind of input: thin, small, far, degenerate, resting, scene."}),
-        field(&Of::families, {"families", "By family."}));
-  }
+  AXISCERT_FIELDS(
+      LeagueKernelData, AXISCERT_FIELD(id, "The kernel or library."),
+      AXISCERT_FIELD(precision, "The precision of the queries."), AXISCERT_FIELD(summary, "What it computes."),
+      AXISCERT_FIELD(touching, "The verdict that it promises where the two touch."),
+      AXISCERT_FIELD(may_decline, "Whether it declares that it may answer `undecided`."),
+      AXISCERT_FIELD(has_planted_fault, "Whether it is a kernel with a fault, which should be caught."),
+      AXISCERT_FIELD(ns, "Nanoseconds a query; null: not timed.", "ns"),
+      AXISCERT_FIELD(worst, "Its deepest wrong verdict; null: none, among the decided queries of `families`."),
+      AXISCERT_FIELD(cause, CauseRecord::about),
+      AXISCERT_FIELD(trust, "May it be trusted? By kind of input: thin, small, far, degenerate, resting, scene."),
+      AXISCERT_FIELD(families, "By family."))
 };
 
 struct WorstContactData {
@@ -130,20 +112,15 @@ struct WorstContactData {
   Json query;
 
   static constexpr std::string_view about = "One of the five worst numbers of a kind beside a verdict.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = WorstContactData;
-    return visit(
-        field(&Of::kind, {"kind", "separation, contradiction, left, normal or point."}),
-        field(&Of::kernel, {"kernel", "The kernel or library; of each its worst in a precision."}),
-        field(&Of::precision, {"precision", "The precision of the query."}),
-        field(&Of::family, {"family", "The family."}),
-        field(&Of::size,
-              {"size",
-               "How far it is off: a share of the scene of a separation or point, radians of a normal, and of `left` "
-               "what a push along the normal leaves of the depth; 1 of a contradiction."}),
-        field(&Of::address, {"address", "The address of the query."}),
-        field(&Of::query, {"query", "Its numbers as hex-floats, and `measures` as a witness has them."}));
-  }
+  AXISCERT_FIELDS(
+      WorstContactData, AXISCERT_FIELD(kind, "separation, contradiction, left, normal or point."),
+      AXISCERT_FIELD(kernel, "The kernel or library; of each its worst in a precision."),
+      AXISCERT_FIELD(precision, "The precision of the query."), AXISCERT_FIELD(family, "The family."),
+      AXISCERT_FIELD(size,
+                     "How far it is off: a share of the scene of a separation or point, radians of a normal, and of "
+                     "`left` what a push along the normal leaves of the depth; 1 of a contradiction."),
+      AXISCERT_FIELD(address, "The address of the query."),
+      AXISCERT_FIELD(query, "Its numbers as hex-floats, and `measures` as a witness has them."))
 };
 
 struct LeagueData : CommandData<LeagueData> {
@@ -156,14 +133,10 @@ struct LeagueData : CommandData<LeagueData> {
   static constexpr std::string_view about =
       "league.json, which `axiscert league` writes. Without `ns` it depends on the command alone, and on which "
       "libraries there are.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = LeagueData;
-    return visit(
-        base<Of, CommandData<Of>>(), field(&Of::seed, {"seed", "The seed of every family."}),
-        field(&Of::kernels, {"kernels", "One for each kernel and precision."}),
-        field(&Of::worst_contacts, {"worst_contacts", "With --contacts, the five worst of each kind; else empty."}),
-        field(&Of::not_checked, {"not_checked", "What was left out, a sentence each."}));
-  }
+  AXISCERT_FIELDS(LeagueData, base<Of, CommandData<Of>>(), AXISCERT_FIELD(seed, "The seed of every family."),
+                  AXISCERT_FIELD(kernels, "One for each kernel and precision."),
+                  AXISCERT_FIELD(worst_contacts, "With --contacts, the five worst of each kind; else empty."),
+                  AXISCERT_FIELD(not_checked, "What was left out, a sentence each."))
 };
 
 // Kernels and libraries side by side on the same queries, and kernels with a fault.

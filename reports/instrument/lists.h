@@ -22,17 +22,12 @@ struct ListedFamily {
   std::uint64_t cost = 1;
 
   static constexpr std::string_view about = "One generator of queries.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ListedFamily;
-    return visit(
-        field(&Of::name, {"name", "What --family takes."}),
-        field(&Of::predicate, {"predicate", "The predicate of its queries."}),
-        field(&Of::purpose, {"purpose", "What kind of queries it makes, and why."}),
-        field(&Of::version, {"version", "Raised when its queries change; part of their addresses."}),
-        field(&Of::exact_arithmetic,
-              {"exact_arithmetic", "Whether formulae of degree 6 round nothing on its queries."}),
-        field(&Of::cost, {"cost", "How many times as long as a query of `general` one of its queries takes."}));
-  }
+  AXISCERT_FIELDS(ListedFamily, AXISCERT_FIELD(name, "What --family takes."),
+                  AXISCERT_FIELD(predicate, "The predicate of its queries."),
+                  AXISCERT_FIELD(purpose, "What kind of queries it makes, and why."),
+                  AXISCERT_FIELD(version, "Raised when its queries change; part of their addresses."),
+                  AXISCERT_FIELD(exact_arithmetic, "Whether formulae of degree 6 round nothing on its queries."),
+                  AXISCERT_FIELD(cost, "How many times as long as a query of `general` one of its queries takes."))
 };
 
 struct FamiliesData : DataHead<FamiliesData> {
@@ -40,10 +35,7 @@ struct FamiliesData : DataHead<FamiliesData> {
 
   static constexpr std::string_view format = "axiscert-families/2", title = "The families",
                                     about = "`axiscert families --format json`. It depends on the version alone.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = FamiliesData;
-    return visit(base<Of, DataHead<Of>>(), field(&Of::families, {"families", "Every family of the predicate."}));
-  }
+  AXISCERT_FIELDS(FamiliesData, base<Of, DataHead<Of>>(), AXISCERT_FIELD(families, "Every family of the predicate."))
 };
 
 struct ListedColumn {
@@ -51,60 +43,42 @@ struct ListedColumn {
   Role role = Role::coordinate;
   std::string group;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = ListedColumn;
-    return visit(field(&Of::name, {"name", "Its name."}), field(&Of::role, {"role", "What kind of number it is."}),
-                 field(&Of::group, {"group", "Its place in a line of JSON."}));
-  }
+  AXISCERT_FIELDS(ListedColumn, AXISCERT_FIELD(name, "Its name."), AXISCERT_FIELD(role, "What kind of number it is."),
+                  AXISCERT_FIELD(group, "Its place in a line of JSON."))
 };
 struct ListedEntry {
   Name name, validity;
   std::vector<ListedColumn> columns;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = ListedEntry;
-    return visit(field(&Of::name, {"name", "Its name."}),
-                 field(&Of::validity, {"validity", "What makes a query valid."}),
-                 field(&Of::columns, {"columns", "Its numbers, in order."}));
-  }
+  AXISCERT_FIELDS(ListedEntry, AXISCERT_FIELD(name, "Its name."), AXISCERT_FIELD(validity, "What makes a query valid."),
+                  AXISCERT_FIELD(columns, "Its numbers, in order."))
 };
 struct ListedComparison {
   Name name, clause;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = ListedComparison;
-    return visit(field(&Of::name, {"name", "Its name."}),
-                 field(&Of::clause, {"clause", "The clause that it belongs to."}));
-  }
+  AXISCERT_FIELDS(ListedComparison, AXISCERT_FIELD(name, "Its name."),
+                  AXISCERT_FIELD(clause, "The clause that it belongs to."))
 };
 struct ListedClause {
   Name name;
   std::vector<Name> comparisons;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = ListedClause;
-    return visit(field(&Of::name, {"name", "Its name."}),
-                 field(&Of::comparisons, {"comparisons", "It holds where all of these do."}));
-  }
+  AXISCERT_FIELDS(ListedClause, AXISCERT_FIELD(name, "Its name."),
+                  AXISCERT_FIELD(comparisons, "It holds where all of these do."))
 };
 struct ListedMeasure {
   Name name, unit, error;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = ListedMeasure;
-    return visit(field(&Of::name, {"name", "Its name."}), field(&Of::unit, {"unit", "Its unit."}),
-                 field(&Of::error, {"error", "How its error is stated."}));
-  }
+  AXISCERT_FIELDS(ListedMeasure, AXISCERT_FIELD(name, "Its name."), AXISCERT_FIELD(unit, "Its unit."),
+                  AXISCERT_FIELD(error, "How its error is stated."))
 };
 struct ListedWrongAnswer {
   Name name;
   Verdict said = Verdict::contact, right = Verdict::contact;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = ListedWrongAnswer;
-    return visit(field(&Of::name, {"name", "Its name."}), field(&Of::said, {"said", "The verdict that was said."}),
-                 field(&Of::right, {"right", "The verdict that is right."}));
-  }
+  AXISCERT_FIELDS(ListedWrongAnswer, AXISCERT_FIELD(name, "Its name."),
+                  AXISCERT_FIELD(said, "The verdict that was said."),
+                  AXISCERT_FIELD(right, "The verdict that is right."))
 };
 
 struct ListedPredicate {
@@ -117,19 +91,16 @@ struct ListedPredicate {
   std::vector<ListedWrongAnswer> wrong_answers;
 
   static constexpr std::string_view about = "One question and its answers.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ListedPredicate;
-    return visit(field(&Of::id, {"id", "What --predicate takes."}), field(&Of::asks, {"asks", "The question."}),
-                 field(&Of::rule, {"rule", "How the comparisons make the verdict."}),
-                 field(&Of::touching, {"touching", "The verdict where the two touch without overlapping."}),
-                 field(&Of::entries, {"entries", "The forms in which a query is given."}),
-                 field(&Of::comparisons, {"comparisons", "The comparisons, in the order of their bits."}),
-                 field(&Of::clauses, {"clauses", "The clauses; in a predicate by separating axes, the axes."}),
-                 field(&Of::measures, {"measures", "What a kernel may give beside a verdict."}),
-                 field(&Of::kernels, {"kernels", "The ids of its built-in kernels."}),
-                 field(&Of::families, {"families", "The names of its families."}),
-                 field(&Of::wrong_answers, {"wrong_answers", "The kinds of wrong verdict."}));
-  }
+  AXISCERT_FIELDS(ListedPredicate, AXISCERT_FIELD(id, "What --predicate takes."), AXISCERT_FIELD(asks, "The question."),
+                  AXISCERT_FIELD(rule, "How the comparisons make the verdict."),
+                  AXISCERT_FIELD(touching, "The verdict where the two touch without overlapping."),
+                  AXISCERT_FIELD(entries, "The forms in which a query is given."),
+                  AXISCERT_FIELD(comparisons, "The comparisons, in the order of their bits."),
+                  AXISCERT_FIELD(clauses, "The clauses; in a predicate by separating axes, the axes."),
+                  AXISCERT_FIELD(measures, "What a kernel may give beside a verdict."),
+                  AXISCERT_FIELD(kernels, "The ids of its built-in kernels."),
+                  AXISCERT_FIELD(families, "The names of its families."),
+                  AXISCERT_FIELD(wrong_answers, "The kinds of wrong verdict."))
 };
 
 struct PredicatesData : DataHead<PredicatesData> {
@@ -137,10 +108,7 @@ struct PredicatesData : DataHead<PredicatesData> {
 
   static constexpr std::string_view format = "axiscert-predicates/2", title = "The predicates",
                                     about = "`axiscert predicates --format json`. It depends on the version alone.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = PredicatesData;
-    return visit(base<Of, DataHead<Of>>(), field(&Of::predicates, {"predicates", "Every predicate."}));
-  }
+  AXISCERT_FIELDS(PredicatesData, base<Of, DataHead<Of>>(), AXISCERT_FIELD(predicates, "Every predicate."))
 };
 
 struct ListedArithmetic {
@@ -148,13 +116,9 @@ struct ListedArithmetic {
   std::string summary;
   std::vector<Precision> precisions;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = ListedArithmetic;
-    return visit(field(&Of::id, {"id", "What --kernel takes."}),
-                 field(&Of::arithmetic, {"arithmetic", "The name after the +."}),
-                 field(&Of::summary, {"summary", "What it does."}),
-                 field(&Of::precisions, {"precisions", "The precisions in which it exists."}));
-  }
+  AXISCERT_FIELDS(ListedArithmetic, AXISCERT_FIELD(id, "What --kernel takes."),
+                  AXISCERT_FIELD(arithmetic, "The name after the +."), AXISCERT_FIELD(summary, "What it does."),
+                  AXISCERT_FIELD(precisions, "The precisions in which it exists."))
 };
 
 struct ListedKernel {
@@ -173,28 +137,20 @@ struct ListedKernel {
   std::optional<PolicyRecord> motion;
 
   static constexpr std::string_view about = "One kernel.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ListedKernel;
-    return visit(
-        field(&Of::id, {"id", "What --kernel takes."}),
-        field(&Of::summary, {"summary", "What it computes, in a line."}),
-        field(&Of::predicate, {"predicate", "The predicate whose question it answers."}),
-        field(&Of::entry, {"entry", "The form in which it takes the numbers."}),
-        field(&Of::formulae, {"formulae", "The formulae that it claims; none where its verdict alone is judged."}),
-        field(&Of::precisions, {"precisions", "The precisions in which it exists."}),
-        field(&Of::targets, {"targets", "The instruction sets on which it runs here; none for a plug-in."}),
-        field(&Of::exposes, {"exposes", "What it shows, and so what is judged."}),
-        field(&Of::may_decline, {"may_decline", "Whether it declares that it may answer `undecided`."}),
-        field(&Of::source, {"source", "FILE:LINE of a plug-in that says where it is written; null otherwise."}),
-        field(&Of::findings, {"findings", "What was wrong with loading it."}),
-        field(&Of::arithmetics, {"arithmetics", "The same kernel in other arithmetics."}),
-        field(
-            &Of::measures,
-            {.name = "measures", .about = "Of a predicate with measures, those that it gives.", .may_be_absent = true}),
-        field(&Of::motion, {.name = "motion",
-                            .about = "Of a predicate of motions, what it does not promise.",
-                            .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(ListedKernel, AXISCERT_FIELD(id, "What --kernel takes."),
+                  AXISCERT_FIELD(summary, "What it computes, in a line."),
+                  AXISCERT_FIELD(predicate, "The predicate whose question it answers."),
+                  AXISCERT_FIELD(entry, "The form in which it takes the numbers."),
+                  AXISCERT_FIELD(formulae, "The formulae that it claims; none where its verdict alone is judged."),
+                  AXISCERT_FIELD(precisions, "The precisions in which it exists."),
+                  AXISCERT_FIELD(targets, "The instruction sets on which it runs here; none for a plug-in."),
+                  AXISCERT_FIELD(exposes, "What it shows, and so what is judged."),
+                  AXISCERT_FIELD(may_decline, "Whether it declares that it may answer `undecided`."),
+                  AXISCERT_FIELD(source, "FILE:LINE of a plug-in that says where it is written; null otherwise."),
+                  AXISCERT_FIELD(findings, "What was wrong with loading it."),
+                  AXISCERT_FIELD(arithmetics, "The same kernel in other arithmetics."),
+                  AXISCERT_OPTIONAL_FIELD(measures, "Of a predicate with measures, those that it gives."),
+                  AXISCERT_OPTIONAL_FIELD(motion, "Of a predicate of motions, what it does not promise."))
 };
 
 struct KernelsData : DataHead<KernelsData> {
@@ -204,14 +160,10 @@ struct KernelsData : DataHead<KernelsData> {
                                     about =
                                         "`axiscert kernels --format json`. It depends on the build, and on the "
                                         "instruction sets of the machine.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = KernelsData;
-    return visit(
-        base<Of, DataHead<Of>>(),
-        field(&Of::kernels, {"kernels",
-                             "Every built-in kernel of the predicate, then the plug-ins that come along; or those "
-                             "of --kernel."}));
-  }
+  AXISCERT_FIELDS(
+      KernelsData, base<Of, DataHead<Of>>(),
+      AXISCERT_FIELD(
+          kernels, "Every built-in kernel of the predicate, then the plug-ins that come along; or those of --kernel."))
 };
 
 }  // namespace axiscert

@@ -37,11 +37,8 @@ struct LegendData {
   Text<ColourRule> colour;
   Name meaning;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&LegendData::pixel, {"class", "The name in the counts."}),
-                 field(&LegendData::colour, {"colour", "Red, green, blue."}),
-                 field(&LegendData::meaning, {"meaning", "The text of the legend."}));
-  }
+  AXISCERT_FIELDS(LegendData, field(&LegendData::pixel, {"class", "The name in the counts."}),
+                  AXISCERT_FIELD(colour, "Red, green, blue."), AXISCERT_FIELD(meaning, "The text of the legend."))
 };
 
 struct SideData {
@@ -49,14 +46,11 @@ struct SideData {
   std::uint64_t pixels = 0, origin = 0, step = 0;
 
   static constexpr std::string_view about = "One side of a plane.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = SideData;
-    return visit(
-        field(&Of::numbers, {"numbers", "The numbers that change: a.x ... p.z, r; a, b, c, p, triangle, scene."}),
-        field(&Of::pixels, {"pixels", "The number of pixels.", "pixels"}),
-        field(&Of::origin, {"origin", "The pixel at which the numbers are the witness's.", "pixels"}),
-        field(&Of::step, {"step", "Ulps, or exponents of two, from pixel to pixel.", "ulps or exponents"}));
-  }
+  AXISCERT_FIELDS(SideData,
+                  AXISCERT_FIELD(numbers, "The numbers that change: a.x ... p.z, r; a, b, c, p, triangle, scene."),
+                  AXISCERT_FIELD(pixels, "The number of pixels.", "pixels"),
+                  AXISCERT_FIELD(origin, "The pixel at which the numbers are the witness's.", "pixels"),
+                  AXISCERT_FIELD(step, "Ulps, or exponents of two, from pixel to pixel.", "ulps or exponents"))
 };
 
 struct PictureData {
@@ -66,19 +60,14 @@ struct PictureData {
   EnumArray<PixelClass, std::uint64_t> counts{};
 
   static constexpr std::string_view about = "One file.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = PictureData;
-    return visit(
-        field(&Of::level, {"level", "The subject of the picture."}),
-        field(&Of::name, {"name", "verdict, edge_ab, edge_ab.radius ..."}),
-        field(&Of::file, {"file", "A PNG file next to this one, with a palette."}),
-        field(&Of::decided,
-              {"decided",
-               "Pixels within the kernel's limits at which it said yes or no. With none, the picture shows nothing "
-               "about it.",
-               "pixels"}),
-        field(&Of::counts, {"counts", "Pixels of each class of the legend.", "pixels"}));
-  }
+  AXISCERT_FIELDS(PictureData, AXISCERT_FIELD(level, "The subject of the picture."),
+                  AXISCERT_FIELD(name, "verdict, edge_ab, edge_ab.radius ..."),
+                  AXISCERT_FIELD(file, "A PNG file next to this one, with a palette."),
+                  AXISCERT_FIELD(decided,
+                                 "Pixels within the kernel's limits at which it said yes or no. With none, the picture "
+                                 "shows nothing about it.",
+                                 "pixels"),
+                  AXISCERT_FIELD(counts, "Pixels of each class of the legend.", "pixels"))
 };
 
 struct MapData {
@@ -92,21 +81,18 @@ struct MapData {
   std::vector<PictureData> pictures;
 
   static constexpr std::string_view about = "One plane through query space and one kernel.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = MapData;
-    return visit(field(&Of::name, {"name", "Unique in this file."}),
-                 field(&Of::command, {"command", "The command that draws it again."}),
-                 field(&Of::kernel, {"kernel", "The kernel as given to --kernel."}),
-                 field(&Of::may_decline,
-                       {"may_decline",
-                        "Whether the kernel declares that it may answer `undecided`; else such a pixel is a fault."}),
-                 field(&Of::precision, {"precision", "The precision of the queries."}),
-                 field(&Of::kind, {"kind", "The step of the numbers from pixel to pixel: ulps, or powers of two."}),
-                 field(&Of::along, {"along", "To the right."}),
-                 field(&Of::across, {"across", "Upwards: pixel 0 is the lowest row of a picture."}),
-                 field(&Of::witness, {"witness", "The query that the plane goes through, as a line of a query file."}),
-                 field(&Of::pictures, {"pictures", "The verdict, axes, comparisons."}));
-  }
+  AXISCERT_FIELDS(
+      MapData, AXISCERT_FIELD(name, "Unique in this file."),
+      AXISCERT_FIELD(command, "The command that draws it again."),
+      AXISCERT_FIELD(kernel, "The kernel as given to --kernel."),
+      AXISCERT_FIELD(may_decline,
+                     "Whether the kernel declares that it may answer `undecided`; else such a pixel is a fault."),
+      AXISCERT_FIELD(precision, "The precision of the queries."),
+      AXISCERT_FIELD(kind, "The step of the numbers from pixel to pixel: ulps, or powers of two."),
+      AXISCERT_FIELD(along, "To the right."),
+      AXISCERT_FIELD(across, "Upwards: pixel 0 is the lowest row of a picture."),
+      AXISCERT_FIELD(witness, "The query that the plane goes through, as a line of a query file."),
+      AXISCERT_FIELD(pictures, "The verdict, axes, comparisons."))
 };
 
 struct MapsData : DataHead<MapsData> {
@@ -117,12 +103,9 @@ struct MapsData : DataHead<MapsData> {
   static constexpr std::string_view about =
       "maps/index.json, which `axiscert map` writes next to its pictures. It depends on the queries and the kernels "
       "alone.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = MapsData;
-    return visit(base<Of, DataHead<Of>>(),
-                 field(&Of::legend, {"legend", "Every class of pixel, in the order of the pictures' palettes."}),
-                 field(&Of::maps, {"maps", "In the order in which they were drawn."}));
-  }
+  AXISCERT_FIELDS(MapsData, base<Of, DataHead<Of>>(),
+                  AXISCERT_FIELD(legend, "Every class of pixel, in the order of the pictures' palettes."),
+                  AXISCERT_FIELD(maps, "In the order in which they were drawn."))
 };
 
 // The index entry of one map: the plane, the witness, the counts of every picture. Throws Error for a name that cannot

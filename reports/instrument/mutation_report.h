@@ -9,7 +9,7 @@
 #include "reports/instrument/instrument.h"
 
 namespace axiscert {
-// What both say of the run.
+// The members about the run that both reports have.
 struct MutationRunData {
   bool complete = true;
   Name kernel, require;
@@ -17,16 +17,13 @@ struct MutationRunData {
   std::uint64_t trials = 0;
   std::vector<Name> families;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = MutationRunData;
-    return visit(field(&Of::complete, {"complete", "False where it was interrupted."}),
-                 field(&Of::kernel, {"kernel", "The kernel that the mutants are made from."}),
-                 field(&Of::require, {"require", "The level of `run --require` that has to catch them."}),
-                 field(&Of::seed, {"seed", "The seed of every family."}),
-                 field(&Of::trials,
-                       {"trials", "Queries per family and precision on which a mutant is run, unless fewer catch it."}),
-                 field(&Of::families, {"families", "In the order in which they are run, a batch of each in turn."}));
-  }
+  AXISCERT_FIELDS(MutationRunData, AXISCERT_FIELD(complete, "False where it was interrupted."),
+                  AXISCERT_FIELD(kernel, "The kernel that the mutants are made from."),
+                  AXISCERT_FIELD(require, "The level of `run --require` that has to catch them."),
+                  AXISCERT_FIELD(seed, "The seed of every family."),
+                  AXISCERT_FIELD(trials,
+                                 "Queries per family and precision on which a mutant is run, unless fewer catch it."),
+                  AXISCERT_FIELD(families, "In the order in which they are run, a batch of each in turn."))
 };
 MutationRunData run_data(const MutationPlan& plan, bool complete, const std::string& require);
 
@@ -35,17 +32,12 @@ struct MutantData {
   Precision precision = Precision::binary32;
   Name fault, where, what;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = MutantData;
-    return visit(
-        field(&Of::id, {"id", "The id that --kernel takes; there it claims the bits of its base."}),
-        field(&Of::precision, {"precision", "The precision of the queries."}),
-        field(&Of::fault, {"fault", "The kind of the fault."}),
-        field(
-            &Of::where,
-            {"where", "An operation's number and text, a comparison, an axis, a lane, a width, or a value and its E."}),
-        field(&Of::what, {"what", "The fault in words."}));
-  }
+  AXISCERT_FIELDS(
+      MutantData, AXISCERT_FIELD(id, "The id that --kernel takes; there it claims the bits of its base."),
+      AXISCERT_FIELD(precision, "The precision of the queries."), AXISCERT_FIELD(fault, "The kind of the fault."),
+      AXISCERT_FIELD(where,
+                     "An operation's number and text, a comparison, an axis, a lane, a width, or a value and its E."),
+      AXISCERT_FIELD(what, "The fault in words."))
 };
 inline MutantData mutant_data(const mutants::Mutant& mutant, Precision precision) {
   return {mutant.id, precision, mutant.fault, mutant.where, mutant.what};
@@ -61,14 +53,10 @@ struct CatchData {
   double depth = 0;
 
   static constexpr std::string_view about = "The first wrong verdict.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = CatchData;
-    return visit(field(&Of::family, {"family", "The family."}),
-                 field(&Of::queries, {"queries", "Queries up to and including this one."}),
-                 field(&Of::address, {"address", "The address, from which `axiscert query ADDRESS` makes it again."}),
-                 field(&Of::kind, {"kind", "Missed, or phantom."}),
-                 field(&Of::depth, {"depth", "As a share of the scene."}));
-  }
+  AXISCERT_FIELDS(CatchData, AXISCERT_FIELD(family, "The family."),
+                  AXISCERT_FIELD(queries, "Queries up to and including this one."),
+                  AXISCERT_FIELD(address, "The address, from which `axiscert query ADDRESS` makes it again."),
+                  AXISCERT_FIELD(kind, "Missed, or phantom."), AXISCERT_FIELD(depth, "As a share of the scene."))
 };
 
 struct CatchScoreData {
@@ -76,22 +64,16 @@ struct CatchScoreData {
   std::optional<std::uint64_t> median_queries;
   std::uint64_t caught_by_formulae_alone = 0;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = CatchScoreData;
-    return visit(
-        field(&Of::mutants, {"mutants", "All.", "mutants"}),
-        field(&Of::equivalent, {"equivalent", "Mutants that no query can distinguish from the kernel.", "mutants"}),
-        field(&Of::caught, {"caught", "By a wrong verdict.", "mutants"}),
-        field(&Of::survived, {"survived", "Neither caught nor argued to be equivalent.", "mutants"}),
-        field(&Of::caught_within_10000,
-              {"caught_within_10000", "By so many queries, of all families together.", "mutants"}),
-        field(&Of::median_queries,
-              {"median_queries",
-               "The number of queries by which half of the mutants that are not equivalent are caught; null: they "
-               "never are."}),
-        field(&Of::caught_by_formulae_alone,
-              {"caught_by_formulae_alone", "Where they claim the formulae and not their bits.", "mutants"}));
-  }
+  AXISCERT_FIELDS(CatchScoreData, AXISCERT_FIELD(mutants, "All.", "mutants"),
+                  AXISCERT_FIELD(equivalent, "Mutants that no query can distinguish from the kernel.", "mutants"),
+                  AXISCERT_FIELD(caught, "By a wrong verdict.", "mutants"),
+                  AXISCERT_FIELD(survived, "Neither caught nor argued to be equivalent.", "mutants"),
+                  AXISCERT_FIELD(caught_within_10000, "By so many queries, of all families together.", "mutants"),
+                  AXISCERT_FIELD(median_queries,
+                                 "The number of queries by which half of the mutants that are not equivalent are "
+                                 "caught; null: they never are."),
+                  AXISCERT_FIELD(caught_by_formulae_alone, "Where they claim the formulae and not their bits.",
+                                 "mutants"))
 };
 
 struct CaughtMutantData {
@@ -99,18 +81,13 @@ struct CaughtMutantData {
   std::optional<CatchData> caught, caught_by_formulae_alone;
   std::optional<Name> equivalent;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = CaughtMutantData;
-    return visit(
-        inlined(&Of::mutant),
-        field(&Of::caught, {"caught", "The catch where it claims the bits of its base; null: none."}),
-        field(&Of::caught_by_formulae_alone,
-              {"caught_by_formulae_alone",
-               "The catch where it claims the formulae and not their bits; `queries` are those in exact "
-               "arithmetic; null: none."}),
-        field(&Of::equivalent,
-              {"equivalent", "The argument that no query distinguishes it from its base; null where one should."}));
-  }
+  AXISCERT_FIELDS(CaughtMutantData, inlined(&Of::mutant),
+                  AXISCERT_FIELD(caught, "The catch where it claims the bits of its base; null: none."),
+                  AXISCERT_FIELD(caught_by_formulae_alone,
+                                 "The catch where it claims the formulae and not their bits; `queries` are those in "
+                                 "exact arithmetic; null: none."),
+                  AXISCERT_FIELD(equivalent,
+                                 "The argument that no query distinguishes it from its base; null where one should."))
 };
 
 struct ControlData {
@@ -119,14 +96,11 @@ struct ControlData {
   Name claims;
   std::uint64_t queries = 0, flagged = 0;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = ControlData;
-    return visit(field(&Of::kernel, {"kernel", "The kernel."}),
-                 field(&Of::precision, {"precision", "The precision of the queries."}),
-                 field(&Of::claims, {"claims", "What it claims: its own bits, or the formulae alone."}),
-                 field(&Of::queries, {"queries", "Queries asked."}),
-                 field(&Of::flagged, {"flagged", "Wrong verdicts that `logic` does not allow."}));
-  }
+  AXISCERT_FIELDS(ControlData, AXISCERT_FIELD(kernel, "The kernel."),
+                  AXISCERT_FIELD(precision, "The precision of the queries."),
+                  AXISCERT_FIELD(claims, "What it claims: its own bits, or the formulae alone."),
+                  AXISCERT_FIELD(queries, "Queries asked."),
+                  AXISCERT_FIELD(flagged, "Wrong verdicts that `logic` does not allow."))
 };
 
 struct MutationData : CommandData<MutationData> {
@@ -139,14 +113,11 @@ struct MutationData : CommandData<MutationData> {
 
   static constexpr std::string_view about =
       "mutation.json, which `axiscert mutate` writes. It depends on the plan alone.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = MutationData;
-    return visit(
-        base<Of, CommandData<Of>>(), inlined(&Of::run), field(&Of::score, {"score", "Scores by precision."}),
-        field(&Of::mutants, {"mutants", "The mutants by precision, in the order of `axiscert mutate --list`."}),
-        field(&Of::controls,
-              {"controls", "Correct kernels that are written in another way; empty where they were left out."}));
-  }
+  AXISCERT_FIELDS(MutationData, base<Of, CommandData<Of>>(), inlined(&Of::run),
+                  AXISCERT_FIELD(score, "Scores by precision."),
+                  AXISCERT_FIELD(mutants, "The mutants by precision, in the order of `axiscert mutate --list`."),
+                  AXISCERT_FIELD(controls,
+                                 "Correct kernels that are written in another way; empty where they were left out."))
 };
 
 // mutation-by-verdict.json.
@@ -156,50 +127,37 @@ struct FailureData {
   Name what;
 
   static constexpr std::string_view about = "What the gate says.";
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&FailureData::family, {"family", "The family; empty: none in particular."}),
-                 field(&FailureData::what, {"what", "Why the kernel does not meet it."}));
-  }
+  AXISCERT_FIELDS(FailureData, AXISCERT_FIELD(family, "The family; empty: none in particular."),
+                  AXISCERT_FIELD(what, "Why the kernel does not meet it."))
 };
 
 struct GateScoreData {
   std::uint64_t mutants = 0, equivalent = 0, refused = 0;
   std::uint64_t survived() const { return mutants - equivalent - refused; }
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = GateScoreData;
-    return visit(
-        field(&Of::mutants, {"mutants", "All.", "mutants"}),
-        field(&Of::equivalent, {"equivalent", "Mutants that no query can distinguish from the kernel.", "mutants"}),
-        field(&Of::refused, {"refused", "By the gate.", "mutants"}),
-        field(&Of::survived, {"survived", "Neither refused nor equivalent.", "mutants"}));
-  }
+  AXISCERT_FIELDS(GateScoreData, AXISCERT_FIELD(mutants, "All.", "mutants"),
+                  AXISCERT_FIELD(equivalent, "Mutants that no query can distinguish from the kernel.", "mutants"),
+                  AXISCERT_FIELD(refused, "By the gate.", "mutants"),
+                  AXISCERT_FIELD(survived, "Neither refused nor equivalent.", "mutants"))
 };
 
 struct DeepestWrongData {
   Name family, address;
   double depth = 0;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = DeepestWrongData;
-    return visit(field(&Of::family, {"family", "The family."}),
-                 field(&Of::address, {"address", "The address, from which `axiscert query ADDRESS` makes it again."}),
-                 field(&Of::depth, {"depth", "As a share of the scene."}));
-  }
+  AXISCERT_FIELDS(DeepestWrongData, AXISCERT_FIELD(family, "The family."),
+                  AXISCERT_FIELD(address, "The address, from which `axiscert query ADDRESS` makes it again."),
+                  AXISCERT_FIELD(depth, "As a share of the scene."))
 };
 
 struct SurvivalData {
   Survival counts;
   std::optional<DeepestWrongData> deepest;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(
-        inlined(&SurvivalData::counts),
-        field(&SurvivalData::deepest,
-              {"deepest",
-               "The deepest of the first four wrong ones in each family and batch of 251; null: none but of touching "
-               "spheres."}));
-  }
+  AXISCERT_FIELDS(SurvivalData, inlined(&SurvivalData::counts),
+                  AXISCERT_FIELD(deepest,
+                                 "The deepest of the first four wrong ones in each family and batch of 251; null: none "
+                                 "but of touching spheres."))
 };
 
 struct JudgedMutantData {
@@ -210,19 +168,14 @@ struct JudgedMutantData {
   std::optional<Name> reason;
   std::optional<SurvivalData> survival;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = JudgedMutantData;
-    return visit(
-        inlined(&Of::mutant), field(&Of::magnitude, {"magnitude", "E; null for a fault without one."}),
-        field(&Of::trials, {"trials", "Queries of each family after which it was refused, or which it passed."}),
-        field(&Of::refused, {"refused", "What the gate says; null: nothing."}),
-        field(&Of::reason,
-              {"reason",
-               "Why it passed: equivalent, no-other-verdict, never-wrong, not-in-exact-arithmetic, touching or "
-               "let-pass; null where it was refused."}),
-        field(&Of::survival,
-              {"survival", "How a survivor differs from the kernel without the fault; null for others."}));
-  }
+  AXISCERT_FIELDS(JudgedMutantData, inlined(&Of::mutant), AXISCERT_FIELD(magnitude, "E; null for a fault without one."),
+                  AXISCERT_FIELD(trials, "Queries of each family after which it was refused, or which it passed."),
+                  AXISCERT_FIELD(refused, "What the gate says; null: nothing."),
+                  AXISCERT_FIELD(reason,
+                                 "Why it passed: equivalent, no-other-verdict, never-wrong, not-in-exact-arithmetic, "
+                                 "touching or let-pass; null where it was refused."),
+                  AXISCERT_FIELD(survival,
+                                 "How a survivor differs from the kernel without the fault; null for others."))
 };
 
 struct GateControlData {
@@ -230,12 +183,9 @@ struct GateControlData {
   Precision precision = Precision::binary32;
   std::optional<FailureData> refused;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = GateControlData;
-    return visit(field(&Of::kernel, {"kernel", "The kernel."}),
-                 field(&Of::precision, {"precision", "The precision of the queries."}),
-                 field(&Of::refused, {"refused", "What the gate says; null: nothing."}));
-  }
+  AXISCERT_FIELDS(GateControlData, AXISCERT_FIELD(kernel, "The kernel."),
+                  AXISCERT_FIELD(precision, "The precision of the queries."),
+                  AXISCERT_FIELD(refused, "What the gate says; null: nothing."))
 };
 
 struct MutationByVerdictData : CommandData<MutationByVerdictData> {
@@ -250,14 +200,11 @@ struct MutationByVerdictData : CommandData<MutationByVerdictData> {
 
   static constexpr std::string_view about =
       "mutation-by-verdict.json, which `axiscert mutate --verdict-only` writes. It depends on the plan alone.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = MutationByVerdictData;
-    return visit(
-        base<Of, CommandData<Of>>(), inlined(&Of::run), field(&Of::score, {"score", "Scores by precision."}),
-        field(&Of::mutants,
-              {"mutants", "The mutants by precision, in the order of `axiscert mutate --verdict-only --list`."}),
-        field(&Of::controls, {"controls", "Kernels that are right, judged in the same way."}));
-  }
+  AXISCERT_FIELDS(MutationByVerdictData, base<Of, CommandData<Of>>(), inlined(&Of::run),
+                  AXISCERT_FIELD(score, "Scores by precision."),
+                  AXISCERT_FIELD(mutants,
+                                 "The mutants by precision, in the order of `axiscert mutate --verdict-only --list`."),
+                  AXISCERT_FIELD(controls, "Kernels that are right, judged in the same way."))
 };
 
 // mutation-of-certified.json.
@@ -269,23 +216,17 @@ struct CertifiedStepData {
   std::uint64_t equivalent() const { return equivalent_faults.size(); }
   std::uint64_t by_the_recording_alone() const { return faults_by_the_recording_alone.size(); }
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = CertifiedStepData;
-    return visit(
-        field(&Of::step, {"step", "The step."}),
-        field(&Of::precision, {"precision", "The precision of the step's own numbers."}),
-        field(&Of::mutants, {"mutants", "Faults.", "faults"}),
-        field(&Of::shown,
-              {"shown", "Faults with which some answer of the step differs on one of the queries.", "faults"}),
-        field(&Of::equivalent,
-              {"equivalent", "Faults that no query shows, by an argument in proofs/certified/mutants.cpp.", "faults"}),
-        field(&Of::by_the_recording_alone,
-              {"by_the_recording_alone", "Faults that none of the queries shows, and for which there is no argument.",
-               "faults"}),
-        field(&Of::equivalent_faults, {"equivalent_faults", "Each by the operation that it is planted in."}),
-        field(&Of::faults_by_the_recording_alone,
-              {"faults_by_the_recording_alone", "Each by the operation that it is planted in."}));
-  }
+  AXISCERT_FIELDS(
+      CertifiedStepData, AXISCERT_FIELD(step, "The step."),
+      AXISCERT_FIELD(precision, "The precision of the step's own numbers."),
+      AXISCERT_FIELD(mutants, "Faults.", "faults"),
+      AXISCERT_FIELD(shown, "Faults with which some answer of the step differs on one of the queries.", "faults"),
+      AXISCERT_FIELD(equivalent, "Faults that no query shows, by an argument in proofs/certified/mutants.cpp.",
+                     "faults"),
+      AXISCERT_FIELD(by_the_recording_alone,
+                     "Faults that none of the queries shows, and for which there is no argument.", "faults"),
+      AXISCERT_FIELD(equivalent_faults, "Each by the operation that it is planted in."),
+      AXISCERT_FIELD(faults_by_the_recording_alone, "Each by the operation that it is planted in."))
 };
 
 struct MutationOfCertifiedData : CommandData<MutationOfCertifiedData> {
@@ -299,13 +240,9 @@ struct MutationOfCertifiedData : CommandData<MutationOfCertifiedData> {
   static constexpr std::string_view about =
       "mutation-of-certified.json, which `axiscert mutate --kernel certified` writes. It depends on the number of "
       "queries and the seed alone.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = MutationOfCertifiedData;
-    return visit(
-        base<Of, CommandData<Of>>(), field(&Of::queries, {"queries", "Queries of each step."}),
-        field(&Of::seed, {"seed", "The seed of the queries."}),
-        field(&Of::steps, {"steps", "The steps as proofs/certified records them, without fused multiply-add."}));
-  }
+  AXISCERT_FIELDS(MutationOfCertifiedData, base<Of, CommandData<Of>>(),
+                  AXISCERT_FIELD(queries, "Queries of each step."), AXISCERT_FIELD(seed, "The seed of the queries."),
+                  AXISCERT_FIELD(steps, "The steps as proofs/certified records them, without fused multiply-add."))
 };
 
 // Faults of the harness, or of an argument for equivalence; empty if there are none.

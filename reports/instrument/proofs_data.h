@@ -13,10 +13,8 @@ namespace axiscert {
 struct ProofCheckersData {
   Name gappa, coq;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&ProofCheckersData::gappa, {"gappa", "Which checks the bounds."}),
-                 field(&ProofCheckersData::coq, {"coq", "Which checks the ranges that they assume."}));
-  }
+  AXISCERT_FIELDS(ProofCheckersData, AXISCERT_FIELD(gappa, "Which checks the bounds."),
+                  AXISCERT_FIELD(coq, "Which checks the ranges that they assume."))
 };
 
 struct ProvedBoundData {
@@ -27,27 +25,22 @@ struct ProvedBoundData {
   std::optional<double> attained_u, ratio;
   Name status, file;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = ProvedBoundData;
-    return visit(
-        field(&Of::comparison, {"comparison", "The comparison."}),
-        field(&Of::kernel, {"kernel", "The kernel, with +fma where products and sums are fused."}),
-        field(&Of::precision, {"precision", "The precision."}),
-        field(&Of::domain, {"domain", "scaled or absolute; docs/bounds.md defines both."}),
-        field(&Of::bound_u,
-              {"bound_u", "Upper bound on |(computed lhs - computed rhs) - (lhs - rhs)|, in u = 2^-24 or 2^-53.", "u"}),
-        field(&Of::attained_u,
-              {"attained_u",
-               "The greatest that a search attained on the domain, a lower bound of the worst; null: not searched.",
-               "u"}),
-        field(&Of::ratio, {"ratio", "The ratio of bound_u to attained_u."}),
-        field(&Of::status,
-              {"status",
-               "proved: Gappa accepts the script and Coq the ranges that it assumes. open: Gappa accepts it, and its "
-               "ranges have no proof in Coq. refused: a checker does not accept it. NOT CHECKED: a checker that it "
-               "needs was not run."}),
-        field(&Of::file, {"file", "The script, which --out writes under its folder."}));
-  }
+  AXISCERT_FIELDS(
+      ProvedBoundData, AXISCERT_FIELD(comparison, "The comparison."),
+      AXISCERT_FIELD(kernel, "The kernel, with +fma where products and sums are fused."),
+      AXISCERT_FIELD(precision, "The precision."),
+      AXISCERT_FIELD(domain, "scaled or absolute; docs/bounds.md defines both."),
+      AXISCERT_FIELD(bound_u, "Upper bound on |(computed lhs - computed rhs) - (lhs - rhs)|, in u = 2^-24 or 2^-53.",
+                     "u"),
+      AXISCERT_FIELD(
+          attained_u,
+          "The greatest that a search attained on the domain, a lower bound of the worst; null: not searched.", "u"),
+      AXISCERT_FIELD(ratio, "The ratio of bound_u to attained_u."),
+      AXISCERT_FIELD(status,
+                     "proved: Gappa accepts the script and Coq the ranges that it assumes. open: Gappa accepts it, and "
+                     "its ranges have no proof in Coq. refused: a checker does not accept it. NOT CHECKED: a checker "
+                     "that it needs was not run."),
+      AXISCERT_FIELD(file, "The script, which --out writes under its folder."))
 };
 
 struct ProofsData : DataHead<ProofsData> {
@@ -59,16 +52,12 @@ struct ProofsData : DataHead<ProofsData> {
                                     about =
                                         "proofs.json, which `axiscert prove` writes. It depends on the scripts and on "
                                         "the checkers that are installed.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ProofsData;
-    return visit(
-        base<Of, DataHead<Of>>(),
-        field(&Of::checkers,
-              {"checkers",
-               "The first line of each checker's version, or NOT CHECKED where it is not installed or was not "
-               "run."}),
-        field(&Of::bounds, {"bounds", "By kernel, precision, domain and comparison, in the order of the sixteen."}));
-  }
+  AXISCERT_FIELDS(
+      ProofsData, base<Of, DataHead<Of>>(),
+      AXISCERT_FIELD(
+          checkers,
+          "The first line of each checker's version, or NOT CHECKED where it is not installed or was not run."),
+      AXISCERT_FIELD(bounds, "By kernel, precision, domain and comparison, in the order of the sixteen."))
 };
 
 }  // namespace axiscert

@@ -27,27 +27,22 @@ struct ExactRow {
       "The exact answer, with what the predicate's oracles know of a valid query besides: a penetration and a "
       "distance, "
       "rounded to the nearest number of the query's precision, a time, rounded down to one, features, deciding axes.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ExactRow;
-    return visit(
-        field(&Of::verdict, {"verdict", "The geometric truth; invalid: the numbers are no query."}),
-        field(&Of::touching, {"touching", "Whether the two touch, exactly; then the verdict is contact."}),
-        field(&Of::depth, {"depth",
-                           "How far the query is from touching, whatever the kernel says; null where it is invalid, "
-                           "and in a predicate "
-                           "without a depth.",
-                           "of the scene"}),
-        field(&Of::input_class,
-              {.name = "class",
-               .about = "The class of the input, the first whose definition it meets. Absent where it is invalid, and "
-                        "in a predicate without classes.",
-               .may_be_absent = true}),
-        field(&Of::comparisons,
-              {"comparisons",
-               "The comparisons in exact arithmetic, one 0 or 1 each; null where it is invalid, and where there are "
-               "none."}),
-        rest(&Of::details));
-  }
+  AXISCERT_FIELDS(
+      ExactRow, AXISCERT_FIELD(verdict, "The geometric truth; invalid: the numbers are no query."),
+      AXISCERT_FIELD(touching, "Whether the two touch, exactly; then the verdict is contact."),
+      AXISCERT_FIELD(depth,
+                     "How far the query is from touching, whatever the kernel says; null where it is invalid, and in a "
+                     "predicate without a depth.",
+                     "of the scene"),
+      field(&Of::input_class,
+            {.name = "class",
+             .about = "The class of the input, the first whose definition it meets. Absent where it is invalid, and "
+                      "in a predicate without classes.",
+             .may_be_absent = true}),
+      AXISCERT_FIELD(
+          comparisons,
+          "The comparisons in exact arithmetic, one 0 or 1 each; null where it is invalid, and where there are none."),
+      rest(&Of::details))
 };
 
 struct ComputedRow {
@@ -55,12 +50,8 @@ struct ComputedRow {
   std::optional<BitText> comparisons;
 
   static constexpr std::string_view about = "The kernel's answer.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ComputedRow;
-    return visit(field(&Of::verdict, {"verdict", "Its verdict; unanswered: it crashed or hung."}),
-                 field(&Of::comparisons,
-                       {"comparisons", "Its comparisons, one 0 or 1 each; null where it does not show them."}));
-  }
+  AXISCERT_FIELDS(ComputedRow, AXISCERT_FIELD(verdict, "Its verdict; unanswered: it crashed or hung."),
+                  AXISCERT_FIELD(comparisons, "Its comparisons, one 0 or 1 each; null where it does not show them."))
 };
 
 struct QueryRow : DataHead<QueryRow> {
@@ -78,25 +69,20 @@ struct QueryRow : DataHead<QueryRow> {
                                     about =
                                         "The numbers of the query have the names of the groups of columns of its "
                                         "predicate.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = QueryRow;
-    return visit(
-        base<Of, DataHead<Of>>(),
-        field(&Of::address, {"address", "The address from which `axiscert query` makes it again."}), rest(&Of::numbers),
-        field(&Of::kernel, {"kernel", "The kernel that was asked."}),
-        field(&Of::standing,
-              {"standing",
-               "decided; declined; undeclared_decline, called_invalid, unanswered: faults; outside_limits: it promises "
-               "nothing there; no_query: invalid. Only decided shows whether the kernel is right."}),
-        field(&Of::wrong,
-              {"wrong",
-               "Whether its verdict is wrong, by its own convention where the two touch. With the standing decided it "
-               "is a missed contact of a run where it says separated, a phantom contact where it says contact."}),
-        field(&Of::links, {"links", "The broken links of a wrong verdict."}), field(&Of::exact, {"exact", {}}),
-        field(&Of::computed, {"computed", {}}),
-        field(&Of::findings, {"findings", "Its faults other than a wrong answer, by kind."}),
-        field(&Of::measures, {.name = "measures", .about = MeasuresRecord::about, .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(
+      QueryRow, base<Of, DataHead<Of>>(),
+      AXISCERT_FIELD(address, "The address from which `axiscert query` makes it again."), rest(&Of::numbers),
+      AXISCERT_FIELD(kernel, "The kernel that was asked."),
+      AXISCERT_FIELD(standing,
+                     "decided; declined; undeclared_decline, called_invalid, unanswered: faults; outside_limits: it "
+                     "promises nothing there; no_query: invalid. Only decided shows whether the kernel is right."),
+      AXISCERT_FIELD(
+          wrong,
+          "Whether its verdict is wrong, by its own convention where the two touch. With the standing decided it is a "
+          "missed contact of a run where it says separated, a phantom contact where it says contact."),
+      AXISCERT_FIELD(links, "The broken links of a wrong verdict."), AXISCERT_FIELD(exact), AXISCERT_FIELD(computed),
+      AXISCERT_FIELD(findings, "Its faults other than a wrong answer, by kind."),
+      AXISCERT_OPTIONAL_FIELD(measures, MeasuresRecord::about))
 };
 
 // A query in a line of JSON: what `axiscert check` says of one in a file, and what `axiscert shrink` makes of one.
@@ -109,17 +95,15 @@ struct ExactFactLine {
   static constexpr std::string_view about =
       "A length, the three coordinates of a place or a direction, or names. Lengths are in the unit of the query's "
       "numbers, depth is a share of the scene.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ExactFactLine;
-    return visit(
-        field(&Of::value, {"value",
-                           "Text: the decimal nearest to it with 9 significant digits in binary32, 17 in "
-                           "binary64; three of them; or an array of names. Null where there is none."}),
-        field(&Of::exact, {"exact",
-                           "The same before it was rounded, as fractions and roots: 3/4, sqrt(2), 1/2 - "
-                           "sqrt(1/3); null of names."}),
-        field(&Of::note, {.name = "note", .about = "That it is not the only one, or is none.", .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(
+      ExactFactLine,
+      AXISCERT_FIELD(value,
+                     "Text: the decimal nearest to it with 9 significant digits in binary32, 17 in binary64; three of "
+                     "them; or an array of names. Null where there is none."),
+      AXISCERT_FIELD(
+          exact,
+          "The same before it was rounded, as fractions and roots: 3/4, sqrt(2), 1/2 - sqrt(1/3); null of names."),
+      AXISCERT_OPTIONAL_FIELD(note, "That it is not the only one, or is none."))
 };
 
 // The answers by exact arithmetic.
@@ -135,27 +119,21 @@ struct ExactAnswersLine {
   static constexpr std::string_view about =
       "By exact arithmetic. Besides these what the predicate's oracles tell: a penetration and a distance, rounded to "
       "the nearest number of the query's precision, a time, rounded down to one, features, deciding axes.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ExactAnswersLine;
-    return visit(
-        field(&Of::verdict, {"verdict", "The answer."}),
-        field(&Of::touching, {"touching", "Whether the two touch and no more."}),
-        field(&Of::reason, {.name = "reason", .about = "Why the query is invalid.", .may_be_absent = true}),
-        field(&Of::squared_distance,
-              {.name = "squared_distance",
-               .about = "A fraction, of a predicate that compares one; null where it was not formed.",
-               .may_be_absent = true}),
-        rest(&Of::details),
-        field(&Of::facts,
-              {"facts",
-               "By name, those that the query has: distance of the two that are apart, or penetration, the least "
-               "translation that parts them; depth; the centre_distance of a sphere's centre, of a motion the least; "
-               "a motion's first time; features, nearest_point and normal, of a motion at that time."}),
-        field(&Of::comparisons,
-              {"comparisons", "The bits of the kernel's formulae over the reals; null of a kernel that claims none."}),
-        field(&Of::axes, {"axes", "The clauses that hold, a digit each; null where nothing is known of them."}),
-        field(&Of::ties, {"ties", "Which of the comparisons are ties."}));
-  }
+  AXISCERT_FIELDS(
+      ExactAnswersLine, AXISCERT_FIELD(verdict, "The answer."),
+      AXISCERT_FIELD(touching, "Whether the two touch and no more."),
+      AXISCERT_OPTIONAL_FIELD(reason, "Why the query is invalid."),
+      AXISCERT_OPTIONAL_FIELD(squared_distance,
+                              "A fraction, of a predicate that compares one; null where it was not formed."),
+      rest(&Of::details),
+      AXISCERT_FIELD(facts,
+                     "By name, those that the query has: distance of the two that are apart, or penetration, the least "
+                     "translation that parts them; depth; the centre_distance of a sphere's centre, of a motion the "
+                     "least; a motion's first time; features, nearest_point and normal, of a motion at that time."),
+      AXISCERT_FIELD(comparisons,
+                     "The bits of the kernel's formulae over the reals; null of a kernel that claims none."),
+      AXISCERT_FIELD(axes, "The clauses that hold, a digit each; null where nothing is known of them."),
+      AXISCERT_FIELD(ties, "Which of the comparisons are ties."))
 };
 
 struct ComputedAnswersLine {
@@ -164,30 +142,21 @@ struct ComputedAnswersLine {
   std::optional<std::optional<MeasuresRecord>> measures;
 
   static constexpr std::string_view about = "The kernel's answer.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ComputedAnswersLine;
-    return visit(
-        field(&Of::verdict, {"verdict", "The answer."}),
-        field(&Of::comparisons,
-              {"comparisons",
-               "Comparison bits, a digit each in the order of `axiscert predicates`; null where there are none."}),
-        field(&Of::axes, {"axes", "The clauses that hold, a digit each; null where nothing is known of them."}),
-        field(&Of::measures,
-              {.name = "measures",
-               .about = "Of a predicate with measures: what was given beside a contact and how wrong it is; null where "
-                        "nothing was given.",
-               .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(
+      ComputedAnswersLine, AXISCERT_FIELD(verdict, "The answer."),
+      AXISCERT_FIELD(comparisons,
+                     "Comparison bits, a digit each in the order of `axiscert predicates`; null where there are none."),
+      AXISCERT_FIELD(axes, "The clauses that hold, a digit each; null where nothing is known of them."),
+      AXISCERT_OPTIONAL_FIELD(measures,
+                              "Of a predicate with measures: what was given beside a contact and how wrong it is; null "
+                              "where nothing was given."))
 };
 
 struct ComparisonErrorLine {
   std::optional<Decimal6> absolute_u, relative_u;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = ComparisonErrorLine;
-    return visit(field(&Of::absolute_u, {"absolute_u", "Of lhs - rhs, in u of |lhs| + |rhs|.", "u"}),
-                 field(&Of::relative_u, {"relative_u", "The same in u of |lhs - rhs|.", "u"}));
-  }
+  AXISCERT_FIELDS(ComparisonErrorLine, AXISCERT_FIELD(absolute_u, "Of lhs - rhs, in u of |lhs| + |rhs|.", "u"),
+                  AXISCERT_FIELD(relative_u, "The same in u of |lhs - rhs|.", "u"))
 };
 
 struct CheckLine : DataHead<CheckLine> {
@@ -205,28 +174,21 @@ struct CheckLine : DataHead<CheckLine> {
                                     about =
                                         "A line of `axiscert check --format jsonl`: one query, the exact answers, "
                                         "those of the kernel, and why they differ.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = CheckLine;
-    return visit(
-        base<Of, DataHead<Of>>(), field(&Of::id, {"id", "The query's, or empty."}),
-        field(&Of::kernel, {"kernel", "The kernel that was asked."}),
-        field(&Of::standing,
-              {"standing",
-               "decided; declined; undeclared_decline, called_invalid, unanswered: faults; outside_limits: it promises "
-               "nothing there; no_query: invalid. Only decided shows whether the kernel is right."}),
-        field(&Of::exact, {"exact", {}}), field(&Of::computed, {"computed", {}}),
-        field(&Of::within_limits, {"within_limits", "Whether the kernel promises anything for such a query."}),
-        field(&Of::findings, {"findings", "What was seen besides a wrong answer."}),
-        field(&Of::flips, {"flips", "Where the answers differ."}),
-        field(&Of::predicate,
-              {.name = "predicate", .about = "The predicate of both, where files name it.", .may_be_absent = true}),
-        field(&Of::errors, {.name = "errors",
-                            .about = "With --errors: of each comparison's sides; null where the kernel shows none.",
-                            .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(
+      CheckLine, base<Of, DataHead<Of>>(), AXISCERT_FIELD(id, "The query's, or empty."),
+      AXISCERT_FIELD(kernel, "The kernel that was asked."),
+      AXISCERT_FIELD(standing,
+                     "decided; declined; undeclared_decline, called_invalid, unanswered: faults; outside_limits: it "
+                     "promises nothing there; no_query: invalid. Only decided shows whether the kernel is right."),
+      AXISCERT_FIELD(exact), AXISCERT_FIELD(computed),
+      AXISCERT_FIELD(within_limits, "Whether the kernel promises anything for such a query."),
+      AXISCERT_FIELD(findings, "What was seen besides a wrong answer."),
+      AXISCERT_FIELD(flips, "Where the answers differ."),
+      AXISCERT_OPTIONAL_FIELD(predicate, "The predicate of both, where files name it."),
+      AXISCERT_OPTIONAL_FIELD(errors, "With --errors: of each comparison's sides; null where the kernel shows none."))
 };
 
-// What a query and the smaller one both show.
+// The fault that a query and the smaller one both show.
 struct KeptLine {
   std::optional<Level> level;
   Name name, kind;
@@ -234,37 +196,28 @@ struct KeptLine {
   std::optional<Name> input_class;
   std::optional<std::vector<Name>> classes;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = KeptLine;
-    return visit(
-        field(&Of::level, {"level", "Where it is wrong; null for a measure."}),
-        field(&Of::name, {"name", "verdict, an axis, a comparison or a measure."}),
-        field(&Of::kind,
-              {"kind", "The kind of wrong answer, `error` or `asymmetry`; of a measure what is wrong with it."}),
-        field(&Of::links, {"links", "The broken links of the chain."}),
-        field(&Of::input_class, {"class", "The class of the input; null with --any-class."}),
-        field(&Of::classes, {"classes", "Every definition of a class that it meets; null with --any-class."}));
-  }
+  AXISCERT_FIELDS(
+      KeptLine, AXISCERT_FIELD(level, "Where it is wrong; null for a measure."),
+      AXISCERT_FIELD(name, "verdict, an axis, a comparison or a measure."),
+      AXISCERT_FIELD(kind, "The kind of wrong answer, `error` or `asymmetry`; of a measure what is wrong with it."),
+      AXISCERT_FIELD(links, "The broken links of the chain."),
+      field(&Of::input_class, {"class", "The class of the input; null with --any-class."}),
+      AXISCERT_FIELD(classes, "Every definition of a class that it meets; null with --any-class."))
 };
 
 // The query that was given.
 struct GivenLine : StoredLine {
   std::optional<StoredLine> image;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(base<GivenLine, StoredLine>(),
-                 field(&GivenLine::image, {.name = "image", .about = "Of a pair.", .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(GivenLine, base<GivenLine, StoredLine>(), AXISCERT_OPTIONAL_FIELD(image, "Of a pair."))
 };
 
 template <class T>
 struct BeforeAndAfter {
   T before = {}, after = {};
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&BeforeAndAfter::before, {"before", "Of the query that was given."}),
-                 field(&BeforeAndAfter::after, {"after", "Of the smaller one."}));
-  }
+  AXISCERT_FIELDS(BeforeAndAfter, AXISCERT_FIELD(before, "Of the query that was given."),
+                  AXISCERT_FIELD(after, "Of the smaller one."))
 };
 
 struct ShrunkQuery : StoredLine {
@@ -278,24 +231,17 @@ struct ShrunkQuery : StoredLine {
   std::optional<std::vector<Verdict>> answers;
   std::optional<StoredLine> image;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = ShrunkQuery;
-    return visit(
-        base<Of, StoredLine>(), field(&Of::kernel, {"kernel", "The kernel that is wrong on it."}),
-        field(&Of::kept, {"kept", "What both queries show."}),
-        field(&Of::before, {"before", "The query that was given, and of a pair its image."}),
-        field(&Of::severity, {"severity", "How severe it is, in words."}),
-        field(&Of::bits, {"bits", "How many bits the numbers have."}),
-        field(&Of::nonzero, {"nonzero", "How many numbers are not 0."}),
-        field(&Of::steps, {"steps", "Smaller queries on the way."}),
-        field(&Of::evaluations, {"evaluations", "Queries that were asked."}),
-        field(&Of::complete, {"complete", "Whether no further step makes it smaller; false: the limit ended it."}),
-        field(&Of::answers, {.name = "answers",
-                             .about = "Of a pair: the answers to the query and to its image.",
-                             .may_be_absent = true}),
-        field(&Of::image,
-              {.name = "image", .about = "Of a pair: the image that is answered otherwise.", .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(ShrunkQuery, base<Of, StoredLine>(), AXISCERT_FIELD(kernel, "The kernel that is wrong on it."),
+                  AXISCERT_FIELD(kept, "What both queries show."),
+                  AXISCERT_FIELD(before, "The query that was given, and of a pair its image."),
+                  AXISCERT_FIELD(severity, "How severe it is, in words."),
+                  AXISCERT_FIELD(bits, "How many bits the numbers have."),
+                  AXISCERT_FIELD(nonzero, "How many numbers are not 0."),
+                  AXISCERT_FIELD(steps, "Smaller queries on the way."),
+                  AXISCERT_FIELD(evaluations, "Queries that were asked."),
+                  AXISCERT_FIELD(complete, "Whether no further step makes it smaller; false: the limit ended it."),
+                  AXISCERT_OPTIONAL_FIELD(answers, "Of a pair: the answers to the query and to its image."),
+                  AXISCERT_OPTIONAL_FIELD(image, "Of a pair: the image that is answered otherwise."))
 };
 
 struct ShrinkLine : DataHead<ShrinkLine> {
@@ -305,9 +251,7 @@ struct ShrinkLine : DataHead<ShrinkLine> {
                                     about =
                                         "A line of `axiscert shrink --format jsonl`: a line of a query file "
                                         "(docs/queries.md) with the smaller query, and what it was made from.";
-  static constexpr auto fields(auto&& visit) {
-    return visit(base<ShrinkLine, DataHead<ShrinkLine>>(), inlined(&ShrinkLine::query));
-  }
+  AXISCERT_FIELDS(ShrinkLine, base<ShrinkLine, DataHead<ShrinkLine>>(), inlined(&ShrinkLine::query))
 };
 
 }  // namespace axiscert

@@ -16,12 +16,10 @@ struct RangeFindData {
   QueryLine witness;
 
   static constexpr std::string_view about = "The scale at which a comparison leaves the range.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = RangeFindData;
-    return visit(field(&Of::exponent,
-                       {"exponent", "The exponent m of the factor 2^m on a scene of size 1/2 to 1 and good shape."}),
-                 field(&Of::witness, {"witness", "The query at that scale."}));
-  }
+  AXISCERT_FIELDS(RangeFindData,
+                  AXISCERT_FIELD(exponent,
+                                 "The exponent m of the factor 2^m on a scene of size 1/2 to 1 and good shape."),
+                  AXISCERT_FIELD(witness, "The query at that scale."))
 };
 
 struct ComparisonFindData {
@@ -33,27 +31,20 @@ struct ComparisonFindData {
   std::optional<RangeFindData> overflow, underflow;
 
   static constexpr std::string_view about = "The worst found for one comparison; null where none was found.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ComparisonFindData;
-    return visit(
-        field(&Of::name, {"name", "The name of the comparison."}),
-        field(&Of::attained_u,
-              {"attained_u",
-               "|(l^ - r^) - (l - r)| in u, every coordinate of A - P, B - P and C - P in [-1, 1], r in [0, 1], P "
-               "free, the rounding of the translation included."}),
-        field(&Of::proved_u, {"proved_u", "A bound on attained_u that a checker accepted; null: open."}),
-        field(&Of::witness, {"witness", "A query that attains it."}),
-        field(&Of::relative_u,
-              {"relative_u",
-               "|(l^ - r^) - (l - r)| over u (|l| + |r|). Searched up to 2^40, since it has no bound where both sides "
-               "vanish."}),
-        field(&Of::relative_witness, {"relative_witness", "A query that attains it."}),
-        field(&Of::overflow,
-              {"overflow", "The least scale upwards at which it leaves the range; null: it was not observed to."}),
-        field(
-            &Of::underflow,
-            {"underflow", "The greatest scale downwards at which it leaves the range; null: it was not observed to."}));
-  }
+  AXISCERT_FIELDS(
+      ComparisonFindData, AXISCERT_FIELD(name, "The name of the comparison."),
+      AXISCERT_FIELD(attained_u,
+                     "|(l^ - r^) - (l - r)| in u, every coordinate of A - P, B - P and C - P in [-1, 1], r in [0, 1], "
+                     "P free, the rounding of the translation included."),
+      AXISCERT_FIELD(proved_u, "A bound on attained_u that a checker accepted; null: open."),
+      AXISCERT_FIELD(witness, "A query that attains it."),
+      AXISCERT_FIELD(relative_u,
+                     "|(l^ - r^) - (l - r)| over u (|l| + |r|). Searched up to 2^40, since it has no bound where both "
+                     "sides vanish."),
+      AXISCERT_FIELD(relative_witness, "A query that attains it."),
+      AXISCERT_FIELD(overflow, "The least scale upwards at which it leaves the range; null: it was not observed to."),
+      AXISCERT_FIELD(underflow,
+                     "The greatest scale downwards at which it leaves the range; null: it was not observed to."))
 };
 
 struct WrongVerdictFindData {
@@ -61,48 +52,34 @@ struct WrongVerdictFindData {
   std::vector<Link> links;
   QueryLine witness;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = WrongVerdictFindData;
-    return visit(
-        field(&Of::depth,
-              {"depth",
-               "How far it is from being right, over the size of the scene, rounded up to six digits; above 1 of two "
-               "boxes alone."}),
-        field(&Of::links, {"links", "The broken links."}), field(&Of::witness, {"witness", "A query that shows it."}));
-  }
+  AXISCERT_FIELDS(WrongVerdictFindData,
+                  AXISCERT_FIELD(depth,
+                                 "How far it is from being right, over the size of the scene, rounded up to six "
+                                 "digits; above 1 of two boxes alone."),
+                  AXISCERT_FIELD(links, "The broken links."), AXISCERT_FIELD(witness, "A query that shows it."))
 };
 
 struct RadiusFindData {
   Decimal6 ulps;
   QueryLine witness;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = RadiusFindData;
-    return visit(field(&Of::ulps, {"ulps", "The error in ulps of the exact distance, correctly rounded."}),
-                 field(&Of::witness, {"witness", "The query; its r is the radius."}));
-  }
+  AXISCERT_FIELDS(RadiusFindData, AXISCERT_FIELD(ulps, "The error in ulps of the exact distance, correctly rounded."),
+                  AXISCERT_FIELD(witness, "The query; its r is the radius."))
 };
 
-// What is not an aim of the search is absent.
+// A member that is no aim of the search is absent.
 struct VerdictFindsData {
   std::optional<std::optional<WrongVerdictFindData>> missed_contact, phantom_contact;
   std::optional<std::optional<RadiusFindData>> critical_radius;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = VerdictFindsData;
-    return visit(
-        field(&Of::missed_contact, {.name = "missed_contact",
-                                    .about = "The deepest missed contact; null: none found among the decided queries.",
-                                    .may_be_absent = true}),
-        field(&Of::phantom_contact, {.name = "phantom_contact",
-                                     .about = "The deepest phantom contact; null: none found among the decided ones.",
-                                     .may_be_absent = true}),
-        field(&Of::critical_radius,
-              {.name = "critical_radius",
-               .about = "The greatest error of the smallest radius for which the kernel says contact; null: none "
-                        "found. Sphere-triangle's alone.",
-               .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(VerdictFindsData,
+                  AXISCERT_OPTIONAL_FIELD(missed_contact,
+                                          "The deepest missed contact; null: none found among the decided queries."),
+                  AXISCERT_OPTIONAL_FIELD(phantom_contact,
+                                          "The deepest phantom contact; null: none found among the decided ones."),
+                  AXISCERT_OPTIONAL_FIELD(critical_radius,
+                                          "The greatest error of the smallest radius for which the kernel says "
+                                          "contact; null: none found. Sphere-triangle's alone."))
 };
 
 struct NumberFindData {
@@ -110,16 +87,12 @@ struct NumberFindData {
   std::optional<Decimal6> value;
   std::optional<QueryLine> witness;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = NumberFindData;
-    return visit(
-        field(&Of::what, {"what", "The error, by the name of the level that is for it: `separation`, `left`."}),
-        field(&Of::value,
-              {"value",
-               "The greatest, rounded up to six digits: an angle in radians, what is left as a share of the depth, a "
-               "length less 1, else a share of the scene; null: none found among the decided queries."}),
-        field(&Of::witness, {"witness", "The query; null where there is none."}));
-  }
+  AXISCERT_FIELDS(
+      NumberFindData, AXISCERT_FIELD(what, "The error, by the name of the level that is for it: `separation`, `left`."),
+      AXISCERT_FIELD(value,
+                     "The greatest, rounded up to six digits: an angle in radians, what is left as a share of the "
+                     "depth, a length less 1, else a share of the scene; null: none found among the decided queries."),
+      AXISCERT_FIELD(witness, "The query; null where there is none."))
 };
 
 struct BegunFromData {
@@ -127,12 +100,9 @@ struct BegunFromData {
   std::vector<Name> families;
   LookedAt looked_at;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = BegunFromData;
-    return visit(field(&Of::queries, {"queries", "Queries of each family; 0: it began with no run."}),
-                 field(&Of::families, {"families", "The families of that run."}),
-                 field(&Of::looked_at, {"looked_at", "The queries of that run."}));
-  }
+  AXISCERT_FIELDS(BegunFromData, AXISCERT_FIELD(queries, "Queries of each family; 0: it began with no run."),
+                  AXISCERT_FIELD(families, "The families of that run."),
+                  AXISCERT_FIELD(looked_at, "The queries of that run."))
 };
 
 struct SearchData : DataHead<SearchData> {
@@ -154,39 +124,30 @@ struct SearchData : DataHead<SearchData> {
   static constexpr std::string_view about =
       "search.json, which `axiscert search` writes. It depends on the plan and on the evaluations alone. Every "
       "attained figure is a lower bound of the worst, confirmed by exact arithmetic.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = SearchData;
-    return visit(
-        base<Of, DataHead<Of>>(), field(&Of::complete, {"complete", "False where it was interrupted."}),
-        field(&Of::kernel, {"kernel", "The kernel as given to --kernel."}),
-        field(&Of::precision, {"precision", "The precision of the queries and of the kernel's arithmetic."}),
-        field(&Of::seed, {"seed", "The seed of all random choices."}),
-        field(&Of::families, {"families", "The families from which the search started."}),
-        field(&Of::evaluations,
-              {"evaluations",
-               "The number of queries that were estimated, including earlier runs of a resumed search. With "
-               "--evaluations, this number makes the same file again."}),
-        field(&Of::may_decline, {"may_decline", "Whether the kernel declares that it may answer `undecided`."}),
-        field(&Of::looked_at,
-              {"looked_at",
-               "All queries that were evaluated, and those of the run before. With none decided, the search says "
-               "nothing about the kernel."}),
-        field(&Of::looked_at_by_goal,
-              {"looked_at_by_goal",
-               "Those that were evaluated for each goal, by its name: `missed_contact`, `error plane.radius`. Where "
-               "no worst was found, it is none among the decided ones of its goal."}),
-        field(&Of::comparisons,
-              {"comparisons",
-               "The comparisons that were searched, in their order; none where the kernel does not show its sides."}),
-        field(&Of::verdict, {"verdict", "The worst wrong verdicts; empty where --comparison was given."}),
-        field(
-            &Of::numbers,
-            {"numbers",
-             "The worst numbers beside verdicts, each that was searched; none where the kernel gives none, of motions, "
-             "and where --comparison was given."}),
-        field(&Of::begun_from,
-              {"begun_from", "The run from which the search began, and than which it reports nothing less severe."}));
-  }
+  AXISCERT_FIELDS(
+      SearchData, base<Of, DataHead<Of>>(), AXISCERT_FIELD(complete, "False where it was interrupted."),
+      AXISCERT_FIELD(kernel, "The kernel as given to --kernel."),
+      AXISCERT_FIELD(precision, "The precision of the queries and of the kernel's arithmetic."),
+      AXISCERT_FIELD(seed, "The seed of all random choices."),
+      AXISCERT_FIELD(families, "The families from which the search started."),
+      AXISCERT_FIELD(evaluations,
+                     "The number of queries that were estimated, including earlier runs of a resumed search. With "
+                     "--evaluations, this number makes the same file again."),
+      AXISCERT_FIELD(may_decline, "Whether the kernel declares that it may answer `undecided`."),
+      AXISCERT_FIELD(looked_at,
+                     "All queries that were evaluated, and those of the run before. With none decided, the search says "
+                     "nothing about the kernel."),
+      AXISCERT_FIELD(looked_at_by_goal,
+                     "Those that were evaluated for each goal, by its name: `missed_contact`, `error plane.radius`. "
+                     "Where no worst was found, it is none among the decided ones of its goal."),
+      AXISCERT_FIELD(
+          comparisons,
+          "The comparisons that were searched, in their order; none where the kernel does not show its sides."),
+      AXISCERT_FIELD(verdict, "The worst wrong verdicts; empty where --comparison was given."),
+      AXISCERT_FIELD(numbers,
+                     "The worst numbers beside verdicts, each that was searched; none where the kernel gives none, of "
+                     "motions, and where --comparison was given."),
+      AXISCERT_FIELD(begun_from, "The run from which the search began, and than which it reports nothing less severe."))
 };
 
 InstrumentReport search_report(const SearchPlan& plan, const SearchResult& result, const std::string& command);

@@ -22,17 +22,15 @@ struct SweepData {
 
   static constexpr Field in_data = {
       .name = "sweep", .about = "The swept parameter; absent: there is none.", .may_be_absent = true};
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&SweepData::parameter, {"parameter", "What is changed of the queries."}),
-                 field(&SweepData::values, {"values", "To which values, one after the other."}));
-  }
+  AXISCERT_FIELDS(SweepData, AXISCERT_FIELD(parameter, "What is changed of the queries."),
+                  AXISCERT_FIELD(values, "To which values, one after the other."))
 };
 inline constexpr Field swept_field = {
     .name = "swept", .about = "The value of the swept parameter; absent: none, or all of them.", .may_be_absent = true};
 
-// Of sources that were swept together; empty where none was.
+// The sweep of sources that were swept together; empty where none was.
 std::optional<SweepData> sweep_of(const std::vector<SourcePtr>& sources);
-// Of one source.
+// The value at which one source was swept.
 std::optional<SignedNumber> swept_value(const Source& source);
 
 std::vector<std::string> ids_of(const std::vector<const Kernel*>& kernels);

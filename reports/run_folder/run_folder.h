@@ -32,40 +32,31 @@ struct Waiver {
   std::string expiry, owner, reason;
 
   bool operator==(const Waiver&) const = default;
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&Waiver::expiry, {"expiry", "The last day, YYYY-MM-DD in UTC, or never."}),
-                 field(&Waiver::owner, {"owner", "The person or group responsible."}),
-                 field(&Waiver::reason, {"reason", "The reason."}));
-  }
+  AXISCERT_FIELDS(Waiver, AXISCERT_FIELD(expiry, "The last day, YYYY-MM-DD in UTC, or never."),
+                  AXISCERT_FIELD(owner, "The person or group responsible."), AXISCERT_FIELD(reason, "The reason."))
 };
 
 struct WaivedCells {
   Waiver waiver;
   std::vector<std::string> fingerprints;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(inlined(&WaivedCells::waiver),
-                 field(&WaivedCells::fingerprints, {"fingerprints", "Those of the cells.", "cells"}));
-  }
+  AXISCERT_FIELDS(WaivedCells, inlined(&WaivedCells::waiver),
+                  AXISCERT_FIELD(fingerprints, "Those of the cells.", "cells"))
 };
 
 struct RatchetFailure {
   std::string fingerprint, kernel, precision, family, cell, text;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = RatchetFailure;
-    return visit(
-        field(&Of::fingerprint,
-              {"fingerprint", "Of the cell, or of all cells of the kernel and precision; the same in every run."}),
-        field(&Of::kernel, {"kernel", "Its id in the record; as the ratchet has it where the run did not judge it."}),
-        field(&Of::precision, {"precision", "Empty, like the family, for a finding made in loading."}),
-        field(&Of::family,
-              {"family",
-               "* where the failure is about the kernel's promise in the precision, or about several cells: they have "
-               "expired, or were not checked."}),
-        field(&Of::cell, {"cell", "verdict.false_separation, edge_ab.radius.tolerance_failures ...; or *."}),
-        field(&Of::text, {"text", "The failure in one line, and where in the ratchet it is accepted."}));
-  }
+  AXISCERT_FIELDS(RatchetFailure,
+                  AXISCERT_FIELD(fingerprint,
+                                 "Of the cell, or of all cells of the kernel and precision; the same in every run."),
+                  AXISCERT_FIELD(kernel, "Its id in the record; as the ratchet has it where the run did not judge it."),
+                  AXISCERT_FIELD(precision, "Empty, like the family, for a finding made in loading."),
+                  AXISCERT_FIELD(family,
+                                 "* where the failure is about the kernel's promise in the precision, or about several "
+                                 "cells: they have expired, or were not checked."),
+                  AXISCERT_FIELD(cell, "verdict.false_separation, edge_ab.radius.tolerance_failures ...; or *."),
+                  AXISCERT_FIELD(text, "The failure in one line, and where in the ratchet it is accepted."))
 };
 
 struct RatchetOutcome {
@@ -80,24 +71,19 @@ struct RatchetOutcome {
                                     title = "What a run was held to, and where it falls short";
   static constexpr std::string_view about =
       "ratchet.json, which `axiscert run --ratchet` writes and the reports read. A run without --ratchet leaves none.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = RatchetOutcome;
-    return visit(
-        field(&Of::schema, {"schema", "The format of this file."}),
-        field(&Of::file, {"file", "The reviewed file, as given to --ratchet."}),
-        field(&Of::plan, {"plan", "The plan's fingerprint: that of the record beside it."}),
-        field(&Of::failures,
-              {"failures",
-               "Every kernel that promises less, and everything that is worse than accepted, has expired, or was not "
-               "compared or not checked, the worst first; empty where the ratchet is met."}),
-        field(&Of::better, {"better", "What is better than accepted over the same promised queries, a line each."}),
-        field(&Of::changed, {"changed", "Kernels whose files have other digests than those in the ratchet."}),
-        field(&Of::held, {"held", "The cells with errors that are accepted, by waiver."}),
-        field(
-            &Of::accepted,
-            {"accepted",
-             "The file that would accept the run, with EXPIRY, OWNER and REASON left to fill in where it is worse."}));
-  }
+  AXISCERT_FIELDS(
+      RatchetOutcome, AXISCERT_FIELD(schema, "The format of this file."),
+      AXISCERT_FIELD(file, "The reviewed file, as given to --ratchet."),
+      AXISCERT_FIELD(plan, "The plan's fingerprint: that of the record beside it."),
+      AXISCERT_FIELD(failures,
+                     "Every kernel that promises less, and everything that is worse than accepted, has expired, or was "
+                     "not compared or not checked, the worst first; empty where the ratchet is met."),
+      AXISCERT_FIELD(better, "What is better than accepted over the same promised queries, a line each."),
+      AXISCERT_FIELD(changed, "Kernels whose files have other digests than those in the ratchet."),
+      AXISCERT_FIELD(held, "The cells with errors that are accepted, by waiver."),
+      AXISCERT_FIELD(
+          accepted,
+          "The file that would accept the run, with EXPIRY, OWNER and REASON left to fill in where it is worse."))
 };
 
 // The file that a gate writes into the folder, for the reports.

@@ -43,7 +43,7 @@ bool are_outer(const CountsBySize& by_size, const ImageChangesRecord& scale) {
 
 namespace {
 
-// Of the families that have queries in other units of length, that with the most bases: where in each of them one
+// The family with the most bases, among those with queries in other units of length: where in each of them one
 // number explains nearly all of them. What may as well be the range of a form is no such number.
 std::string number_text(const KernelRecord& kernel) {
   constexpr std::uint64_t least_bases = 16;

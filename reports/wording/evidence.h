@@ -43,20 +43,16 @@ struct Evidence {
   void add(const Evidence& other);
 
   static constexpr std::string_view about = "The queries of the families that a level requires.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = Evidence;
-    return visit(
-        field(&Of::population, {"population", "Valid queries."}),
-        field(&Of::outside, {"outside_limits", "Of these, beyond the kernel's limits or policies."}),
-        field(&Of::touching,
-              {"touching_not_promised", "Of the rest, those that touch, where the kernel promises nothing of touch."}),
-        journalled(&Of::contacts), journalled(&Of::separations), field(&Of::promised, {"promised", "The rest."}),
-        journalled(&Of::declined_contacts), journalled(&Of::declined_separations),
-        field(&Of::declined, {"declined", "Promised, and answered undecided."}),
-        field(&Of::invalid, {"invalid", "Within the limits, and called invalid."}),
-        field(&Of::unanswered, {"unanswered", "Within the limits, and without an answer."}),
-        field(&Of::decided, {"decided", "Promised, and called separated or contact."}));
-  }
+  AXISCERT_FIELDS(Evidence, AXISCERT_FIELD(population, "Valid queries."),
+                  field(&Of::outside, {"outside_limits", "Of these, beyond the kernel's limits or policies."}),
+                  field(&Of::touching, {"touching_not_promised",
+                                        "Of the rest, those that touch, where the kernel promises nothing of touch."}),
+                  journalled(&Of::contacts), journalled(&Of::separations), AXISCERT_FIELD(promised, "The rest."),
+                  journalled(&Of::declined_contacts), journalled(&Of::declined_separations),
+                  AXISCERT_FIELD(declined, "Promised, and answered undecided."),
+                  AXISCERT_FIELD(invalid, "Within the limits, and called invalid."),
+                  AXISCERT_FIELD(unanswered, "Within the limits, and without an answer."),
+                  AXISCERT_FIELD(decided, "Promised, and called separated or contact."))
 };
 
 // `touching`: what the kernel promises of touch.

@@ -14,7 +14,7 @@ namespace axiscert {
 struct CauseWords {
   std::string_view meaning, advice, section;
 };
-// Of a broken link.
+// The words of each broken link.
 extern const EnumArray<Link, CauseWords> link_words;
 
 // The families of a kernel combined: what adds up, and the kernel's critical radius. Empty where no family ran.

@@ -121,7 +121,7 @@ Pushed pushed(const std::array<RationalVector, 3>& vertex, const RationalVector&
   const Rational low = left - error, high = left + error;
   Pushed out;
   if (sgn(high) <= 0 || (sgn(low) <= 0 && !exceeds(0))) return out;
-  // What is less than 2^-230 of the depth is told as that at most.
+  // A share below 2^-230 of the depth is told as that at most.
   Decimal6 rounded = round_up(sgn(low) > 0 ? low : high);
   if (sgn(low) > 0 && rounded != round_up(high) && exceeds(exact(rounded))) rounded = next(rounded);
   out.left = rounded;

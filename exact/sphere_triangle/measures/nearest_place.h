@@ -17,11 +17,11 @@ struct NearestPlace {
   Rational squared_distance;
 };
 
-// Of finite numbers; r is not read. By distances to vertices and edges, which are compared with CGAL's to the triangle.
+// The numbers are finite; r is not read. Distances to vertices and edges are compared with CGAL's to the triangle.
 // Throws OracleDisagreement.
 NearestPlace nearest_place(const Query<double>& q);
 
-// Of a valid query.
+// The query is valid.
 std::vector<ExactFact> exact_facts(const Query<double>& q);
 
 }  // namespace axiscert

@@ -1,4 +1,4 @@
-// The truth about one query, and the cross-checks that every query has to pass before anything is reported.
+// The exact sides of a query's formulae, and the truth that was checked against them.
 #pragma once
 
 #include <optional>
@@ -45,12 +45,5 @@ Verdict exact_verdict(Formulae method, const Query<Real>& q);
 struct ExactTruth : Truth {
   std::optional<ExactSides> sides;  // of the published formulae
 };
-
-// Decides by CGAL and by the exact formulae and compares: the verdict of the formulae with non-strict sides is the
-// geometric one on every triangle; with strict sides it may differ only on a zero-area triangle, and only as a phantom
-// contact. With `second_opinion`, and before any disagreement is reported, MPFR repeats all decisions. Throws
-// OracleDisagreement.
-template <class Real>
-ExactTruth exact_truth(const Query<Real>& q, bool second_opinion);
 
 }  // namespace axiscert

@@ -10,6 +10,7 @@
 
 #include "exact/sphere_triangle/oracles/second_oracle.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "exact/sphere_triangle/asked_sphere_triangle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 
 namespace axiscert {

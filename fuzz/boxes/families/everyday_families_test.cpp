@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "exact/boxes/measures.h"
+#include "exact/numbers/in_doubles.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/boxes/families/everyday.h"
 #include "kernel/ask.h"
@@ -64,15 +65,13 @@ TYPED_TEST_SUITE(EverydayFamiliesLong, EverydayPrecisions);
 
 template <class Real>
 void expect_gaps(const EverydayFamily& everyday, std::uint64_t queries) {
-  // Of places up to 1 km from the origin, with the axes' own.
+  // The rounding of places up to 1 km from the origin, with the axes' own.
   const double rounding = 4000 * static_cast<double>(std::numeric_limits<Real>::epsilon());
   const Family& family = find_family(everyday.name);
   std::uint64_t contacts = 0, visible = 0;
   for (std::uint64_t position = 0; position < queries; ++position) {
     const Numbers<Real> numbers = family.make<Real>(everyday_seed, position);
-    Numbers<double> wide(numbers.size());
-    for (std::size_t k = 0; k < numbers.size(); ++k) wide[k] = static_cast<double>(numbers[k]);
-    const double metres = everyday.metres(wide);
+    const double metres = everyday.metres(in_doubles(numbers));
     contacts += metres <= 0;
     SCOPED_TRACE(testing::Message() << family.name << " at " << position << ", seed " << everyday_seed);
     switch (position % gap_count) {

@@ -38,7 +38,7 @@ void place_parallel(Stream& random, const Quaternion& frame, const Quaternion& t
   place(q, frame, {x, y, offset(random, part * extent[2])});
 }
 
-// Of length 1 in Real, as an engine keeps an orientation.
+// The quaternion with length 1 in Real, as an engine keeps an orientation.
 template <class Real>
 std::array<Real, 4> unit(const Quaternion& q) {
   const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);

@@ -1,16 +1,8 @@
 #include "fuzz/boxes/families/parts.h"
 
+#include "exact/numbers/in_doubles.h"
+
 namespace axiscert::boxes {
-namespace {
-
-template <class Real>
-Numbers<double> widened(const Numbers<Real>& numbers) {
-  Numbers<double> wide(numbers.size());
-  for (std::size_t k = 0; k < numbers.size(); ++k) wide[k] = static_cast<double>(numbers[k]);
-  return wide;
-}
-
-}  // namespace
 
 Quaternion random_turn(Stream& random) {
   constexpr std::int64_t bound = 3000;
@@ -35,12 +27,12 @@ ExactPair exactly(const TurnedPair<double>& q) {
 }
 template <>
 ExactPair exactly(const BoxPair<float>& q) {
-  const Numbers<double> wide = widened(numbers_of(q));
+  const Numbers<double> wide = in_doubles(numbers_of(q));
   return exact_pair(MatrixBoxes::problem<double>([&](std::size_t k) { return wide[k]; }));
 }
 template <>
 ExactPair exactly(const TurnedPair<float>& q) {
-  const Numbers<double> wide = widened(numbers_of(q));
+  const Numbers<double> wide = in_doubles(numbers_of(q));
   return exact_pair(QuaternionBoxes::problem<double>([&](std::size_t k) { return wide[k]; }));
 }
 

@@ -20,20 +20,8 @@ namespace axiscert::boxes {
 
 template <class Pair>
 struct RealOfPair;
-template <class Real>
-struct RealOfPair<BoxPair<Real>> {
-  using type = Real;
-};
-template <class Real>
-struct RealOfPair<TurnedPair<Real>> {
-  using type = Real;
-};
-template <class Real>
-struct RealOfPair<CornersPair<Real>> {
-  using type = Real;
-};
-template <class Real>
-struct RealOfPair<MixedPair<Real>> {
+template <template <class> class Form, class Real>
+struct RealOfPair<Form<Real>> {
   using type = Real;
 };
 template <class Pair>

@@ -6,23 +6,6 @@
 
 namespace axiscert::boxes {
 
-template <class Real>
-struct RealOfPair<CentredAndTriangle<Real>> {
-  using type = Real;
-};
-template <class Real>
-struct RealOfPair<CornersAndTriangle<Real>> {
-  using type = Real;
-};
-template <class Real>
-struct RealOfPair<BoxAndTriangle<Real>> {
-  using type = Real;
-};
-template <class Real>
-struct RealOfPair<TurnedAndTriangle<Real>> {
-  using type = Real;
-};
-
 // A query of any entry in doubles.
 template <class Real>
 std::array<Arrow, 3> corners_in_doubles(const std::array<Vec3<Real>, 3>& corner) {

@@ -18,10 +18,8 @@ struct Costs {
   std::uint64_t second_opinions = 0;
   StepCounts steps;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(journalled(&Costs::core_seconds, by::added), journalled(&Costs::second_opinions),
-                 journalled(&Costs::steps));
-  }
+  AXISCERT_FIELDS(Costs, journalled(&Costs::core_seconds, by::added), journalled(&Costs::second_opinions),
+                  journalled(&Costs::steps))
 };
 
 std::string encode(const Tally& tally);

@@ -33,22 +33,18 @@ struct ConditionCounts {
   std::optional<MeasuredValue> greatest_right;  // kappa u of those
 
   bool operator==(const ConditionCounts&) const = default;
-  static constexpr auto fields(auto&& visit) {
-    using Of = ConditionCounts;
-    return visit(
-        field(&Of::flips, {"flips", "Answers that differ from the exact sign."}),
-        field(&Of::evaluated, {"evaluated", "Flips that were examined."}),
-        field(&Of::ill_conditioned,
-              {"ill_conditioned", "Flips that the rounding of the query alone may cause: kappa u is at least 1."}),
-        field(&Of::ties, {"ties", "Of these, exact ties."}),
-        field(&Of::unstable, {"unstable", "Flips caused by the formula: kappa u is below 1."}),
-        field(&Of::range, {"range", "Of these, right if exponents were unlimited."}),
-        field(&Of::undefined, {"undefined", "Flips where the exact comparison is 0/0."}),
-        field(&Of::not_decided, {"not_decided", "Flips where the margin has no derivative."}),
-        journalled(&Of::least_unstable, LeastMeasured()),
-        field(&Of::sampled, {"sampled", "Right answers that were examined: those with an exact margin other than 0."}),
-        journalled(&Of::greatest_right, GreatestMeasured()));
-  }
+  AXISCERT_FIELDS(ConditionCounts, AXISCERT_FIELD(flips, "Answers that differ from the exact sign."),
+                  AXISCERT_FIELD(evaluated, "Flips that were examined."),
+                  AXISCERT_FIELD(ill_conditioned,
+                                 "Flips that the rounding of the query alone may cause: kappa u is at least 1."),
+                  AXISCERT_FIELD(ties, "Of these, exact ties."),
+                  AXISCERT_FIELD(unstable, "Flips caused by the formula: kappa u is below 1."),
+                  AXISCERT_FIELD(range, "Of these, right if exponents were unlimited."),
+                  AXISCERT_FIELD(undefined, "Flips where the exact comparison is 0/0."),
+                  AXISCERT_FIELD(not_decided, "Flips where the margin has no derivative."),
+                  journalled(&Of::least_unstable, LeastMeasured()),
+                  AXISCERT_FIELD(sampled, "Right answers that were examined: those with an exact margin other than 0."),
+                  journalled(&Of::greatest_right, GreatestMeasured()))
 };
 
 // How far the centre has to move for the answer to be right, relative to the scene:

@@ -90,7 +90,7 @@ class SourceContrasts {
 
   std::uint64_t queries() const { return queries_; }
   std::uint64_t clusters() const { return clusters_ + recurring_.size(); }
-  // Of a form by itself, and of two against each other, in so many pairs.
+  // Counts of a form by itself, and of two against each other, in so many pairs.
   ClusteredTrials trials(Figure figure, std::size_t pairs = 1) const;
   ClusterSums form(std::size_t kernel, Figure figure) const { return forms_[kernel][figure].sums(); }
   PairedCounts paired(std::size_t contrast, std::size_t pairs, Figure figure) const;

@@ -92,14 +92,12 @@ struct ComparisonAccuracy {
   std::uint64_t sign_errors() const { return false_separation + missed_separation; }
   std::uint64_t rounding_sign_errors() const { return sign_errors() - by_range; }
   bool operator==(const ComparisonAccuracy&) const = default;
-  static constexpr auto fields(auto&& visit) {
-    using Of = ComparisonAccuracy;
-    return visit(field(&Of::false_separation,
-                       {"false_separation", "How often the kernel wrongly says yes; of the verdict a missed contact."}),
-                 field(&Of::missed_separation, {"missed_separation", "How often the kernel wrongly says no."}),
-                 field(&Of::by_range, {"by_range", "How many of both are right once exponents are unlimited."}),
-                 journalled(&Of::range_events), journalled(&Of::without_scale), journalled(&Of::errors));
-  }
+  AXISCERT_FIELDS(ComparisonAccuracy,
+                  AXISCERT_FIELD(false_separation,
+                                 "How often the kernel wrongly says yes; of the verdict a missed contact."),
+                  AXISCERT_FIELD(missed_separation, "How often the kernel wrongly says no."),
+                  AXISCERT_FIELD(by_range, "How many of both are right once exponents are unlimited."),
+                  journalled(&Of::range_events), journalled(&Of::without_scale), journalled(&Of::errors))
 };
 
 // One kernel on the queries of one source, or of several.

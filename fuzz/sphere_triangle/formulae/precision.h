@@ -31,8 +31,8 @@ struct PrecisionPlan {
   int threads = 0;                            // 0: one per core
 
   RoundingRule rounding = RoundingRule::nearest;
-  // Of rounding by chance: each format is evaluated with the seeds 1 to so many. What an operation draws follows from
-  // the seed and the query's numbers.
+  // Each format is evaluated with the seeds 1 to so many, where rounding is by chance. What an operation draws follows
+  // from the seed and the query's numbers.
   std::uint64_t rounding_seeds = 1;
   Contraction contraction = Contraction::none;
   // Whether the numbers of a query are rounded to the format, to nearest even, before anything is asked: the truth is
@@ -58,10 +58,8 @@ struct VerdictFlips {
   bool operator==(const VerdictFlips&) const = default;
 
   static constexpr std::string_view about = "Wrong verdicts.";
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&VerdictFlips::false_separation, {"false_separation", "Missed contacts."}),
-                 field(&VerdictFlips::false_contact, {"false_contact", "Phantom contacts."}));
-  }
+  AXISCERT_FIELDS(VerdictFlips, AXISCERT_FIELD(false_separation, "Missed contacts."),
+                  AXISCERT_FIELD(false_contact, "Phantom contacts."))
 };
 
 // One kernel's formulae at one number of bits, in one exponent range.
@@ -70,11 +68,8 @@ struct PrecisionCounts {
   EnumArray<Comparison, std::uint64_t> comparisons{};
   bool operator==(const PrecisionCounts&) const = default;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(
-        field(&PrecisionCounts::verdict, {"verdict", VerdictFlips::about}),
-        field(&PrecisionCounts::comparisons, {"comparisons", "Flips of each comparison against its own exact sign."}));
-  }
+  AXISCERT_FIELDS(PrecisionCounts, AXISCERT_FIELD(verdict, VerdictFlips::about),
+                  AXISCERT_FIELD(comparisons, "Flips of each comparison against its own exact sign."))
 };
 
 struct PrecisionStep {
@@ -87,17 +82,14 @@ struct PrecisionStep {
   bool operator==(const PrecisionStep&) const = default;
 
   static constexpr std::string_view about = "In one format.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = PrecisionStep;
-    return visit(field(&Of::queries, {"queries", "Valid queries; of rounded ones, those that the format has."}),
-                 field(&Of::exact, {"exact", "Wrong verdicts of the formulae in exact arithmetic on these."}),
-                 field(&Of::unlimited, {"unlimited", "With exponents that have no limit."}),
-                 field(&Of::limited, {"limited", "With the exponents of the format."}),
-                 field(&Of::rounding, {"rounding",
-                                       "Verdicts that rounding changes: exact arithmetic's and, with unlimited "
-                                       "exponents, that of these bits differ."}),
-                 field(&Of::range, {"range", "Verdicts that the limited exponents change."}));
-  }
+  AXISCERT_FIELDS(PrecisionStep, AXISCERT_FIELD(queries, "Valid queries; of rounded ones, those that the format has."),
+                  AXISCERT_FIELD(exact, "Wrong verdicts of the formulae in exact arithmetic on these."),
+                  AXISCERT_FIELD(unlimited, "With exponents that have no limit."),
+                  AXISCERT_FIELD(limited, "With the exponents of the format."),
+                  AXISCERT_FIELD(rounding,
+                                 "Verdicts that rounding changes: exact arithmetic's and, with unlimited exponents, "
+                                 "that of these bits differ."),
+                  AXISCERT_FIELD(range, "Verdicts that the limited exponents change."))
 };
 
 struct KernelPrecision {
@@ -131,13 +123,10 @@ PrecisionTally total(const std::vector<PrecisionTally>& tallies);
 struct SufficientVerdictBits {
   std::optional<int> verdict, own_verdict;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(
-        field(&SufficientVerdictBits::verdict,
-              {"verdict", "From so many bits on no verdict of these queries is wrong; null: none of those asked."}),
-        field(&SufficientVerdictBits::own_verdict,
-              {"own_verdict", "The same against the formulae in exact arithmetic."}));
-  }
+  AXISCERT_FIELDS(
+      SufficientVerdictBits,
+      AXISCERT_FIELD(verdict, "From so many bits on no verdict of these queries is wrong; null: none of those asked."),
+      AXISCERT_FIELD(own_verdict, "The same against the formulae in exact arithmetic."))
 };
 SufficientVerdictBits sufficient_verdict_bits(const PrecisionPlan& plan, const KernelPrecision& kernel);
 std::optional<int> sufficient_bits(const PrecisionPlan& plan, const KernelPrecision& kernel, ComparisonBits which);

@@ -9,13 +9,13 @@ namespace axiscert {
 struct DigestStatement {
   Sha256 sha256;
 
-  static constexpr auto fields(auto&& visit) { return visit(field(&DigestStatement::sha256, {"sha256", {}})); }
+  AXISCERT_FIELDS(DigestStatement, AXISCERT_FIELD(sha256))
 };
 
 struct AnnotationsStatement {
   SaidText what;
 
-  static constexpr auto fields(auto&& visit) { return visit(field(&AnnotationsStatement::what, {"what", {}})); }
+  AXISCERT_FIELDS(AnnotationsStatement, AXISCERT_FIELD(what))
 };
 
 struct SubjectStatement {
@@ -24,11 +24,7 @@ struct SubjectStatement {
   AnnotationsStatement annotations;
 
   static constexpr std::string_view about = "An entry of in-toto: a name, its SHA-256, and what it is.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = SubjectStatement;
-    return visit(field(&Of::name, {"name", {}}), field(&Of::digest, {"digest", {}}),
-                 field(&Of::annotations, {"annotations", {}}));
-  }
+  AXISCERT_FIELDS(SubjectStatement, AXISCERT_FIELD(name), AXISCERT_FIELD(digest), AXISCERT_FIELD(annotations))
 };
 using SubjectsStatement = Several<SubjectStatement, 1, 1000>;
 
@@ -38,10 +34,7 @@ struct AxiscertMaterial {
   SaidText version;
   Sha256 sources;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = AxiscertMaterial;
-    return visit(field(&Of::version, {"version", {}}), field(&Of::sources, {"sources", {}}));
-  }
+  AXISCERT_FIELDS(AxiscertMaterial, AXISCERT_FIELD(version), AXISCERT_FIELD(sources))
 };
 
 struct PositiveCount {
@@ -66,23 +59,16 @@ struct PlanMaterial {
   PositiveCount units_per_stretch;
   JsonObject plan;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = PlanMaterial;
-    return visit(field(&Of::digest, {"digest", {}}), field(&Of::units_per_stretch, {"units_per_stretch", {}}),
-                 field(&Of::plan, {"plan", "Of the record, but for its kernel's name and files."}));
-  }
+  AXISCERT_FIELDS(PlanMaterial, AXISCERT_FIELD(digest), AXISCERT_FIELD(units_per_stretch),
+                  AXISCERT_FIELD(plan, "Of the record, but for its kernel's name and files."))
 };
 
 struct FamilyMaterial {
   std::uint64_t base_triangles = 0;
   std::optional<JsonObject> invariance, image_numbers;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = FamilyMaterial;
-    return visit(field(&Of::base_triangles, {"base_triangles", {}}),
-                 field(&Of::invariance, {.name = "invariance", .about = {}, .may_be_absent = true}),
-                 field(&Of::image_numbers, {.name = "image_numbers", .about = {}, .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(FamilyMaterial, AXISCERT_FIELD(base_triangles), AXISCERT_OPTIONAL_FIELD(invariance),
+                  AXISCERT_OPTIONAL_FIELD(image_numbers))
 };
 
 // The id of the certificate's kernel in its materials, which do not depend on where the kernel's files are.
@@ -94,11 +80,8 @@ struct KernelMaterial {
   NamedValues<FamilyMaterial> families;
   NamedValues<Json> declared;  // the other members of its entry
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = KernelMaterial;
-    return visit(field(&Of::id, {"id", {}}), field(&Of::precision, {"precision", {}}),
-                 field(&Of::families, {"families", {}}), rest(&Of::declared));
-  }
+  AXISCERT_FIELDS(KernelMaterial, AXISCERT_FIELD(id), AXISCERT_FIELD(precision), AXISCERT_FIELD(families),
+                  rest(&Of::declared))
 };
 
 struct FindingMaterial {
@@ -110,12 +93,8 @@ struct FindingMaterial {
   SaidText detail;
   std::optional<Name> address;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = FindingMaterial;
-    return visit(field(&Of::kernel, {"kernel", {}}), field(&Of::precision, {"precision", {}}),
-                 field(&Of::family, {"family", {}}), field(&Of::kind, {"kind", {}}), field(&Of::count, {"count", {}}),
-                 field(&Of::detail, {"detail", {}}), field(&Of::address, {"address", {}}));
-  }
+  AXISCERT_FIELDS(FindingMaterial, AXISCERT_FIELD(kernel), AXISCERT_FIELD(precision), AXISCERT_FIELD(family),
+                  AXISCERT_FIELD(kind), AXISCERT_FIELD(count), AXISCERT_FIELD(detail), AXISCERT_FIELD(address))
 };
 
 struct TallyMaterial {
@@ -124,15 +103,11 @@ struct TallyMaterial {
   Several<Sha256, 1, 20> sha256;
   Several<JsonObject, 1, 20> counts;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = TallyMaterial;
-    return visit(
-        field(&Of::stretch, {"stretch", {}}), field(&Of::of, {"of", {}}),
-        field(&Of::sha256, {"sha256", "Of each kernel's full tally, in the order of the plan."}),
-        field(&Of::counts, {"counts",
-                            "The counts of each kernel that levels read, as a family of a record has them, without "
-                            "zeros; empty where it does not exist in the precision."}));
-  }
+  AXISCERT_FIELDS(TallyMaterial, AXISCERT_FIELD(stretch), AXISCERT_FIELD(of),
+                  AXISCERT_FIELD(sha256, "Of each kernel's full tally, in the order of the plan."),
+                  AXISCERT_FIELD(counts,
+                                 "The counts of each kernel that levels read, as a family of a record has them, "
+                                 "without zeros; empty where it does not exist in the precision."))
 };
 
 struct MaterialsStatement {
@@ -143,17 +118,11 @@ struct MaterialsStatement {
   Several<FindingMaterial, 0, 10000> findings;
   Several<TallyMaterial, 0, 4194304> tallies;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = MaterialsStatement;
-    return visit(
-        field(&Of::axiscert, {"axiscert", {}}), field(&Of::proofs, {"proofs", {}}), field(&Of::plan, {"plan", {}}),
-        field(&Of::kernels,
-              {"kernels",
-               "The record's entries of the kernels; of their families what is not counted by stretch. The first "
-               "kernel of the plan is called \"kernel\"."}),
-        field(&Of::findings, {"findings", "The record's findings, without their queries."}),
-        field(&Of::tallies, {"tallies", {}}));
-  }
+  AXISCERT_FIELDS(MaterialsStatement, AXISCERT_FIELD(axiscert), AXISCERT_FIELD(proofs), AXISCERT_FIELD(plan),
+                  AXISCERT_FIELD(kernels,
+                                 "The record's entries of the kernels; of their families what is not counted by "
+                                 "stretch. The first kernel of the plan is called \"kernel\"."),
+                  AXISCERT_FIELD(findings, "The record's findings, without their queries."), AXISCERT_FIELD(tallies))
 };
 
 // The statement.
@@ -183,22 +152,16 @@ struct CertificatePredicate {
   MaterialsStatement materials;
 
   static constexpr std::string_view format = "axiscert-certificate/4";
-  static constexpr auto fields(auto&& visit) {
-    using Of = CertificatePredicate;
-    return visit(
-        field(&Of::schema, {"schema", {}}),
-        field(&Of::digest, {"digest", "The SHA-256 of the canonical JSON of all else."}),
-        field(&Of::signed_at, {"signed_at", {}}),
-        field(&Of::signed_by, {"signed_by", "The SHA-256 of the signer's public key in DER; null: not signed."}),
-        field(&Of::kernel, {"kernel", {}}), field(&Of::asked, {"asked", {}}), field(&Of::levels, {"levels", {}}),
-        field(&Of::safe_margin, {"safe_margin", {}}), field(&Of::diagnosis, {"diagnosis", {}}),
-        field(&Of::search, {"search", {}}), field(&Of::harness, {"harness", {}}),
-        field(&Of::comparison, {"comparison", "Every kernel of the run, on the same queries."}),
-        field(&Of::breaks_first, {"breaks_first", "Null where nothing is wrong."}),
-        field(&Of::situations, {"situations", {}}), field(&Of::witnesses, {"witnesses", {}}),
-        field(&Of::limits, {"limits", "Sentences that say what the certificate leaves open."}),
-        field(&Of::materials, {"materials", {}}));
-  }
+  AXISCERT_FIELDS(CertificatePredicate, AXISCERT_FIELD(schema),
+                  AXISCERT_FIELD(digest, "The SHA-256 of the canonical JSON of all else."), AXISCERT_FIELD(signed_at),
+                  AXISCERT_FIELD(signed_by, "The SHA-256 of the signer's public key in DER; null: not signed."),
+                  AXISCERT_FIELD(kernel), AXISCERT_FIELD(asked), AXISCERT_FIELD(levels), AXISCERT_FIELD(safe_margin),
+                  AXISCERT_FIELD(diagnosis), AXISCERT_FIELD(search), AXISCERT_FIELD(harness),
+                  AXISCERT_FIELD(comparison, "Every kernel of the run, on the same queries."),
+                  AXISCERT_FIELD(breaks_first, "Null where nothing is wrong."), AXISCERT_FIELD(situations),
+                  AXISCERT_FIELD(witnesses),
+                  AXISCERT_FIELD(limits, "Sentences that say what the certificate leaves open."),
+                  AXISCERT_FIELD(materials))
 };
 
 struct InToto {
@@ -219,11 +182,8 @@ struct CertificateStatement {
       about =
           "The payload of certificate.json, which `axiscert certify` writes and `axiscert verify` reads; figures that "
           "are no whole numbers are decimal texts.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = CertificateStatement;
-    return visit(field(&Of::type, {"_type", {}}), field(&Of::predicate_type, {"predicateType", {}}),
-                 field(&Of::subject, {"subject", {}}), field(&Of::predicate, {"predicate", {}}));
-  }
+  AXISCERT_FIELDS(CertificateStatement, field(&Of::type, {"_type", {}}),
+                  field(&Of::predicate_type, {"predicateType", {}}), AXISCERT_FIELD(subject), AXISCERT_FIELD(predicate))
 };
 
 }  // namespace axiscert

@@ -84,16 +84,12 @@ struct KernelStatement {
   bool may_decline = false;
   Several<Precision, 1, 2> precisions;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = KernelStatement;
-    return visit(field(&Of::id, {"id", {}}), field(&Of::kind, {"kind", {}}),
-                 field(&Of::question, {"question", "The predicate that it computes."}),
-                 field(&Of::entry, {"entry", "The form in which it takes the numbers of the predicate."}),
-                 field(&Of::summary, {"summary", {}}), field(&Of::exposes, {"exposes", {}}),
-                 field(&Of::touching, {"touching", {}}),
-                 field(&Of::limits, {"limits", "Where it promises to be right; null: everywhere."}),
-                 field(&Of::may_decline, {"may_decline", {}}), field(&Of::precisions, {"precisions", {}}));
-  }
+  AXISCERT_FIELDS(KernelStatement, AXISCERT_FIELD(id), AXISCERT_FIELD(kind),
+                  AXISCERT_FIELD(question, "The predicate that it computes."),
+                  AXISCERT_FIELD(entry, "The form in which it takes the numbers of the predicate."),
+                  AXISCERT_FIELD(summary), AXISCERT_FIELD(exposes), AXISCERT_FIELD(touching),
+                  AXISCERT_FIELD(limits, "Where it promises to be right; null: everywhere."),
+                  AXISCERT_FIELD(may_decline), AXISCERT_FIELD(precisions))
 };
 
 struct EffortRule {
@@ -104,12 +100,8 @@ struct EffortRule {
 struct LeftOutStatement {
   std::uint64_t no_query = 0, outside_limits = 0, touching = 0, declined = 0, invalid = 0, unanswered = 0;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = LeftOutStatement;
-    return visit(field(&Of::no_query, {"no_query", {}}), field(&Of::outside_limits, {"outside_limits", {}}),
-                 field(&Of::touching, {"touching", {}}), field(&Of::declined, {"declined", {}}),
-                 field(&Of::invalid, {"invalid", {}}), field(&Of::unanswered, {"unanswered", {}}));
-  }
+  AXISCERT_FIELDS(LeftOutStatement, AXISCERT_FIELD(no_query), AXISCERT_FIELD(outside_limits), AXISCERT_FIELD(touching),
+                  AXISCERT_FIELD(declined), AXISCERT_FIELD(invalid), AXISCERT_FIELD(unanswered))
 };
 
 struct AskedStatement {
@@ -119,13 +111,9 @@ struct AskedStatement {
   LeftOutStatement left_out;
   Several<SaidText, 0, 10000> families;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = AskedStatement;
-    return visit(field(&Of::effort, {"effort", {}}), field(&Of::seed, {"seed", {}}),
-                 field(&Of::stretches, {"stretches", {}}), field(&Of::queries, {"queries", {}}),
-                 field(&Of::looked_at, {"looked_at", {}}), field(&Of::left_out, {"left_out", {}}),
-                 field(&Of::families, {"families", {}}));
-  }
+  AXISCERT_FIELDS(AskedStatement, AXISCERT_FIELD(effort), AXISCERT_FIELD(seed), AXISCERT_FIELD(stretches),
+                  AXISCERT_FIELD(queries), AXISCERT_FIELD(looked_at), AXISCERT_FIELD(left_out),
+                  AXISCERT_FIELD(families))
 };
 
 // What it rests on that a level is met.
@@ -140,9 +128,7 @@ struct GroundStatement {
   Ground kind = Ground::observed;
   SaidText text;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&GroundStatement::kind, {"kind", {}}), field(&GroundStatement::text, {"text", {}}));
-  }
+  AXISCERT_FIELDS(GroundStatement, AXISCERT_FIELD(kind), AXISCERT_FIELD(text))
 };
 
 struct LevelStatement {
@@ -159,19 +145,13 @@ struct LevelStatement {
   bool is_same_question(const LevelStatement& other) const {
     return level == other.level && precision == other.precision;
   }
-  static constexpr auto fields(auto&& visit) {
-    using Of = LevelStatement;
-    return visit(field(&Of::level, {"level", {}}),
-                 field(&Of::precision, {"precision", "Null of a kernel that could not be loaded."}),
-                 field(&Of::state, {"state", {}}),
-                 field(&Of::claim, {"claim", "Its name, and how much of its families it is said of."}),
-                 field(&Of::looked_at, {"looked_at", "How many queries."}),
-                 field(&Of::statement, {"statement", "What it says, in words."}),
-                 field(&Of::rests_on, {"rests_on", {}}), field(&Of::leaves_out, {"leaves_out", {}}),
-                 field(&Of::failures, {"failures", "The first of failure_count, of one that is not met."}),
-                 field(&Of::failure_count, {"failure_count", {}}),
-                 field(&Of::reason, {"reason", "Of one that was not checked."}));
-  }
+  AXISCERT_FIELDS(LevelStatement, AXISCERT_FIELD(level),
+                  AXISCERT_FIELD(precision, "Null of a kernel that could not be loaded."), AXISCERT_FIELD(state),
+                  AXISCERT_FIELD(claim, "Its name, and how much of its families it is said of."),
+                  AXISCERT_FIELD(looked_at, "How many queries."), AXISCERT_FIELD(statement, "What it says, in words."),
+                  AXISCERT_FIELD(rests_on), AXISCERT_FIELD(leaves_out),
+                  AXISCERT_FIELD(failures, "The first of failure_count, of one that is not met."),
+                  AXISCERT_FIELD(failure_count), AXISCERT_FIELD(reason, "Of one that was not checked."))
 };
 
 // The safe margin.
@@ -181,22 +161,15 @@ struct ContactsStatement {
 
   static constexpr std::string_view about =
       "Contacts that the kernel was asked about, and those that it did not call so.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ContactsStatement;
-    return visit(field(&Of::asked, {"asked", {}}), field(&Of::missed, {"missed", {}}),
-                 field(&Of::declined, {"declined", {}}), field(&Of::invalid, {"invalid", {}}),
-                 field(&Of::unanswered, {"unanswered", {}}));
-  }
+  AXISCERT_FIELDS(ContactsStatement, AXISCERT_FIELD(asked), AXISCERT_FIELD(missed), AXISCERT_FIELD(declined),
+                  AXISCERT_FIELD(invalid), AXISCERT_FIELD(unanswered))
 };
 
 struct MarginContactsStatement {
   ContactsStatement of_run, of_others;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = MarginContactsStatement;
-    return visit(field(&Of::of_run, {"of_run", ContactsStatement::about}),
-                 field(&Of::of_others, {"of_others", "At the least radius, and of a search."}));
-  }
+  AXISCERT_FIELDS(MarginContactsStatement, AXISCERT_FIELD(of_run, ContactsStatement::about),
+                  AXISCERT_FIELD(of_others, "At the least radius, and of a search."))
 };
 
 struct MissedStatement {
@@ -205,12 +178,9 @@ struct MissedStatement {
   SaidText family;
   JsonObject query;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = MissedStatement;
-    return visit(field(&Of::value, {"value", {}}), field(&Of::r, {"r", {}}),
-                 field(&Of::contact_from, {"contact_from", "The least radius for which the kernel says contact."}),
-                 field(&Of::family, {"family", {}}), field(&Of::query, {"query", {}}));
-  }
+  AXISCERT_FIELDS(MissedStatement, AXISCERT_FIELD(value), AXISCERT_FIELD(r),
+                  AXISCERT_FIELD(contact_from, "The least radius for which the kernel says contact."),
+                  AXISCERT_FIELD(family), AXISCERT_FIELD(query))
 };
 
 struct MarginPartStatement {
@@ -218,28 +188,19 @@ struct MarginPartStatement {
   std::optional<TextNumber> factor, amount;
   std::uint64_t phantoms_by_factor = 0, phantoms_by_amount = 0, still_missed_by_factor = 0, still_missed_by_amount = 0;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = MarginPartStatement;
-    return visit(field(&Of::queries, {"queries", {}}), field(&Of::contacts, {"contacts", {}}),
-                 field(&Of::without_verdict, {"without_verdict", {}}), field(&Of::missed, {"missed", {}}),
-                 field(&Of::hopeless, {"hopeless", {}}), field(&Of::tiny, {"tiny", {}}),
-                 field(&Of::unmeasured, {"unmeasured", {}}), field(&Of::factor, {"factor", {}}),
-                 field(&Of::amount, {"amount", {}}), field(&Of::phantoms_by_factor, {"phantoms_by_factor", {}}),
-                 field(&Of::phantoms_by_amount, {"phantoms_by_amount", {}}),
-                 field(&Of::still_missed_by_factor, {"still_missed_by_factor", {}}),
-                 field(&Of::still_missed_by_amount, {"still_missed_by_amount", {}}));
-  }
+  AXISCERT_FIELDS(MarginPartStatement, AXISCERT_FIELD(queries), AXISCERT_FIELD(contacts),
+                  AXISCERT_FIELD(without_verdict), AXISCERT_FIELD(missed), AXISCERT_FIELD(hopeless),
+                  AXISCERT_FIELD(tiny), AXISCERT_FIELD(unmeasured), AXISCERT_FIELD(factor), AXISCERT_FIELD(amount),
+                  AXISCERT_FIELD(phantoms_by_factor), AXISCERT_FIELD(phantoms_by_amount),
+                  AXISCERT_FIELD(still_missed_by_factor), AXISCERT_FIELD(still_missed_by_amount))
 };
 
 struct MarginDecadeStatement : MarginPartStatement {
   bool degenerate = false;
   int decade = 0;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = MarginDecadeStatement;
-    return visit(base<Of, MarginPartStatement>(), field(&Of::degenerate, {"degenerate", {}}),
-                 field(&Of::decade, {"decade", "Scenes from this power of ten on."}));
-  }
+  AXISCERT_FIELDS(MarginDecadeStatement, base<Of, MarginPartStatement>(), AXISCERT_FIELD(degenerate),
+                  AXISCERT_FIELD(decade, "Scenes from this power of ten on."))
 };
 
 struct MarginStatement {
@@ -250,14 +211,9 @@ struct MarginStatement {
   MarginPartStatement all;
   Several<MarginDecadeStatement, 0, 2000> decades;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = MarginStatement;
-    return visit(
-        field(&Of::precision, {"precision", {}}), field(&Of::queries, {"queries", {}}),
-        field(&Of::probed, {"probed", {}}), field(&Of::found, {"found", {}}), field(&Of::phantoms, {"phantoms", {}}),
-        field(&Of::contacts, {"contacts", {}}), field(&Of::factor, {"factor", {}}), field(&Of::amount, {"amount", {}}),
-        field(&Of::hopeless, {"hopeless", {}}), field(&Of::all, {"all", {}}), field(&Of::decades, {"decades", {}}));
-  }
+  AXISCERT_FIELDS(MarginStatement, AXISCERT_FIELD(precision), AXISCERT_FIELD(queries), AXISCERT_FIELD(probed),
+                  AXISCERT_FIELD(found), AXISCERT_FIELD(phantoms), AXISCERT_FIELD(contacts), AXISCERT_FIELD(factor),
+                  AXISCERT_FIELD(amount), AXISCERT_FIELD(hopeless), AXISCERT_FIELD(all), AXISCERT_FIELD(decades))
 };
 
 // What a stage gave in each precision, or the reason why it gave nothing.
@@ -266,11 +222,8 @@ struct StageStatement {
   std::optional<SaidText> reason;
   Precisions precisions;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = StageStatement;
-    return visit(field(&Of::reason, {"reason", "Why there is none; null where there is."}),
-                 field(&Of::precisions, {"precisions", {}}));
-  }
+  AXISCERT_FIELDS(StageStatement, AXISCERT_FIELD(reason, "Why there is none; null where there is."),
+                  AXISCERT_FIELD(precisions))
 };
 using SafeMarginStatement = StageStatement<Several<MarginStatement, 0, 2>>;
 
@@ -280,21 +233,15 @@ struct PropertyStatement {
   SaidText name, value, sentence;
   std::uint64_t queries = 0;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = PropertyStatement;
-    return visit(field(&Of::name, {"name", {}}), field(&Of::value, {"value", {}}),
-                 field(&Of::sentence, {"sentence", {}}), field(&Of::queries, {"queries", {}}));
-  }
+  AXISCERT_FIELDS(PropertyStatement, AXISCERT_FIELD(name), AXISCERT_FIELD(value), AXISCERT_FIELD(sentence),
+                  AXISCERT_FIELD(queries))
 };
 
 struct DiagnosedStatement {
   Precision precision = Precision::binary32;
   Several<PropertyStatement, 0, 200> properties;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = DiagnosedStatement;
-    return visit(field(&Of::precision, {"precision", {}}), field(&Of::properties, {"properties", {}}));
-  }
+  AXISCERT_FIELDS(DiagnosedStatement, AXISCERT_FIELD(precision), AXISCERT_FIELD(properties))
 };
 using DiagnosisStatement = StageStatement<Several<DiagnosedStatement, 0, 2>>;
 
@@ -303,14 +250,9 @@ struct FindStatement {
   std::optional<Several<SaidText, 0, 8>> links;
   JsonObject query;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = FindStatement;
-    return visit(field(&Of::depth,
-                       {.name = "depth", .about = "Of a wrong verdict, relative to the scene.", .may_be_absent = true}),
-                 field(&Of::ulps, {.name = "ulps", .about = "Of a critical radius.", .may_be_absent = true}),
-                 field(&Of::links, {.name = "links", .about = {}, .may_be_absent = true}),
-                 field(&Of::query, {"query", {}}));
-  }
+  AXISCERT_FIELDS(FindStatement, AXISCERT_OPTIONAL_FIELD(depth, "Of a wrong verdict, relative to the scene."),
+                  AXISCERT_OPTIONAL_FIELD(ulps, "Of a critical radius."), AXISCERT_OPTIONAL_FIELD(links),
+                  AXISCERT_FIELD(query))
 };
 
 struct SearchedStatement {
@@ -321,22 +263,16 @@ struct SearchedStatement {
     const auto* found = finds.find(goal);
     return found && *found ? &**found : nullptr;
   }
-  static constexpr auto fields(auto&& visit) {
-    using Of = SearchedStatement;
-    return visit(field(&Of::evaluations, {"evaluations", {}}), field(&Of::begun_from, {"begun_from", {}}),
-                 field(&Of::finds, {"finds", "The worst of each goal; null: none was found."}));
-  }
+  AXISCERT_FIELDS(SearchedStatement, AXISCERT_FIELD(evaluations), AXISCERT_FIELD(begun_from),
+                  AXISCERT_FIELD(finds, "The worst of each goal; null: none was found."))
 };
 using SearchesStatement = StageStatement<NamedValues<SearchedStatement>>;
 
 struct PlantedScore {
   std::uint64_t mutants = 0, noticed = 0, survived = 0, equivalent = 0;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = PlantedScore;
-    return visit(field(&Of::mutants, {"mutants", {}}), field(&Of::noticed, {"noticed", {}}),
-                 field(&Of::survived, {"survived", {}}), field(&Of::equivalent, {"equivalent", {}}));
-  }
+  AXISCERT_FIELDS(PlantedScore, AXISCERT_FIELD(mutants), AXISCERT_FIELD(noticed), AXISCERT_FIELD(survived),
+                  AXISCERT_FIELD(equivalent))
 };
 
 struct HarnessStatement {
@@ -345,13 +281,9 @@ struct HarnessStatement {
   NamedValues<PlantedScore> score;
 
   static constexpr std::string_view about = "Faults planted in a right kernel that shows as much as this one.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = HarnessStatement;
-    return visit(field(&Of::reason, {"reason", "Why it was not asked; null where it was."}),
-                 field(&Of::judged_by, {"judged_by", {}}), field(&Of::made_of, {"made_of", {}}),
-                 field(&Of::planted, {"planted", {}}), field(&Of::exist, {"exist", {}}),
-                 field(&Of::queries, {"queries", {}}), field(&Of::score, {"score", "By precision."}));
-  }
+  AXISCERT_FIELDS(HarnessStatement, AXISCERT_FIELD(reason, "Why it was not asked; null where it was."),
+                  AXISCERT_FIELD(judged_by), AXISCERT_FIELD(made_of), AXISCERT_FIELD(planted), AXISCERT_FIELD(exist),
+                  AXISCERT_FIELD(queries), AXISCERT_FIELD(score, "By precision."))
 };
 
 // Wrong verdicts.
@@ -366,15 +298,10 @@ struct ComparisonStatement {
   std::uint64_t undecided = 0, invalid = 0, unanswered = 0;
   std::optional<TextNumber> median_ulps, largest_ulps;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = ComparisonStatement;
-    return visit(field(&Of::kernel, {"kernel", {}}), field(&Of::precision, {"precision", {}}),
-                 field(&Of::looked_at, {"looked_at", {}}), field(&Of::missed, {"missed", {}}),
-                 field(&Of::deepest_missed, {"deepest_missed", {}}), field(&Of::phantom, {"phantom", {}}),
-                 field(&Of::deepest_phantom, {"deepest_phantom", {}}), field(&Of::undecided, {"undecided", {}}),
-                 field(&Of::invalid, {"invalid", {}}), field(&Of::unanswered, {"unanswered", {}}),
-                 field(&Of::median_ulps, {"median_ulps", {}}), field(&Of::largest_ulps, {"largest_ulps", {}}));
-  }
+  AXISCERT_FIELDS(ComparisonStatement, AXISCERT_FIELD(kernel), AXISCERT_FIELD(precision), AXISCERT_FIELD(looked_at),
+                  AXISCERT_FIELD(missed), AXISCERT_FIELD(deepest_missed), AXISCERT_FIELD(phantom),
+                  AXISCERT_FIELD(deepest_phantom), AXISCERT_FIELD(undecided), AXISCERT_FIELD(invalid),
+                  AXISCERT_FIELD(unanswered), AXISCERT_FIELD(median_ulps), AXISCERT_FIELD(largest_ulps))
 };
 
 struct BreakStatement {
@@ -384,14 +311,9 @@ struct BreakStatement {
   TextNumber deepest;
   SaidText advice, section;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = BreakStatement;
-    return visit(field(&Of::precision, {"precision", {}}), field(&Of::what, {"what", {}}),
-                 field(&Of::cause, {"cause", {}}), field(&Of::meaning, {"meaning", {}}),
-                 field(&Of::count, {"count", {}}), field(&Of::deepest, {"deepest", {}}),
-                 field(&Of::advice, {"advice", {}}),
-                 field(&Of::section, {"section", "The part of the documents that says more."}));
-  }
+  AXISCERT_FIELDS(BreakStatement, AXISCERT_FIELD(precision), AXISCERT_FIELD(what), AXISCERT_FIELD(cause),
+                  AXISCERT_FIELD(meaning), AXISCERT_FIELD(count), AXISCERT_FIELD(deepest), AXISCERT_FIELD(advice),
+                  AXISCERT_FIELD(section, "The part of the documents that says more."))
 };
 
 struct SituationStatement {
@@ -405,27 +327,18 @@ struct SituationStatement {
   TextNumber deepest_phantom;
   SaidText advice, section;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = SituationStatement;
-    return visit(field(&Of::precision, {"precision", {}}), field(&Of::situation, {"situation", {}}),
-                 field(&Of::meaning, {"meaning", {}}),
-                 field(&Of::families, {"families", "Those with a wrong verdict, the deepest first."}),
-                 field(&Of::missed, {"missed", {}}), field(&Of::deepest_missed, {"deepest_missed", {}}),
-                 field(&Of::phantom, {"phantom", {}}), field(&Of::deepest_phantom, {"deepest_phantom", {}}),
-                 field(&Of::advice, {"advice", {}}), field(&Of::section, {"section", {}}));
-  }
+  AXISCERT_FIELDS(SituationStatement, AXISCERT_FIELD(precision), AXISCERT_FIELD(situation), AXISCERT_FIELD(meaning),
+                  AXISCERT_FIELD(families, "Those with a wrong verdict, the deepest first."), AXISCERT_FIELD(missed),
+                  AXISCERT_FIELD(deepest_missed), AXISCERT_FIELD(phantom), AXISCERT_FIELD(deepest_phantom),
+                  AXISCERT_FIELD(advice), AXISCERT_FIELD(section))
 };
 
 struct CertificateWitness {
   SaidText title, sentence, address, command;
   JsonObject query;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = CertificateWitness;
-    return visit(field(&Of::title, {"title", {}}), field(&Of::sentence, {"sentence", {}}),
-                 field(&Of::address, {"address", {}}), field(&Of::command, {"command", {}}),
-                 field(&Of::query, {"query", {}}));
-  }
+  AXISCERT_FIELDS(CertificateWitness, AXISCERT_FIELD(title), AXISCERT_FIELD(sentence), AXISCERT_FIELD(address),
+                  AXISCERT_FIELD(command), AXISCERT_FIELD(query))
 };
 
 }  // namespace axiscert

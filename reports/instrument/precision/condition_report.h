@@ -14,10 +14,7 @@ struct KappaAt {
   Decimal6 kappa_u;
   Name address;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&KappaAt::kappa_u, {"kappa_u", "kappa times u."}),
-                 field(&KappaAt::address, {"address", "Its query."}));
-  }
+  AXISCERT_FIELDS(KappaAt, AXISCERT_FIELD(kappa_u, "kappa times u."), AXISCERT_FIELD(address, "Its query."))
 };
 
 struct ConditionCountsData {
@@ -25,12 +22,9 @@ struct ConditionCountsData {
   std::optional<KappaAt> least_unstable, greatest_right;
 
   static constexpr std::string_view about = "Of one comparison, or of all together.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ConditionCountsData;
-    return visit(inlined(&Of::counts),
-                 field(&Of::least_unstable, {"least_unstable", "The least kappa u of an unstable flip; null: none."}),
-                 field(&Of::greatest_right, {"greatest_right", "The greatest kappa u of a right one; null: none."}));
-  }
+  AXISCERT_FIELDS(ConditionCountsData, inlined(&Of::counts),
+                  AXISCERT_FIELD(least_unstable, "The least kappa u of an unstable flip; null: none."),
+                  AXISCERT_FIELD(greatest_right, "The greatest kappa u of a right one; null: none."))
 };
 
 struct WrongVerdictsData {
@@ -39,14 +33,11 @@ struct WrongVerdictsData {
   std::optional<Name> worst_address;
 
   static constexpr std::string_view about = "Wrong verdicts against the geometry.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = WrongVerdictsData;
-    return visit(field(&Of::false_separation, {"false_separation", "Missed contacts."}),
-                 field(&Of::false_contact, {"false_contact", "Phantom contacts."}),
-                 field(&Of::median_depth_u, {"median_depth_u", "Their median depth; null: none.", "u"}),
-                 field(&Of::worst_depth_u, {"worst_depth_u", "The greatest; null: none.", "u"}),
-                 field(&Of::worst_address, {"worst_address", "Its query; null: none."}));
-  }
+  AXISCERT_FIELDS(WrongVerdictsData, AXISCERT_FIELD(false_separation, "Missed contacts."),
+                  AXISCERT_FIELD(false_contact, "Phantom contacts."),
+                  AXISCERT_FIELD(median_depth_u, "Their median depth; null: none.", "u"),
+                  AXISCERT_FIELD(worst_depth_u, "The greatest; null: none.", "u"),
+                  AXISCERT_FIELD(worst_address, "Its query; null: none."))
 };
 
 struct ConditionRow {
@@ -58,14 +49,10 @@ struct ConditionRow {
   WrongVerdictsData wrong_verdicts;
 
   static constexpr std::string_view about = "One kernel and family.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ConditionRow;
-    return visit(field(&Of::kernel, {"kernel", "The kernel."}), field(&Of::family, {"family", "The family."}),
-                 field(&Of::swept, swept_field), field(&Of::invalid, {"invalid", "Queries that are not valid."}),
-                 field(&Of::total, {"total", "All comparisons together."}),
-                 field(&Of::comparisons, {"comparisons", "By comparison."}),
-                 field(&Of::wrong_verdicts, {"wrong_verdicts", WrongVerdictsData::about}));
-  }
+  AXISCERT_FIELDS(ConditionRow, AXISCERT_FIELD(kernel, "The kernel."), AXISCERT_FIELD(family, "The family."),
+                  field(&Of::swept, swept_field), AXISCERT_FIELD(invalid, "Queries that are not valid."),
+                  AXISCERT_FIELD(total, "All comparisons together."), AXISCERT_FIELD(comparisons, "By comparison."),
+                  AXISCERT_FIELD(wrong_verdicts, WrongVerdictsData::about))
 };
 
 struct ConditionData : CommandData<ConditionData> {
@@ -80,15 +67,13 @@ struct ConditionData : CommandData<ConditionData> {
 
   static constexpr std::string_view about =
       "condition.json, which `axiscert condition` writes. It depends on the command alone.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = ConditionData;
-    return visit(base<Of, CommandData<Of>>(), field(&Of::precision, {"precision", "The precision of the queries."}),
-                 field(&Of::trials, {"trials", "Queries of each family."}),
-                 field(&Of::seed, {"seed", "The seed of every family."}), field(&Of::sweep, SweepData::in_data),
-                 field(&Of::flip_limit, {"flip_limit", "Flips examined of each kernel, family and comparison."}),
-                 field(&Of::sample, {"sample", "Queries of a family whose right answers are examined."}),
-                 field(&Of::rows, {"rows", "One for each kernel and family."}));
-  }
+  AXISCERT_FIELDS(ConditionData, base<Of, CommandData<Of>>(),
+                  AXISCERT_FIELD(precision, "The precision of the queries."),
+                  AXISCERT_FIELD(trials, "Queries of each family."), AXISCERT_FIELD(seed, "The seed of every family."),
+                  field(&Of::sweep, SweepData::in_data),
+                  AXISCERT_FIELD(flip_limit, "Flips examined of each kernel, family and comparison."),
+                  AXISCERT_FIELD(sample, "Queries of a family whose right answers are examined."),
+                  AXISCERT_FIELD(rows, "One for each kernel and family."))
 };
 
 InstrumentReport condition_report(const ConditionPlan& plan, const ConditionResult& result, const std::string& command);

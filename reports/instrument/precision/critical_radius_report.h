@@ -14,12 +14,10 @@ struct UlpsAt {
   Decimal6 ulps;
   Name address;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&UlpsAt::ulps, {"ulps", "The error."}), field(&UlpsAt::address, {"address", "Its query."}));
-  }
+  AXISCERT_FIELDS(UlpsAt, AXISCERT_FIELD(ulps, "The error."), AXISCERT_FIELD(address, "Its query."))
 };
 
-// Of one kernel, over all families or on one.
+// The errors of one kernel, over all families or on one.
 struct CriticalRadiiData {
   std::uint64_t measured = 0;
   std::optional<std::uint64_t> right, within_1_ulp;
@@ -27,36 +25,28 @@ struct CriticalRadiiData {
   std::optional<std::uint64_t> early, late, unbounded, not_monotone;
   std::uint64_t undecided = 0, invalid = 0, unanswered = 0, outside_limits = 0;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = CriticalRadiiData;
-    return visit(
-        field(&Of::measured, {"measured", "Triangles that were measured."}),
-        field(&Of::right,
-              {"right", "Exactly right: the least float that is not below the distance; null: none was measured."}),
-        field(&Of::within_1_ulp, {"within_1_ulp", "At most an ulp off; null: none was measured."}),
-        field(&Of::median_ulps,
-              {"median_ulps", "The median error, in ulps of the exact distance; null: none measured, or infinite.",
-               "ulps"}),
-        field(&Of::p99_ulps, {"p99_ulps", "The 99 % quantile.", "ulps"}),
-        field(&Of::early, {"early", "A contact for a radius below the distance; null: none was measured."}),
-        field(&Of::late, {"late", "Separated for a radius that is not below the distance; null: none was measured."}),
-        field(&Of::unbounded, {"unbounded", "Separated at the greatest finite radius; null: none was measured."}),
-        field(&Of::not_monotone,
-              {"not_monotone", "Contact at a radius and separated at a greater one; null: none was measured."}),
-        field(&Of::undecided, {"undecided", "Triangles not measured: it declined at some radius."}),
-        field(&Of::invalid, {"invalid", "Triangles not measured: it called the query invalid at some radius."}),
-        field(&Of::unanswered, {"unanswered", "Triangles not measured: it gave no answer at some radius."}),
-        field(&Of::outside_limits, {"outside_limits", "Triangles not measured: outside its limits."}));
-  }
+  AXISCERT_FIELDS(
+      CriticalRadiiData, AXISCERT_FIELD(measured, "Triangles that were measured."),
+      AXISCERT_FIELD(right, "Exactly right: the least float that is not below the distance; null: none was measured."),
+      AXISCERT_FIELD(within_1_ulp, "At most an ulp off; null: none was measured."),
+      AXISCERT_FIELD(median_ulps, "The median error, in ulps of the exact distance; null: none measured, or infinite.",
+                     "ulps"),
+      AXISCERT_FIELD(p99_ulps, "The 99 % quantile.", "ulps"),
+      AXISCERT_FIELD(early, "A contact for a radius below the distance; null: none was measured."),
+      AXISCERT_FIELD(late, "Separated for a radius that is not below the distance; null: none was measured."),
+      AXISCERT_FIELD(unbounded, "Separated at the greatest finite radius; null: none was measured."),
+      AXISCERT_FIELD(not_monotone, "Contact at a radius and separated at a greater one; null: none was measured."),
+      AXISCERT_FIELD(undecided, "Triangles not measured: it declined at some radius."),
+      AXISCERT_FIELD(invalid, "Triangles not measured: it called the query invalid at some radius."),
+      AXISCERT_FIELD(unanswered, "Triangles not measured: it gave no answer at some radius."),
+      AXISCERT_FIELD(outside_limits, "Triangles not measured: outside its limits."))
 };
 
 struct CriticalRadiusTotal {
   Name kernel;
   CriticalRadiiData radii;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&CriticalRadiusTotal::kernel, {"kernel", "The kernel."}), inlined(&CriticalRadiusTotal::radii));
-  }
+  AXISCERT_FIELDS(CriticalRadiusTotal, AXISCERT_FIELD(kernel, "The kernel."), inlined(&CriticalRadiusTotal::radii))
 };
 
 struct CriticalRadiusRow {
@@ -67,18 +57,14 @@ struct CriticalRadiusRow {
   std::optional<UlpsAt> worst_early, worst_late;
   std::optional<std::array<QueryLine, 2>> not_monotone_witness;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = CriticalRadiusRow;
-    return visit(
-        field(&Of::kernel, {"kernel", "The kernel."}), field(&Of::family, {"family", "The family."}),
-        field(&Of::swept, swept_field), inlined(&Of::radii),
-        field(&Of::left_out, {"left_out", "Queries that are not valid, or farther away than the greatest radius."}),
-        field(&Of::worst_early, {"worst_early", "The greatest error of a contact too early; null: none."}),
-        field(&Of::worst_late, {"worst_late", "The greatest error of one too late; null: none."}),
-        field(&Of::not_monotone_witness,
-              {"not_monotone_witness",
-               "Two lines of a query file: a contact, and separated at a greater radius; null: none."}));
-  }
+  AXISCERT_FIELDS(
+      CriticalRadiusRow, AXISCERT_FIELD(kernel, "The kernel."), AXISCERT_FIELD(family, "The family."),
+      field(&Of::swept, swept_field), inlined(&Of::radii),
+      AXISCERT_FIELD(left_out, "Queries that are not valid, or farther away than the greatest radius."),
+      AXISCERT_FIELD(worst_early, "The greatest error of a contact too early; null: none."),
+      AXISCERT_FIELD(worst_late, "The greatest error of one too late; null: none."),
+      AXISCERT_FIELD(not_monotone_witness,
+                     "Two lines of a query file: a contact, and separated at a greater radius; null: none."))
 };
 
 struct CriticalRadiusData : CommandData<CriticalRadiusData> {
@@ -92,14 +78,12 @@ struct CriticalRadiusData : CommandData<CriticalRadiusData> {
 
   static constexpr std::string_view about =
       "critical-radius.json, which `axiscert critical-radius` writes. It depends on the command alone.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = CriticalRadiusData;
-    return visit(base<Of, CommandData<Of>>(), field(&Of::precision, {"precision", "The precision of the queries."}),
-                 field(&Of::trials, {"trials", "Triangles of each family."}),
-                 field(&Of::seed, {"seed", "The seed of every family."}), field(&Of::sweep, SweepData::in_data),
-                 field(&Of::totals, {"totals", "One for each kernel, over all families."}),
-                 field(&Of::rows, {"rows", "One for each kernel and family."}));
-  }
+  AXISCERT_FIELDS(CriticalRadiusData, base<Of, CommandData<Of>>(),
+                  AXISCERT_FIELD(precision, "The precision of the queries."),
+                  AXISCERT_FIELD(trials, "Triangles of each family."),
+                  AXISCERT_FIELD(seed, "The seed of every family."), field(&Of::sweep, SweepData::in_data),
+                  AXISCERT_FIELD(totals, "One for each kernel, over all families."),
+                  AXISCERT_FIELD(rows, "One for each kernel and family."))
 };
 
 // Each kernel of which no triangle was measured, with the reasons.

@@ -144,7 +144,7 @@ InstrumentTable difference_table(std::string caption) {
           {}};
 }
 
-// Of each family and figure: how many differences are significant, and the least that each could have shown.
+// How many differences are significant, by family and figure, and the least that each could have shown.
 InstrumentTable shown_table(const std::string& caption, const std::vector<const LadderDifferenceData*>& all) {
   InstrumentTable table{
       caption, {"family", "what", "clusters", "differences", "significant", "least per million, from", "to"}, {}};

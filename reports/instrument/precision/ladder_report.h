@@ -30,21 +30,14 @@ struct FiguresData {
   std::optional<std::uint64_t> errors, range_events, error_without_scale;
 
   static constexpr std::string_view about = "Of some comparisons; errors are absent where the kernel shows no sides.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = FiguresData;
-    const auto may_be_absent = [](auto member, std::string_view name, std::string_view said) {
-      return field(member, {.name = name, .about = said, .may_be_absent = true});
-    };
-    return visit(
-        inlined(&Of::counts),
-        may_be_absent(&Of::median_u, "median_u", "The median error of lhs - rhs, in u of |lhs| + |rhs|; null: none."),
-        may_be_absent(&Of::p99_u, "p99_u", "The 99 % quantile of that."),
-        may_be_absent(&Of::worst_u, "worst_u", "The greatest."),
-        may_be_absent(&Of::errors, "errors", "How many errors were measured."),
-        may_be_absent(&Of::range_events, "range_events", "How many sides left the range of normal numbers."),
-        may_be_absent(&Of::error_without_scale, "error_without_scale",
-                      "How many errors have no scale: both exact sides are zero, or the right one is a root."));
-  }
+  AXISCERT_FIELDS(
+      FiguresData, inlined(&Of::counts),
+      AXISCERT_OPTIONAL_FIELD(median_u, "The median error of lhs - rhs, in u of |lhs| + |rhs|; null: none."),
+      AXISCERT_OPTIONAL_FIELD(p99_u, "The 99 % quantile of that."), AXISCERT_OPTIONAL_FIELD(worst_u, "The greatest."),
+      AXISCERT_OPTIONAL_FIELD(errors, "How many errors were measured."),
+      AXISCERT_OPTIONAL_FIELD(range_events, "How many sides left the range of normal numbers."),
+      AXISCERT_OPTIONAL_FIELD(error_without_scale,
+                              "How many errors have no scale: both exact sides are zero, or the right one is a root."))
 };
 
 struct KindData {
@@ -52,10 +45,8 @@ struct KindData {
   std::optional<FiguresData> side;
 
   static constexpr std::string_view about = "The same, and by side.";
-  static constexpr auto fields(auto&& visit) {
-    return visit(inlined(&KindData::figures), field(&KindData::radius, {"radius", "Its radius comparisons."}),
-                 field(&KindData::side, {.name = "side", .about = "Its side comparisons.", .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(KindData, inlined(&KindData::figures), AXISCERT_FIELD(radius, "Its radius comparisons."),
+                  AXISCERT_OPTIONAL_FIELD(side, "Its side comparisons."))
 };
 
 struct LadderVerdictData {
@@ -63,13 +54,10 @@ struct LadderVerdictData {
   double flips_per_million = 0;
 
   static constexpr std::string_view about = "Verdicts against the geometry.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = LadderVerdictData;
-    return visit(field(&Of::false_separation, {"false_separation", "Missed contacts."}),
-                 field(&Of::false_contact, {"false_contact", "Phantom contacts."}),
-                 field(&Of::touching_flips, {"touching_flips", "Wrong answers to spheres that touch."}),
-                 field(&Of::flips_per_million, {"flips_per_million", "Wrong verdicts for a million queries."}));
-  }
+  AXISCERT_FIELDS(LadderVerdictData, AXISCERT_FIELD(false_separation, "Missed contacts."),
+                  AXISCERT_FIELD(false_contact, "Phantom contacts."),
+                  AXISCERT_FIELD(touching_flips, "Wrong answers to spheres that touch."),
+                  AXISCERT_FIELD(flips_per_million, "Wrong verdicts for a million queries."))
 };
 
 // How often a form is wrong, with the limits of that.
@@ -78,20 +66,14 @@ struct LadderRateData {
   std::optional<double> rate, low, high;
 
   static constexpr std::string_view about = "A rate of failures.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = LadderRateData;
-    return visit(
-        field(&Of::failures, {"failures", "How many fail."}),
-        field(&Of::trials, {"trials", "Of so many: queries, or comparisons of queries."}),
-        field(&Of::clusters,
-              {"clusters", "Independent parts of them: queries, image groups, or triangles that queries share."}),
-        field(&Of::rate, {"rate", "failures / trials; null: none was asked.", "share"}),
-        field(&Of::low,
-              {"low", "Wilson's lower limit, 95 %, of clusters that may fail together; null: of fewer than 20.",
-               "share"}),
-        field(&Of::high,
-              {"high", "The upper one; without a failure the rate that so many clusters exclude.", "share"}));
-  }
+  AXISCERT_FIELDS(
+      LadderRateData, AXISCERT_FIELD(failures, "How many fail."),
+      AXISCERT_FIELD(trials, "Of so many: queries, or comparisons of queries."),
+      AXISCERT_FIELD(clusters, "Independent parts of them: queries, image groups, or triangles that queries share."),
+      AXISCERT_FIELD(rate, "failures / trials; null: none was asked.", "share"),
+      AXISCERT_FIELD(low, "Wilson's lower limit, 95 %, of clusters that may fail together; null: of fewer than 20.",
+                     "share"),
+      AXISCERT_FIELD(high, "The upper one; without a failure the rate that so many clusters exclude.", "share"))
 };
 
 struct LadderResultData {
@@ -105,19 +87,15 @@ struct LadderResultData {
   std::optional<SignedNumber> swept;
 
   static constexpr std::string_view about = "Of one family.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = LadderResultData;
-    return visit(field(&Of::queries, {"queries", "Valid queries."}),
-                 field(&Of::verdict, {"verdict", LadderVerdictData::about}),
-                 field(&Of::critical_radius, {"critical_radius", RadiusSummary::about}),
-                 field(&Of::axes, {"axes", "By axis: all its comparisons together."}),
-                 field(&Of::kinds, {"kinds", "By kind of axis: plane, vertex, edge."}),
-                 field(&Of::comparisons, {"comparisons", "By comparison."}),
-                 field(&Of::rates, {"rates",
-                                    "missed and phantom: wrong verdicts; plane_signs, vertex_signs and edge_signs: "
-                                    "sign errors of comparisons."}),
-                 field(&Of::swept, swept_field));
-  }
+  AXISCERT_FIELDS(
+      LadderResultData, AXISCERT_FIELD(queries, "Valid queries."), AXISCERT_FIELD(verdict, LadderVerdictData::about),
+      AXISCERT_FIELD(critical_radius, RadiusSummary::about),
+      AXISCERT_FIELD(axes, "By axis: all its comparisons together."),
+      AXISCERT_FIELD(kinds, "By kind of axis: plane, vertex, edge."), AXISCERT_FIELD(comparisons, "By comparison."),
+      AXISCERT_FIELD(
+          rates,
+          "missed and phantom: wrong verdicts; plane_signs, vertex_signs and edge_signs: sign errors of comparisons."),
+      field(&Of::swept, swept_field))
 };
 
 struct LadderWindowsData {
@@ -126,10 +104,8 @@ struct LadderWindowsData {
   static constexpr std::string_view about =
       "The exponents from which to which a scene can be scaled by a power of two, and nothing over- or underflows; "
       "null: none.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = LadderWindowsData;
-    return visit(field(&Of::axes, {"axes", "Of each axis."}), field(&Of::kinds, {"kinds", "Of each kind of axis."}));
-  }
+  AXISCERT_FIELDS(LadderWindowsData, AXISCERT_FIELD(axes, "Of each axis."),
+                  AXISCERT_FIELD(kinds, "Of each kind of axis."))
 };
 
 struct LadderKernelData {
@@ -140,22 +116,16 @@ struct LadderKernelData {
   NamedValues<LadderResultData> families;
 
   static constexpr std::string_view about = "One kernel.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = LadderKernelData;
-    return visit(field(&Of::id, {"id", "The kernel."}), field(&Of::summary, {"summary", "What it computes."}),
-                 field(&Of::shows_sides, {"shows_sides", "Whether errors could be measured."}),
-                 field(&Of::windows, {"windows", LadderWindowsData::about}),
-                 field(&Of::families, {"families", "What it gets wrong, by family."}));
-  }
+  AXISCERT_FIELDS(LadderKernelData, AXISCERT_FIELD(id, "The kernel."), AXISCERT_FIELD(summary, "What it computes."),
+                  AXISCERT_FIELD(shows_sides, "Whether errors could be measured."),
+                  AXISCERT_FIELD(windows, LadderWindowsData::about),
+                  AXISCERT_FIELD(families, "What it gets wrong, by family."))
 };
 
 struct LadderStepData {
   Name from, to;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&LadderStepData::from, {"from", "A rung."}),
-                 field(&LadderStepData::to, {"to", "The one made from it."}));
-  }
+  AXISCERT_FIELDS(LadderStepData, AXISCERT_FIELD(from, "A rung."), AXISCERT_FIELD(to, "The one made from it."))
 };
 
 // Forms against each other on the same queries.
@@ -170,51 +140,43 @@ struct LadderDifferenceData {
   std::optional<double> mcnemar_p, holm_p, least;
 
   static constexpr std::string_view about = "What one form changes of another on the same queries of a family.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = LadderDifferenceData;
-    return visit(
-        field(&Of::kind, {"kind",
-                          "step: from one form to the next; pair: two forms that differ in one factor; effect: all "
-                          "pairs of a factor together."}),
-        field(&Of::factor, {"factor", "That in which a pair differs; null: a step."}),
-        field(&Of::from, {"from", "The form, or the level of the factor, before."}), field(&Of::to, {"to", "After."}),
-        field(&Of::family, {"family", "The family."}),
-        field(&Of::figure, {"figure", "What is counted: missed, phantom, or the signs of a kind of axis."}),
-        field(&Of::pairs, {"pairs", "Pairs of forms.", "pairs"}),
-        field(&Of::trials, {"trials", "Queries, or comparisons of queries, times pairs."}),
-        field(&Of::clusters, {"clusters", "Independent parts of them."}),
-        field(&Of::failures_from, {"failures_from", "Failures before."}),
-        field(&Of::failures_to, {"failures_to", "After."}),
-        field(&Of::only_from, {"only_from", "Those before that are none after."}),
-        field(&Of::only_to, {"only_to", "Those after that were none before."}),
-        field(&Of::difference, {"difference", "The rate after less that before; null: none was asked.", "share"}),
-        field(&Of::low,
-              {"low", "Tango's lower limit of it, 95 %, of counts divided by design_effect; null: below 20 clusters.",
-               "share"}),
-        field(&Of::high, {"high", "The upper one.", "share"}),
-        field(&Of::design_effect,
-              {"design_effect", "The variance over that of as many independent trials, at least 1.", "times"}),
-        field(&Of::p, {"p", "The exact sign-flip test over clusters, two-sided.", "probability"}),
-        field(&Of::p_is_bound, {"p_is_bound", "Whether p is a bound of it, from above."}),
-        field(&Of::mcnemar_p, {"mcnemar_p", "McNemar's exact test, as if all trials were independent.", "probability"}),
-        field(&Of::holm_p, {"holm_p", "p corrected by Holm for all differences of its kind.", "probability"}),
-        field(&Of::least, {"least",
-                           "The least difference that would be found with 80 % at a level of 5 %, corrected for all of "
-                           "its kind; null: none.",
-                           "share"}));
-  }
+  AXISCERT_FIELDS(
+      LadderDifferenceData,
+      AXISCERT_FIELD(kind,
+                     "step: from one form to the next; pair: two forms that differ in one factor; effect: all pairs of "
+                     "a factor together."),
+      AXISCERT_FIELD(factor, "That in which a pair differs; null: a step."),
+      AXISCERT_FIELD(from, "The form, or the level of the factor, before."), AXISCERT_FIELD(to, "After."),
+      AXISCERT_FIELD(family, "The family."),
+      AXISCERT_FIELD(figure, "What is counted: missed, phantom, or the signs of a kind of axis."),
+      AXISCERT_FIELD(pairs, "Pairs of forms.", "pairs"),
+      AXISCERT_FIELD(trials, "Queries, or comparisons of queries, times pairs."),
+      AXISCERT_FIELD(clusters, "Independent parts of them."), AXISCERT_FIELD(failures_from, "Failures before."),
+      AXISCERT_FIELD(failures_to, "After."), AXISCERT_FIELD(only_from, "Those before that are none after."),
+      AXISCERT_FIELD(only_to, "Those after that were none before."),
+      AXISCERT_FIELD(difference, "The rate after less that before; null: none was asked.", "share"),
+      AXISCERT_FIELD(low,
+                     "Tango's lower limit of it, 95 %, of counts divided by design_effect; null: below 20 clusters.",
+                     "share"),
+      AXISCERT_FIELD(high, "The upper one.", "share"),
+      AXISCERT_FIELD(design_effect, "The variance over that of as many independent trials, at least 1.", "times"),
+      AXISCERT_FIELD(p, "The exact sign-flip test over clusters, two-sided.", "probability"),
+      AXISCERT_FIELD(p_is_bound, "Whether p is a bound of it, from above."),
+      AXISCERT_FIELD(mcnemar_p, "McNemar's exact test, as if all trials were independent.", "probability"),
+      AXISCERT_FIELD(holm_p, "p corrected by Holm for all differences of its kind.", "probability"),
+      AXISCERT_FIELD(least,
+                     "The least difference that would be found with 80 % at a level of 5 %, corrected for all of its "
+                     "kind; null: none.",
+                     "share"))
 };
 
 struct CostliestData {
   std::optional<Name> sign_errors, rounding_sign_errors, worst_error, range;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = CostliestData;
-    return visit(field(&Of::sign_errors, {"sign_errors", "The rung whose step adds most sign errors."}),
-                 field(&Of::rounding_sign_errors, {"rounding_sign_errors", "Those that are not of range."}),
-                 field(&Of::worst_error, {"worst_error", "Most to the worst error."}),
-                 field(&Of::range, {"range", "Takes most of the range."}));
-  }
+  AXISCERT_FIELDS(CostliestData, AXISCERT_FIELD(sign_errors, "The rung whose step adds most sign errors."),
+                  AXISCERT_FIELD(rounding_sign_errors, "Those that are not of range."),
+                  AXISCERT_FIELD(worst_error, "Most to the worst error."),
+                  AXISCERT_FIELD(range, "Takes most of the range."))
 };
 
 struct LadderSpeedData {
@@ -224,17 +186,13 @@ struct LadderSpeedData {
   std::vector<Name> front;
 
   static constexpr std::string_view about = "Times; absent with --no-speed.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = LadderSpeedData;
-    return visit(field(&Of::unit, {"unit", "The unit of times."}),
-                 field(&Of::queries, {"queries", "Distinct queries that were timed."}),
-                 field(&Of::repetitions, {"repetitions", "Repetitions."}),
-                 field(&Of::kernels,
-                       {"kernels",
-                        "Times by kernel and instruction set, `scalar` among them; scalar_least is the least of the "
-                        "repetitions."}),
-                 field(&Of::front, {"front", "The kernels that none beats in both time and accuracy."}));
-  }
+  AXISCERT_FIELDS(
+      LadderSpeedData, AXISCERT_FIELD(unit, "The unit of times."),
+      AXISCERT_FIELD(queries, "Distinct queries that were timed."), AXISCERT_FIELD(repetitions, "Repetitions."),
+      AXISCERT_FIELD(
+          kernels,
+          "Times by kernel and instruction set, `scalar` among them; scalar_least is the least of the repetitions."),
+      AXISCERT_FIELD(front, "The kernels that none beats in both time and accuracy."))
 };
 
 struct LadderData : CommandData<LadderData> {
@@ -253,20 +211,15 @@ struct LadderData : CommandData<LadderData> {
 
   static constexpr std::string_view about =
       "ladder.json, which `axiscert ladder` writes. Without `speed` it depends on the command alone.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = LadderData;
-    return visit(
-        base<Of, CommandData<Of>>(), field(&Of::precision, {"precision", "The precision of the queries."}),
-        field(&Of::seed, {"seed", "The seed of every family."}),
-        field(&Of::trials, {"trials", "Queries of each family."}),
-        field(&Of::families, {"families", "The families asked."}), field(&Of::sweep, SweepData::in_data),
-        field(&Of::scanned_exponents, {"scanned_exponents", "The exponents between which windows were looked for."}),
-        field(&Of::kernels, {"kernels", "The rungs, in the order of the derivation."}),
-        field(&Of::steps, {"steps", "The steps between them."}),
-        field(&Of::differences, {"differences", LadderDifferenceData::about}),
-        field(&Of::costliest_steps, {"costliest_steps", "By family, and by kind of axis."}),
-        field(&Of::speed, {.name = "speed", .about = LadderSpeedData::about, .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(LadderData, base<Of, CommandData<Of>>(), AXISCERT_FIELD(precision, "The precision of the queries."),
+                  AXISCERT_FIELD(seed, "The seed of every family."), AXISCERT_FIELD(trials, "Queries of each family."),
+                  AXISCERT_FIELD(families, "The families asked."), field(&Of::sweep, SweepData::in_data),
+                  AXISCERT_FIELD(scanned_exponents, "The exponents between which windows were looked for."),
+                  AXISCERT_FIELD(kernels, "The rungs, in the order of the derivation."),
+                  AXISCERT_FIELD(steps, "The steps between them."),
+                  AXISCERT_FIELD(differences, LadderDifferenceData::about),
+                  AXISCERT_FIELD(costliest_steps, "By family, and by kind of axis."),
+                  AXISCERT_OPTIONAL_FIELD(speed, LadderSpeedData::about))
 };
 
 // Tables, plots, notes and the figures as JSON. `command` produces the report again.

@@ -13,10 +13,8 @@ namespace axiscert {
 struct IntegerBitsData {
   int per_bit = 0, constant = 0;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&IntegerBitsData::per_bit, {"per_bit", "Bits for each bit of the integers."}),
-                 field(&IntegerBitsData::constant, {"constant", "And so many more."}));
-  }
+  AXISCERT_FIELDS(IntegerBitsData, AXISCERT_FIELD(per_bit, "Bits for each bit of the integers."),
+                  AXISCERT_FIELD(constant, "And so many more."))
 };
 
 struct ComparisonBitsData {
@@ -24,28 +22,21 @@ struct ComparisonBitsData {
   std::optional<IntegerBitsData> integer_bits;
   std::optional<int> sufficient_bits;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = ComparisonBitsData;
-    return visit(field(&Of::degree_lhs, {"degree_lhs", "The degree of the left side; null: it is zero."}),
-                 field(&Of::degree_rhs, {"degree_rhs", "The degree of the right side."}),
-                 field(&Of::integer_bits,
-                       {"integer_bits",
-                        "Enough to round nothing on integers of b bits; null for a form with roots or divisions."}),
-                 field(&Of::sufficient_bits,
-                       {"sufficient_bits",
-                        "From so many bits on it does not flip on these queries; null: none of those asked."}));
-  }
+  AXISCERT_FIELDS(
+      ComparisonBitsData, AXISCERT_FIELD(degree_lhs, "The degree of the left side; null: it is zero."),
+      AXISCERT_FIELD(degree_rhs, "The degree of the right side."),
+      AXISCERT_FIELD(integer_bits,
+                     "Enough to round nothing on integers of b bits; null for a form with roots or divisions."),
+      AXISCERT_FIELD(sufficient_bits,
+                     "From so many bits on it does not flip on these queries; null: none of those asked."))
 };
 
 struct SufficientData {
   SufficientVerdictBits verdicts;
   std::optional<NamedValues<ComparisonBitsData>> comparisons;
 
-  static constexpr auto fields(auto&& visit) {
-    return visit(
-        inlined(&SufficientData::verdicts),
-        field(&SufficientData::comparisons, {.name = "comparisons", .about = "By comparison.", .may_be_absent = true}));
-  }
+  AXISCERT_FIELDS(SufficientData, inlined(&SufficientData::verdicts),
+                  AXISCERT_OPTIONAL_FIELD(comparisons, "By comparison."))
 };
 
 struct NumberFormatData {
@@ -54,32 +45,24 @@ struct NumberFormatData {
   int e_min = 0, e_max = 0;
   Overflow overflow = Overflow::infinity;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = NumberFormatData;
-    return visit(field(&Of::number, {"number", "Its name, as --number takes it."}),
-                 field(&Of::bits, {"bits", "Bits of the significand, the leading one included."}),
-                 field(&Of::e_min, {"e_min",
-                                    "The least exponent e of normal numbers m 2^e, 1 <= m < 2; below it underflow is "
-                                    "gradual."}),
-                 field(&Of::e_max, {"e_max", "The greatest."}),
-                 field(&Of::overflow, {"overflow", "What a result beyond the greatest number becomes."}));
-  }
+  AXISCERT_FIELDS(
+      NumberFormatData, AXISCERT_FIELD(number, "Its name, as --number takes it."),
+      AXISCERT_FIELD(bits, "Bits of the significand, the leading one included."),
+      AXISCERT_FIELD(e_min, "The least exponent e of normal numbers m 2^e, 1 <= m < 2; below it underflow is gradual."),
+      AXISCERT_FIELD(e_max, "The greatest."),
+      AXISCERT_FIELD(overflow, "What a result beyond the greatest number becomes."))
 };
 
-// Of wrong verdicts.
+// The rate of wrong verdicts.
 struct WrongRateData {
   double rate = 0, low = 0, high = 0;
 
   static constexpr std::string_view about =
       "The rate of wrong verdicts with its limits (Wilson), 95 %; null without queries. Queries of one triangle or "
       "image group count as one.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = WrongRateData;
-    return visit(
-        field(&Of::rate, {"rate", "Wrong verdicts over queries.", "share"}),
-        field(&Of::low, {"low", "Its lower limit.", "share"}),
-        field(&Of::high, {"high", "Its upper limit; of 0 wrong verdicts, the rate that they exclude.", "share"}));
-  }
+  AXISCERT_FIELDS(WrongRateData, AXISCERT_FIELD(rate, "Wrong verdicts over queries.", "share"),
+                  AXISCERT_FIELD(low, "Its lower limit.", "share"),
+                  AXISCERT_FIELD(high, "Its upper limit; of 0 wrong verdicts, the rate that they exclude.", "share"))
 };
 
 struct PrecisionStepData {
@@ -90,26 +73,19 @@ struct PrecisionStepData {
   PrecisionStep step;
 
   static constexpr std::string_view about = PrecisionStep::about;
-  static constexpr auto fields(auto&& visit) {
-    using Of = PrecisionStepData;
-    return visit(field(&Of::number, {"number", "The format."}), field(&Of::bits, {"bits", "Its bits of precision."}),
-                 field(&Of::rounding_seed, {"rounding_seed", "The seed of rounding by chance; null: it is not."}),
-                 field(&Of::unlimited_rate, {"unlimited_rate", WrongRateData::about}),
-                 field(&Of::limited_rate, {"limited_rate", "The same with the exponents of the format."}),
-                 inlined(&Of::step));
-  }
+  AXISCERT_FIELDS(PrecisionStepData, AXISCERT_FIELD(number, "The format."),
+                  AXISCERT_FIELD(bits, "Its bits of precision."),
+                  AXISCERT_FIELD(rounding_seed, "The seed of rounding by chance; null: it is not."),
+                  AXISCERT_FIELD(unlimited_rate, WrongRateData::about),
+                  AXISCERT_FIELD(limited_rate, "The same with the exponents of the format."), inlined(&Of::step))
 };
 
 struct KernelPrecisionData {
   VerdictFlips exact;
   std::vector<PrecisionStepData> precisions;
 
-  static constexpr auto fields(auto&& visit) {
-    using Of = KernelPrecisionData;
-    return visit(
-        field(&Of::exact, {"exact", "Wrong verdicts of the formulae in exact arithmetic."}),
-        field(&Of::precisions, {"precisions", "One for each format, and of rounding by chance for each seed."}));
-  }
+  AXISCERT_FIELDS(KernelPrecisionData, AXISCERT_FIELD(exact, "Wrong verdicts of the formulae in exact arithmetic."),
+                  AXISCERT_FIELD(precisions, "One for each format, and of rounding by chance for each seed."))
 };
 
 struct PrecisionTallyData {
@@ -119,17 +95,13 @@ struct PrecisionTallyData {
   NamedValues<KernelPrecisionData> kernels;
 
   static constexpr std::string_view about = "Of some queries.";
-  static constexpr auto fields(auto&& visit) {
-    return visit(field(&PrecisionTallyData::queries, {"queries", "Valid queries."}),
-                 field(&PrecisionTallyData::swept, swept_field),
-                 field(&PrecisionTallyData::scene_size,
-                       {.name = "scene_size",
-                        .about = "Of a family whose offset is swept: the median size of its scenes, the greatest "
-                                 "distance of a vertex from the centre in one coordinate, or the radius.",
-                        .unit = "units of length",
-                        .may_be_absent = true}),
-                 field(&PrecisionTallyData::kernels, {"kernels", "By kernel."}));
-  }
+  AXISCERT_FIELDS(
+      PrecisionTallyData, AXISCERT_FIELD(queries, "Valid queries."), field(&PrecisionTallyData::swept, swept_field),
+      AXISCERT_OPTIONAL_FIELD(scene_size,
+                              "Of a family whose offset is swept: the median size of its scenes, the greatest distance "
+                              "of a vertex from the centre in one coordinate, or the radius.",
+                              "units of length"),
+      AXISCERT_FIELD(kernels, "By kernel."))
 };
 
 struct PrecisionData : CommandData<PrecisionData> {
@@ -149,23 +121,19 @@ struct PrecisionData : CommandData<PrecisionData> {
 
   static constexpr std::string_view about =
       "precision.json, which `axiscert precision` writes. It depends on the command alone.";
-  static constexpr auto fields(auto&& visit) {
-    using Of = PrecisionData;
-    return visit(
-        base<Of, CommandData<Of>>(), field(&Of::precision, {"precision", "The precision of the queries."}),
-        field(&Of::trials, {"trials", "Queries of each family."}),
-        field(&Of::seed, {"seed", "The seed of every family."}),
-        field(&Of::numbers, {"numbers", "The formats, by bits."}),
-        field(&Of::rounding, {"rounding", "How each operation is rounded."}),
-        field(&Of::rounding_seeds, {"rounding_seeds", "The seeds of rounding by chance; empty: it is not."}),
-        field(&Of::contraction, {"contraction", "Which operations are fused."}),
-        field(&Of::inputs_are_rounded, {"inputs_are_rounded",
-                                        "Whether the queries are rounded to the format before anything is asked "
-                                        "of them; else they are taken as they are."}),
-        field(&Of::sweep, SweepData::in_data),
-        field(&Of::sufficient, {"sufficient", "The least bits from which on nothing flips, by kernel."}),
-        field(&Of::all, {"all", "Over all families."}), field(&Of::families, {"families", "By family."}));
-  }
+  AXISCERT_FIELDS(PrecisionData, base<Of, CommandData<Of>>(),
+                  AXISCERT_FIELD(precision, "The precision of the queries."),
+                  AXISCERT_FIELD(trials, "Queries of each family."), AXISCERT_FIELD(seed, "The seed of every family."),
+                  AXISCERT_FIELD(numbers, "The formats, by bits."),
+                  AXISCERT_FIELD(rounding, "How each operation is rounded."),
+                  AXISCERT_FIELD(rounding_seeds, "The seeds of rounding by chance; empty: it is not."),
+                  AXISCERT_FIELD(contraction, "Which operations are fused."),
+                  AXISCERT_FIELD(inputs_are_rounded,
+                                 "Whether the queries are rounded to the format before anything is asked of them; else "
+                                 "they are taken as they are."),
+                  field(&Of::sweep, SweepData::in_data),
+                  AXISCERT_FIELD(sufficient, "The least bits from which on nothing flips, by kernel."),
+                  AXISCERT_FIELD(all, "Over all families."), AXISCERT_FIELD(families, "By family."))
 };
 
 // `tallies` by source; `command` produces them again.

@@ -1,7 +1,7 @@
 // An oracle built on do_intersect is wrong, and the cross-check says so.
 #include <gtest/gtest.h>
 
-#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/sphere_triangle/asked_sphere_triangle.h"
 
 namespace axiscert {
 namespace {

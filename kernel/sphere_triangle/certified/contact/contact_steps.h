@@ -78,7 +78,7 @@ struct ContactBounds {
   static constexpr double least_shown_32 = 0x1p-298;                                 // the square of the least float
   static constexpr double least_edge_32 = 0x1p-30;                                   // the square of d, of S
   static constexpr double least_triangle_32 = 0x1p-50, greatest_square_32 = 0x1p60;  // of signs in floats
-  // Of binary64 alone.
+  // Those of binary64 alone.
   static constexpr double least_triangle = 0x1p-300, greatest_square = 0x1p240, least_normal = 0x1p-500,
                           negligible_component = 0x1p-600;
 };
