@@ -214,11 +214,11 @@ std::vector<Result> results_of(const RecordedStep& step, Sort sort) {
   }
   return results;
 }
-// A step with the bits of what it knows, named as in exact_step.h, in place of its results.
-RecordedStep with_known_bits(RecordedStep step) {
+// A step with the bits of what it knows, by the result `known`, named as in exact_step.h, in place of its results.
+RecordedStep with_known_bits(RecordedStep step, std::string_view known) {
   constexpr std::string_view axes[] = {"a", "b", "c", "plane", "ab", "bc", "ca"};
   std::vector<Index> bits(23, no_node);
-  find_bits(step.graph, step.result("known"), bits);
+  find_bits(step.graph, step.result(known), bits);
   step.results.clear();
   for (std::size_t group = 0; group < 3; ++group) {
     for (std::size_t axis = 0; axis < 7; ++axis) {
@@ -368,8 +368,8 @@ Open Scope bool_scope.
 
    STEP_plain_FORMAT_numbers, STEP_fma_FORMAT_numbers: the numbers that a step computes with and without fused
    multiply-add, named above each list. STEP_..._constants: the constants of a step of which no more is stated.
-   STEP_..._answers: the flags that it answers. STEP_..._known: the bits that it tells
-   the next steps (Known in exact_step.h). *)
+   STEP_..._answers: the flags that it answers. STEP_..._known, and for each sphere known_closed, known_open: the bits
+   that it tells the next steps (Known in exact_step.h). *)
 )";
 
 bool is_stated(const RecordedStep& step) {
@@ -393,8 +393,11 @@ Files certified_files() {
     const RecordedStep step = recorded.name == "box" ? with_outcode_bits(recorded) : recorded;
     coq += coq_definition(step, Sort::number, "numbers", "(m_number m)");
     coq += coq_definition(step, Sort::flag, "answers", "bool");
-    if (step.name == "coarse" && step.bits == 64)
-      coq += coq_definition(with_known_bits(step), Sort::flag, "known", "bool");
+    const auto add_known = [&](std::string_view known) {
+      coq += coq_definition(with_known_bits(step, known), Sort::flag, known, "bool");
+    };
+    if (step.name == "coarse" && step.bits == 64) add_known("known");
+    if (step.name == "fine") add_known("known_closed"), add_known("known_open");
   }
   for (const RecordedStep& step : recorded_scaling()) files[program_path(full_name(step))] = text_of(step);
   const std::string exact = exact_program();
