@@ -139,7 +139,7 @@ STEP_FAULTS = {
         f"{CERTIFIED}/margins-inl.h", "rr * dot(along.v, along.v)", "rr * dot(along.v, N.v)", STEPS, "FineStep.v"),
     "a tie that the fine step takes as certain": (
         f"{CERTIFIED}/fine_step-inl.h", "hn::Lt(margin.value, hn::Neg(margin.bound)));", "hn::Le(margin.value, hn::Neg(margin.bound)));",
-        STEPS, None),
+        STEPS, "FineKnown.v"),
     "a range of the deep step that is not asked": (
         f"{CERTIFIED}/deep_step-inl.h", "sound = hn::And(sound, in_range(m_.ab));", "", STEPS, None),
     "a pair's sum with an error of the wrong sign": (

@@ -35,7 +35,7 @@ Fixpoint eval (m : machine) (x : nat -> m_number m) (t : term) : m_number m :=
 
 (* A multiple of 2^grid, and 0 or between 2^low and 2^high in magnitude. *)
 Record extent := Extent { grid : Z; low : Z; high : Z; nonnegative : bool }.
-Definition within (d : extent) (x : R) : Prop :=
+Definition has_extent (d : extent) (x : R) : Prop :=
   on_grid (grid d) x /\ (x = 0 \/ bpow radix2 (low d) <= Rabs x) /\ Rabs x <= bpow radix2 (high d) /\ (nonnegative d = true -> 0 <= x).
 
 Definition sum_extent (d d' : extent) : extent :=
@@ -84,9 +84,9 @@ Proof. intros. eapply Rle_trans; [eassumption | apply bpow_le; assumption]. Qed.
 Lemma above i j x : (i <= j)%Z -> x = 0 \/ bpow radix2 j <= Rabs x -> x = 0 \/ bpow radix2 i <= Rabs x.
 Proof. intros less [zero | more]; [left; exact zero | right]. eapply Rle_trans; [apply bpow_le; exact less | exact more]. Qed.
 
-Lemma sum_within d d' x y : within d x -> within d' y -> within (sum_extent d d') (x + y).
+Lemma sum_within d d' x y : has_extent d x -> has_extent d' y -> has_extent (sum_extent d d') (x + y).
 Proof.
-  intros (gx & lx & hx & px) (gy & ly & hy & py). unfold sum_extent, within. cbn [grid low high nonnegative].
+  intros (gx & lx & hx & px) (gy & ly & hy & py). unfold sum_extent, has_extent. cbn [grid low high nonnegative].
   assert (on_grid (Z.min (grid d) (grid d')) (x + y)) as sum.
   { apply grid_sum; [apply (on_coarser_grid _ (grid d)) | apply (on_coarser_grid _ (grid d'))]; assumption || lia. }
   split; [exact sum |]. split; [| split].
@@ -99,15 +99,15 @@ Proof.
     pose proof (below (high d') (Z.max (high d) (high d')) y ltac:(lia) hy). eapply Rle_trans; [apply Rabs_triang | lra].
   - rewrite andb_true_iff. intros [p p']. specialize (px p). specialize (py p'). lra.
 Qed.
-Lemma opposite_within d x : within d x -> within (opposite_extent d) (- x).
+Lemma opposite_within d x : has_extent d x -> has_extent (opposite_extent d) (- x).
 Proof.
-  intros (gx & lx & hx & _). unfold within, opposite_extent. cbn [grid low high nonnegative]. rewrite Rabs_Ropp.
+  intros (gx & lx & hx & _). unfold has_extent, opposite_extent. cbn [grid low high nonnegative]. rewrite Rabs_Ropp.
   split; [apply grid_opposite, gx |]. split; [destruct lx as [-> | lx]; [left; ring | right; exact lx] |]. split; [exact hx | discriminate].
 Qed.
-Lemma product_within (square : bool) d d' x y : (square = true -> x = y) -> within d x -> within d' y ->
-  within (product_extent square d d') (x * y).
+Lemma product_within (square : bool) d d' x y : (square = true -> x = y) -> has_extent d x -> has_extent d' y ->
+  has_extent (product_extent square d d') (x * y).
 Proof.
-  intros same (gx & lx & hx & px) (gy & ly & hy & py). unfold within, product_extent. cbn [grid low high nonnegative].
+  intros same (gx & lx & hx & px) (gy & ly & hy & py). unfold has_extent, product_extent. cbn [grid low high nonnegative].
   rewrite Rabs_mult, !bpow_plus. split; [apply grid_product; assumption |]. split; [| split].
   - destruct lx as [-> | lx]; [left; ring |]. destruct ly as [-> | ly]; [left; ring | right].
     apply Rmult_le_compat; try assumption; apply bpow_ge_0.
@@ -126,7 +126,7 @@ Section Doubles.
   Notation F := (float_machine 53 1024 eq_refl eq_refl least greatest other).
   Notation N := (real_machine unbounded).
 
-  Lemma rounded_within d x : within d x -> within d (unbounded x).
+  Lemma rounded_within d x : has_extent d x -> has_extent d (unbounded x).
   Proof using Type.
     intros (gx & lx & hx & px). assert (forall e, generic_format radix2 (FLX_exp 53) (bpow radix2 e)) as power.
     { intros e. apply generic_format_bpow. unfold FLX_exp. lia. }
@@ -136,7 +136,7 @@ Section Doubles.
     - apply abs_round_le_generic; auto using valid_rnd_N. apply FLX_exp_valid. exact prec_53.
     - intros p. apply round_ge_generic; auto using valid_rnd_N, generic_format_0. apply FLX_exp_valid. exact prec_53.
   Qed.
-  Lemma nearest_is_unbounded d x : is_rounded_well d = true -> within d x ->
+  Lemma nearest_is_unbounded d x : is_rounded_well d = true -> has_extent d x ->
     nearest x = unbounded x /\ Rabs (nearest x) < bpow radix2 1024.
   Proof using Type.
     unfold is_rounded_well. rewrite andb_true_iff, orb_true_iff, !Z.leb_le, Z.ltb_lt. intros (small & great) inside.
@@ -148,12 +148,12 @@ Section Doubles.
     eapply Rle_lt_trans; [exact hx | apply bpow_lt; exact great].
   Qed.
 
-  Definition fits (d : extent) (X : m_number F) (x : m_number N) : Prop := is_finite (X : float) = true /\ B2R (X : float) = x /\ within d x.
+  Definition fits (d : extent) (X : m_number F) (x : m_number N) : Prop := is_finite (X : float) = true /\ B2R (X : float) = x /\ has_extent d x.
   Variables (leaf : nat -> extent) (X : nat -> m_number F) (x : nat -> m_number N).
   Hypothesis leaves : forall i, fits (leaf i) (X i) (x i).
 
   (* A rounded operation. *)
-  Lemma fits_rounded d e (Y : m_number F) z : rounded_extent d = Some e -> within d z ->
+  Lemma fits_rounded d e (Y : m_number F) z : rounded_extent d = Some e -> has_extent d z ->
     (Rabs (nearest z) < bpow radix2 1024 -> is_finite (Y : float) = true /\ B2R (Y : float) = nearest z) -> fits e Y (unbounded z).
   Proof using Type.
     unfold rounded_extent. destruct is_rounded_well eqn:well; [| discriminate]. intros [= <-] inside operation.
@@ -177,7 +177,7 @@ Section Doubles.
       destruct range as (((n0 & few) & e0) & e1).
       destruct (constant_spec 53 1024 eq_refl eq_refl ltac:(lia) n e ltac:(lia) ltac:(lia)) as (FC & value).
       destruct (Z.log2_spec n n0) as (least_power & next_power). split; [exact FC |]. split; [exact value |].
-      cbn [m_constant real_machine]. unfold within. cbn [grid Extents.low high nonnegative].
+      cbn [m_constant real_machine]. unfold has_extent. cbn [grid Extents.low high nonnegative].
       assert (0 < IZR n) as positive by (apply IZR_lt; exact n0).
       rewrite (Rabs_pos_eq (IZR n * bpow radix2 e)) by (apply Rmult_le_pos; [lra | apply bpow_ge_0]).
       change 2%Z with (radix_val radix2) in least_power, next_power. pose proof (Z.log2_nonneg n) as log0.
@@ -193,7 +193,7 @@ Section Doubles.
     - destruct (extent_of leaf t) as [e |]; [| discriminate]. cbn [bind]. intros [= <-].
       destruct (IHt e eq_refl) as (FX & value & (gx & lx & hx & px)).
       unfold fits. cbn [m_magnitude float_machine real_machine]. rewrite is_finite_Babs, B2R_Babs, value.
-      split; [exact FX |]. split; [reflexivity |]. unfold within. cbn [grid Extents.low high nonnegative]. rewrite Rabs_Rabsolu.
+      split; [exact FX |]. split; [reflexivity |]. unfold has_extent. cbn [grid Extents.low high nonnegative]. rewrite Rabs_Rabsolu.
       split; [unfold Rabs; destruct Rcase_abs; [apply grid_opposite |]; exact gx |].
       split; [destruct lx as [-> | lx]; [left; apply Rabs_R0 | right; exact lx] |]. split; [exact hx | intros _; apply Rabs_pos].
     - intros H. apply pair in H as (e & e' & H1 & H2 & H). destruct (IHt1 e H1) as (F1 & <- & in1), (IHt2 e' H2) as (F2 & <- & in2).
@@ -212,7 +212,7 @@ Section Doubles.
       destruct (IHt1 e H1) as (F1 & v1 & (g1 & l1 & h1 & p1)), (IHt2 e' H2) as (F2 & v2 & (g2 & l2 & h2 & p2)).
       destruct (greatest_of_finite 53 1024 greatest greatest_is _ _ F1 F2) as (FG & value). split; [exact FG |].
       split; [cbn [m_greatest float_machine real_machine]; rewrite value, v1, v2; reflexivity |].
-      cbn [m_greatest real_machine]. unfold within, greatest_extent. cbn [grid Extents.low high nonnegative].
+      cbn [m_greatest real_machine]. unfold has_extent, greatest_extent. cbn [grid Extents.low high nonnegative].
       assert (forall z, 0 <= eval N x t1 \/ 0 <= eval N x t2 -> z = Rmax (eval N x t1) (eval N x t2) -> 0 <= z) as more.
       { intros z [a | b] ->; [eapply Rle_trans; [exact a | apply Rmax_l] | eapply Rle_trans; [exact b | apply Rmax_r]]. }
       split; [| split; [| split]].

@@ -73,6 +73,27 @@ Theorem recorded_fine_known_is_program m fused open ax ay az bx by_ bz cx_ cy_ c
   known_list (fine_known m (fine_list m fused ax ay az bx by_ bz cx_ cy_ cz_ px py pz r) open).
 Proof. destruct fused, open; reflexivity. Qed.
 
+(* The step's own verdicts are those of its bits. *)
+Lemma decided_by_bits k : known_sides k axis_plane = true ->
+  is_separated k = known_radius k axis_a && known_sides k axis_a || known_radius k axis_b && known_sides k axis_b ||
+    known_radius k axis_c && known_sides k axis_c || known_radius k axis_plane || known_radius k axis_ab && known_sides k axis_ab ||
+    known_radius k axis_bc && known_sides k axis_bc || known_radius k axis_ca && known_sides k axis_ca /\
+  is_contact k = known_fails k axis_a && known_fails k axis_b && known_fails k axis_c && known_fails k axis_plane && known_fails k axis_ab &&
+    known_fails k axis_bc && known_fails k axis_ca.
+Proof.
+  intros plane. unfold is_separated, is_contact, all_axes. cbn [existsb forallb]. rewrite plane, andb_true_r, orb_false_r, andb_true_r.
+  rewrite !orb_assoc, !andb_assoc. split; reflexivity.
+Qed.
+Definition recorded_fine_answers (fused : bool) := if fused then fine_fma_binary64_answers else fine_plain_binary64_answers.
+Theorem recorded_fine_decides m fused ax ay az bx by_ bz cx_ cy_ cz_ px py pz r :
+  let known := fine_known m (fine_list m fused ax ay az bx by_ bz cx_ cy_ cz_ px py pz r) in
+  skipn 2 (recorded_fine_answers fused m ax ay az bx by_ bz cx_ cy_ cz_ px py pz r) =
+  [is_separated (known false); is_contact (known false); is_separated (known true); is_contact (known true)].
+Proof.
+  intros known. destruct (decided_by_bits (known false) eq_refl) as [-> ->], (decided_by_bits (known true) eq_refl) as [-> ->].
+  unfold known. destruct fused; reflexivity.
+Qed.
+
 (* Over the reals, with roundings that do not underflow. *)
 Section Sound.
   Variable rnd : R -> R.
@@ -234,7 +255,7 @@ Section Binary32.
   Lemma leaf_fits (k : nat) (y : binary_float 53 1024) : is_finite y = true -> in_binary32 (B2R y) -> ((k =? 12)%nat = true -> 0 <= B2R y) ->
     fits (leaf_extent k) y (B2R y).
   Proof using Type.
-    intros FY [in_format small] positive. split; [exact FY |]. split; [reflexivity |]. unfold within, leaf_extent. cbn [grid Extents.low high nonnegative].
+    intros FY [in_format small] positive. split; [exact FY |]. split; [reflexivity |]. unfold has_extent, leaf_extent. cbn [grid Extents.low high nonnegative].
     destruct (binary32_is_whole (B2R y) (conj in_format small)) as (z & value & _).
     assert (on_grid (-149) (B2R y)) as whole by (exists z; exact value).
     split; [exact whole |]. split; [apply grid_least, whole |]. split; [left; exact small | exact positive].
