@@ -91,6 +91,9 @@ FAULTS = {
     "a normal that is not computed where the plane asks for it": (
         "RecordedExact.v", "Definition recorded_needs_normal : list bool :=\n  [true;", "Definition recorded_needs_normal : list bool :=\n  [false;",
         "ExactVerdict.v"),
+    "a ball that is rounded and keeps its error": ("Balls.v", "k / power + lost m power + lost k power", "k / power + lost k power", "Balls.v"),
+    "an edge's side that a ball tells from the wrong sign": (
+        "RecordedExact.v", "Is_at_most_zero 136", "Is_at_least_zero 136", "Balls.v"),
     "a word too few for a product of the exact step": (
         "ExactProgram.v", "then 1 else degree + 2)", "then 1 else degree - 2)", "ExactProgram.v"),
     "a fine bound too small": (

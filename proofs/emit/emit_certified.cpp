@@ -264,7 +264,7 @@ std::string coq_definition(const RecordedStep& step, Sort sort, std::string_view
 // A tree of questions about values at these places.
 std::string coq_tree(const AskedTree& tree, const std::vector<std::size_t>& place) {
   if (!tree.asked) return fmt::format("Answer {}", tree.answer);
-  constexpr const char* signs[] = {"Is_positive", "Is_negative", "Is_zero"};
+  constexpr const char* signs[] = {"Is_positive", "Is_negative", "Is_zero", "Is_at_least_zero", "Is_at_most_zero"};
   std::string asked;
   if (tree.asked->kind == Asked::known) asked = fmt::format("Knows {} {}", tree.asked->of, tree.asked->axis);
   else if (tree.asked->kind == Asked::separates) asked = fmt::format("Separates {}", tree.asked->of);
@@ -280,6 +280,16 @@ std::string exact_verdict(const RecordedExact& exact, const std::vector<std::siz
     text += fmt::format("\n(* Whether each axis separates. *)\nDefinition recorded_{}_axes : list tree :=\n  [{}].\n",
                         open ? "open" : "closed", trees);
   }
+  std::string told;
+  for (const std::vector<AskedTree>& axis : exact.told) {
+    std::string trees;
+    for (const AskedTree& tree : axis) trees += (trees.empty() ? "" : ";\n    ") + coq_tree(tree, place);
+    told += (told.empty() ? "[" : ";\n   [") + trees + "]";
+  }
+  text += fmt::format(
+      "\n(* What certain signs tell of each axis, if the others fail: that it fails, its radius, its sides. *)\n"
+      "Definition recorded_told : list (list tree) :=\n  [{}].\n",
+      told);
   text += fmt::format("\nDefinition recorded_verdict : tree :=\n  {}.\n", coq_tree(exact.verdict, place));
   std::string needs;
   for (const bool needed : exact.needs_normal) needs += (needs.empty() ? "" : "; ") + fmt::format("{}", needed);

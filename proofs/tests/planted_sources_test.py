@@ -174,6 +174,8 @@ STEP_FAULTS = {
         f"{CERTIFIED}/exact_test.h", "if (test.plane_separates(V)) return true;", "", EXACT, "ExactVerdict.v"),
     "V left out where an edge's sides are known": (
         f"{CERTIFIED}/exact_test.h", "(sides & edges)", "edges", EXACT, "ExactVerdict.v"),
+    "an edge's side that balls tell from the wrong sign": (
+        f"{CERTIFIED}/exact_test.h", "side.is_at_most_zero()", "side.is_at_least_zero()", EXACT, "Balls.v"),
     "a side that is added in the exact step": (
         f"{CERTIFIED}/numbers/exact_margins.h", "dot<Four>(N, N) - product", "dot<Four>(N, N) + product", EXACT, "ExactStep.v"),
     # The box.

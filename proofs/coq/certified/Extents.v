@@ -120,7 +120,7 @@ Section Doubles.
   Notation float := (binary_float 53 1024).
   Notation nearest := (nearest 53 1024).
   Notation unbounded := (unbounded 53).
-  Local Instance prec_53 : Prec_gt_0 53 := eq_refl.
+  Local Instance doubles_have_bits : Prec_gt_0 53 := eq_refl.
   Variables (least greatest : float -> float -> float) (other : float -> float).
   Hypothesis greatest_is : is_greatest 53 1024 greatest.
   Notation F := (float_machine 53 1024 eq_refl eq_refl least greatest other).
@@ -132,9 +132,9 @@ Section Doubles.
     { intros e. apply generic_format_bpow. unfold FLX_exp. lia. }
     split; [apply grid_rounded, gx |]. split; [| split].
     - destruct lx as [-> | lx]; [left; apply round_0, valid_rnd_N | right]. apply abs_round_ge_generic; auto using valid_rnd_N.
-      apply FLX_exp_valid. exact prec_53.
-    - apply abs_round_le_generic; auto using valid_rnd_N. apply FLX_exp_valid. exact prec_53.
-    - intros p. apply round_ge_generic; auto using valid_rnd_N, generic_format_0. apply FLX_exp_valid. exact prec_53.
+      apply FLX_exp_valid. exact doubles_have_bits.
+    - apply abs_round_le_generic; auto using valid_rnd_N. apply FLX_exp_valid. exact doubles_have_bits.
+    - intros p. apply round_ge_generic; auto using valid_rnd_N, generic_format_0. apply FLX_exp_valid. exact doubles_have_bits.
   Qed.
   Lemma nearest_is_unbounded d x : is_rounded_well d = true -> has_extent d x ->
     nearest x = unbounded x /\ Rabs (nearest x) < bpow radix2 1024.
