@@ -91,10 +91,18 @@ FAULTS = {
     "a normal that is not computed where the plane asks for it": (
         "RecordedExact.v", "Definition recorded_needs_normal : list bool :=\n  [true;", "Definition recorded_needs_normal : list bool :=\n  [false;",
         "ExactVerdict.v"),
+    "a ball that is rounded and keeps its error": ("Balls.v", "k / power + lost m power + lost k power", "k / power + lost k power", "Balls.v"),
+    "an edge's side that a ball tells from the wrong sign": (
+        "RecordedExact.v", "Is_at_most_zero 136", "Is_at_least_zero 136", "Balls.v"),
     "a word too few for a product of the exact step": (
         "ExactProgram.v", "then 1 else degree + 2)", "then 1 else degree - 2)", "ExactProgram.v"),
     "a fine bound too small": (
         "FineStep.v", "Definition fine_vertex_side := number 255 (-57).", "Definition fine_vertex_side := number 255 (-58).", "FineStep.v"),
+    "a tie that the fine step takes as contact of the open sphere": (
+        "FineKnown.v", "if open then m_less m (fine_value K) least", "if open then m_at_most m (fine_value K) least", "FineKnown.v"),
+    "an edge without length that the fine step's bits do not ask for": (
+        "RecordedCertified.v", "m_equal m t47 (m_zero m)", "m_equal m t31 (m_zero m)", "FineKnown.v"),
+    "a grid below the least number": ("Extents.v", "((-1074 <=? grid d)", "((-1105 <=? grid d)", "Extents.v"),
     "a coarse step that tells that a comparison holds where it may not": (
         "CoarseKnown.v", "(fun i => Bltb (t (radius_of i)) (m (radius_of i)))", "(fun i => Bltb (Bopp (t (radius_of i))) (m (radius_of i)))",
         "CoarseKnown.v"),

@@ -138,7 +138,7 @@ inline constexpr std::array<std::string_view, 13> query_inputs = {"ax", "ay", "a
 // What the exact step asks before it answers: the sign of a node, a bit of what is known (exact_step.h; fails, radius,
 // sides) of an axis, or whether an axis separates.
 struct Asked {
-  enum Kind { positive, negative, zero, known, separates } kind;
+  enum Kind { positive, negative, zero, at_least_zero, at_most_zero, known, separates } kind;
   Index of;
   Index axis = 0;
   bool operator==(const Asked&) const = default;
@@ -165,6 +165,8 @@ struct RecordedExact {
   // Whether each axis separates, for the closed and the open sphere; whether some does.
   std::array<std::vector<AskedTree>, 2> axes;
   AskedTree verdict;
+  // What certain signs tell of each axis, if the others fail: whether it fails, its radius holds, its sides hold.
+  std::vector<std::vector<AskedTree>> told;
   // By the axes of the plane and the edges that fail, 8 times their bits, and the edges whose sides hold.
   std::vector<bool> needs_normal;
   std::vector<RecordedSize> sizes;

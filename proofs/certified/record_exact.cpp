@@ -52,6 +52,8 @@ struct Whole {
   bool is_positive() const { return script->ask({Asked::positive, node}); }
   bool is_negative() const { return script->ask({Asked::negative, node}); }
   bool is_zero() const { return script->ask({Asked::zero, node}); }
+  bool is_at_least_zero() const { return script->ask({Asked::at_least_zero, node}); }
+  bool is_at_most_zero() const { return script->ask({Asked::at_most_zero, node}); }
 
   static Whole of(Op op, Index a, Index b) {
     const Whole made{recorder->node(op, {a, b})};
@@ -151,6 +153,15 @@ RecordedExact recorded_exact() {
     for (int i = 0; i < 3; ++i) exact.axes[open].push_back(tree_of([&] { return test.vertex_separates(i); }));
     exact.axes[open].push_back(tree_of([&] { return test.plane_separates(V); }));
     for (int i = 0; i < 3; ++i) exact.axes[open].push_back(tree_of([&] { return test.edge_separates(i, V); }));
+  }
+  // Of each axis, asked alone.
+  constexpr int groups[] = {KnownResults::fails, KnownResults::radius, KnownResults::sides};
+  for (int axis = 0; axis < KnownResults::axes; ++axis) {
+    const KnownResults others{0b1111111u & ~(std::uint64_t{1} << axis)};
+    exact.told.emplace_back();
+    for (const int group : groups) {
+      exact.told.back().push_back(tree_of([&] { return axiscert::certified::with_signs(m, others).has(group, axis); }));
+    }
   }
   exact.verdict = tree_of([] { return axiscert::certified::some_axis_separates(AskedAxes()); });
   // The axes of the plane and the edges that are known to fail, then the edges whose sides are known to hold.

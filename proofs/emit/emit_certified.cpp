@@ -214,11 +214,11 @@ std::vector<Result> results_of(const RecordedStep& step, Sort sort) {
   }
   return results;
 }
-// A step with the bits of what it knows, named as in exact_step.h, in place of its results.
-RecordedStep with_known_bits(RecordedStep step) {
+// A step with the bits of what it knows, by the result `known`, named as in exact_step.h, in place of its results.
+RecordedStep with_known_bits(RecordedStep step, std::string_view known) {
   constexpr std::string_view axes[] = {"a", "b", "c", "plane", "ab", "bc", "ca"};
   std::vector<Index> bits(23, no_node);
-  find_bits(step.graph, step.result("known"), bits);
+  find_bits(step.graph, step.result(known), bits);
   step.results.clear();
   for (std::size_t group = 0; group < 3; ++group) {
     for (std::size_t axis = 0; axis < 7; ++axis) {
@@ -264,7 +264,7 @@ std::string coq_definition(const RecordedStep& step, Sort sort, std::string_view
 // A tree of questions about values at these places.
 std::string coq_tree(const AskedTree& tree, const std::vector<std::size_t>& place) {
   if (!tree.asked) return fmt::format("Answer {}", tree.answer);
-  constexpr const char* signs[] = {"Is_positive", "Is_negative", "Is_zero"};
+  constexpr const char* signs[] = {"Is_positive", "Is_negative", "Is_zero", "Is_at_least_zero", "Is_at_most_zero"};
   std::string asked;
   if (tree.asked->kind == Asked::known) asked = fmt::format("Knows {} {}", tree.asked->of, tree.asked->axis);
   else if (tree.asked->kind == Asked::separates) asked = fmt::format("Separates {}", tree.asked->of);
@@ -280,6 +280,16 @@ std::string exact_verdict(const RecordedExact& exact, const std::vector<std::siz
     text += fmt::format("\n(* Whether each axis separates. *)\nDefinition recorded_{}_axes : list tree :=\n  [{}].\n",
                         open ? "open" : "closed", trees);
   }
+  std::string told;
+  for (const std::vector<AskedTree>& axis : exact.told) {
+    std::string trees;
+    for (const AskedTree& tree : axis) trees += (trees.empty() ? "" : ";\n    ") + coq_tree(tree, place);
+    told += (told.empty() ? "[" : ";\n   [") + trees + "]";
+  }
+  text += fmt::format(
+      "\n(* What certain signs tell of each axis, if the others fail: that it fails, its radius, its sides. *)\n"
+      "Definition recorded_told : list (list tree) :=\n  [{}].\n",
+      told);
   text += fmt::format("\nDefinition recorded_verdict : tree :=\n  {}.\n", coq_tree(exact.verdict, place));
   std::string needs;
   for (const bool needed : exact.needs_normal) needs += (needs.empty() ? "" : "; ") + fmt::format("{}", needed);
@@ -368,8 +378,8 @@ Open Scope bool_scope.
 
    STEP_plain_FORMAT_numbers, STEP_fma_FORMAT_numbers: the numbers that a step computes with and without fused
    multiply-add, named above each list. STEP_..._constants: the constants of a step of which no more is stated.
-   STEP_..._answers: the flags that it answers. STEP_..._known: the bits that it tells
-   the next steps (Known in exact_step.h). *)
+   STEP_..._answers: the flags that it answers. STEP_..._known, and for each sphere known_closed, known_open: the bits
+   that it tells the next steps (Known in exact_step.h). *)
 )";
 
 bool is_stated(const RecordedStep& step) {
@@ -393,8 +403,11 @@ Files certified_files() {
     const RecordedStep step = recorded.name == "box" ? with_outcode_bits(recorded) : recorded;
     coq += coq_definition(step, Sort::number, "numbers", "(m_number m)");
     coq += coq_definition(step, Sort::flag, "answers", "bool");
-    if (step.name == "coarse" && step.bits == 64)
-      coq += coq_definition(with_known_bits(step), Sort::flag, "known", "bool");
+    const auto add_known = [&](std::string_view known) {
+      coq += coq_definition(with_known_bits(step, known), Sort::flag, known, "bool");
+    };
+    if (step.name == "coarse" && step.bits == 64) add_known("known");
+    if (step.name == "fine") add_known("known_closed"), add_known("known_open");
   }
   for (const RecordedStep& step : recorded_scaling()) files[program_path(full_name(step))] = text_of(step);
   const std::string exact = exact_program();

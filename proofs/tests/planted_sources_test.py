@@ -139,7 +139,7 @@ STEP_FAULTS = {
         f"{CERTIFIED}/margins-inl.h", "rr * dot(along.v, along.v)", "rr * dot(along.v, N.v)", STEPS, "FineStep.v"),
     "a tie that the fine step takes as certain": (
         f"{CERTIFIED}/fine_step-inl.h", "hn::Lt(margin.value, hn::Neg(margin.bound)));", "hn::Le(margin.value, hn::Neg(margin.bound)));",
-        STEPS, None),
+        STEPS, "FineKnown.v"),
     "a range of the deep step that is not asked": (
         f"{CERTIFIED}/deep_step-inl.h", "sound = hn::And(sound, in_range(m_.ab));", "", STEPS, None),
     "a pair's sum with an error of the wrong sign": (
@@ -174,6 +174,8 @@ STEP_FAULTS = {
         f"{CERTIFIED}/exact_test.h", "if (test.plane_separates(V)) return true;", "", EXACT, "ExactVerdict.v"),
     "V left out where an edge's sides are known": (
         f"{CERTIFIED}/exact_test.h", "(sides & edges)", "edges", EXACT, "ExactVerdict.v"),
+    "an edge's side that balls tell from the wrong sign": (
+        f"{CERTIFIED}/exact_test.h", "side.is_at_most_zero()", "side.is_at_least_zero()", EXACT, "Balls.v"),
     "a side that is added in the exact step": (
         f"{CERTIFIED}/numbers/exact_margins.h", "dot<Four>(N, N) - product", "dot<Four>(N, N) + product", EXACT, "ExactStep.v"),
     # The box.

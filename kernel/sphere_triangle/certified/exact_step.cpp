@@ -28,39 +28,11 @@ template <int bits>
   return separated_in<Integers<bits>>(numbers, open, known);
 }
 
-bool is_open(std::uint32_t axes, int axis) noexcept { return ((axes >> axis) & 1u) != 0; }
-
-// `known` with the results added that are certain in ball arithmetic; they hold for the closed and the open sphere.
+// `known` with the results added that are certain in ball arithmetic.
 KnownResults with_balls(const double (&q)[13], KnownResults known) noexcept {
   Ball numbers[13];
   for (int i = 0; i < 13; ++i) numbers[i] = Ball(Dyadic(q[i]));
-  const ExactMargins<Balls> m(numbers);
-  const auto note = [&](int group, int axis, bool holds, bool fails) {
-    known.bits |= std::uint64_t{holds} << (group + axis) | std::uint64_t{fails} << (KnownResults::fails + axis);
-  };
-  const auto note_radius = [&](int axis, const Ball& margin) {
-    note(KnownResults::radius, axis, margin.is_positive(), margin.is_negative());
-  };
-  note(KnownResults::sides, KnownResults::plane_axis, true, false);  // the plane has no sides
-  const Vector<Ball> V = needs_normal(known) ? m.plane_normal() : Vector<Ball>{};
-  for (int i = 0; i < 3; ++i) {
-    const int vertex = KnownResults::vertex_axis + i, edge = KnownResults::edge_axis + i;
-    if (is_open(known.open_radii(), vertex)) note_radius(vertex, m.vertex_radius(i));
-    if (is_open(known.open_sides(), vertex)) {
-      const Ball away = m.vertex_side(i, m.next(i)), towards = m.vertex_side(i, m.last(i));
-      note(KnownResults::sides, vertex, away.is_at_least_zero() && towards.is_at_least_zero(),
-           away.is_negative() || towards.is_negative());
-    }
-    if (!is_open(known.open_radii() | known.open_sides(), edge)) continue;
-    const Vector<Ball> along = m.along(i), N = m.edge_normal(i, along);
-    if (is_open(known.open_sides(), edge)) {
-      const Ball side = m.edge_side(N, V);
-      note(KnownResults::sides, edge, side.is_at_most_zero(), side.is_positive());
-    }
-    if (is_open(known.open_radii(), edge)) note_radius(edge, m.edge_radius(N, along));
-  }
-  if (is_open(known.open_radii(), KnownResults::plane_axis)) note_radius(KnownResults::plane_axis, m.plane_radius(V));
-  return known;
+  return with_signs(ExactMargins<Balls>(numbers), known);
 }
 
 // By nonzero digits, for numbers so far apart that most digits are zero.

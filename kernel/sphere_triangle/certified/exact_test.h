@@ -17,6 +17,40 @@ constexpr bool needs_normal(KnownResults known) noexcept {
   return (~fails & (plane_and_edges ^ (sides & edges))) & plane_and_edges;
 }
 
+// `known` with the results added that signs of margins tell, where these are certain; they hold for the closed and the
+// open sphere.
+template <class Numbers>
+KnownResults with_signs(const ExactMargins<Numbers>& m, KnownResults known) noexcept {
+  const auto is_open = [](std::uint32_t axes, int axis) { return ((axes >> axis) & 1u) != 0; };
+  const auto note = [&](int group, int axis, bool holds, bool fails) {
+    known.bits |= std::uint64_t{holds} << (group + axis) | std::uint64_t{fails} << (KnownResults::fails + axis);
+  };
+  const auto note_radius = [&](int axis, const auto& margin) {
+    note(KnownResults::radius, axis, margin.is_positive(), margin.is_negative());
+  };
+  note(KnownResults::sides, KnownResults::plane_axis, true, false);  // the plane has no sides
+  const auto V = needs_normal(known) ? m.plane_normal() : typename ExactMargins<Numbers>::Normal{};
+  for (int i = 0; i < 3; ++i) {
+    const int vertex = KnownResults::vertex_axis + i, edge = KnownResults::edge_axis + i;
+    if (is_open(known.open_radii(), vertex)) note_radius(vertex, m.vertex_radius(i));
+    if (is_open(known.open_sides(), vertex)) {
+      const auto away = m.vertex_side(i, m.next(i)), towards = m.vertex_side(i, m.last(i));
+      note(KnownResults::sides, vertex, away.is_at_least_zero() && towards.is_at_least_zero(),
+           away.is_negative() || towards.is_negative());
+    }
+    if (!is_open(known.open_radii() | known.open_sides(), edge)) continue;
+    const auto along = m.along(i);
+    const auto N = m.edge_normal(i, along);
+    if (is_open(known.open_sides(), edge)) {
+      const auto side = m.edge_side(N, V);
+      note(KnownResults::sides, edge, side.is_at_most_zero(), side.is_positive());
+    }
+    if (is_open(known.open_radii(), edge)) note_radius(edge, m.edge_radius(N, along));
+  }
+  if (is_open(known.open_radii(), KnownResults::plane_axis)) note_radius(KnownResults::plane_axis, m.plane_radius(V));
+  return known;
+}
+
 // Whether an axis of a test separates, asked in this order.
 template <class Test>
 bool some_axis_separates(const Test& test) noexcept {

@@ -116,7 +116,8 @@ Proof. induction k as [| k IH]; intros l l' all; [exact all |]. destruct all; cb
 (* What the exact step asks of the values before it answers: the sign of one, a bit of what is known (group 0: fails, 1: radius,
    2: sides; axes a, b, c, plane, ab, bc, ca), or whether an axis separates. *)
 Inductive asked :=
-  | Is_positive (i : nat) | Is_negative (i : nat) | Is_zero (i : nat) | Knows (group axis : nat) | Separates (axis : nat).
+  | Is_positive (i : nat) | Is_negative (i : nat) | Is_zero (i : nat) | Is_at_least_zero (i : nat) | Is_at_most_zero (i : nat)
+  | Knows (group axis : nat) | Separates (axis : nat).
 Inductive tree := Answer (b : bool) | Ask (x : asked) (yes no : tree).
 Fixpoint answer_of (says : asked -> bool) (t : tree) : bool :=
   match t with Answer b => b | Ask x yes no => if says x then answer_of says yes else answer_of says no end.

@@ -17,6 +17,7 @@ Section Verdict.
   Definition says (x : asked) : bool :=
     match x with
     | Is_positive i => 0 <? nth i values 0 | Is_negative i => nth i values 0 <? 0 | Is_zero i => nth i values 0 =? 0
+    | Is_at_least_zero i => 0 <=? nth i values 0 | Is_at_most_zero i => nth i values 0 <=? 0
     | Knows group axis => knows group axis
     | Separates _ => false
     end.
