@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <limits>
 #include <span>
 
 #include "kernel/base/environment.h"
 #include "kernel/base/error.h"
 #include "kernel/permitted/reach.h"
+#include "kernel/permitted/rounding.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/permitted/lanes.cpp"
@@ -18,50 +18,15 @@
 #define AXISCERT_PER_TARGET
 #include "kernel/lanes-inl.h"
 #include "kernel/permitted/around-inl.h"
+#include "kernel/permitted/ends-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::permitted {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::ScalableTag<float>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
 using axiscert::HWY_NAMESPACE::bits_of_mask;
 using axiscert::HWY_NAMESPACE::for_each_vector;
-constexpr D d;
-constexpr std::size_t lanes = hn::MaxLanes(d);
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float least_normal = std::numeric_limits<float>::min();
-
-// The greatest and the negated least of what may be.
-struct Ends {
-  V greatest, negated_least;
-};
-AXISCERT_INLINE Ends negative(const Ends& a) { return {a.negated_least, a.greatest}; }
-AXISCERT_INLINE Ends joined(const Ends& a, const Ends& b) {
-  return {hn::Max(a.greatest, b.greatest), hn::Max(a.negated_least, b.negated_least)};
-}
-AXISCERT_INLINE M is_finite(const Ends& a) {
-  const V most = hn::Set(d, infinity);
-  return hn::And(hn::Lt(hn::Abs(a.greatest), most), hn::Lt(hn::Abs(a.negated_least), most));
-}
-AXISCERT_INLINE Ends where(M is_determinate, const Ends& a) {
-  const V any = hn::Set(d, infinity);
-  return {hn::IfThenElse(is_determinate, a.greatest, any), hn::IfThenElse(is_determinate, a.negated_least, any)};
-}
-
-AXISCERT_INLINE Ends sum_of(const Ends& a, const Ends& b) {
-  return {hn::Add(a.greatest, b.greatest), hn::Add(a.negated_least, b.negated_least)};
-}
-// The products and the negated products of all pairs of ends.
-AXISCERT_INLINE Ends product_of(const Ends& a, const Ends& b) {
-  const V greatest = hn::Neg(a.greatest), least = hn::Neg(a.negated_least);
-  return {hn::Max(hn::Max(hn::Mul(a.greatest, b.greatest), hn::Mul(a.negated_least, b.negated_least)),
-                  hn::Max(hn::Mul(greatest, b.negated_least), hn::Mul(least, b.greatest))),
-          hn::Max(hn::Max(hn::Mul(greatest, b.greatest), hn::Mul(least, b.negated_least)),
-                  hn::Max(hn::Mul(a.greatest, b.negated_least), hn::Mul(a.negated_least, b.greatest)))};
-}
 
 class Queries {
  public:
@@ -122,13 +87,6 @@ class Queries {
                     hn::LoadU(d, &block_.negated_least[v.node * lanes])};
     return v.is_negative ? negative(ends) : ends;
   }
-  Ends flushed(const Ends& a) const {
-    if (!graph_.permissions().flushed) return a;
-    const V zero = hn::Zero(d), most = hn::Set(d, -least_normal);
-    const auto one = [&](V v) HWY_ATTR { return hn::IfThenElse(hn::And(hn::Lt(v, zero), hn::Gt(v, most)), zero, v); };
-    return {one(a.greatest), one(a.negated_least)};
-  }
-
   // The lanes in which a comparison can hold, or fail, right in those that are asked.
   std::uint64_t can_be(std::size_t i, bool holding, std::uint64_t asked) {
     // Quickly, where the sides are far from each other.
@@ -186,7 +144,7 @@ class Queries {
       case Kind::input: {
         const V x = hn::LoadU(d, &block_.columns[static_cast<std::size_t>(node.payload) * lanes]);
         const Ends ends{x, hn::Neg(x)};
-        return flushed(where(is_finite(ends), ends));
+        return flushed(graph_.permissions(), where(is_finite(ends), ends));
       }
       case Kind::constant: {
         const V x = hn::Set(d, static_cast<float>(node.payload));
@@ -209,7 +167,8 @@ class Queries {
       case Kind::reciprocal:
         return known(node.children[0]);
       case Kind::quotient: {
-        const Ends a = known(node.children[0]), b = known(node.children[1]), q = quotient_of(a, b);
+        const Ends a = known(node.children[0]), b = known(node.children[1]),
+                   q = quotient_of(graph_.permissions(), a, b);
         return where(hn::And(hn::And(is_finite(a), is_finite(b)), is_finite(q)), q);
       }
       case Kind::sum:
@@ -254,7 +213,8 @@ class Queries {
       if ((sub & ~divisors) == 0) std::swap(sub, rest);
       if ((rest & ~divisors) != 0) return product_of(at(sub), at(rest));
       const V none = hn::Set(d, -infinity);
-      return std::has_single_bit(rest) ? quotient_of(at(sub), at(rest)) : Ends{none, none};  // one after the other
+      return std::has_single_bit(rest) ? quotient_of(graph_.permissions(), at(sub), at(rest))
+                                       : Ends{none, none};  // one after the other
     });
   }
   Ends at(std::uint32_t mask) const {
@@ -285,7 +245,7 @@ class Queries {
       for_each_split(mask, [&](std::uint32_t sub, std::uint32_t rest) HWY_ATTR {
         if (other_first(sub) == 0) ends = joined(ends, operation(sub, rest));
       });
-      ends = flushed(ends);
+      ends = flushed(graph_.permissions(), ends);
       for (const Factoring& factoring : node.factorings) {
         if (factoring.mask != mask) continue;
         const Ends product = known(factoring.product);
@@ -296,32 +256,6 @@ class Queries {
       put(mask, ends);
     }
     return where(is_determinate, ends);
-  }
-
-  // Within 2.5 ulp one after the other: they are few. A divisor that is 0 makes any value, and rounded_quotient says
-  // so.
-  Ends quotient_of(const Ends& a, const Ends& b) const {
-    if (!graph_.permissions().divided) {
-      const V x = hn::Neg(a.negated_least), y = hn::Neg(b.negated_least);
-      const auto greatest = [&](V least_a, V greatest_a) HWY_ATTR {
-        return hn::Max(hn::Max(hn::Div(least_a, y), hn::Div(least_a, b.greatest)),
-                       hn::Max(hn::Div(greatest_a, y), hn::Div(greatest_a, b.greatest)));
-      };
-      const V zero = hn::Zero(d);
-      return where(hn::And(hn::Ne(y, zero), hn::Ne(b.greatest, zero)),
-                   {greatest(x, a.greatest), greatest(a.negated_least, hn::Neg(a.greatest))});
-    }
-    float x[2][lanes], y[2][lanes];
-    hn::StoreU(a.greatest, d, x[0]);
-    hn::StoreU(a.negated_least, d, x[1]);
-    hn::StoreU(b.greatest, d, y[0]);
-    hn::StoreU(b.negated_least, d, y[1]);
-    for (std::size_t i = 0; i < lanes; ++i) {
-      const Reach q = permitted::quotient_of(graph_.permissions(), {-x[1][i], x[0][i]}, {-y[1][i], y[0][i]});
-      x[0][i] = q.greatest;
-      x[1][i] = -q.least;
-    }
-    return {hn::LoadU(d, x[0]), hn::LoadU(d, x[1])};
   }
 
   const AdversaryInLanes::Plan& plan_;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cfenv>
 #include <cmath>
 #include <random>
@@ -111,8 +112,9 @@ TEST(Reach, FlushingAndOverflowAreTheEndsThatTheyAllow) {
   EXPECT_EQ(reach(-0x1p-130F, 1), (Reach{-0x1p-130F, 0}));
   EXPECT_EQ(reach(0x1p100F, 0x1p30F), (Reach{-HUGE_VALF, HUGE_VALF}));
   // Of a factor that is taken out the others are summed, here beyond the greatest float.
-  const Value sum = graph.sum(product, graph.product(graph.input(0), graph.input(2)));
-  const std::vector<float> inputs{0x1p-100F, 0x1.8p127F, 0x1.8p127F};
+  Value sum = product;
+  for (const std::size_t k : {2, 3}) sum = graph.sum(sum, graph.product(graph.input(0), graph.input(k)));
+  const std::vector<float> inputs{0x1p-100F, 0x1.8p126F, 0x1.8p126F, 0x1.8p126F};
   Evaluation of_three(graph);
   of_three.start(inputs);
   EXPECT_EQ(of_three.of(sum), (Reach{-HUGE_VALF, HUGE_VALF}));
@@ -196,16 +198,16 @@ TEST(Reach, FactorsThatAreTakenOutTogetherAreGroupedInEveryWay) {
   Evaluation evaluation(graph);
   std::size_t apart = 0;
   for (int trial = 0; trial < 300; ++trial) {
-    std::vector<float> inputs;
-    for (int i = 0; i < 4; ++i) inputs.push_back(1 + std::ldexp(static_cast<float>(random() % 0x800000), -23));
-    const float a = inputs[0], b = inputs[1], c = inputs[2], e = inputs[3];
-    const auto products = [&](float last) { return Values{(a * b) * last, (a * last) * b, (b * last) * a}; };
+    std::array<float, 4> inputs;
+    for (float& input : inputs) input = 1 + std::ldexp(static_cast<float>(random() % 0x800000), -23);
+    const auto [a, b, c, e] = inputs;
+    const auto products = [a, b](float last) { return Values{(a * b) * last, (a * last) * b, (b * last) * a}; };
     Values all = {a * (b * c + b * e), b * (a * c + a * e), a * (b * (c + e)), b * (a * (c + e))};
     for (const float one : products(c)) {
       for (const float other : products(e)) all.insert(one + other);
     }
     const float together = (a * b) * (c + e);
-    apart += together < *all.begin() || together > *all.rbegin() ? 1 : 0;
+    if (together < *all.begin() || together > *all.rbegin()) ++apart;
     all.insert(together);
     evaluation.start(inputs);
     EXPECT_EQ(evaluation.of(sum), (Reach{*all.begin(), *all.rbegin()})) << "seed " << seed << " trial " << trial;
@@ -394,10 +396,7 @@ TEST(Kernels, AnEvaluationIsPrintedAsAnExpression) {
 
 TEST(Kernels, WhatTakesRootsIsRefused) {
   EXPECT_THROW(find_kernel("ladder-0+wgsl-misses"), Error);
-  EXPECT_NO_THROW(find_kernel("closest-point+wgsl-misses"));
   EXPECT_NO_THROW(find_kernel("minkowski+wgsl-invents"));
-  EXPECT_NO_THROW(find_kernel("moving-sphere/twenty-nonstrict+wgsl-misses"));
-  EXPECT_NO_THROW(find_kernel("box-box/projected+wgsl-invents"));
 }
 
 }  // namespace
