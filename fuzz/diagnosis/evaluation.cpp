@@ -20,6 +20,7 @@ constexpr std::size_t near_count = 4096, each_family = 256;
 constexpr std::size_t least_differing = 8;  // from which on an effect is taken to be there
 constexpr std::size_t least_open = 64;      // queries that some permission would answer otherwise
 constexpr std::size_t forms_tried = 12;     // of those that it agrees with most
+constexpr std::size_t each_scene = 512;
 
 // A value, and the part of permissions that makes it.
 struct Explanation {
@@ -59,11 +60,11 @@ class EvaluationProbe {
           "No built-in form of this predicate and entry is known to "
           "permissions.");
     for (const RecordedForm& form : forms) {
-      if (form.differing.empty()) return as_written(form);
+      if (form.differing.empty()) return with_losses(form, as_written(form));
     }
     for (const RecordedForm& form : forms) {
       if (form.differing.size() < least_differing || permitted(form, "wgsl") < form.differing.size()) continue;
-      return explained(form);
+      return with_losses(form, explained(form));
     }
     return undecided(
         fmt::format("It is no evaluation of a built-in form: of {}, the "
@@ -130,6 +131,37 @@ class EvaluationProbe {
                                "leave {} open.",
                                form.kernel->id, queries_.size(), open),
                    {}, measured);
+  }
+
+  // With the deepest contact of everyday scenes that a compiler of shaders may separate, without barriers and behind
+  // them.
+  ProbeFinding with_losses(const RecordedForm& form, ProbeFinding finding) {
+    const Oracles& oracles = oracles_of(subject_.kernel());
+    Queries<float> scenes;
+    for (const Family* family : families_of(subject_.predicate(), subject_.kernel().entry)) {
+      if (family->trust_group != TrustGroup::scene || family->is_by_name) continue;
+      for (std::uint64_t i = 0; i < each_scene; ++i) scenes.push_back(family->make<float>(subject_.seed(), i));
+    }
+    if (finding.value == not_known || !oracles.has_depth() || scenes.empty()) return finding;
+    // The depth to which contacts are separated, and these.
+    const auto lost = [&](std::string_view part, const Queries<float>& queries) {
+      std::pair<double, Queries<float>> found;
+      const auto separated = subject_.ask(worst(form, part, Verdict::separated), queries);
+      for (std::size_t i = 0; i < queries.size(); ++i) {
+        if (separated[i] != Verdict::separated || subject_.truth(queries[i]).verdict != Verdict::contact) continue;
+        found.first = std::max(found.first, oracles.depth(queries[i]).value_or(0));
+        found.second.push_back(queries[i]);
+      }
+      return found;
+    };
+    const auto [without, queries] = lost("wgsl", scenes);
+    const double behind = lost("wgsl-kept", queries).first;
+    finding.sentence += fmt::format(
+        " As a shader, compiled in other ways, it may miss contacts of everyday scenes as deep as {:.2g} of the scene; "
+        "with the translated vertices and the quotients behind barriers, {:.2g} (docs/gpu.md).",
+        without, behind);
+    finding.measured["shader_misses"] = {{"without_barriers", without}, {"behind_barriers", behind}};
+    return finding;
   }
 
   // `faithful` permits nearly all answers near touching, those of other

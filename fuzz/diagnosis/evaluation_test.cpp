@@ -73,6 +73,20 @@ TEST(Evaluation, OfEachPlantedCompilerIsTold) {
   }
 }
 
+// A form without barriers is told what these save. Two boxes have nothing that is translated.
+TEST(Evaluation, WhatAShaderMissesWithoutBarriersIsTold) {
+  const auto misses = [](const char* id) {
+    const Json measured = evaluation_of(find_kernel(id)).measured["shader_misses"];
+    return std::pair(measured["without_barriers"].get<double>(), measured["behind_barriers"].get<double>());
+  };
+  const auto [without, behind] = misses("reduced-nonstrict");
+  EXPECT_GT(without, 1e-3);
+  EXPECT_LT(behind, 1e-5);
+  EXPECT_GT(behind, 0);
+  EXPECT_EQ(misses("box-box/cofactor").first, misses("box-box/cofactor").second);
+  EXPECT_THAT(evaluation_of(find_kernel("closest-point")).sentence, testing::HasSubstr("behind barriers"));
+}
+
 TEST(Evaluation, OfAnotherPredicateIsTold) {
   EXPECT_EQ(evaluation_of(find_kernel("moving-sphere/twenty-nonstrict")).value, "as_written");
   EXPECT_EQ(evaluation_of(find_kernel("box-box/cofactor")).value, "as_written");

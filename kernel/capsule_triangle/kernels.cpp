@@ -2,6 +2,7 @@
 #include "kernel/capsule_triangle/closest.h"
 #include "kernel/moving_sphere/segment.h"
 #include "kernel/moving_sphere/twenty.h"
+#include "kernel/permitted/recording.h"
 
 namespace axiscert {
 namespace {
@@ -31,6 +32,14 @@ std::vector<Kernel> capsule_triangle_kernels() {
       method_kernel<Capsule, capsule::Alternating>(
           "capsule-triangle/alternating", "nearest points of segment and triangle in turns, from three starts"),
   };
+}
+
+// The twenty axes for kernel/permitted.
+permitted::Recorder permitted::capsule_triangle_recorder(const Kernel& kernel) {
+  Recorder found;
+  put_recorder<Capsule, Twenty>(kernel, found);
+  put_recorder<Capsule, TwentyNonstrict>(kernel, found);
+  return found;
 }
 
 }  // namespace axiscert

@@ -7,6 +7,7 @@ shaders_test.py AXISCERT [unittest arguments]
 import csv
 import json
 import os
+import re
 import struct
 import subprocess
 import unittest
@@ -86,6 +87,12 @@ class Told(Shaders):
             self.assertIn("mine.wgsl does not fit what calls it: ", said)
             self.assertIn("its function is to be fn separated(vec3f, vec3f, vec3f, vec3f, f32) -> u32", said)
             self.assertEqual(code, 2)
+
+    def test_without_barriers_it_is_told_what_these_save(self):
+        done = self.axiscert("diagnose", self.shader(source("reduced-nonstrict")), "--out", "found")
+        [said] = re.findall(r"^evaluation: flushed.*$", done.stdout, re.M)
+        without, behind = map(float, re.search(r"as deep as (\S+) of the scene; .* behind barriers, (\S+) ", said).groups())
+        self.assertTrue(without > 1e-3 > 1e-5 > behind, said)
 
     def test_a_loop_without_end_is_a_hang(self):
         said, code = self.told(PUBLISHED.replace("let rr = r * r;", "var rr = r * r; loop { rr += 1.0; if (rr < 0.0) { break; } }"))

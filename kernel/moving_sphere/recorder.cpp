@@ -8,6 +8,8 @@ Recorder moving_sphere_recorder(const Kernel& kernel) {
   Recorder found;
   put_recorder<MovingSphere, portable::Twenty>(kernel, found);
   put_recorder<MovingSphere, portable::TwentyNonstrict>(kernel, found);
+  put_recorder<MovingEnds, portable::Twenty>(kernel, found);
+  put_recorder<MovingEnds, portable::TwentyNonstrict>(kernel, found);
   return found;
 }
 

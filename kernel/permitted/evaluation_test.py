@@ -20,7 +20,7 @@ import formulae
 
 AXISCERT = Path(sys.argv.pop(1)).resolve()
 LINE = re.compile(r"^  (\S+) (holds|does not hold): (.*) = (\S+) (>=|>) (.*) = (\S+)$", re.M)
-TOKEN = re.compile(r"up\(|down\(|flushed\(|kept\(|near\(|fma\(|[()|,/]|[a-z][a-z0-9.]*|-?\d[\d.e+-]*\d|\d|[+-]")
+TOKEN = re.compile(r"up\(|down\(|flushed\(|kept\(|near\(|fma\(|min\(|max\(|[()|,/]|[a-z][a-z0-9.]*|-?\d[\d.e+-]*\d|\d|[+-]")
 NORMAL, GREATEST = 2.0**-126, 2.0**128 - 2.0**104
 
 
@@ -83,6 +83,10 @@ class Reader:
             exact, rounded = self.operand()
             self.take("|")
             return abs(exact), abs(rounded)
+        if token in ("min(", "max("):
+            (x, xr), _, (y, yr), _ = self.operand(), self.take(","), self.operand(), self.take(")")
+            chosen = {"min(": min, "max(": max}[token]
+            return chosen(x, y), chosen(xr, yr)
         if token == "kept(":
             exact, rounded = self.operand()
             self.take(")")
@@ -186,7 +190,10 @@ def replayed(kernel, queries):
 
 FORMS = {"reduced-nonstrict": ("tangent", "far"), "published": ("tangent", "far"), "closest-point": ("tangent", "far"),
          "moving-sphere/twenty-nonstrict": ("moving-sphere/graze", "moving-sphere/approach"), "box-box/cofactor": ("box-box/tangent", "box-box/far"),
-         "box-box/projected": ("box-box/tangent",)}
+         "box-box/projected": ("box-box/tangent",), "moving-sphere/ends-twenty-nonstrict": ("moving-sphere/ends_graze",),
+         "capsule-triangle/twenty-nonstrict": ("capsule-triangle/graze",), "box-triangle/textbook": ("box-triangle/touching",),
+         "box-triangle/textbook-minmax": ("box-triangle/touching_minmax",), "box-triangle/textbook-oriented": ("box-triangle/touching_oriented",),
+         "box-triangle/thirteen-oriented": ("box-triangle/touching_oriented",)}
 
 
 class Evaluations(unittest.TestCase):

@@ -8,16 +8,20 @@ def number(x):
 
 def columns(query):
     """The numbers of a query line by the names of the columns."""
-    if query.get("predicate") == "box-box":
-        found = {}
-        for box in "ab":
-            for k in range(3):
-                found[f"{box}.m{'xyz'[k]}"], found[f"{box}.s{k}"] = number(query[box]["m"][k]), number(query[box]["s"][k])
-                for i in range(3):
-                    found[f"{box}.b{i}{'xyz'[k]}"] = number(query[box]["b"][i][k])
-        return found
-    vectors = {name + k: number(x) for name in "abcpd" if name in query for k, x in zip("xyz", query[name])}
-    return {**vectors, "r": number(query["r"])}
+    found = {}
+    for name, value in query.items():
+        if isinstance(value, dict):
+            for part, numbers in value.items():
+                for i, one in enumerate(numbers):
+                    if isinstance(one, list):
+                        found.update({f"{name}.{part}{i}{k}": number(x) for k, x in zip("xyz", one)})
+                    else:
+                        found[f"{name}.{part}{i if part == 's' else 'xyz'[i]}"] = number(one)
+        elif isinstance(value, list):
+            found.update({name + k: number(x) for k, x in zip("xyz", value)})
+        elif name == "r":
+            found[name] = number(value)
+    return found
 
 
 def dot(u, v):
@@ -71,7 +75,8 @@ def sphere(name, q, form):
 
 def moving(name, q):
     moment, axis, kind = name.split(".")
-    at, d, rr = {v: minus(vector(q, v), vector(q, "p")) for v in "abc"}, vector(q, "d"), Fraction(q["r"])**2
+    at, rr = {v: minus(vector(q, v), vector(q, "p")) for v in "abc"}, Fraction(q["r"])**2
+    d = vector(q, "d") if "dx" in q else minus(vector(q, "p1" if "p1x" in q else "q"), vector(q, "p"))
     normal = cross(minus(at["b"], at["a"]), minus(at["c"], at["a"]))
     if moment == "sweep":
         if axis.startswith("vertex"):
@@ -121,6 +126,35 @@ def boxes(name, q, form):
             sa[i1] * abs(R[i2][j]) + sa[i2] * abs(R[i1][j]) + sb[j1] * cofactor(j2) + sb[j2] * cofactor(j1))
 
 
+def box_and_triangle(name, q, form):
+    if "box.minx" in q:
+        low, high = vector(q, "box.min"), vector(q, "box.max")
+        m, s = [(x + y) / 2 for x, y in zip(low, high)], [(y - x) / 2 for x, y in zip(low, high)]
+    else:
+        m, s = vector(q, "box.m"), [Fraction(q[f"box.s{k}"]) for k in range(3)]
+    b = [vector(q, f"box.b{k}") if "box.b0x" in q else [Fraction(k == i) for i in range(3)] for k in range(3)]
+    v = [minus(vector(q, corner), m) for corner in "abc"]
+    i, j = "xyz".find(name[0]), ("ab", "bc", "ca").index(name[2:]) if "_" in name else None
+
+    def beyond(numbers):
+        return max(min(numbers), -max(numbers))
+
+    if form.startswith("thirteen"):
+        edges = [minus(v[(k + 1) % 3], v[k]) for k in range(3)]
+        L = cross(edges[0], minus(v[2], v[0])) if name == "plane" else cross(b[i], edges[j]) if j is not None else cross(b[(i + 1) % 3], b[(i + 2) % 3])
+        return beyond([dot(L, corner) for corner in v]), sum(half * abs(dot(L, axis)) for half, axis in zip(s, b))
+    v = [[dot(axis, corner) for axis in b] for corner in v]
+    edges = [minus(v[(k + 1) % 3], v[k]) for k in range(3)]
+    if name == "plane":
+        normal = cross(edges[0], edges[1])
+        return abs(dot(normal, v[0])), sum(half * abs(x) for half, x in zip(s, normal))
+    if j is None:
+        return beyond([corner[i] for corner in v]), s[i]
+    i1, i2 = (i + 1) % 3, (i + 2) % 3
+    one, other = edges[j][i1], edges[j][i2]
+    return beyond([one * v[k][i2] - other * v[k][i1] for k in (j, (j + 2) % 3)]), s[i1] * abs(other) + s[i2] * abs(one)
+
+
 def closest_point(q, decide):
     """Whether separated, by the closest point of the triangle to the origin; decide(lhs, rhs, sign) says how each comparison goes."""
     A, B, C = (minus(vector(q, v), vector(q, "p")) for v in "abc")
@@ -162,6 +196,8 @@ CLAUSES["moving-sphere"] = [[f"{m}.{c}" for c in clause] + [f"{m}.{clause[0].spl
                             for clause in CLAUSES["sphere-triangle"]]
 CLAUSES["moving-sphere"] += [[f"sweep.{c}" for c in clause] if "vertex" in clause[0] else [f"sweep.{clause[0]}", f"sweep.{clause[0].split('.')[0]}.side"]
                              for clause in CLAUSES["sphere-triangle"][1:]]
+CLAUSES["capsule-triangle"] = CLAUSES["moving-sphere"]
+CLAUSES["box-triangle"] = [[name] for name in ("x", "y", "z", "plane", *(f"{i}_{j}" for i in "xyz" for j in ("ab", "bc", "ca")))]
 CLAUSES["box-box"] = [[f"{v}{k}"] for v in "ab" for k in range(3)] + [[f"a{i}b{j}"] for i in range(3) for j in range(3)]
 
 
@@ -184,7 +220,8 @@ def verdict(form, q, decisions):
         assert not left, "more comparisons than the way has"
         return "separated" if separated else "contact"
     predicate, _, rung = form.rpartition("/")
-    of = {"": lambda name: sphere(name, q, rung), "moving-sphere": lambda name: moving(name, q), "box-box": lambda name: boxes(name, q, rung)}[predicate]
+    of = {"": lambda name: sphere(name, q, rung), "moving-sphere": lambda name: moving(name, q), "capsule-triangle": lambda name: moving(name, q),
+          "box-box": lambda name: boxes(name, q, rung), "box-triangle": lambda name: box_and_triangle(name, q, rung)}[predicate]
     for name, _, lhs, rhs, _ in decisions:
         assert agree(of(name), (lhs, rhs)), f"{name} is not the formula's comparison"
     held, failed = ({name for name, holds, *_ in decisions if holds is says} for says in (True, False))

@@ -30,8 +30,8 @@ std::uint32_t Graph::made(Kind kind, double payload, std::vector<Value> children
 }
 
 Value Graph::sum(Value a, Value b) {
-  if (is_zero(a)) return b;
-  if (is_zero(b)) return a;
+  if (is(a, 0)) return b;
+  if (is(b, 0)) return a;
   std::vector<Value> terms;
   for (const Value v : {a, b}) {
     if (permissions_.reassociated && nodes_[v.node].kind == Kind::sum) {
@@ -54,7 +54,12 @@ Value Graph::sum_of(std::vector<Value> terms) {
   return {made(Kind::sum, 0, std::move(terms)), is_negative};
 }
 
-Value Graph::product(Value a, Value b) { return product_of({a, b}); }
+// What is multiplied by 0 or 1 is no operation: no rounding follows it.
+Value Graph::product(Value a, Value b) {
+  if (is(a, 0) || is(b, 1)) return a;
+  if (is(b, 0) || is(a, 1)) return b;
+  return product_of({a, b});
+}
 
 Value Graph::product_of(std::vector<Value> factors) {
   bool is_negative = false;
@@ -111,7 +116,16 @@ std::vector<Factoring> Graph::factorings_of(const std::vector<Value>& terms) {
       if (terms_inside > most_terms) continue;
       Value inner = left.front();
       for (std::size_t i = 1; i < left.size(); ++i) inner = sum(inner, left[i]);
-      found.push_back({mask, product({factor}, inner)});
+      std::vector<Value> insides = {inner};
+      // What is a product again is grouped with the factor in every way.
+      for (const auto& [all, inside] : nodes_[inner.node].factorings) {
+        if (all + 1 == std::uint32_t{1} << nodes_[inner.node].children.size())
+          insides.push_back(inner.is_negative ? -inside : inside);
+      }
+      for (const Value inside : insides) {
+        const Factoring one{mask, product({factor}, inside)};
+        if (std::ranges::find(found, one) == found.end()) found.push_back(one);
+      }
     }
   }
   return found;

@@ -39,6 +39,7 @@ enum class Kind : std::uint8_t {
 struct Factoring {
   std::uint32_t mask;
   Value product;
+  bool operator==(const Factoring&) const = default;
 };
 
 struct Node {
@@ -69,7 +70,9 @@ class Graph {
   Value kept(Value a) { return permissions_.kept ? Value{made(Kind::kept, 0, {a})} : a; }
 
  private:
-  bool is_zero(Value v) const { return nodes_[v.node].kind == Kind::constant && nodes_[v.node].payload == 0; }
+  bool is(Value v, double constant) const {
+    return nodes_[v.node].kind == Kind::constant && nodes_[v.node].payload == constant;
+  }
   std::uint32_t made(Kind kind, double payload, std::vector<Value> children);
   Value sum_of(std::vector<Value> terms);
   Value product_of(std::vector<Value> factors);
@@ -106,6 +109,12 @@ struct RecordedNumber {
   friend bool operator>(const RecordedNumber& a, const RecordedNumber& b) { return (*decide)(a.value, b.value, false); }
   friend bool operator>=(const RecordedNumber& a, const RecordedNumber& b) { return (*decide)(a.value, b.value, true); }
   friend RecordedNumber magnitude(const RecordedNumber& a) { return RecordedNumber(graph->magnitude(a.value)); }
+  friend RecordedNumber lesser(const RecordedNumber& a, const RecordedNumber& b) {
+    return RecordedNumber(graph->least(a.value, b.value));
+  }
+  friend RecordedNumber greater(const RecordedNumber& a, const RecordedNumber& b) {
+    return RecordedNumber(graph->greatest(a.value, b.value));
+  }
   static RecordedNumber translated(const RecordedNumber& x, const RecordedNumber& p) {
     return RecordedNumber(graph->kept(graph->sum(x.value, -p.value)));
   }

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <limits>
 #include <span>
 
 #include "kernel/base/environment.h"
 #include "kernel/base/error.h"
 #include "kernel/permitted/reach.h"
+#include "kernel/permitted/rounding.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/permitted/lanes.cpp"
@@ -17,50 +17,16 @@
 
 #define AXISCERT_PER_TARGET
 #include "kernel/lanes-inl.h"
+#include "kernel/permitted/around-inl.h"
+#include "kernel/permitted/ends-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::permitted {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::ScalableTag<float>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
 using axiscert::HWY_NAMESPACE::bits_of_mask;
 using axiscert::HWY_NAMESPACE::for_each_vector;
-constexpr D d;
-constexpr std::size_t lanes = hn::MaxLanes(d);
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float least_normal = std::numeric_limits<float>::min();
-
-// The greatest and the negated least of what may be.
-struct Ends {
-  V greatest, negated_least;
-};
-AXISCERT_INLINE Ends negative(const Ends& a) { return {a.negated_least, a.greatest}; }
-AXISCERT_INLINE Ends joined(const Ends& a, const Ends& b) {
-  return {hn::Max(a.greatest, b.greatest), hn::Max(a.negated_least, b.negated_least)};
-}
-AXISCERT_INLINE M is_finite(const Ends& a) {
-  const V most = hn::Set(d, infinity);
-  return hn::And(hn::Lt(hn::Abs(a.greatest), most), hn::Lt(hn::Abs(a.negated_least), most));
-}
-AXISCERT_INLINE Ends where(M is_determinate, const Ends& a) {
-  const V any = hn::Set(d, infinity);
-  return {hn::IfThenElse(is_determinate, a.greatest, any), hn::IfThenElse(is_determinate, a.negated_least, any)};
-}
-
-AXISCERT_INLINE Ends sum_of(const Ends& a, const Ends& b) {
-  return {hn::Add(a.greatest, b.greatest), hn::Add(a.negated_least, b.negated_least)};
-}
-// The products and the negated products of all pairs of ends.
-AXISCERT_INLINE Ends product_of(const Ends& a, const Ends& b) {
-  const V greatest = hn::Neg(a.greatest), least = hn::Neg(a.negated_least);
-  return {hn::Max(hn::Max(hn::Mul(a.greatest, b.greatest), hn::Mul(a.negated_least, b.negated_least)),
-                  hn::Max(hn::Mul(greatest, b.negated_least), hn::Mul(least, b.greatest))),
-          hn::Max(hn::Max(hn::Mul(greatest, b.greatest), hn::Mul(least, b.negated_least)),
-                  hn::Max(hn::Mul(a.greatest, b.negated_least), hn::Mul(a.negated_least, b.greatest)))};
-}
 
 class Queries {
  public:
@@ -73,33 +39,43 @@ class Queries {
       block.columns.assign(plan.above.size() * lanes, 0);
       block.greatest.resize(graph_.nodes().size() * lanes);
       block.negated_least.resize(block.greatest.size());
+      block.middle.resize(block.greatest.size());
+      block.radius.resize(block.greatest.size());
       block.is_known.assign(graph_.nodes().size(), 0);
-      block.known = 0;
+      block.is_around_known = block.is_known;
+      block.known = block.around_known = 0;
     }
     for (std::size_t k = 0; k < plan.above.size(); ++k) {
       float* column = &block.columns[k * lanes];
       if (std::memcmp(column, batch.column[k] + first, lanes * sizeof(float)) == 0) continue;
       std::memcpy(column, batch.column[k] + first, lanes * sizeof(float));
-      for (const std::uint32_t node : plan.above[k]) block.is_known[node] = 0;
+      for (const std::uint32_t node : plan.above[k]) block.is_known[node] = block.is_around_known[node] = 0;
       block.known &= ~plan.comparisons_above[k];
+      block.around_known &= ~plan.comparisons_above[k];
     }
   }
 
   // The lanes that `wished` can be in, among `asked`.
   std::uint64_t open(std::uint64_t asked) {
     std::uint64_t found = 0;
-    std::array<std::uint64_t, most_comparisons + 1> left = {asked};  // by the number of decisions
-    for (const auto& [decisions, shared] : plan_.ways) {
-      for (std::size_t k = shared; k < decisions.size(); ++k)
-        left[k + 1] = (left[k] & ~found) == 0 ? 0 : left[k] & can_be(decisions[k].first, decisions[k].second);
-      found |= left[decisions.size()];
+    std::array<std::uint64_t, most_comparisons + 1> left;  // by the number of decisions
+    left[0] = asked;
+    for (std::size_t w = 0; w < plan_.ways.size();) {
+      const auto& [decisions, shared] = plan_.ways[w];
+      std::size_t k = shared;
+      for (; k < decisions.size() && (left[k] & ~found) != 0; ++k)
+        left[k + 1] = left[k] & can_be(decisions[k].first, decisions[k].second, left[k] & ~found);
+      if (k == decisions.size()) found |= left[k];
       if (found == asked) return found;
+      // No lane is left in those that begin with as many decisions.
+      do ++w;
+      while (w < plan_.ways.size() && plan_.ways[w].shared >= k);
     }
     if (plan_.clauses.empty()) return found;
     for (const ComparisonBits clause : plan_.clauses) {
       std::uint64_t fail = 0;
       for (ComparisonBits bits = clause; bits != 0 && fail != asked; bits &= bits - 1)
-        fail |= asked & can_be(static_cast<std::size_t>(std::countr_zero(bits)), false);
+        fail |= asked & can_be(static_cast<std::size_t>(std::countr_zero(bits)), false, asked & ~fail);
       if ((asked = fail) == 0) break;
     }
     return asked;
@@ -111,14 +87,14 @@ class Queries {
                     hn::LoadU(d, &block_.negated_least[v.node * lanes])};
     return v.is_negative ? negative(ends) : ends;
   }
-  Ends flushed(const Ends& a) const {
-    if (!graph_.permissions().flushed) return a;
-    const V zero = hn::Zero(d), most = hn::Set(d, -least_normal);
-    const auto one = [&](V v) HWY_ATTR { return hn::IfThenElse(hn::And(hn::Lt(v, zero), hn::Gt(v, most)), zero, v); };
-    return {one(a.greatest), one(a.negated_least)};
-  }
-
-  std::uint64_t can_be(std::size_t i, bool holding) {
+  // The lanes in which a comparison can hold, or fail, right in those that are asked.
+  std::uint64_t can_be(std::size_t i, bool holding, std::uint64_t asked) {
+    // Quickly, where the sides are far from each other.
+    if (!has_bit(block_.known, i) && graph_.permissions().faithful) {
+      put_surely(i);
+      if ((asked & ~(block_.surely_holds[i] | block_.surely_fails[i])) == 0)
+        return holding ? block_.surely_holds[i] : block_.surely_fails[i];
+    }
     if (!has_bit(block_.known, i)) {
       for (const std::uint32_t node : plan_.below[i]) {
         if (block_.is_known[node] != 0) continue;
@@ -137,13 +113,38 @@ class Queries {
     return holding ? block_.holds[i] : block_.fails[i];
   }
 
+  void put_surely(std::size_t i) {
+    if (has_bit(block_.around_known, i)) return;
+    const auto known_around = [&](std::uint32_t node) HWY_ATTR {
+      return Around<V>{hn::LoadU(d, &block_.middle[node * lanes]), hn::LoadU(d, &block_.radius[node * lanes])};
+    };
+    const AroundNode<D, decltype(known_around)> around(graph_, known_around);
+    for (const std::uint32_t number : plan_.as_written[i]) {
+      if (block_.is_around_known[number] != 0) continue;
+      const Node& node = graph_.nodes()[number];
+      const V column = node.kind == Kind::input
+                           ? hn::LoadU(d, &block_.columns[static_cast<std::size_t>(node.payload) * lanes])
+                           : hn::Zero(d);
+      const Around<V> found = around.of(node, column);
+      hn::StoreU(found.middle, d, &block_.middle[number * lanes]);
+      hn::StoreU(found.radius, d, &block_.radius[number * lanes]);
+      block_.is_around_known[number] = 1;
+    }
+    const auto [lhs, rhs] = plan_.recording.sides[i];
+    const Around<V> l = around.value(lhs), r = around.value(rhs);
+    const V apart = hn::Add(l.radius, r.radius);  // differences rounded downward are compared with it
+    block_.surely_holds[i] = bits_of_mask(d, hn::Gt(hn::Neg(hn::Sub(r.middle, l.middle)), apart));
+    block_.surely_fails[i] = bits_of_mask(d, hn::Gt(hn::Neg(hn::Sub(l.middle, r.middle)), apart));
+    block_.around_known |= one_bit<ComparisonBits>(i);
+  }
+
   Ends found(std::uint32_t number) {
     const Node& node = graph_.nodes()[number];
     switch (node.kind) {
       case Kind::input: {
         const V x = hn::LoadU(d, &block_.columns[static_cast<std::size_t>(node.payload) * lanes]);
         const Ends ends{x, hn::Neg(x)};
-        return flushed(where(is_finite(ends), ends));
+        return flushed(graph_.permissions(), where(is_finite(ends), ends));
       }
       case Kind::constant: {
         const V x = hn::Set(d, static_cast<float>(node.payload));
@@ -166,53 +167,85 @@ class Queries {
       case Kind::reciprocal:
         return known(node.children[0]);
       case Kind::quotient: {
-        const Ends a = known(node.children[0]), b = known(node.children[1]), q = quotient_of(a, b);
+        const Ends a = known(node.children[0]), b = known(node.children[1]),
+                   q = quotient_of(graph_.permissions(), a, b);
         return where(hn::And(hn::And(is_finite(a), is_finite(b)), is_finite(q)), q);
       }
       case Kind::sum:
       case Kind::product:
-        return plan_.divisors[number] == 0 ? subsets<false>(node, 0) : subsets<true>(node, plan_.divisors[number]);
+        return subsets(number);
     }
     return {hn::Zero(d), hn::Zero(d)};
   }
 
   // As Evaluation::subsets. What is indeterminate in a subset is so in every greater one, and in the node.
-  template <bool divides>
-  Ends subsets(const Node& node, std::uint32_t divisors) {
-    float* greatest = memory_.greatest_of_subset.data();
-    float* negated_least = memory_.negated_least_of_subset.data();
-    const auto at = [&](std::uint32_t mask) HWY_ATTR {
-      return Ends{hn::LoadU(d, greatest + mask * lanes), hn::LoadU(d, negated_least + mask * lanes)};
-    };
-    const auto put = [&](std::uint32_t mask, const Ends& ends) HWY_ATTR {
-      hn::StoreU(ends.greatest, d, greatest + mask * lanes);
-      hn::StoreU(ends.negated_least, d, negated_least + mask * lanes);
-    };
+  Ends subsets(std::uint32_t number) {
+    const Node& node = graph_.nodes()[number];
     const bool is_sum = node.kind == Kind::sum;
-    const std::uint32_t count = std::uint32_t{1} << node.children.size();
     const V none = hn::Set(d, -infinity);
-    M is_determinate = hn::Eq(none, none);
-    Ends ends{none, none};
+    M is_determinate = hn::Eq(none, none), has_sign = is_determinate, is_negative = hn::Ne(none, none);
     for (std::size_t i = 0; i < node.children.size(); ++i) {
       const Ends child = known(node.children[i]);
       is_determinate = hn::And(is_determinate, is_finite(child));
+      has_sign = hn::And(has_sign, hn::Le(hn::Min(child.greatest, child.negated_least), hn::Zero(d)));
+      is_negative = hn::Xor(is_negative, hn::Gt(child.negated_least, child.greatest));
       put(std::uint32_t{1} << i, child);
     }
-    for (std::uint32_t mask = 3; mask < count; ++mask) {
-      if (std::has_single_bit(mask) || (divides && (mask & ~divisors) == 0)) continue;
-      ends = {none, none};
-      if (is_sum) {
-        for_each_split(mask, [&](std::uint32_t sub, std::uint32_t rest)
-                                 HWY_ATTR { ends = joined(ends, sum_of(at(sub), at(rest))); });
-      } else {
-        for_each_split(mask, [&](std::uint32_t sub, std::uint32_t rest) HWY_ATTR {
-          if (divides && (sub & ~divisors) == 0) std::swap(sub, rest);
-          const bool is_divisor = divides && (rest & ~divisors) == 0;
-          if (is_divisor && !std::has_single_bit(rest)) return;
-          ends = joined(ends, is_divisor ? quotient_of(at(sub), at(rest)) : product_of(at(sub), at(rest)));
-        });
+    if (is_sum)
+      return every_split(number, is_determinate,
+                         [&](std::uint32_t sub, std::uint32_t rest) HWY_ATTR { return sum_of(at(sub), at(rest)); });
+    const std::uint32_t divisors = plan_.divisors[number];
+    if (divisors == 0 && hn::AllTrue(d, has_sign)) {
+      // The sizes are multiplied, and the sign of all is that of their product.
+      for (std::size_t i = 0; i < node.children.size(); ++i) {
+        const Ends child = at(std::uint32_t{1} << i);
+        put(std::uint32_t{1} << i,
+            {hn::Max(child.greatest, child.negated_least), hn::Min(child.greatest, child.negated_least)});
       }
-      ends = flushed(ends);
+      const Ends size = every_split(number, is_determinate, [&](std::uint32_t sub, std::uint32_t rest) HWY_ATTR {
+        const Ends a = at(sub), b = at(rest);
+        return Ends{hn::Mul(a.greatest, b.greatest), hn::Mul(a.negated_least, hn::Neg(b.negated_least))};
+      });
+      return {hn::IfThenElse(is_negative, size.negated_least, size.greatest),
+              hn::IfThenElse(is_negative, size.greatest, size.negated_least)};
+    }
+    return every_split(number, is_determinate, [&](std::uint32_t sub, std::uint32_t rest) HWY_ATTR {
+      if ((sub & ~divisors) == 0) std::swap(sub, rest);
+      if ((rest & ~divisors) != 0) return product_of(at(sub), at(rest));
+      const V none = hn::Set(d, -infinity);
+      return std::has_single_bit(rest) ? quotient_of(graph_.permissions(), at(sub), at(rest))
+                                       : Ends{none, none};  // one after the other
+    });
+  }
+  Ends at(std::uint32_t mask) const {
+    return {hn::LoadU(d, &memory_.greatest_of_subset[mask * lanes]),
+            hn::LoadU(d, &memory_.negated_least_of_subset[mask * lanes])};
+  }
+  void put(std::uint32_t mask, const Ends& ends) {
+    hn::StoreU(ends.greatest, d, &memory_.greatest_of_subset[mask * lanes]);
+    hn::StoreU(ends.negated_least, d, &memory_.negated_least_of_subset[mask * lanes]);
+  }
+  // Of children that are equal the first are taken: a set with another of them is as the one with these.
+  template <class Operation>
+  AXISCERT_INLINE Ends every_split(std::uint32_t number, M is_determinate, Operation&& operation) {
+    const Node& node = graph_.nodes()[number];
+    const std::uint32_t count = std::uint32_t{1} << node.children.size(), divisors = plan_.divisors[number],
+                        repeated = plan_.repeated[number];
+    const auto other_first = [&](std::uint32_t mask) { return mask & repeated & ~(mask << 1); };
+    const V none = hn::Set(d, -infinity);
+    Ends ends{none, none};
+    for (std::uint32_t mask = 3; mask < count; ++mask) {
+      if (std::has_single_bit(mask) || (mask & ~divisors) == 0) continue;
+      if (const std::uint32_t other = other_first(mask); other != 0) {
+        const std::uint32_t one = other & (~other + 1);
+        put(mask, at(mask ^ one ^ one >> 1));
+        continue;
+      }
+      ends = {none, none};
+      for_each_split(mask, [&](std::uint32_t sub, std::uint32_t rest) HWY_ATTR {
+        if (other_first(sub) == 0) ends = joined(ends, operation(sub, rest));
+      });
+      ends = flushed(graph_.permissions(), ends);
       for (const Factoring& factoring : node.factorings) {
         if (factoring.mask != mask) continue;
         const Ends product = known(factoring.product);
@@ -223,32 +256,6 @@ class Queries {
       put(mask, ends);
     }
     return where(is_determinate, ends);
-  }
-
-  // Within 2.5 ulp one after the other: they are few. A divisor that is 0 makes any value, and rounded_quotient says
-  // so.
-  Ends quotient_of(const Ends& a, const Ends& b) const {
-    if (!graph_.permissions().divided) {
-      const V x = hn::Neg(a.negated_least), y = hn::Neg(b.negated_least);
-      const auto greatest = [&](V least_a, V greatest_a) HWY_ATTR {
-        return hn::Max(hn::Max(hn::Div(least_a, y), hn::Div(least_a, b.greatest)),
-                       hn::Max(hn::Div(greatest_a, y), hn::Div(greatest_a, b.greatest)));
-      };
-      const V zero = hn::Zero(d);
-      return where(hn::And(hn::Ne(y, zero), hn::Ne(b.greatest, zero)),
-                   {greatest(x, a.greatest), greatest(a.negated_least, hn::Neg(a.greatest))});
-    }
-    float x[2][lanes], y[2][lanes];
-    hn::StoreU(a.greatest, d, x[0]);
-    hn::StoreU(a.negated_least, d, x[1]);
-    hn::StoreU(b.greatest, d, y[0]);
-    hn::StoreU(b.negated_least, d, y[1]);
-    for (std::size_t i = 0; i < lanes; ++i) {
-      const Reach q = permitted::quotient_of(graph_.permissions(), {-x[1][i], x[0][i]}, {-y[1][i], y[0][i]});
-      x[0][i] = q.greatest;
-      x[1][i] = -q.least;
-    }
-    return {hn::LoadU(d, x[0]), hn::LoadU(d, x[1])};
   }
 
   const AdversaryInLanes::Plan& plan_;
@@ -279,8 +286,9 @@ HWY_EXPORT(ask_lanes);
 namespace {
 
 template <class Use>
-void for_each_operand(const Node& node, Use&& use) {
+void for_each_operand(const Node& node, bool is_factored, Use&& use) {
   for (const Value child : node.children) use(child);
+  if (!is_factored) return;
   for (const Factoring& factoring : node.factorings) use(factoring.product);
 }
 
@@ -328,21 +336,26 @@ AdversaryInLanes::AdversaryInLanes(const Predicate& predicate, std::size_t entry
   const std::vector<Node>& nodes = recording.graph.nodes();
   for (const Node& node : nodes) {
     plan_.divisors.push_back(divisors_of(recording.graph, node));
+    std::uint32_t& repeated = plan_.repeated.emplace_back(0);
+    for (std::size_t i = 1; i < node.children.size(); ++i)
+      repeated |= bit_if<std::uint32_t>(node.children[i] == node.children[i - 1], i);
     plan_.most_children = std::max(plan_.most_children, node.children.size());
   }
   for (const auto& [lhs, rhs] : recording.sides) {
-    std::vector<bool> needed(nodes.size());
-    needed[lhs.node] = needed[rhs.node] = true;
-    for (std::size_t i = nodes.size(); i-- > 0;) {
-      if (needed[i]) for_each_operand(nodes[i], [&](Value operand) { needed[operand.node] = true; });
+    for (const bool is_factored : {true, false}) {
+      std::vector<bool> needed(nodes.size());
+      needed[lhs.node] = needed[rhs.node] = true;
+      for (std::size_t i = nodes.size(); i-- > 0;) {
+        if (needed[i]) for_each_operand(nodes[i], is_factored, [&](Value operand) { needed[operand.node] = true; });
+      }
+      (is_factored ? plan_.below : plan_.as_written).push_back(numbers_of(needed));
     }
-    plan_.below.push_back(numbers_of(needed));
   }
   for (std::size_t k = 0; k < predicate.entries[entry].columns.size(); ++k) {
     std::vector<bool> needs(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       needs[i] = nodes[i].kind == Kind::input && nodes[i].payload == static_cast<double>(k);
-      for_each_operand(nodes[i], [&](Value operand) { needs[i] = needs[i] || needs[operand.node]; });
+      for_each_operand(nodes[i], true, [&](Value operand) { needs[i] = needs[i] || needs[operand.node]; });
     }
     plan_.above.push_back(numbers_of(needs));
     ComparisonBits& comparisons = plan_.comparisons_above.emplace_back(0);

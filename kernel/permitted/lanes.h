@@ -26,9 +26,11 @@ class AdversaryInLanes {
     const Recording& recording;
     std::uint64_t number = 0;                            // no two have the same
     std::vector<std::vector<std::uint32_t>> below = {};  // of each comparison the nodes that it needs, children first
-    std::vector<std::vector<std::uint32_t>> above = {};  // of each column the nodes that need it
+    std::vector<std::vector<std::uint32_t>> as_written = {};  // the same but for factorings
+    std::vector<std::vector<std::uint32_t>> above = {};       // of each column the nodes that need it
     std::vector<ComparisonBits> comparisons_above = {};
     std::vector<std::uint32_t> divisors = {};  // of each node, divisors_of
+    std::vector<std::uint32_t> repeated = {};  // of each node its children that are as the one before, as a mask
     // One suffices, of all its comparisons: the index of each, and whether it holds. As many as `shared` are at the
     // beginning of the way before.
     struct Way {
@@ -40,13 +42,13 @@ class AdversaryInLanes {
     std::size_t most_children = 1;
   };
   // The output: a vector for each column, for each node and for each set of the children of one, by mask: the
-  // greatest and the negated least, both infinity where a value is indeterminate.
+  // greatest and the negated least, both infinity where a value is indeterminate; and what holds all that may be.
   struct Block {
     std::uint64_t plan = 0;
-    std::vector<float> columns, greatest, negated_least;
-    std::vector<char> is_known;                                // by node
-    std::array<std::uint64_t, most_comparisons> holds, fails;  // lanes
-    ComparisonBits known;                                      // comparisons
+    std::vector<float> columns, greatest, negated_least, middle, radius;
+    std::vector<char> is_known, is_around_known;                                           // by node
+    std::array<std::uint64_t, most_comparisons> holds, fails, surely_holds, surely_fails;  // lanes
+    ComparisonBits known, around_known;                                                    // comparisons
   };
   // The last blocks are kept: whoever asks again with one column changed, as bisection does, waits for little.
   struct Memory {

@@ -50,13 +50,15 @@ class Evaluation {
   std::vector<Reach> scratch_;
 };
 
-// Calls split(sub, rest) for each way to part a mask in two, each once.
+// Calls split(sub, rest) for each way to part a mask of two bits or more in two, each once: sub has its lowest bit.
 template <class Split>
 void for_each_split(std::uint32_t mask, Split&& split) {
-  const std::uint32_t first = mask & (~mask + 1);
-  for (std::uint32_t sub = (mask - 1) & mask; sub != 0; sub = (sub - 1) & mask) {
-    if ((sub & first) != 0) split(sub, mask & ~sub);
-  }
+  const std::uint32_t first = mask & (~mask + 1), others = mask ^ first;
+  std::uint32_t sub = others;
+  do {
+    sub = (sub - 1) & others;
+    split(sub | first, others ^ sub);
+  } while (sub != 0);
 }
 
 // The children of a product that are reciprocals, as a mask.

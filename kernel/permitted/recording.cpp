@@ -16,7 +16,7 @@ std::size_t comparison_index(Recording& recording, Value lhs, Value rhs, bool no
 }
 
 Recorder recorder_of(const Kernel& kernel) {
-  for (const auto room : {sphere_triangle_recorder, moving_sphere_recorder, box_box_recorder}) {
+  for (const auto room : {sphere_triangle_recorder, moving_sphere_recorder, capsule_triangle_recorder, box_recorder}) {
     if (const Recorder found = room(kernel)) return found;
   }
   return {};

@@ -29,7 +29,8 @@ using Recorder = std::function<Recording(const Permissions&)>;
 Recorder recorder_of(const Kernel& kernel);
 Recorder sphere_triangle_recorder(const Kernel& kernel);
 Recorder moving_sphere_recorder(const Kernel& kernel);
-Recorder box_box_recorder(const Kernel& kernel);
+Recorder capsule_triangle_recorder(const Kernel& kernel);
+Recorder box_recorder(const Kernel& kernel);
 
 // The index of a comparison, which is made where it is new.
 std::size_t comparison_index(Recording& recording, Value lhs, Value rhs, bool nonstrict);
@@ -84,7 +85,8 @@ Recording recorded_paths(const Permissions& permissions, Separated&& separated) 
 template <class Test, class F>
 void put_recorder(const Kernel& kernel, Recorder& found) {
   using T = RecordedNumber;
-  if (kernel.predicate != &Test::description() || kernel.entry != Test::entry || kernel.formulae != F::name) return;
+  if (kernel.predicate != &Test::description() || kernel.entry != entry_of<Test>() || kernel.formulae != F::name)
+    return;
   found = [](const Permissions& permissions) {
     return recorded(
         permissions, Test::description().comparisons.size(), nonstrict_comparisons<F>(),
