@@ -1,5 +1,6 @@
-"""The wheel of the package, as PEP 517 asks for it: CMake builds the extension module and the command in build/python, which are put
-into an archive with what is written in Python. It needs no package of Python to build."""
+"""The wheel of the package, as PEP 517 asks for it: CMake builds the extension module, and the process of plug-ins, in build/python,
+which are put into an archive with what is written in Python. It needs no package of Python to build. The command, which `certify` alone
+takes, is put in by `pip wheel --config-settings=command=yes`."""
 import base64
 import hashlib
 import os
@@ -11,7 +12,7 @@ import zipfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 BUILD = os.path.join(ROOT, "build", "python")
-TARGETS = ("axiscert_python", "axiscert", "axiscert_plugin_host")
+TARGETS = ("axiscert_python", "axiscert_plugin_host")
 
 
 def version():
@@ -43,7 +44,7 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
     return folder
 
 
-def files():
+def files(with_command):
     """(name in the archive, path) of each file."""
     package = os.path.join(ROOT, "python", "axiscert")
     for name in sorted(os.listdir(package)):
@@ -53,7 +54,7 @@ def files():
     for name in sorted(os.listdir(built)):
         if name.startswith("_core.") and name.endswith(".so"):
             yield f"axiscert/{name}", os.path.join(built, name)
-    for name in ("axiscert", "axiscert-plugin-host"):
+    for name in ("axiscert-plugin-host", *(["axiscert"] if with_command else [])):
         for folder in (BUILD, os.path.join(BUILD, "kernel"), os.path.join(BUILD, "cli")):
             if os.path.isfile(os.path.join(folder, name)):
                 yield f"axiscert/bin/{name}", os.path.join(folder, name)
@@ -67,7 +68,8 @@ def files():
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     python = [f"-DAXISCERT_PYTHON_PROGRAM={sys.executable}"]
     subprocess.run(["cmake", "--preset", "python", *python], cwd=ROOT, check=True)
-    subprocess.run(["cmake", "--build", BUILD, "--target", *TARGETS], cwd=ROOT, check=True)
+    with_command = (config_settings or {}).get("command") == "yes"
+    subprocess.run(["cmake", "--build", BUILD, "--target", *TARGETS, *(["axiscert"] if with_command else [])], cwd=ROOT, check=True)
     info, record = f"axiscert-{version()}.dist-info", []
     name = f"axiscert-{version()}-{tag()}.whl"
     with zipfile.ZipFile(os.path.join(wheel_directory, name), "w", zipfile.ZIP_DEFLATED) as wheel:
@@ -78,7 +80,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
             digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
             record.append(f"{where},sha256={digest},{len(content)}")
 
-        for where, path in files():
+        for where, path in files(with_command):
             with open(path, "rb") as file:
                 put(where, file.read(), 0o755 if "/bin/" in where else 0o644)
         put(f"{info}/METADATA", metadata().encode())

@@ -11,7 +11,7 @@ from collections import defaultdict
 from pathlib import Path
 
 ROOT = Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]
-LAYERS = ("fuzz", "reports", "plans", "cli")  # whose sources are compiled so
+LAYERS = ("fuzz", "reports", "plans", "cli", "python")  # whose sources are compiled so
 UNNAMED = re.compile(r"^namespace \{\n(.*?)^\}  // namespace$", re.M | re.S)
 FUNCTION = re.compile(r"^(?!return|else|using|if|for|namespace|struct|class|#|//|TEST|\s)[\w:<>,&*\[\] ]*?[ *&](\w+)\(", re.M)
 

@@ -10,7 +10,7 @@ from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 from . import _core
 from ._errors import Error, Interrupted, checked, text, whole
-from ._judge import Names, Path, Progress, Record, folder_of, names, of_family, run_watched
+from ._judge import Names, Path, Progress, Record, folder_of, names, of_family, query_files, run_watched
 from ._kernels import Kernel, as_kernel, as_kernels
 from ._queries import Queries, load_all_queries, show_notices
 
@@ -76,16 +76,16 @@ def _raise(raised: Any) -> None:
 
 
 def _figures(command: str, kernel: Any, options: Dict[str, Any], progress: Progress) -> Report:
-    predicate, entry = of_family(options["families"], "", "")
-    asked = as_kernels(kernel, predicate, entry)
-    options["kernels"] = [one.id for one in asked]
-    given = run_watched(asked, lambda show: getattr(_core, command)(checked(options), show), progress, command)
+    with query_files(options["queries"]) as (options["queries"], *of):
+        asked = as_kernels(kernel, *of_family(options["families"], *of))
+        options["kernels"] = [one.id for one in asked]
+        given = run_watched(asked, lambda show: getattr(_core, command)(checked(options), show), progress, command)
     _raise(given[4])
     return Report(given)
 
 
 def ladder(kernel: Any = (), *, family: Names = (), trials: Optional[int] = None, seed: int = 1, precision: str = "binary32",
-           queries: Names = (), mesh: Names = (), sweep: str = "", speed: bool = True, factorial: bool = False, threads: int = 0,
+           queries: Any = (), mesh: Names = (), sweep: str = "", speed: bool = True, factorial: bool = False, threads: int = 0,
            progress: Progress = None) -> Report:
     """What each step of the derivation costs: errors, range, time; as `axiscert ladder`.
 
@@ -94,27 +94,27 @@ def ladder(kernel: Any = (), *, family: Names = (), trials: Optional[int] = None
     'ladder'
     """
     return _figures("ladder", kernel, dict(
-        families=names(family), trials=trials, seed=seed, precision=precision, queries=names(queries), meshes=names(mesh),
+        families=names(family), trials=trials, seed=seed, precision=precision, queries=queries, meshes=names(mesh),
         sweep=sweep, no_speed=not speed, factorial=factorial, threads=threads), progress)
 
 
 def precision(kernel: Any = (), *, format: Union[str, Sequence[str]] = (), bits: Union[int, Sequence[int]] = (),
-              family: Names = (), trials: Optional[int] = None, seed: int = 1, precision: str = "binary32", queries: Names = (),
+              family: Names = (), trials: Optional[int] = None, seed: int = 1, precision: str = "binary32", queries: Any = (),
               mesh: Names = (), sweep: str = "", rounding: str = "nearest", rounding_seeds: Optional[int] = None, fused: str = "none",
               round_inputs: bool = False, threads: int = 0, progress: Progress = None) -> Report:
     """Formulae in formats by name ("bfloat16", "bits=10,emax=31") or of any number of bits; as `axiscert precision`."""
     return _figures("precision", kernel, dict(
-        families=names(family), trials=trials, seed=seed, precision=precision, queries=names(queries), meshes=names(mesh),
+        families=names(family), trials=trials, seed=seed, precision=precision, queries=queries, meshes=names(mesh),
         sweep=sweep, numbers=names(format), bits=[whole("bits", one) for one in (bits if isinstance(bits, (list, tuple, range)) else [bits])], rounding=rounding,
         rounding_seeds=rounding_seeds, contraction=fused, round_inputs=round_inputs, threads=threads), progress)
 
 
 def condition(kernel: Any = (), *, family: Names = (), trials: Optional[int] = None, seed: int = 1, precision: str = "binary32",
-              queries: Names = (), mesh: Names = (), sweep: str = "", flips: int = 256, sample: int = 64, threads: int = 0,
+              queries: Any = (), mesh: Names = (), sweep: str = "", flips: int = 256, sample: int = 64, threads: int = 0,
               progress: Progress = None) -> Report:
     """Flips of the query's condition apart from those of the formula; as `axiscert condition`."""
     return _figures("condition", kernel, dict(
-        families=names(family), trials=trials, seed=seed, precision=precision, queries=names(queries), meshes=names(mesh),
+        families=names(family), trials=trials, seed=seed, precision=precision, queries=queries, meshes=names(mesh),
         sweep=sweep, flips=flips, sample=sample, threads=threads), progress)
 
 
@@ -191,19 +191,12 @@ def shrink(query: Any, kernel: Any = (), *, what: str = "", evaluations: int = 1
     `query` is Queries, an address, a file, or a list of addresses and files. Queries that show nothing to keep are left out, with a
     `Notice`; where it is the only one, `Error` says why.
     """
-    with tempfile.TemporaryDirectory(prefix="axiscert-") as folder:
-        predicate, entry = "", ""
-        if isinstance(query, Queries):
-            predicate, entry = query.predicate, query.entry
-            given = [os.path.join(folder, "queries.jsonl")]
-            query.save(given[0])
-        else:
-            given = names(query)
-            if not given:
-                raise Error("no query is given to shrink: give Queries, an address or a file")
-            for address in given:
-                if address.count(":") == 5:
-                    predicate, entry = of_family([address.split(":")[1]], "", "")
+    with query_files(query) as (given, predicate, entry):
+        if not given:
+            raise Error("no query is given to shrink: give Queries, an address or a file")
+        for address in given:
+            if address.count(":") == 5:
+                predicate, entry = of_family([address.split(":")[1]], "", "")
         asked = as_kernels(kernel, predicate, entry)
         options = dict(queries=given, kernels=[one.id for one in asked], what=what, evaluations=evaluations, any_class=any_class,
                        precision=precision, target=target)
@@ -268,7 +261,8 @@ def certify(kernel: Any, out: Path, *, effort: str = "quick", seed: int = 1, mes
     try:
         ended = subprocess.run(words, capture_output=True, text=True)
     except FileNotFoundError:
-        raise Error(f"certify: the command is not beside the package: {words[0]}; the Debian package axiscert has it") from None
+        raise Error(f"certify: the command is not beside the package: {words[0]}; the Debian package axiscert has it, and `./dev build "
+                    "python axiscert` builds it") from None
     path = os.path.join(folder, "certificate.json")
     if ended.returncode > 1 or not os.path.exists(path):
         lines = [line.removeprefix("axiscert: ") for line in ended.stderr.strip().split("\n")]

@@ -1,13 +1,14 @@
 """Kernels judged on queries, as `axiscert run` judges them, and the record of it."""
 from __future__ import annotations
 
+import contextlib
 import html
 import json
 import os
 import reprlib
 import sys
 import tempfile
-from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, Iterator, List, Optional, Sequence, Tuple, Union
 
 from . import _core
 from ._errors import Error, Interrupted, above_zero, checked
@@ -37,6 +38,25 @@ def folder_of(out: Any, name: str = "out") -> Optional[str]:
     if not given:
         raise Error(f"{name}={reprlib.repr(out)}: give the path of a folder")
     return given[0]
+
+
+@contextlib.contextmanager
+def query_files(queries: Any) -> Iterator[Tuple[List[str], str, str]]:
+    """The paths of files of queries, and of ones that Queries are written to meanwhile; and the predicate and entry of these."""
+    several: List[Any] = list(queries) if isinstance(queries, (list, tuple)) else [queries]
+    paths: List[str] = []
+    predicate = entry = ""
+    with tempfile.TemporaryDirectory(prefix="axiscert-") as folder:
+        for part in several:
+            if hasattr(part, "dtype"):
+                raise Error(f"queries= are an array of shape {part.shape}; Queries.of makes queries of arrays")
+            if isinstance(part, Queries):
+                predicate, entry = predicate or part.predicate, entry or part.entry
+                paths.append(os.path.join(folder, f"queries-{len(paths) + 1}.jsonl" if paths else "queries.jsonl"))
+                part.save(paths[-1])
+            else:
+                paths += names(part)
+        yield paths, predicate, entry
 
 
 class _Bar:
@@ -101,6 +121,9 @@ class Record:
         self.complete: bool = judged.complete
         self.outcomes = [Outcome(text) for text in judged.outcomes()]
         self._folder: Optional["tempfile.TemporaryDirectory[str]"] = None
+
+    def __reduce__(self) -> Any:
+        return Record, (self._judged, [])  # functions stay where they are
 
     @property
     def met(self) -> bool:
@@ -250,41 +273,23 @@ def judge(kernel: Any, *, family: Names = (), trials: Optional[int] = None, seed
     True
     """
     families, folder_out = names(family), folder_of(out)
-    several: List[Any] = list(queries) if isinstance(queries, (list, tuple)) else [queries]
-    own: List[Any] = []
-    for part in several:
-        if hasattr(part, "dtype"):
-            raise Error(f"queries= are an array of shape {part.shape}; Queries.of makes queries of arrays")
-        files: List[Any] = [part] if isinstance(part, Queries) else names(part)
-        own += files
-    for one in own:
-        if isinstance(one, Queries):
-            predicate, entry = predicate or one.predicate, entry or one.entry
-    predicate_of, entry_of_ = of_family(families, predicate, entry)
-    kernels = as_kernels(kernel, predicate_of, entry_of_)
-    ids = [one.id for one in kernels]
-    if not ids:
-        raise Error("no kernel is given to judge")
-    if len(set(ids)) != len(ids):
-        raise Error(f"two kernels have the name '{next(id for id in ids if ids.count(id) > 1)}'; axiscert.kernel(f, name=...) gives "
-                    "another")
     if resume and out is None:
         raise Error("resume=True goes on from what out= keeps; give the folder of the run that ended early")
     if resume and seconds is not None:
         raise Error(f"resume=True with seconds={seconds}: a run with a time limit keeps nothing to go on from; give trials=")
     if plugin_seconds is not None:
         _core.set_plugin_seconds(above_zero("plugin_seconds", plugin_seconds))
-    with tempfile.TemporaryDirectory(prefix="axiscert-") as folder:
-        paths = []
-        for number, one in enumerate(own):
-            if isinstance(one, Queries):
-                path = os.path.join(folder, "queries.jsonl" if number == 0 else f"queries-{number + 1}.jsonl")
-                one.save(path)
-                paths.append(path)
-            else:
-                paths.append(one)
+    with query_files(queries) as (paths, predicate_given, entry_given):
+        predicate_of, entry_of_ = of_family(families, predicate or predicate_given, entry or entry_given)
+        kernels = as_kernels(kernel, predicate_of, entry_of_)
+        ids = [one.id for one in kernels]
+        if not ids:
+            raise Error("no kernel is given to judge")
+        if len(set(ids)) != len(ids):
+            raise Error(f"two kernels have the name '{next(id for id in ids if ids.count(id) > 1)}'; axiscert.kernel(f, name=...) gives "
+                        "another")
         options = dict(
-            kernels=ids, predicate=predicate, families=families, meshes=names(mesh), queries=paths,
+            kernels=ids, predicate=predicate or predicate_given, families=families, meshes=names(mesh), queries=paths,
             corpus=None if corpus is None or corpus is False else default_corpus() if corpus is True else corpus, trials=trials,
             seed=seed, seconds=seconds, precision=precision, preset=preset, tolerances=names(tolerance), require=names(require),
             allow_unchecked=names(allow_unchecked), unit=unit, sources=names(source), target=target, exact_only=exact_only,

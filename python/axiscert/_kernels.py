@@ -131,7 +131,10 @@ def _code(function: Any) -> str:
             return told(value.__func__)
         value = inspect.unwrap(value) if callable(value) else value
         if isinstance(value, types.FunctionType) and value.__module__ == module:
-            named = inspect.getclosurevars(value)
+            try:
+                named = inspect.getclosurevars(value)
+            except ValueError:  # a name of the enclosing function that has no value yet
+                return told([value.__code__, value.__defaults__, value.__kwdefaults__])
             return told([value.__code__, value.__defaults__, value.__kwdefaults__, named.globals, named.nonlocals])
         return getattr(value, "__qualname__", type(value).__qualname__)
 

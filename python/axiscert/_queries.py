@@ -64,6 +64,12 @@ def attribute(group: str) -> str:
     return group.replace(".", "_")
 
 
+def _plain(given: Any) -> "np.ndarray[Any, Any]":
+    if isinstance(given, np.ma.MaskedArray):
+        raise Error("the numbers of queries are a masked array; give those that are not masked, as a plain one")
+    return np.asarray(given)
+
+
 class Queries:
     """Queries of one predicate, in one entry and precision.
 
@@ -83,7 +89,7 @@ class Queries:
     def __init__(self, predicate: str, numbers: Any, entry: str = "", ids: Optional[Sequence[str]] = None,
                  addresses: Optional[Sequence[str]] = None) -> None:
         described = entry_of(predicate, entry)
-        array = np.asarray(numbers)
+        array = _plain(numbers)
         if array.dtype.newbyteorder("=") not in _PRECISIONS:
             raise Error(f"the numbers of queries are {array.dtype}; give float32, which is binary32, or float64")
         columns: List[str] = described["columns"]
@@ -133,10 +139,12 @@ class Queries:
                 raise Error(f"there is no column or group '{asked}' in {described['predicate']}, entry {described['name']}; "
                             f"there are: {', '.join(attribute(group) for group, _, _ in described['groups'])}")
             try:
-                value = np.asarray(array)
+                value = _plain(array)
                 if value.dtype.kind not in "biufO" or value.dtype.kind == "O" and any(one is None for one in value.flat):
                     raise TypeError
                 value = value.astype(DTYPES[precision])
+            except Error:
+                raise
             except (TypeError, ValueError, OverflowError):
                 what = getattr(array, "dtype", type(array).__name__)
                 raise Error(f"'{asked}' is of {what} that are no numbers of one shape; give float32 or float64") from None

@@ -82,7 +82,7 @@ def mesh(sphere: Any, vertices: Any, indices: Any, triangles: Any = None, questi
                     "shape (v, 3)") from None
     if points.ndim != 2 or points.shape[1] != 3:
         raise Error(f"vertices have shape {points.shape}; give shape (v, 3)")
-    if points.strides[1] != points.itemsize or points.strides[0] < 3 * points.itemsize or points.strides[0] % points.itemsize:
+    if not points.flags.aligned or points.strides[1] != points.itemsize or points.strides[0] < 3 * points.itemsize or points.strides[0] % points.itemsize:
         points = np.ascontiguousarray(points)
     faces = np.asarray(indices)
     if faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu":

@@ -1,6 +1,7 @@
 #include "python/binding/callables.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <bit>
@@ -32,11 +33,12 @@ std::atomic<bool>& Callable::is_abandoned() {
 
 namespace {
 
-// A module that stays.
-py::handle numpy() {
-  static const py::handle module_ = py::module_::import("numpy").release();
-  return module_;
-}
+// Found anew each time: a static's first use by two threads would wait for each other's lock.
+py::module_ numpy() { return py::module_::import("numpy"); }
+
+// Of numbers where a processor reads them: NumPy has arrays that are not aligned.
+template <class Value>
+using Read = py::array_t<Value, py::array::forcecast | int{py::detail::npy_api::NPY_ARRAY_ALIGNED_}>;
 
 // The text of any object, whatever its own methods do, and with what is no UTF-8 as escapes.
 std::string text_of(const py::handle& object) {
@@ -94,8 +96,8 @@ py::array Callable::array_of(const py::handle& given, const std::string& what, s
                        text_of(py::type::of(given).attr("__name__")), text_of(raised.value())));
   }
   py::array array = py::reinterpret_borrow<py::array>(made);
-  static const py::handle masked = py::object(numpy().attr("ma").attr("MaskedArray")).release();
-  if (py::isinstance(given, masked)) refuse(fmt::format("its {} are a masked array; give each query an answer", what));
+  if (py::isinstance(given, numpy().attr("ma").attr("MaskedArray")))
+    refuse(fmt::format("its {} are a masked array; give each query an answer", what));
   if (array.ndim() == 0) {
     refuse(fmt::format("its {} are {}, no array; give shape ({}{})", what,
                        text_of(py::type::of(given).attr("__name__")), size,
@@ -116,7 +118,7 @@ void Callable::read_verdicts(const py::handle& given, std::size_t size, std::vec
   const auto item = array.itemsize();
   verdicts.resize(size);
   if (shown_.has_bits && kind == 'u' && item >= 4) {
-    const auto words = py::array_t<std::uint64_t, py::array::forcecast>::ensure(array);
+    const auto words = Read<std::uint64_t>::ensure(array);
     const auto at = words.unchecked<1>();
     bits.resize(size);
     for (std::size_t i = 0; i < size; ++i) {
@@ -132,7 +134,7 @@ void Callable::read_verdicts(const py::handle& given, std::size_t size, std::vec
                         : "bool, where True is contact, or uint8, where 0 is contact, 1 separated, 2 undecided and 3 "
                           "invalid; comparison bits take formulae="));
   }
-  const auto bytes = py::array_t<std::uint8_t, py::array::forcecast>::ensure(array);
+  const auto bytes = Read<std::uint8_t>::ensure(array);
   const auto at = bytes.unchecked<1>();
   const std::uint8_t flip = kind == 'b' ? 1 : 0;  // contact is 0
   for (std::size_t i = 0; i < size; ++i) verdicts[i] = at(static_cast<py::ssize_t>(i)) ^ flip;
@@ -149,7 +151,8 @@ Outputs<Real> Callable::read(const py::object& result, std::size_t size) const {
     read_verdicts(result, size, out.verdicts, out.bits);
     return out;
   }
-  const auto answers = py::reinterpret_borrow<py::dict>(result);
+  // A copy: reading a value may run code of its own, which may change the dictionary.
+  const auto answers = py::reinterpret_steal<py::dict>(PyDict_Copy(result.ptr()));
   if (!answers.contains("verdict")) refuse("the dictionary that it returns has no \"verdict\"");
   read_verdicts(answers["verdict"], size, out.verdicts, out.bits);
   const auto& measures = shown_.predicate->measures;
@@ -159,7 +162,7 @@ Outputs<Real> Callable::read(const py::object& result, std::size_t size) const {
       refuse(fmt::format("its numbers of {} are {}; give numbers, as {}", measures[m].name,
                          std::string(py::str(array.dtype())), name(precision_of<Real>)));
     }
-    const auto numbers = py::array_t<Real, py::array::forcecast>::ensure(array);
+    const auto numbers = Read<Real>::ensure(array);
     const auto* const base =
         reinterpret_cast<const char*>(numbers.data()) + (numbers.ndim() == 2 ? place * numbers.strides(1) : 0);
     for (std::size_t i = 0; i < size; ++i)
@@ -194,10 +197,11 @@ Outputs<Real> Callable::ask(const QueryColumns<Real>& batch) {
   if (function_.is_none()) refuse("its function was let go with the record that it was judged for");
   if (is_abandoned()) throw CallableFailed("interrupted");
   py::array_t<Real> numbers;
+  const pid_t process = getpid();
   try {
     Stopwatch watch;
     const py::object result = result_of(batch, numbers);
-    if (getpid() != process_) {  // the function has forked, and this is the child, whose threads are gone
+    if (getpid() != process) {  // the function has forked, and this is the child, whose threads are gone
       std::fputs("axiscert: a kernel's function returned in a process that it forked; end that with os._exit()\n",
                  stderr);
       std::_Exit(70);

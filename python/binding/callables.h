@@ -1,8 +1,6 @@
 // Functions of Python as kernels: asked in batches of arrays, in this process.
 #pragma once
 
-#include <unistd.h>
-
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -74,7 +72,6 @@ class Callable {
   const bool records_errors_;
   const ShownAnswers shown_;
   const std::string id_;
-  const pid_t process_ = getpid();
   std::atomic<double> seconds_ = 0;
   std::atomic<std::uint64_t> calls_ = 0;
   py::object raised_ = py::none();  // under the interpreter's lock

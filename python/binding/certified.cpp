@@ -49,7 +49,7 @@ axiscert_question question_of(const std::string& name) {
   throw Error(fmt::format("question='{}': there are: closed, open, conservative", name));
 }
 
-py::array verdicts(const py::array& numbers, const std::string& question) {
+py::array certified_verdicts(const py::array& numbers, const std::string& question) {
   const GivenColumns given(entry_named("", ""), numbers);
   const axiscert_question asked = question_of(question);
   py::array_t<std::uint8_t> verdict(static_cast<py::ssize_t>(given.size()));
@@ -68,7 +68,7 @@ py::tuple in_python(const Said<Real>& said) {
   return py::make_tuple(said.verdict, said.feature, said.has_normal, said.separation, said.normal, said.point);
 }
 
-py::tuple contacts(const py::array& numbers, const std::string& question) {
+py::tuple certified_contacts(const py::array& numbers, const std::string& question) {
   const GivenColumns given(entry_named("", ""), numbers);
   const axiscert_question asked = question_of(question);
   return given.visit([&]<class Real>(const QueryColumns<Real>& columns) -> py::tuple {
@@ -110,8 +110,8 @@ py::tuple mesh_of(const py::array_t<Real>& sphere, const py::array_t<Real>& vert
 }  // namespace
 
 void bind_certified(py::module_& m) {
-  m.def("certified_verdicts", &verdicts);
-  m.def("certified_contacts", &contacts);
+  m.def("certified_verdicts", &certified_verdicts);
+  m.def("certified_contacts", &certified_contacts);
   // The package has checked shapes and indices.
   m.def("certified_mesh",
         [](const py::array& sphere, const py::array& vertices, const py::array_t<std::uint32_t>& indices,

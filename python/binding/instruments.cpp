@@ -30,10 +30,10 @@ py::tuple in_python(const InstrumentReport& report, const std::optional<py::erro
                         instrument_page(report), value_of(raised));
 }
 
-// The figures are of all queries or of none: an interrupt is waited out, and raised then.
+// The figures are of all queries or of none: an interrupt ends them.
 py::tuple figures(const py::object& progress, const std::function<InstrumentReport(const ShowProgress&)>& measure) {
   const auto [report, raised] =
-      watched<InstrumentReport>(progress, [&](Watch& watch) { return measure(watch.show()); });
+      watched<InstrumentReport>(progress, [&](Watch& watch) { return measure(watch.show_or_stop()); });
   return in_python(report, raised);
 }
 

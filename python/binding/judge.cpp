@@ -14,6 +14,7 @@
 #include "python/binding/options.h"
 #include "python/binding/work.h"
 #include "reports/formats/format.h"
+#include "reports/run_folder/run_folder.h"
 #include "plans/first_look.h"
 #include "plans/judged_plan.h"
 #include "plans/notices.h"
@@ -84,7 +85,7 @@ py::tuple judge(const py::dict& given, const py::object& progress) {
   return py::make_tuple(std::move(judged), value_of(raised));
 }
 
-std::string text_of(const Json& json) { return json.dump(1) + "\n"; }
+std::string json_text(const Json& json) { return json.dump(1) + "\n"; }
 
 py::list texts_of(const std::vector<LevelOutcome>& outcomes) {
   py::list texts;
@@ -100,12 +101,12 @@ std::vector<std::string> notices;
 void bind_judge(py::module_& m) {
   py::class_<Judged>(m, "Judged")
       .def_property_readonly("complete", [](const Judged& run) { return run.files.record.complete; })
-      .def("record", [](const Judged& run) { return py::bytes(text_of(json_of(run.files.record))); })
+      .def("record", [](const Judged& run) { return py::bytes(json_text(json_of(run.files.record))); })
       .def("run",
            [](const Judged& run) {
              const auto outcomes = run.outcomes();
-             return py::bytes(
-                 text_of(json_of(RunFile{run.files.info, outcomes.empty() ? std::nullopt : std::optional(outcomes)})));
+             return py::bytes(json_text(
+                 json_of(RunFile{run.files.info, outcomes.empty() ? std::nullopt : std::optional(outcomes)})));
            })
       .def("outcomes", [](const Judged& run) { return texts_of(run.outcomes()); })
       .def("passes", [](const Judged& run) { return pass(run.outcomes()); })
@@ -116,7 +117,16 @@ void bind_judge(py::module_& m) {
             write_run(to, run.files);
             render_reports(folder);
           },
-          py::call_guard<py::gil_scoped_release>());
+          py::call_guard<py::gil_scoped_release>())
+      .def(py::pickle(
+          [](const Judged& run) {
+            return py::make_tuple(py::bytes(json_text(json_of(run.files.record))),
+                                  py::bytes(json_text(json_of(run.files.info))));
+          },
+          [](const py::tuple& texts) {
+            const auto json = [&](std::size_t i) { return parsed_json(texts[i].cast<std::string>()); };
+            return Judged{{read_record(json(0), "the pickled record"), read_run_info(json(1), "the pickled run")}};
+          }));
   m.def("judge", &judge);
   m.def("take_notices", [] {
     const std::lock_guard lock(notices_mutex);

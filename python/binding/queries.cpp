@@ -43,11 +43,6 @@ py::array queries_of(const Source& source, const std::string& precision, std::ui
   return fill<double>(source, seed, first, count, threads);
 }
 
-// Queries of a file that are of one predicate, entry and precision, as (predicate, entry, numbers, ids, addresses).
-struct PartOfFile {
-  std::vector<const StoredQuery*> queries;
-};
-
 template <class Real>
 py::array numbers_of(const std::vector<const StoredQuery*>& queries, std::size_t columns) {
   py::array_t<Real> numbers({columns, queries.size()});
@@ -59,6 +54,7 @@ py::array numbers_of(const std::vector<const StoredQuery*>& queries, std::size_t
   return numbers;
 }
 
+// Queries of a file that are of one predicate, entry and precision, as (predicate, entry, numbers, ids, addresses).
 py::tuple part(const std::vector<const StoredQuery*>& queries) {
   const StoredQuery& first = *queries.front();
   const std::size_t columns = first.columns().columns.size();

@@ -38,6 +38,8 @@ class WatchedThread {
       const ThreadCaches given_back;
       try {
         work(watch_);
+      } catch (const Stopped&) {
+        is_stopped_ = true;
       } catch (...) {
         thrown_ = std::current_exception();
       }
@@ -76,7 +78,7 @@ class WatchedThread {
       const py::gil_scoped_release unlocked;
       thread_.join();
     }
-    if (thrown_ && raised && Callable::is_abandoned()) throw py::error_already_set(*raised);
+    if (raised && (is_stopped_ || (thrown_ && Callable::is_abandoned()))) throw py::error_already_set(*raised);
     if (thrown_) std::rethrow_exception(thrown_);
     return raised;
   }
@@ -84,6 +86,7 @@ class WatchedThread {
  private:
   Watch& watch_;
   std::exception_ptr thrown_;
+  bool is_stopped_ = false;
   std::thread thread_;
 };
 

@@ -17,12 +17,21 @@
 
 namespace axiscert::python {
 
+struct Stopped {};
+
 // Where the work is under way, and how it is told to stop.
 class Watch {
  public:
   const std::atomic<bool>& interrupted() const { return interrupted_; }
   ShowProgress show() {
     return [this](const Progress& progress) { take(progress); };
+  }
+  // For work that looks at no flag: the next progress ends it, by an exception that only do_watched() sees.
+  ShowProgress show_or_stop() {
+    return [this](const Progress& progress) {
+      if (interrupted_) throw Stopped();
+      take(progress);
+    };
   }
   void begin_stage(std::string_view name);
   void take(const Progress& progress);
@@ -45,7 +54,7 @@ struct ThreadCaches {
 // Does `work` in a thread of its own. Meanwhile this one, which holds the lock on entry and on return, calls `progress`
 // (units done, units, queries, seconds, stage) unless it is None, and looks for signals. After one that raises, as
 // KeyboardInterrupt, the work is told to stop and ends as it does then; what was raised is returned. After a second one
-// functions that are asked fail. Rethrows what the work threw.
+// functions that are asked fail. Rethrows what the work threw, and what was raised where that stopped it.
 std::optional<py::error_already_set> do_watched(const py::object& progress, const std::function<void(Watch&)>& work);
 
 // What the work makes, and what was raised; nothing that an earlier work abandoned stays so.

@@ -19,12 +19,12 @@ BIN = os.path.join(os.path.dirname(ax.__file__), "bin")
 
 @pytest.fixture(scope="session")
 def command():
-    """Runs the command, and returns what it printed; `code` is its exit status."""
+    """Runs the command, and returns what it printed; `code` is its exit status, None of a run that may be met or not."""
     environment = dict(os.environ, PATH=os.pathsep.join(["/usr/bin", os.environ["PATH"]]))  # Debian's python3, which has numpy
 
     def run(*words, code=0, cwd=None):
         ended = subprocess.run([os.path.join(BIN, "axiscert"), *map(str, words)], capture_output=True, text=True, cwd=cwd, env=environment)
-        assert ended.returncode == code, ended.stderr
+        assert ended.returncode in ((0, 1) if code is None else (code,)), ended.stderr
         return ended.stdout
     return run
 

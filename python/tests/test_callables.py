@@ -33,6 +33,11 @@ def contact(n):
     (lambda r: np.ones(len(r), int), "verdicts are int64"),
     (lambda r: np.ones(len(r), np.uint32), "comparison bits take formulae="),
     (lambda r: np.array(["x"] * len(r)), "verdicts are <U1"),
+    (lambda r: np.array(True), "verdicts are ndarray, no array"),
+    (lambda r: contact(len(r)).astype(object), "verdicts are object"),
+    (lambda r: np.zeros(len(r), [("verdict", "u1")]), r"verdicts are \[\('verdict', 'u1'\)\]"),
+    (lambda r: (True for _ in r), "verdicts are generator, no array"),
+    (lambda r: {"verdict": contact(0)}, r"verdicts have shape \(0,\)"),
     (lambda r: [[1], [1, 2]], "verdicts are list, of which NumPy makes no array"),
     (lambda r: {"contact": contact(len(r))}, 'has no "verdict"'),
     (lambda r: {"verdict": contact(len(r)), "time": r}, 'has "time"; it may have: verdict$'),
@@ -55,13 +60,62 @@ def test_answers_of_any_stride_and_library():
             self.array = array
         def __dlpack__(self, *given, **named):
             return self.array.__dlpack__()
+
+    class OnItsDevice(Tensor):
         def __dlpack_device__(self):
             return self.array.__dlpack_device__()
 
+    tensor_of = lambda kind: lambda *q: kind((~nearest_point_test(*q)).astype(np.uint8))
+
     expected = ax.judge(ax.kernel(nearest_point_test, name="one"), **ONE).bytes
-    for function in (strided, lambda *q: list(nearest_point_test(*q)), lambda *q: Tensor((~nearest_point_test(*q)).astype(np.uint8)),
+    for function in (strided, lambda *q: list(nearest_point_test(*q)), tensor_of(Tensor), tensor_of(OnItsDevice),
                      lambda *q: np.asfortranarray(nearest_point_test(*q))):
         assert ax.judge(ax.kernel(function, name="one"), **ONE).bytes == expected
+
+
+def unaligned(numbers):
+    shifted = np.zeros(numbers.nbytes + 1, np.uint8)[1:].view(numbers.dtype)
+    shifted[:] = numbers
+    return shifted
+
+
+@pytest.mark.parametrize("change", [unaligned, lambda numbers: numbers.astype(numbers.dtype.newbyteorder()), lambda numbers: numbers[::-1].copy()[::-1]])
+def test_numbers_of_any_memory(change):
+    def measured(changed):
+        def function(a, b, c, p, r):
+            with np.errstate(all="ignore"):
+                squared = squared_distance(a, b, c, p)
+                return {"verdict": squared <= r * r, "separation": changed(np.sqrt(squared) - r)}
+        return ax.judge(ax.kernel(function, name="one", measures="separation"), **ONE).bytes
+
+    def in_bits(changed):
+        bits = lambda a, b, c, p, r: changed((r > 1).astype(np.uint64))
+        return ax.judge(ax.kernel(bits, name="one", formulae="published"), **ONE).bytes
+
+    for judged in (measured, in_bits):
+        assert judged(change) == judged(lambda numbers: numbers)
+
+
+def test_a_dictionary_that_changes_while_it_is_read():
+    class Key(str):
+        def __str__(self):
+            self.answers.clear()
+            return "separation"
+        __hash__ = str.__hash__
+
+    class Verdicts:
+        def __array__(self, *given, **named):
+            self.answers.clear()
+            return contact(self.size)
+
+    def emptied(a, b, c, p, r):
+        key, verdicts = Key("separation"), Verdicts()
+        answers = {"verdict": verdicts, key: np.ones(len(r), r.dtype), "normal": np.ones((len(r), 3), r.dtype)}
+        key.answers = verdicts.answers = answers
+        verdicts.size = len(r)
+        return answers
+
+    assert ax.judge(ax.kernel(emptied, measures="normal"), **ONE).json["kernels"][0]["families"]["tangent"]["contacts"]["answers"] > 0
 
 
 def test_tensors_of_torch():
@@ -277,6 +331,25 @@ def test_a_forked_process_judges(tmp_path):
         """, tmp_path)
     out, err = process.communicate(timeout=120)
     assert out.strip() == "True", err
+
+
+@pytest.mark.parametrize("method", ["fork", "spawn"])
+def test_a_kernel_is_judged_in_processes(method, tmp_path):
+    """One that was judged before they were made; the records come back."""
+    process = run_script(f"""
+        import multiprocessing, axiscert as ax
+        def centre_only(a, b, c, p, r):
+            return ((p - a) ** 2).sum(axis=1) <= r * r
+        kernel = ax.kernel(centre_only)
+        def judged(seed):
+            return ax.judge(kernel, family="tangent", trials=1 << 17, seed=seed, precision="binary32", threads=2)
+        if __name__ == "__main__":
+            expected = judged(1).bytes
+            with multiprocessing.get_context("{method}").Pool(2) as pool:
+                print([record.bytes == expected for record in pool.map_async(judged, [1, 1]).get(100)])
+        """, tmp_path)
+    out, err = process.communicate(timeout=200)
+    assert out.strip() == "[True, True]", err
 
 
 def test_an_interrupt_keeps_what_was_done(tmp_path):

@@ -28,6 +28,25 @@ def test_figures_are_those_of_the_command(command, tmp_path):
                                                                              "json")
 
 
+def test_figures_of_queries_are_those_of_their_file(tmp_path):
+    q = ax.generate("tangent", 40, seed=2)
+    q.save(tmp_path / "queries.jsonl")
+    for figures in (lambda given: ax.ladder("published", queries=given, trials=40, speed=False), lambda given: ax.precision("published", queries=given, bits=8),
+                    lambda given: ax.condition("published", queries=given)):
+        of_queries, of_file = figures(q).json, figures(tmp_path / "queries.jsonl").json
+        assert of_queries.pop("command", "") != of_file.pop("command", "no") and of_queries == of_file and "queries.jsonl" in json.dumps(of_file)
+
+
+@pytest.mark.parametrize("call", [ax.ladder, ax.precision, ax.condition])
+def test_an_interrupt_ends_figures_of_hours(call):
+    def interrupts(done, units, queries, *more):
+        if queries:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        call("published", family="general", trials=10**8, progress=interrupts)
+
+
 def test_a_function_is_diagnosed_and_searched(tmp_path):
     found = ax.diagnose(ax.kernel(nearest_point_test, name="mine"))
     assert found.complete and found.json["kernel"] == "mine" and found.name in ("diagnosis", "diagnose")

@@ -1,6 +1,8 @@
 """Kernels judged: the record is the command's, byte for byte."""
+import copy
 import json
 import os
+import pickle
 import re
 
 import numpy as np
@@ -16,22 +18,38 @@ def judged_by_command(command, tmp_path, *words, code=0):
     return (tmp_path / "command" / "record.json").read_bytes()
 
 
-@pytest.mark.parametrize("kernels, family", [
-    (["published", "certified"], ["tangent", "sliver"]),
-    (["moving-sphere/static-ends"], None),
-    ([], ["box-box/general"]),
+ENTRIES = [(predicate, entry["name"]) for predicate in ax.predicates() for entry in ax.describe(predicate)["entries"]]
+
+
+@pytest.mark.parametrize("predicate, entry", ENTRIES)
+def test_the_record_is_that_of_the_command(predicate, entry, command, tmp_path):
+    """Two kernels and two families of each entry of each predicate, in both precisions."""
+    of = lambda given, name: [one[name] for one in given if one["entry"] == entry]
+    kernels, families = of(ax.kernels(predicate), "id")[-2:], of(ax.families(predicate), "name")
+    if not families:
+        pytest.skip("queries of this entry are given, not made")
+    families = [families[0], families[-1]]
+    words = [word for kernel in kernels for word in ("--kernel", kernel)] + [word for name in families for word in ("--family", name)]
+    expected = judged_by_command(command, tmp_path, *words, "--trials", 100, "--seed", 2**64 - 4, "--require", "exact", "--require", "logic",
+                                 code=None)
+    asked = dict(family=families, trials=100, seed=2**64 - 4, require=["exact", "logic"])
+    assert ax.judge(kernels, **asked).bytes == expected
+    assert ax.judge(kernels, threads=3, **asked).bytes == expected
+
+
+@pytest.mark.parametrize("kernel, options", [
+    ("certified", dict(family="general", unit="mm", require="exact")),
+    ("published+fma", dict(family="tangent", require="logic", allow_unchecked="logic", precision="binary32")),
+    ("published", dict(family="sliver", tolerance=["0.1", "1e-3"], precision="binary64")),
+    ("published", dict(preset="game")),
 ])
-def test_the_record_is_that_of_the_command(kernels, family, command, tmp_path):
-    if family is None:
-        family = [next(one["name"] for one in ax.families("moving-sphere"))]
-        kernels = [ax.kernels("moving-sphere")[0]["id"]]
-    if not kernels:
-        kernels = [ax.kernels("box-box")[0]["id"]]
-    words = [word for kernel in kernels for word in ("--kernel", kernel)] + [word for name in family for word in ("--family", name)]
-    expected = judged_by_command(command, tmp_path, *words, "--trials", 300, "--seed", 4)
-    record = ax.judge(kernels, family=family, trials=300, seed=4)
-    assert record.bytes == expected
-    assert ax.judge(kernels, family=family, trials=300, seed=4, threads=3).bytes == expected
+def test_options_are_those_of_the_command(kernel, options, command, tmp_path):
+    words = []
+    for name, value in options.items():
+        for one in [value] if isinstance(value, str) else value:
+            words += ["--" + name.replace("_", "-"), one]
+    expected = judged_by_command(command, tmp_path, "--kernel", kernel, "--trials", 100, *words, code=None)
+    assert ax.judge(kernel, trials=100, **options).bytes == expected
 
 
 def test_levels_meshes_and_files_are_those_of_the_command(command, tmp_path):
@@ -136,6 +154,16 @@ def test_what_the_record_shows(tmp_path):
     assert os.path.getsize(record.report()) > 10000 and record.run["threads"] >= 1
     with pytest.raises(ax.Error, match="no level was required"):
         record.met
+
+
+def test_a_record_is_pickled(tmp_path):
+    record = ax.judge(ax.kernel(nearest_point_test, name="mine"), family=["tangent", "sliver"], trials=500, require=["exact", "depth=1mm"], unit="m")
+    again = pickle.loads(pickle.dumps(record))
+    assert again.bytes == record.bytes and again.run == record.run and repr(again) == repr(record) and again.met == record.met
+    record.save(tmp_path / "one")
+    copy.deepcopy(again).save(tmp_path / "two")
+    for name in os.listdir(tmp_path / "one"):
+        assert (tmp_path / "one" / name).read_bytes() == (tmp_path / "two" / name).read_bytes(), name
 
 
 def test_witnesses_of_a_mesh_have_no_family():
