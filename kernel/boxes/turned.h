@@ -98,7 +98,8 @@ struct Homogeneous {
 // computed, so nothing is rounded. Degree 1 > 1.
 struct Intervals {
   static constexpr std::string_view name = "intervals";
-  static constexpr FormulaeKind kind = FormulaeKind::rung;
+  // Its verdicts are those of the fifteen axes; a box without breadth inside of the other's extent is a tie here alone.
+  static constexpr FormulaeKind kind = FormulaeKind::variant;
 
   template <class T, class Sink>
   static void comparisons(const CornersPair<T>& q, Sink& sink) {
