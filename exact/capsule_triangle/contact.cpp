@@ -10,14 +10,14 @@
 namespace axiscert::capsule {
 namespace {
 
-Point rational_point(const portable::Vec3<double>& v) { return {exact(v.x), exact(v.y), exact(v.z)}; }
-Rational square_of(const Point& v) { return dot(v, v); }
+RationalPoint rational_point(const portable::Vec3<double>& v) { return {exact(v.x), exact(v.y), exact(v.z)}; }
+Rational square_of(const RationalPoint& v) { return dot(v, v); }
 
 // A box without breadth around the middle of the segment. Its other axes are any two that make a basis: it has no
 // extent along them, and a push along an axis that is no facet's normal is never the shortest alone.
-boxes::ExactBoxAndTriangle as_box(const std::array<Point, 2>& end, const std::array<Point, 3>& corner) {
-  const std::array<Point, 3> units = {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}};
-  Point along = end[1] - end[0];
+boxes::ExactBoxAndTriangle as_box(const std::array<RationalPoint, 2>& end, const std::array<RationalPoint, 3>& corner) {
+  const std::array<RationalPoint, 3> units = {RationalPoint{1, 0, 0}, RationalPoint{0, 1, 0}, RationalPoint{0, 0, 1}};
+  RationalPoint along = end[1] - end[0];
   const bool is_point = square_of(along) == 0;
   if (is_point) along = units[0];
   const Rational size[] = {abs(along.x), abs(along.y), abs(along.z)};
@@ -60,29 +60,29 @@ double ExactContact::rounded_separation() const {
 std::optional<boxes::NearestPair> ExactContact::only_points() const {
   std::optional<boxes::NearestPair> points = segment_.only_points();
   if (!points) return std::nullopt;
-  const Point& normal = normals().front();
+  const RationalPoint& normal = normals().front();
   points->a = points->a + normal * Rational(r_ / root_below(square_of(normal)));
   return points;
 }
 
-bool ExactContact::is_right(const Point& n) const {
+bool ExactContact::is_right(const RationalPoint& n) const {
   if (segment_.is_apart() || segment_.squared_separation() != 0) {
     return std::ranges::any_of(
-        normals(), [&](const Point& right) { return square_of(cross(right, n)) == 0 && dot(right, n) > 0; });
+        normals(), [&](const RationalPoint& right) { return square_of(cross(right, n)) == 0 && dot(right, n) > 0; });
   }
   // The segment and the triangle touch: right is what a plane has them on either side of.
   const Rational reach = std::max(Rational(dot(end_[0], n)), Rational(dot(end_[1], n)));
-  return std::ranges::all_of(corner_, [&](const Point& corner) { return dot(corner, n) >= reach; });
+  return std::ranges::all_of(corner_, [&](const RationalPoint& corner) { return dot(corner, n) >= reach; });
 }
 
-Decimal6 ExactContact::left(const Point& n) const {
+Decimal6 ExactContact::left(const RationalPoint& n) const {
   if (is_right(n)) return {};
   const Rational depth = approximate_magnitude({r_, squared_sides(), segment_.is_apart() ? -1 : 1});
   // Both roots and the depth are relatively within 2^-240: so the place is within 2^-238 of the depth, and how far the
   // segment and the triangle are apart, or in each other, is too.
-  const Point way = n * Rational(depth / root_below(square_of(n)));
-  std::array<Point, 3> pushed = corner_;
-  for (Point& corner : pushed) corner = corner + way;
+  const RationalPoint way = n * Rational(depth / root_below(square_of(n)));
+  std::array<RationalPoint, 3> pushed = corner_;
+  for (RationalPoint& corner : pushed) corner = corner + way;
   const boxes::ExactContact after(as_box(end_, pushed));
   const Rational& squared = after.squared_separation();
   // r - d without a difference of roots.
@@ -96,16 +96,16 @@ double ExactContact::share_of(const Rational& length) const {
   return std::min(nearest<double>(Rational(length / root_below(scene_))), std::numeric_limits<double>::max());
 }
 
-double ExactContact::share_outside_of_a(const Point& p) const {
+double ExactContact::share_outside_of_a(const RationalPoint& p) const {
   const Rational squared = boxes::squared_distance(boxes::Hull{p}, boxes::Hull{end_[0], end_[1]});
   return squared <= r_ * r_ ? 0 : share_of(approximate_magnitude({-r_, squared}));
 }
-double ExactContact::share_outside_of_b(const Point& p) const {
+double ExactContact::share_outside_of_b(const RationalPoint& p) const {
   return share_of(root_below(boxes::squared_distance(boxes::Hull{p}, boxes::hull_of(corner_))));
 }
 
 // | +-|a - b| - |root - less| |
-double ExactContact::share_of_mismatch(const Point& a, const Point& b, bool turned) const {
+double ExactContact::share_of_mismatch(const RationalPoint& a, const RationalPoint& b, bool turned) const {
   const boxes::RootLess right = separation(0);
   const Rational sign = compare({-right.less, right.squared}, 0) < 0 ? -1 : 1;
   const RootTerm between{turned ? -1 : 1, square_of(a - b)}, root{-sign, right.squared}, less{sign * right.less};
@@ -121,7 +121,7 @@ std::vector<ExactFact> exact_facts(const moving_sphere::GivenMotion& q) {
   const boxes::ExactContact& segment = contact.of_segment();
   const Rational &squared = segment.squared_separation(), &r = contact.radius(), &scene = contact.squared_scene();
   const Rational distance = segment.is_apart() ? squared : Rational(0);
-  const Point& normal = segment.normals().front();
+  const RationalPoint& normal = segment.normals().front();
   std::vector<ExactFact> facts = {
       contact.is_apart() ? length_fact("distance", {-r, squared})
                          : length_fact("penetration", {r, squared, segment.is_apart() ? -1 : 1}),

@@ -12,7 +12,7 @@
 
 namespace axiscert::capsule {
 
-using boxes::Point;
+using RationalPoint = boxes::Point;
 
 // The first body is the capsule, the second the triangle.
 class ExactContact {
@@ -31,26 +31,26 @@ class ExactContact {
   boxes::RootLess separation(const Rational& margin) const;
   double rounded_separation() const;
   const Rational& squared_scene() const { return scene_; }
-  const std::vector<Point>& normals() const { return segment_.normals(); }
-  std::optional<Point> only_normal() const { return segment_.only_normal(); }
+  const std::vector<RationalPoint>& normals() const { return segment_.normals(); }
+  std::optional<RationalPoint> only_normal() const { return segment_.only_normal(); }
   // That of the capsule is on its surface, relatively to 2^-240.
   std::optional<boxes::NearestPair> only_points() const;
   const Rational& squared_sides() const { return segment_.squared_separation(); }
 
   // 0 exactly of the right directions; else off by less than 2^-230, and rounded up.
-  Decimal6 left(const Point& n) const;
+  Decimal6 left(const RationalPoint& n) const;
 
   // The sizes are relatively within 2^-240, and 0 exactly where they are.
-  double share_outside_of_a(const Point& p) const;
-  double share_outside_of_b(const Point& p) const;
-  double share_of_mismatch(const Point& a, const Point& b, bool turned) const;
+  double share_outside_of_a(const RationalPoint& p) const;
+  double share_outside_of_b(const RationalPoint& p) const;
+  double share_of_mismatch(const RationalPoint& a, const RationalPoint& b, bool turned) const;
 
  private:
-  bool is_right(const Point& n) const;
+  bool is_right(const RationalPoint& n) const;
   double share_of(const Rational& length) const;
 
-  std::array<Point, 2> end_;
-  std::array<Point, 3> corner_;
+  std::array<RationalPoint, 2> end_;
+  std::array<RationalPoint, 3> corner_;
   Rational r_, scene_;
   boxes::ExactContact segment_;
 };
