@@ -1,6 +1,7 @@
 #include "exact/boxes/contact.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "exact/numbers/root_number.h"
 #include "exact/numbers/root_sum.h"
@@ -184,6 +185,15 @@ Decimal6 ExactContact::left(const Point& n) const {
     guess = std::min(guess, approximate_left(push, n));
   }
   return round_up(guess, [&](const Rational& f) { return compare_left(n, f); });
+}
+
+double ExactContact::rounded_separation() const {
+  const double size = std::min(nearest_sqrt<double>(squared_), std::numeric_limits<double>::max());
+  return is_apart_ || size == 0 ? size : -size;
+}
+double ExactContact::share_of(const Rational& squared) const {
+  return scene_ == 0 ? 0
+                     : std::min(nearest_sqrt<double>(Rational(squared / scene_)), std::numeric_limits<double>::max());
 }
 
 // As a difference of squares, in which nothing cancels.

@@ -17,6 +17,12 @@ struct Push {
   Rational squared;  // of that length of the push, in contact
 };
 
+// sqrt(squared) - less, or its negative.
+struct RootLess {
+  Rational squared, less;
+  bool is_negated;
+};
+
 // The second body less `way` touches the first where they are apart; with it added where they are in contact. No
 // shorter way does it.
 class ExactContact {
@@ -28,6 +34,15 @@ class ExactContact {
   bool is_apart() const { return is_apart_; }
   // The square of the separation: of the distance where apart, else of the penetration.
   const Rational& squared_separation() const { return squared_; }
+  // The separation less a margin, and the nearest number to the separation.
+  RootLess separation(const Rational& margin) const {
+    return is_apart_ ? RootLess{squared_, margin, false} : RootLess{squared_, Rational(-margin), true};
+  }
+  double rounded_separation() const;
+  // In contact, with a penetration that is not 0.
+  bool is_deep() const { return !is_apart_ && squared_ != 0; }
+  // The square of what a rounding has to be as large as for the other side to be the right one.
+  const Rational& squared_sides() const { return squared_; }
   const Rational& squared_scene() const { return scene_; }
 
   // Every direction in which a push as long as the penetration parts them, each once; of bodies apart, the one from the
@@ -58,12 +73,21 @@ class ExactContact {
   // | |a - b| - |separation| |, relatively to 2^-240; with |a - b| as negative where `turned`.
   Rational mismatch(const Point& a, const Point& b, bool turned = false) const;
 
+  // Those three as shares of the scene, rounded; 0 in a scene of one point.
+  double share_outside_of_a(const Point& p) const { return share_of(squared_distance_from_a(p)); }
+  double share_outside_of_b(const Point& p) const { return share_of(squared_distance_from_b(p)); }
+  double share_of_mismatch(const Point& a, const Point& b, bool turned) const {
+    const Rational off = mismatch(a, b, turned);
+    return share_of(off * off);
+  }
+
  private:
   // The bodies in units of length that make all numbers integers: quotients of rationals would take twice as long.
   template <class Bodies>
   struct InUnits;
   template <class Bodies>
   explicit ExactContact(const InUnits<Bodies>& q);
+  double share_of(const Rational& squared) const;
   Rational in_squares(const Rational& squared) const { return squared / (unit_ * unit_); }
   void find_apart();
   void find_in_contact();

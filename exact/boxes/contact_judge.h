@@ -1,33 +1,131 @@
-// The judge of a kernel's separation, normal and points of two boxes, or of a box and a triangle.
+// The judge of a kernel's separation, normal and points of two bodies: of boxes, of a box and a triangle, and of what
+// is made of these.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "exact/boxes/contact.h"
 #include "exact/judge/contact_judgement.h"
+#include "exact/judge/contact_numbers.h"
+#include "kernel/boxes/names.h"
 
 namespace axiscert::boxes {
 
-// `Real` is the precision of the kernel and of the query. What is left, flips and errors of points are decided exactly.
-template <class Real>
+// `Real` is the precision of the kernel and of the query; `Exact` knows the bodies, as ExactContact does. What is left,
+// flips and errors of points are decided exactly.
+template <class Real, class Exact = ExactContact>
 class BoxContactJudge final : public ContactJudge {
  public:
   // The exact numbers are found when one is asked for first: beside `separated` most kernels give none.
-  explicit BoxContactJudge(std::function<ExactContact()> find) : find_(std::move(find)) {}
+  explicit BoxContactJudge(std::function<Exact()> find) : find_(std::move(find)) {}
 
   ContactJudgement judge(Verdict said, std::span<const double> measures) override;
   ContactPlace place() const override;
-  double scene() const override;
+  double scene() const override { return at_most_finite(nearest_sqrt<double>(exact().squared_scene())); }
 
  private:
-  const ExactContact& exact() const;
+  // A normal whose push leaves more than 1 / most_left, at more than a right angle to every exact one, goes the wrong
+  // way.
+  static constexpr int most_left = 16;
+  static double at_most_finite(double x) { return std::min(x, std::numeric_limits<double>::max()); }
+
+  const Exact& exact() const {
+    if (!exact_) exact_ = find_();
+    return *exact_;
+  }
   void measure_separation(Verdict said, double separation, ContactJudgement& out) const;
   void measure_normal(const Point& normal, ContactJudgement& out) const;
   void measure_points(const Point& a, const Point& b, const std::optional<Point>& normal, ContactJudgement& out) const;
 
-  std::function<ExactContact()> find_;
-  mutable std::optional<ExactContact> exact_;
+  std::function<Exact()> find_;
+  mutable std::optional<Exact> exact_;
 };
+
+template <class Real, class Exact>
+void BoxContactJudge<Real, Exact>::measure_separation(Verdict said, double separation, ContactJudgement& out) const {
+  if (said == Verdict::contact && separation > 0) out.consistency = Consistency::positive;
+  if (said == Verdict::separated && separation < 0) out.consistency = Consistency::negative;
+  if (sgn(exact().squared_scene()) == 0) return;
+  const auto error_from = [&](const Rational& margin) {
+    const RootLess right = exact().separation(margin);
+    return separation_error<Real>(right.is_negated ? -separation : separation, right.squared, right.less,
+                                  exact().squared_scene());
+  };
+  out.separation = error_from(0);
+  if (sgn(margin_) != 0) out.separation_less_margin = error_from(margin_);
+}
+
+template <class Real, class Exact>
+void BoxContactJudge<Real, Exact>::measure_normal(const Point& normal, ContactJudgement& out) const {
+  out.normal_length_error = length_error(normal);
+  if (const std::optional<Point> right = exact().only_normal()) out.normal_angle = angle_between(normal, *right);
+  if (!exact().is_deep() || sgn(Rational(dot(normal, normal))) == 0) return;
+  const bool is_backwards =
+      std::ranges::all_of(exact().normals(), [&](const Point& right) { return sgn(Rational(dot(normal, right))) < 0; });
+  // An overlap is computed to 8 u of the scene, and what is along a normal from centre to centre to 4 u: a normal that
+  // is taken for that leaves at most a sixteenth of a depth of 128 u.
+  const Rational clear(mpz_class(1), mpz_class(1) << (std::numeric_limits<Real>::digits - 7));
+  const bool is_clear = exact().squared_sides() > clear * clear * exact().squared_scene();
+  const Decimal6 left = exact().left(normal);
+  out.pushed = Pushed{left, is_backwards && is_clear && axiscert::exact(left) * most_left > 1};
+}
+
+// Points of their bodies that are as far apart as the separation, along the normal, are the exact ones where these are
+// the only ones. Their distance from those is no figure: of two faces that are parallel but for a rounding it is any.
+template <class Real, class Exact>
+void BoxContactJudge<Real, Exact>::measure_points(const Point& a, const Point& b, const std::optional<Point>& normal,
+                                                  ContactJudgement& out) const {
+  out.point_a_error = exact().share_outside_of_a(a);
+  out.point_b_error = exact().share_outside_of_b(b);
+  const int along = normal ? sgn(Rational(dot(b - a, *normal))) : 0;
+  out.points_apart = exact().share_of_mismatch(a, b, along == (exact().is_apart() ? -1 : 1));
+}
+
+template <class Real, class Exact>
+ContactJudgement BoxContactJudge<Real, Exact>::judge(Verdict said, std::span<const double> measures) {
+  ContactJudgement out;
+  const auto gives = [&](std::size_t first, std::size_t size) { return measures.size() >= first + size; };
+  const bool any_given = std::ranges::any_of(measures, [](double x) { return !std::isnan(x); });
+  // Nothing beside `separated` is no fault: axes tell no distance.
+  const bool is_asked = any_given || said == Verdict::contact;
+  if (gives(separation_measure, 1)) {
+    out.consistency = Consistency::consistent;
+    if (std::isfinite(measures[separation_measure])) measure_separation(said, measures[separation_measure], out);
+    else out.lacks_separation = is_asked;
+  }
+  std::optional<Point> normal;
+  if (gives(normal_measure, 3)) {
+    normal = axiscert::vector_at(measures, normal_measure);
+    if (normal) measure_normal(*normal, out);
+    else out.lacks_normal = is_asked;
+  }
+  if (gives(point_b_measure, 3)) {
+    const auto a = axiscert::vector_at(measures, point_a_measure), b = axiscert::vector_at(measures, point_b_measure);
+    if (a && b) measure_points(*a, *b, normal, out);
+    else out.lacks_point = is_asked;
+  }
+  const bool lacks = out.lacks_separation || out.lacks_normal || out.lacks_point;
+  if (any_given && lacks && out.consistency == Consistency::consistent) out.consistency = Consistency::missing;
+  return out;
+}
+
+template <class Real, class Exact>
+ContactPlace BoxContactJudge<Real, Exact>::place() const {
+  ContactPlace out;
+  out.separation = exact().rounded_separation();
+  if (const auto& points = exact().only_points()) {
+    out.point = rounded(points->a);
+    out.point_b = rounded(points->b);
+  }
+  if (const std::optional<Point> normal = exact().only_normal()) out.normal = unit_vector(*normal);
+  return out;
+}
+
+extern template class BoxContactJudge<float>;
+extern template class BoxContactJudge<double>;
 
 }  // namespace axiscert::boxes

@@ -1,5 +1,7 @@
 // The truth of a capsule is that of a moving sphere by its ends: feature by feature in rationals, compared on every
 // query with CGAL's distance and, by the theorem of docs/moving.md, with the twenty axes.
+#include "exact/boxes/contact_judge.h"
+#include "exact/capsule_triangle/contact.h"
 #include "exact/moving_sphere/trait.h"
 #include "exact/trait/oracles_of.h"
 #include "kernel/capsule_triangle/capsule.h"
@@ -7,7 +9,8 @@
 namespace axiscert {
 namespace {
 
-// What is asked of motions alone is not: the details, policies and measures.
+// What is asked of motions alone is not: the details and policies. The numbers beside a verdict are those of two
+// bodies.
 struct CapsuleTrait : Capsule {
   using Motion = moving_sphere::MovingEndsTrait;
   using AllFormulae = Motion::AllFormulae;
@@ -24,6 +27,11 @@ struct CapsuleTrait : Capsule {
   template <class Real>
   static bool is_degenerate(const Numbers<double>& numbers) {
     return Motion::is_degenerate<Real>(numbers);
+  }
+  template <class Real>
+  static std::unique_ptr<ContactJudge> contact_judge(const Numbers<double>& numbers) {
+    return std::make_unique<boxes::BoxContactJudge<Real, capsule::ExactContact>>(
+        [numbers] { return capsule::ExactContact(Motion::query(numbers)); });
   }
 };
 

@@ -138,60 +138,78 @@ namespace axiscert::boxes {
 
 namespace {
 
-// Calls see(query) with the problem of the entry that has so many columns, of those given.
-template <class... Entries, class See>
-std::vector<double> seen_by_columns(const Numbers<double>& q, const See& see) {
-  std::vector<double> found;
-  const auto ask = [&]<class Entry>() {
-    if (Entry::description().entries[Entry::entry].columns.size() == q.size())
-      found = see(Entry::template problem<double>([&](std::size_t k) { return q[k]; }));
-  };
-  (ask.template operator()<Entries>(), ...);
-  return found;
+BoxPair<double> pair_of(const Numbers<double>& q, std::size_t entry) {
+  const auto both = [](const auto& given) { return BoxPair<double>{with_matrix(given.a), with_matrix(given.b)}; };
+  if (entry == QuaternionBoxes::entry) return both(given_in<QuaternionBoxes>(q));
+  if (entry == MinmaxBoxes::entry) return both(given_in<MinmaxBoxes>(q));
+  if (entry == MixedBoxes::entry) return both(given_in<MixedBoxes>(q));
+  return given_in<MatrixBoxes>(q);
 }
-
-Vec3<double> centre_of(const CornersBox<double>& box) { return (box.low + box.high) * 0.5; }
-template <class Box>
-Vec3<double> centre_of(const Box& box) {
-  return box.centre;
-}
-Vec3<double> centre_of_box(const CentredAndTriangle<double>& q) { return q.centre; }
-template <class Problem>
-Vec3<double> centre_of_box(const Problem& q) {
-  return q.box.centre;
+BoxAndTriangle<double> box_and_triangle_of(const Numbers<double>& q, std::size_t entry) {
+  if (entry == MinmaxEntry::entry) return oriented(given_in<MinmaxEntry>(q));
+  if (entry == OrientedEntry::entry) return given_in<OrientedEntry>(q);
+  if (entry == TurnedEntry::entry) return oriented(given_in<TurnedEntry>(q));
+  return oriented(given_in<CentreEntry>(q));
 }
 
 std::vector<double> unit_numbers(const Vec3<double>& v) {
   const double size = std::sqrt(dot(v, v));
   return size > 0 ? std::vector{v.x / size, v.y / size, v.z / size} : std::vector<double>();
 }
-
-std::vector<double> from_centre_to_centre(const Numbers<double>& q) {
-  return seen_by_columns<MatrixBoxes, QuaternionBoxes, MinmaxBoxes, MixedBoxes>(
-      q, [](const auto& pair) { return unit_numbers(centre_of(pair.b) - centre_of(pair.a)); });
+double half_along(const OrientedBox<double>& box, const Vec3<double>& d) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) sum += box.half[k] * std::fabs(dot(box.axis[k], d));
+  return sum;
 }
 
-// The entries of a box by centre and by corners have as many columns: the first is taken.
-std::vector<double> from_centre_to_triangle(const Numbers<double>& q) {
-  return seen_by_columns<CentreEntry, OrientedEntry, TurnedEntry>(q, [](const auto& given) {
-    return unit_numbers((given.corner[0] + given.corner[1] + given.corner[2]) / 3.0 - centre_of_box(given));
-  });
+std::vector<double> from_centre_to_centre(const Numbers<double>& q, std::size_t entry) {
+  const auto [a, b] = pair_of(q, entry);
+  return unit_numbers(b.centre - a.centre);
+}
+std::vector<double> beyond_faces_of_a(const Numbers<double>& q, std::size_t entry) {
+  const auto [a, b] = pair_of(q, entry);
+  std::vector<double> most;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3<double> normal = cross(a.axis[next(k)], a.axis[last(k)]);
+    const double beyond =
+        (std::fabs(dot(b.centre - a.centre, normal)) - half_along(a, normal) - half_along(b, normal)) /
+        std::sqrt(dot(normal, normal));
+    if (most.empty() || beyond > most[0]) most = {beyond};
+  }
+  return most;
+}
+
+std::vector<double> from_centre_to_triangle(const Numbers<double>& q, std::size_t entry) {
+  const auto [box, corner] = box_and_triangle_of(q, entry);
+  return unit_numbers((corner[0] + corner[1] + corner[2]) / 3.0 - box.centre);
+}
+std::vector<double> beyond_triangle(const Numbers<double>& q, std::size_t entry) {
+  const auto [box, corner] = box_and_triangle_of(q, entry);
+  const Vec3<double> normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
+  const double size = std::sqrt(dot(normal, normal));
+  if (!(size > 0)) return {};
+  return {(std::fabs(dot(box.centre - corner[0], normal)) - half_along(box, normal)) / size};
 }
 
 }  // namespace
 
 std::span<const ContactLikeness* const> box_box_contact_likenesses() {
   static constexpr ContactLikeness centres = {MeasureKind::normal, "of_centres", "It goes from centre to centre",
-                                              from_centre_to_centre};
-  static constexpr const ContactLikeness* all[] = {&centres};
+                                              from_centre_to_centre},
+                                   faces = {MeasureKind::separation, "against_plane",
+                                            "It is the distance to the plane of the first box's nearest face",
+                                            beyond_faces_of_a};
+  static constexpr const ContactLikeness* all[] = {&centres, &faces};
   return all;
 }
 
 std::span<const ContactLikeness* const> box_triangle_contact_likenesses() {
   static constexpr ContactLikeness centres = {MeasureKind::normal, "of_centres",
                                               "It goes from the centre of the box to the middle of the triangle",
-                                              from_centre_to_triangle};
-  static constexpr const ContactLikeness* all[] = {&centres};
+                                              from_centre_to_triangle},
+                                   plane = {MeasureKind::separation, "against_plane",
+                                            "It is the box's distance to the triangle's plane", beyond_triangle};
+  static constexpr const ContactLikeness* all[] = {&centres, &plane};
   return all;
 }
 

@@ -105,7 +105,7 @@ const ContactLikeness* likeness_of(const Subject<Real>& subject, const std::vect
     for (const JudgedContact<Real>& one : all) {
       if (!is_wrong(one)) continue;
       ++wrong;
-      const std::vector<double> numbers = like->numbers(one.wide);
+      const std::vector<double> numbers = like->numbers(one.wide, subject.kernel().entry);
       if (one.measures.size() >= first + numbers.size())
         alike += is_like(numbers, std::span(one.measures).subspan(first, numbers.size()), 16 * small<Real>);
     }

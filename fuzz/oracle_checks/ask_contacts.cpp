@@ -2,6 +2,9 @@
 // by the families and meshes; a family marked with a cost is asked a sixteenth. Of 32 blocks one is asked on every
 // instruction set too, two as single pairs and two as meshes, which have to be the same to the bit. Exit 1: one is
 // wrong.
+//
+// ask_contacts --rationals QUERIES [MESH...]: feature and verdict alone, against the rationals of the judge, which are
+// held to CGAL.
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -77,6 +80,20 @@ struct Asked {
   }
   std::string at(std::size_t i) const { return ":" + numbers_of<Real>(columns, i); }
 };
+
+// The bounds, by what is certain, or the judge's rationals.
+enum class By { bounds, rationals };
+
+template <class Real>
+void judge_by_rationals(const Asked<Real>& asked, Counted& counted) {
+  for (std::size_t i = 0; i < asked.said.size(); ++i) {
+    std::array<double, 13> q;
+    for (std::size_t k = 0; k < 13; ++k) q[k] = asked.columns[k][i];
+    const std::string wrong = testing_support::what_is_wrong_for_the_judge(q, asked.said[i]);
+    if (!wrong.empty()) counted.add_wrong(asked.first + i, wrong + asked.at(i));
+  }
+  counted.asked += asked.said.size();
+}
 
 template <class Real>
 void judge(const Asked<Real>& asked, Counted& counted) {
@@ -174,11 +191,15 @@ void ask_mesh(const Asked<Real>& asked, Counted& counted) {
 
 // Queries `first` to first + size of a source, of the open sphere in every fourth block.
 template <class Real>
-void ask_block(const Source& source, std::uint64_t first, std::size_t size, Counted& counted) {
+void ask_block(const Source& source, std::uint64_t first, std::size_t size, By by, Counted& counted) {
   QueryBatch<Real> batch(size, coordinate_count);
   source.fill(seed, first, size, batch);
   const std::uint64_t turn = first / block % 32;
   const QueryColumns<Real> columns = batch.columns();
+  if (by == By::rationals) {
+    judge_by_rationals(Asked<Real>(columns, first, AXISCERT_CLOSED_SPHERE), counted);
+    return;
+  }
   const Asked<Real> asked(columns, first, turn % 4 == 3 ? AXISCERT_OPEN_SPHERE : AXISCERT_CLOSED_SPHERE);
   judge(asked, counted);
   if (turn == 0) ask_instruction_sets(asked, counted);
@@ -197,10 +218,10 @@ struct Total {
 };
 
 template <class Real>
-void ask_source(const Source& source, std::uint64_t queries, Total& total) {
+void ask_source(const Source& source, std::uint64_t queries, By by, Total& total) {
   Counted counted;
   tbb::parallel_for(std::uint64_t{0}, (queries + block - 1) / block, [&](std::uint64_t i) {
-    ask_block<Real>(source, i * block, std::min(block, queries - i * block), counted);
+    ask_block<Real>(source, i * block, std::min(block, queries - i * block), by, counted);
   });
   const Total own{counted.asked, counted.by_integers, counted.by_mpfr, counted.compared, counted.wrong};
   own.print(source.name(), name(precision_of<Real>), counted.first);
@@ -211,7 +232,7 @@ void ask_source(const Source& source, std::uint64_t queries, Total& total) {
   total.wrong += own.wrong;
 }
 
-int run(std::uint64_t queries, const std::vector<std::string>& meshes) {
+int run(std::uint64_t queries, By by, const std::vector<std::string>& meshes) {
   struct Share {
     SourcePtr source;
     std::uint64_t divisor;
@@ -224,8 +245,8 @@ int run(std::uint64_t queries, const std::vector<std::string>& meshes) {
   Total of[enum_count<Precision>];
   for (const auto& [source, divisor] : shares) {
     const std::uint64_t wanted = std::max<std::uint64_t>(of_each / divisor, 1);
-    ask_source<float>(*source, wanted, of[index_of(Precision::binary32)]);
-    ask_source<double>(*source, wanted, of[index_of(Precision::binary64)]);
+    ask_source<float>(*source, wanted, by, of[index_of(Precision::binary32)]);
+    ask_source<double>(*source, wanted, by, of[index_of(Precision::binary64)]);
   }
   std::uint64_t wrong = 0;
   for (const Precision precision : enumerators<Precision>) {
@@ -239,9 +260,13 @@ int run(std::uint64_t queries, const std::vector<std::string>& meshes) {
 }  // namespace axiscert
 
 int main(int argc, char** argv) {
-  if (argc < 2) {
-    fmt::print(stderr, "ask_contacts QUERIES [MESH...]\n");
+  std::vector<std::string> words(argv + 1, argv + argc);
+  const bool by_rationals = !words.empty() && words[0] == "--rationals";
+  if (by_rationals) words.erase(words.begin());
+  if (words.empty()) {
+    fmt::print(stderr, "ask_contacts [--rationals] QUERIES [MESH...]\n");
     return 2;
   }
-  return axiscert::run(std::strtoull(argv[1], nullptr, 10), {argv + 2, argv + argc});
+  return axiscert::run(std::strtoull(words[0].c_str(), nullptr, 10),
+                       by_rationals ? axiscert::By::rationals : axiscert::By::bounds, {words.begin() + 1, words.end()});
 }

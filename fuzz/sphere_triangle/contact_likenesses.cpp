@@ -26,23 +26,23 @@ std::vector<double> unit(const Double3& v) {
   return size > 0 ? list(v / size) : std::vector<double>();
 }
 
-std::vector<double> against_plane(const Numbers<double>& q) {
+std::vector<double> against_plane(const Numbers<double>& q, std::size_t) {
   const auto [a, b, c, p, r] = placed(q);
   const Double3 normal = cross(b - a, c - a);
   const double size = std::sqrt(dot(normal, normal));
   if (!(size > 0)) return {};
   return {std::abs(dot(p - a, normal)) / size - r};
 }
-std::vector<double> of_centres(const Numbers<double>& q) {
+std::vector<double> of_centres(const Numbers<double>& q, std::size_t) {
   const auto [a, b, c, p, r] = placed(q);
   return unit(p - (a + b + c) / 3.0);
 }
-std::vector<double> of_face(const Numbers<double>& q) {
+std::vector<double> of_face(const Numbers<double>& q, std::size_t) {
   const auto [a, b, c, p, r] = placed(q);
   const Double3 normal = cross(b - a, c - a);
   return unit(dot(p - a, normal) < 0 ? normal * -1.0 : normal);
 }
-std::vector<double> on_the_sphere(const Numbers<double>& q) {
+std::vector<double> on_the_sphere(const Numbers<double>& q, std::size_t) {
   const auto [a, b, c, p, r] = placed(q);
   const Double3 to = methods::ClosestPoint::closest(portable::CentredProblem<double>{a - p, b - p, c - p, r * r}, 0.0);
   const double size = std::sqrt(dot(to, to));

@@ -1,3 +1,4 @@
+#include "kernel/boxes/boxes.h"
 #include "kernel/capsule_triangle/capsule.h"
 
 namespace axiscert {
@@ -34,7 +35,7 @@ Predicate capsule_triangle_described() {
                     {"r", Role::length, "r"}}}},
       .comparisons = {},
       .clauses = {},
-      .measures = {},
+      .measures = boxes::measures_of_contacts("of the capsule's point", "of the triangle's point"),
   };
   moving_sphere::add_twenty_axes(predicate);
   return checked(std::move(predicate));

@@ -30,11 +30,14 @@ struct Segment {
            !crosses(q.d, a, b, c);
   }
 
- private:
-  // From the path 0 to `d` to the segment `from` to `to`.
+  // The shares `s` of the path 0 to `d` and `t` of the segment `from` to `to` at which they are nearest.
   template <class Real>
-  constexpr static Real squared_distance(const portable::Vec3<Real>& d, const portable::Vec3<Real>& from,
-                                         const portable::Vec3<Real>& to) {
+  struct Shares {
+    Real s = 0, t = 0;
+  };
+  template <class Real>
+  constexpr static Shares<Real> nearest_shares(const portable::Vec3<Real>& d, const portable::Vec3<Real>& from,
+                                               const portable::Vec3<Real>& to) {
     using portable::dot;
     const auto in_unit = [](Real x) { return std::clamp(x, Real(0), Real(1)); };
     const portable::Vec3<Real> along = to - from;
@@ -53,8 +56,7 @@ struct Segment {
     } else if (dd > 0) {
       s = in_unit(ahead / dd);
     }
-    const portable::Vec3<Real> between = from + along * t - d * s;
-    return dot(between, between);
+    return {s, t};
   }
 
   template <class Real>
@@ -67,6 +69,15 @@ struct Segment {
     if ((before > 0 && after > 0) || (before < 0 && after < 0)) return false;
     const Real u = dot(d, cross(b, c)), v = dot(d, cross(c, a)), w = dot(d, cross(a, b));
     return (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
+  }
+
+ private:
+  template <class Real>
+  constexpr static Real squared_distance(const portable::Vec3<Real>& d, const portable::Vec3<Real>& from,
+                                         const portable::Vec3<Real>& to) {
+    const auto [s, t] = nearest_shares(d, from, to);
+    const portable::Vec3<Real> between = from + (to - from) * t - d * s;
+    return portable::dot(between, between);
   }
 };
 

@@ -12,6 +12,8 @@
 #include <string>
 
 #include "exact/sphere_triangle/certified/contact_judges.h"
+#include "exact/sphere_triangle/measures/nearest_place.h"
+#include "kernel/sphere_triangle/names.h"
 
 namespace axiscert::testing_support {
 
@@ -203,6 +205,21 @@ std::string what_is_wrong(const std::array<double, 13>& q, bool open, const Cont
   if (is_right_by_integers<Real>(q, open, said)) return {};
   by = 2;
   return exactly_wrong<Real>(q, open, said);
+}
+
+// The same of feature and verdict alone, by the rationals and CGAL by which the judge goes.
+inline std::string what_is_wrong_for_the_judge(const std::array<double, 13>& q, const ContactSaid& said) {
+  static constexpr std::array parts = {Axis::vertex_a, Axis::vertex_b, Axis::vertex_c,
+                                       Axis::edge_ab,  Axis::edge_bc,  Axis::edge_ca};
+  if (said.verdict == AXISCERT_INVALID) return {};
+  const NearestPlace place = nearest_place(from_coordinates(q));
+  const auto part = static_cast<std::size_t>(said.feature);
+  const std::string_view name = part < parts.size() ? axis_names[parts[part]] : "face";
+  if (place.features.front() != name)
+    return "feature " + std::to_string(said.feature) + ", not " + std::string(place.features.front());
+  const Rational r(q[12]);
+  const bool is_contact = place.squared_distance <= r * r;
+  return (said.verdict == AXISCERT_CONTACT) == is_contact ? "" : "verdict " + std::to_string(said.verdict);
 }
 
 }  // namespace axiscert::testing_support

@@ -155,7 +155,7 @@ typedef struct axiscert_answers {
    *   5, 6, 7     point: the triangle's point
    * Those of sphere-triangle stand beside both verdicts: the same, of the sphere as it is, with
    *   0 separation   distance of the centre less the radius: below 0 where the two overlap
-   * Those of box-box and box-triangle stand beside both verdicts too:
+   * Those of box-box, box-triangle and capsule-triangle stand beside both verdicts too:
    *   0 separation   distance of the two, or less their penetration
    *   1, 2, 3        normal: unit vector in which the second is pushed
    *   4 to 6, 7 to 9 a point of the first, and one of the second */
@@ -231,8 +231,8 @@ AXISCERT_EXPORT const axiscert_kernel* axiscert_plugin(uint32_t index);
 #define AXISCERT_BOX_TRIANGLE_PLUGIN(real, kernel_name, one_query, entry) \
   AXISCERT_I_PLUGIN(real, kernel_name, one_query, AXISCERT_I_GIVE_none, , AXISCERT_I_BOX_TRIANGLE_##entry)
 
-/* All that those can be, and more. `predicate` is TRIANGLE (whose entry is vertices), MOTION, BOX or BOX_TRIANGLE.
- * `gives` is none, time or separation (the first measure), all, of two bodies pair (real* separation, real normal[3],
+/* All that those can be, and more. `predicate` is TRIANGLE (whose entry is vertices), MOTION, CAPSULE (endpoints), BOX
+ * or BOX_TRIANGLE. `gives` is none, time or separation (the first measure), all, of two bodies pair (real* separation, real normal[3],
  * real point_a[3], real point_b[3]), or comparisons: then the last argument of the function is a `uint64_t*
  * comparisons`, 0 before, whose bits it sets, and a kernel of another predicate than sphere-triangle declares formulae
  * or conforms_to. `declarations` are any number of AXISCERT_DECLARE(member, value), of
@@ -258,6 +258,7 @@ AXISCERT_EXPORT const axiscert_kernel* axiscert_plugin(uint32_t index);
   "sphere-triangle", "vertices", 13, AXISCERT_I_CORNERS(0), axiscert_i_v + 9, axiscert_i_v[12]
 #define AXISCERT_I_MOTION_displacement "moving-sphere", "displacement", AXISCERT_I_MOTION
 #define AXISCERT_I_MOTION_endpoints "moving-sphere", "endpoints", AXISCERT_I_MOTION
+#define AXISCERT_I_CAPSULE_endpoints "capsule-triangle", "endpoints", AXISCERT_I_MOTION
 #define AXISCERT_I_MOTION 16, AXISCERT_I_CORNERS(0), axiscert_i_v + 9, axiscert_i_v + 12, axiscert_i_v[15]
 #define AXISCERT_I_BOX_matrix "box-box", "matrix", 30, AXISCERT_I_TURNED(0), AXISCERT_I_TURNED(15)
 #define AXISCERT_I_BOX_quaternion "box-box", "quaternion", 20, AXISCERT_I_TURNED(0), AXISCERT_I_TURNED(10)
