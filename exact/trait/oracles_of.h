@@ -243,7 +243,7 @@ class OraclesOf final : public Oracles {
       const Outcome found = outcome(reference.bits);
       if (reference.stayed) return {found, found};
       const FloatingScope scope({std::numeric_limits<Real>::digits, Rounding::nearest, {}});
-      return {outcome(bits_of<F, Floating>(problem_of<Floating>(widened(q_)), ignore)), found};
+      return {outcome(bits_of<F, Floating>(problem_of<Floating>(in_doubles(q_)), ignore)), found};
     }
     static Outcome outcome(ComparisonBits bits) { return {verdict_of(Trait::description(), bits), bits}; }
 
@@ -251,17 +251,17 @@ class OraclesOf final : public Oracles {
     const ExactSigns& signs() {
       if (signs_) return *signs_;
       if (keeps_sides_) {
-        first_ = exact_sides<First>(widened(q_));
+        first_ = exact_sides<First>(in_doubles(q_));
         signs_ = ExactSigns{first_->holding(nonstrict_comparisons<First>()), first_->ties};
       } else {
-        signs_ = exact_signs(widened(q_));
+        signs_ = exact_signs(in_doubles(q_));
       }
       return *signs_;
     }
     // Those that the signs were found from are handed on to the first claim that has them.
     template <class F>
     ExactSides sides_of() {
-      if (!has_first_sides<F> || !first_) return exact_sides<F>(widened(q_));
+      if (!has_first_sides<F> || !first_) return exact_sides<F>(in_doubles(q_));
       return *std::exchange(first_, std::nullopt);
     }
 

@@ -105,7 +105,7 @@ struct Intervals {
     const auto axis = [&](std::size_t i, std::size_t k) {
       const auto at = [&](const Vec3<T>& v) -> const T& { return k == 0 ? v.x : k == 1 ? v.y : v.z; };
       // Not the greater min and the lesser max: they may be of one box, which says nothing where it has no extent.
-      const bool is_b_above = !(at(q.b.low) < at(q.a.high));
+      const bool is_b_above = at(q.b.low) >= at(q.a.high);
       sink(i, is_b_above ? at(q.b.low) : at(q.a.low), is_b_above ? at(q.a.high) : at(q.b.high));
     };
     for (std::size_t k = 0; k < 3; ++k) {
