@@ -232,10 +232,10 @@ AXISCERT_EXPORT const axiscert_kernel* axiscert_plugin(uint32_t index);
   AXISCERT_I_PLUGIN(real, kernel_name, one_query, AXISCERT_I_GIVE_none, , AXISCERT_I_BOX_TRIANGLE_##entry)
 
 /* All that those can be, and more. `predicate` is TRIANGLE (whose entry is vertices), MOTION, CAPSULE (endpoints), BOX
- * or BOX_TRIANGLE. `gives` is none, time or separation (the first measure), all, of two bodies pair (real* separation, real normal[3],
- * real point_a[3], real point_b[3]), or comparisons: then the last argument of the function is a `uint64_t*
- * comparisons`, 0 before, whose bits it sets, and a kernel of another predicate than sphere-triangle declares formulae
- * or conforms_to. `declarations` are any number of AXISCERT_DECLARE(member, value), of
+ * or BOX_TRIANGLE. `gives` is none, time or separation (the first measure), all, of two bodies pair (real* separation,
+ * real normal[3], real point_a[3], real point_b[3]), or comparisons: then the last argument of the function is a
+ * `uint64_t* comparisons`, 0 before, whose bits it sets, and a kernel of another predicate than sphere-triangle
+ * declares formulae or conforms_to. `declarations` are any number of AXISCERT_DECLARE(member, value), of
  * axiscert_kernel: AXISCERT_PLUGIN_OF(float, "my-boxes", my_boxes, BOX, matrix, comparisons,
  *                        AXISCERT_DECLARE(conforms_to, "box-box/cofactor"))
  */
