@@ -59,6 +59,8 @@ def files(with_command):
             if os.path.isfile(os.path.join(folder, name)):
                 yield f"axiscert/bin/{name}", os.path.join(folder, name)
                 break
+        else:
+            raise RuntimeError(f"{name} was not built: it is in none of {BUILD}, its kernel/ and its cli/")
     corpus = os.path.join(ROOT, "fuzz", "corpus")
     for name in sorted(os.listdir(corpus)):
         if name.endswith(".jsonl"):
@@ -68,7 +70,10 @@ def files(with_command):
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     python = [f"-DAXISCERT_PYTHON_PROGRAM={sys.executable}"]
     subprocess.run(["cmake", "--preset", "python", *python], cwd=ROOT, check=True)
-    with_command = (config_settings or {}).get("command") == "yes"
+    command = (config_settings or {}).get("command", "no")
+    if command not in ("yes", "no"):
+        raise ValueError(f"command={command} among the config settings: yes or no")
+    with_command = command == "yes"
     subprocess.run(["cmake", "--build", BUILD, "--target", *TARGETS, *(["axiscert"] if with_command else [])], cwd=ROOT, check=True)
     info, record = f"axiscert-{version()}.dist-info", []
     name = f"axiscert-{version()}-{tag()}.whl"

@@ -16,7 +16,7 @@
 namespace axiscert::boxes {
 
 // `Real` is the precision of the kernel and of the query; `Exact` knows the bodies, as ExactContact does. What is left,
-// flips and errors of points are decided exactly.
+// flips and errors of points are as exact as `Exact` says: of boxes exactly, of a capsule to 2^-229.
 template <class Real, class Exact = ExactContact>
 class BoxContactJudge final : public ContactJudge {
  public:

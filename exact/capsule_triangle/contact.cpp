@@ -88,7 +88,8 @@ Decimal6 ExactContact::left(const RationalPoint& n) const {
   // r - d without a difference of roots.
   const Rational rest = after.is_apart() ? Rational((r_ * r_ - squared) / (r_ + root_below(squared)))
                                          : Rational(r_ + root_below(squared));
-  return round_up(std::max(Rational(rest / depth), Rational(mpz_class(1), mpz_class(1) << 230)));
+  const Rational off(mpz_class(1), mpz_class(1) << 230);
+  return round_up(std::max(Rational(rest / depth - off), off));
 }
 
 double ExactContact::share_of(const Rational& length) const {

@@ -33,14 +33,16 @@ class ExactContact {
   const Rational& squared_scene() const { return scene_; }
   const std::vector<RationalPoint>& normals() const { return segment_.normals(); }
   std::optional<RationalPoint> only_normal() const { return segment_.only_normal(); }
-  // That of the capsule is on its surface, relatively to 2^-240.
+  // The capsule's point is on its surface, relatively to 2^-240.
   std::optional<boxes::NearestPair> only_points() const;
   const Rational& squared_sides() const { return segment_.squared_separation(); }
 
-  // 0 exactly of the right directions; else off by less than 2^-230, and rounded up.
+  // 0 exactly of the right directions; else the exact share less at most 2^-229, rounded up: never more than the exact
+  // one rounded up, so that a share of exactly 1/16 is not told as more.
   Decimal6 left(const RationalPoint& n) const;
 
-  // The sizes are relatively within 2^-240, and 0 exactly where they are.
+  // 0 exactly where they are. The sizes are relatively within 2^-240; the mismatch is within 2^-240 of the roots whose
+  // difference it is.
   double share_outside_of_a(const RationalPoint& p) const;
   double share_outside_of_b(const RationalPoint& p) const;
   double share_of_mismatch(const RationalPoint& a, const RationalPoint& b, bool turned) const;

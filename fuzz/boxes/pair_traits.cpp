@@ -80,6 +80,7 @@ using namespace traits;
 
 enum class PairTrait : std::uint8_t { AXISCERT_PAIR_TRAITS(AXISCERT_TRAIT_ENUMERATOR) };
 constexpr Trait pair_traits[] = {AXISCERT_PAIR_TRAITS(AXISCERT_TRAIT_ROW)};
+static_assert(std::size(pair_traits) <= most_traits);
 
 // Whether a squared length is from 0.99^2 to 1.01^2.
 bool is_about_one(const Big& squared) { return squared >= Big(0.9801) && squared <= Big(1.0201); }

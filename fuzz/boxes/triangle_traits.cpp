@@ -76,6 +76,7 @@ using namespace traits;
 
 enum class CornerTrait : std::uint8_t { AXISCERT_CORNER_TRAITS(AXISCERT_TRAIT_ENUMERATOR) };
 constexpr Trait corner_traits[] = {AXISCERT_CORNER_TRAITS(AXISCERT_TRAIT_ROW)};
+static_assert(std::size(corner_traits) <= most_traits);
 
 // The corners are seen from the box's centre.
 Big reach(const std::array<Vec3<Big>, 3>& from, const Vec3<Big>& along) {

@@ -64,6 +64,7 @@ using portable::cross, portable::dot;
 
 enum class MotionTrait : std::uint8_t { AXISCERT_MOTION_TRAITS(AXISCERT_TRAIT_ENUMERATOR) };
 constexpr Trait motion_traits[] = {AXISCERT_MOTION_TRAITS(AXISCERT_TRAIT_ROW)};
+static_assert(std::size(motion_traits) <= most_traits);
 static_assert(static_cast<int>(MotionTrait::face) == static_cast<int>(Feature::face));
 MotionTrait of_feature(Feature feature) { return static_cast<MotionTrait>(index_of(feature)); }
 

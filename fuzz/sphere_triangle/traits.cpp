@@ -114,6 +114,7 @@ namespace {
 
 enum class SphereTrait : std::uint8_t { AXISCERT_SPHERE_TRAITS(AXISCERT_TRAIT_ENUMERATOR) };
 constexpr Trait sphere_traits[] = {AXISCERT_SPHERE_TRAITS(AXISCERT_TRAIT_ROW)};
+static_assert(std::size(sphere_traits) <= most_traits);
 
 SphereTrait of_corner(SphereTrait first, std::size_t i) { return static_cast<SphereTrait>(index_of(first) + i); }
 

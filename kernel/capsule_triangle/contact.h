@@ -19,7 +19,7 @@ using moving_sphere::Segment;
 // The point of the segment, and that of the triangle.
 template <class Real>
 struct NearPoints {
-  Point<Real> a, b;
+  Point<Real> a = {}, b = {};
   Real squared = std::numeric_limits<Real>::infinity();
 
   // A NaN is taken by nothing.

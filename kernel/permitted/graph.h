@@ -71,7 +71,8 @@ class Graph {
 
  private:
   bool is(Value v, double constant) const {
-    return nodes_[v.node].kind == Kind::constant && nodes_[v.node].payload == constant;
+    return nodes_[v.node].kind == Kind::constant && nodes_[v.node].payload == constant &&
+           !(v.is_negative && constant != 0);
   }
   std::uint32_t made(Kind kind, double payload, std::vector<Value> children);
   Value sum_of(std::vector<Value> terms);

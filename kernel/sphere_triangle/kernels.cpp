@@ -70,10 +70,10 @@ constexpr std::string_view certified_proof =
     "where the query is of binary32, or of binary64 with numbers that are multiples of one power of two by integers "
     "of at most 126 bits: that the verdict is right, by Coq (certified_is_exact_within_286_bits, "
     "certified_is_exact_binary32), of margins, verdict and sizes of integers recorded from the code, if the signs told "
-    "by the steps before are right. Coq proves "
-    "the latter of the coarse step (coarse_known_is_sound64). Of the fine step it proves, where nothing underflows, "
-    "that margins are within their bounds (fine_is_near); the signs, the deep step and balls are argued and tested, "
-    "and so are wider numbers. docs/proofs.md#the-certified-predicate-step-by-step has what is trusted besides";
+    "by the steps before are right. Coq proves the latter of the coarse step (coarse_known_is_sound64), of balls "
+    "(balls_tell_right), and of the fine step in binary32 (fine_tells_right32) and, where nothing underflows, in "
+    "binary64 (fine_known_is_sound). The deep step, that underflow and wider numbers are argued and tested. "
+    "docs/proofs.md#the-certified-predicate-step-by-step has what is trusted besides";
 constexpr std::string_view conservative_proof =
     "where the square of the scene's size is from 2^-42 to 2^60 in binary32, 2^-400 to 2^400 in binary64: that no "
     "contact is missed, by Coq, of the code as recorded (recorded_conservative_is_right32, "

@@ -49,7 +49,7 @@ def query_files(queries: Any) -> Iterator[Tuple[List[str], str, str]]:
     with tempfile.TemporaryDirectory(prefix="axiscert-") as folder:
         for part in several:
             if hasattr(part, "dtype"):
-                raise Error(f"queries= are an array of shape {part.shape}; Queries.of makes queries of arrays")
+                raise Error(f"the queries are an array of {part.dtype}; Queries.of makes queries of arrays")
             if isinstance(part, Queries):
                 predicate, entry = predicate or part.predicate, entry or part.entry
                 paths.append(os.path.join(folder, f"queries-{len(paths) + 1}.jsonl" if paths else "queries.jsonl"))

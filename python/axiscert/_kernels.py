@@ -134,7 +134,8 @@ def _code(function: Any) -> str:
             try:
                 named = inspect.getclosurevars(value)
             except ValueError:  # a name of the enclosing function that has no value yet
-                return told([value.__code__, value.__defaults__, value.__kwdefaults__])
+                used = {name: value.__globals__[name] for name in value.__code__.co_names if name in value.__globals__}
+                return told([value.__code__, value.__defaults__, value.__kwdefaults__, used])
             return told([value.__code__, value.__defaults__, value.__kwdefaults__, named.globals, named.nonlocals])
         return getattr(value, "__qualname__", type(value).__qualname__)
 

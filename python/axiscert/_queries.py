@@ -98,7 +98,7 @@ class Queries:
                         f"{described['name']}, have shape ({len(columns)}, n): a row for each column, {' '.join(columns)}")
         if not array.dtype.isnative or not array.flags.aligned or (array.shape[1] > 1 and array.strides[1] != array.itemsize) \
                 or array.strides[0] < 0:
-            array = np.ascontiguousarray(array, dtype=array.dtype.newbyteorder("="))
+            array = np.require(array, array.dtype.newbyteorder("="), "CA")
         self.predicate, self.entry, self.numbers = described["predicate"], described["name"], array
         self._columns = columns
         self._groups: Dict[str, Tuple[int, int]] = {name: (first, size) for name, first, size in described["groups"]}

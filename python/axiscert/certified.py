@@ -83,7 +83,7 @@ def mesh(sphere: Any, vertices: Any, indices: Any, triangles: Any = None, questi
     if points.ndim != 2 or points.shape[1] != 3:
         raise Error(f"vertices have shape {points.shape}; give shape (v, 3)")
     if not points.flags.aligned or points.strides[1] != points.itemsize or points.strides[0] < 3 * points.itemsize or points.strides[0] % points.itemsize:
-        points = np.ascontiguousarray(points)
+        points = np.require(points, requirements="CA")
     faces = np.asarray(indices)
     if faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu":
         raise Error(f"indices have shape {faces.shape} and type {faces.dtype}; give integers of shape (t, 3)")
@@ -97,12 +97,12 @@ def mesh(sphere: Any, vertices: Any, indices: Any, triangles: Any = None, questi
     if asked.size and (asked.min() < 0 or asked.max() >= len(faces)):
         raise Error(f"a triangle is number {asked.min() if asked.min() < 0 else asked.max()}, and there are {len(faces)}")
     try:
-        ball = np.ascontiguousarray(sphere, dtype=points.dtype)
+        ball = np.require(sphere, points.dtype, "CA")
     except (TypeError, ValueError):
         raise Error(f"the sphere is {sphere!r}; give its centre and radius, shape (4,)") from None
     if ball.shape != (4,):
         raise Error(f"the sphere has shape {ball.shape}; give its centre and radius, shape (4,)")
     contact, invalid, hits, said = _core.certified_mesh(
-        ball, points, np.ascontiguousarray(faces, np.uint32), np.ascontiguousarray(asked, np.uint32), text("question", question))
+        ball, points, np.require(faces, np.uint32, "CA"), np.require(asked, np.uint32, "CA"), text("question", question))
     found = _contacts(said, contact)
     return MeshContacts(hits[:contact], found._replace(verdict=np.zeros(contact, np.uint8)), invalid)

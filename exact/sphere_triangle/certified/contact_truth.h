@@ -207,14 +207,17 @@ std::string what_is_wrong(const std::array<double, 13>& q, bool open, const Cont
   return exactly_wrong<Real>(q, open, said);
 }
 
-// The same of feature and verdict alone, by the rationals and CGAL by which the judge goes.
+// What is wrong with feature and verdict, by the rationals and CGAL by which the judge goes; empty: nothing.
 inline std::string what_is_wrong_for_the_judge(const std::array<double, 13>& q, const ContactSaid& said) {
   static constexpr std::array parts = {Axis::vertex_a, Axis::vertex_b, Axis::vertex_c,
                                        Axis::edge_ab,  Axis::edge_bc,  Axis::edge_ca};
-  if (said.verdict == AXISCERT_INVALID) return {};
+  const bool is_query = q[12] >= 0 && std::ranges::all_of(q, [](double x) { return std::isfinite(x); });
+  if (!is_query) return said.verdict == AXISCERT_INVALID ? "" : "an answer about what is no query";
   const NearestPlace place = nearest_place(from_coordinates(q));
   const auto part = static_cast<std::size_t>(said.feature);
-  const std::string_view name = part < parts.size() ? axis_names[parts[part]] : "face";
+  const std::string_view name = part < parts.size()     ? axis_names[parts[part]]
+                                : part == AXISCERT_FACE ? std::string_view("face")
+                                                        : std::string_view("none");
   if (place.features.front() != name)
     return "feature " + std::to_string(said.feature) + ", not " + std::string(place.features.front());
   const Rational r(q[12]);
