@@ -94,8 +94,8 @@ struct Homogeneous {
   }
 };
 
-// Two boxes along the axes by their corners alone: the min of one is above the max of the other. Nothing is computed, so
-// nothing is rounded. Degree 1 > 1.
+// Two boxes along the axes by their corners alone: the min of one is above the max of the other. Nothing is computed,
+// so nothing is rounded. Degree 1 > 1.
 struct Intervals {
   static constexpr std::string_view name = "intervals";
   static constexpr FormulaeKind kind = FormulaeKind::rung;
