@@ -1,7 +1,6 @@
 #include "exact/boxes/contact.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "exact/numbers/root_number.h"
 #include "exact/numbers/root_sum.h"
@@ -188,12 +187,11 @@ Decimal6 ExactContact::left(const Point& n) const {
 }
 
 double ExactContact::rounded_separation() const {
-  const double size = std::min(nearest_sqrt<double>(squared_), std::numeric_limits<double>::max());
+  const double size = at_most_finite(nearest_sqrt<double>(squared_));
   return is_apart_ || size == 0 ? size : -size;
 }
 double ExactContact::share_of(const Rational& squared) const {
-  return scene_ == 0 ? 0
-                     : std::min(nearest_sqrt<double>(Rational(squared / scene_)), std::numeric_limits<double>::max());
+  return scene_ == 0 ? 0 : at_most_finite(nearest_sqrt<double>(Rational(squared / scene_)));
 }
 
 // As a difference of squares, in which nothing cancels.

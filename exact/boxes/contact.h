@@ -2,6 +2,8 @@
 // how far a given normal and given points are from being right.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -16,6 +18,8 @@ struct Push {
   Rational rest, squared_length;
   Rational squared;  // of that length of the push, in contact
 };
+
+inline double at_most_finite(double x) { return std::min(x, std::numeric_limits<double>::max()); }
 
 // sqrt(squared) - less, or its negative.
 struct RootLess {
@@ -41,7 +45,8 @@ class ExactContact {
   double rounded_separation() const;
   // In contact, with a penetration that is not 0.
   bool is_deep() const { return !is_apart_ && squared_ != 0; }
-  // The square of what a rounding has to be as large as for the other side to be the right one.
+  // The square of the distance or penetration by which the two are on one side of each other: a smaller rounding cannot
+  // turn the normal round.
   const Rational& squared_sides() const { return squared_; }
   const Rational& squared_scene() const { return scene_; }
 
@@ -73,7 +78,7 @@ class ExactContact {
   // | |a - b| - |separation| |, relatively to 2^-240; with |a - b| as negative where `turned`.
   Rational mismatch(const Point& a, const Point& b, bool turned = false) const;
 
-  // Those three as shares of the scene, rounded; 0 in a scene of one point.
+  // The two distances and the mismatch as shares of the scene, rounded; 0 in a scene of one point.
   double share_outside_of_a(const Point& p) const { return share_of(squared_distance_from_a(p)); }
   double share_outside_of_b(const Point& p) const { return share_of(squared_distance_from_b(p)); }
   double share_of_mismatch(const Point& a, const Point& b, bool turned) const {

@@ -18,10 +18,10 @@ namespace axiscert::boxes {
 // `Real` is the precision of the kernel and of the query; `Exact` knows the bodies, as ExactContact does. What is left,
 // flips and errors of points are as exact as `Exact` says: of boxes exactly, of a capsule to 2^-229.
 template <class Real, class Exact = ExactContact>
-class BoxContactJudge final : public ContactJudge {
+class BodyContactJudge final : public ContactJudge {
  public:
   // The exact numbers are found when one is asked for first: beside `separated` most kernels give none.
-  explicit BoxContactJudge(std::function<Exact()> find) : find_(std::move(find)) {}
+  explicit BodyContactJudge(std::function<Exact()> find) : find_(std::move(find)) {}
 
   ContactJudgement judge(Verdict said, std::span<const double> measures) override;
   ContactPlace place() const override;
@@ -31,7 +31,6 @@ class BoxContactJudge final : public ContactJudge {
   // A normal whose push leaves more than 1 / most_left, at more than a right angle to every exact one, goes the wrong
   // way.
   static constexpr int most_left = 16;
-  static double at_most_finite(double x) { return std::min(x, std::numeric_limits<double>::max()); }
 
   const Exact& exact() const {
     if (!exact_) exact_ = find_();
@@ -46,7 +45,7 @@ class BoxContactJudge final : public ContactJudge {
 };
 
 template <class Real, class Exact>
-void BoxContactJudge<Real, Exact>::measure_separation(Verdict said, double separation, ContactJudgement& out) const {
+void BodyContactJudge<Real, Exact>::measure_separation(Verdict said, double separation, ContactJudgement& out) const {
   if (said == Verdict::contact && separation > 0) out.consistency = Consistency::positive;
   if (said == Verdict::separated && separation < 0) out.consistency = Consistency::negative;
   if (sgn(exact().squared_scene()) == 0) return;
@@ -60,7 +59,7 @@ void BoxContactJudge<Real, Exact>::measure_separation(Verdict said, double separ
 }
 
 template <class Real, class Exact>
-void BoxContactJudge<Real, Exact>::measure_normal(const Point& normal, ContactJudgement& out) const {
+void BodyContactJudge<Real, Exact>::measure_normal(const Point& normal, ContactJudgement& out) const {
   out.normal_length_error = length_error(normal);
   if (const std::optional<Point> right = exact().only_normal()) out.normal_angle = angle_between(normal, *right);
   if (!exact().is_deep() || sgn(Rational(dot(normal, normal))) == 0) return;
@@ -77,8 +76,8 @@ void BoxContactJudge<Real, Exact>::measure_normal(const Point& normal, ContactJu
 // Points of their bodies that are as far apart as the separation, along the normal, are the exact ones where these are
 // the only ones. Their distance from those is no figure: of two faces that are parallel but for a rounding it is any.
 template <class Real, class Exact>
-void BoxContactJudge<Real, Exact>::measure_points(const Point& a, const Point& b, const std::optional<Point>& normal,
-                                                  ContactJudgement& out) const {
+void BodyContactJudge<Real, Exact>::measure_points(const Point& a, const Point& b, const std::optional<Point>& normal,
+                                                   ContactJudgement& out) const {
   out.point_a_error = exact().share_outside_of_a(a);
   out.point_b_error = exact().share_outside_of_b(b);
   const int along = normal ? sgn(Rational(dot(b - a, *normal))) : 0;
@@ -86,7 +85,7 @@ void BoxContactJudge<Real, Exact>::measure_points(const Point& a, const Point& b
 }
 
 template <class Real, class Exact>
-ContactJudgement BoxContactJudge<Real, Exact>::judge(Verdict said, std::span<const double> measures) {
+ContactJudgement BodyContactJudge<Real, Exact>::judge(Verdict said, std::span<const double> measures) {
   ContactJudgement out;
   const auto gives = [&](std::size_t first, std::size_t size) { return measures.size() >= first + size; };
   const bool any_given = std::ranges::any_of(measures, [](double x) { return !std::isnan(x); });
@@ -114,7 +113,7 @@ ContactJudgement BoxContactJudge<Real, Exact>::judge(Verdict said, std::span<con
 }
 
 template <class Real, class Exact>
-ContactPlace BoxContactJudge<Real, Exact>::place() const {
+ContactPlace BodyContactJudge<Real, Exact>::place() const {
   ContactPlace out;
   out.separation = exact().rounded_separation();
   if (const auto& points = exact().only_points()) {
@@ -124,8 +123,5 @@ ContactPlace BoxContactJudge<Real, Exact>::place() const {
   if (const std::optional<Point> normal = exact().only_normal()) out.normal = unit_vector(*normal);
   return out;
 }
-
-extern template class BoxContactJudge<float>;
-extern template class BoxContactJudge<double>;
 
 }  // namespace axiscert::boxes

@@ -30,7 +30,7 @@ ContactJudgement changed(const std::function<void(Said&)>& change, Verdict said 
   return judged(one_on_another, said, numbers);
 }
 
-TEST(BoxContactJudge, FindsRightNumbersRight) {
+TEST(BodyContactJudge, FindsRightNumbersRight) {
   const ContactJudgement found = changed([](Said&) {});
   EXPECT_EQ(found.consistency, Consistency::consistent);
   EXPECT_TRUE(found.separation->ulps.is_zero());
@@ -43,7 +43,7 @@ TEST(BoxContactJudge, FindsRightNumbersRight) {
   EXPECT_EQ(found.points_apart, 0);
 }
 
-TEST(BoxContactJudge, FindsEachFault) {
+TEST(BodyContactJudge, FindsEachFault) {
   const double scene = std::sqrt(0.25 + 0.0625 + 1.875 * 1.875);
   EXPECT_NEAR(changed([](Said& n) { n[0] = -0.0625; }).separation->share, 0.0625 / scene, 1e-15) << "half of the depth";
   EXPECT_NEAR(changed([](Said& n) { n[0] = 0.125; }).separation->length, 0.25, 1e-15);
@@ -71,7 +71,7 @@ TEST(BoxContactJudge, FindsEachFault) {
   EXPECT_NEAR(*changed([](Said& n) { n[6] = 0.9375; }).points_apart, 0.0625 / scene, 1e-15);
 }
 
-TEST(BoxContactJudge, TellsWhatIsNotGiven) {
+TEST(BodyContactJudge, TellsWhatIsNotGiven) {
   const auto gone = [](std::size_t first, std::size_t end) {
     return changed([=](Said& n) { std::fill(&n[first], n.data() + end, NAN); });
   };
@@ -88,7 +88,7 @@ TEST(BoxContactJudge, TellsWhatIsNotGiven) {
   EXPECT_FALSE(judged(far_apart, Verdict::separated, nothing).lacks_separation);
 }
 
-TEST(BoxContactJudge, JudgesDistances) {
+TEST(BodyContactJudge, JudgesDistances) {
   Said numbers = {std::sqrt(29), 2, 3, 4, 1, 1, 1, 3, 4, 5};
   const ContactJudgement found = judged(far_apart, Verdict::separated, numbers);
   EXPECT_LE(found.separation->ulps.value(), 0.5);
@@ -104,7 +104,7 @@ TEST(BoxContactJudge, JudgesDistances) {
 }
 
 // Where both sides are as deep, either is right; and of a depth like a rounding, a rounding may take the other.
-TEST(BoxContactJudge, NoSideIsAFlipWhereBothAreAsDeep) {
+TEST(BodyContactJudge, NoSideIsAFlipWhereBothAreAsDeep) {
   BoxPair<double> q = one_on_another;
   q.b.centre = {0, 0, 0};
   q.b.half = q.a.half = {{1, 1, 0.125}};
@@ -121,7 +121,7 @@ TEST(BoxContactJudge, NoSideIsAFlipWhereBothAreAsDeep) {
 }
 
 // What the kernels with numbers say of every entry is judged by the same code.
-TEST(BoxContactJudge, EveryEntryHasOne) {
+TEST(BodyContactJudge, EveryEntryHasOne) {
   for (const Predicate* predicate : {&box_box_predicate(), &box_triangle_predicate()}) {
     EXPECT_EQ(predicate->measures.size(), contact_measures);
     for (std::size_t entry = 0; entry < predicate->entries.size(); ++entry) {

@@ -67,7 +67,7 @@ struct BoxTrait : Boxes {
   static Distance distance(const Numbers<double>& numbers) { return {squared_distance(exactly(numbers)), 0}; }
   template <class Real>
   static std::unique_ptr<ContactJudge> contact_judge(const Numbers<double>& numbers) {
-    return std::make_unique<BoxContactJudge<Real>>([numbers] { return ExactContact(exactly(numbers)); });
+    return std::make_unique<BodyContactJudge<Real>>([numbers] { return ExactContact(exactly(numbers)); });
   }
 
   // That of the half extent of A's first axis at which the boxes touch, in an entry that has it.

@@ -57,7 +57,7 @@ struct TriangleTrait : Entry {
   static Distance distance(const Numbers<double>& numbers) { return {squared_distance(exactly(numbers)), 0}; }
   template <class Real>
   static std::unique_ptr<ContactJudge> contact_judge(const Numbers<double>& numbers) {
-    return std::make_unique<BoxContactJudge<Real>>([numbers] { return ExactContact(exactly(numbers)); });
+    return std::make_unique<BodyContactJudge<Real>>([numbers] { return ExactContact(exactly(numbers)); });
   }
   static bool is_in_front(const Numbers<double>& numbers) {
     const ExactBoxAndTriangle q = exactly(numbers);

@@ -1,7 +1,6 @@
 #include "exact/capsule_triangle/contact.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "exact/moving_sphere/first_contact.h"
 #include "exact/numbers/root_number.h"
@@ -53,7 +52,7 @@ double ExactContact::rounded_separation() const {
   const RootNumber number{-exact.less, exact.squared};
   const int side = compare(number, 0);
   if (side == 0) return 0;
-  const double size = std::min(nearest<double>(approximate_magnitude(number)), std::numeric_limits<double>::max());
+  const double size = boxes::at_most_finite(nearest<double>(approximate_magnitude(number)));
   return (side < 0) != exact.is_negated ? -size : size;
 }
 
@@ -94,7 +93,7 @@ Decimal6 ExactContact::left(const RationalPoint& n) const {
 
 double ExactContact::share_of(const Rational& length) const {
   if (length == 0 || scene_ == 0) return 0;
-  return std::min(nearest<double>(Rational(length / root_below(scene_))), std::numeric_limits<double>::max());
+  return boxes::at_most_finite(nearest<double>(Rational(length / root_below(scene_))));
 }
 
 double ExactContact::share_outside_of_a(const RationalPoint& p) const {
@@ -130,8 +129,7 @@ std::vector<ExactFact> exact_facts(const moving_sphere::GivenMotion& q) {
       direction_fact("normal", normal.x, normal.y, normal.z)};
   if (!segment.only_normal()) facts.back().note = not_the_only_one;
   if (!segment.is_apart() && squared != 0) return facts;
-  const boxes::NearestPair pair = boxes::nearest_pair({rational_point(q.p), rational_point(q.to)},
-                                                      {rational_point(q.a), rational_point(q.b), rational_point(q.c)});
+  const boxes::NearestPair pair = contact.nearest_points();
   for (const auto& [name, point] :
        {std::pair("nearest_point_segment", &pair.a), std::pair("nearest_point_triangle", &pair.b)})
     facts.emplace_back(place_fact(name, point->x, point->y, point->z)).note =

@@ -20,10 +20,12 @@ class ExactContact {
   // Finite numbers, the end of the motion given, r >= 0.
   explicit ExactContact(const moving_sphere::GivenMotion& q);
 
-  // Of the segment and the triangle. Where these are not apart, its directions are those in which a push parts both
-  // pairs of bodies by the least way: the way of a thicker body is longer by r whatever the direction.
+  // The contact of the segment and the triangle. Where these are not apart, its directions are those in which a push
+  // parts both pairs of bodies by the least way: the way of a thicker body is longer by r whatever the direction.
   const boxes::ExactContact& of_segment() const { return segment_; }
   const Rational& radius() const { return r_; }
+  // One nearest point of the segment and one of the triangle.
+  boxes::NearestPair nearest_points() const { return boxes::nearest_pair({end_[0], end_[1]}, boxes::hull_of(corner_)); }
 
   // As of two boxes.
   bool is_apart() const { return segment_.is_apart() && segment_.squared_separation() > r_ * r_; }

@@ -9,8 +9,7 @@
 namespace axiscert {
 namespace {
 
-// What is asked of motions alone is not: the details and policies. The numbers beside a verdict are those of two
-// bodies.
+// Details and policies are of motions alone. The numbers beside a verdict are those of two bodies.
 struct CapsuleTrait : Capsule {
   using Motion = moving_sphere::MovingEndsTrait;
   using AllFormulae = Motion::AllFormulae;
@@ -30,7 +29,7 @@ struct CapsuleTrait : Capsule {
   }
   template <class Real>
   static std::unique_ptr<ContactJudge> contact_judge(const Numbers<double>& numbers) {
-    return std::make_unique<boxes::BoxContactJudge<Real, capsule::ExactContact>>(
+    return std::make_unique<boxes::BodyContactJudge<Real, capsule::ExactContact>>(
         [numbers] { return capsule::ExactContact(Motion::query(numbers)); });
   }
 };

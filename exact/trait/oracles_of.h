@@ -169,7 +169,7 @@ class OraclesOf final : public Oracles {
     DepthOf& depth() override { return *this; }
     std::optional<ExactDepth> exact_depth() override {
       if constexpr (HasDepth<Trait>) {
-        if (!depth_) depth_ = Trait::exact_depth(in_doubles(q_));
+        if (!depth_) depth_ = Trait::exact_depth(wide_);
       }
       return depth_;
     }
@@ -188,10 +188,9 @@ class OraclesOf final : public Oracles {
         throw HarnessFault(fmt::format("{}: the oracles of entry {}, of {} columns, are asked about {} numbers",
                                        Trait::description().id, entry.name, entry.columns.size(), q_.size()));
       }
-      const Numbers<double> wide = in_doubles(q_);
-      if (!Trait::is_valid(wide)) return {Verdict::invalid, false};
-      const auto truth = Trait::geometric_truth(wide);
-      const std::string wrong = Trait::contradiction(wide, truth, signs().holds, signs().ties);
+      if (!Trait::is_valid(wide_)) return {Verdict::invalid, false};
+      const auto truth = Trait::geometric_truth(wide_);
+      const std::string wrong = Trait::contradiction(wide_, truth, signs().holds, signs().ties);
       if (!wrong.empty()) {
         throw OracleDisagreement(fmt::format("{}: {}", Trait::description().id, wrong), q_, Trait::description(),
                                  entry_of<Trait>());
@@ -243,7 +242,7 @@ class OraclesOf final : public Oracles {
       const Outcome found = outcome(reference.bits);
       if (reference.stayed) return {found, found};
       const FloatingScope scope({std::numeric_limits<Real>::digits, Rounding::nearest, {}});
-      return {outcome(bits_of<F, Floating>(problem_of<Floating>(in_doubles(q_)), ignore)), found};
+      return {outcome(bits_of<F, Floating>(problem_of<Floating>(wide_), ignore)), found};
     }
     static Outcome outcome(ComparisonBits bits) { return {verdict_of(Trait::description(), bits), bits}; }
 
@@ -251,17 +250,17 @@ class OraclesOf final : public Oracles {
     const ExactSigns& signs() {
       if (signs_) return *signs_;
       if (keeps_sides_) {
-        first_ = exact_sides<First>(in_doubles(q_));
+        first_ = exact_sides<First>(wide_);
         signs_ = ExactSigns{first_->holding(nonstrict_comparisons<First>()), first_->ties};
       } else {
-        signs_ = exact_signs(in_doubles(q_));
+        signs_ = exact_signs(wide_);
       }
       return *signs_;
     }
     // Those that the signs were found from are handed on to the first claim that has them.
     template <class F>
     ExactSides sides_of() {
-      if (!has_first_sides<F> || !first_) return exact_sides<F>(in_doubles(q_));
+      if (!has_first_sides<F> || !first_) return exact_sides<F>(wide_);
       return *std::exchange(first_, std::nullopt);
     }
 
@@ -277,6 +276,7 @@ class OraclesOf final : public Oracles {
     }
 
     const Numbers<Real> q_;
+    const Numbers<double> wide_ = in_doubles(q_);
     std::optional<Truth> truth_;
     std::optional<ExactDepth> depth_;
     std::optional<double> rounded_;

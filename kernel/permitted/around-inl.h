@@ -23,7 +23,7 @@ template <class D, class Of>
 class AroundNode {
   using V = hn::Vec<D>;
   using A = Around<V>;
-  // Of one operation, relative, with more than what all of a node's operations differ by in the second order.
+  // The relative error of one operation, with more than what all of a node's operations differ by in the second order.
   static constexpr float w = 0x1p-23F * 1.001F, least_normal = std::numeric_limits<float>::min();
   static constexpr float infinity = std::numeric_limits<float>::infinity();
 

@@ -54,7 +54,7 @@ Value Graph::sum_of(std::vector<Value> terms) {
   return {made(Kind::sum, 0, std::move(terms)), is_negative};
 }
 
-// What is multiplied by 0 or 1 is no operation: no rounding follows it.
+// A product by 0 or 1 is no operation: no rounding follows it.
 Value Graph::product(Value a, Value b) {
   if (is(a, 0) || is(b, 1)) return a;
   if (is(b, 0) || is(a, 1)) return b;
@@ -117,7 +117,7 @@ std::vector<Factoring> Graph::factorings_of(const std::vector<Value>& terms) {
       Value inner = left.front();
       for (std::size_t i = 1; i < left.size(); ++i) inner = sum(inner, left[i]);
       std::vector<Value> insides = {inner};
-      // What is a product again is grouped with the factor in every way.
+      // A cofactor that is a product again is grouped with the factor in every way.
       for (const auto& [all, inside] : nodes_[inner.node].factorings) {
         if (all + 1 == std::uint32_t{1} << nodes_[inner.node].children.size())
           insides.push_back(inner.is_negative ? -inside : inside);

@@ -225,7 +225,7 @@ class Queries {
     hn::StoreU(ends.greatest, d, &memory_.greatest_of_subset[mask * lanes]);
     hn::StoreU(ends.negated_least, d, &memory_.negated_least_of_subset[mask * lanes]);
   }
-  // Of children that are equal the first are taken: a set with another of them is as the one with these.
+  // Equal children are taken first to last: a set with another of them is as the one with these.
   template <class Operation>
   AXISCERT_INLINE Ends every_split(std::uint32_t number, M is_determinate, Operation&& operation) {
     const Node& node = graph_.nodes()[number];

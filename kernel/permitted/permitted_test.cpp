@@ -111,7 +111,7 @@ TEST(Reach, FlushingAndOverflowAreTheEndsThatTheyAllow) {
   EXPECT_EQ(reach(0x1p-100F, 0x1p-30F), (Reach{0, 0x1p-130F}));
   EXPECT_EQ(reach(-0x1p-130F, 1), (Reach{-0x1p-130F, 0}));
   EXPECT_EQ(reach(0x1p100F, 0x1p30F), (Reach{-HUGE_VALF, HUGE_VALF}));
-  // Of a factor that is taken out the others are summed, here beyond the greatest float.
+  // The cofactors of a factor that is taken out are summed, here beyond the greatest float.
   Value sum = product;
   for (const std::size_t k : {2, 3}) sum = graph.sum(sum, graph.product(graph.input(0), graph.input(k)));
   const std::vector<float> inputs{0x1p-100F, 0x1.8p126F, 0x1.8p126F, 0x1.8p126F};
@@ -189,7 +189,7 @@ TEST(Reach, CommonFactorsAreTakenOutWherePermitted) {
   }
 }
 
-// Of x y z + x y w, tried one by one.
+// The evaluations of x y z + x y w, tried one by one.
 TEST(Reach, FactorsThatAreTakenOutTogetherAreGroupedInEveryWay) {
   std::mt19937_64 random(seed);
   Graph graph(part("factored").permissions);

@@ -199,7 +199,7 @@ Outer Evaluation::outer_found(const Node& node) {
         grown = std::max(grown, growth(child));
         operations += static_cast<double>(child.children.size());
       }
-      // Of a factor that is taken out, the others are summed.
+      // The cofactors of a factor that is taken out are summed.
       if (!(size * 2 < greatest_float) || !(grown * 2 * count < greatest_float)) return {0, unknown};
       return {middle, radius + size * (std::pow(1 + w, count - 1) - 1) + operations * least_normal * grown};
     }

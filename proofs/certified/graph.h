@@ -165,7 +165,8 @@ struct RecordedExact {
   // Whether each axis separates, for the closed and the open sphere; whether some does.
   std::array<std::vector<AskedTree>, 2> axes;
   AskedTree verdict;
-  // What certain signs tell of each axis, if the others fail: whether it fails, its radius holds, its sides hold.
+  // The answers of certain signs about each axis, if the others fail: whether it fails, its radius holds, its sides
+  // hold.
   std::vector<std::vector<AskedTree>> told;
   // By the axes of the plane and the edges that fail, 8 times their bits, and the edges whose sides hold.
   std::vector<bool> needs_normal;

@@ -154,7 +154,7 @@ RecordedExact recorded_exact() {
     exact.axes[open].push_back(tree_of([&] { return test.plane_separates(V); }));
     for (int i = 0; i < 3; ++i) exact.axes[open].push_back(tree_of([&] { return test.edge_separates(i, V); }));
   }
-  // Of each axis, asked alone.
+  // Each axis is asked alone.
   constexpr int groups[] = {KnownResults::fails, KnownResults::radius, KnownResults::sides};
   for (int axis = 0; axis < KnownResults::axes; ++axis) {
     const KnownResults others{0b1111111u & ~(std::uint64_t{1} << axis)};

@@ -36,7 +36,7 @@ namespace {
 // Found anew each time: a static's first use by two threads would wait for each other's lock.
 py::module_ numpy() { return py::module_::import("numpy"); }
 
-// Of numbers where a processor reads them: NumPy has arrays that are not aligned.
+// Aligned, as a processor reads numbers: NumPy has arrays that are not.
 template <class Value>
 using Read = py::array_t<Value, py::array::forcecast | int{py::detail::npy_api::NPY_ARRAY_ALIGNED_}>;
 

@@ -207,7 +207,7 @@ std::string what_is_wrong(const std::array<double, 13>& q, bool open, const Cont
   return exactly_wrong<Real>(q, open, said);
 }
 
-// What is wrong with feature and verdict, by the rationals and CGAL by which the judge goes; empty: nothing.
+// The fault of feature and verdict, by the rationals and CGAL by which the judge goes; empty: nothing.
 inline std::string what_is_wrong_for_the_judge(const std::array<double, 13>& q, const ContactSaid& said) {
   static constexpr std::array parts = {Axis::vertex_a, Axis::vertex_b, Axis::vertex_c,
                                        Axis::edge_ab,  Axis::edge_bc,  Axis::edge_ca};
