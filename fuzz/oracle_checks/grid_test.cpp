@@ -1,6 +1,7 @@
 // Signs by integers on the queries of the families, compared with those of arbitrary precision.
 #include "exact/sphere_triangle/filters/grid_signs.h"
 #include "exact/sphere_triangle/measures/depth.h"
+#include "exact/sphere_triangle/measures/lazy_distance.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/queries/family_testing.h"
 #include "kernel/sphere_triangle/query.h"
@@ -26,8 +27,8 @@ TEST(GridSignsOfFamilies, AreExactInBinary64) { expect_exact<double>(); }
 
 }  // namespace
 
-// Distances and depths by integers on the queries of the families, compared with CGAL's exact distance rounded by
-// rationals.
+// Distances, depths and lengths by integers on the queries of the families, compared with CGAL's exact distance rounded
+// by rationals.
 
 namespace {
 
@@ -46,7 +47,12 @@ TYPED_TEST(GridDistances, AreTheRoundedOnesOfEveryFamily) {
       const auto distance_found = distance_on_grid(q);
       EXPECT_EQ(depth_found.value_or(depth(q, square)), depth(q, square));
       EXPECT_EQ(distance_found.value_or(nearest_sqrt<TypeParam>(square)), nearest_sqrt<TypeParam>(square));
-      silent += !depth_found + !distance_found;
+      const auto length_found = length_on_grid(q);
+      const double length = rounded_length(exact_depth(q, square));
+      EXPECT_EQ(length_found.value_or(length), length);
+      EXPECT_LE(length, LazyDistance<TypeParam>(q, false).length_at_most());
+      EXPECT_LE(length, LazyDistance<TypeParam>(q, true).length_at_most());
+      silent += !depth_found + !distance_found + !length_found;
     });
     EXPECT_LE(silent, count / 100) << family->name;
     if (testing::Test::HasFailure()) return;
@@ -107,6 +113,12 @@ TYPED_TEST(GridDistances, HoldAtBothEndsOfThePrecision) {
       {most, most, most}, {most, most, least}, {most, -most, most}, {-most, -most, -most}, least};
   EXPECT_EQ(distance_on_grid(wide), Limits::infinity());
   EXPECT_EQ(depth_on_grid(wide), depth(wide, squared_distance(wide)));
+  for (const Query<TypeParam>& q : {small, wide}) {
+    const double length = rounded_length(exact_depth(q, squared_distance(q)));
+    EXPECT_EQ(length_on_grid(q), length);
+    EXPECT_LE(length, LazyDistance<TypeParam>(q, false).length_at_most());
+    EXPECT_LE(length, LazyDistance<TypeParam>(q, true).length_at_most());
+  }
 }
 
 }  // namespace

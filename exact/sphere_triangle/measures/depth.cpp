@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "exact/numbers/mpfr_number.h"
 #include "exact/sphere_triangle/filters/distance_bounds.h"
@@ -16,12 +17,12 @@ namespace axiscert {
 //
 // are conversions, sums, products, quotients and roots of non-negative numbers. With relative errors in u, the unit
 // roundoff of Enclosing: N, D, r, S, M 1 each; N / D 3; d 2.5; d + r 3.5, from the greater of its terms' errors and its
-// own rounding; D (d + r) 5.5; s 1.5; all of the divisor 8; the quotient 10.
+// own rounding; D (d + r) 5.5; s 1.5; all of the divisor 8; the quotient 10, by two divisors 11.
 
 namespace {
 
 using EnclosingNumber = Mpfr<192>;  // u = 2^-192; unbounded exponents
-// More than 10 u plus the rounding of the bounds themselves and all second-order terms.
+// More than 11 u plus the rounding of the bounds themselves and all second-order terms.
 constexpr double enclosing_error = 0x1p-180;
 
 template <std::size_t words>
@@ -80,20 +81,41 @@ Square nearest_square(const Gram<Numbers>& g) {
 
 }  // namespace
 
-template <class Real>
-std::optional<double> depth_on_grid(const Query<Real>& q) {
+namespace {
+
+// |d - r| in units of the grid as `finish(|d - r|, grid, gram)` goes on with it, rounded once.
+template <class Real, class Finish>
+std::optional<double> distance_from_touching(const Query<Real>& q, Finish&& finish) {
   const auto on_grid = on_any_grid(q);
   const Gram<AnyGrid<Real>> g(on_grid.centred);
   const Square d2 = nearest_square(g);
   if (mpfr_zero_p(d2.margin.get())) return 0;
-  const auto greater = [](const auto& x, const auto& y) -> const auto& { return (x - y).is_negative() ? y : x; };
-  const EnclosingNumber length2 = enclosing(greater(greater(g.aa, g.bb), greater(g.cc, g.rr)));
-  const EnclosingNumber r = enclosing(on_grid.centred[9]);
-  const EnclosingNumber sum = square_root(d2.numerator / d2.divisor) + r;
-  return certainly_rounded<double>(magnitude(d2.margin) / (d2.divisor * sum * square_root(length2)));
+  const EnclosingNumber sum = square_root(d2.numerator / d2.divisor) + enclosing(on_grid.centred[9]);
+  return certainly_rounded<double>(finish(magnitude(d2.margin) / (d2.divisor * sum), on_grid, g));
+}
+
+}  // namespace
+
+template <class Real>
+std::optional<double> depth_on_grid(const Query<Real>& q) {
+  return distance_from_touching(q, [](const EnclosingNumber& length, const auto&, const auto& g) {
+    const auto greater = [](const auto& x, const auto& y) -> const auto& { return (x - y).is_negative() ? y : x; };
+    return length / square_root(enclosing(greater(greater(g.aa, g.bb), greater(g.cc, g.rr))));
+  });
 }
 template std::optional<double> depth_on_grid<float>(const Query<float>&);
 template std::optional<double> depth_on_grid<double>(const Query<double>&);
+
+template <class Real>
+std::optional<double> length_on_grid(const Query<Real>& q) {
+  const auto in_unit = [](const EnclosingNumber& length, const auto& on_grid, const auto&) {
+    return length * EnclosingNumber(std::ldexp(1.0, on_grid.unit));
+  };
+  const std::optional<double> length = distance_from_touching(q, in_unit);
+  return length ? std::optional(std::min(*length, std::numeric_limits<double>::max())) : std::nullopt;
+}
+template std::optional<double> length_on_grid<float>(const Query<float>&);
+template std::optional<double> length_on_grid<double>(const Query<double>&);
 
 template <class Real>
 std::optional<Real> distance_on_grid(const Query<Real>& q) {

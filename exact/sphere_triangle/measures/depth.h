@@ -14,6 +14,10 @@ namespace axiscert {
 template <class Real>
 std::optional<double> depth_on_grid(const Query<Real>& q);
 
+// The result of rounded_length(exact_depth()), |d - r| in the query's unit, likewise.
+template <class Real>
+std::optional<double> length_on_grid(const Query<Real>& q);
+
 // The distance from P to the triangle, rounded to nearest: infinite beyond the precision. Empty if it is a midpoint of
 // two floats or too near to one. For a valid query, whatever its r.
 template <class Real>

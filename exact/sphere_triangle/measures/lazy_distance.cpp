@@ -9,6 +9,26 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 
 namespace axiscert {
+namespace {
+
+// The divisor of the depth, max(|A-P|, |B-P|, |C-P|, r), but for roundings: vectors over their greatest component, so
+// that no square overflows, and one that underflows is far below the sum, which is at least 1.
+template <class Real>
+double scene_at_most(const Query<Real>& q) {
+  const Query<double>& wide = widened(q);
+  double greatest = wide.r;
+  for (const Vec3<double>* vertex : {&wide.a, &wide.b, &wide.c}) {
+    const Vec3<double> v = *vertex - wide.p;
+    const double size = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    if (size == 0) continue;
+    if (!std::isfinite(size)) return size;
+    const double x = v.x / size, y = v.y / size, z = v.z / size;
+    greatest = std::max(greatest, std::sqrt(x * x + y * y + z * z) * size);
+  }
+  return greatest;
+}
+
+}  // namespace
 
 template <class Real>
 const Rational& LazyDistance<Real>::squared() {
@@ -46,17 +66,16 @@ double LazyDistance<Real>::exactly() {
 }
 template <class Real>
 double LazyDistance<Real>::length() {
-  return is_touching_ ? 0 : rounded_length(exact_depth(query_, squared()));
+  if (is_touching_) return 0;
+  const std::optional<double> by_integers = exact_only_ ? std::nullopt : length_on_grid(query_);
+  return by_integers ? *by_integers : rounded_length(exact_depth(query_, squared()));
 }
 template <class Real>
 double LazyDistance<Real>::length_at_most() {
-  // The scene is r, or a vertex away from P: at most sqrt(3) times the greatest difference of coordinates. The three
-  // roundings, each of 2^-53 or less, and that of the depth are far below what 1.8 leaves.
-  double greatest = std::fabs(static_cast<double>(query_.r));
-  const auto apart = [](Real x, Real y) { return std::fabs(static_cast<double>(x) - static_cast<double>(y)); };
-  for (const Vec3<Real>* v : {&query_.a, &query_.b, &query_.c})
-    greatest = std::max({greatest, apart(v->x, query_.p.x), apart(v->y, query_.p.y), apart(v->z, query_.p.z)});
-  return is_touching_ ? 0 : at_most() * greatest * 1.8 + std::numeric_limits<double>::denorm_min();
+  if (is_touching_) return 0;
+  // Twelve roundings at most, each of 2^-53 or less; where numbers are subnormal the terms that are added, the first
+  // for the rounding of the depth.
+  return (at_most() + 0x1p-1074) * scene_at_most(query_) * (1 + 0x1p-48) + 0x1p-1070;
 }
 template <class Real>
 void LazyDistance<Real>::set_touching() {
