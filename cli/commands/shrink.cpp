@@ -74,6 +74,7 @@ int shrink_all(const ShrinkOptions& options) {
         now.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         progress.show(now,
                       fmt::format("; {} evaluations for the next, of at most {}", evaluations, options.evaluations));
+        return true;
       });
       progress.clear();
       if (options.format == "text") print_text(stored, found, kernel);

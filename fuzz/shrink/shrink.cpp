@@ -64,12 +64,11 @@ class Walk {
     if (!q) return false;
     const QuerySize size = size_of(*q);
     if (!(size < out_.sizes.back())) return false;
-    if (out_.evaluations == limit_) {
+    if (out_.evaluations == limit_ || (evaluated_ && !evaluated_(out_.evaluations))) {
       out_.complete = false;
       return false;
     }
     ++out_.evaluations;
-    if (evaluated_) evaluated_(out_.evaluations);
     auto severity = severity_(*q);
     if (!severity || !is_no_less(*severity, out_.before) || !out_.kept.allows(*q, *severity)) return false;
     out_.query = *q;

@@ -25,8 +25,8 @@ using SeverityOn = std::function<std::optional<Severity>(const Numbers<Real>&)>;
 // Whether a smaller query keeps the class of the given one, and its depth within depth_factor (fuzz/shrink/symptom.h).
 enum class KeepingRule : std::uint8_t { symptom_and_class, symptom };
 
-// Told the number of evaluations so far after each.
-using CountEvaluations = std::function<void(std::uint64_t)>;
+// Told the number of evaluations so far at each; false ends it there, as the limit does.
+using CountEvaluations = std::function<bool(std::uint64_t)>;
 
 // Tries all ways to change one thing (fuzz/shrink/shrink_moves.h) and accepts each that makes the query smaller by
 // QuerySize and keeps what has to be kept with a severity not below that of the given query; ends after a round in
