@@ -1,7 +1,10 @@
 """What axiscert raises. Messages have the words of the command: what was given, where, and what would be right."""
 from __future__ import annotations
 
+import numbers
 import operator
+import os
+import reprlib
 from typing import TYPE_CHECKING, Any, Dict, Optional
 
 if TYPE_CHECKING:
@@ -16,9 +19,11 @@ class Error(ValueError):
 def whole(name: str, value: Any, least: int = 0, greatest: int = 2**63 - 1) -> int:
     """The value of an argument that is a whole number."""
     try:
-        number = operator.index(value)
+        number = None if isinstance(value, bool) else operator.index(value)
     except TypeError:
-        raise Error(f"{name}={value!r}: give a whole number") from None
+        number = None
+    if number is None:
+        raise Error(f"{name}={value!r}: give a whole number")
     if not least <= number <= greatest:
         raise Error(f"{name}={value!r}: give a whole number from {least} to {greatest}")
     return number
@@ -38,10 +43,33 @@ def checked(options: Dict[str, Any]) -> Dict[str, Any]:
     return options
 
 
+def real(value: Any) -> float:
+    """The value of an argument that is a number of any type; NaN of what is none."""
+    try:
+        return float(value) if isinstance(value, numbers.Real) and not isinstance(value, bool) else float("nan")
+    except OverflowError:
+        return float("inf")
+
+
 def above_zero(name: str, value: Any) -> float:
-    if not (isinstance(value, (int, float)) and 0 < value < float("inf")):
+    if not 0 < real(value) < float("inf"):
         raise Error(f"{name}={value!r}: give a number above 0")
-    return float(value)
+    return real(value)
+
+
+def flag(name: str, value: Any) -> bool:
+    """The value of an argument that is True or False, NumPy's too."""
+    if type(value).__name__ not in ("bool", "bool_"):
+        raise Error(f"{name}={value!r}: give True or False")
+    return bool(value)
+
+
+def path(name: str, value: Any) -> str:
+    """The value of an argument that is the path of a file."""
+    try:
+        return os.fsdecode(value)
+    except TypeError:
+        raise Error(f"{name}={reprlib.repr(value)}: give a path, as a text") from None
 
 
 def text(name: str, value: Any) -> str:
@@ -65,9 +93,11 @@ class KernelRaised(Error):
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ended by Ctrl-C. `record` is that of the units of queries that were done, with `complete` false."""
+    """Ended by Ctrl-C. `record` is that of the units of queries that were done, with `complete` false; `found` is what another
+    function would have returned, of what was found until then."""
 
     record: "Optional[Record]" = None
+    found: Any = None
 
 
 class Notice(UserWarning):

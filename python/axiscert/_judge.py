@@ -8,26 +8,29 @@ import os
 import reprlib
 import sys
 import tempfile
-from typing import Any, Callable, Dict, Iterable, Iterator, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _core
-from ._errors import Error, Interrupted, above_zero, checked
+from ._errors import Error, Interrupted, above_zero, checked, flag, path
 from ._kernels import Kernel, as_kernels
 from ._queries import Queries, query_at, show_notices
 
-Names = Union[str, Iterable[str]]
+Names = Union[None, str, Iterable[str]]
 Path = Union[str, "os.PathLike[str]"]
 Progress = Union[None, bool, Callable[[int, int, int, float, str], Any]]
 
 
-def names(given: Any) -> List[str]:
-    """A name, or several, as a list."""
-    if given is None or isinstance(given, str) and not given:
+def names(given: Any, option: str = "") -> List[str]:
+    """A name, or several, as a list; where the option is named, not none of them: without it, all would be asked."""
+    if given is None or isinstance(given, str) and not given and not option:
         return []
     try:
-        return [os.fsdecode(one) for one in ([given] if isinstance(given, (str, bytes, os.PathLike)) else given)]
+        listed = [os.fsdecode(one) for one in ([given] if isinstance(given, (str, bytes, os.PathLike)) else given)]
     except TypeError:
         raise Error(f"{reprlib.repr(given)}: give a name or a path, as a text, or several") from None
+    if option and not any(listed):
+        raise Error(f"{option}={given!r}: that is none; give one or more, or leave {option}= out")
+    return listed
 
 
 def folder_of(out: Any, name: str = "out") -> Optional[str]:
@@ -43,19 +46,23 @@ def folder_of(out: Any, name: str = "out") -> Optional[str]:
 @contextlib.contextmanager
 def query_files(queries: Any) -> Iterator[Tuple[List[str], str, str]]:
     """The paths of files of queries, and of ones that Queries are written to meanwhile; and the predicate and entry of these."""
-    several: List[Any] = list(queries) if isinstance(queries, (list, tuple)) else [queries]
+    several: List[Any] = list(queries) if isinstance(queries, (list, tuple)) else [] if queries is None else [queries]
+    if not several and queries is not None:
+        raise Error(f"queries={queries!r}: that is none; give one or more, or leave queries= out")
     paths: List[str] = []
     predicate = entry = ""
     with tempfile.TemporaryDirectory(prefix="axiscert-") as folder:
         for part in several:
             if hasattr(part, "dtype"):
-                raise Error(f"the queries are an array of {part.dtype}; Queries.of makes queries of arrays")
+                raise Error(f"the queries are an array of shape {part.shape}; Queries.of makes queries of arrays")
             if isinstance(part, Queries):
+                if not len(part):
+                    raise Error(f"the queries are {part!r}; give one or more")
                 predicate, entry = predicate or part.predicate, entry or part.entry
                 paths.append(os.path.join(folder, f"queries-{len(paths) + 1}.jsonl" if paths else "queries.jsonl"))
                 part.save(paths[-1])
             else:
-                paths += names(part)
+                paths += names(part, "queries")
         yield paths, predicate, entry
 
 
@@ -168,7 +175,7 @@ class Record:
 
     def save(self, folder: Path) -> None:
         """Writes the run's folder: record.json, run.json, and the reports, as `axiscert run --out` does."""
-        self._judged.save(os.fspath(folder))
+        self._judged.save(path("folder", folder))
 
     def report(self, folder: Optional[Path] = None) -> str:
         """Writes the reports and returns the path of report.html; without a folder, into one that goes with the record."""
@@ -180,27 +187,37 @@ class Record:
         return os.path.join(os.fspath(folder), "report.html")
 
     def summary(self) -> List[Dict[str, Any]]:
-        """Of each kernel and precision the sums over its families: `trials`, `missed` and `phantom` contacts, and `deepest`."""
-        sums: Dict[Tuple[str, str], Dict[str, Any]] = {}
-        for row in self.rows():
-            one = sums.setdefault((row["kernel"], row["precision"]), {
-                "kernel": row["kernel"], "precision": row["precision"], "trials": 0, "missed": 0, "phantom": 0})
-            one["trials"] += row["trials"]
-            one["missed"] += row["verdict.false_separation"]
-            one["phantom"] += row["verdict.false_contact"]
-        return list(sums.values())
+        """Of each kernel and precision the sums over its families: `trials`; `decided`, those that it promises and has called
+        contact or separated; `missed` and `phantom` contacts; and `deepest`, the greatest depth of these, as a share of the scene.
+        The last three are None where nothing was decided, and `deepest` where the predicate has no depth."""
+        sums = []
+        for kernel, decided in zip(self.json["kernels"], self._judged.decided()):
+            families = list(kernel["families"].values())
+            verdicts = [counts["verdict"] for counts in families]
+            missed, phantom = (sum(one[kind] for one in verdicts) for kind in ("false_separation", "false_contact"))
+            is_known = decided + missed + phantom > 0
+            has_depth = is_known and all(one["depths"] is not None for one in verdicts)
+            sums.append({"kernel": kernel["id"], "precision": kernel["precision"], "trials": sum(counts["trials"] for counts in families),
+                         "decided": decided, "missed": missed if is_known else None, "phantom": phantom if is_known else None,
+                         "deepest": max(one["deepest"] for one in verdicts) if has_depth else None})
+        return sums
 
     def __repr__(self) -> str:
-        lines = [f"{one['kernel']} {one['precision']}: {one['trials']:,} queries, {one['missed']:,} missed and "
-                 f"{one['phantom']:,} phantom contacts" for one in self.summary()]
+        lines = []
+        for one in self.summary():
+            said = "nothing was decided" if one["missed"] is None else f"{one['missed']:,} missed and {one['phantom']:,} phantom contacts"
+            if one["missed"] is not None and one["decided"] < one["trials"]:
+                said += f" among {one['decided']:,} that it promises and decided"
+            lines.append(f"{one['kernel']} {one['precision']}: {one['trials']:,} queries, {said}")
         lines += [outcome.text for outcome in self.outcomes]
         lines += [f"{finding['kernel']}: {finding['kind']}: {finding['detail']}" for finding in self.json["findings"]]
         return "\n".join(lines or ["no kernel could be judged"]) + ("" if self.complete else "\ninterrupted")
 
     def _repr_html_(self) -> str:
-        head = ("kernel", "precision", "queries", "missed contacts", "phantom contacts")
-        rows = [[one["kernel"], one["precision"], *(f"{one[key]:,}" for key in ("trials", "missed", "phantom"))]
-                for one in self.summary()]
+        head = ("kernel", "precision", "queries", "decided", "missed contacts", "phantom contacts", "deepest")
+        rows = [[one["kernel"], one["precision"], f"{one['trials']:,}", f"{one['decided']:,}" if one["decided"] else "nothing",
+                 *("not known" if one[key] is None else f"{one[key]:,}" for key in ("missed", "phantom")),
+                 "-" if one["deepest"] is None else f"{one['deepest']:.3g}"] for one in self.summary()]
         cells = "".join("<tr>" + "".join(f"<td>{html.escape(str(cell))}</td>" for cell in row) + "</tr>" for row in rows)
         said = [outcome.text for outcome in self.outcomes] + [
             f"{finding['kernel']}: {finding['kind']}: {finding['detail']}" for finding in self.json["findings"]]
@@ -226,8 +243,25 @@ def of_family(family: List[str], predicate: str, entry: str) -> Tuple[str, str]:
     return predicate, entry
 
 
-def run_watched(kernels: Sequence[Kernel], work: Callable[[Any], Any], progress: Progress, what: str) -> Any:
+class _Shown(NamedTuple):
+    """What the library is given beside options: whom it tells, and the functions that a second Ctrl-C lets fail."""
+
+    progress: Any
+    callables: List[Any]
+
+
+def require_no_load(what: str) -> None:
+    """Refuses what a script does while the process of its own supervised function loads it: it would begin itself again."""
+    script = getattr(sys.modules.get("__main__"), "AXISCERT_LOADS", None)
+    if script is not None:
+        raise Error(f"{what} begins when {script} is loaded, as the process of a supervised function does: put what is to run once under "
+                    "if __name__ == \"__main__\":")
+
+
+def run_watched(kernels: Sequence[Kernel], work: Callable[[Any], Any], progress: Progress, what: str,
+                plugin_seconds: Optional[float] = None) -> Any:
     """Calls work(progress), and raises what a kernel's function has raised."""
+    require_no_load(what)
     show = shower(progress, what)
 
     def require_newest() -> None:
@@ -235,8 +269,11 @@ def run_watched(kernels: Sequence[Kernel], work: Callable[[Any], Any], progress:
             kernel.require_newest()
 
     require_newest()
+    for kernel in kernels:
+        kernel._raised = None
+    seconds_before = None if plugin_seconds is None else _core.set_plugin_seconds(plugin_seconds)
     try:
-        made = work(show)
+        made = work(_Shown(show, [kernel._core for kernel in kernels if kernel._core is not None]))
         require_newest()  # no thread has taken a name meanwhile
         return made
     except BaseException as error:
@@ -244,22 +281,24 @@ def run_watched(kernels: Sequence[Kernel], work: Callable[[Any], Any], progress:
             kernel.raise_kept(error)
         raise
     finally:
+        if seconds_before is not None:
+            _core.set_plugin_seconds(seconds_before)
         if isinstance(show, _Bar):
             show.close()
         show_notices()
 
 
-def judge(kernel: Any, *, family: Names = (), trials: Optional[int] = None, seed: int = 1, precision: str = "",
-          require: Names = (), allow_unchecked: Names = (), unit: str = "", predicate: str = "", entry: str = "",
-          queries: Any = (), mesh: Any = (), corpus: Union[None, bool, str] = None, preset: str = "", tolerance: Names = (),
-          seconds: Optional[float] = None, target: str = "auto", threads: int = 0, exact_only: bool = False, source: Names = (),
+def judge(kernel: Any, *, family: Names = None, trials: Optional[int] = None, seed: int = 1, precision: str = "",
+          require: Names = None, allow_unchecked: Names = None, unit: str = "", predicate: str = "", entry: str = "",
+          queries: Any = None, mesh: Names = None, corpus: Union[None, bool, str] = None, preset: str = "", tolerance: Names = None,
+          seconds: Optional[float] = None, target: str = "auto", threads: int = 0, exact_only: bool = False, source: Names = None,
           plugin_seconds: Optional[float] = None, progress: Progress = None, out: Optional[Path] = None,
           resume: bool = False) -> Record:
     """Judges a kernel, or several, on the same queries, beside exact arithmetic.
 
     A kernel is an id, as `axiscert run --kernel` takes it ("published", "plugin:./mine.so"), a function, or what
     `axiscert.kernel` makes of one. All other arguments are the options of `axiscert run` of the same names. `queries` are files, or
-    Queries. Without a family, mesh or file all families of the predicate are asked. `progress` is True for a bar (default: where
+    Queries. Without a family, mesh or file all families of the predicate are asked; empty lists of them are refused. `progress` is True for a bar (default: where
     standard error is a terminal), or a function of (units done, units, queries, seconds, stage). `out` is a folder for the reports.
     Unless `seconds` limits the run, the folder keeps what is done too: after Ctrl-C, an exception or a kill the same call with
     `resume` does the rest, and the record is the same. It refuses what was another plan, or a function of other code
@@ -272,13 +311,11 @@ def judge(kernel: Any, *, family: Names = (), trials: Optional[int] = None, seed
     >>> record.met
     True
     """
-    families, folder_out = names(family), folder_of(out)
-    if resume and out is None:
+    families, folder_out = names(family, "family"), folder_of(out)
+    if flag("resume", resume) and out is None:
         raise Error("resume=True goes on from what out= keeps; give the folder of the run that ended early")
     if resume and seconds is not None:
         raise Error(f"resume=True with seconds={seconds}: a run with a time limit keeps nothing to go on from; give trials=")
-    if plugin_seconds is not None:
-        _core.set_plugin_seconds(above_zero("plugin_seconds", plugin_seconds))
     with query_files(queries) as (paths, predicate_given, entry_given):
         predicate_of, entry_of_ = of_family(families, predicate or predicate_given, entry or entry_given)
         kernels = as_kernels(kernel, predicate_of, entry_of_)
@@ -289,13 +326,15 @@ def judge(kernel: Any, *, family: Names = (), trials: Optional[int] = None, seed
             raise Error(f"two kernels have the name '{next(id for id in ids if ids.count(id) > 1)}'; axiscert.kernel(f, name=...) gives "
                         "another")
         options = dict(
-            kernels=ids, predicate=predicate or predicate_given, families=families, meshes=names(mesh), queries=paths,
+            kernels=ids, predicate=predicate or predicate_given, families=families, meshes=names(mesh, "mesh"), queries=paths,
             corpus=None if corpus is None or corpus is False else default_corpus() if corpus is True else corpus, trials=trials,
             seed=seed, seconds=seconds, precision=precision, preset=preset, tolerances=names(tolerance), require=names(require),
             allow_unchecked=names(allow_unchecked), unit=unit, sources=names(source), target=target, exact_only=exact_only,
-            threads=threads, out=folder_out, resume=bool(resume),
+            threads=threads, out=folder_out, resume=flag("resume", resume),
             code=json.dumps({one.id: one.code for one in kernels}))
-        judged, raised = run_watched(kernels, lambda show: _core.judge(checked(options), show), progress, "judging")
+        if plugin_seconds is not None:
+            plugin_seconds = above_zero("plugin_seconds", plugin_seconds)
+        judged, raised = run_watched(kernels, lambda show: _core.judge(checked(options), show), progress, "judging", plugin_seconds)
     record = Record(judged, kernels)
     if folder_out is not None:
         record.save(folder_out)

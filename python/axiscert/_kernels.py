@@ -5,6 +5,7 @@ import functools
 import hashlib
 import inspect
 import json
+import numbers
 import os
 import re
 import sys
@@ -16,7 +17,7 @@ from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tupl
 import numpy as np
 
 from . import _core
-from ._errors import Error, KernelRaised, text, whole
+from ._errors import Error, KernelRaised, flag, real, text, whole
 from ._queries import Queries, describe, entry_of
 
 _newest: "weakref.WeakValueDictionary[str, Kernel]" = weakref.WeakValueDictionary()  # the library finds a function by its name
@@ -32,11 +33,13 @@ class Kernel:
     module, numbers, texts and arrays that it names; not of other modules and of objects.
     """
 
-    def __init__(self, id: str, core: Any = None, function: Any = None) -> None:
-        self.id, self._core, self._function = id, core, function
+    def __init__(self, id: str, core: Any = None, function: Any = None, tensors: Any = None) -> None:
+        self.id, self._core, self._function, self._tensors = id, core, function, tensors
+        self._raised: Any = None  # (exception or None, numbers of the batch, message), by the library
         if core is not None:
             _newest[id] = self
-            # What the library keeps of a kernel outlives this; the function does not have to.
+            # The library keeps a kernel for ever, and finds the function by this, which the function may refer to.
+            core.hold(weakref.ref(self))
             weakref.finalize(self, core.release)
 
     @property
@@ -52,13 +55,15 @@ class Kernel:
         return int(self._core.calls) if self._core is not None else 0
 
     def require_newest(self) -> None:
-        """Raises where another function has its name since."""
+        """Raises where another function has its name since, here or, of a supervised one, in its file."""
+        if self._core is None and self._function is not None:
+            _where(self._function, self)
         if self._core is not None and _newest.get(self.id) is not self:
             raise Error(f"kernel {self.id}: another function has been given that name since; axiscert.kernel(f, name=...) gives another")
 
     def raise_kept(self, cause: Optional[BaseException] = None) -> None:
         """Raises what the function has raised, if it has."""
-        raised = self._core.take_raised() if self._core is not None else None
+        raised, self._raised = self._raised, None
         if raised is None:
             return
         original, numbers, message = raised
@@ -76,7 +81,7 @@ class Kernel:
 
 
 def _measure_count(described: Dict[str, Any], measures: Union[int, str, Sequence[str]]) -> int:
-    if isinstance(measures, int):
+    if isinstance(measures, numbers.Integral):
         return whole("measures", measures)
     names: List[str] = [measure["name"] for measure in described["measures"]]
     if not isinstance(measures, Iterable):
@@ -94,20 +99,33 @@ def _measure_count(described: Dict[str, Any], measures: Union[int, str, Sequence
     return count
 
 
-def _where(function: Callable[..., Any]) -> str:
-    """"file:name", by which another process finds the function."""
+def _where(function: Callable[..., Any], used: Optional[Kernel] = None) -> str:
+    """"file:name", by which another process finds the function. While a decorator makes its kernel, the name has another value yet,
+    or none; when the kernel is used it has this one."""
     code = inspect.unwrap(function)
     name, module = getattr(code, "__qualname__", ""), sys.modules.get(getattr(code, "__module__", ""))
     file = getattr(module, "__file__", None)
     if not re.fullmatch(r"[A-Za-z_][\w.]*", name) or file is None or not os.path.exists(file):
         raise Error(f"supervised: another process has to find the function '{name or function!r}' by its name in a file; put it at "
                     "the top of a module")
+    found: Any = module
+    for part in name.split("."):
+        found = getattr(found, part, None)
+    if isinstance(found, Kernel):
+        is_it = used is None or found._function is function
+    else:
+        is_it = found is function or isinstance(function, types.MethodType) and type(found) is type(function) and found == function \
+            or found is None and used is None
+    if not is_it:
+        what = "it is a method of an object there" if isinstance(function, types.MethodType) else "that name has another value there"
+        raise Error(f"supervised: another process has to find the function '{name}' by its name in {file}, and {what}; put a function "
+                    "of one name at the top of a module")
     return f"{os.path.abspath(file)}:{name}"
 
 
 def _code(function: Any) -> str:
     """The digest of `Kernel.code`."""
-    kept: List[Any] = []  # once each
+    kept: Dict[int, Any] = {}  # once each, by their ids
 
     def told(value: Any) -> Any:
         if value is None or isinstance(value, (bool, int, float, complex, str, bytes, np.generic)):
@@ -118,9 +136,9 @@ def _code(function: Any) -> str:
             return [str(value.dtype), value.shape, hashlib.sha256(value.tobytes()).hexdigest()]
         if isinstance(value, types.CodeType):
             return [value.co_code.hex(), value.co_names, told(value.co_consts)]
-        if any(one is value for one in kept):
+        if id(value) in kept:
             return "again"
-        kept.append(value)
+        kept[id(value)] = value
         if isinstance(value, (list, tuple)):
             return [told(one) for one in value]
         if isinstance(value, dict):
@@ -181,6 +199,8 @@ def kernel(function: Optional[Callable[..., Any]] = None, *, name: str = "", pre
     del options["function"]
     if function is None:
         return lambda given: kernel(given, **options)
+    if isinstance(function, Kernel):
+        raise Error(f"{function!r} is a kernel already, and was given its options when it was made of its function")
     if not callable(function):
         raise Error(f"a kernel is a function, or an id as a text, not {type(function).__name__}")
     if layout not in ("groups", "columns"):
@@ -193,7 +213,7 @@ def kernel(function: Optional[Callable[..., Any]] = None, *, name: str = "", pre
         raise Error(f"sides='{sides}': there are: both, front")
     if tensors is not None and not callable(tensors):
         raise Error(f"tensors={tensors!r}: give a function of an array, as torch.from_dlpack")
-    if not isinstance(margin, (int, float)) or not 0 <= margin < float("inf"):
+    if not 0 <= real(margin) < float("inf"):
         raise Error(f"margin={margin!r}: give a number from 0, in the unit of the queries")
     listed = [precisions] if isinstance(precisions, str) else precisions
     if not isinstance(listed, Iterable) or not (known := list(listed)):
@@ -203,17 +223,18 @@ def kernel(function: Optional[Callable[..., Any]] = None, *, name: str = "", pre
     if not re.fullmatch(r"[A-Za-z0-9._-]{1,100}", id):
         raise Error(f"name={id!r}: give 1 to 100 letters, digits, '-', '_', '.'")
     has_bits, count = bool(formulae or conforms_to), _measure_count(described, measures)
-    if supervised:
+    flag("may_decline", may_decline)
+    if flag("supervised", supervised):
         if tensors is not None:
             raise Error("supervised: the function converts arrays itself; tensors= is for this process")
         return _program(function, id, of, known, layout, dict(
             conforms_to=conforms_to, formulae=formulae, touching=touching, sides=sides, may_decline=may_decline, measures=count),
-            margin, described["is_of_motions"])
+            real(margin), described["is_of_motions"])
     claims = dict(
         id=id, predicate=of["predicate"], entry=of["name"], precisions=known, bits=has_bits, measures=count,
-        touching=touching, sides=sides, margin=float(margin), may_decline=may_decline, conforms_to=conforms_to, formulae=formulae)
+        touching=touching, sides=sides, margin=real(margin), may_decline=may_decline, conforms_to=conforms_to, formulae=formulae)
     with _naming:
-        made = Kernel(id, _core.Callable(function, tensors, layout, on_error == "record", claims), function)
+        made = Kernel(id, _core.Callable(layout, on_error == "record", claims), function, tensors)
     made._predicate = of["predicate"], of["name"]
     made._again = lambda: kernel(function, **dict(options, supervised=True))
     return made
@@ -226,7 +247,7 @@ def _program(function: Callable[..., Any], id: str, of: Dict[str, Any], precisio
         "format": "axiscert-program/2", "name": id, "summary": "a function of Python",
         "command": [sys.executable, _SERVE, where, json.dumps(of["groups"] if layout == "groups" else None),
                     json.dumps([measure["name"] for measure in describe(of["predicate"])["measures"]][:claims["measures"]]),
-                    json.dumps(bool(claims["conforms_to"] or claims["formulae"])), json.dumps(sys.path)],
+                    json.dumps(of["predicate"] if claims["conforms_to"] or claims["formulae"] else None), json.dumps(sys.path)],
         "precisions": precisions, "predicate": of["predicate"], "entry": of["name"], "touching": claims["touching"],
         "files": [where.rsplit(":", 1)[0]],
     }
@@ -258,15 +279,18 @@ def _program(function: Callable[..., Any], id: str, of: Dict[str, Any], precisio
             os.replace(written, path)
         except OSError as why:
             raise Error(f"supervised: {path} cannot be written: {why.strerror}; XDG_CACHE_HOME names another folder") from None
-    return Kernel(f"program:{path}")
+    return Kernel(f"program:{path}", function=function)
 
 
 def as_kernels(given: Any, predicate: str, entry: str) -> List[Kernel]:
-    """Kernels of one, or of several."""
-    several = [given] if isinstance(given, (str, Kernel)) or callable(given) else given
+    """Kernels of one, or of several; of None, none."""
+    several = [] if given is None else [given] if isinstance(given, (str, Kernel)) or callable(given) else given
     if not isinstance(several, Iterable):
         raise Error(f"a kernel is a function, or an id as a text, or several of these, not {type(given).__name__}")
-    return [as_kernel(one, predicate, entry) for one in several]
+    made = [as_kernel(one, predicate, entry) for one in several]
+    if given is not None and not made:
+        raise Error(f"no kernel is given: {given!r}")
+    return made
 
 
 def as_kernel(given: Any, predicate: str, entry: str) -> Kernel:

@@ -3,12 +3,12 @@ from __future__ import annotations
 
 import os
 import warnings
-from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _core
-from ._errors import Error, Notice, text, whole
+from ._errors import Error, Notice, path as path_of, text, whole
 
 DTYPES = {"binary32": np.float32, "binary64": np.float64}
 _PRECISIONS = {np.dtype(np.float32): "binary32", np.dtype(np.float64): "binary64"}
@@ -70,12 +70,51 @@ def _plain(given: Any) -> "np.ndarray[Any, Any]":
     return np.asarray(given)
 
 
+def is_wide(given: Any) -> bool:
+    """Whether an array, a scalar of NumPy, a tensor, or a list with one of these, is of float64 in any order of bytes."""
+    if isinstance(given, (list, tuple)):
+        return any(map(is_wide, given))
+    dtype = getattr(given, "dtype", None)
+    if dtype is None:
+        dtype = None if isinstance(given, (int, float, str)) else np.asarray(given).dtype  # of a buffer
+    if isinstance(dtype, np.dtype):
+        return bool(dtype.newbyteorder("=") == np.float64)
+    return str(dtype).endswith(".float64")
+
+
+def exactly(name: str, given: Any, dtype: Any = None, wider: str = "precision=\"binary64\"") -> "np.ndarray[Any, Any]":
+    """The numbers in a type, or in float64 where they are not of float32, native and aligned; Error for those of another type that it
+    would round. What Python writes as a float has no type: it is rounded to this one."""
+    try:
+        value = _plain(given)
+        right = np.dtype(dtype or (np.float32 if value.dtype.newbyteorder("=") == np.float32 else np.float64))
+        if value.dtype.kind not in "biufO" or value.dtype.kind == "O" and any(one is None for one in value.flat):
+            raise TypeError
+        with np.errstate(all="ignore"):
+            made = np.require(value, right, "A") if value.dtype.kind == "f" else value.astype(right)
+    except Error:
+        raise
+    except (TypeError, ValueError, OverflowError, RuntimeError):
+        what = getattr(given, "dtype", type(given).__name__)
+        raise Error(f"{name} of {what} that are no numbers of one shape; give float32 or float64") from None
+    is_typed = value.dtype.itemsize > 8 or is_wide(given)
+    if value.dtype.kind == "f" and value.dtype.itemsize > right.itemsize and is_typed:
+        longer = f", or {wider}" if value.dtype.itemsize == 8 else " or float64" if right.itemsize == 4 else ""
+        raise Error(f"{name} of {value.dtype.newbyteorder('=')}, which {right} would round; give {right}{longer}")
+    if value.dtype.kind == "O" or value.dtype.kind in "iu" and np.abs(made).max(initial=0) > 2.0 ** np.finfo(right).nmant:
+        for one, number in zip(value.flat if value.dtype.kind == "O" else value.ravel().tolist(), made.flat):
+            if (not isinstance(one, float) or isinstance(one, np.floating)) and one != number.item():
+                raise Error(f"{name} of {value.dtype} with {one}, which is no number of {right}; round it to one before")
+    return made
+
+
 class Queries:
     """Queries of one predicate, in one entry and precision.
 
     `numbers` is an array of shape (columns, n), float32 for binary32 and float64 for binary64: row k is column k of the
     entry. A column is `queries["ax"]`, shape (n,). A group of columns is `queries["a"]` or `queries.a`, shape (n, size),
-    or (n,) where it has one column; these are views. `queries[3]`, a slice and an array of indices or bools select.
+    or (n,) where it has one column; these are views. `queries[3]`, a slice and an array of indices or bools select. Nothing of it can
+    be written: an address, and what was found of a query, stay those of its numbers. `Queries.of` makes queries of changed copies.
 
     >>> q = Queries.of("sphere-triangle", a=[[0, 0, 0]], b=[[1, 0, 0]], c=[[0, 1, 0]], p=[[0, 0, 2]], r=[1])
     >>> len(q), q.precision, q.p.shape
@@ -98,7 +137,10 @@ class Queries:
                         f"{described['name']}, have shape ({len(columns)}, n): a row for each column, {' '.join(columns)}")
         if not array.dtype.isnative or not array.flags.aligned or (array.shape[1] > 1 and array.strides[1] != array.itemsize) \
                 or array.strides[0] < 0:
-            array = np.require(array, array.dtype.newbyteorder("="), "CA")
+            array = np.require(array, array.dtype.newbyteorder("="), ("C", "A"))
+        if array.flags.writeable:
+            array = array.copy() if array is numbers or array.base is not None else array
+            array.flags.writeable = False
         self.predicate, self.entry, self.numbers = described["predicate"], described["name"], array
         self._columns = columns
         self._groups: Dict[str, Tuple[int, int]] = {name: (first, size) for name, first, size in described["groups"]}
@@ -115,7 +157,7 @@ class Queries:
         """Queries of arrays by their names: columns, shape (n,), or groups of columns, shape (n, size).
 
         `a_m` is the group `a.m`; `numbers` takes names as they are. Without a precision, binary32 unless an array is float64
-        already. The arrays are copied into one.
+        already. Numbers of a type that the precision would round are refused; floats of Python have none. The arrays are copied into one.
         """
         if numbers is not None and not isinstance(numbers, Mapping):
             raise Error(f"numbers= is of {type(numbers).__name__}; give a dictionary of arrays by their names")
@@ -123,9 +165,8 @@ class Queries:
         described = entry_of(predicate, entry)
         columns: List[str] = described["columns"]
         if not precision:
-            wide = any(getattr(array, "dtype", None) == np.float64 for array in given.values())
-            precision = "binary64" if wide else "binary32"
-        if precision not in DTYPES:
+            precision = "binary64" if any(map(is_wide, given.values())) else "binary32"
+        if text("precision", precision) not in DTYPES:
             raise Error(f"there is no precision '{precision}'; there are: binary32, binary64")
         places = {name: [k] for k, name in enumerate(columns)}
         for name, first, size in described["groups"]:
@@ -138,21 +179,12 @@ class Queries:
             if name is None:
                 raise Error(f"there is no column or group '{asked}' in {described['predicate']}, entry {described['name']}; "
                             f"there are: {', '.join(attribute(group) for group, _, _ in described['groups'])}")
-            try:
-                value = _plain(array)
-                if value.dtype.kind not in "biufO" or value.dtype.kind == "O" and any(one is None for one in value.flat):
-                    raise TypeError
-                value = value.astype(DTYPES[precision])
-            except Error:
-                raise
-            except (TypeError, ValueError, OverflowError):
-                what = getattr(array, "dtype", type(array).__name__)
-                raise Error(f"'{asked}' is of {what} that are no numbers of one shape; give float32 or float64") from None
+            value = exactly(f"'{asked}' is", array, DTYPES[precision])
             width = len(places[name])
             if value.ndim == (0 if width == 1 else 1):
                 value = value[None]
             if value.ndim == 0 or value.shape != ((len(value),) if width == 1 else (len(value), width)):
-                raise Error(f"'{asked}' has shape {np.shape(array)}; give shape {'(n,)' if width == 1 else f'(n, {width})'}")
+                raise Error(f"'{asked}' has shape {value.shape}; give shape {'(n,)' if width == 1 else f'(n, {width})'}")
             count = len(value) if count is None else count
             if len(value) != count:
                 raise Error(f"'{asked}' is of {len(value)} queries, and others are of {count}")
@@ -163,7 +195,9 @@ class Queries:
         missing = [columns[k] for k in range(len(columns)) if k not in rows]
         if missing:
             raise Error(f"no numbers are given for {', '.join(missing)}")
-        return cls(described["predicate"], np.stack([rows[k] for k in range(len(columns))]), described["name"])
+        made = np.stack([rows[k] for k in range(len(columns))])
+        made.flags.writeable = False
+        return cls(described["predicate"], made, described["name"])
 
     @property
     def precision(self) -> str:
@@ -229,7 +263,9 @@ class Queries:
                 raise IndexError(f"there is no query {which} of {len(self)}")
             which = slice(int(which) % len(self), int(which) % len(self) + 1)
         indices = np.arange(len(self))[which]
-        chosen = Queries(self.predicate, np.ascontiguousarray(self.numbers[:, which]), self.entry,
+        numbers = np.ascontiguousarray(self.numbers[:, which])
+        numbers.flags.writeable = False
+        chosen = Queries(self.predicate, numbers, self.entry,
                          None if self._ids is None else [self._ids[i] for i in indices],
                          None if self._addresses is None else [self._addresses[i] for i in indices])
         if self._made_by is not None:
@@ -255,13 +291,14 @@ class Queries:
 
     def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes a query file, JSON Lines."""
-        with open(path, "w", encoding="utf-8") as file:
+        with open(path_of("path", path), "w", encoding="utf-8") as file:
             file.write(self.lines())
 
 
 def _made(source: Any, n: int, seed: int, precision: str, first: int, threads: int) -> Queries:
     n, first, seed = whole("n", n), whole("first", first), whole("seed", seed, greatest=2**64 - 1)
     numbers = source.queries(text("precision", precision), seed, first, n, whole("threads", threads, greatest=4096))
+    numbers.flags.writeable = False
     queries = Queries(source.predicate, numbers, source.entry)
     queries._made_by = (source, seed, np.arange(first, first + n))
     return queries
@@ -280,7 +317,7 @@ def generate(family: str, n: int, seed: int = 1, precision: str = "binary32", *,
 
 
 def _whole(source: Any, precision: str, n: Optional[int], seed: int, threads: int) -> Queries:
-    fixed = source.fixed_size(precision)
+    fixed = source.fixed_size(text("precision", precision))
     if n is None and fixed is None:
         raise Error(f"{source.name}: say how many queries, as n=1000")
     return _made(source, fixed if n is None else n, seed, precision, 0, threads)
@@ -289,7 +326,7 @@ def _whole(source: Any, precision: str, n: Optional[int], seed: int, threads: in
 def load_mesh(path: Union[str, "os.PathLike[str]"], n: int, predicate: str = "", seed: int = 1, precision: str = "binary32", *,
               threads: int = 0) -> Queries:
     """Queries on the triangles of a mesh, of any format that assimp reads."""
-    return _whole(_core.mesh_source(os.fspath(path), text("predicate", predicate)), precision, n, seed, threads)
+    return _whole(_core.mesh_source(path_of("path", path), text("predicate", predicate)), precision, n, seed, threads)
 
 
 def load_queries(path: Union[str, "os.PathLike[str]"], precision: str = "binary32") -> Queries:
@@ -299,25 +336,27 @@ def load_queries(path: Union[str, "os.PathLike[str]"], precision: str = "binary3
     """
     parts = load_all_queries(path, precision)
     if len(parts) > 1:
-        raise Error(f"{os.fspath(path)}: it has " + "; ".join(repr(part)[1:-1] for part in parts) +
+        raise Error(f"{path_of('path', path)}: it has " + "; ".join(repr(part)[1:-1] for part in parts) +
                     "; load_all_queries gives each by itself")
     return parts[0]
 
 
 def _parts(parts: Any) -> List[Queries]:
+    for _, _, numbers, _, _ in parts:
+        numbers.flags.writeable = False
     return [Queries(predicate, numbers, entry, ids, addresses) for predicate, entry, numbers, ids, addresses in parts]
 
 
 def load_all_queries(path: Union[str, "os.PathLike[str]"], precision: str = "binary32") -> List[Queries]:
     """The queries of a file, of each predicate, entry and precision by themselves."""
-    parts = _parts(_core.read_queries(os.fspath(path), precision))
+    parts = _parts(_core.read_queries(path_of("path", path), text("precision", precision)))
     show_notices()
     return parts
 
 
 def corpus(predicate: str = "", entry: str = "", precision: str = "binary32", folder: str = "") -> Queries:
     """The queries of the corpus: those that were hard once."""
-    return _whole(_core.corpus_source(os.fspath(folder), text("predicate", predicate), text("entry", entry)), precision, None, 1, 1)
+    return _whole(_core.corpus_source(path_of("folder", folder), text("predicate", predicate), text("entry", entry)), precision, None, 1, 1)
 
 
 def query_at(address: Union[str, Sequence[str]], *, mesh: str = "", queries: str = "", corpus: str = "") -> Queries:
@@ -326,10 +365,11 @@ def query_at(address: Union[str, Sequence[str]], *, mesh: str = "", queries: str
     >>> query_at("1:tangent:2:binary32:0:7").r.shape
     (1,)
     """
-    addresses = [address] if isinstance(address, str) else [text("address", one) for one in np.atleast_1d(address).tolist()]
+    given = [address] if isinstance(address, str) or not isinstance(address, Iterable) else address
+    addresses = [text("address", one) for one in given]
     if not addresses:
         raise Error("no address is given; an address is SEED:NAME:VERSION:PRECISION:UNIT:INDEX")
-    parts = _parts(_core.queries_at(addresses, os.fspath(mesh), os.fspath(queries), os.fspath(corpus)))
+    parts = _parts(_core.queries_at(addresses, path_of("mesh", mesh), path_of("queries", queries), path_of("corpus", corpus)))
     if len(parts) > 1:
         raise Error("the addresses are of " + "; ".join(repr(part)[1:-1] for part in parts))
     return parts[0]

@@ -16,13 +16,16 @@ CONTACT, SEPARATED, UNDECIDED, INVALID, UNANSWERED = range(5)
 VERDICTS = ("contact", "separated", "undecided", "invalid", "unanswered")
 
 
-def nearest_sqrt(value: Fraction) -> float:
+def nearest_sqrt(value: Any) -> float:
     """The float nearest to the root of a fraction that is not negative: rounded once.
 
     >>> nearest_sqrt(Fraction(2)) == math.sqrt(2)
     True
     """
-    value = Fraction(value)
+    try:
+        value = Fraction(value.item() if isinstance(value, np.generic) else value)
+    except (TypeError, ValueError, OverflowError):
+        raise Error(f"{value!r} is no fraction") from None
     if value < 0:
         raise Error(f"{value} is negative, and has no root")
     if value == 0:
@@ -99,6 +102,7 @@ class Truth:
     @cached_property
     def _verdicts(self) -> "Tuple[np.ndarray[Any, Any], np.ndarray[Any, Any]]":
         verdict, touching = self._asked(_core.verdicts)
+        verdict.flags.writeable = touching.flags.writeable = False
         return verdict, touching
 
     @property
@@ -144,6 +148,7 @@ class Truth:
     def depth(self) -> "np.ndarray[Any, Any]":
         """float64, shape (n,): how far each query is from touching, as a share of its scene, rounded once."""
         depth: "np.ndarray[Any, Any]" = self._asked(_core.depths)
+        depth.flags.writeable = False
         return depth
 
     @cached_property

@@ -7,7 +7,7 @@ import numpy as np
 
 from . import _core
 from ._errors import Error, text
-from ._queries import Queries
+from ._queries import Queries, exactly
 
 FEATURES = ("vertex_a", "vertex_b", "vertex_c", "edge_ab", "edge_bc", "edge_ca", "face", "none")
 
@@ -65,44 +65,43 @@ class MeshContacts(NamedTuple):
     invalid: int
 
 
+def _whole_numbers(name: str, given: Any, shape: str) -> "np.ndarray[Any, Any]":
+    try:
+        return np.asarray(given)
+    except (TypeError, ValueError):
+        raise Error(f"{name} are of {type(given).__name__} that are no numbers of one shape; give integers of shape {shape}") from None
+
+
 def mesh(sphere: Any, vertices: Any, indices: Any, triangles: Any = None, question: str = "closed") -> MeshContacts:
-    """One sphere, (4,) of centre and radius, against triangles of a mesh: `vertices` (v, 3), float32 or float64, and `indices` (t, 3).
+    """One sphere, (4,) of centre and radius, against triangles of a mesh: `vertices` (v, 3), float32 or float64, which is the precision
+    of the sphere too, and `indices` (t, 3).
     `triangles` are the numbers of those that are asked, as a broad phase has them; without it all.
 
     >>> found = mesh([0, 0, 0.5, 1], [[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
     >>> found.triangles, found.contacts.separation
     (array([0], dtype=uint32), array([-0.5]))
     """
-    try:
-        points = np.asarray(vertices)
-        if points.dtype not in (np.float32, np.float64):
-            points = points.astype(np.float64, casting="unsafe" if points.dtype == object else "same_kind")
-    except (TypeError, ValueError):
-        raise Error(f"vertices are of {getattr(vertices, 'dtype', type(vertices).__name__)} that are no numbers of one shape; give "
-                    "shape (v, 3)") from None
+    points = exactly("vertices are", vertices)
     if points.ndim != 2 or points.shape[1] != 3:
         raise Error(f"vertices have shape {points.shape}; give shape (v, 3)")
     if not points.flags.aligned or points.strides[1] != points.itemsize or points.strides[0] < 3 * points.itemsize or points.strides[0] % points.itemsize:
-        points = np.require(points, requirements="CA")
-    faces = np.asarray(indices)
+        points = np.require(points, requirements=("C", "A"))
+    faces = _whole_numbers("indices", indices, "(t, 3)")
     if faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu":
         raise Error(f"indices have shape {faces.shape} and type {faces.dtype}; give integers of shape (t, 3)")
     if faces.size and (faces.min() < 0 or faces.max() >= len(points)):
         raise Error(f"an index is {faces.min() if faces.min() < 0 else faces.max()}, and there are {len(points)} vertices")
-    asked = np.arange(len(faces), dtype=np.uint32) if triangles is None else np.asarray(triangles)
+    asked = np.arange(len(faces), dtype=np.uint32) if triangles is None else _whole_numbers("triangles", triangles, "(k,)")
     if asked.shape == (0,):
         asked = asked.astype(np.uint32)
     if asked.ndim != 1 or asked.dtype.kind not in "iu":
         raise Error(f"triangles have shape {asked.shape} and type {asked.dtype}; give integers of shape (k,)")
     if asked.size and (asked.min() < 0 or asked.max() >= len(faces)):
         raise Error(f"a triangle is number {asked.min() if asked.min() < 0 else asked.max()}, and there are {len(faces)}")
-    try:
-        ball = np.require(sphere, points.dtype, "CA")
-    except (TypeError, ValueError):
-        raise Error(f"the sphere is {sphere!r}; give its centre and radius, shape (4,)") from None
+    ball = np.require(exactly("the sphere is", sphere, points.dtype, "vertices of float64"), requirements=("C", "A"))
     if ball.shape != (4,):
         raise Error(f"the sphere has shape {ball.shape}; give its centre and radius, shape (4,)")
     contact, invalid, hits, said = _core.certified_mesh(
-        ball, points, np.require(faces, np.uint32, "CA"), np.require(asked, np.uint32, "CA"), text("question", question))
+        ball, points, np.require(faces, np.uint32, ("C", "A")), np.require(asked, np.uint32, ("C", "A")), text("question", question))
     found = _contacts(said, contact)
     return MeshContacts(hits[:contact], found._replace(verdict=np.zeros(contact, np.uint8)), invalid)

@@ -17,19 +17,8 @@ namespace axiscert::python {
 
 using plugin::Outputs;
 
-Callable::Callable(py::object function, py::object convert, Layout layout, bool records_errors,
-                   const ShownAnswers& shown, std::string id)
-    : function_(std::move(function)),
-      convert_(std::move(convert)),
-      layout_(layout),
-      records_errors_(records_errors),
-      shown_(shown),
-      id_(std::move(id)) {}
-
-std::atomic<bool>& Callable::is_abandoned() {
-  static std::atomic<bool> abandoned = false;
-  return abandoned;
-}
+Callable::Callable(Layout layout, bool records_errors, const ShownAnswers& shown, std::string id)
+    : layout_(layout), records_errors_(records_errors), shown_(shown), id_(std::move(id)) {}
 
 namespace {
 
@@ -50,27 +39,45 @@ std::string text_of(const py::handle& object) {
   return "(which has no text)";
 }
 
+// In a process that the function has forked, whose other threads are gone, nothing is to go on.
+[[noreturn]] void end_forked(int code, const std::string& what) {
+  if (!what.empty()) std::fprintf(stderr, "axiscert: %s\n", what.c_str());
+  for (const char* const name : {"stdout", "stderr"}) {
+    const py::object stream = py::module_::import("sys").attr(name);
+    const auto flushed = py::reinterpret_steal<py::object>(PyObject_CallMethod(stream.ptr(), "flush", nullptr));
+    PyErr_Clear();
+  }
+  std::_Exit(code);
+}
+
+// sys.exit() of a forked process ends it with its code, another exception with that of a fault.
+[[noreturn]] void end_forked(const py::error_already_set& raised, const std::string& what) {
+  if (!raised.matches(PyExc_SystemExit))
+    end_forked(70, fmt::format("a kernel's function raised {} in a process that it forked", what));
+  const py::object code = raised.value().attr("code");
+  if (code.is_none()) end_forked(0, "");
+  if (PyLong_Check(code.ptr())) end_forked(static_cast<int>(PyLong_AsLong(code.ptr())), "");
+  end_forked(1, text_of(code));
+}
+
 }  // namespace
 
 void Callable::refuse(const std::string& what) const { throw Error(fmt::format("kernel {}: {}", id_, what)); }
 
-py::object Callable::take_raised() { return std::exchange(raised_, py::none()); }
-
-void Callable::release() { function_ = convert_ = raised_ = py::none(); }
-
 template <class Real>
-py::object Callable::result_of(const QueryColumns<Real>& batch, py::array_t<Real>& numbers) {
+py::object Callable::result_of(const py::object& kernel, const QueryColumns<Real>& batch, py::array_t<Real>& numbers) {
+  const py::object function = kernel.attr("_function"), convert = kernel.attr("_tensors");
   const auto size = static_cast<py::ssize_t>(batch.size), item = static_cast<py::ssize_t>(sizeof(Real));
   numbers = py::array_t<Real>({static_cast<py::ssize_t>(batch.count), size});
   Real* const data = numbers.mutable_data();
   for (std::size_t k = 0; k < batch.count; ++k) std::copy_n(batch.column[k], batch.size, data + k * batch.size);
   // A library of tensors takes no memory that may not be written; what it writes is its own.
-  const bool is_converted = !convert_.is_none();
+  const bool is_converted = !convert.is_none();
   if (!is_converted) numbers.attr("setflags")(py::arg("write") = false);
   // Warnings go in this thread alone: queries that overflow are asked on purpose.
   numpy().attr("seterr")(py::arg("all") = "ignore");
-  const auto given = [&](py::object array) { return is_converted ? convert_(array) : array; };
-  if (layout_ == Layout::columns) return function_(given(numbers));
+  const auto given = [&](py::object array) { return is_converted ? convert(array) : array; };
+  if (layout_ == Layout::columns) return function(given(numbers));
   const PredicateEntry& entry = shown_.predicate->entries[shown_.entry];
   const std::vector<ColumnGroup> groups = groups_of(entry);
   py::tuple arguments(groups.size());
@@ -80,7 +87,7 @@ py::object Callable::result_of(const QueryColumns<Real>& batch, py::array_t<Real
     if (width == 1) arguments[g] = given(py::array_t<Real>({size}, {item}, at, numbers));
     else arguments[g] = given(py::array_t<Real>({size, width}, {item, size * item}, at, numbers));
   }
-  return function_(*arguments);
+  return function(*arguments);
 }
 
 py::array Callable::array_of(const py::handle& given, const std::string& what, std::size_t size,
@@ -158,9 +165,11 @@ Outputs<Real> Callable::read(const py::object& result, std::size_t size) const {
   const auto& measures = shown_.predicate->measures;
   out.measures.assign(shown_.measure_count, std::vector<Real>(size, std::numeric_limits<Real>::quiet_NaN()));
   const auto take = [&](const py::array& array, std::size_t m, py::ssize_t place) {
-    if (std::string_view("biuf").find(array.dtype().kind()) == std::string_view::npos) {
+    const char kind = array.dtype().kind();
+    if (std::string_view("biuf").find(kind) == std::string_view::npos ||
+        (kind == 'f' && array.itemsize() > static_cast<py::ssize_t>(sizeof(Real)))) {
       refuse(fmt::format("its numbers of {} are {}; give numbers, as {}", measures[m].name,
-                         std::string(py::str(array.dtype())), name(precision_of<Real>)));
+                         std::string(py::str(array.dtype())), std::string(py::str(py::dtype::of<Real>()))));
     }
     const auto numbers = Read<Real>::ensure(array);
     const auto* const base =
@@ -194,30 +203,29 @@ Outputs<Real> Callable::read(const py::object& result, std::size_t size) const {
 template <class Real>
 Outputs<Real> Callable::ask(const QueryColumns<Real>& batch) {
   const py::gil_scoped_acquire lock;
-  if (function_.is_none()) refuse("its function was let go with the record that it was judged for");
-  if (is_abandoned()) throw CallableFailed("interrupted");
+  const py::object kernel = kernel_.is_none() ? kernel_ : kernel_();
+  if (kernel.is_none()) refuse("its function was let go with the record that it was judged for");
+  if (is_abandoned_) throw CallableFailed("interrupted");
   py::array_t<Real> numbers;
   const pid_t process = getpid();
   try {
     Stopwatch watch;
-    const py::object result = result_of(batch, numbers);
-    if (getpid() != process) {  // the function has forked, and this is the child, whose threads are gone
-      std::fputs("axiscert: a kernel's function returned in a process that it forked; end that with os._exit()\n",
-                 stderr);
-      std::_Exit(70);
-    }
+    const py::object result = result_of(kernel, batch, numbers);
+    if (getpid() != process)
+      end_forked(70, "a kernel's function returned in a process that it forked; end that with os._exit()");
     seconds_ += watch.lap() * 1e-9;
     ++calls_;
     return read<Real>(result, batch.size);
   } catch (const Error& refused) {
-    raised_ = py::make_tuple(py::none(), numbers, std::string(refused.what()));
+    kernel.attr("_raised") = py::make_tuple(py::none(), numbers, std::string(refused.what()));
   } catch (py::error_already_set& raised) {
     const bool is_to_end = !raised.matches(PyExc_Exception);
     const std::string what = fmt::format("{}: {}", text_of(raised.type().attr("__name__")), text_of(raised.value()));
+    if (getpid() != process) end_forked(raised, what);
     py::object value = raised.value();
     if (raised.trace()) value.attr("__traceback__") = raised.trace();
     if (records_errors_ && !is_to_end) throw CallableFailed(what);
-    raised_ = py::make_tuple(value, numbers, fmt::format("kernel {}: it raised {}", id_, what));
+    kernel.attr("_raised") = py::make_tuple(value, numbers, fmt::format("kernel {}: it raised {}", id_, what));
     if (!is_to_end) throw CallableFailed("raised");
   }
   throw AnswerRefused("refused");
@@ -251,7 +259,7 @@ class AskedFunction {
     } catch (const AnswerRefused&) {
       throw;
     } catch (const CallableFailed&) {
-      if (!callable_->records_errors() || Callable::is_abandoned()) throw;
+      if (!callable_->records_errors() || callable_->is_abandoned()) throw;
       return ask_singly(batch, out, answers, watched);
     }
     take(said, 0, batch.size, out, answers, watched);
@@ -262,7 +270,7 @@ class AskedFunction {
     } catch (const AnswerRefused&) {
       throw;
     } catch (const CallableFailed& raised) {
-      if (!callable_->records_errors() || Callable::is_abandoned()) throw;
+      if (!callable_->records_errors() || callable_->is_abandoned()) throw;
       tell(watched, FindingKind::crash, 0, fmt::format("it raised {}, asked the same again", raised.what()));
     }
   }
@@ -300,7 +308,7 @@ class AskedFunction {
       } catch (const AnswerRefused&) {
         throw;
       } catch (const CallableFailed& raised) {
-        if (Callable::is_abandoned()) throw;
+        if (callable_->is_abandoned()) throw;
         if (told_raised_++ < most_told)
           tell(watched, FindingKind::crash, i, fmt::format("it raised {}", raised.what()));
       }

@@ -33,11 +33,10 @@ struct AnswerRefused : CallableFailed {
   using CallableFailed::CallableFailed;
 };
 
-// The function, and what came of asking it.
+// A function that a Kernel of Python holds, which the library does not keep alive, and what came of asking it.
 class Callable {
  public:
-  Callable(py::object function, py::object convert, Layout layout, bool records_errors, const ShownAnswers& shown,
-           std::string id);
+  Callable(Layout layout, bool records_errors, const ShownAnswers& shown, std::string id);
   Callable(const Callable&) = delete;
 
   // Answers of a batch, as the function gave them: the arrays that it is given are its own, to keep or, where they are
@@ -50,16 +49,17 @@ class Callable {
   // Python's own.
   double seconds() const { return seconds_; }  // in the function, of all threads together
   std::uint64_t calls() const { return calls_; }
-  // (what was raised, the numbers of the batch), and forgets it; None where nothing was.
-  py::object take_raised();
-  // The function is let go; a later question fails.
-  void release();
+  // The Kernel, by a weak reference: its _function, its _tensors, which converts arrays, and _raised, where what was
+  // raised is put as (what, the numbers of the batch, a text).
+  void hold(py::object kernel) { kernel_ = std::move(kernel); }
+  // The Kernel is gone; a later question fails.
+  void release() { kernel_ = py::none(); }
 
-  static std::atomic<bool>& is_abandoned();  // by a second interrupt: the next question fails
+  std::atomic<bool>& is_abandoned() { return is_abandoned_; }  // by a second interrupt: the next question fails
 
  private:
   template <class Real>
-  py::object result_of(const QueryColumns<Real>& batch, py::array_t<Real>& numbers);
+  py::object result_of(const py::object& kernel, const QueryColumns<Real>& batch, py::array_t<Real>& numbers);
   template <class Real>
   plugin::Outputs<Real> read(const py::object& result, std::size_t size) const;
   void read_verdicts(const py::handle& given, std::size_t size, std::vector<std::uint8_t>& verdicts,
@@ -67,14 +67,14 @@ class Callable {
   py::array array_of(const py::handle& given, const std::string& what, std::size_t size, std::size_t width) const;
   [[noreturn]] void refuse(const std::string& what) const;
 
-  py::object function_, convert_;
+  py::object kernel_ = py::none();  // under the interpreter's lock
   const Layout layout_;
   const bool records_errors_;
   const ShownAnswers shown_;
   const std::string id_;
   std::atomic<double> seconds_ = 0;
   std::atomic<std::uint64_t> calls_ = 0;
-  py::object raised_ = py::none();  // under the interpreter's lock
+  std::atomic<bool> is_abandoned_ = false;
 };
 
 // The kernel of a function, under its id.

@@ -124,6 +124,14 @@ void bind_descriptions(py::module_& m) {
     if (!predicate.empty()) find_predicate(predicate);
     return described_kernels(predicate);
   });
+  m.def("verdicts_of_bits", [](const std::string& predicate, const py::array_t<std::uint64_t>& bits) {
+    py::array_t<std::uint8_t> verdicts(bits.size());
+    const auto from = bits.unchecked<1>();
+    auto to = verdicts.mutable_unchecked<1>();
+    for (py::ssize_t i = 0; i < bits.size(); ++i)
+      to(i) = static_cast<std::uint8_t>(verdict_of(predicate_named(predicate), from(i)));
+    return verdicts;
+  });
   m.def("number_formats", [] {
     py::dict formats;
     for (const NamedFormat& named : named_formats()) formats[py::str(named.format.name)] = std::string(named.about);

@@ -170,7 +170,8 @@ py::tuple shrink(const py::dict& given, const py::object& progress) {
     for (const StoredQuery& stored : queries) require_known_symptom(kernel_to_shrink(stored, kernels), o.what);
     for (std::size_t i = 0; i < queries.size() && !watch.interrupted(); ++i) {
       try {
-        const Shrunk found = shrunk(queries[i], o, kernel_to_shrink(queries[i], kernels), target, {});
+        const Shrunk found = shrunk(queries[i], o, kernel_to_shrink(queries[i], kernels), target,
+                                    [&](std::uint64_t) { return !watch.interrupted(); });
         made.smaller.push_back(json_of(ShrinkLine{{}, found.line}).dump());
       } catch (const NothingToKeep& none) {
         if (queries.size() == 1) throw;

@@ -1,6 +1,7 @@
 // Plans that are judged, as `axiscert run` does it; functions among their kernels.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <mutex>
 
@@ -15,6 +16,7 @@
 #include "python/binding/work.h"
 #include "reports/formats/format.h"
 #include "reports/run_folder/run_folder.h"
+#include "reports/wording/evidence.h"
 #include "plans/first_look.h"
 #include "plans/judged_plan.h"
 #include "plans/notices.h"
@@ -85,7 +87,11 @@ py::tuple judge(const py::dict& given, const py::object& progress) {
   return py::make_tuple(std::move(judged), value_of(raised));
 }
 
-std::string json_text(const Json& json) { return json.dump(1) + "\n"; }
+template <class Data>
+std::string json_text(const Data& data) {
+  const py::gil_scoped_release unlocked;
+  return json_of(data).dump(1) + "\n";
+}
 
 py::list texts_of(const std::vector<LevelOutcome>& outcomes) {
   py::list texts;
@@ -101,12 +107,20 @@ std::vector<std::string> notices;
 void bind_judge(py::module_& m) {
   py::class_<Judged>(m, "Judged")
       .def_property_readonly("complete", [](const Judged& run) { return run.files.record.complete; })
-      .def("record", [](const Judged& run) { return py::bytes(json_text(json_of(run.files.record))); })
+      .def("record", [](const Judged& run) { return py::bytes(json_text(run.files.record)); })
       .def("run",
            [](const Judged& run) {
              const auto outcomes = run.outcomes();
-             return py::bytes(json_text(
-                 json_of(RunFile{run.files.info, outcomes.empty() ? std::nullopt : std::optional(outcomes)})));
+             return py::bytes(
+                 json_text(RunFile{run.files.info, outcomes.empty() ? std::nullopt : std::optional(outcomes)}));
+           })
+      // Of each kernel of the record, the queries that it promises and has decided.
+      .def("decided",
+           [](const Judged& run) {
+             std::vector<std::uint64_t> decided;
+             for (const KernelRecord& kernel : run.files.record.kernels)
+               decided.push_back(evidence_of(kernel).decided());
+             return decided;
            })
       .def("outcomes", [](const Judged& run) { return texts_of(run.outcomes()); })
       .def("passes", [](const Judged& run) { return pass(run.outcomes()); })
@@ -120,8 +134,7 @@ void bind_judge(py::module_& m) {
           py::call_guard<py::gil_scoped_release>())
       .def(py::pickle(
           [](const Judged& run) {
-            return py::make_tuple(py::bytes(json_text(json_of(run.files.record))),
-                                  py::bytes(json_text(json_of(run.files.info))));
+            return py::make_tuple(py::bytes(json_text(run.files.record)), py::bytes(json_text(run.files.info)));
           },
           [](const py::tuple& texts) {
             const auto json = [&](std::size_t i) { return parsed_json(texts[i].cast<std::string>()); };
@@ -134,16 +147,16 @@ void bind_judge(py::module_& m) {
   });
   const auto keep = [](const std::string& line) {
     const std::lock_guard lock(notices_mutex);
-    notices.push_back(line);
+    if (std::ranges::find(notices, line) == notices.end()) notices.push_back(line);
   };
   set_notices(keep);
+  set_query_notes(keep);
 }
 
 void bind_callables(py::module_& m) {
   py::register_exception<CallableFailed>(m, "CallableFailed");
   py::class_<Callable, std::shared_ptr<Callable>>(m, "Callable")
-      .def(py::init([](py::object function, py::object convert, const std::string& layout, bool records_errors,
-                       const py::dict& given) {
+      .def(py::init([](const std::string& layout, bool records_errors, const py::dict& given) {
         Options taken(given);
         std::string predicate, entry;
         std::vector<std::string> precisions;
@@ -170,15 +183,14 @@ void bind_callables(py::module_& m) {
           throw Error(fmt::format("measures={}: the predicate {} has {}", shown.measure_count, of.predicate->id,
                                   of.predicate->measures.size()));
         }
-        auto made = std::make_shared<Callable>(std::move(function), std::move(convert),
-                                               layout == "columns" ? Layout::columns : Layout::groups, records_errors,
+        auto made = std::make_shared<Callable>(layout == "columns" ? Layout::columns : Layout::groups, records_errors,
                                                shown, claims.id);
         give_kernel(kernel_of(made, claims));
         return made;
       }))
       .def_property_readonly("seconds", &Callable::seconds)
       .def_property_readonly("calls", &Callable::calls)
-      .def("take_raised", &Callable::take_raised)
+      .def("hold", &Callable::hold)
       .def("release", &Callable::release);
 }
 

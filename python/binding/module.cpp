@@ -1,4 +1,6 @@
 // The extension module: errors, and the bindings of each subject.
+#include <utility>
+
 #include "exact/judge/judge.h"
 #include "fuzz/files/corpus.h"
 #include "kernel/base/error.h"
@@ -39,5 +41,6 @@ PYBIND11_MODULE(_core, m) {
   bind_certified(m);
   m.def("set_own_folder", [](const std::string& folder) { axiscert::set_own_folder(folder); });
   m.def("default_corpus_folder", &axiscert::default_corpus_folder);
-  m.def("set_plugin_seconds", [](double seconds) { axiscert::plugin::batch_seconds = seconds; });
+  // Returns those before.
+  m.def("set_plugin_seconds", [](double seconds) { return std::exchange(axiscert::plugin::batch_seconds, seconds); });
 }

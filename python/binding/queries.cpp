@@ -85,10 +85,18 @@ py::list parts_of(const std::vector<StoredQuery>& stored) {
   return made;
 }
 
+template <class Work>
+auto without_lock(Work&& work) {
+  const py::gil_scoped_release unlocked;
+  return work();
+}
+
 std::string lines_of(const std::string& predicate, const std::string& entry, const py::array& numbers,
                      const std::vector<std::string>& ids) {
   const EntryOf of = entry_named(predicate, entry);
-  return GivenColumns(of, numbers).visit([&]<class Real>(const QueryColumns<Real>& columns) {
+  const GivenColumns given(of, numbers);
+  const py::gil_scoped_release unlocked;
+  return given.visit([&]<class Real>(const QueryColumns<Real>& columns) {
     std::string text;
     for (std::size_t i = 0; i < columns.size; ++i) {
       const std::string id = i < ids.size() ? ids[i] : fmt::format("{}", i);
@@ -112,6 +120,7 @@ void bind_queries(py::module_& m) {
       .def("queries", &queries_of)
       .def("addresses", [](const Source& s, const std::string& precision, std::uint64_t seed,
                            const std::vector<std::uint64_t>& positions) {
+        const py::gil_scoped_release unlocked;
         const SeededSource seeded{s, seed, parse_precision(precision)};
         std::vector<std::string> texts;
         for (const std::uint64_t position : positions) texts.push_back(seeded.address(position));
@@ -120,21 +129,25 @@ void bind_queries(py::module_& m) {
   const auto shared = [](const SourcePtr& source) { return std::const_pointer_cast<Source>(source); };
   m.def("family_source", [=](const std::string& name) { return shared(family_source(find_family(name))); });
   m.def("mesh_source", [=](const std::string& path, const std::string& predicate) {
+    const py::gil_scoped_release unlocked;
     return shared(mesh_source(path, predicate_named(predicate)));
   });
   m.def("corpus_source", [=](const std::string& folder, const std::string& predicate, const std::string& entry) {
+    const py::gil_scoped_release unlocked;
     const EntryOf of = entry_named(predicate, entry);
     return shared(corpus_source(folder.empty() ? default_corpus_folder() : folder, *of.predicate, of.entry));
   });
   m.def("read_queries", [](const std::string& path, const std::string& csv_precision) {
-    return parts_of(read_query_file(path, parse_precision(csv_precision)));
+    return parts_of(without_lock([&] { return read_query_file(path, parse_precision(csv_precision)); }));
   });
   m.def("queries_at", [](const std::vector<std::string>& addresses, const std::string& mesh, const std::string& queries,
                          const std::string& corpus) {
-    std::vector<StoredQuery> stored;
-    for (const std::string& address : addresses)
-      stored.push_back(axiscert::query_at(parse_address(address), {mesh, queries, corpus}));
-    return parts_of(stored);
+    return parts_of(without_lock([&] {
+      std::vector<StoredQuery> stored;
+      for (const std::string& address : addresses)
+        stored.push_back(axiscert::query_at(parse_address(address), {mesh, queries, corpus}));
+      return stored;
+    }));
   });
   m.def("query_lines", &lines_of);
 }

@@ -34,7 +34,7 @@ void Watch::take(const Progress& progress) {
 class WatchedThread {
  public:
   WatchedThread(const std::function<void(Watch&)>& work, Watch& watch) : watch_(watch) {
-    thread_ = std::thread([this, &work] {
+    thread_ = std::jthread([this, &work] {
       const ThreadCaches given_back;
       try {
         work(watch_);
@@ -51,7 +51,22 @@ class WatchedThread {
     });
   }
 
-  std::optional<py::error_already_set> wait(const py::object& progress) {
+  // Without the lock, which the work may wait for.
+  ~WatchedThread() {
+    if (!thread_.joinable()) return;
+    watch_.interrupted_ = true;
+    const py::gil_scoped_release unlocked;
+    thread_.join();
+  }
+
+  std::optional<py::error_already_set> wait(const py::object& shown) {
+    const py::object progress = shown.is_none() ? shown : shown.attr("progress");
+    std::vector<std::shared_ptr<Callable>> callables;
+    if (!shown.is_none()) callables = shown.attr("callables").cast<std::vector<std::shared_ptr<Callable>>>();
+    bool has_given_up = false;
+    const auto set_abandoned = [&](bool is_abandoned) {
+      for (const auto& callable : callables) callable->is_abandoned() = is_abandoned;
+    };
     std::optional<py::error_already_set> raised;
     while (!watch_.is_done_) {
       std::optional<Progress> news;
@@ -69,7 +84,7 @@ class WatchedThread {
         if (news && !progress.is_none() && !raised)
           progress(news->units_done, news->units, news->queries, news->seconds, stage);
       } catch (py::error_already_set& error) {
-        if (raised) Callable::is_abandoned() = true;
+        if (raised) set_abandoned(has_given_up = true);
         else raised.emplace(error);
         watch_.interrupted_ = true;
       }
@@ -78,7 +93,8 @@ class WatchedThread {
       const py::gil_scoped_release unlocked;
       thread_.join();
     }
-    if (raised && (is_stopped_ || (thrown_ && Callable::is_abandoned()))) throw py::error_already_set(*raised);
+    if (has_given_up) set_abandoned(false);
+    if (raised && (is_stopped_ || (thrown_ && has_given_up))) throw py::error_already_set(*raised);
     if (thrown_) std::rethrow_exception(thrown_);
     return raised;
   }
@@ -87,13 +103,13 @@ class WatchedThread {
   Watch& watch_;
   std::exception_ptr thrown_;
   bool is_stopped_ = false;
-  std::thread thread_;
+  std::jthread thread_;
 };
 
-std::optional<py::error_already_set> do_watched(const py::object& progress, const std::function<void(Watch&)>& work) {
+std::optional<py::error_already_set> do_watched(const py::object& shown, const std::function<void(Watch&)>& work) {
   Watch watch;
   WatchedThread thread(work, watch);
-  return thread.wait(progress);
+  return thread.wait(shown);
 }
 
 void for_each_block(std::size_t size, int threads,
@@ -114,7 +130,7 @@ void for_each_block(std::size_t size, int threads,
         if (!thrown) thrown = std::current_exception();
       }
     };
-    std::vector<std::thread> others;
+    std::vector<std::jthread> others;
     for (std::size_t w = 1; w < workers; ++w) {
       others.emplace_back([&] {
         const ThreadCaches given_back;
@@ -122,7 +138,7 @@ void for_each_block(std::size_t size, int threads,
       });
     }
     do_blocks();
-    for (std::thread& other : others) other.join();
+    others.clear();  // which waits for them
     if (thrown) std::rethrow_exception(thrown);
   });
   if (raised) throw py::error_already_set(*raised);

@@ -51,18 +51,18 @@ struct ThreadCaches {
   ~ThreadCaches();
 };
 
-// Does `work` in a thread of its own. Meanwhile this one, which holds the lock on entry and on return, calls `progress`
-// (units done, units, queries, seconds, stage) unless it is None, and looks for signals. After one that raises, as
-// KeyboardInterrupt, the work is told to stop and ends as it does then; what was raised is returned. After a second one
-// functions that are asked fail. Rethrows what the work threw, and what was raised where that stopped it.
-std::optional<py::error_already_set> do_watched(const py::object& progress, const std::function<void(Watch&)>& work);
+// Does `work` in a thread of its own. Meanwhile this one, which holds the lock on entry and on return, looks for
+// signals, and calls `shown.progress` (units done, units, queries, seconds, stage) unless it or `shown` is None. After
+// one that raises, as KeyboardInterrupt, the work is told to stop and ends as it does then; what was raised is
+// returned. After a second one `shown.callables` fail until the work has ended. Rethrows what the work threw, and what
+// was raised where that stopped it.
+std::optional<py::error_already_set> do_watched(const py::object& shown, const std::function<void(Watch&)>& work);
 
-// What the work makes, and what was raised; nothing that an earlier work abandoned stays so.
+// What the work makes, and what was raised.
 template <class Made, class Work>
-std::pair<Made, std::optional<py::error_already_set>> watched(const py::object& progress, Work&& work) {
+std::pair<Made, std::optional<py::error_already_set>> watched(const py::object& shown, Work&& work) {
   std::optional<Made> made;
-  Callable::is_abandoned() = false;
-  auto raised = do_watched(progress, [&](Watch& watch) { made.emplace(work(watch)); });
+  auto raised = do_watched(shown, [&](Watch& watch) { made.emplace(work(watch)); });
   return {std::move(*made), std::move(raised)};
 }
 // As Python has it: the exception, or None.

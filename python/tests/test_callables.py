@@ -248,12 +248,14 @@ def test_measures_are_judged():
     record = ax.judge(kernel, family="general", trials=300)
     told = record.json["kernels"][0]["families"]["general"]["contacts"]
     assert told["answers"] > 0, told
-    for numbers, said in ((np.ones(len("x")), r"have shape \(1,\)"), ("complex64", "its numbers of separation are complex64; give numbers"),
+    for numbers, said in ((np.ones(len("x")), r"have shape \(1,\)"), ("float64", "separation are float64; give numbers, as float32"),
+                          (np.longdouble, "separation are float128; give numbers"), ("complex64", "its numbers of separation are complex64; give numbers"),
                           ("U1", "its numbers of separation are <U1"), (object, "its numbers of separation are object")):
         def odd(a, b, c, p, r):
             return {"verdict": contact(len(r)), "separation": numbers if isinstance(numbers, np.ndarray) else np.ones(len(r), numbers)}
         with pytest.raises(ax.KernelRaised, match=said):
             ax.judge(ax.kernel(odd, name="odd", measures="separation"), **ONE)
+    assert ax.kernel(measured, margin=np.float32(0.5), touching="contact", measures=np.int64(1)).id == "measured"
     with pytest.raises(ax.Error, match="there is no measure 'colour'.*there are: separation"):
         ax.kernel(measured, measures="colour")
     with pytest.raises(ax.KernelRaised, match="with measures= it returns a dictionary"):
@@ -318,6 +320,75 @@ def test_a_function_that_forks_and_returns_twice(tmp_path):
         """, tmp_path)
     out, err = process.communicate(timeout=60)
     assert out.strip() == "500" and "returned in a process that it forked" in err
+
+
+@pytest.mark.parametrize("end, code", [("sys.exit(3)", 3), ("sys.exit()", 0), ("raise ValueError('no')", 70)])
+def test_a_forked_process_that_ends_by_an_exception(end, code, tmp_path):
+    """The function waits for it, and would for ever."""
+    process = run_script(f"""
+        import os, sys, numpy as np, axiscert as ax
+        def forks(a, b, c, p, r):
+            if not codes:
+                child = os.fork()
+                if not child:
+                    {end}
+                codes.append(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+            return np.ones(len(r), bool)
+        codes = []
+        ax.judge(forks, family="tangent", trials=500, precision="binary32")
+        print(codes)
+        """, tmp_path)
+    out, err = process.communicate(timeout=60)
+    assert out.strip() == f"[{code}]", err
+
+
+def test_a_second_interrupt_ends_no_other_judge(tmp_path):
+    process = run_script("""
+        import os, signal, threading, time, numpy as np, axiscert as ax
+        def slow(a, b, c, p, r):
+            time.sleep(0.01)
+            return np.ones(len(r), bool)
+        def interrupts(a, b, c, p, r):
+            os.kill(os.getpid(), signal.SIGINT)
+            time.sleep(0.3)
+            return np.ones(len(r), bool)
+        records = []
+        def other():
+            records.append(ax.judge(slow, family="general", trials=100000, precision="binary32", threads=1))
+        thread = threading.Thread(target=other)
+        thread.start()
+        try:
+            ax.judge(interrupts, family="general", trials=10**6, precision="binary32", threads=1)
+        except KeyboardInterrupt:
+            print("ended", thread.is_alive())
+        thread.join()
+        print(records[0].complete)
+        """, tmp_path)
+    out, err = process.communicate(timeout=120)
+    assert out == "ended True\nTrue\n", out + err
+
+
+def test_a_function_that_knows_its_kernel_is_let_go():
+    import gc
+    import weakref
+
+    def made():
+        @ax.kernel(name="knows")
+        def knows(a, b, c, p, r):
+            return contact(len(r) + 0 * len(knows.id))
+        ax.judge(knows, **ONE)
+        return weakref.ref(knows._function)
+
+    gone = made()
+    gc.collect()
+    assert gone() is None
+
+
+def test_the_code_of_a_long_list_is_known_soon():
+    numbers = [[i] for i in range(40000)]
+    began = time.monotonic()
+    ax.kernel(lambda a, b, c, p, r: contact(len(numbers)), name="long").code
+    assert time.monotonic() - began < 5
 
 
 def test_a_forked_process_judges(tmp_path):
@@ -388,43 +459,6 @@ def test_a_second_interrupt_ends_a_slow_function(tmp_path):
     assert "ended" in out and time.monotonic() - began < 20, out + err
 
 
-def test_a_supervised_function(tmp_path):
-    (tmp_path / "mine.py").write_text(textwrap.dedent("""
-        import os, time
-        import numpy as np
-        def right(a, b, c, p, r):
-            print("this is no reply")
-            return np.linalg.norm(p - a, axis=1) <= r
-        def crashes(a, b, c, p, r):
-            if (r > 1).any():
-                os.kill(os.getpid(), 11)
-            return np.ones(len(r), bool)
-        def hangs(a, b, c, p, r):
-            while (r > 1).any():
-                pass
-            return np.ones(len(r), bool)
-        def raises(a, b, c, p, r):
-            raise ValueError("no such thing")
-        """))
-    sys.path.insert(0, str(tmp_path))
-    try:
-        import mine
-    finally:
-        sys.path.pop(0)
-    options = dict(family="general", trials=300, precision="binary32")
-    apart = ax.judge(ax.kernel(mine.right, supervised=True), **options)
-    here = ax.judge(ax.kernel(mine.right, name="right"), **options)
-    assert apart.summary()[0]["missed"] == here.summary()[0]["missed"] > 0
-    kinds = lambda record: {finding["kind"] for finding in record.json["findings"]}
-    with pytest.warns(ax.Notice):
-        assert kinds(ax.judge(ax.kernel(mine.crashes, supervised=True), **options)) == {"crash"}
-        assert kinds(ax.judge(ax.kernel(mine.hangs, supervised=True), plugin_seconds=0.5, **options)) == {"hang"}
-        record = ax.judge(ax.kernel(mine.raises, supervised=True), **options)
-    assert kinds(record) == {"crash"} and "ValueError: no such thing" in record.json["findings"][0]["detail"]
-    with pytest.raises(ax.Error, match="find the function .*lambda.* by its name in a file"):
-        ax.kernel(lambda r: r, supervised=True)
-
-
 @pytest.mark.parametrize("named, said", [
     (dict(layout="rows"), "layout='rows': there are: groups, columns"),
     (dict(on_error="ignore"), "on_error='ignore'"),
@@ -437,6 +471,9 @@ def test_a_supervised_function(tmp_path):
     (dict(precisions=[]), r"precisions=\[\]: give"),
     (dict(measures=1.5), 'measures=1.5: give "all"'),
     (dict(margin=-1), "margin=-1: give a number from 0"),
+    (dict(margin=True), "margin=True: give a number from 0"),
+    (dict(measures=True), "measures=True: give a whole number"),
+    (dict(supervised="no"), "supervised='no': give True or False"),
     (dict(margin=float("nan")), "margin=nan: give a number from 0"),
     (dict(tensors=3), "tensors=3: give a function"),
     (dict(name=3), "name=3: give a text"),

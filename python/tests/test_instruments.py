@@ -136,6 +136,38 @@ def test_an_interrupt_ends_figures(tmp_path):
     assert out == "what was found, and the state of the search, are kept\nTrue\n", out + err
 
 
+def interrupted_after(number):
+    calls = []
+
+    def interrupt(*news):
+        calls.append(news)
+        if len(calls) >= number:
+            raise KeyboardInterrupt
+    return interrupt
+
+
+def test_an_interrupt_keeps_what_was_found():
+    kernel = ax.kernel(nearest_point_test, name="mine", precisions=["binary32"])
+    with pytest.raises(ax.Interrupted) as ended:
+        ax.diagnose(kernel, progress=interrupted_after(1))
+    assert isinstance(ended.value.found, ax.Report) and not ended.value.found.complete
+    with pytest.raises(ax.Interrupted) as ended:
+        ax.search("published", seconds=60, progress=interrupted_after(1))
+    assert ended.value.found.name == "search" and not ended.value.found.complete
+    addresses = [one["address"] for one in ax.judge(kernel, family="general", trials=3000).witnesses if one["flips"]]
+    with pytest.raises(ax.Interrupted) as ended:
+        ax.shrink(addresses * 20, kernel, evaluations=2000, progress=interrupted_after(1))
+    assert 0 < len(ended.value.found) < 20 * len(addresses) and all(len(one.query) == 1 for one in ended.value.found)
+
+
+def test_a_command_that_is_killed_has_made_no_certificate(tmp_path, monkeypatch):
+    ax.certify("published", tmp_path / "out", effort="smoke")
+    killed = subprocess.CompletedProcess([], -9, "", "")
+    monkeypatch.setattr(subprocess, "run", lambda *given, **named: killed)
+    with pytest.raises(ax.Error, match="certify: the command was ended by signal 9"):
+        ax.certify("published", tmp_path / "out", effort="smoke", resume=True)
+
+
 def test_formats(command):
     q = ax.generate("general", 300)
     own = ax.formulae("published", q)

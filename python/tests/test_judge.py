@@ -156,6 +156,30 @@ def test_what_the_record_shows(tmp_path):
         record.met
 
 
+def test_what_decided_nothing_is_not_said_to_be_right():
+    kernel = ax.kernel(lambda *q: np.full(len(q[0]), 2, np.uint8), name="declines", may_decline=True)
+    record = ax.judge([kernel, "published"], family="tangent", trials=300, precision="binary32")
+    nothing, all_of_it = record.summary()
+    assert [nothing[key] for key in ("decided", "missed", "phantom", "deepest")] == [0, None, None, None]
+    assert "declines binary32: 300 queries, nothing was decided\n" in repr(record)
+    assert "<td>300</td><td>nothing</td><td>not known</td><td>not known</td><td>-</td>" in record._repr_html_()
+    assert all_of_it["decided"] == 300 and all_of_it["deepest"] > 0 and "300 queries, nothing" not in repr(record).split("declines")[0]
+    some = ax.kernel(lambda a, b, c, p, r: np.where(p[:, 0] > 0, 2, 0).astype(np.uint8), name="some", may_decline=True)
+    assert re.search(r"phantom contacts among \d+ that it promises and decided", repr(ax.judge(some, family="tangent", trials=300, precision="binary32")))
+
+
+def test_the_seconds_of_a_plug_in_are_of_one_call():
+    before = ax._core.set_plugin_seconds(1.0)
+    for family in ("tangent", "nosuch"):
+        try:
+            ax.judge("published", family=family, trials=10, plugin_seconds=np.float32(7))
+        except ax.Error:
+            pass
+        assert ax._core.set_plugin_seconds(before) == 1.0
+        ax._core.set_plugin_seconds(1.0)
+    ax._core.set_plugin_seconds(before)
+
+
 def test_a_record_is_pickled(tmp_path):
     record = ax.judge(ax.kernel(nearest_point_test, name="mine"), family=["tangent", "sliver"], trials=500, require=["exact", "depth=1mm"], unit="m")
     again = pickle.loads(pickle.dumps(record))
@@ -238,7 +262,10 @@ def test_words_of_the_command():
         ax.judge("published", familly="tangent")
     for named, said in ((dict(trials="many"), "trials='many': give a whole number"), (dict(trials=0), "trials=0: .* from 1"),
                         (dict(threads=-1), "threads=-1"), (dict(seconds=float("nan")), "seconds=nan: give a number above 0"),
-                        (dict(family=3), "3: give a name"), (dict(preset="nope"), "unknown preset 'nope'"), (dict(out=""), "out=''")):
+                        (dict(family=3), "3: give a name"), (dict(trials=True), "trials=True: give a whole"), (dict(seconds=True), "seconds=True"),
+                        (dict(family=[]), r"family=\[\]: that is none"), (dict(queries=[]), r"queries=\[\]: that is none"),
+                        (dict(mesh=""), "mesh='': that is none"), (dict(queries=ax.generate("tangent", 0)), "<0 queries of .*give one or more"),
+                        (dict(resume="no"), "resume='no': give True"), (dict(preset="nope"), "unknown preset 'nope'"), (dict(out=""), "out=''")):
         with pytest.raises(ax.Error, match=said):
             ax.judge("published", **named)
     with pytest.raises(ax.Error, match="no kernel is given"):

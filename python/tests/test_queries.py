@@ -1,7 +1,10 @@
 """Queries as arrays: what generates, selects and reads them, and what is refused."""
 import json
 import pickle
+import threading
+import time
 import warnings
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -84,6 +87,47 @@ def test_what_is_no_number_is_named(given):
         ax.Queries.of(a=given, b=[[1, 0, 0]], c=[[0, 1, 0]], p=[[0, 0, 1]], r=[1])
 
 
+ONE = dict(b=[[1, 0, 0]], c=[[0, 1, 0]], p=[[0, 0, 1]], r=[1])
+THIRD = np.full((1, 3), 1 / 3)
+
+
+def test_numbers_that_would_be_rounded_are_refused():
+    of = lambda a, **named: ax.Queries.of(a=a, **ONE, **named)
+    for a in (THIRD, THIRD.astype(">f8"), [THIRD[0]], [list(THIRD[0])], memoryview(THIRD)):
+        assert of(a).precision == "binary64" and of(a).a[0, 0] == 1 / 3
+        with pytest.raises(ax.Error, match="'a' is of float64, which float32 would round; give float32, or precision=\"binary64\""):
+            of(a, precision="binary32")
+    for precision in ("binary32", "binary64"):
+        with pytest.raises(ax.Error, match="'a' is of float128, which .* would round"):
+            of(THIRD.astype(np.longdouble), precision=precision)
+        with pytest.raises(ax.Error, match="'a' is of object with 1/3, which is no number of"):
+            of([[Fraction(1, 3), 0, 0]], precision=precision)
+    with pytest.raises(ax.Error, match="'a' is of int64 with 16777217, which is no number of float32"):
+        of([[2**24 + 1, 0, 0]])
+    for a in ([[2**24, 0.0, 0]], THIRD.astype(np.float16), THIRD.astype(">f4"), [[Fraction(1, 4), 0, 0]], [[0.1, 0, 0]], np.float32([[0.1, 0, 0]])):
+        assert of(a).precision == "binary32"
+    assert ax.Queries.of(a=[0, 0, 0], b=[1, 0, 0], c=[0, 1, 0], p=[0, 0, 1], r=np.float32(1)).r[0] == 1
+
+
+def test_tensors_are_not_rounded():
+    torch = pytest.importorskip("torch")
+    assert ax.Queries.of(a=torch.tensor(THIRD), **ONE).precision == "binary64"
+
+
+def test_nothing_is_written():
+    given = np.zeros((13, 2), np.float32)
+    q, generated = ax.Queries("sphere-triangle", given), ax.generate("tangent", 3)
+    for each in (q, generated, generated[1:], ax.query_at(generated.addresses), ax.Queries.of(a=THIRD, **ONE), pickle.loads(pickle.dumps(generated))):
+        for array in (each.numbers, each.a, each["ax"]):
+            with pytest.raises(ValueError, match="read-only"):
+                array[0] = 1
+    given[:] = 1
+    assert not q.numbers.any()
+    for array in (ax.truth(generated).verdict, ax.truth(generated).touching, ax.truth(generated).depth):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 1
+
+
 def test_arrays_in_any_order_of_memory_are_the_same_queries():
     q = ax.generate("general", 100)
     expected = ax.truth(q).verdict
@@ -130,6 +174,24 @@ Q = ax.generate("tangent", 2)
     (lambda: ax.certify("published", "out", effort=3), "effort=3: give a text"),
     (lambda: ax.shrink(None, "published"), "no query is given to shrink"),
     (lambda: ax.precision("published", bits=8.5), "bits=8.5: give a whole number"),
+    (lambda: ax.precision("published", bits=[]), r"bits=\[\]: that is none"),
+    (lambda: ax.load_queries(3), "path=3: give a path"),
+    (lambda: ax.load_mesh(3, 5), "path=3: give a path"),
+    (lambda: ax.load_queries("none", precision=3), "precision=3: give a text"),
+    (lambda: ax.corpus(folder=3), "folder=3: give a path"),
+    (lambda: ax.corpus(precision=3), "precision=3: give a text"),
+    (lambda: ax.query_at(3), "address=3: give a text"),
+    (lambda: ax.query_at("1:a:1:binary32:0:7", mesh=3), "mesh=3: give a path"),
+    (lambda: Q.save(3), "path=3: give a path"),
+    (lambda: ax.nearest_sqrt(None), "None is no fraction"),
+    (lambda: ax.compare("here", "there", replay="no"), "replay='no': give True or False"),
+    (lambda: ax.ladder("published", speed="no"), "speed='no': give True or False"),
+    (lambda: ax.ladder([]), "no kernel is given"),
+    (lambda: ax.certify("published", "out", key=3), "key=3: give a path"),
+    (lambda: ax.certified.mesh([0, 0, 0, 1], np.zeros((3, 3)), [[0, 1], [2]]), "indices are of list that are no numbers"),
+    (lambda: ax.certified.mesh(np.zeros(4), np.zeros((3, 3), np.float32), [[0, 1, 2]]), "the sphere is of float64, which float32 would round; "
+     "give float32, or vertices of float64"),
+    (lambda: ax.certified.mesh([0, 0, 0, 1], np.zeros((3, 3), np.longdouble), [[0, 1, 2]]), "vertices are of float128, which float64 would round"),
 ])
 def test_an_argument_of_another_kind_is_named(call, said):
     with pytest.raises(ax.Error, match=said):
@@ -138,6 +200,34 @@ def test_an_argument_of_another_kind_is_named(call, said):
 
 def test_no_triangles_of_a_mesh_are_asked():
     assert len(ax.certified.mesh([0, 0, 0, 1], np.zeros((3, 3)), [[0, 1, 2]], []).triangles) == 0
+
+
+def test_a_field_that_is_not_read_is_told(tmp_path):
+    line = Q[0].lines().rstrip()
+    (tmp_path / "slip.jsonl").write_text(line[:-1] + ', "Iid": 3}\n')
+    with pytest.warns(ax.Notice, match="slip.jsonl:1: field 'Iid' is not read"):
+        ax.load_queries(tmp_path / "slip.jsonl")
+
+
+def test_other_threads_go_on_while_queries_are_read(tmp_path):
+    q = ax.generate("general", 60000)
+    q.save(tmp_path / "many.jsonl")
+    for call in (q.lines, lambda: ax.load_queries(tmp_path / "many.jsonl"), lambda: ax.query_at(q.addresses[:30000])):
+        ticks, done = [], threading.Event()
+
+        def tick():
+            while not done.is_set():
+                ticks.append(time.monotonic())
+                time.sleep(0.001)
+
+        thread = threading.Thread(target=tick)
+        thread.start()
+        began = time.monotonic()
+        call()
+        took = time.monotonic() - began
+        done.set()
+        thread.join()
+        assert max(np.diff(ticks), default=took) < max(0.7 * took, 0.2)
 
 
 def test_a_file_of_queries_that_is_none(tmp_path):
