@@ -82,6 +82,7 @@ class Inputs(InputCase):
                 (["--tolerance", "edge_ab.radus=3"], ["unknown comparison 'edge_ab.radus'; did you mean 'edge_ab.radius'?"]),
                 (["--require", "conservative=2"], ["--require conservative=2: D is a depth, a share of the scene from 0 to 1 in a predicate of sphere-triangle"]),
                 (["--require", "depth=1.2"], ["--require depth=1.2: D is a depth, a share of the scene from 0 to 1 in a predicate of sphere-triangle"]),
+                (["--predicate", "capsule-triangle", "--require", "depth=2.5"], ["--require depth=2.5: D is a depth, a share of the scene from 0 to 2 in a predicate of capsule-triangle"]),
                 (["--predicate", "box-box", "--require", "depth=1.6"], ["--require depth=1.6: D is a depth, a share of the scene from 0 to 1.58 in a predicate of box-box"]),
                 (["--require", "depth"], ["'depth': it is written depth=D"]),
                 (["--require", "logic=1"], ["'logic=1': it is written logic"]),

@@ -191,7 +191,9 @@ double ExactContact::rounded_separation() const {
   return is_apart_ || size == 0 ? size : -size;
 }
 double ExactContact::share_of(const Rational& squared) const {
-  return scene_ == 0 ? 0 : at_most_finite(nearest_sqrt<double>(Rational(squared / scene_)));
+  if (scene_ == 0 || squared == 0) return 0;
+  return std::max(at_most_finite(nearest_sqrt<double>(Rational(squared / scene_))),
+                  std::numeric_limits<double>::denorm_min());
 }
 
 // As a difference of squares, in which nothing cancels.

@@ -1,6 +1,7 @@
 #include "exact/capsule_triangle/contact.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "exact/moving_sphere/first_contact.h"
 #include "exact/numbers/root_number.h"
@@ -93,7 +94,8 @@ Decimal6 ExactContact::left(const RationalPoint& n) const {
 
 double ExactContact::share_of(const Rational& length) const {
   if (length == 0 || scene_ == 0) return 0;
-  return boxes::at_most_finite(nearest<double>(Rational(length / root_below(scene_))));
+  const double share = nearest<double>(Rational(length / root_below(scene_)));
+  return std::clamp(share, std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max());
 }
 
 double ExactContact::share_outside_of_a(const RationalPoint& p) const {
@@ -112,28 +114,42 @@ double ExactContact::share_of_mismatch(const RationalPoint& a, const RationalPoi
   if (sign_of_sum(between, root, less) == 0) return 0;
   const Rational off =
       between.factor * root_below(between.square) + root.factor * root_below(root.square) + less.factor;
-  return share_of(abs(off));
+  // The roots may be alike to all of their 240 bits.
+  return off == 0 ? std::numeric_limits<double>::denorm_min() : share_of(abs(off));
 }
+
+namespace {
+
+ExactDepth depth_of(const ExactContact& contact) {
+  const boxes::ExactContact& segment = contact.of_segment();
+  const Rational& scene = contact.squared_scene();
+  return {segment.squared_separation(), segment.is_apart() ? contact.radius() : Rational(-contact.radius()),
+          scene == 0 ? Rational(1) : scene};  // where it is 0, so is all else
+}
+
+}  // namespace
+
+ExactDepth exact_depth(const moving_sphere::GivenMotion& q) { return depth_of(ExactContact(q)); }
 
 std::vector<ExactFact> exact_facts(const moving_sphere::GivenMotion& q) {
   constexpr std::string_view not_the_only_one = "not the only one";
   const ExactContact contact(q);
   const boxes::ExactContact& segment = contact.of_segment();
-  const Rational &squared = segment.squared_separation(), &r = contact.radius(), &scene = contact.squared_scene();
+  const Rational &squared = segment.squared_separation(), &r = contact.radius();
   const Rational distance = segment.is_apart() ? squared : Rational(0);
   const RationalPoint& normal = segment.normals().front();
-  std::vector<ExactFact> facts = {
-      contact.is_apart() ? length_fact("distance", {-r, squared})
-                         : length_fact("penetration", {r, squared, segment.is_apart() ? -1 : 1}),
-      depth_fact({distance, r, scene == 0 ? Rational(1) : scene}), length_fact("segment_distance", {0, distance}),
-      direction_fact("normal", normal.x, normal.y, normal.z)};
+  std::vector<ExactFact> facts = {contact.is_apart()
+                                      ? length_fact("distance", {-r, squared})
+                                      : length_fact("penetration", {r, squared, segment.is_apart() ? -1 : 1}),
+                                  depth_fact(depth_of(contact)), length_fact("segment_distance", {0, distance}),
+                                  direction_fact("normal", normal.x, normal.y, normal.z)};
   if (!segment.only_normal()) facts.back().note = not_the_only_one;
   if (!segment.is_apart() && squared != 0) return facts;
   const boxes::NearestPair pair = contact.nearest_points();
+  const std::string_view other_points = contact.is_only_pair(pair) ? "" : not_the_only_one;
   for (const auto& [name, point] :
        {std::pair("nearest_point_segment", &pair.a), std::pair("nearest_point_triangle", &pair.b)})
-    facts.emplace_back(place_fact(name, point->x, point->y, point->z)).note =
-        segment.only_points() ? "" : not_the_only_one;
+    facts.emplace_back(place_fact(name, point->x, point->y, point->z)).note = other_points;
   return facts;
 }
 

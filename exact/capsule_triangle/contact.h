@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "exact/boxes/contact.h"
+#include "exact/judge/depth.h"
 #include "exact/moving_sphere/motion_distance.h"
 #include "exact/trait/exact_facts.h"
 
@@ -26,6 +27,10 @@ class ExactContact {
   const Rational& radius() const { return r_; }
   // One nearest point of the segment and one of the triangle.
   boxes::NearestPair nearest_points() const { return boxes::nearest_pair({end_[0], end_[1]}, boxes::hull_of(corner_)); }
+  // Whether no other points are as near, of such a pair.
+  bool is_only_pair(const boxes::NearestPair& pair) const {
+    return boxes::is_only_pair(pair, normals().front(), {end_[0], end_[1]}, boxes::hull_of(corner_));
+  }
 
   // As of two boxes.
   bool is_apart() const { return segment_.is_apart() && segment_.squared_separation() > r_ * r_; }
@@ -59,6 +64,8 @@ class ExactContact {
   boxes::ExactContact segment_;
 };
 
+// How far the query is from touching, as a share of the scene: of two that are in each other by the penetration.
+ExactDepth exact_depth(const moving_sphere::GivenMotion& q);
 std::vector<ExactFact> exact_facts(const moving_sphere::GivenMotion& q);
 
 }  // namespace axiscert::capsule

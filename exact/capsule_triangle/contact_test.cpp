@@ -57,6 +57,10 @@ TEST(CapsuleContact, IsAsDrawn) {
   EXPECT_EQ(deep.of_segment().squared_separation(), 1) << "the end that is less deep";
   EXPECT_EQ(deep.rounded_separation(), -7);
   EXPECT_GT(deep.only_normal()->z, 0);
+  const Rational scene = deep.squared_scene();
+  EXPECT_EQ(compare(exact_depth(through), {0, 7, scene}), 0) << "r and what the segment is in the triangle";
+  EXPECT_EQ(rounded_depth(exact_depth(through)), nearest_sqrt<double>(Rational(49 / scene)));
+  EXPECT_EQ(compare(exact_depth(above), {0, 1, ExactContact(above).squared_scene()}), 0);
   Query apart = above;
   apart.r = 2;
   EXPECT_TRUE(ExactContact(apart).is_apart());

@@ -21,7 +21,7 @@ struct CapsuleTrait : Capsule {
                                    ComparisonBits ties) {
     return Motion::contradiction(numbers, truth, holds, ties);
   }
-  static ExactDepth exact_depth(const Numbers<double>& numbers) { return Motion::exact_depth(numbers); }
+  static ExactDepth exact_depth(const Numbers<double>& numbers) { return capsule::exact_depth(Motion::query(numbers)); }
   static Distance distance(const Numbers<double>& numbers) { return Motion::distance(numbers); }
   template <class Real>
   static bool is_degenerate(const Numbers<double>& numbers) {

@@ -80,8 +80,7 @@ SeparationError separation_error(double given, const Rational& squared, const Ra
   found.share = std::min(nearest<double>(in_scenes), most);
   found.length = std::min(nearest<double>(error), most);
   found.in_u = round_up(Rational(in_scenes * Rational(mpz_class(1) << std::numeric_limits<Real>::digits)));
-  const auto best =
-      std::min(std::fabs(nearest<Real>(Rational(root_below(squared) - r))), std::numeric_limits<Real>::max());
+  const auto best = std::min(nearest<Real>(approximate_magnitude({r, squared, -1})), std::numeric_limits<Real>::max());
   const Real next = std::nextafter(best, std::numeric_limits<Real>::infinity());
   const Rational ulp =
       std::isinf(next) ? exact(best) - exact(std::nextafter(best, Real(0))) : exact(next) - exact(best);

@@ -25,11 +25,9 @@ int sign_of(const Rational& a, const Rational& b, const Rational& p, const Ratio
   return first * sign_of(a * a + b * b * p - c * c * q, 2 * a * b, p);
 }
 
-// The sign of |d - r| - y s, where d^2 = dd, s^2 = ss and r, y >= 0, decided in rationals: squared, it is that of
-// x - 2 r d with x = dd + r^2 - y^2 ss, and so of x^2 - 4 r^2 dd unless x is negative.
+// The sign of |d - r| - y s, where d^2 = dd, s^2 = ss and y >= 0: that of its squares' difference.
 int order_against(const Rational& y, const Rational& dd, const Rational& r, const Rational& ss) {
-  const Rational x = dd + r * r - y * y * ss;
-  return sgn(x) < 0 ? -1 : cmp(x * x, 4 * r * r * dd);
+  return sign_of(dd + r * r - y * y * ss, -2 * r, dd);
 }
 
 // |sqrt(dd) - r| / sqrt(ss), rounded from an absolute error below 2^-2390: beyond the least double by more than a

@@ -6,8 +6,8 @@
 #include "exact/numbers/rational.h"
 
 namespace axiscert {
-// A depth before it is rounded: |sqrt(dd) - r| / sqrt(ss), the difference of two lengths over a third. dd, r >= 0, and
-// ss > 0.
+// A depth before it is rounded: |sqrt(dd) - r| / sqrt(ss), the difference of two lengths over a third, or with r < 0
+// their sum. dd >= 0, and ss > 0.
 struct ExactDepth {
   Rational dd, r, ss;
 };

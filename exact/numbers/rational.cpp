@@ -61,7 +61,7 @@ Rational parse_decimal(std::string_view text) {
     const char* begin = text.data() + e + 1;
     if (begin + 1 < end && begin[0] == '+' && begin[1] != '-') ++begin;
     const auto [stop, problem] = std::from_chars(begin, end, exponent);
-    if (problem != std::errc() || stop != end || std::abs(exponent) > 10000) throw fail();
+    if (problem != std::errc() || stop != end || exponent < -10000 || exponent > 10000) throw fail();
   }
   std::string_view rest = text.substr(0, e);
   const bool negative = rest.starts_with('-');

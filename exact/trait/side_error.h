@@ -60,7 +60,7 @@ double side_error_at_most(Real computed_lhs, Real computed_rhs, const ExactCompa
   if (exact.is_rooted || exact.is_undefined || exact.is_times_root || !exact.lhs.is_whole() || !exact.rhs.is_whole())
     return unknown;
   // All that is rounded, and what the leading words leave out, is less than this part of the four numbers: a few
-  // roundings, and 2^-63 of an exact side.
+  // roundings, and 2^-62 of an exact side.
   constexpr Long lost = std::max(16 * std::numeric_limits<Long>::epsilon(), Long(0x1p-59));
   const Long left = exact.lhs.over.approximately(), right = exact.rhs.over.approximately();
   const Long scale = std::fabs(left) + std::fabs(right);

@@ -36,6 +36,7 @@ Predicate capsule_triangle_described() {
       .comparisons = {},
       .clauses = {},
       .measures = boxes::measures_of_contacts("of the capsule's point", "of the triangle's point"),
+      .greatest_depth = 2,
   };
   moving_sphere::add_twenty_axes(predicate);
   return checked(std::move(predicate));

@@ -35,6 +35,7 @@ TEST(RoundUp, KeepsSixDigitsAndNeverRoundsDown) {
   EXPECT_EQ(round_up(Rational(1, 3)).text(), "0.333334");
   EXPECT_EQ(round_up(parse_decimal("1.25e620")).text(), "1.25e+620") << "beyond binary64";
   EXPECT_EQ(round_up(parse_decimal("1e620")).text(), "1e+620");
+  EXPECT_THROW(parse_decimal("1e-2147483648"), Error);
 }
 
 TEST(RoundUp, IsTheLeastDecimalThatIsNotBelow) {

@@ -1,6 +1,6 @@
 // Errors, with v = 2^-53, beside contact_steps.h: the components of b, y, N, V and b.V are exact integers rounded once,
-// by 1.1 v at most. So |w| of a vertex is off by 3.6 v d, of an edge by (2.83 + 1.1 + 1.1 + 5.2 + 2) v d and the root's
-// 2.5 v, of the face by (3 + 2.2 + 1.1 + 1.1 + 3) v d and these: each below what the first step is allowed, and
+// by 1.13 v at most. So |w| of a vertex is off by 3.6 v d, of an edge by (2.83 + 1.1 + 1.1 + 5.2 + 2) v d and the
+// root's 2.5 v, of the face by (3 + 2.2 + 1.1 + 1.1 + 3) v d and these: each below what the first step is allowed, and
 // relative to d. Powers of two scale every vector to a greatest component of [1/2, 1); what underflows then is below
 // 2^-500 of it.
 #include "kernel/sphere_triangle/certified/contact/exact_contact.h"
@@ -62,6 +62,7 @@ ScaledVector vector_of(const Scaled& x, const Scaled& y, const Scaled& z) noexce
   for (const Scaled& i : {x, y, z}) {
     if (i.m != 0) e = std::max(e, i.e);
   }
+  if (e == std::numeric_limits<int>::min()) return {0, 0, 0, 0};
   const auto at = [e](const Scaled& i) { return i.m == 0 ? 0 : std::ldexp(i.m, std::max(i.e - e, -1100)); };
   return {at(x), at(y), at(z), e};
 }
