@@ -44,6 +44,11 @@ class Slack(Case):
         # A slack may be in one branch alone: the kinds of queries that would not show it are named.
         self.assertRegex(done.stderr, r"no-slack=1e-3: NOT CHECKED: the least slack that would be seen is \S+ of a length on queries be")
 
+    def test_a_kernel_that_is_far_off_does_not_meet_the_level(self):
+        done = axiscert("run", "--kernel", self.built("1e-1"), *PLAN, "--require", "no-slack=1e-2")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("no-slack=1e-2: not met", done.stdout)
+
     def test_a_diagnosis_has_it_as_a_property(self):
         done = axiscert("diagnose", self.built("1e-3"), "--format", "json")
         slack = next(p for p in json.loads(done.stdout)["properties"] if p["name"] == "slack")

@@ -62,7 +62,11 @@ template <class Real, class Exact>
 void BodyContactJudge<Real, Exact>::measure_normal(const Point& normal, ContactJudgement& out) const {
   out.normal_length_error = length_error(normal);
   if (const std::optional<Point> right = exact().only_normal()) out.normal_angle = angle_between(normal, *right);
-  if (!exact().is_deep() || sgn(Rational(dot(normal, normal))) == 0) return;
+  if (!exact().is_deep()) return;
+  if (sgn(Rational(dot(normal, normal))) == 0) {
+    out.pushed = pushed_nowhere();
+    return;
+  }
   const bool is_backwards =
       std::ranges::all_of(exact().normals(), [&](const Point& right) { return sgn(Rational(dot(normal, right))) < 0; });
   // An overlap is computed to 8 u of the scene, and what is along a normal from centre to centre to 4 u: a normal that
@@ -101,6 +105,8 @@ ContactJudgement BodyContactJudge<Real, Exact>::judge(Verdict said, std::span<co
     normal = axiscert::vector_at(measures, normal_measure);
     if (normal) measure_normal(*normal, out);
     else out.lacks_normal = is_asked;
+    out.has_right_normal = is_asked && (exact().is_deep() || exact().only_normal());
+    out.lacks_push = out.lacks_normal && exact().is_deep();
   }
   if (gives(point_b_measure, 3)) {
     const auto a = axiscert::vector_at(measures, point_a_measure), b = axiscert::vector_at(measures, point_b_measure);

@@ -60,8 +60,9 @@ struct SeparationError {
 // What pushing along a normal leaves. The second body is moved by the exact depth along the normal that is given,
 // divided by its exact length.
 struct Pushed {
-  Decimal6 left;         // the penetration then, as a share of the exact depth, from 0 to 2: rounded up
-  bool is_flip = false;  // above 1/16, with more than a right angle to every exact normal
+  Decimal6 left;            // the penetration then, as a share of the exact depth, from 0 to 2: rounded up
+  bool is_flip = false;     // above 1/16, with more than a right angle to every exact normal
+  bool is_nowhere = false;  // along a normal of length 0, which has no angle
 };
 
 // Sizes are decided exactly and rounded once, or to 2^-240 before.
@@ -80,7 +81,9 @@ struct ContactJudgement {
   std::optional<SeparationError> separation;  // of a number
   // The same against the exact separation less the margin that the kernel declares; empty too where it declares none.
   std::optional<SeparationError> separation_less_margin;
-  std::optional<Pushed> pushed;  // of a normal that is not 0, where the depth is above 0
+  // Of a normal where the depth is above 0: one of length 0 leaves all of it, but where the centre is on the triangle,
+  // which is pushed nowhere then: it is empty.
+  std::optional<Pushed> pushed;
   // How far each of two points, one of each body, is from its body, and their distance from |separation|.
   std::optional<double> point_a_error, point_b_error, points_apart;
 
@@ -95,6 +98,8 @@ struct ContactJudgement {
   std::optional<double> point_error;  // relative to the scene; empty too where the exact point is not the only one
   // A measure that the kernel gives elsewhere is no number here, though there is one.
   bool lacks_feature = false, lacks_normal = false, lacks_point = false, lacks_separation = false;
+  bool lacks_push = false;        // lacks_normal, where the depth is above 0
+  bool has_right_normal = false;  // of a kernel that gives normals: some normal is right, and not every one
 };
 
 // The exact contact, to be shown: each number is the nearest of binary64.

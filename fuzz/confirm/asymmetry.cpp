@@ -107,6 +107,9 @@ void Invariance::merge(const Invariance& later) {
 
 void ImageNumbers::merge(const ImageNumbers& later) {
   images += later.images;
+  compared += later.compared;
+  lost += later.lost;
+  if (!first_lost) first_lost = later.first_lost;
   compared_features += later.compared_features;
   features += later.features;
   if (!first_feature) first_feature = later.first_feature;
@@ -222,6 +225,10 @@ class AsymmetryBlock {
     return replies_ ? replies_->measures(of_.source, precision_of<Real>, position) : reply_.measures(in_batch);
   }
 
+  static bool says_nothing(const std::vector<double>& measures) {
+    return std::ranges::all_of(measures, [](double x) { return std::isnan(x); });
+  }
+
   // For the answer to query i of the group at hand.
   OwnErrors own_errors_of(std::size_t i, const std::vector<double>& measures) const {
     const Numbers<Real>& q = queries_[i];
@@ -252,13 +259,16 @@ class AsymmetryBlock {
       ImageErrors errors = image_errors(predicate, entry, image, mapped_measures(predicate, *map, of_base), of_image);
       const ImagePair pair{position, position + i};
       ImageNumbers& numbers = found_.numbers;
+      ++numbers.images;
+      // Nothing beside `separated` is no fault: many kernels speak of contacts alone, or of those that are near.
+      if (*verdicts_[0] == Verdict::separated && says_nothing(of_base) != says_nothing(of_image)) continue;
+      numbers.compared += errors.any();
       // The exact numbers are asked for where they may take back what would be the worst so far.
       if (numbers.angle.would_take(errors.angle) || numbers.point.would_take(errors.point) ||
-          errors.is_other_feature.value_or(false)) {
+          errors.is_other_feature.value_or(false) || errors.has_lost_normal) {
         if (!own_of_base) own_of_base = own_errors_of(0, of_base);
         errors = at_most(errors, *own_of_base, own_errors_of(i, of_image));
       }
-      ++numbers.images;
       numbers.separation.offer(errors.separation, pair);
       numbers.angle.offer(errors.angle, pair);
       numbers.point.offer(errors.point, pair);
@@ -266,6 +276,9 @@ class AsymmetryBlock {
       numbers.compared_features += errors.is_other_feature.has_value();
       numbers.features += is_other;
       if (is_other && !numbers.first_feature) numbers.first_feature = pair;
+      const bool is_lost = errors.is_lost || errors.has_lost_normal;
+      numbers.lost += is_lost;
+      if (is_lost && !numbers.first_lost) numbers.first_lost = pair;
     }
   }
 
@@ -372,6 +385,12 @@ AsymmetryRecord asymmetry_record(const Asymmetry& asymmetry, const AddressOf& ad
     return worst.compared == 0 ? std::nullopt : std::optional(worst.size);
   };
   record.numbers = {numbers.images,
+                    numbers.compared,
+                    numbers.separation.compared,
+                    numbers.angle.compared,
+                    numbers.point.compared,
+                    numbers.compared_features,
+                    numbers.lost,
                     numbers.compared_features == 0 ? std::nullopt : std::optional(numbers.features),
                     greatest(numbers.separation),
                     greatest(numbers.angle),
@@ -379,7 +398,8 @@ AsymmetryRecord asymmetry_record(const Asymmetry& asymmetry, const AddressOf& ad
                     addresses_of(numbers.separation.pair, address),
                     addresses_of(numbers.angle.pair, address),
                     addresses_of(numbers.point.pair, address),
-                    addresses_of(numbers.first_feature, address)};
+                    addresses_of(numbers.first_feature, address),
+                    addresses_of(numbers.first_lost, address)};
   return record;
 }
 

@@ -82,9 +82,11 @@ struct WorstImage {
 };
 // What is said beside verdicts on images, against that on their base (fuzz/confirm/image_numbers.h).
 struct ImageNumbers {
-  std::uint64_t images = 0, compared_features = 0, features = 0;
+  std::uint64_t images = 0;    // with their base's verdict
+  std::uint64_t compared = 0;  // of these, with a number that one of the two has
+  std::uint64_t compared_features = 0, features = 0, lost = 0;
   WorstImage separation, angle, point;
-  std::optional<ImagePair> first_feature;
+  std::optional<ImagePair> first_feature, first_lost;
   void merge(const ImageNumbers& later);
 };
 

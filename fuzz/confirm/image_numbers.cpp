@@ -128,19 +128,28 @@ ImageErrors image_errors(const Predicate& predicate, const PredicateEntry& entry
     const auto first = first_measure(predicate, kind);
     return first && *first < from.size() && std::isfinite(from[*first]) ? std::optional(from[*first]) : std::nullopt;
   };
-  const auto both = [&](MeasureKind kind, auto&& see) {
+  const auto see_vectors = [&](MeasureKind kind, bool& is_lost, auto&& see) {
     const auto first = first_measure(predicate, kind);
     if (!first) return;
-    const auto u = vector_of(expected, *first), v = vector_of(measures, *first);
+    auto u = vector_of(expected, *first), v = vector_of(measures, *first);
+    // A normal of length 0 says as little as none.
+    for (auto* const one : {&u, &v}) {
+      if (kind == MeasureKind::normal && *one && length_of(**one) == 0) one->reset();
+    }
     if (u && v) see(*u, *v);
+    is_lost |= u.has_value() != v.has_value();
   };
-  if (const auto u = at(expected, MeasureKind::separation), v = at(measures, MeasureKind::separation); u && v)
-    errors.separation = std::fabs(*u - *v) / extent;
-  if (const auto u = at(expected, MeasureKind::feature), v = at(measures, MeasureKind::feature); u && v)
-    errors.is_other_feature = *u != *v;
-  both(MeasureKind::normal, [&](const auto& u, const auto& v) { errors.angle = angle_of(u, v); });
+  const auto see_numbers = [&](MeasureKind kind, auto&& see) {
+    const auto u = at(expected, kind), v = at(measures, kind);
+    if (u && v) see(*u, *v);
+    errors.is_lost |= u.has_value() != v.has_value();
+  };
+  see_numbers(MeasureKind::separation, [&](double u, double v) { errors.separation = std::fabs(u - v) / extent; });
+  see_numbers(MeasureKind::feature, [&](double u, double v) { errors.is_other_feature = u != v; });
+  see_vectors(MeasureKind::normal, errors.has_lost_normal,
+              [&](const auto& u, const auto& v) { errors.angle = angle_of(u, v); });
   for (const MeasureKind kind : {MeasureKind::point, MeasureKind::point_a, MeasureKind::point_b}) {
-    both(kind, [&](const auto& u, const auto& v) {
+    see_vectors(kind, errors.is_lost, [&](const auto& u, const auto& v) {
       const double off = length_of({u[0] - v[0], u[1] - v[1], u[2] - v[2]}) / extent;
       errors.point = std::max(errors.point.value_or(0), off);
     });
@@ -151,7 +160,7 @@ ImageErrors image_errors(const Predicate& predicate, const PredicateEntry& entry
 OwnErrors own_errors(const ContactJudgement& judgement, double scene, double extent) {
   OwnErrors own;
   if (judgement.pushed) own.angle = 2 * std::asin(std::sqrt(std::min(judgement.pushed->left.value() / 2, 1.0)));
-  own.has_normal = judgement.pushed || judgement.normal_angle;
+  own.has_normal = judgement.pushed || judgement.has_right_normal;
   own.has_right_feature = judgement.feature_is_right.value_or(false);
   if (judgement.point_a_error && judgement.point_b_error) {
     const double apart = judgement.points_apart.value_or(0);
@@ -166,7 +175,10 @@ ImageErrors at_most(ImageErrors errors, const OwnErrors& base, const OwnErrors& 
   };
   lower(errors.angle, base.angle, image.angle);
   lower(errors.point, base.point, image.point);
-  if (!base.has_normal || !image.has_normal) errors.angle.reset();
+  if (!base.has_normal || !image.has_normal) {
+    errors.angle.reset();
+    errors.has_lost_normal = false;
+  }
   if (errors.is_other_feature && base.has_right_feature && image.has_right_feature) errors.is_other_feature = false;
   return errors;
 }

@@ -30,12 +30,16 @@ std::optional<ImageMap> image_map(const PredicateEntry& entry, const ImageGroup&
 // The measures of the base as the image has them, in doubles.
 std::vector<double> mapped_measures(const Predicate& predicate, const ImageMap& map, std::span<const double> measures);
 
-// How far the measures of an image are from those, in binary64. Empty where one of the two is not given, or the
-// predicate has none.
+// How far the measures of an image are from those, in binary64. Empty where one of the two is not given or not finite,
+// or the predicate has none.
 struct ImageErrors {
   std::optional<double> separation, point;  // relative to the greatest difference of the image's coordinates
   std::optional<double> angle;              // of the normals, in radians
   std::optional<bool> is_other_feature;
+  bool is_lost = false;  // a number is given for one of the two alone
+  bool has_lost_normal = false;
+
+  bool any() const { return separation || point || angle || is_other_feature || is_lost || has_lost_normal; }
 };
 ImageErrors image_errors(const Predicate& predicate, const PredicateEntry& entry, const Numbers<double>& image,
                          std::span<const double> expected, std::span<const double> measures);

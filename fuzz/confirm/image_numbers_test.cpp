@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -50,6 +51,8 @@ TEST(ImageNumbers, OfARightKernelFollowItsImages) {
     EXPECT_GT(found.angle.compared, 500u) << family;
     EXPECT_GT(found.compared_features, 1000u) << family;
     EXPECT_EQ(found.features, 0u) << family;
+    EXPECT_EQ(found.lost, 0u) << family;
+    EXPECT_EQ(found.compared, found.images) << family;
     EXPECT_LT(found.separation.size, 0x1p-44) << family;
     EXPECT_LT(found.angle.size, 0x1p-44) << family;
     EXPECT_LT(found.point.size, 0x1p-44) << family;
@@ -62,6 +65,7 @@ TEST(ImageNumbers, OfBoxesFollowThoughSeveralAreRight) {
     const ImageNumbers found = numbers_on(find_kernel("box-box/cofactor"), family, 1200);
     EXPECT_GT(found.angle.compared, 100u) << family;
     EXPECT_LT(found.separation.size, 0x1p-40) << family;
+    EXPECT_EQ(found.lost, 0u) << family;
     EXPECT_LT(found.angle.size, 0x1p-20) << family;
     EXPECT_LT(found.point.size, 0x1p-30) << family;
   }
@@ -114,6 +118,30 @@ TEST(ImageNumbers, ThatAreNotGivenAreNotCompared) {
   EXPECT_TRUE(record.numbers->largest_separation);
   EXPECT_FALSE(record.numbers->largest_angle);
   EXPECT_FALSE(record.numbers->features);
+}
+
+TEST(ImageNumbers, ThatOneOfTheTwoLacksAreLost) {
+  // The number of a query decides: an image and its base have different ones.
+  for (const std::size_t which : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{5}}) {
+    const auto forgets = [which](const QueryColumns<double>&, std::size_t i, std::vector<double>& m) {
+      if (i % 2 == 1) m[which] = which == 0 ? INFINITY : NAN;
+    };
+    const ImageNumbers found = numbers_on(with_numbers("contact", forgets), "orders", 600);
+    EXPECT_GT(found.lost, 100u) << which;
+    EXPECT_TRUE(found.first_lost) << which;
+  }
+  const auto zero = [](const QueryColumns<double>&, std::size_t i, std::vector<double>& m) {
+    for (std::size_t k = 2; i % 2 == 1 && k < 5; ++k) m[k] = 0;
+  };
+  EXPECT_GT(numbers_on(with_numbers("contact", zero), "orders", 600).lost, 100u) << "a normal of length 0";
+}
+
+TEST(ImageNumbers, OfAKernelThatGivesNoneAreNotCounted) {
+  const auto none = [](const QueryColumns<double>&, std::size_t, std::vector<double>& m) { std::ranges::fill(m, NAN); };
+  const ImageNumbers found = numbers_on(with_numbers("contact", none), "orders", 600);
+  EXPECT_GT(found.images, 0u);
+  EXPECT_EQ(found.compared, 0u);
+  EXPECT_EQ(found.lost, 0u);
 }
 
 // The exchange of two boxes turns the normal round and exchanges the points; a half turn leaves all as they are.

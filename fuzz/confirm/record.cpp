@@ -49,6 +49,18 @@ FileRecord file_record(const FileInfo& file) {
   return record;
 }
 
+// The sizes of files that a time limit ended before their end: other families have none.
+void put_left_in_part(const Questions& questions, const CampaignResult& result,
+                      std::optional<CountsByFamily>& planned) {
+  for (const CellResult& cell : result.cells) {
+    const Source& source = *questions.sources[cell.source];
+    const auto size = questions.fixed_size(source, cell.precision);
+    if (!size || cell.queries == *size) continue;
+    if (!planned) planned.emplace();
+    planned->put(source.name())[cell.precision] = *size;
+  }
+}
+
 }  // namespace
 
 PlanRecord plan_record(const Plan& plan, const CampaignResult& result, const RunRequirements& required) {
@@ -77,6 +89,7 @@ PlanRecord plan_record(const Plan& plan, const CampaignResult& result, const Run
   put_counts(result, record.trials, &CellResult::queries);
   if (!result.complete && !questions.seconds)
     put_counts(planned(questions), record.planned.emplace(), &CellResult::queries);
+  if (result.complete && questions.seconds) put_left_in_part(questions, result, record.planned);
   // Without a time limit the trials determine the units; an interrupted run did only some of them.
   if (!result.complete || questions.seconds) put_counts(result, record.units_done.emplace(), &CellResult::units_done);
   for (const auto& [comparison, tolerance] : plan.judging.tolerance_texts) record.tolerance.put(comparison) = tolerance;

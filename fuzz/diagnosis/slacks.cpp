@@ -12,8 +12,14 @@ ProbeFinding slack(Subject<Real>& subject) {
   subject.count(slacks->answers);
   const Json measured = {{"bracketed", slacks->bracketed},
                          {"least_relative", json_of(least_relative(*slacks))},
+                         {"blind", json_of(slacks->blind)},
                          {"found", json_of(slacks->found)}};
-  if (slacks->found.empty() && !least_relative(*slacks)) return undecided(no_slack_text(*slacks) + ".", measured);
+  if (slacks->found.empty()) {
+    const SlackLook* const off = most_off(*slacks, SlackKind::relative);
+    if (off != nullptr) return undecided("No one size: " + off_text(*off, SlackKind::relative) + ".", measured);
+    if (!least_relative(*slacks)) return undecided(no_slack_text(*slacks) + ".", measured);
+    if (!slacks->blind.empty()) return undecided("Nothing is known: " + blind_text(*slacks) + ".", measured);
+  }
   if (slacks->found.empty()) return decided(Slack::none_found, "It has " + no_slack_text(*slacks) + ".", {}, measured);
   std::vector<DiagnosisWitness> witnesses;
   std::string text;

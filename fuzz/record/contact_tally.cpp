@@ -111,6 +111,7 @@ void count_feature(FeatureTally& tally, std::uint64_t position, const ContactJud
 
 void count_pushed(PushTally& tally, std::uint64_t position, const Pushed& pushed) {
   ++tally.judged;
+  tally.nowhere += pushed.is_nowhere;
   if (!pushed.left.is_zero()) tally.largest_left.offer({pushed.left, position});
   if (!pushed.is_flip) return;
   ++tally.flips;
@@ -158,6 +159,7 @@ void count_contact(ContactTally& tally, std::uint64_t position, const ContactJud
   if (judgement.lacks_separation) ++tally.separation->none;
   if (judgement.lacks_feature) ++tally.feature->none;
   if (judgement.lacks_normal) ++tally.normal->none;
+  if (judgement.lacks_push) ++tally.pushed->none;
   if (judgement.lacks_point) ++tally.point->none;
 }
 

@@ -204,7 +204,7 @@ struct NormalTally {
 
 // What is left of penetrations where bodies are pushed along the normals that a kernel gives.
 struct PushTally {
-  std::uint64_t judged = 0, flips = 0;
+  std::uint64_t judged = 0, none = 0, nowhere = 0, flips = 0;
   Leaders<Decimal6> largest_left;
   Leaders<bool> first_flip;
 
@@ -217,7 +217,12 @@ struct PushTally {
   static constexpr auto fields(auto&& visit) {
     using Of = PushTally;
     return visit(
-        field(&Of::judged, {"judged", "Answers with a normal that is not 0, where the exact depth is above 0."}),
+        field(&Of::judged,
+              {"judged",
+               "Answers with a normal where the exact depth is above 0; one of 0 leaves all of it, and counts unless "
+               "the centre is on the triangle."}),
+        field(&Of::none, {"none", "Answers without a normal there, though there is one."}),
+        field(&Of::nowhere, {"nowhere", "Those judged whose normal is 0: it has no side."}),
         field(&Of::flips,
               {"flips",
                "Those with more than 1/16 left, and a normal at more than a right angle to every exact one; none where "

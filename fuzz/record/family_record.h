@@ -61,10 +61,11 @@ struct AddressPair {
 };
 
 struct ImageNumbersRecord {
-  std::uint64_t images = 0;
+  std::uint64_t images = 0, compared = 0;
+  std::uint64_t separations = 0, angles = 0, points = 0, compared_features = 0, lost = 0;
   std::optional<std::uint64_t> features;
   std::optional<double> largest_separation, largest_angle, largest_point;
-  std::optional<AddressPair> worst_separation, worst_angle, worst_point, first_feature;
+  std::optional<AddressPair> worst_separation, worst_angle, worst_point, first_feature, first_lost;
 
   static constexpr std::string_view about =
       "What the kernel says beside its verdict on images, against the same of their base, turned, mirrored, moved or "
@@ -75,7 +76,14 @@ struct ImageNumbersRecord {
   AXISCERT_FIELDS(
       ImageNumbersRecord,
       AXISCERT_FIELD(images,
-                     "Images among the first 65,536 queries compared with their base, with one verdict on both."),
+                     "Images among the first 65,536 queries that have their base's verdict, and are maps of it."),
+      AXISCERT_FIELD(compared, "Those for which the kernel gives a number, or gives one for their base."),
+      AXISCERT_FIELD(separations, "Those with a separation for both."),
+      AXISCERT_FIELD(angles, "Those with a normal for both."), AXISCERT_FIELD(points, "Those with a point for both."),
+      AXISCERT_FIELD(compared_features, "Those with a feature for both."),
+      AXISCERT_FIELD(lost,
+                     "Those with a number for one of the two alone, where both have one: not given, not a number, or "
+                     "infinite."),
       AXISCERT_FIELD(features,
                      "Those with another feature than the base's, one of the two wrong; null where none was compared."),
       AXISCERT_FIELD(largest_separation, "Greatest difference of separations; null where none was compared.",
@@ -92,7 +100,8 @@ struct ImageNumbersRecord {
       AXISCERT_FIELD(worst_separation, "The pair with it; null: none."),
       AXISCERT_FIELD(worst_angle, "The pair with it; null: none."),
       AXISCERT_FIELD(worst_point, "The pair with it; null: none."),
-      AXISCERT_FIELD(first_feature, "The first with another feature; null: none."))
+      AXISCERT_FIELD(first_feature, "The first with another feature; null: none."),
+      AXISCERT_FIELD(first_lost, "The first with a number for one alone; null: none."))
 };
 
 struct AsymmetryRecord {

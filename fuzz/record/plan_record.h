@@ -160,8 +160,8 @@ struct PlanRecord {
                               "The unit of length of the queries' numbers, as given to --unit. Absent: it was not "
                               "said, and levels take it for the metre, in which families of scenes are."),
       AXISCERT_OPTIONAL_FIELD(planned,
-                              "Of how many queries `trials` are those that were asked, per family and precision. "
-                              "Absent where these were all, and with --time."),
+                              "Of how many queries `trials` are those that were asked, per family and precision; "
+                              "with --time, of files alone. Absent where these were all."),
       AXISCERT_FIELD(units_done,
                      "Units of 2^16 queries done, per family and precision, where the plan does not determine them: "
                      "with --time, or after an interruption. Null otherwise."))

@@ -60,20 +60,25 @@ struct SlackLook {
   Name where;
   std::uint64_t bracketed = 0;
   std::optional<double> least_relative, least_absolute;
+  std::optional<double> off_relative, off_absolute;
 
   static constexpr std::string_view about =
       "The queries of one kind, and the least slack that would have been seen on them.";
-  AXISCERT_FIELDS(SlackLook, AXISCERT_FIELD(where, "The queries."),
-                  AXISCERT_FIELD(bracketed, "Queries whose exact turn and whose turn by the kernel are known."),
-                  AXISCERT_FIELD(least_relative,
-                                 "The least part of a length that would be seen; null: too few queries for any."),
-                  AXISCERT_FIELD(least_absolute,
-                                 "The least length in the queries' unit that would be seen; null: the same."))
+  AXISCERT_FIELDS(
+      SlackLook, AXISCERT_FIELD(where, "The queries."),
+      AXISCERT_FIELD(bracketed, "Queries whose exact turn and whose turn by the kernel are known."),
+      AXISCERT_FIELD(least_relative, "The least part of a length that would be seen; null: too few queries for any."),
+      AXISCERT_FIELD(least_absolute, "The least length in the queries' unit that would be seen; null: the same."),
+      AXISCERT_FIELD(off_relative,
+                     "The part of a length by which 24 queries or more turn off the exact turn, by one size "
+                     "or by many; null: fewer are off."),
+      AXISCERT_FIELD(off_absolute, "The same as a length in the queries' unit; null: the same."))
 };
 
 struct SlacksRecord {
   std::uint64_t asked = 0, bracketed = 0, answers = 0;
   std::vector<SlackLook> looks;
+  std::vector<Name> blind;
   std::vector<SlackRecord> found;
 
   static constexpr std::string_view about =
@@ -84,6 +89,9 @@ struct SlacksRecord {
       AXISCERT_FIELD(bracketed, "Those whose exact turn and whose turn by the kernel are known."),
       AXISCERT_FIELD(answers, "Answers that the kernel was asked for."),
       AXISCERT_FIELD(looks, "The same by kind of query, with what could have been seen."),
+      AXISCERT_FIELD(blind,
+                     "Kinds of query on which nothing could: 32 were made or more, and the kernel's answer turns on "
+                     "fewer."),
       AXISCERT_FIELD(found, "The slacks that were found, of one size on the most queries first; none: an empty list."))
 };
 

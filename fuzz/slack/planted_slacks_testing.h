@@ -65,6 +65,7 @@ Point<Real> point_at(const Numbers<Real>& q, std::size_t k) {
 // The distance to the triangle, by its face and its three sides.
 struct SphereSlack {
   double skin = 0, skin_of_face = 0, margin = 0, barycentric = 0, edge = 0;
+  bool has_vertices = true;  // without: no contact where a vertex is nearest
 };
 inline Kernel sphere(std::string id, const SphereSlack& slack) {
   return kernel_of(std::move(id), sphere_triangle_predicate(), [slack]<class Real>(const Numbers<Real>& q) {
@@ -82,6 +83,7 @@ inline Kernel sphere(std::string id, const SphereSlack& slack) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Point<Real> along = v[(k + 1) % 3] - v[k];
       const Real t = std::clamp(dot(p - v[k], along) / dot(along, along), Real(0), Real(1 + slack.edge));
+      if (!slack.has_vertices && (t == 0 || t == 1)) continue;
       const Point<Real> apart = p - v[k] - along * t;
       if (dot(apart, apart) <= reach * reach) return Verdict::contact;
     }

@@ -1,10 +1,13 @@
 #include "fuzz/slack/slack.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -129,6 +132,7 @@ class Finder {
     record_.asked = brackets_.scenes.size();
     record_.bracketed = brackets_.all.size();
     record_.answers = brackets_.answers;
+    record_.blind = blind();
     for (const auto& [path, of_path] : groups([](const SlackScene& s) { return s.path; }, everything())) {
       if (add(path_where(path, of_path), of_path)) continue;
       const auto kinds = groups([](const SlackScene& s) { return s.kind; }, of_path);
@@ -166,6 +170,30 @@ class Finder {
     }
     return found;
   }
+  // The coarsest names of kinds of which enough queries were made, and too few have a turn.
+  std::vector<Name> blind() const {
+    struct Made {
+      std::uint64_t asked = 0, bracketed = 0;
+    };
+    std::map<std::string_view, Made> made;
+    const auto names = [](const SlackScene& scene) { return std::set{scene.path, scene.kind, scene.part}; };
+    for (const SlackScene& scene : brackets_.scenes) {
+      for (const std::string_view name : names(scene)) ++made[name].asked;
+    }
+    for (const Bracket& one : brackets_.all) {
+      for (const std::string_view name : names(*one.scene)) ++made[name].bracketed;
+    }
+    std::vector<Name> found;
+    for (const SlackScene& scene : brackets_.scenes) {
+      for (const std::string_view name : {scene.path, scene.kind, scene.part}) {
+        if (made[name].asked < least_bracketed || made[name].bracketed >= least_bracketed) continue;
+        if (std::ranges::find(found, Name(name)) == found.end()) found.emplace_back(name);
+        break;
+      }
+    }
+    return found;
+  }
+
   static std::string path_where(std::string_view path, const BracketGroup& of) {
     const bool is_one_kind =
         std::ranges::all_of(of, [&](const Bracket* one) { return one->scene->kind == of.front()->scene->kind; });
@@ -198,16 +226,24 @@ class Finder {
     return true;
   }
 
-  // The least size that enough of the queries would show, were it there.
+  // The least size that enough of the queries would show, were it there, and the size by which enough of them are off:
+  // where there are two lengths, the greater of the first sizes and the less of the second.
   static SlackLook look(std::string_view where, const BracketGroup& of) {
-    SlackLook look{where, of.size(), std::nullopt, std::nullopt};
+    SlackLook look{where, of.size(), {}, {}, {}, {}};
     if (of.size() < least_bracketed) return look;
     for (const Yardstick& by : yardsticks_of(of)) {
-      std::vector<double> least;
+      std::vector<double> least, off;
       for (const Bracket* one : of) {
-        if (by.length(*one) > 0) least.push_back(seen_above * one->rounding / by.length(*one));
+        if (by.length(*one) == 0) continue;
+        least.push_back(seen_above * one->rounding / by.length(*one));
+        if (std::abs(one->early) > seen_above * one->rounding) off.push_back(std::abs(one->early) / by.length(*one));
       }
       if (least.size() < least_bracketed) continue;
+      if (off.size() >= least_agreeing) {
+        std::ranges::sort(off, std::greater());
+        auto& least_off = by.kind == SlackKind::absolute ? look.off_absolute : look.off_relative;
+        least_off = std::min(least_off.value_or(INFINITY), off[least_agreeing - 1]);
+      }
       std::ranges::sort(least);
       auto& into = by.kind == SlackKind::absolute ? look.least_absolute : look.least_relative;
       const double seen = least[least_bracketed - 1];
@@ -246,6 +282,30 @@ std::optional<double> least_relative(const SlacksRecord& slacks) {
 }
 std::optional<double> least_absolute(const SlacksRecord& slacks) {
   return least_of(slacks, &SlackLook::least_absolute);
+}
+
+std::optional<double> off_by(const SlackLook& look, SlackKind kind) {
+  return kind == SlackKind::absolute ? look.off_absolute : look.off_relative;
+}
+
+const SlackLook* most_off(const SlacksRecord& slacks, SlackKind kind) {
+  const SlackLook* most = nullptr;
+  for (const SlackLook& look : slacks.looks) {
+    if (off_by(look, kind) && (most == nullptr || *off_by(look, kind) > *off_by(*most, kind))) most = &look;
+  }
+  return most;
+}
+
+std::string off_text(const SlackLook& look, SlackKind kind) {
+  return fmt::format("{} or more of {} queries {} turn off the exact turn by {:.2g} of {} or more", least_agreeing,
+                     look.bracketed, static_cast<const std::string&>(look.where), off_by(look, kind).value(),
+                     kind == SlackKind::absolute ? "the queries' unit" : "a length");
+}
+
+std::string blind_text(const SlacksRecord& slacks) {
+  if (slacks.blind.empty()) return "";
+  const std::vector<std::string> kinds(slacks.blind.begin(), slacks.blind.end());
+  return fmt::format("the answer turns on fewer than {} of the queries {}", least_bracketed, fmt::join(kinds, ", "));
 }
 
 std::string slack_text(const SlackRecord& slack) {

@@ -19,8 +19,17 @@ std::optional<SlacksRecord> slacks_of(const Kernel& kernel, Precision precision,
 
 // "contacts 1e-04 r too early on 61 of 64 spheres over the face: a slack"
 std::string slack_text(const SlackRecord& slack);
-// "none of 1e-04 or more was seen on 640 queries whose turn was bracketed", of the least that would be seen.
+// "no slack on 640 queries whose turn is bracketed; one of 1e-04 of a length would be seen".
 std::string no_slack_text(const SlacksRecord& slacks);
+// "the answer turns on fewer than 32 of the queries nearest to a vertex"; empty where it turns on those of every kind.
+std::string blind_text(const SlacksRecord& slacks);
+
+// By how much a kind's answers are off, and the kind that is off by most; null where none is off by a size that is
+// seen.
+std::optional<double> off_by(const SlackLook& look, SlackKind kind);
+const SlackLook* most_off(const SlacksRecord& slacks, SlackKind kind);
+// "24 of 64 queries nearest to a vertex or more turn off the exact turn by 0.08 of a length or more".
+std::string off_text(const SlackLook& look, SlackKind kind);
 
 // The least part of a length, and the least length, that would be seen on the queries of some kind; empty: none would.
 std::optional<double> least_relative(const SlacksRecord& slacks);

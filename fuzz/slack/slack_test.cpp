@@ -156,6 +156,29 @@ TEST(Slacks, TheEpsilonsOfBooksAreNamed) {
   EXPECT_NEAR(slacks->found.front().size, 1e-6, 1e-6);
 }
 
+// Too far off for a slack, which another answer would explain as well: not by one size, and not in silence.
+TEST(Slacks, AnswersThatAreFarOffAreToldBySize) {
+  const auto slacks = slacks_of(planted::sphere("tenth", {.skin = 0.1}), twice, 1, std::string(scalar_target));
+  ASSERT_TRUE(slacks);
+  const SlackLook* const off = most_off(*slacks, SlackKind::relative);
+  ASSERT_NE(off, nullptr);
+  EXPECT_GT(off->off_relative, 0.01);
+  EXPECT_LE(off->off_relative, 0.1001);
+  const auto right = slacks_of(find_kernel("published"), twice, 1, std::string(scalar_target));
+  EXPECT_EQ(most_off(*right, SlackKind::relative), nullptr);
+  EXPECT_EQ(most_off(*right, SlackKind::absolute), nullptr);
+  EXPECT_TRUE(right->blind.empty()) << blind_text(*right);
+}
+
+TEST(Slacks, AKindOnWhichTheAnswerNeverTurnsIsNamed) {
+  const auto slacks =
+      slacks_of(planted::sphere("no vertices", {.has_vertices = false}), twice, 1, std::string(scalar_target));
+  ASSERT_TRUE(slacks);
+  EXPECT_GT(slacks->bracketed, 300u);
+  ASSERT_FALSE(slacks->blind.empty());
+  EXPECT_NE(blind_text(*slacks).find("vert"), std::string::npos) << blind_text(*slacks);
+}
+
 // Without a kernel that answers there is nothing to say, and no slack either.
 TEST(Slacks, AKernelThatNeverTurnsIsNotBracketed) {
   const Kernel never =
@@ -165,6 +188,7 @@ TEST(Slacks, AKernelThatNeverTurnsIsNotBracketed) {
   EXPECT_EQ(slacks->bracketed, 0u);
   EXPECT_TRUE(slacks->found.empty());
   EXPECT_FALSE(least_relative(*slacks));
+  EXPECT_FALSE(slacks->blind.empty());
 }
 
 }  // namespace

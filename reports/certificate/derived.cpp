@@ -76,11 +76,20 @@ std::vector<ComparisonStatement> comparison_of(const Record& record) {
       if (!error) return std::nullopt;
       return amount(*error, 3);
     };
-    rows.push_back({std::string(entry.id), entry.precision, evidence_of(entry).decided(), verdict.false_separation,
-                    amount(verdict.deepest_false_separation.best(), 3), verdict.false_contact,
-                    amount(verdict.deepest_false_contact.best(), 3), verdict.undecided, verdict.invalid,
-                    verdict.unanswered, ulps(entry.critical_radius.median_ulps),
-                    ulps(entry.critical_radius.largest_ulps)});
+    ComparisonStatement& row = rows.emplace_back();
+    row.kernel = std::string(entry.id);
+    row.precision = entry.precision;
+    row.looked_at = evidence_of(entry).decided();
+    row.undecided = verdict.undecided;
+    row.invalid = verdict.invalid;
+    row.unanswered = verdict.unanswered;
+    row.median_ulps = ulps(entry.critical_radius.median_ulps);
+    row.largest_ulps = ulps(entry.critical_radius.largest_ulps);
+    if (row.looked_at == 0) continue;
+    row.missed = verdict.false_separation;
+    row.deepest_missed = amount(verdict.deepest_false_separation.best(), 3);
+    row.phantom = verdict.false_contact;
+    row.deepest_phantom = amount(verdict.deepest_false_contact.best(), 3);
   }
   return rows;
 }

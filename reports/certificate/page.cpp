@@ -17,6 +17,7 @@ namespace axiscert {
 namespace {
 
 std::string cell(const std::optional<TextNumber>& figure) { return figure ? *figure : "-"; }
+std::string cell(const std::optional<std::uint64_t>& count) { return count ? thousands(*count) : "-"; }
 std::string cell(Precision precision) { return std::string(name(precision)); }
 
 class CertificatePage {
@@ -236,10 +237,10 @@ class CertificatePage {
          "invalid", "no answer", "critical radius, median ulps", "greatest ulps"},
         {}};
     for (const ComparisonStatement& row : predicate_.comparison) {
-      table.rows.push_back({row.kernel, cell(row.precision), thousands(row.looked_at), thousands(row.missed),
-                            row.deepest_missed, thousands(row.phantom), row.deepest_phantom, thousands(row.undecided),
-                            thousands(row.invalid), thousands(row.unanswered), cell(row.median_ulps),
-                            cell(row.largest_ulps)});
+      table.rows.push_back({row.kernel, cell(row.precision), thousands(row.looked_at), cell(row.missed),
+                            cell(row.deepest_missed), cell(row.phantom), cell(row.deepest_phantom),
+                            thousands(row.undecided), thousands(row.invalid), thousands(row.unanswered),
+                            cell(row.median_ulps), cell(row.largest_ulps)});
     }
     return table;
   }

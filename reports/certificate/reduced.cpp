@@ -251,8 +251,17 @@ class Reducer {
     result.asymmetry.emplace();
     if (!beside.image_numbers) return;
     const auto& numbers = result.asymmetry->numbers = image_numbers_again(beside.image_numbers->json, where);
-    if (numbers->images > result.trials || numbers->features.value_or(0) > numbers->images)
-      throw NotValid(where + ": more images with numbers than queries");
+    const bool is_too_many =
+        numbers->images > result.trials || numbers->compared > numbers->images ||
+        std::max({numbers->separations, numbers->angles, numbers->points, numbers->compared_features, numbers->lost,
+                  numbers->features.value_or(0)}) > numbers->compared;
+    if (is_too_many) throw NotValid(where + ": more images with numbers than queries");
+    const bool are_told = numbers->largest_separation.has_value() == (numbers->separations != 0) &&
+                          numbers->largest_angle.has_value() == (numbers->angles != 0) &&
+                          numbers->largest_point.has_value() == (numbers->points != 0) &&
+                          numbers->features.has_value() == (numbers->compared_features != 0);
+    if (!are_told || numbers->features.value_or(0) > numbers->compared_features)
+      throw NotValid(where + ": images that were compared without what came of it, or the reverse");
   }
 
   // All but the medians follows from the stretches, `counted`.

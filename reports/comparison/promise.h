@@ -17,6 +17,8 @@ struct Promise {
   Limits limits = {};
   std::optional<MotionPolicy> motion = {};  // of a predicate of motions
   bool may_decline = false;
+  // What it shows beside its verdict, in the record's names: "comparisons", "sides", "separation".
+  std::vector<std::string> shows = {};
   bool operator==(const Promise&) const = default;
 };
 
@@ -35,9 +37,14 @@ struct PromiseChange {
                   AXISCERT_FIELD(other, "Parts that leave out less, or that mean another answer.", "parts"))
 };
 PromiseChange change_of(const Promise& before, const Promise& now);
+// All that a kernel of a predicate may show.
+std::vector<std::string> shown_names(const Predicate& predicate);
+// What it showed and shows no more: figures of it are missing, and all others are over the same queries.
+std::vector<std::string> hidden_since(const Promise& before, const Promise& now);
 
-// The promise in words that a file can hold: "touching=contact", "radius>=1e+30", "start=reported", "may_decline". What
-// it does not limit is not named, but for `touching` and the policies of a predicate of motions.
+// The promise in words that a file can hold: "touching=contact", "radius>=1e+30", "start=reported",
+// "shows=comparisons,sides", "may_decline". What it does not limit is not named, but for `touching` and the policies of
+// a predicate of motions.
 std::vector<std::string> words_of_promise(const Promise& promise);
 // The same, read. Each word may stand once. Throws Error that names the word and says what would be right.
 Promise promise_of_words(std::span<const std::string> words);

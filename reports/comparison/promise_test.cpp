@@ -22,7 +22,8 @@ Promise narrowed() {
   return {TouchingPolicy::either,
           {.least_radius = 1e30},
           MotionPolicy{StartPolicy::ignored, StillPolicy::ignored, SidesPolicy::front},
-          true};
+          true,
+          {"time"}};
 }
 
 TEST(Promise, EachPartThatLeavesOutMoreIsNamed) {
@@ -35,6 +36,13 @@ TEST(Promise, EachPartThatLeavesOutMoreIsNamed) {
   EXPECT_EQ(change_of(narrowed(), whole).other.size(), 6u) << "more is no less";
   EXPECT_THAT(change_of(narrowed(), whole).less, IsEmpty());
   EXPECT_TRUE(change_of(narrowed(), narrowed()).is_none());
+}
+
+TEST(Promise, WhatIsShownNoMoreIsNamed) {
+  const Promise both{.shows = {"comparisons", "normal_x"}}, one{.shows = {"comparisons"}};
+  EXPECT_THAT(hidden_since(both, one), ElementsAre("normal_x"));
+  EXPECT_THAT(hidden_since(one, both), IsEmpty());
+  EXPECT_TRUE(change_of(both, one).is_none()) << "the verdicts are over the same queries";
 }
 
 TEST(Promise, EachBoundIsNarrowerInItsOwnDirection) {
@@ -58,7 +66,7 @@ TEST(Promise, EachBoundIsNarrowerInItsOwnDirection) {
 TEST(Promise, ComesBackFromItsWords) {
   const std::vector<std::string> words = words_of_promise(narrowed());
   EXPECT_THAT(words, ElementsAre("touching=either", "radius>=1e+30", "start=ignored", "still=ignored", "sides=front",
-                                 "may_decline"));
+                                 "shows=time", "may_decline"));
   EXPECT_EQ(promise_of_words(words), narrowed());
   const Promise limits{.limits = {0.1, 3, 1e-300, 0.25, 5}};
   EXPECT_EQ(promise_of_words(words_of_promise(limits)), limits);
@@ -75,6 +83,7 @@ TEST(Promise, AWordThatIsNoPartOfItIsRefused) {
   refused({"touching=contact", "radius>1"}, "no part of a promise");
   refused({"touching=contact", "area<=1"}, "no part of a promise");
   refused({"touching=contact", "start=reported"}, "has start=, still= and sides=");
+  refused({"touching=contact", "shows="}, "without a name");
   refused({"touching=contact", "declines"}, "no part of a promise");
 }
 

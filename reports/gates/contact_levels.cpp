@@ -84,6 +84,10 @@ Counts counts_of(std::optional<Part> ContactTally::*member) {
   };
 }
 
+void leave_out(LevelFindings& found, const std::string& what) {
+  found.leaves_out += (found.leaves_out.empty() ? "" : "; ") + what;
+}
+
 // Looks at the answers with the number; why that is too little stands in `not_checked`.
 LevelFindings look_at(const Subject& subject, const Counts& counts, MeasureKind kind, std::string_view what) {
   LevelFindings found;
@@ -94,7 +98,7 @@ LevelFindings look_at(const Subject& subject, const Counts& counts, MeasureKind 
     found.not_checked = fmt::format("the predicate {} has no {} of contact", predicate.id, what);
     return found;
   }
-  std::uint64_t judged = 0;
+  std::uint64_t judged = 0, none = 0;
   std::vector<std::string> seldom;
   for (const auto& [family, result] : subject.families()) {
     const std::optional<Given> given = result.contacts ? counts(*result.contacts) : std::nullopt;
@@ -110,12 +114,14 @@ LevelFindings look_at(const Subject& subject, const Counts& counts, MeasureKind 
                                    what, thousands(given->none), thousands(given->judged + given->none), answers));
     }
     judged += given->judged;
+    none += given->none;
   }
   if (judged == 0) found.not_checked = fmt::format("no {} has a {}", moves ? "contact that it found" : "answer", what);
   else if (!seldom.empty()) found.not_checked = seldom.front();
   found.covers = fmt::format("the {} of {} {} of {}, each compared with the exact one", what, thousands(judged),
                              answers, subject.list_of_families());
-  if (moves) found.leaves_out = "missed and phantom contacts";
+  if (none != 0) leave_out(found, fmt::format("{} {} without a {}", thousands(none), answers, what));
+  if (moves) leave_out(found, "missed and phantom contacts");
   return found;
 }
 
@@ -150,7 +156,7 @@ LevelFindings judge_early(const AskedLevel& asked, const Subject& subject) {
                       fmt::format("times before the best one, the earliest by {}: {} is allowed", by, bound.text("u")),
                       bound.is_length ? fmt::format("earliest time: {:.6g} in length", length) : "earliest time");
   });
-  found.leaves_out = "late times, which never-late asks about; " + found.leaves_out;
+  leave_out(found, "late times, which never-late asks about");
   return found;
 }
 
@@ -217,8 +223,7 @@ LevelFindings judge_normal(const AskedLevel& asked, const Subject& subject) {
     const double degrees = normal.largest_angle.best() * 180 / std::numbers::pi;
     add_worst(subject, found, family, degrees, most, "normal", " degrees", "largest angle of a normal");
   });
-  found.leaves_out = "contacts at the distance 0 or with several normals, which left and no-flip ask about" +
-                     (found.leaves_out.empty() ? "" : "; " + found.leaves_out);
+  leave_out(found, "contacts at the distance 0 or with several normals, which left and no-flip ask about");
   return found;
 }
 
@@ -232,18 +237,23 @@ LevelFindings judge_unit(const AskedLevel& asked, const Subject& subject) {
   return found;
 }
 
-LevelFindings look_at_pushed(const Subject& subject) {
-  LevelFindings found = look_at(subject, counts_of(&ContactTally::pushed), MeasureKind::normal, "normal");
+LevelFindings look_at_pushed(const Subject& subject, const Counts& counts) {
+  LevelFindings found = look_at(subject, counts, MeasureKind::normal, "normal");
   if (is_of_motions(predicate_of(subject.record().plan))) {
     found = {};
     found.not_checked = "in a predicate of motions nothing is pushed out of another";
   }
-  found.leaves_out = "answers where the exact depth is 0";
+  leave_out(found, "answers where the exact depth is 0");
   return found;
 }
 
 LevelFindings judge_no_flip(const AskedLevel&, const Subject& subject) {
-  LevelFindings found = look_at_pushed(subject);
+  const auto with_a_side = [](const ContactTally& contacts) -> std::optional<Given> {
+    const std::optional<PushTally>& pushed = contacts.pushed;
+    if (!pushed) return std::nullopt;
+    return Given{pushed->judged - pushed->nowhere, pushed->none + pushed->nowhere};
+  };
+  LevelFindings found = look_at_pushed(subject, with_a_side);
   for_each_part(subject, &ContactTally::pushed, [&](const std::string& family, const PushTally& pushed) {
     subject.add_shown(found.failures, family, pushed.flips, "normals to the other side", "a normal to the other side");
   });
@@ -252,7 +262,7 @@ LevelFindings judge_no_flip(const AskedLevel&, const Subject& subject) {
 
 LevelFindings judge_left(const AskedLevel& asked, const Subject& subject) {
   const double most = left_argument(asked);
-  LevelFindings found = look_at_pushed(subject);
+  LevelFindings found = look_at_pushed(subject, counts_of(&ContactTally::pushed));
   for_each_part(subject, &ContactTally::pushed, [&](const std::string& family, const PushTally& pushed) {
     const double left = pushed.largest_left.best().value();
     if (left <= most) return;
@@ -315,8 +325,10 @@ extern const GateLevel separation_level = {
     .check = [](const AskedLevel& asked) { size_bound(asked, separation_bound); },
     .sentence =
         [](const AskedLevel& asked) {
-          return fmt::format("no separation that is off by more than {}, contradicts its verdict, or is missing",
-                             size_bound(asked, separation_bound).text("of the scene"));
+          return fmt::format(
+              "no separation that is off by more than {}, contradicts its verdict, or is missing beside "
+              "other numbers",
+              size_bound(asked, separation_bound).text("of the scene"));
         },
     .judge = judge_separation,
     .in_certificates = shares};

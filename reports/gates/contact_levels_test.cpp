@@ -248,5 +248,18 @@ TEST(ContactLevels, EachPlantedFaultOfASphereAndATriangleIsSeenByItsLevels) {
   }
 }
 
+// A normal of length 0 has no side: it leaves the whole depth, and is no evidence against flips.
+TEST(ContactLevels, NormalsOfLengthZeroFailLeftAndAreNotCheckedForFlips) {
+  const Kernel kernel = with_edit(find_kernel("minkowski"), "nowhere", [](MeasureColumns& m, const auto&, std::size_t i) {
+    for (std::size_t k = 2; k < 5; ++k) m[k][i] = 0;
+  });
+  MutationPlan plan;
+  plan.families = {&find_family("lattice")};
+  plan.seed = 3;
+  const Record record = record_of_kernels(plan, Precision::binary32, 600, {&kernel});
+  EXPECT_FALSE(unmet(record, "left=0.001").empty());
+  EXPECT_EQ(outcomes_at(record, "no-flip")[0].state, LevelState::not_checked);
+}
+
 }  // namespace
 }  // namespace axiscert

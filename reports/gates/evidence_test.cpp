@@ -236,6 +236,15 @@ TEST(LookedAt, AKernelThatAnsweredNothingIsNotJudged) {
                                   "none, 9,980 declined, 20 called invalid"});
   verdict_of(record)["invalid"] = 9;
   EXPECT_THAT(unjudged(record), IsEmpty()) << "it decided one";
+  // In one precision alone: the other has queries that count.
+  Json both = right_kernel();
+  both["kernels"].push_back(both["kernels"][0]);
+  both["kernels"][1]["precision"] = "binary64";
+  both["plan"]["precisions"] = {"binary32", "binary64"};
+  both["kernels"][1]["families"]["lattice"]["truth"] = {
+      {"separated", 0}, {"contact", 0}, {"touching", 0}, {"invalid", 5000}};
+  EXPECT_EQ(unjudged(both),
+            std::vector<std::string>{"<script> binary64: NOT JUDGED on lattice: none of its queries is valid"});
 }
 
 // A level of depths said this before it asked how much was looked at: wrong verdicts, missing answers and, but at

@@ -38,10 +38,6 @@ std::string families_of_images(const Subject& subject) {
                          : fmt::format("add {}", fmt::join(options, " "));
 }
 
-bool says_any(const ImageNumbersRecord& numbers) {
-  return numbers.features || numbers.largest_separation || numbers.largest_angle || numbers.largest_point;
-}
-
 void add_failures(const Subject& subject, const std::string& family, const ImageNumbersRecord& numbers, double most,
                   std::vector<Failure>& failures) {
   // The record has the worst pair, and not how many are worse than is allowed.
@@ -58,35 +54,43 @@ void add_failures(const Subject& subject, const std::string& family, const Image
   add(numbers.largest_point, "a point", "of the extent", numbers.worst_point);
   subject.add_pair(failures, family, numbers.features.value_or(0),
                    "images with another feature than their query, one of the two wrong", numbers.first_feature);
+  subject.add_pair(failures, family, numbers.lost,
+                   "images with a number that their query lacks, or without one that it has", numbers.first_lost);
 }
 
 LevelFindings judge_follows(const AskedLevel& asked, const Subject& subject) {
   const double most = most_difference(asked);
   LevelFindings found;
-  std::uint64_t images = 0;
+  ImageNumbersRecord all;
   bool has_images = false;
   std::vector<std::string> families;
   for (const auto& [family, result] : subject.families()) {
     has_images |= result.asymmetry.has_value();
     const ImageNumbersRecord* numbers =
         result.asymmetry && result.asymmetry->numbers ? &*result.asymmetry->numbers : nullptr;
-    if (numbers == nullptr || !says_any(*numbers)) {
+    if (numbers == nullptr || numbers->compared == 0) {
       found.unseen.push_back(family);
       continue;
     }
-    images += numbers->images;
+    all.compared += numbers->compared;
+    all.separations += numbers->separations;
+    all.angles += numbers->angles;
+    all.points += numbers->points;
+    all.compared_features += numbers->compared_features;
     families.push_back(family);
-    found.families[family] = {numbers->images, numbers->images};
+    found.families[family] = {numbers->images, numbers->compared};
     add_failures(subject, family, *numbers, most, found.failures);
   }
-  if (images == 0) {
+  if (all.compared == 0) {
     found.not_checked =
         has_images ? "the kernel gives no separation, feature, normal or point beside two images' verdicts"
                    : fmt::format("no answered query is an exact image of another; {}", families_of_images(subject));
     return found;
   }
-  found.covers = fmt::format("the numbers of {} queries of {}, each an exact image of another", thousands(images),
-                             fmt::join(families, ", "));
+  found.covers = fmt::format(
+      "{} queries of {}, each an exact image of another: {} separations, {} features, {} normals and the points of {}",
+      thousands(all.compared), fmt::join(families, ", "), thousands(all.separations), thousands(all.compared_features),
+      thousands(all.angles), thousands(all.points));
   found.leaves_out =
       "images with another verdict, which invariant=KIND asks about; where two answers are right, either";
   return found;

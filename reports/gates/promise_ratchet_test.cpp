@@ -45,7 +45,8 @@ std::string promise_error(const std::string& text) {
 
 TEST(RatchetOfPromises, HasALineForEachKernelAndPrecision) {
   EXPECT_THAT(ratchet_text(with_least_radius(1e30, 450)),
-              HasSubstr("\nkernel: published\npromise: binary32 queries=3145 touching=contact radius>=1e+30\n"
+              HasSubstr("\nkernel: published\npromise: binary32 queries=3145 touching=contact radius>=1e+30 "
+                        "shows=comparisons,sides\n"
                         "kernel: <script>\npromise: binary32 queries=1495 touching=contact may_decline\naccept: "));
   EXPECT_THAT(ratchet_text(without_errors(stored_record())), HasSubstr("kernel: published\npromise: binary32"))
       << "whether or not it is wrong anywhere";
@@ -61,6 +62,13 @@ TEST(RatchetOfPromises, ALimitIsWorseThanAnyFigure) {
   EXPECT_EQ(outcome.failures[0].fingerprint, fingerprint(Json::array({"published", "binary32", "*", "*"})));
 }
 
+TEST(RatchetOfPromises, ComparisonsThatAreShownNoMoreAreLess) {
+  Json now = without_errors(stored_record());
+  now["kernels"][0]["exposes"] = {"verdict"};
+  EXPECT_THAT(failures_of_promises(held_to(without_errors(stored_record()), now)),
+              ElementsAre("published binary32 shows less than the ratchet: no comparisons, sides any more (r.txt:4)"));
+}
+
 TEST(RatchetOfPromises, AnotherPromiseIsNotComparedAndTheNewFileAcceptsIt) {
   const Json then = with_least_radius(1e30, 450), now = stored_record();
   const RatchetOutcome outcome = held_to(then, now);
@@ -68,8 +76,9 @@ TEST(RatchetOfPromises, AnotherPromiseIsNotComparedAndTheNewFileAcceptsIt) {
               ElementsAre("NOT COMPARED: published binary32 promises other things than the ratchet: radius "
                           "none, was from 1e+30: 3,145 of its queries then, 4,495 now (r.txt:4)"));
   EXPECT_THAT(outcome.better, IsEmpty());
-  EXPECT_THAT(outcome.accepted, AllOf(HasSubstr("promise: binary32 queries=4495 touching=contact\n"),
-                                      HasSubstr("accept: EXPIRY OWNER REASON\nkernel: published\n")))
+  EXPECT_THAT(outcome.accepted,
+              AllOf(HasSubstr("promise: binary32 queries=4495 touching=contact shows=comparisons,sides\n"),
+                    HasSubstr("accept: EXPIRY OWNER REASON\nkernel: published\n")))
       << "its figures are over other queries than those that were reviewed";
   std::string filled = outcome.accepted;
   filled.replace(filled.find("EXPIRY OWNER REASON"), 19, "never mk wider");
@@ -149,7 +158,7 @@ TEST(RatchetOfPromises, BadLinesAreNamed) {
     std::string text = good;
     return promise_error(text.replace(text.find(old), old.size(), now));
   };
-  const std::string line = "promise: binary32 queries=4495 touching=contact\n";
+  const std::string line = "promise: binary32 queries=4495 touching=contact shows=comparisons,sides\n";
   EXPECT_THAT(with(line, ""), HasSubstr("a figure of published binary32 without a promise: of it"));
   EXPECT_THAT(with(line, line + line), HasSubstr("r.txt:5: published binary32 has two promises, the first in line 4"));
   EXPECT_THAT(with("queries=4495", "queries=-1"), HasSubstr("'queries=-1' is not queries=NUMBER"));

@@ -113,6 +113,13 @@ class Holder {
     const HeldPromise* then = find_promise(ratchet_.promises, now.kernel, now.precision);
     if (then == nullptr) then = find_promise(ratchet_.promises, id, now.precision);
     if (then == nullptr) return;
+    if (const auto hidden = hidden_since(then->promise, now.promise); !hidden.empty()) {
+      fail_all(now, id,
+               fmt::format("{} shows less than the ratchet: no {} any more ({}:{})", who, fmt::join(hidden, ", "),
+                           ratchet_.name, then->line),
+               lesser_severity);
+      hidden_.emplace(id, now.precision);
+    }
     const PromiseChange change = change_of(then->promise, now.promise);
     if (change.is_none() && then->queries == now.queries) return;
     apart_.emplace(id, now.precision);
@@ -150,7 +157,7 @@ class Holder {
       accept(entry.key, entry.figure, entry.waiver);
     } else if (!is_finding(entry) && !shown_.contains(fingerprint(entry.key))) {
       not_shown_[{kernel, precision}].push_back(&entry);
-      accept(entry.key, entry.figure, entry.waiver);
+      if (!hidden_.contains({ids_.at(kernel), precision})) accept(entry.key, entry.figure, entry.waiver);
     } else if (!apart_.contains({ids_.at(kernel), precision}) || is_finding(entry)) {
       outcome_.better.push_back(fmt::format("{}: 0, accepted is {} ({}:{})", cell_text(entry.key), entry.figure.dump(),
                                             ratchet_.name, entry.line));
@@ -284,11 +291,11 @@ class Holder {
   const Record& record_;
   Identities identities_;
   std::string today_;
-  std::map<std::string, std::string> ids_;                // of the record, by identity and by id
-  std::map<std::string, Digests> digests_;                // by identity
-  std::set<std::pair<std::string, std::string>> judged_;  // ids and precisions
-  std::set<std::pair<std::string, std::string>> apart_;   // of these, those that promise other things now
-  std::set<std::pair<std::string, std::string>> told_;    // as keys have them: those that fail as a whole
+  std::map<std::string, std::string> ids_;                        // of the record, by identity and by id
+  std::map<std::string, Digests> digests_;                        // by identity
+  std::set<std::pair<std::string, std::string>> judged_;          // ids and precisions
+  std::set<std::pair<std::string, std::string>> apart_, hidden_;  // of these, those that promise other things now
+  std::set<std::pair<std::string, std::string>> told_;            // as keys have them: those that fail as a whole
   std::set<std::string> met_;
   std::set<std::string> shown_;  // fingerprints of the record's cells, zeros among them
   std::map<std::array<std::string, 2>, Group> not_checked_, not_shown_;

@@ -138,6 +138,11 @@ class Lines {
     } catch (const Error& wrong) {
       line.fail(wrong.what());
     }
+    const std::vector<std::string> shown = shown_names(find_predicate(ratchet_.predicate));
+    for (const std::string& name : promise.shows) {
+      if (std::ranges::find(shown, name) == shown.end())
+        line.fail(fmt::format("shows= has '{}', which is none of: {}", name, fmt::join(shown, ", ")));
+    }
     ratchet_.promises.push_back({*kernel_, words[1], promise, queries.get<std::uint64_t>(), line.number});
   }
 

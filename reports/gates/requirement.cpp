@@ -71,12 +71,19 @@ std::string gap_of(const Record& record, const Subject& subject, const AskedLeve
   if (!record.complete) return interrupted_text(record);
   if (subject.families().empty()) return fmt::format("no query of it was run in {}", name(precision));
   if (const Evidence all = evidence_of(subject.kernel()); all.decided() == 0) {
+    if (all.population == 0) return fmt::format("none of its queries is valid in {}", name(precision));
     return all.promised() == 0 && all.outside != 0 ? "every valid query is outside the limits that it declares"
                                                    : "it called no valid query within its limits separated or contact";
   }
   std::vector<std::string> empty;
   for (const auto& [family, by_precision] : record.plan.trials) {
     if (!asked.is_about(family)) continue;
+    const auto* const planned = record.plan.planned ? record.plan.planned->find(family) : nullptr;
+    if (planned != nullptr && planned->contains(precision)) {
+      return fmt::format("the time limit left {} of the {} queries of {} unasked",
+                         thousands(planned->at(precision) - by_precision.at(precision)),
+                         thousands(planned->at(precision)), family);
+    }
     std::uint64_t queries = 0;
     for (const auto& [each, count] : by_precision) queries += count;
     const auto here = by_precision.find(precision);
@@ -107,10 +114,13 @@ class Shortfall {
 // How much of each family was looked at. Fills in what the outcome says of it; returns why that is too little, or is
 // empty.
 std::string weigh(const Subject& subject, const LevelFindings& found, double share, LevelOutcome& outcome) {
-  Shortfall few, declining;
+  Shortfall unasked, few, declining;
   for (const auto& [family, look] : found.families) {
     const Evidence evidence = subject.evidence(subject.families().at(family));
-    if (evidence.population == 0) continue;
+    if (evidence.population == 0) {
+      unasked.add(fmt::format("no valid query of {} was asked", family));
+      continue;
+    }
     outcome.evidence.add(evidence);
     outcome.looked_at += look.looked_at;
     ++outcome.families;
@@ -139,6 +149,7 @@ std::string weigh(const Subject& subject, const LevelFindings& found, double sha
   outcome.has_limits = has_limits(subject.kernel()) || !outcome.outside.empty();
   if (outcome.families != 0 && outcome.outside.size() == outcome.families)
     return "every valid query is outside the limits that it declares";
+  if (unasked.any()) return unasked.text();
   if (declining.any()) return declining.text();
   if (few.any()) return few.text();
   const Evidence& all = outcome.evidence;

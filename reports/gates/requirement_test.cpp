@@ -270,6 +270,25 @@ TEST(LevelOutcome, AFamilyOfThePlanWithoutQueriesIsNotChecked) {
   EXPECT_THAT(outcome(record, "logic").reason, HasSubstr("no query was run of general")) << "a run out of time";
 }
 
+TEST(LevelOutcome, AFamilyWithoutAValidQueryIsNotChecked) {
+  Json record = of_verdicts();
+  families_in(record)["tangent"]["verdict"]["false_separation"] = 0;
+  EXPECT_EQ(outcome(record, "depth=1").state, LevelState::met);
+  Json& family = families_in(record)["nothing"] = families_in(record)["lattice"];
+  family["truth"] = {{"separated", 0}, {"contact", 0}, {"touching", 0}, {"invalid", family["trials"]}};
+  EXPECT_THAT(outcome(record, "depth=1").reason, HasSubstr("no valid query of nothing was asked"));
+  EXPECT_EQ(outcome(record, "depth=1 in tangent,lattice").state, LevelState::met);
+}
+
+TEST(LevelOutcome, AFileThatATimeLimitLeftInPartIsNotChecked) {
+  Json record = of_verdicts();
+  record["plan"]["trials"]["queries/long.jsonl"] = {{"binary32", 65536}};
+  record["plan"]["planned"] = {{"queries/long.jsonl", {{"binary32", 100000}}}};
+  record["plan"]["units_done"] = {{"queries/long.jsonl", {{"binary32", 1}}}};
+  EXPECT_THAT(outcome(record, "depth=1").reason,
+              HasSubstr("the time limit left 34,464 of the 100,000 queries of queries/long.jsonl unasked"));
+}
+
 TEST(LevelOutcome, AFailureIsNotHiddenByWhatIsNotChecked) {
   Json record = of_verdicts();
   families_in(record)["tangent"]["verdict"]["unanswered"] = 1;
@@ -335,6 +354,16 @@ TEST(NoWorseThan, WithoutTheOtherKernelOnAFamilyIsNotChecked) {
   EXPECT_THAT(outcomes_of(record)[0].reason, HasSubstr("yardstick was not run on lattice in binary32"));
   record["kernels"][1]["precision"] = "binary64";
   EXPECT_EQ(outcomes_of(record)[0].state, LevelState::not_checked);
+}
+
+TEST(NoWorseThan, InAPatternJudgesItsFamiliesAlone) {
+  Json record = with_yardstick(120);
+  const auto at = [&](const char* level) {
+    record["plan"]["require"] = level;
+    return outcomes_of(record)[0];
+  };
+  EXPECT_EQ(at("no-worse-than=yardstick in tangent").state, LevelState::not_met);
+  EXPECT_EQ(at("no-worse-than=yardstick in lattice").state, LevelState::met);
 }
 
 TEST(NoWorseThan, AYardstickAloneIsNotChecked) {

@@ -63,6 +63,7 @@ std::string unseen_text(const Subject& subject, const SlackSize& size) {
                        slacks->bracketed, slacks->asked, least_bracketed);
   }
   // A slack may be in one branch alone: every kind has to show it.
+  if (!slacks->blind.empty()) return blind_text(*slacks);
   std::vector<SlackLook> coarse;
   for (const SlackLook& look : slacks->looks) {
     if (least_seen(look, size.kind).value_or(0) > size.size) coarse.push_back(look);
@@ -95,6 +96,12 @@ LevelFindings judge_slack(const AskedLevel& asked, const Subject& subject) {
                                           static_cast<const std::string&>(slack.witness)),
                               "", true});
   }
+  const SlackLook* const off = most_off(*kernel.slack, size.kind);
+  if (found.failures.empty() && off != nullptr && *off_by(*off, size.kind) > size.size) {
+    found.failures.push_back({kernel.id, std::string(name(kernel.precision)), "slacks", least_agreeing,
+                              fmt::format("{}, and {} is allowed", off_text(*off, size.kind), size_text(size)), "",
+                              true});
+  }
   const SlackLook* finest = nullptr;
   const SlackLook* coarsest = nullptr;
   for (const SlackLook& look : kernel.slack->looks) {
@@ -107,14 +114,15 @@ LevelFindings judge_slack(const AskedLevel& asked, const Subject& subject) {
   found.covers =
       fmt::format("{} queries whose turn is bracketed; the least slack that would be seen is {}, and {}",
                   thousands(kernel.slack->bracketed), look_text(*finest, size.kind), look_text(*coarsest, size.kind));
-  found.leaves_out = "a slack on other queries than these, or of another size on each";
+  found.leaves_out = "a slack on other queries than these";
   return found;
 }
 
 std::string slack_sentence(const AskedLevel& asked) {
   const SlackSize size = size_argument(asked);
-  return fmt::format("no slack above {}: the answers turn where the exact ones do, or not by one size",
-                     size.kind == SlackKind::absolute ? metric_text(size.size) : size_text(size));
+  return fmt::format(
+      "no slack above {}: so near to the exact turn the answers turn, but for fewer than 24 queries of a kind",
+      size.kind == SlackKind::absolute ? metric_text(size.size) : size_text(size));
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ using testing::HasSubstr;
 // A record whose kernels have a slack of a part of r, of this size, on scenes on which one of `least` would be seen.
 Json with_slack(double size, double least) {
   Json record = stored_record();
-  const Json look = {
-      {"where", "nearest to an edge"}, {"bracketed", 108}, {"least_relative", least}, {"least_absolute", least}};
+  const Json look = {{"where", "nearest to an edge"}, {"bracketed", 108},        {"least_relative", least},
+                     {"least_absolute", least},       {"off_relative", nullptr}, {"off_absolute", nullptr}};
   Json found = Json::array();
   if (size > 0) {
     found.push_back({{"kind", "relative"},
@@ -33,7 +33,8 @@ Json with_slack(double size, double least) {
                      {"said", "contact"}});
   }
   for (Json& kernel : record["kernels"])
-    kernel["slack"] = {{"asked", 110}, {"bracketed", 108}, {"answers", 6000}, {"looks", {look}}, {"found", found}};
+    kernel["slack"] = {{"asked", 110},    {"bracketed", 108},       {"answers", 6000},
+                       {"looks", {look}}, {"blind", Json::array()}, {"found", found}};
   return record;
 }
 const LevelOutcome& first(const std::vector<LevelOutcome>& outcomes) { return outcomes.front(); }
@@ -73,6 +74,24 @@ TEST(SlackLevel, WhatCouldNotBeSeenIsNotChecked) {
   const LevelOutcome unknown = first(outcomes_at(none, "no-slack=1e-4"));
   EXPECT_EQ(unknown.state, LevelState::not_checked);
   EXPECT_THAT(unknown.reason, HasSubstr("slacks were not looked for"));
+}
+
+TEST(SlackLevel, AnswersThatAreOffByNoOneSizeFail) {
+  Json record = with_slack(0, 1e-5);
+  for (Json& kernel : record["kernels"]) kernel["slack"]["looks"][0]["off_relative"] = 0.08;
+  const LevelOutcome outcome = first(outcomes_at(record, "no-slack=1e-2"));
+  EXPECT_EQ(outcome.state, LevelState::not_met);
+  EXPECT_THAT(outcome.failures.back().text(), HasSubstr("24 or more of 108 queries nearest to an edge turn off the "
+                                                        "exact turn by 0.08 of a length or more"));
+  EXPECT_TRUE(first(outcomes_at(record, "no-slack=0.1")).failures.empty());
+}
+
+TEST(SlackLevel, AKindWithoutATurnIsNotChecked) {
+  Json record = with_slack(0, 1e-5);
+  for (Json& kernel : record["kernels"]) kernel["slack"]["blind"] = {"nearest to a vertex"};
+  const LevelOutcome outcome = first(outcomes_at(record, "no-slack=1e-2"));
+  EXPECT_EQ(outcome.state, LevelState::not_checked);
+  EXPECT_THAT(outcome.reason, HasSubstr("the answer turns on fewer than 32 of the queries nearest to a vertex"));
 }
 
 TEST(SlackLevel, ASizeHasToBeALengthOrAPart) {

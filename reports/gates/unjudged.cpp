@@ -21,6 +21,15 @@ std::uint64_t valid_queries(const Record& record, const std::string& id, const s
   return sum;
 }
 
+// Families of which one kernel was asked queries in one precision, and none of them is valid.
+std::vector<std::string> without_valid(const KernelRecord& kernel) {
+  std::vector<std::string> families;
+  for (const auto& [family, result] : kernel.families) {
+    if (result.trials != 0 && evidence_of(kernel, result).population == 0) families.push_back(family);
+  }
+  return families;
+}
+
 // Why a kernel in one precision gave nothing to judge; empty where it did, and where it was asked nothing.
 std::string nothing_of(const KernelRecord& kernel) {
   const Evidence evidence = evidence_of(kernel);
@@ -59,6 +68,12 @@ std::vector<std::string> unjudged(const Record& record) {
     }
     for (const KernelRecord& kernel : record.kernels) {
       if (kernel.id != id) continue;
+      std::vector<std::string> here = without_valid(kernel);
+      std::erase_if(here, [&](const std::string& family) { return std::ranges::find(empty, family) != empty.end(); });
+      if (!here.empty()) {
+        sentences.push_back(fmt::format("{} {}: NOT JUDGED on {}: none of its queries is valid", id,
+                                        name(kernel.precision), fmt::join(here, ", ")));
+      }
       if (const std::string why = nothing_of(kernel); !why.empty())
         sentences.push_back(fmt::format("{} {}: NOT JUDGED: {}", id, name(kernel.precision), why));
     }

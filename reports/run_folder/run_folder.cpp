@@ -125,7 +125,16 @@ class RecordCheck {
 
   void check_plan() const {
     require(!plan_.kernels.empty(), "/plan/kernels", "has no kernel");
-    require(!plan_.planned || !record_.complete, "/plan/planned", "is of a run that was interrupted");
+    require(!plan_.planned || !record_.complete || plan_.units_done, "/plan/planned",
+            "is of a run that was interrupted or had a time limit");
+    for (const auto& [family, by_precision] : plan_.planned.value_or(CountsByFamily{})) {
+      const auto* const asked = plan_.trials.find(family);
+      for (const auto& [precision, count] : by_precision) {
+        require(asked != nullptr && asked->contains(precision) && asked->at(precision) <= count,
+                fmt::format("/plan/planned/{}/{}", family, name(precision)),
+                "is less than what was asked, or of nothing");
+      }
+    }
     require_once(plan_.kernels, "/plan/kernels");
     require_once(plan_.precisions, "/plan/precisions");
     require_once(plan_.families, "/plan/families");

@@ -169,7 +169,11 @@ template <class Real>
 void SphereTriangleJudge<Real>::judge_normal(const RationalVector& normal, ContactJudgement& out) const {
   out.normal_length_error = length_error(normal);
   if (sgn(dd_) != 0) out.normal_angle = angle_between(normal, away_);
-  if (dd_ >= r_ * r_ || sgn(dot(normal, normal)) == 0) return;
+  if (dd_ >= r_ * r_) return;
+  if (sgn(dot(normal, normal)) == 0) {
+    if (sgn(dd_) != 0) out.pushed = pushed_nowhere();
+    return;
+  }
   // The rounding of the differences A - P and so on moves a vertex by u of the scene at most: 2 u is more than that.
   const Rational side_error = shifted_down(scene_, 2 * (std::numeric_limits<Real>::digits - 1));
   out.pushed = pushed(vertex_, away_, dd_, r_, side_error, normal);
@@ -196,6 +200,8 @@ ContactJudgement SphereTriangleJudge<Real>::judge(Verdict said, std::span<const 
   if (gives(places().normal, 3)) {
     if (const auto normal = vector_at(measures, places().normal)) judge_normal(*normal, out);
     else out.lacks_normal = is_asked && sgn(dd_) != 0;
+    out.has_right_normal = sgn(dd_) != 0;
+    out.lacks_push = out.lacks_normal && dd_ < r_ * r_;
   }
   if (gives(places().point, 3)) {
     if (const auto point = vector_at(measures, places().point); !point) {

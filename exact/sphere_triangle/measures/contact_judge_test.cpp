@@ -30,7 +30,10 @@ TEST(SphereTriangleJudge, WhatAPushLeavesIsAShareOfTheDepth) {
   EXPECT_EQ(left(q, {1, 0, 0}), 1);
   EXPECT_EQ(left(q, {0, 3, 4}), 0.2) << "exactly, by two roots";
   EXPECT_EQ(left(q, {0, 3, -4}), 1.8);
-  EXPECT_FALSE(with_normal(q, {0, 0, 0}).pushed.has_value());
+  EXPECT_EQ(left(q, {0, 0, 0}), 1) << "a push that goes nowhere";
+  EXPECT_FALSE(with_normal(above(0), {0, 0, 0}).pushed.has_value()) << "no normal is named there";
+  EXPECT_TRUE(with_normal(q, {none, 0, 0}).lacks_push);
+  EXPECT_FALSE(with_normal(above(1.5), {none, 0, 0}).lacks_push) << "no depth";
   EXPECT_EQ(with_normal(q, {0, 0, 0}).normal_angle, std::numbers::pi);
   EXPECT_FALSE(with_normal(above(1), {0, 0, 1}).pushed.has_value()) << "no depth";
   EXPECT_FALSE(with_normal(above(1.5), {0, 0, -1}).pushed.has_value());
@@ -72,6 +75,9 @@ TEST(SphereTriangleJudge, SeparationsAreComparedWithARoot) {
   EXPECT_NEAR(judged(q, Verdict::separated, {nearest + 0.5}).separation->share, 0.5 / greatest_distance, 1e-15);
   EXPECT_NEAR(judged(q, Verdict::separated, {-5}).separation->length, nearest + 5, 1e-15);
   EXPECT_EQ(judged(above(3), Verdict::separated, {2}).separation->ulps.value(), 0);
+  // The root of 1 + 2^-600 is 1 to more than 240 bits; less 1 it is 2^-601, and 2^-600 is off by 2^52 ulps of that.
+  const Query<double> close = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {-1, -0x1p-300, 0}, 1};
+  EXPECT_NEAR(judged(close, Verdict::separated, {0x1p-600}).separation->ulps.value(), 0x1p52, 0x1p36);
 }
 
 TEST(SphereTriangleJudge, AnAnswerMayContradictItself) {

@@ -291,17 +291,15 @@ struct HarnessStatement {
 struct ComparisonStatement {
   SaidText kernel;
   Precision precision = Precision::binary32;
-  std::uint64_t looked_at = 0, missed = 0;
-  TextNumber deepest_missed;
-  std::uint64_t phantom = 0;
-  TextNumber deepest_phantom;
-  std::uint64_t undecided = 0, invalid = 0, unanswered = 0;
-  std::optional<TextNumber> median_ulps, largest_ulps;
+  std::uint64_t looked_at = 0, undecided = 0, invalid = 0, unanswered = 0;
+  std::optional<std::uint64_t> missed, phantom;
+  std::optional<TextNumber> deepest_missed, deepest_phantom, median_ulps, largest_ulps;
 
   AXISCERT_FIELDS(ComparisonStatement, AXISCERT_FIELD(kernel), AXISCERT_FIELD(precision), AXISCERT_FIELD(looked_at),
-                  AXISCERT_FIELD(missed), AXISCERT_FIELD(deepest_missed), AXISCERT_FIELD(phantom),
-                  AXISCERT_FIELD(deepest_phantom), AXISCERT_FIELD(undecided), AXISCERT_FIELD(invalid),
-                  AXISCERT_FIELD(unanswered), AXISCERT_FIELD(median_ulps), AXISCERT_FIELD(largest_ulps))
+                  AXISCERT_FIELD(undecided), AXISCERT_FIELD(invalid), AXISCERT_FIELD(unanswered),
+                  AXISCERT_FIELD(missed, "Null, like the next three, where nothing was looked at."),
+                  AXISCERT_FIELD(phantom), AXISCERT_FIELD(deepest_missed), AXISCERT_FIELD(deepest_phantom),
+                  AXISCERT_FIELD(median_ulps), AXISCERT_FIELD(largest_ulps))
 };
 
 struct BreakStatement {
