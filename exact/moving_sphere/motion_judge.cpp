@@ -138,6 +138,7 @@ void FirstContactJudge<Real>::measure_place(std::span<const double> measures, Co
   const Place& here = known_place();
   const bool is_overlap = contact_.start == Start::overlap, has_normal = sgn(dot(here.to_centre, here.to_centre)) != 0;
   out.lacks_normal = gives_normal && !normal && has_normal && !is_overlap;
+  out.has_right_normal = has_normal && (normal || !is_overlap);
   out.lacks_point = gives_point && !point && !is_overlap;
   if (normal && has_normal) {
     out.normal_angle = angle_between(*normal, here.to_centre);

@@ -136,6 +136,15 @@ TEST(ImageNumbers, ThatOneOfTheTwoLacksAreLost) {
   EXPECT_GT(numbers_on(with_numbers("contact", zero), "orders", 600).lost, 100u) << "a normal of length 0";
 }
 
+// The normal of a first contact, too, is compared where it differs.
+TEST(ImageNumbers, OfFirstContactsAreComparedWhereTheyDiffer) {
+  const auto turned = [](const QueryColumns<double>&, std::size_t i, std::vector<double>& m) {
+    if (i % 2 == 1) std::swap(m[2], m[3]);
+  };
+  const ImageNumbers found = numbers_on(with_numbers("moving-sphere/rounded", turned), "moving-sphere/orders", 1200);
+  EXPECT_GT(found.angle.size, 1e-3);
+}
+
 TEST(ImageNumbers, OfAKernelThatGivesNoneAreNotCounted) {
   const auto none = [](const QueryColumns<double>&, std::size_t, std::vector<double>& m) { std::ranges::fill(m, NAN); };
   const ImageNumbers found = numbers_on(with_numbers("contact", none), "orders", 600);

@@ -250,9 +250,10 @@ TEST(ContactLevels, EachPlantedFaultOfASphereAndATriangleIsSeenByItsLevels) {
 
 // A normal of length 0 has no side: it leaves the whole depth, and is no evidence against flips.
 TEST(ContactLevels, NormalsOfLengthZeroFailLeftAndAreNotCheckedForFlips) {
-  const Kernel kernel = with_edit(find_kernel("minkowski"), "nowhere", [](MeasureColumns& m, const auto&, std::size_t i) {
-    for (std::size_t k = 2; k < 5; ++k) m[k][i] = 0;
-  });
+  const Kernel kernel =
+      with_edit(find_kernel("minkowski"), "nowhere", [](MeasureColumns& m, const auto&, std::size_t i) {
+        for (std::size_t k = 2; k < 5; ++k) m[k][i] = 0;
+      });
   MutationPlan plan;
   plan.families = {&find_family("lattice")};
   plan.seed = 3;

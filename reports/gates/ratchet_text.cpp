@@ -138,11 +138,7 @@ class Lines {
     } catch (const Error& wrong) {
       line.fail(wrong.what());
     }
-    const std::vector<std::string> shown = shown_names(find_predicate(ratchet_.predicate));
-    for (const std::string& name : promise.shows) {
-      if (std::ranges::find(shown, name) == shown.end())
-        line.fail(fmt::format("shows= has '{}', which is none of: {}", name, fmt::join(shown, ", ")));
-    }
+    require_shown(promise.shows, line);
     ratchet_.promises.push_back({*kernel_, words[1], promise, queries.get<std::uint64_t>(), line.number});
   }
 
@@ -188,15 +184,28 @@ class Lines {
   }
 
   // A predicate that is not known here is refused where the plan is compared.
-  void check_place(const std::string& place, const Line& line) const {
-    std::vector<std::string_view> known = {"verdict", "finding"};
-    try {
-      const Predicate& predicate = find_predicate(ratchet_.predicate);
-      for (const std::string_view of_contacts : places_of_contacts(predicate)) known.push_back(of_contacts);
-      for (const PredicateComparison& comparison : predicate.comparisons) known.push_back(comparison.name);
-    } catch (const Error&) {
-      return;
+  const Predicate* known_predicate() const {
+    const auto all = predicates();
+    const auto found = std::ranges::find(all, std::string_view(ratchet_.predicate), &Predicate::id);
+    return found == all.end() ? nullptr : *found;
+  }
+
+  void require_shown(const std::vector<std::string>& names, const Line& line) const {
+    const Predicate* const predicate = known_predicate();
+    if (predicate == nullptr) return;
+    const std::vector<std::string> known = shown_names(*predicate);
+    for (const std::string& name : names) {
+      if (std::ranges::find(known, name) == known.end())
+        line.fail(fmt::format("shows= has '{}', which is none of: {}", name, fmt::join(known, ", ")));
     }
+  }
+
+  void check_place(const std::string& place, const Line& line) const {
+    const Predicate* const predicate = known_predicate();
+    if (predicate == nullptr) return;
+    std::vector<std::string_view> known = {"verdict", "finding"};
+    for (const std::string_view of_contacts : places_of_contacts(*predicate)) known.push_back(of_contacts);
+    for (const PredicateComparison& comparison : predicate->comparisons) known.push_back(comparison.name);
     if (std::find(known.begin(), known.end(), place) != known.end()) return;
     line.fail(
         fmt::format("'{}' is no place of a figure; those are: {}; other lines begin with accept:, kernel:, "
