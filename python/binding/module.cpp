@@ -7,6 +7,7 @@
 #include "kernel/base/own_folder.h"
 #include "kernel/plugin/supervisor.h"
 #include "python/binding/common.h"
+#include "python/binding/work.h"
 
 namespace axiscert::python {
 
@@ -39,6 +40,7 @@ PYBIND11_MODULE(_core, m) {
   bind_instruments(m);
   bind_formulae(m);
   bind_certified(m);
+  py::module_::import("atexit").attr("register")(py::cpp_function(&end_all_work));
   m.def("set_own_folder", [](const std::string& folder) { axiscert::set_own_folder(folder); });
   m.def("default_corpus_folder", &axiscert::default_corpus_folder);
   // Returns those before.

@@ -1,11 +1,13 @@
 #include "python/binding/work.h"
 
 #include <mpfr.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <vector>
 
+#include "kernel/base/error.h"
 #include "plans/run_plan.h"
 
 namespace axiscert::python {
@@ -14,7 +16,51 @@ namespace {
 constexpr auto look_every = std::chrono::milliseconds(50);
 constexpr std::size_t block_size = 1024;  // queries
 
+// The work that is under way in any thread.
+struct UnderWay {
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::vector<Watch*> watches;
+  bool is_ending = false;
+  const pid_t process = getpid();  // a fork has none of its threads
+};
+UnderWay& under_way() {
+  static UnderWay all;
+  return all;
+}
+
+class Counted {
+ public:
+  explicit Counted(Watch& watch) : watch_(watch) {
+    const std::lock_guard lock(under_way().mutex);
+    if (under_way().is_ending) throw Error(ending);
+    under_way().watches.push_back(&watch_);
+  }
+  ~Counted() {
+    {
+      const std::lock_guard lock(under_way().mutex);
+      std::erase(under_way().watches, &watch_);
+    }
+    under_way().changed.notify_all();
+  }
+  static constexpr const char* ending =
+      "the interpreter is ending; wait for the threads that work before the script ends";
+
+ private:
+  Watch& watch_;
+};
+
 }  // namespace
+
+// Each thread takes the lock once more, to end as after a Ctrl-C: that is only possible before the interpreter ends.
+void end_all_work() {
+  if (under_way().process != getpid()) return;
+  const py::gil_scoped_release unlocked;
+  std::unique_lock lock(under_way().mutex);
+  under_way().is_ending = true;
+  for (Watch* const watch : under_way().watches) watch->interrupt();
+  under_way().changed.wait(lock, [] { return under_way().watches.empty(); });
+}
 
 ThreadCaches::~ThreadCaches() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
 
@@ -96,6 +142,7 @@ class WatchedThread {
     if (has_given_up) set_abandoned(false);
     if (raised && (is_stopped_ || (thrown_ && has_given_up))) throw py::error_already_set(*raised);
     if (thrown_) std::rethrow_exception(thrown_);
+    if (is_stopped_) throw Error(Counted::ending);
     return raised;
   }
 
@@ -108,6 +155,7 @@ class WatchedThread {
 
 std::optional<py::error_already_set> do_watched(const py::object& shown, const std::function<void(Watch&)>& work) {
   Watch watch;
+  const Counted counted(watch);
   WatchedThread thread(work, watch);
   return thread.wait(shown);
 }

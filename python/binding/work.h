@@ -33,6 +33,7 @@ class Watch {
       take(progress);
     };
   }
+  void interrupt() { interrupted_ = true; }
   void begin_stage(std::string_view name);
   void take(const Progress& progress);
 
@@ -57,6 +58,10 @@ struct ThreadCaches {
 // returned. After a second one `shown.callables` fail until the work has ended. Rethrows what the work threw, and what
 // was raised where that stopped it.
 std::optional<py::error_already_set> do_watched(const py::object& shown, const std::function<void(Watch&)>& work);
+
+// Interrupts all work that is under way, and waits until it has ended; none begins after it. For the end of the
+// interpreter: a thread of work in C++ that comes back to it later, as a daemon thread does, would end the process.
+void end_all_work();
 
 // What the work makes, and what was raised.
 template <class Made, class Work>

@@ -233,3 +233,17 @@ def test_certified_meshes(dtype):
                             ((sphere, vertices, faces * 0.5), "indices have shape"), ((sphere, vertices, faces, [200]), "a triangle is number 200")):
         with pytest.raises(ax.Error, match=said):
             ax.certified.mesh(*arguments)
+
+
+def test_a_daemon_thread_ends_with_the_script(tmp_path):
+    script = run_script("""
+        import threading, time
+        import axiscert as ax
+        begun = threading.Event()
+        work = lambda: ax.judge("published", family="tangent", trials=10**9, progress=lambda *_: begun.set())
+        threading.Thread(target=work, daemon=True).start()
+        begun.wait()
+        print("ends", flush=True)
+    """, tmp_path)
+    said, told = script.communicate(timeout=60)
+    assert script.returncode == 0 and said == "ends\n", told
