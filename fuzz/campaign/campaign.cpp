@@ -204,14 +204,16 @@ void judge(const Oracles& oracles, const MadeBatch<Real>& batch, KernelRuns<Real
 }
 
 // Where a screen judges verdicts without any oracle, what is said beside them, which takes a hundred times as long, is
-// judged on so many of the first queries of a source.
+// judged on so many of the first queries of a source, and on all of a file.
 constexpr std::uint64_t most_contacts = std::uint64_t{1} << 12;
 
 // Judges that.
 template <class Real>
-void judge_contacts(const Oracles& oracles, const MadeBatch<Real>& batch, KernelRuns<Real>& runs) {
+void judge_contacts(const Oracles& oracles, const Source& source, const MadeBatch<Real>& batch,
+                    KernelRuns<Real>& runs) {
+  const std::uint64_t most = source.fixed_size(precision_of<Real>).value_or(most_contacts);
   if (std::none_of(runs.begin(), runs.end(), [](const auto& run) { return run.has_contacts(); })) return;
-  for (std::size_t i = 0; i < batch.size() && batch.position + i < most_contacts; ++i) {
+  for (std::size_t i = 0; i < batch.size() && batch.position + i < most; ++i) {
     const Numbers<Real> numbers = batch.queries[i];
     if (!oracles.is_valid(numbers)) continue;
     ContactLook<Real> contacts(oracles, numbers);
@@ -259,7 +261,7 @@ void run(const Plan& plan, const Source& source, std::uint64_t first, std::uint6
     steps.errors += watch.lap();
     look_at_clear(oracles, made, runs);
     judge(oracles, made, runs, *screen, open, !is_screened);
-    if (is_screened) judge_contacts(oracles, made, runs);
+    if (is_screened) judge_contacts(oracles, source, made, runs);
     screen->sample();
     steps.judging += watch.lap();
     if (asked) asked(queries.size());

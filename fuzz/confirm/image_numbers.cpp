@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace axiscert {
 namespace {
@@ -39,7 +40,12 @@ std::optional<std::array<double, 3>> vector_of(std::span<const double> measures,
 
 double length_of(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
 
-double angle_of(const std::array<double, 3>& u, const std::array<double, 3>& v) {
+// Of vectors that are not 0, of any length: the products of long and short ones leave the range.
+double angle_of(std::array<double, 3> u, std::array<double, 3> v) {
+  for (auto* const one : {&u, &v}) {
+    const double greatest = std::max({std::fabs((*one)[0]), std::fabs((*one)[1]), std::fabs((*one)[2])});
+    for (double& x : *one) x /= greatest;
+  }
   const std::array<double, 3> across = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
                                         u[0] * v[1] - u[1] * v[0]};
   return std::atan2(length_of(across), u[0] * v[0] + u[1] * v[1] + u[2] * v[2]);
@@ -144,13 +150,16 @@ ImageErrors image_errors(const Predicate& predicate, const PredicateEntry& entry
     if (u && v) see(*u, *v);
     errors.is_lost |= u.has_value() != v.has_value();
   };
-  see_numbers(MeasureKind::separation, [&](double u, double v) { errors.separation = std::fabs(u - v) / extent; });
+  see_numbers(MeasureKind::separation, [&](double u, double v) {
+    errors.separation = std::min(std::fabs(u / extent - v / extent), std::numeric_limits<double>::max());
+  });
   see_numbers(MeasureKind::feature, [&](double u, double v) { errors.is_other_feature = u != v; });
   see_vectors(MeasureKind::normal, errors.has_lost_normal,
               [&](const auto& u, const auto& v) { errors.angle = angle_of(u, v); });
   for (const MeasureKind kind : {MeasureKind::point, MeasureKind::point_a, MeasureKind::point_b}) {
     see_vectors(kind, errors.is_lost, [&](const auto& u, const auto& v) {
-      const double off = length_of({u[0] - v[0], u[1] - v[1], u[2] - v[2]}) / extent;
+      const auto apart = [&](std::size_t i) { return u[i] / extent - v[i] / extent; };
+      const double off = std::min(length_of({apart(0), apart(1), apart(2)}), std::numeric_limits<double>::max());
       errors.point = std::max(errors.point.value_or(0), off);
     });
   }

@@ -82,6 +82,17 @@ TEST(ImageNumbers, ANormalOfOneSideDoesNotFollowAMirror) {
   EXPECT_LT(found.point.size, 0x1p-44);
 }
 
+TEST(ImageNumbers, ANormalOfAnyLengthHasItsAngle) {
+  for (const double length : {1.0, 1e200, 1e-200}) {
+    const auto fixed = [length](const QueryColumns<double>&, std::size_t, std::vector<double>& m) {
+      m[2] = 0.3 * length;
+      m[3] = 0.5 * length;
+      m[4] = 0.7 * length;
+    };
+    EXPECT_GT(numbers_on(with_numbers("contact", fixed), "axes", 600).angle.size, 1) << length;
+  }
+}
+
 TEST(ImageNumbers, APointFromTheOriginDoesNotFollowATranslation) {
   const auto rounded = [](const QueryColumns<double>&, std::size_t, std::vector<double>& m) {
     m[5] = std::round(m[5] * 64) / 64;

@@ -160,7 +160,9 @@ void count_contact(ContactTally& tally, std::uint64_t position, const ContactJud
   if (judgement.lacks_feature) ++tally.feature->none;
   if (judgement.lacks_normal) ++tally.normal->none;
   if (judgement.lacks_push) ++tally.pushed->none;
-  if (judgement.lacks_point) ++tally.point->none;
+  if (judgement.lacks_point) {
+    for (auto* const points : {&tally.point, &tally.point_a, &tally.point_b}) ++(*points)->none;
+  }
 }
 
 ContactTally given_contacts(ContactTally tally, const Predicate& predicate, std::size_t measure_count) {

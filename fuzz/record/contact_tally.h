@@ -208,6 +208,8 @@ struct PushTally {
   Leaders<Decimal6> largest_left;
   Leaders<bool> first_flip;
 
+  std::uint64_t with_a_side() const { return judged - nowhere; }
+
   static constexpr std::string_view about =
       "What is left of the penetration when the second body is pushed by the exact depth along the normal that is "
       "given, "

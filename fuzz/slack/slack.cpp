@@ -21,7 +21,7 @@ namespace {
 
 constexpr double agreeing_factor = 2;    // sizes agree within this factor of their middle
 constexpr double seen_above = 10;        // a size is seen above so many times the rounding
-constexpr double most_of_length = 0.05;  // of the scene's own length: what is more is no slack, but another answer
+constexpr double most_of_length = 0.25;  // of the scene's own length: what is more is no slack, but another answer
 
 using BracketGroup = std::vector<const Bracket*>;
 
@@ -228,14 +228,16 @@ class Finder {
 
   // The least size that enough of the queries would show, were it there, and the size by which enough of them are off:
   // where there are two lengths, the greater of the first sizes and the less of the second.
-  static SlackLook look(std::string_view where, const BracketGroup& of) {
+  // What the kernel declares as its margin hides as much.
+  SlackLook look(std::string_view where, const BracketGroup& of) const {
+    const double margin = kernel_.limits.margin;
     SlackLook look{where, of.size(), {}, {}, {}, {}};
     if (of.size() < least_bracketed) return look;
     for (const Yardstick& by : yardsticks_of(of)) {
       std::vector<double> least, off;
       for (const Bracket* one : of) {
         if (by.length(*one) == 0) continue;
-        least.push_back(seen_above * one->rounding / by.length(*one));
+        least.push_back((seen_above * one->rounding + margin) / by.length(*one));
         if (std::abs(one->early) > seen_above * one->rounding) off.push_back(std::abs(one->early) / by.length(*one));
       }
       if (least.size() < least_bracketed) continue;

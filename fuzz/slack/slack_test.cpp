@@ -39,6 +39,7 @@ std::vector<Planted> planted_kernels() {
   const std::string unit = "the queries' unit";
   return {
       {"skin", [] { return sphere("skin", {.skin = 1e-4}); }, both, relative, "r", 1e-4},
+      {"thick_skin", [] { return sphere("thick", {.skin = 0.1}); }, both, relative, "r", 0.1, "any feature"},
       {"thin_skin", [] { return sphere("thin", {.skin = -1e-6}); }, {twice}, relative, "r", 1e-6},
       {"skin_of_face", [] { return sphere("face", {.skin_of_face = 1e-4}); }, both, relative, "r", 1e-4, "the face"},
       {"margin", [] { return sphere("margin", {.margin = 1e-3}); }, both, absolute, unit, 1e-3},
@@ -158,16 +159,26 @@ TEST(Slacks, TheEpsilonsOfBooksAreNamed) {
 
 // Too far off for a slack, which another answer would explain as well: not by one size, and not in silence.
 TEST(Slacks, AnswersThatAreFarOffAreToldBySize) {
-  const auto slacks = slacks_of(planted::sphere("tenth", {.skin = 0.1}), twice, 1, std::string(scalar_target));
+  const auto slacks = slacks_of(planted::sphere("half", {.skin = 0.5}), twice, 1, std::string(scalar_target));
   ASSERT_TRUE(slacks);
   const SlackLook* const off = most_off(*slacks, SlackKind::relative);
   ASSERT_NE(off, nullptr);
-  EXPECT_GT(off->off_relative, 0.01);
-  EXPECT_LE(off->off_relative, 0.1001);
+  EXPECT_GT(off->off_relative, 0.1);
+  EXPECT_LE(off->off_relative, 0.5001);
   const auto right = slacks_of(find_kernel("published"), twice, 1, std::string(scalar_target));
   EXPECT_EQ(most_off(*right, SlackKind::relative), nullptr);
   EXPECT_EQ(most_off(*right, SlackKind::absolute), nullptr);
   EXPECT_TRUE(right->blind.empty()) << blind_text(*right);
+}
+
+// A margin that a kernel declares hides what is smaller.
+TEST(Slacks, NothingBelowADeclaredMarginWouldBeSeen) {
+  Kernel kernel = planted::sphere("margin", {.skin = 0.01});
+  kernel.limits.margin = 0.05;
+  const auto slacks = slacks_of(kernel, twice, 1, std::string(scalar_target));
+  ASSERT_TRUE(slacks);
+  ASSERT_TRUE(least_absolute(*slacks));
+  EXPECT_GE(*least_absolute(*slacks), 0.05);
 }
 
 TEST(Slacks, AKindOnWhichTheAnswerNeverTurnsIsNamed) {

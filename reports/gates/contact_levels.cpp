@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <functional>
@@ -88,6 +89,22 @@ void leave_out(LevelFindings& found, const std::string& what) {
   found.leaves_out += (found.leaves_out.empty() ? "" : "; ") + what;
 }
 
+// Why a number that stands beside so few answers of a family says nothing; empty where it stands beside half of them.
+// A contact that was missed has none.
+std::string seldom_text(const Subject& subject, const Counts& counts, std::string_view what) {
+  const bool moves = is_of_motions(predicate_of(subject.record().plan));
+  for (const auto& [family, result] : subject.families()) {
+    const std::optional<Given> given = result.contacts ? counts(*result.contacts) : std::nullopt;
+    if (!given) continue;
+    const std::uint64_t without = given->none + (moves ? result.verdict.false_separation : 0);
+    if (without <= given->judged) continue;
+    return fmt::format("on {} it {} no {} beside {} of {} {}, and has to beside half of them", family,
+                       moves ? "misses, or gives" : "gives", what, thousands(without),
+                       thousands(given->judged + without), moves ? "contacts" : "answers");
+  }
+  return "";
+}
+
 // Looks at the answers with the number; why that is too little stands in `not_checked`.
 LevelFindings look_at(const Subject& subject, const Counts& counts, MeasureKind kind, std::string_view what) {
   LevelFindings found;
@@ -98,8 +115,7 @@ LevelFindings look_at(const Subject& subject, const Counts& counts, MeasureKind 
     found.not_checked = fmt::format("the predicate {} has no {} of contact", predicate.id, what);
     return found;
   }
-  std::uint64_t judged = 0, none = 0;
-  std::vector<std::string> seldom;
+  std::uint64_t judged = 0, none = 0, unjudged = 0;
   for (const auto& [family, result] : subject.families()) {
     const std::optional<Given> given = result.contacts ? counts(*result.contacts) : std::nullopt;
     if (!given) {
@@ -109,18 +125,19 @@ LevelFindings look_at(const Subject& subject, const Counts& counts, MeasureKind 
     const std::uint64_t missed = moves ? result.verdict.false_separation : 0;
     found.families[family] = {given->judged + given->none + missed, given->judged};
     if (given->judged == 0) found.unseen.push_back(family);
-    if (given->none > given->judged) {
-      seldom.push_back(fmt::format("on {} it gives no {} beside {} of {} {}, and has to beside half of them", family,
-                                   what, thousands(given->none), thousands(given->judged + given->none), answers));
-    }
+    const std::uint64_t promised = subject.evidence(result).promised();
+    if (!moves) unjudged += promised - std::min(promised, result.contacts->answers);
     judged += given->judged;
     none += given->none;
   }
   if (judged == 0) found.not_checked = fmt::format("no {} has a {}", moves ? "contact that it found" : "answer", what);
-  else if (!seldom.empty()) found.not_checked = seldom.front();
+  else found.not_checked = seldom_text(subject, counts, what);
   found.covers = fmt::format("the {} of {} {} of {}, each compared with the exact one", what, thousands(judged),
                              answers, subject.list_of_families());
   if (none != 0) leave_out(found, fmt::format("{} {} without a {}", thousands(none), answers, what));
+  if (unjudged != 0)
+    leave_out(found, fmt::format("{} queries whose numbers were not judged: of a family the first 4,096 are",
+                                 thousands(unjudged)));
   if (moves) leave_out(found, "missed and phantom contacts");
   return found;
 }
@@ -216,9 +233,17 @@ void add_worst(const Subject& subject, LevelFindings& found, const std::string& 
                     fmt::format("the worst {} is off by {:.4g}{}: {} is allowed", what, largest, unit, most), shown);
 }
 
+// Normals beside separations alone say nothing of those beside contacts, by which bodies are pushed.
+LevelFindings look_at_normals(const Subject& subject) {
+  LevelFindings found = look_at(subject, counts_of(&ContactTally::normal), MeasureKind::normal, "normal");
+  if (found.not_checked.empty())
+    found.not_checked = seldom_text(subject, counts_of(&ContactTally::pushed), "normal of an overlap");
+  return found;
+}
+
 LevelFindings judge_normal(const AskedLevel& asked, const Subject& subject) {
   const double most = bound_of(asked, angle_bound);
-  LevelFindings found = look_at(subject, counts_of(&ContactTally::normal), MeasureKind::normal, "normal");
+  LevelFindings found = look_at_normals(subject);
   for_each_part(subject, &ContactTally::normal, [&](const std::string& family, const NormalTally& normal) {
     const double degrees = normal.largest_angle.best() * 180 / std::numbers::pi;
     add_worst(subject, found, family, degrees, most, "normal", " degrees", "largest angle of a normal");
@@ -229,7 +254,7 @@ LevelFindings judge_normal(const AskedLevel& asked, const Subject& subject) {
 
 LevelFindings judge_unit(const AskedLevel& asked, const Subject& subject) {
   const double most = bound_of(asked, length_bound);
-  LevelFindings found = look_at(subject, counts_of(&ContactTally::normal), MeasureKind::normal, "normal");
+  LevelFindings found = look_at_normals(subject);
   for_each_part(subject, &ContactTally::normal, [&](const std::string& family, const NormalTally& normal) {
     add_worst(subject, found, family, normal.largest_length_error.best(), most, "length of a normal", " of 1",
               "largest error of a normal's length");
@@ -251,7 +276,7 @@ LevelFindings judge_no_flip(const AskedLevel&, const Subject& subject) {
   const auto with_a_side = [](const ContactTally& contacts) -> std::optional<Given> {
     const std::optional<PushTally>& pushed = contacts.pushed;
     if (!pushed) return std::nullopt;
-    return Given{pushed->judged - pushed->nowhere, pushed->none + pushed->nowhere};
+    return Given{pushed->with_a_side(), pushed->none + pushed->nowhere};
   };
   LevelFindings found = look_at_pushed(subject, with_a_side);
   for_each_part(subject, &ContactTally::pushed, [&](const std::string& family, const PushTally& pushed) {

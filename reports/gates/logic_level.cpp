@@ -163,7 +163,9 @@ LevelFindings logic_findings(const Subject& subject) {
     const bool is_exact = is_of_exact_arithmetic(subject, result);
     const FamilyLook look = is_exact ? look_at_exact(subject, result) : look_at_clear(result);
     if (is_exact || look.concerned >= least_looked_at) (is_exact ? exact : clear).add(family, look.looked_at);
-    if (!is_exact && units != nullptr)
+    if (const Evidence evidence = subject.evidence(result); evidence.promised() == 0 && evidence.population != 0)
+      found.families[family] = {};  // outside its limits
+    else if (!is_exact && units != nullptr)
       found.families[family] = subject.pairs_look(result, units->images, units->undecided);
     else if (is_exact || look.concerned >= least_looked_at) found.families[family] = look;
     else found.unseen.push_back(family);

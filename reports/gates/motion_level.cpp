@@ -96,6 +96,11 @@ LevelFindings judge_never_late(const AskedLevel& asked, const Subject& subject) 
   add_untimed(subject, found);
   look_at_contacts(subject, false, found);
   for (const auto& [family, result] : subject.families()) {
+    const std::uint64_t missed = result.verdict.false_separation, hits = result.contacts->answers;
+    if (missed > hits && found.not_checked.empty()) {
+      found.not_checked = fmt::format("on {} it misses {} of {} contacts, and has to find half of them", family,
+                                      thousands(missed), thousands(missed + hits));
+    }
     const TimeTally& time = *result.contacts->time;
     const double length = time.late_errors.largest_length.best(), metres = length * metres_of_unit;
     if (!asked.has_argument) {

@@ -114,26 +114,30 @@ namespace {
 
 std::vector<std::string> body_cells(const ContactTally& contacts) {
   constexpr const char* none = "-";
+  // What was judged on no answer has no figure.
+  const auto given = [](const auto& part) { return part && part->judged != 0; };
   std::vector<std::string> cells = {thousands(contacts.answers)};
   const auto& separation = contacts.separation;
-  cells.push_back(separation ? amount(separation->largest_error.best(), 3) : none);
-  cells.push_back(separation ? error_amount(separation->largest_ulps.best()) : none);
+  const bool has_separation = given(separation);
+  cells.push_back(has_separation ? amount(separation->largest_error.best(), 3) : none);
+  cells.push_back(has_separation ? error_amount(separation->largest_ulps.best()) : none);
   const auto& consistency = contacts.consistency;
   cells.push_back(consistency ? thousands(consistency->positive + consistency->negative + consistency->missing) : none);
-  cells.push_back(contacts.feature ? thousands(contacts.feature->wrong) : none);
-  cells.push_back(contacts.pushed ? thousands(contacts.pushed->flips) : none);
-  cells.push_back(contacts.pushed ? error_amount(contacts.pushed->largest_left.best()) : none);
+  cells.push_back(given(contacts.feature) ? thousands(contacts.feature->wrong) : none);
+  const bool has_pushes = given(contacts.pushed), has_sides = has_pushes && contacts.pushed->with_a_side() != 0;
+  cells.push_back(has_sides ? thousands(contacts.pushed->flips) : none);
+  cells.push_back(has_pushes ? error_amount(contacts.pushed->largest_left.best()) : none);
   cells.push_back(contacts.normal ? amount(contacts.normal->largest_angle.best(), 3) : none);
   cells.push_back(contacts.normal ? amount(contacts.normal->largest_length_error.best(), 3) : none);
   double largest = 0;
   bool is_given = false;
   for (const auto* points : {&contacts.point, &contacts.point_a, &contacts.point_b}) {
-    if (!*points) continue;
+    if (!given(*points)) continue;
     is_given = true;
     largest = std::max(largest, (*points)->largest_error.best());
   }
   cells.push_back(is_given ? amount(largest, 3) : none);
-  cells.push_back(contacts.points ? amount(contacts.points->largest_error.best(), 3) : none);
+  cells.push_back(given(contacts.points) ? amount(contacts.points->largest_error.best(), 3) : none);
   return cells;
 }
 
