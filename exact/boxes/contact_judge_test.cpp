@@ -62,7 +62,8 @@ TEST(BodyContactJudge, FindsEachFault) {
   EXPECT_EQ(changed([](Said& n) { n[3] = 2; }).normal_length_error, 1);
   EXPECT_TRUE(changed([](Said& n) { n[3] = 2; }).pushed->left.is_zero()) << "a length is no direction";
   const ContactJudgement none = changed([](Said& n) { n[3] = 0; });
-  EXPECT_FALSE(none.pushed);
+  EXPECT_TRUE(none.pushed->is_nowhere);
+  EXPECT_EQ(none.pushed->left.text(), "1");
   EXPECT_EQ(none.normal_angle, std::numbers::pi);
   const ContactJudgement swapped = changed([](Said& n) { std::swap_ranges(&n[4], &n[7], &n[7]); });
   EXPECT_EQ(swapped.point_a_error, 0) << "within A";
