@@ -56,7 +56,7 @@ py::array certified_verdicts(const py::array& numbers, const std::string& questi
   const axiscert_results results{verdict.mutable_data(), nullptr, nullptr};
   given.visit([&]<class Real>(const QueryColumns<Real>& columns) {
     static_assert(columns_of_pair <= most_columns);
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     if constexpr (sizeof(Real) == 4) axiscert_pairs_f32(columns.column.data(), columns.size, asked, &results);
     else axiscert_pairs_f64(columns.column.data(), columns.size, asked, &results);
   });
@@ -75,7 +75,7 @@ py::tuple certified_contacts(const py::array& numbers, const std::string& questi
     Said<Real> said(static_cast<py::ssize_t>(columns.size));
     const ContactArrays<Real> to = said.arrays(columns.size, true);
     {
-      const py::gil_scoped_release unlocked;
+      const Unlocked unlocked;
       if constexpr (sizeof(Real) == 4) axiscert_contact_pairs_f32(columns.column.data(), columns.size, asked, &to);
       else axiscert_contact_pairs_f64(columns.column.data(), columns.size, asked, &to);
     }
@@ -100,7 +100,7 @@ py::tuple mesh_of(const py::array_t<Real>& sphere, const py::array_t<Real>& vert
   const std::uint32_t* const t = triangles.data();
   axiscert_counts counts;
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     if constexpr (sizeof(Real) == 4) counts = axiscert_contact_mesh_list_f32(s, &mesh, t, size, asked, h, &to);
     else counts = axiscert_contact_mesh_list_f64(s, &mesh, t, size, asked, h, &to);
   }

@@ -5,6 +5,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <unistd.h>
+
+#include <atomic>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,6 +18,25 @@
 
 namespace axiscert::python {
 namespace py = pybind11;
+
+// Whether the interpreter is about to end, all work having ended (end_all_work).
+inline std::atomic<bool> is_ended = false;
+
+// The interpreter's lock given back, for a scope. A daemon thread that comes for it when the interpreter ends waits for
+// the end of the process: Python 3.11 would unwind it through C++, which ends the process at once.
+class Unlocked {
+ public:
+  Unlocked() : state_(PyEval_SaveThread()) {}
+  ~Unlocked() {
+    while (is_ended && gettid() != getpid()) pause();
+    PyEval_RestoreThread(state_);
+  }
+  Unlocked(const Unlocked&) = delete;
+  Unlocked& operator=(const Unlocked&) = delete;
+
+ private:
+  PyThreadState* state_;
+};
 
 // The entry of a predicate, by the names of both; "" is the first. Throws Error that lists them.
 struct EntryOf {

@@ -89,7 +89,7 @@ py::tuple judge(const py::dict& given, const py::object& progress) {
 
 template <class Data>
 std::string json_text(const Data& data) {
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return json_of(data).dump(1) + "\n";
 }
 
@@ -131,7 +131,7 @@ void bind_judge(py::module_& m) {
             write_run(to, run.files);
             render_reports(folder);
           },
-          py::call_guard<py::gil_scoped_release>())
+          py::call_guard<Unlocked>())
       .def(py::pickle(
           [](const Judged& run) {
             return py::make_tuple(py::bytes(json_text(run.files.record)), py::bytes(json_text(run.files.info)));

@@ -87,7 +87,7 @@ py::list parts_of(const std::vector<StoredQuery>& stored) {
 
 template <class Work>
 auto without_lock(Work&& work) {
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return work();
 }
 
@@ -95,7 +95,7 @@ std::string lines_of(const std::string& predicate, const std::string& entry, con
                      const std::vector<std::string>& ids) {
   const EntryOf of = entry_named(predicate, entry);
   const GivenColumns given(of, numbers);
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return given.visit([&]<class Real>(const QueryColumns<Real>& columns) {
     std::string text;
     for (std::size_t i = 0; i < columns.size; ++i) {
@@ -120,7 +120,7 @@ void bind_queries(py::module_& m) {
       .def("queries", &queries_of)
       .def("addresses", [](const Source& s, const std::string& precision, std::uint64_t seed,
                            const std::vector<std::uint64_t>& positions) {
-        const py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         const SeededSource seeded{s, seed, parse_precision(precision)};
         std::vector<std::string> texts;
         for (const std::uint64_t position : positions) texts.push_back(seeded.address(position));
@@ -129,11 +129,11 @@ void bind_queries(py::module_& m) {
   const auto shared = [](const SourcePtr& source) { return std::const_pointer_cast<Source>(source); };
   m.def("family_source", [=](const std::string& name) { return shared(family_source(find_family(name))); });
   m.def("mesh_source", [=](const std::string& path, const std::string& predicate) {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     return shared(mesh_source(path, predicate_named(predicate)));
   });
   m.def("corpus_source", [=](const std::string& folder, const std::string& predicate, const std::string& entry) {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     const EntryOf of = entry_named(predicate, entry);
     return shared(corpus_source(folder.empty() ? default_corpus_folder() : folder, *of.predicate, of.entry));
   });

@@ -55,11 +55,12 @@ class Counted {
 // Each thread takes the lock once more, to end as after a Ctrl-C: that is only possible before the interpreter ends.
 void end_all_work() {
   if (under_way().process != getpid()) return;
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   std::unique_lock lock(under_way().mutex);
   under_way().is_ending = true;
   for (Watch* const watch : under_way().watches) watch->interrupt();
   under_way().changed.wait(lock, [] { return under_way().watches.empty(); });
+  is_ended = true;
 }
 
 ThreadCaches::~ThreadCaches() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
@@ -101,7 +102,7 @@ class WatchedThread {
   ~WatchedThread() {
     if (!thread_.joinable()) return;
     watch_.interrupted_ = true;
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     thread_.join();
   }
 
@@ -118,7 +119,7 @@ class WatchedThread {
       std::optional<Progress> news;
       std::string stage;
       {
-        const py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         std::unique_lock lock(watch_.mutex_);
         watch_.changed_.wait_for(lock, look_every, [&] { return watch_.is_done_.load(); });
         if (watch_.is_new_) news = watch_.last_.value_or(Progress{0, 0, 0, 0});
@@ -136,7 +137,7 @@ class WatchedThread {
       }
     }
     {
-      const py::gil_scoped_release unlocked;
+      const Unlocked unlocked;
       thread_.join();
     }
     if (has_given_up) set_abandoned(false);
