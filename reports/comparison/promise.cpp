@@ -129,6 +129,16 @@ class Reader {
   std::set<std::string> seen_;
 };
 
+// All that one shows with this exposure and the first so many of its predicate's measures.
+std::vector<std::string> shown_by(const Predicate& predicate, Exposure exposes, std::size_t measures) {
+  std::vector<std::string> names;
+  for (const Exposure shown : enumerators<Exposure>) {
+    if (shown != Exposure::verdict && shown <= exposes) names.emplace_back(name(shown));
+  }
+  for (std::size_t k = 0; k < measures; ++k) names.emplace_back(predicate.measures[k].name);
+  return names;
+}
+
 }  // namespace
 
 Promise promise_in(const KernelRecord& entry) {
@@ -150,9 +160,7 @@ Promise promise_in(const KernelRecord& entry) {
 Promise promise_of_kernel(const Kernel& kernel) {
   Promise promise{kernel.touching, kernel.limits, std::nullopt, kernel.may_decline};
   if (is_of_motions(*kernel.predicate)) promise.motion = kernel.motion;
-  for (std::size_t i = 1; i <= index_of(kernel.exposes); ++i)
-    promise.shows.emplace_back(name(static_cast<Exposure>(i)));
-  for (std::size_t k = 0; k < kernel.measure_count; ++k) promise.shows.emplace_back(kernel.predicate->measures[k].name);
+  promise.shows = shown_by(*kernel.predicate, kernel.exposes, kernel.measure_count);
   return promise;
 }
 
@@ -187,12 +195,7 @@ PromiseChange change_of(const Promise& before, const Promise& now) {
 }
 
 std::vector<std::string> shown_names(const Predicate& predicate) {
-  std::vector<std::string> names;
-  for (const Exposure shown : enumerators<Exposure>) {
-    if (shown != Exposure::verdict) names.emplace_back(name(shown));
-  }
-  for (const PredicateMeasure& measure : predicate.measures) names.emplace_back(measure.name);
-  return names;
+  return shown_by(predicate, Exposure::sides, predicate.measures.size());
 }
 
 std::vector<std::string> hidden_since(const Promise& before, const Promise& now) {

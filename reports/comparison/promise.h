@@ -17,7 +17,7 @@ struct Promise {
   Limits limits = {};
   std::optional<MotionPolicy> motion = {};  // of a predicate of motions
   bool may_decline = false;
-  // What it shows beside its verdict, in the record's names: "comparisons", "sides", "separation".
+  // The results beside its verdict, in the record's names: "comparisons", "sides", "separation".
   std::vector<std::string> shows = {};
   bool operator==(const Promise&) const = default;
 };

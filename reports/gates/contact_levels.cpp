@@ -85,10 +85,6 @@ Counts counts_of(std::optional<Part> ContactTally::*member) {
   };
 }
 
-void leave_out(LevelFindings& found, const std::string& what) {
-  found.leaves_out += (found.leaves_out.empty() ? "" : "; ") + what;
-}
-
 // Why a number that stands beside so few answers of a family says nothing; empty where it stands beside half of them.
 // A contact that was missed has none.
 std::string seldom_text(const Subject& subject, const Counts& counts, std::string_view what) {
@@ -134,11 +130,11 @@ LevelFindings look_at(const Subject& subject, const Counts& counts, MeasureKind 
   else found.not_checked = seldom_text(subject, counts, what);
   found.covers = fmt::format("the {} of {} {} of {}, each compared with the exact one", what, thousands(judged),
                              answers, subject.list_of_families());
-  if (none != 0) leave_out(found, fmt::format("{} {} without a {}", thousands(none), answers, what));
+  if (none != 0) leave_out(found.leaves_out, fmt::format("{} {} without a {}", thousands(none), answers, what));
   if (unjudged != 0)
-    leave_out(found, fmt::format("{} queries whose numbers were not judged: of a family the first 4,096 are",
-                                 thousands(unjudged)));
-  if (moves) leave_out(found, "missed and phantom contacts");
+    leave_out(found.leaves_out, fmt::format("{} queries whose numbers were not judged: of a family the first 4,096 are",
+                                            thousands(unjudged)));
+  if (moves) leave_out(found.leaves_out, "missed and phantom contacts");
   return found;
 }
 
@@ -173,7 +169,7 @@ LevelFindings judge_early(const AskedLevel& asked, const Subject& subject) {
                       fmt::format("times before the best one, the earliest by {}: {} is allowed", by, bound.text("u")),
                       bound.is_length ? fmt::format("earliest time: {:.6g} in length", length) : "earliest time");
   });
-  leave_out(found, "late times, which never-late asks about");
+  leave_out(found.leaves_out, "late times, which never-late asks about");
   return found;
 }
 
@@ -248,7 +244,7 @@ LevelFindings judge_normal(const AskedLevel& asked, const Subject& subject) {
     const double degrees = normal.largest_angle.best() * 180 / std::numbers::pi;
     add_worst(subject, found, family, degrees, most, "normal", " degrees", "largest angle of a normal");
   });
-  leave_out(found, "contacts at the distance 0 or with several normals, which left and no-flip ask about");
+  leave_out(found.leaves_out, "contacts at the distance 0 or with several normals, which left and no-flip ask about");
   return found;
 }
 
@@ -268,7 +264,7 @@ LevelFindings look_at_pushed(const Subject& subject, const Counts& counts) {
     found = {};
     found.not_checked = "in a predicate of motions nothing is pushed out of another";
   }
-  leave_out(found, "answers where the exact depth is 0");
+  leave_out(found.leaves_out, "answers where the exact depth is 0");
   return found;
 }
 

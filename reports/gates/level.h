@@ -171,6 +171,11 @@ struct GateLevel {
   std::string_view name() const;
 };
 
+// Adds one more thing that "met" leaves out.
+inline void leave_out(std::string& leaves_out, const std::string& what) {
+  leaves_out += (leaves_out.empty() ? "" : "; ") + what;
+}
+
 // In the order in which they are listed.
 std::span<const GateLevel* const> gate_levels();
 // Those with a badge, of the lowest rank first.

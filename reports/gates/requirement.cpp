@@ -232,12 +232,10 @@ LevelOutcome outcome_of(const Record& record, const KernelRecord& whole, const A
   }
   outcome.covers = found.covers + fewest_text(subject, found, asked) + asked_again_text(subject);
   outcome.leaves_out = std::move(found.leaves_out);
-  const auto leave_out = [&](const std::string& what) {
-    outcome.leaves_out += (outcome.leaves_out.empty() ? "" : "; ") + what;
-  };
-  if (!outcome.outside.empty()) leave_out(fmt::format("outside its limits: {}", fmt::join(outcome.outside, ", ")));
-  if (outcome.evidence.declined() != 0) leave_out("what it declined");
-  if (outcome.leaves_out.empty()) leave_out("nothing");
+  if (!outcome.outside.empty())
+    leave_out(outcome.leaves_out, fmt::format("outside its limits: {}", fmt::join(outcome.outside, ", ")));
+  if (outcome.evidence.declined() != 0) leave_out(outcome.leaves_out, "what it declined");
+  if (outcome.leaves_out.empty()) outcome.leaves_out = "nothing";
   return outcome;
 }
 

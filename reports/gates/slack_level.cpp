@@ -121,8 +121,8 @@ LevelFindings judge_slack(const AskedLevel& asked, const Subject& subject) {
 std::string slack_sentence(const AskedLevel& asked) {
   const SlackSize size = size_argument(asked);
   return fmt::format(
-      "no slack above {}: so near to the exact turn the answers turn, but for fewer than 24 queries of a kind",
-      size.kind == SlackKind::absolute ? metric_text(size.size) : size_text(size));
+      "no slack above {}: so near to the exact turn the answers turn, but for fewer than {} queries of a kind",
+      size.kind == SlackKind::absolute ? metric_text(size.size) : size_text(size), least_agreeing);
 }
 
 }  // namespace
