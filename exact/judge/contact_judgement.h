@@ -81,8 +81,8 @@ struct ContactJudgement {
   std::optional<SeparationError> separation;  // of a number
   // The same against the exact separation less the margin that the kernel declares; empty too where it declares none.
   std::optional<SeparationError> separation_less_margin;
-  // Of a normal where the depth is above 0: one of length 0 leaves all of it, but where the centre is on the triangle,
-  // which is pushed nowhere then: it is empty.
+  // There for a normal where the depth is above 0. One of length 0 leaves all of it; beside a sphere whose centre is on
+  // the triangle it counts as none.
   std::optional<Pushed> pushed;
   // How far each of two points, one of each body, is from its body, and their distance from |separation|.
   std::optional<double> point_a_error, point_b_error, points_apart;

@@ -23,7 +23,7 @@ std::array<double, 3> unit_vector(const RationalVector& v);
 
 // The angle between two vectors in radians, rounded to the nearest binary64 from its sine; pi where one is zero.
 double angle_between(const RationalVector& a, const RationalVector& b);
-// What a normal of length 0 leaves.
+// A push along a normal of length 0: all of the depth is left.
 inline Pushed pushed_nowhere() { return {.left = round_up(1), .is_nowhere = true}; }
 // | |n| - 1 |, of binary64; at most the greatest.
 double length_error(const RationalVector& n);

@@ -40,7 +40,7 @@ std::optional<std::array<double, 3>> vector_of(std::span<const double> measures,
 
 double length_of(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
 
-// Of vectors that are not 0, of any length: the products of long and short ones leave the range.
+// The vectors are not 0, and are made shorter or longer first: products of long and short ones leave the range.
 double angle_of(std::array<double, 3> u, std::array<double, 3> v) {
   for (auto* const one : {&u, &v}) {
     const double greatest = std::max({std::fabs((*one)[0]), std::fabs((*one)[1]), std::fabs((*one)[2])});

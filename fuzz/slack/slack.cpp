@@ -228,7 +228,7 @@ class Finder {
 
   // The least size that enough of the queries would show, were it there, and the size by which enough of them are off:
   // where there are two lengths, the greater of the first sizes and the less of the second.
-  // What the kernel declares as its margin hides as much.
+  // A margin that the kernel declares hides as much.
   SlackLook look(std::string_view where, const BracketGroup& of) const {
     const double margin = kernel_.limits.margin;
     SlackLook look{where, of.size(), {}, {}, {}, {}};

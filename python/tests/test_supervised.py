@@ -10,7 +10,7 @@ import axiscert as ax
 from conftest import PRELOADED
 from test_callables import run_script
 
-# Of ./dev python --sanitized: the process of a supervised function has no sanitizer, which the binding there takes.
+# The process of a supervised function has no sanitizer, which the binding of ./dev python --sanitized takes.
 needs_the_binding = pytest.mark.skipif(bool(PRELOADED), reason="the binding is sanitized")
 
 
